@@ -1,0 +1,65 @@
+"""Every error the package raises on purpose. All derive from `SandboxError`, so one `except` catches them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+class SandboxError(Exception):
+    """Base of all errors of this package. Its text is one clear message that a user can act on."""
+
+
+@dataclass(frozen=True)
+class Problem:
+    """One mistake in a scene file.
+
+    `pointer` is a JSON pointer (RFC 6901) such as `/bodies/3/shapes/0`; `line` and `column` count from 1 and are
+    0 where the scene did not come from a file; `hint` is the mend, if one is known.
+    """
+
+    message: str
+    pointer: str = ""
+    line: int = 0
+    column: int = 0
+    hint: str = ""
+    excerpt: str = ""
+
+
+class SceneError(SandboxError):
+    """A scene cannot be used. Carries every problem found, in the order of the file."""
+
+    def __init__(self, source: str, problems: list[Problem]) -> None:
+        self.source = source
+        self.problems = problems
+        super().__init__("\n".join(self.lines()))
+
+    def lines(self) -> list[str]:
+        """The error list as text lines: `file:line:column: message`, then the excerpt with a caret, then the hint."""
+        out: list[str] = []
+        for problem in self.problems:
+            place = f"{self.source}:{problem.line}:{problem.column}" if problem.line else self.source
+            where = f" (at {problem.pointer})" if problem.pointer and not problem.line else ""
+            hint = f" {problem.hint}" if problem.hint else ""
+            out.append(f"{place}: {problem.message}{where}{hint}")
+            if problem.excerpt:
+                out.append(problem.excerpt)
+        return out
+
+
+class CommandError(SandboxError):
+    """A command was refused; the world is unchanged."""
+
+
+class UnknownBodyError(SandboxError, KeyError):
+    """No body of that id in the world."""
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
+class SnapshotError(SandboxError):
+    """A snapshot cannot be read by this version; the world is unchanged."""
+
+
+class MissingDependencyError(SandboxError):
+    """An optional package or a system library is not there; the text says what to install."""

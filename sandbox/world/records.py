@@ -1,0 +1,197 @@
+"""The record of everything a world stores: one table a concept, one row a field.
+
+The dtypes, the digest, the snapshot layout and the documentation are derived from these tables. Every field is
+eight bytes (`f8` or `i8`), so records have no padding and their bytes can be hashed as they are. Booleans are `i8`
+0 or 1; an index of -1 means none.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+import numpy as np
+
+Records: TypeAlias = "np.recarray[Any, Any]"
+"""A one-dimensional record array: `bodies[3].velocity_x`, or `bodies.velocity_x` for the column."""
+
+STATIC, KINEMATIC, DYNAMIC = 0, 1, 2
+CIRCLE, BOX, CAPSULE, SEGMENT, POLYGON = 0, 1, 2, 3, 4
+
+
+@dataclass(frozen=True)
+class Field:
+    """One column: its name, unit and meaning; `kind` is `f8` or `i8`; only `hashed` columns enter the digest."""
+
+    name: str
+    unit: str
+    meaning: str
+    kind: str = "f8"
+    hashed: bool = True
+
+
+@dataclass(frozen=True)
+class Table:
+    """A concept of the world: a name and its columns in storage order."""
+
+    name: str
+    fields: tuple[Field, ...]
+
+    @property
+    def dtype(self) -> np.dtype[Any]:
+        """The structured dtype of one row."""
+        return np.dtype([(field.name, field.kind) for field in self.fields])
+
+    @property
+    def hashed_fields(self) -> list[str]:
+        """Names of the columns that enter the digest."""
+        return [field.name for field in self.fields if field.hashed]
+
+    def zeros(self, count: int) -> Records:
+        """A new array of `count` rows, all zero."""
+        return np.zeros(count, self.dtype).view(np.recarray)
+
+
+BODY = Table(
+    "body",
+    (
+        Field("position_x", "m", "body origin, as the scene gives it"),
+        Field("position_y", "m", "body origin, as the scene gives it"),
+        Field("angle", "rad", "angle turned so far, not wrapped"),
+        Field("velocity_x", "m/s", "velocity of the centre of mass"),
+        Field("velocity_y", "m/s", "velocity of the centre of mass"),
+        Field("angular_velocity", "rad/s", "counter-clockwise is positive"),
+        Field("center_x", "m", "centre of mass in the world"),
+        Field("center_y", "m", "centre of mass in the world"),
+        Field("rotation_cos", "1", "cosine of the angle; what the step turns"),
+        Field("rotation_sin", "1", "sine of the angle; what the step turns"),
+        Field("local_center_x", "m", "centre of mass from the origin, in the body's frame"),
+        Field("local_center_y", "m", "centre of mass from the origin, in the body's frame"),
+        Field("mass", "kg", "0 for static and kinematic bodies"),
+        Field("inertia", "kg m^2", "about the centre of mass; 0 where it cannot turn"),
+        Field("inverse_mass", "1/kg", "0 for static and kinematic bodies"),
+        Field("inverse_inertia", "1/(kg m^2)", "0 where the body cannot turn"),
+        Field("force_x", "N", "applied during the next step, then cleared"),
+        Field("force_y", "N", "applied during the next step, then cleared"),
+        Field("torque", "N m", "applied during the next step, then cleared"),
+        Field("linear_damping", "1/s", "v' = -damping v"),
+        Field("angular_damping", "1/s", "w' = -damping w"),
+        Field("gravity_scale", "1", "multiplies the scene's gravity"),
+        Field("extent", "m", "largest distance of a surface point from the centre of mass", hashed=False),
+        Field("type", "-", "0 static, 1 kinematic, 2 dynamic", "i8"),
+        Field("awake", "-", "1 while the body is simulated; 0 asleep", "i8"),
+        Field("sleep_time", "s", "how long the body has been slow"),
+        Field("frozen_step", "-", "step at which bad numbers froze the body; -1 if never", "i8"),
+    ),
+)
+
+SHAPE = Table(
+    "shape",
+    (
+        Field("body", "-", "index of its body", "i8"),
+        Field("kind", "-", "0 circle, 1 box, 2 capsule, 3 segment, 4 polygon; for drawing only", "i8"),
+        Field("vertex_start", "-", "first row of its core in the vertex table", "i8"),
+        Field("vertex_count", "-", "1 circle, 2 capsule or segment, 3..64 polygon", "i8"),
+        Field("radius", "m", "rounding around the core"),
+        Field("friction", "1", "Coulomb coefficient; a pair uses sqrt(a b)"),
+        Field("restitution", "1", "a pair uses max(a, b)"),
+        Field("rolling_resistance", "m", "lever arm of the rolling friction; a pair uses max(a, b)"),
+        Field("surface_speed", "m/s", "conveyor: speed of the surface along its counter-clockwise tangent"),
+        Field("category", "-", "bit set of what the shape is", "i8"),
+        Field("mask", "-", "bit set of what it collides with", "i8"),
+        Field("group", "-", "same positive group always collides, same negative group never, 0 no group", "i8"),
+    ),
+)
+
+VERTEX = Table(
+    "vertex",
+    (
+        Field("x", "m", "core vertex from the centre of mass, in the body's frame, counter-clockwise"),
+        Field("y", "m", "core vertex from the centre of mass, in the body's frame, counter-clockwise"),
+        Field("normal_x", "1", "outward unit normal of the edge from this vertex to the next; 0 for a circle"),
+        Field("normal_y", "1", "outward unit normal of the edge from this vertex to the next; 0 for a circle"),
+    ),
+)
+
+
+def _point_fields() -> tuple[Field, ...]:
+    fields: list[Field] = []
+    for k in (1, 2):
+        fields += [
+            Field(f"anchor_ax{k}", "m", f"contact point {k} from the centre of body a, world axes"),
+            Field(f"anchor_ay{k}", "m", f"contact point {k} from the centre of body a, world axes"),
+            Field(f"anchor_bx{k}", "m", f"contact point {k} from the centre of body b, world axes"),
+            Field(f"anchor_by{k}", "m", f"contact point {k} from the centre of body b, world axes"),
+            Field(f"separation{k}", "m", f"gap at point {k} when the step began; negative when they overlap"),
+            Field(f"feature{k}", "-", f"feature id of point {k}: 64 * vertex of a + vertex of b", "i8"),
+            Field(f"normal_impulse{k}", "N s", f"accumulated over the last substep at point {k}"),
+            Field(f"tangent_impulse{k}", "N s", f"accumulated over the last substep at point {k}"),
+            Field(f"impact_impulse{k}", "N s", f"largest normal impulse of the step at point {k}"),
+        ]
+    return tuple(fields)
+
+
+CONTACT = Table(
+    "contact",
+    (
+        Field("shape_a", "-", "index of the first shape; shape_a < shape_b", "i8"),
+        Field("shape_b", "-", "index of the second shape", "i8"),
+        Field("body_a", "-", "index of the first body", "i8"),
+        Field("body_b", "-", "index of the second body", "i8"),
+        Field("normal_x", "1", "unit normal from a to b"),
+        Field("normal_y", "1", "unit normal from a to b"),
+        Field("friction", "1", "mixed coefficient"),
+        Field("restitution", "1", "mixed coefficient"),
+        Field("rolling_resistance", "m", "mixed lever arm"),
+        Field("surface_speed", "m/s", "tangent speed asked of b relative to a"),
+        Field("rolling_impulse", "N m s", "accumulated over the last substep"),
+        Field("point_count", "-", "1 or 2", "i8"),
+        *_point_fields(),
+    ),
+)
+
+DRAG = Table(
+    "drag",
+    (
+        Field("body", "-", "index of the dragged body; -1 when the row is free", "i8"),
+        Field("target_x", "m", "where the grabbed point is pulled to"),
+        Field("target_y", "m", "where the grabbed point is pulled to"),
+        Field("local_x", "m", "grabbed point from the centre of mass, in the body's frame"),
+        Field("local_y", "m", "grabbed point from the centre of mass, in the body's frame"),
+        Field("hertz", "1/s", "stiffness of the soft constraint"),
+        Field("damping_ratio", "1", "1 is critical damping"),
+        Field("max_force", "N", "limit of the pull"),
+        Field("impulse_x", "N s", "accumulated over the last substep"),
+        Field("impulse_y", "N s", "accumulated over the last substep"),
+    ),
+)
+
+SETTINGS = Table(
+    "settings",
+    (
+        Field("step_seconds", "s", "length of one step"),
+        Field("substeps", "-", "solver substeps in a step", "i8"),
+        Field("gravity_x", "m/s^2", ""),
+        Field("gravity_y", "m/s^2", ""),
+        Field("contact_hertz", "1/s", "stiffness of contacts"),
+        Field("contact_damping_ratio", "1", "damping of contacts"),
+        Field("push_out_speed", "m/s", "fastest overlap recovery"),
+        Field("restitution_threshold", "m/s", "slower impacts do not bounce"),
+        Field("sleeping", "-", "1 lets resting islands fall asleep", "i8"),
+    ),
+)
+
+COUNTERS = Table(
+    "counters",
+    (
+        Field("step_count", "-", "steps taken since the start", "i8"),
+        Field("contact_count", "-", "rows in use in the contact table", "i8"),
+        Field("pair_count", "-", "pairs the grid proposed in the last step", "i8", hashed=False),
+        Field("color_count", "-", "colours of the contact graph in the last step", "i8", hashed=False),
+        Field("awake_count", "-", "dynamic bodies awake after the last step", "i8", hashed=False),
+        Field("frozen_count", "-", "bodies frozen so far", "i8"),
+    ),
+)
+
+TABLES = (BODY, SHAPE, VERTEX, CONTACT, DRAG, SETTINGS, COUNTERS)
+"""All stored tables, in the order of the snapshot and the digest."""
