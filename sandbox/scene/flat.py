@@ -1,0 +1,81 @@
+"""What a scene comes down to once generators, prefabs, materials and defaults are expanded.
+
+Plain values in SI units and radians, independent of files and of the engine: `scene.flatten()` returns a
+`FlatScene`, and `world.build` turns it into records.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+Vec = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class FlatShape:
+    """A convex core of 1..64 vertices plus a radius, in the body's frame, with its surface and its filter.
+
+    `vertices` are metres from the body's origin, counter-clockwise; one for a circle, two for a capsule or a
+    segment. `density` in kg/m^2, `rolling_resistance` in metres, `surface_speed` in m/s.
+    """
+
+    kind: Literal["circle", "box", "capsule", "segment", "polygon"]
+    vertices: tuple[Vec, ...]
+    radius: float = 0.0
+    density: float = 1.0
+    friction: float = 0.5
+    restitution: float = 0.0
+    rolling_resistance: float = 0.0
+    surface_speed: float = 0.0
+    category: int = 1
+    mask: int = 0xFFFFFFFF
+    group: int = 0
+
+
+@dataclass(frozen=True)
+class FlatBody:
+    """One body. Angles in radians; `mass`, `inertia` and `center` override what the shapes give when not None.
+
+    Bodies made by one prefab share one `shapes` tuple, so that builders may cache by its identity. `pointer` is
+    the JSON pointer of what made the body in the scene file.
+    """
+
+    id: str
+    type: Literal["static", "kinematic", "dynamic"]
+    shapes: tuple[FlatShape, ...]
+    position: Vec = (0.0, 0.0)
+    angle: float = 0.0
+    velocity: Vec = (0.0, 0.0)
+    angular_velocity: float = 0.0
+    linear_damping: float = 0.0
+    angular_damping: float = 0.0
+    gravity_scale: float = 1.0
+    fixed_rotation: bool = False
+    mass: float | None = None
+    inertia: float | None = None
+    center: Vec | None = None
+    color: str | None = None
+    pointer: str = ""
+
+
+@dataclass(frozen=True)
+class FlatSettings:
+    """Simulation settings; the defaults are the ones a scene gets when it says nothing."""
+
+    step_rate: float = 60.0
+    substeps: int = 4
+    contact_hertz: float = 60.0
+    contact_damping_ratio: float = 10.0
+    push_out_speed: float = 3.0
+    restitution_threshold: float = 0.2
+    sleeping: bool = True
+
+
+@dataclass(frozen=True)
+class FlatScene:
+    """A scene with nothing left to look up. `gravity` in m/s^2."""
+
+    bodies: tuple[FlatBody, ...]
+    gravity: Vec = (0.0, -9.81)
+    settings: FlatSettings = field(default_factory=FlatSettings)
