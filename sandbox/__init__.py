@@ -1,0 +1,79 @@
+"""A deterministic 2D physics sandbox.
+
+    import sandbox
+
+    world = sandbox.World(sandbox.load_scene("crates.scene.json"))
+    world.step(300)
+    print(world.body("crate").position, world.digest())
+
+Each public name has one import path: this one. Names are imported on first use (PEP 562), so `import sandbox`
+itself costs nothing.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING
+
+__version__ = "0.1.0"
+
+if TYPE_CHECKING:
+    from sandbox.engine.world import World
+    from sandbox.errors import (
+        CommandError,
+        MissingDependencyError,
+        Problem,
+        SandboxError,
+        SceneError,
+        SnapshotError,
+        UnknownBodyError,
+    )
+    from sandbox.replay.expectations import Judge, Verdict
+    from sandbox.scene import Scene, load_scene
+
+__all__ = [
+    "CommandError",
+    "Judge",
+    "MissingDependencyError",
+    "Problem",
+    "SandboxError",
+    "Scene",
+    "SceneError",
+    "SnapshotError",
+    "UnknownBodyError",
+    "Verdict",
+    "World",
+    "__version__",
+    "load_scene",
+]
+
+_ERRORS = {
+    "CommandError",
+    "MissingDependencyError",
+    "Problem",
+    "SandboxError",
+    "SceneError",
+    "SnapshotError",
+    "UnknownBodyError",
+}
+_HOMES = {
+    **dict.fromkeys(_ERRORS, "sandbox.errors"),
+    "Judge": "sandbox.replay.expectations",
+    "Verdict": "sandbox.replay.expectations",
+    "Scene": "sandbox.scene",
+    "load_scene": "sandbox.scene",
+    "World": "sandbox.engine.world",
+}
+"""Where each public name lives."""
+
+
+def __getattr__(name: str) -> object:
+    if name not in _HOMES:
+        raise AttributeError(f"module 'sandbox' has no attribute {name!r}")
+    value = getattr(importlib.import_module(_HOMES[name]), name)
+    globals()[name] = value  # next time without a detour
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

@@ -1,0 +1,58 @@
+"""The table of commands. A command's file is imported when the command is asked for, not before."""
+
+from __future__ import annotations
+
+import importlib
+from typing import Annotated, Any
+
+import typer
+from typer.core import TyperGroup
+
+COMMANDS = ("run", "check", "render")
+"""Command names in the order of the help text; `name` is the function `name` in `sandbox/cli/name.py`."""
+
+
+class LazyGroup(TyperGroup):
+    """A command group that imports a subcommand's file on first use."""
+
+    def list_commands(self, ctx: Any) -> list[str]:
+        """All command names, without importing anything."""
+        return list(COMMANDS)
+
+    def get_command(self, ctx: Any, cmd_name: str) -> Any:
+        """The command of that name, imported now; None if there is none."""
+        # For an unknown name all are loaded, so that the error can suggest the nearest one.
+        for name in [cmd_name] if cmd_name in COMMANDS else COMMANDS:
+            if name not in self.commands:
+                self.commands[name] = _load(name)
+        return self.commands.get(cmd_name)
+
+
+def build() -> Any:
+    """The whole command line as one click command."""
+    app = typer.Typer(cls=LazyGroup, no_args_is_help=True, add_completion=False)
+    app.callback()(_options)
+    return typer.main.get_command(app)
+
+
+def _load(name: str) -> Any:
+    function = getattr(importlib.import_module(f"sandbox.cli.{name}"), name)
+    app = typer.Typer(add_completion=False)
+    app.command(name)(function)
+    return typer.main.get_command(app)
+
+
+def _show_version(wanted: bool) -> None:
+    if wanted:
+        from sandbox import __version__
+
+        typer.echo(f"sandbox {__version__}")
+        raise typer.Exit
+
+
+def _options(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_show_version, is_eager=True, help="Print the version.")
+    ] = False,
+) -> None:
+    """A deterministic 2D physics sandbox: scenes in a window, and the same scenes headless."""

@@ -1,0 +1,64 @@
+"""The one place where an exception becomes text on stderr and an exit code."""
+
+from __future__ import annotations
+
+import os
+import sys
+import traceback
+
+from sandbox.errors import SandboxError, SceneError
+
+HOLDS, FAILED, UNUSABLE, BUG = 0, 1, 2, 70
+"""Exit codes: all fine; an expectation failed; the input cannot be used; a mistake of this program."""
+
+TRACEBACK_VARIABLE = "SANDBOX_TRACEBACK"
+
+
+def report(error: Exception) -> int:
+    """Tell the user on stderr what went wrong; the exit code to end with."""
+    if os.environ.get(TRACEBACK_VARIABLE):
+        traceback.print_exception(error)
+    if isinstance(error, SceneError):
+        _print_problems(error)
+    elif isinstance(error, SandboxError):
+        _print_message(str(error))
+    elif isinstance(error, OSError) and error.filename is not None:
+        _print_message(f"{error.filename}: {error.strerror}")
+    else:
+        _print_message(_bug_text(error))
+        return BUG
+    return UNUSABLE
+
+
+def _bug_text(error: Exception) -> str:
+    from sandbox import __version__
+
+    frames = traceback.extract_tb(error.__traceback__)
+    place = f" at {frames[-1].filename}:{frames[-1].lineno}" if frames else ""
+    text = " ".join(f"{type(error).__name__}: {error}".split())
+    more = "" if os.environ.get(TRACEBACK_VARIABLE) else f" Set {TRACEBACK_VARIABLE}=1 to see the traceback."
+    return f"this is a bug in sandbox {__version__}: {text}{place}.{more}"
+
+
+def _print_message(message: str) -> None:
+    from rich.text import Text
+
+    _print(Text.assemble(("sandbox: ", "bold red"), message))
+
+
+def _print_problems(error: SceneError) -> None:
+    from rich.text import Text
+
+    for problem in error.problems:
+        head, *excerpt = SceneError(error.source, [problem]).lines()
+        text = Text(head)
+        text.stylize("bold", 0, len(head) - len(head.partition(": ")[2]))
+        for line in excerpt:
+            text.append("\n" + line, style="cyan")
+        _print(text)
+
+
+def _print(text: object) -> None:
+    from rich.console import Console
+
+    Console(file=sys.stderr, soft_wrap=True, highlight=False).print(text)
