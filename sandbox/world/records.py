@@ -126,7 +126,6 @@ def _point_fields() -> tuple[Field, ...]:
             Field(f"feature{k}", "-", f"feature id of point {k}: 64 * vertex of a + vertex of b", "i8"),
             Field(f"normal_impulse{k}", "N s", f"accumulated over the last substep at point {k}"),
             Field(f"tangent_impulse{k}", "N s", f"accumulated over the last substep at point {k}"),
-            Field(f"impact_impulse{k}", "N s", f"largest normal impulse of the step at point {k}"),
         ]
     return tuple(fields)
 

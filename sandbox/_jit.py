@@ -1,0 +1,90 @@
+"""The only file that imports numba: how kernels are compiled and where the machine code is kept.
+
+`kernel` marks a function that other kernels call; `entry_point` marks one that Python calls, whose machine code is
+kept on disk. numba's own cache looks only at the file of the entry point, so the cache folder is named by a hash
+of every kernel source: a change in any of them starts a new folder and never runs stale code.
+
+Flags are fixed: no fastmath, no parallel, IEEE division. `NUMBA_DISABLE_JIT=1` runs the same functions as Python,
+and the determinism contract asks for the same bits.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import shutil
+import time
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numba
+from numba import njit
+from numba.core import config
+from platformdirs import user_cache_path
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+_ROOMS = ("_jit.py", "geometry", "world/records.py", "engine")
+_STALE_SECONDS = 14 * 24 * 3600
+
+
+def kernel(function: F) -> F:
+    """Compile `function` for use by other kernels. The same bits as plain Python, only faster."""
+    compiled: F = njit(error_model="numpy", boundscheck=False)(function)
+    return compiled
+
+
+def entry_point(function: F) -> F:
+    """Compile `function` for calls from Python and keep its machine code in `cache_folder()`."""
+    if config.DISABLE_JIT:
+        return function
+    before = config.CACHE_DIR
+    config.CACHE_DIR = str(cache_folder())
+    try:
+        compiled: F = njit(error_model="numpy", boundscheck=False, cache=True)(function)
+    finally:
+        config.CACHE_DIR = before
+    return compiled
+
+
+def jit_enabled() -> bool:
+    """False when `NUMBA_DISABLE_JIT=1` runs kernels as Python."""
+    return not config.DISABLE_JIT
+
+
+def cache_is_cold() -> bool:
+    """True when the next step has to compile the kernels first (about 15 seconds)."""
+    return jit_enabled() and next(cache_folder().rglob("*.nbi"), None) is None
+
+
+@cache
+def cache_folder() -> Path:
+    """Where compiled kernels are kept: `SANDBOX_CACHE_DIR`, or the user's cache folder; named by the sources."""
+    root = os.environ.get("SANDBOX_CACHE_DIR")
+    base = (Path(root) if root else user_cache_path("sandbox2d")) / "kernels"
+    folder = base / f"{sources_hash()}-numba{numba.__version__}"
+    folder.mkdir(parents=True, exist_ok=True)
+    _forget_old_folders(base, folder)
+    return folder
+
+
+@cache
+def sources_hash() -> str:
+    """Hash of every file that holds kernels, 16 hex digits."""
+    package = Path(__file__).parent
+    digest = hashlib.blake2b(digest_size=8)
+    for room in _ROOMS:
+        path = package / room
+        for file in sorted(path.rglob("*.py")) if path.is_dir() else [path]:
+            digest.update(file.relative_to(package).as_posix().encode() + b"\0" + file.read_bytes())
+    return digest.hexdigest()
+
+
+def _forget_old_folders(base: Path, current: Path) -> None:
+    """Keep the cache small: folders of other sources go once they have not been used for two weeks."""
+    os.utime(current)
+    for folder in base.iterdir():
+        if folder != current and time.time() - folder.stat().st_mtime > _STALE_SECONDS:
+            shutil.rmtree(folder, ignore_errors=True)
