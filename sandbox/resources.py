@@ -1,4 +1,4 @@
-"""Where the shipped scenes and assets are: beside the package in a checkout, inside it in an installed wheel."""
+"""Where the shipped scenes and assets are: beside the package in a checkout, inside it when installed."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def shipped_scenes() -> list[Path]:
 
 
 def find_scene(path: Path) -> Path:
-    """`path` itself if it exists, else the shipped scene of that name (`pyramid-10`), else `path` unchanged."""
+    """`path` itself if it exists, else the shipped scene of that name (`pyramid-10`), else `path`."""
     if path.exists():
         return path
     wanted = path.name.removesuffix(SCENE_SUFFIX) + SCENE_SUFFIX
