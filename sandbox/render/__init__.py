@@ -1,0 +1,1 @@
+"""From a world to pictures: camera, theme, frames, the draw list and the painters that read it."""

@@ -1,0 +1,132 @@
+"""Frame -> draw list: what is to be drawn, in pixels and in order, as arrays. All painters read it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from sandbox.render.camera import Camera, Floats, Vec
+from sandbox.render.frame import Frame
+from sandbox.render.geometry import Ints, Mesh
+from sandbox.render.grid import grid_lines
+from sandbox.render.theme import Color, Theme, Wardrobe, tints
+from sandbox.world.records import DYNAMIC, SEGMENT, STATIC
+
+MIN_HALF_PIXELS = 0.6
+"""Smaller shapes are drawn this large, so that dust stays visible from afar."""
+SEGMENT_HALF_PIXELS = 1.0
+"""Half the least width of a segment, which is drawn in the outline's colour throughout."""
+MARK_FROM_PIXELS, MARK_FULL_PIXELS = 3.0, 8.0
+"""Half thickness at which orientation marks begin to show, and at which they show fully."""
+
+
+@dataclass(frozen=True)
+class Line:
+    """A stroke with round ends: pixels, pixel width, sRGB and opacity 0..1."""
+
+    start: Vec
+    end: Vec
+    width: float
+    color: Color
+    opacity: float = 1.0
+
+
+@dataclass(frozen=True)
+class ShapeItems:
+    """The visible shapes in drawing order, one row each.
+
+    `index` row in the mesh; `origin` (k, 2) pixels of the shape frame's origin; `axis` (k, 2) its x axis on
+    screen (cos, sin with y down); `grow` (k,) pixels added to the radius of what is too small to see; `line`
+    (k,) outline width in pixels; `fill`, `edge`, `mark` (k, 3) sRGB; `mark_opacity` (k,); `hatched` (k,) 1
+    for frozen bodies.
+    """
+
+    index: Ints
+    origin: Floats
+    axis: Floats
+    grow: Floats
+    line: Floats
+    fill: Floats
+    edge: Floats
+    mark: Floats
+    mark_opacity: Floats
+    hatched: Floats
+
+
+@dataclass(frozen=True)
+class DrawList:
+    """One picture: strokes below, shapes, strokes above. `camera.scale` turns the mesh into pixels."""
+
+    camera: Camera
+    theme: Theme
+    mesh: Mesh
+    below: Sequence[Line]
+    shapes: ShapeItems
+    above: Sequence[Line]
+
+
+def build_draw_list(frame: Frame, camera: Camera, wardrobe: Wardrobe, above: Sequence[Line] = ()) -> DrawList:
+    """The draw list of a frame seen through a camera; `above` are strokes of tools, such as the drag line."""
+    theme = wardrobe.theme
+    return DrawList(
+        camera, theme, frame.mesh, grid_strokes(camera, theme), _shapes(frame, camera, wardrobe), above
+    )
+
+
+def grid_strokes(camera: Camera, theme: Theme) -> list[Line]:
+    """The metre grid as strokes one pixel wide, on pixel centres so that they are crisp."""
+    width, height = camera.size
+    colors = (theme.grid_minor, theme.grid_major, theme.grid_axis)
+    lines = []
+    for line in grid_lines(camera):
+        at = np.floor(line.pixel) + 0.5
+        start, end = ((at, -1.0), (at, height + 1.0)) if line.vertical else ((-1.0, at), (width + 1.0, at))
+        lines.append(Line(start, end, 1.0, colors[line.rank]))
+    return lines
+
+
+def stroke_sizes(mesh: Mesh, scale: float) -> tuple[Floats, Floats]:
+    """`grow` and `line` of every shape in the mesh (m,) at `scale` pixels a metre; see `ShapeItems`."""
+    half = mesh.thickness * scale
+    segment = mesh.kind == SEGMENT
+    grow = np.maximum(np.where(segment, SEGMENT_HALF_PIXELS, MIN_HALF_PIXELS) - half, 0.0)
+    return grow, np.where(segment, half + grow, np.clip(0.16 * half, 0.0, 1.4))
+
+
+def _shapes(frame: Frame, camera: Camera, wardrobe: Wardrobe) -> ShapeItems:
+    mesh, colors = frame.mesh, tints(frame, wardrobe)
+    world, axis = frame.shape_poses()
+    origin = camera.to_screen(world)
+    index = _in_order(frame, _visible(origin, mesh.reach * camera.scale, camera))
+    body = mesh.body[index]
+    half = mesh.thickness[index] * camera.scale
+    grow, line = stroke_sizes(mesh, camera.scale)
+    return ShapeItems(
+        index=index,
+        origin=origin[index],
+        axis=axis[index] * (1.0, -1.0),
+        grow=grow[index],
+        line=line[index],
+        fill=colors.fill[body],
+        edge=colors.edge[body],
+        mark=colors.mark[body],
+        mark_opacity=_mark_opacity(half, frame.type[body]),
+        hatched=colors.hatched[body],
+    )
+
+
+def _visible(origin: Floats, reach: Floats, camera: Camera) -> Ints:
+    outside = np.maximum(np.abs(origin - np.asarray(camera.size) / 2) - np.asarray(camera.size) / 2, 0.0)
+    return np.flatnonzero(np.hypot(outside[:, 0], outside[:, 1]) <= reach + 2.0)
+
+
+def _in_order(frame: Frame, index: Ints) -> Ints:
+    """Static bodies first, so that what moves is never hidden by the ground."""
+    return index[np.argsort(frame.type[frame.mesh.body[index]] != STATIC, kind="stable")]
+
+
+def _mark_opacity(half: Floats, types: Ints) -> Floats:
+    ramp = np.clip((half - MARK_FROM_PIXELS) / (MARK_FULL_PIXELS - MARK_FROM_PIXELS), 0.0, 1.0)
+    return np.where(types == DYNAMIC, ramp, 0.0)

@@ -1,0 +1,108 @@
+"""A frame: where everything is at one moment, as read-only arrays. Painters see frames, never a world."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sandbox.render.camera import Bounds, Floats
+from sandbox.render.geometry import Ints, Mesh, build_mesh
+from sandbox.world.records import STATIC
+from sandbox.world.state import State
+
+
+@dataclass(frozen=True)
+class Frame:
+    """Poses and conditions of all bodies at `time` seconds.
+
+    `center` (n, 2) in metres, `angle` (n,) in radians, `rotation` (n, 2) as (cos, sin), `type`, `awake`,
+    `frozen` (n,); `mesh` says what hangs on the bodies.
+    """
+
+    mesh: Mesh
+    center: Floats
+    angle: Floats
+    rotation: Floats
+    type: Ints
+    awake: NDArray[np.bool_]
+    frozen: NDArray[np.bool_]
+    step: int = 0
+    time: float = 0.0
+
+    def shape_poses(self) -> tuple[Floats, Floats]:
+        """Origin (m, 2) in metres and x axis (m, 2) of every shape frame in the world."""
+        mesh = self.mesh
+        c, s = self.rotation[mesh.body, 0], self.rotation[mesh.body, 1]
+        u, v = mesh.offset[:, 0], mesh.offset[:, 1]
+        origin = self.center[mesh.body] + np.column_stack([c * u - s * v, s * u + c * v])
+        u, v = mesh.axis[:, 0], mesh.axis[:, 1]
+        return origin, np.column_stack([c * u - s * v, s * u + c * v])
+
+
+def _read_only(array: Any) -> Any:
+    copy = np.array(array)
+    copy.flags.writeable = False
+    return copy
+
+
+def capture(state: State, mesh: Mesh | None = None) -> Frame:
+    """The frame of a world as it stands. Pass the `mesh` of an earlier frame to build it only once."""
+    bodies, counters = state.bodies, state.counters[0]
+    step_seconds = float(state.settings[0].step_seconds)
+    return Frame(
+        mesh=mesh or build_mesh(state.shapes, state.vertices),
+        center=_read_only(np.column_stack([bodies.center_x, bodies.center_y])),
+        angle=_read_only(bodies.angle),
+        rotation=_read_only(np.column_stack([bodies.rotation_cos, bodies.rotation_sin])),
+        type=_read_only(bodies.type),
+        awake=_read_only(bodies.awake != 0),
+        frozen=_read_only(bodies.frozen_step >= 0),
+        step=int(counters.step_count),
+        time=int(counters.step_count) * step_seconds,
+    )
+
+
+def blend(previous: Frame, current: Frame, alpha: float) -> Frame:
+    """The frame between two: 0 is `previous`, 1 is `current`. Angles are not wrapped: spins stay whole."""
+    if alpha >= 1.0:
+        return current
+    center = previous.center + (current.center - previous.center) * alpha
+    angle = previous.angle + (current.angle - previous.angle) * alpha
+    turned = current.angle != previous.angle
+    rotation = np.where(turned[:, None], np.column_stack([np.cos(angle), np.sin(angle)]), current.rotation)
+    time = previous.time + (current.time - previous.time) * alpha
+    return replace(current, center=center, angle=angle, rotation=rotation, time=time)
+
+
+def shape_bounds(frame: Frame) -> Floats:
+    """Axis-aligned bounds (m, 4) of every shape in metres: min x, min y, max x, max y."""
+    origin, axis = frame.shape_poses()
+    half, c, s = frame.mesh.half, np.abs(axis[:, 0]), np.abs(axis[:, 1])
+    reach_x = c * half[:, 0] + s * half[:, 1] + frame.mesh.radius
+    reach_y = s * half[:, 0] + c * half[:, 1] + frame.mesh.radius
+    reach = np.column_stack([reach_x, reach_y])
+    return np.hstack([origin - reach, origin + reach])
+
+
+def interesting_bounds(frame: Frame, surroundings: float = 0.15) -> Bounds:
+    """What a person wants to see: all moving bodies, and as much of the static ones as lies near them.
+
+    `surroundings` is how far around the moving bodies counts as near, as a part of their larger extent.
+    """
+    boxes = shape_bounds(frame)
+    moving = (frame.type != STATIC)[frame.mesh.body]
+    if len(boxes) == 0:
+        return -5.0, -5.0, 5.0, 5.0
+    low, high = _hull(boxes[moving] if moving.any() else boxes)
+    near = max(surroundings * float((high - low).max()), 0.5)
+    clipped = np.hstack([np.maximum(boxes[:, :2], low - near), np.minimum(boxes[:, 2:], high + near)])
+    visible = clipped[(clipped[:, :2] <= clipped[:, 2:]).all(axis=1)]
+    low, high = _hull(np.vstack([visible, [[*low, *high]]]))
+    return float(low[0]), float(low[1]), float(high[0]), float(high[1])
+
+
+def _hull(boxes: Floats) -> tuple[Floats, Floats]:
+    return boxes[:, :2].min(axis=0), boxes[:, 2:].max(axis=0)

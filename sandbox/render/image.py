@@ -1,0 +1,63 @@
+"""Picture files: PNG stills and GIF films, drawn without a display."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+from sandbox.render.camera import Camera
+from sandbox.render.draw_list import build_draw_list
+from sandbox.render.frame import Frame
+from sandbox.render.surface_painter import SurfacePainter, pygame
+from sandbox.render.theme import Wardrobe
+
+PALETTE_COLORS = 160
+"""Colours of a film: fewer make the file smaller, more make antialiased edges smoother."""
+PALETTE_SAMPLES = 6
+"""Frames, spread over the film, that the palette is made from."""
+
+
+class Studio:
+    """One camera and one wardrobe: turns frames into Pillow images."""
+
+    def __init__(self, camera: Camera, wardrobe: Wardrobe) -> None:
+        self.camera = camera
+        self.wardrobe = wardrobe
+        self._painter = SurfacePainter()
+
+    def picture(self, frame: Frame) -> Any:
+        """The frame as a `PIL.Image.Image` in RGB."""
+        from PIL import Image
+
+        surface = self._painter.paint(build_draw_list(frame, self.camera, self.wardrobe))
+        return Image.frombytes("RGB", surface.get_size(), pygame.image.tobytes(surface, "RGB"))
+
+    def save_png(self, frame: Frame, path: Path) -> None:
+        """Write one frame as a PNG file."""
+        self.picture(frame).save(path, optimize=True)
+
+    def film(self, frames: Sequence[Frame]) -> Iterator[Any]:
+        """All frames as images with one shared palette, one after the other."""
+        palette = self._palette(frames)
+        for frame in frames:
+            yield self.picture(frame).quantize(palette=palette, dither=0)
+
+    def _palette(self, frames: Sequence[Frame]) -> Any:
+        from PIL import Image
+
+        step = max(len(frames) // PALETTE_SAMPLES, 1)
+        samples = [self.picture(frame) for frame in frames[::step]]
+        width, height = self.camera.size
+        sheet = Image.new("RGB", (width, height * len(samples)))
+        for i, sample in enumerate(samples):
+            sheet.paste(sample, (0, i * height))
+        return sheet.quantize(colors=PALETTE_COLORS, method=Image.Quantize.MEDIANCUT, kmeans=1)
+
+
+def save_gif(images: Iterable[Any], path: Path, seconds_a_frame: float) -> None:
+    """Write palette images as an endless GIF. Frames that show nothing new only lengthen the one before."""
+    pictures = iter(images)
+    first = next(pictures)
+    delay = round(seconds_a_frame * 1000)
+    first.save(path, save_all=True, append_images=pictures, duration=delay, loop=0, disposal=1)
