@@ -1,0 +1,149 @@
+"""What each kind of expectation demands, one function a kind: its conditions, which must all hold."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from sandbox.replay import measures
+from sandbox.replay.conditions import Condition
+from sandbox.replay.measures import Rows
+from sandbox.scene import expect
+from sandbox.world.records import DYNAMIC
+from sandbox.world.state import State
+
+
+def conditions(wanted: expect.Expectation, start: State) -> list[Condition]:
+    """The conditions of `wanted`. `start` is the state that "has not moved" compares with."""
+    return _DEMANDS[type(wanted)](wanted, start)
+
+
+@dataclass(frozen=True)
+class _Bodies:
+    """The bodies an expectation speaks of: their rows and, in the same order, their ids."""
+
+    rows: Rows
+    labels: Sequence[str]
+
+
+def _bodies(ids: str | Sequence[str] | None, state: State) -> _Bodies:
+    if ids is None:
+        rows = np.flatnonzero(state.bodies.type == DYNAMIC)
+    else:
+        wanted = set(expect.matching_ids(ids, state.names))
+        rows = np.array([row for row, name in enumerate(state.names) if name in wanted], dtype=np.int64)
+    return _Bodies(rows, [state.names[row] for row in rows])
+
+
+def _rests(wanted: expect.Rests, start: State) -> list[Condition]:
+    them, limit = _bodies(wanted.rests, start), wanted.tolerance
+    speed, turning = measures.speed(them.rows), measures.turning(them.rows)
+    return [
+        Condition(
+            them.labels, speed, f"speed at most {limit:g} m/s", "{name} moves at {value:.4g} m/s", high=limit
+        ),
+        Condition(
+            them.labels,
+            turning,
+            f"turning at most {limit:g} rad/s",
+            "{name} turns at {value:.4g} rad/s",
+            high=limit,
+        ),
+    ]
+
+
+def _stands(wanted: expect.Stands, start: State) -> list[Condition]:
+    them, limit = _bodies(wanted.stands, start), wanted.moved
+    x, y = start.bodies.position_x[them.rows], start.bodies.position_y[them.rows]
+    moved, text = measures.distance_from(them.rows, x, y), f"moved at most {limit:g} m"
+    found = [Condition(them.labels, moved, text, "{name} moved {value:.4g} m", high=limit)]
+    if wanted.turned is not None:
+        turned, text = (
+            measures.turned_from(them.rows, start.bodies.angle[them.rows]),
+            f"turned at most {wanted.turned:g}°",
+        )
+        found.append(Condition(them.labels, turned, text, "{name} turned {value:.4g}°", high=wanted.turned))
+    return found
+
+
+def _inside(wanted: expect.Inside, start: State) -> list[Condition]:
+    them = _bodies(wanted.of, start)
+    text = "inside [" + ", ".join(f"{side:g}" for side in wanted.inside) + "]"
+    measure = measures.outside(them.rows, wanted.inside)
+    return [Condition(them.labels, measure, text, "{name} is {value:.4g} m outside", high=0.0)]
+
+
+def _above(wanted: expect.Above, start: State) -> list[Condition]:
+    them, low = _bodies(wanted.of, start), wanted.above
+    return [Condition(them.labels, measures.height(them.rows), f"y at least {low:g} m", _AT_HEIGHT, low=low)]
+
+
+def _below(wanted: expect.Below, start: State) -> list[Condition]:
+    them, high = _bodies(wanted.of, start), wanted.below
+    return [
+        Condition(them.labels, measures.height(them.rows), f"y at most {high:g} m", _AT_HEIGHT, high=high)
+    ]
+
+
+def _touches(wanted: expect.Touches, start: State) -> list[Condition]:
+    first, second = wanted.touches
+    return [_contact(first, second, start, f"{first} touches {second}", "they are apart", low=1.0)]
+
+
+def _apart(wanted: expect.Apart, start: State) -> list[Condition]:
+    first, second = wanted.apart
+    return [
+        _contact(
+            first, second, start, f"{first} and {second} apart", "{value:.0f} contacts between them", high=0.0
+        )
+    ]
+
+
+def _contact(first: str, second: str, start: State, expected: str, got: str, **limits: float) -> Condition:
+    measure = measures.touch_count(_bodies(first, start).rows, _bodies(second, start).rows)
+    return Condition([f"{first}, {second}"], measure, expected, got, **limits)
+
+
+def _asleep(wanted: expect.Asleep, start: State) -> list[Condition]:
+    them = _bodies(wanted.asleep, start)
+    return [Condition(them.labels, measures.awake(them.rows), "asleep", "{name} is awake", high=0.0)]
+
+
+def _near(wanted: expect.Near, start: State) -> list[Condition]:
+    them, (x, y), limit = _bodies(wanted.of, start), wanted.near, wanted.tolerance
+    measure = measures.distance_from(them.rows, x, y)
+    text = f"within {limit:g} m of ({x:g}, {y:g})"
+    return [Condition(them.labels, measure, text, "{name} is {value:.4g} m away", high=limit)]
+
+
+def _speed(wanted: expect.Speeding, start: State) -> list[Condition]:
+    them, (low, high) = _bodies(wanted.of, start), wanted.speed
+    text = f"speed in [{low:g}, {high:g}] m/s"
+    return [
+        Condition(them.labels, measures.speed(them.rows), text, "{name} moves at {value:.4g} m/s", low, high)
+    ]
+
+
+def _angle(wanted: expect.Turned, start: State) -> list[Condition]:
+    them, (low, high) = _bodies(wanted.of, start), wanted.angle
+    text = f"angle in [{low:g}°, {high:g}°]"
+    return [Condition(them.labels, measures.angle(them.rows), text, "{name} is at {value:.4g}°", low, high)]
+
+
+_AT_HEIGHT = "{name} is at y = {value:.4g} m"
+_DEMANDS: dict[type[expect.Expectation], Callable[[Any, State], list[Condition]]] = {
+    expect.Rests: _rests,
+    expect.Stands: _stands,
+    expect.Inside: _inside,
+    expect.Above: _above,
+    expect.Below: _below,
+    expect.Touches: _touches,
+    expect.Apart: _apart,
+    expect.Asleep: _asleep,
+    expect.Near: _near,
+    expect.Speeding: _speed,
+    expect.Turned: _angle,
+}

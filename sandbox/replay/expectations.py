@@ -1,0 +1,98 @@
+"""The judge: watches a world step by step and says which of its scene's expectations hold."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from sandbox.replay.conditions import Condition
+from sandbox.replay.demands import conditions
+from sandbox.scene.expect import Expectation
+from sandbox.world.state import State
+
+if TYPE_CHECKING:
+    from sandbox.engine.world import World
+    from sandbox.scene import Scene
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What became of expectation number `index` of a scene.
+
+    `step` is the step that decided it. Where it does not hold, `expected` and `got` say in words, with units,
+    what the condition asks and what was measured.
+    """
+
+    index: int
+    holds: bool
+    step: int
+    expected: str = ""
+    got: str = ""
+
+
+class Judge:
+    """Judges `scene.expect` on `world`: make it at the start, `observe` after each step, read `verdicts`."""
+
+    def __init__(self, scene: Scene, world: World) -> None:
+        self._world = world
+        self._watches = [_Watch(k, wanted, world.state) for k, wanted in enumerate(scene.expect)]
+        self._open = self._watches
+        self.last_step = max((wanted.last_step for wanted in scene.expect), default=0)
+        """The last step that an expectation names; a run must be at least as long."""
+        self.observe()
+
+    def observe(self) -> None:
+        """Look at the world as it is now. An expectation that is decided costs nothing any more."""
+        step, state = self._world.step_count, self._world.state
+        for watch in self._open:
+            watch.observe(step, state)
+        self._open = [watch for watch in self._open if watch.verdict is None]
+
+    def verdicts(self) -> tuple[Verdict, ...]:
+        """One verdict an expectation, in the order of the scene; the run counts as over."""
+        return tuple(watch.conclude(self._world.step_count) for watch in self._watches)
+
+
+class _Watch:
+    """One expectation being watched; `verdict` is None until it is decided."""
+
+    def __init__(self, index: int, wanted: Expectation, start: State) -> None:
+        self._index = index
+        self._wanted = wanted
+        self._conditions = conditions(wanted, start)
+        self.verdict: Verdict | None = None
+
+    def observe(self, step: int, state: State) -> None:
+        """Decide if `step` is one that can decide."""
+        first, last = self._span(step)
+        if not first <= step <= last:
+            return
+        broken, got = self._fault(state)
+        if broken is None:
+            # Once is enough, except for "always", which only the end of the run can confirm.
+            if self._wanted.when != "always":
+                self.verdict = Verdict(self._index, True, step)
+        elif step == last:
+            self.verdict = Verdict(self._index, False, step, broken.expected, got)
+
+    def conclude(self, step: int) -> Verdict:
+        """The verdict now that the run is over after `step`."""
+        if self.verdict is not None:
+            return self.verdict
+        if self._wanted.when == "always":
+            return Verdict(self._index, True, step)
+        expected = f"a run of at least {self._wanted.last_step} steps"
+        return Verdict(self._index, False, step, expected, f"the run ended at step {step}")
+
+    def _span(self, step: int) -> tuple[int, int]:
+        """The steps at which this expectation is looked at; a fault at the last one is final."""
+        if self._wanted.within is not None:
+            return self._wanted.within
+        return (self._wanted.at, self._wanted.at) if self._wanted.at is not None else (step, step)
+
+    def _fault(self, state: State) -> tuple[Condition | None, str]:
+        for condition in self._conditions:
+            got = condition.fault(state)
+            if got is not None:
+                return condition, got
+        return None, ""
