@@ -29,26 +29,25 @@ class Trial:
         return not self.frozen and all(verdict.holds for verdict in self.verdicts)
 
 
-def run_trial(scene: Scene, steps: int | None = None, on_steps: Callable[[int], None] | None = None) -> Trial:
-    """Run `scene` for `steps` (its own number by default), and on to the last step its expectations name.
+def planned_steps(scene: Scene, steps: int | None = None) -> int:
+    """`steps` (the scene's own number if None), or the last step its expectations name if that is later."""
+    wanted = scene.settings.steps if steps is None else steps
+    return max(wanted, *(expectation.last_step for expectation in scene.expect), 0)
 
-    `on_steps` is called now and then with the number of steps taken since its last call.
-    """
+
+def run_trial(scene: Scene, steps: int | None = None, on_steps: Callable[[int], None] | None = None) -> Trial:
+    """Run `scene` for `planned_steps` and judge it; `on_steps` hears now and then how many steps are done."""
     world = World(scene)
     judge = Judge(scene, world)
-    total = max(scene.settings.steps if steps is None else steps, judge.last_step)
-    seconds = [_timed_step(world, judge, k, on_steps) for k in range(1, total + 1)]
-    # The first step also loads compiled code; it is left out of the mean.
-    measured = seconds[1:] or seconds
-    mean = sum(measured) / len(measured) if measured else 0.0
+    seconds = 0.0
+    total = planned_steps(scene, steps)
+    for k in range(1, total + 1):
+        start = time.perf_counter()
+        world.step()
+        # The first step also loads compiled code; it is left out of the mean.
+        seconds += time.perf_counter() - start if k > 1 else 0.0
+        judge.observe()
+        if on_steps is not None and k % _REPORT_EVERY == 0:
+            on_steps(k)
+    mean = seconds / max(1, total - 1)
     return Trial(total, 1000.0 * mean, world.digest(), judge.verdicts(), tuple(world.frozen))
-
-
-def _timed_step(world: World, judge: Judge, k: int, on_steps: Callable[[int], None] | None) -> float:
-    start = time.perf_counter()
-    world.step()
-    seconds = time.perf_counter() - start
-    judge.observe()
-    if on_steps is not None and k % _REPORT_EVERY == 0:
-        on_steps(_REPORT_EVERY)
-    return seconds

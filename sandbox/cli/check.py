@@ -1,0 +1,130 @@
+"""`sandbox check`: run scenes headless and judge what they say must hold."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from sandbox.errors import SandboxError
+from sandbox.resources import SCENE_SUFFIX, find_scene
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from sandbox.cli.check_result import Result
+    from sandbox.cli.progress import SceneProgress
+
+_PATHS = typer.Argument(metavar="PATH...", help=f"Scene files, or folders to search for *{SCENE_SUFFIX}.")
+_STEPS = typer.Option(
+    min=1, max=10_000_000, show_default=False, help="Steps to run instead of a scene's own number."
+)
+_ONLY = typer.Option(
+    "-k", "--only", metavar="TEXT", show_default=False, help="Only files whose path contains TEXT."
+)
+_JSON = typer.Option("--json", help="Print one JSON document instead of the table.")
+
+
+def check(
+    paths: Annotated[list[Path], _PATHS],
+    steps: Annotated[int | None, _STEPS] = None,
+    only: Annotated[str, _ONLY] = "",
+    json: Annotated[bool, _JSON] = False,
+) -> None:
+    """Run scenes without a window and judge what each says must hold.
+
+    A scene runs for its own number of steps, or on to the last step that its expectations name.
+
+    Exit code 0: all hold. 1: an expectation failed, or bad numbers froze a body. 2: a file could not be used
+    (the other scenes still ran).
+    """
+    files = find_files(paths, only)
+    from sandbox.cli.check_result import exit_code
+    from sandbox.cli.compiling import announce_compilation
+
+    announce_compilation()
+    results = _run_for_machines(files, steps) if json else _run_for_people(files, steps)
+    raise typer.Exit(exit_code(results))
+
+
+def find_files(paths: Sequence[Path], only: str = "") -> list[Path]:
+    """The scene files meant by `paths`, each once, in order. Raises `SandboxError` if there are none."""
+    found = [file for path in paths for file in _files_of(path)]
+    files = [file for file in dict.fromkeys(found) if only in file.as_posix()]
+    if not files:
+        raise SandboxError(f"nothing to check: no path contains {only!r}")
+    return files
+
+
+def _files_of(path: Path) -> list[Path]:
+    if not path.is_dir():
+        return [find_scene(path)]
+    files = sorted(path.rglob("*" + SCENE_SUFFIX))
+    if not files:
+        raise SandboxError(f"nothing to check: no *{SCENE_SUFFIX} in {path} or below")
+    return files
+
+
+def _run_for_people(files: Sequence[Path], steps: int | None) -> list[Result]:
+    from rich.console import Console
+
+    from sandbox.cli.check_table import Table
+
+    out = Console(soft_wrap=True, highlight=False)
+    table = Table(out, files)
+    table.head()
+    start = time.perf_counter()
+    # On one terminal the bar and the lines must share a console, or they would overwrite each other.
+    results = _run_all(files, steps, out if out.is_terminal else Console(stderr=True), table.show)
+    table.summary(results, time.perf_counter() - start)
+    return results
+
+
+def _run_for_machines(files: Sequence[Path], steps: int | None) -> list[Result]:
+    import json
+
+    from rich.console import Console
+
+    from sandbox.cli.check_result import document
+
+    start = time.perf_counter()
+    results = _run_all(files, steps, Console(stderr=True), _report_error)
+    print(json.dumps(document(results, time.perf_counter() - start), indent=2, ensure_ascii=False))
+    return results
+
+
+def _report_error(result: Result) -> None:
+    from sandbox.cli.failures import report
+
+    if result.error is not None:
+        report(result.error)
+
+
+def _run_all(
+    files: Sequence[Path], steps: int | None, console: Console, show: Callable[[Result], None]
+) -> list[Result]:
+    from sandbox.cli.progress import SceneProgress
+
+    results = []
+    with SceneProgress(console, len(files)) as progress:
+        for result in _results(files, steps, progress):
+            show(result)
+            results.append(result)
+    return results
+
+
+def _results(files: Sequence[Path], steps: int | None, progress: SceneProgress) -> Iterator[Result]:
+    from sandbox.cli.check_result import Result
+    from sandbox.replay.trial import planned_steps, run_trial
+    from sandbox.scene import load_scene
+
+    for file in files:
+        try:
+            scene = load_scene(file)
+            progress.begin(file.name, planned_steps(scene, steps))
+            yield Result(file, scene, run_trial(scene, steps, progress.done))
+        except (SandboxError, OSError) as error:
+            yield Result(file, error=error)

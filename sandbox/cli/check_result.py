@@ -1,0 +1,98 @@
+"""What became of one file given to `sandbox check`, as plain data."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from sandbox import __version__
+from sandbox.cli.failures import FAILED, HOLDS, UNUSABLE
+from sandbox.errors import Problem, SceneError
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from sandbox.replay.expectations import Verdict
+    from sandbox.replay.trial import Trial
+    from sandbox.scene import Scene
+
+Word = Literal["holds", "failed", "unusable"]
+
+
+@dataclass(frozen=True)
+class Result:
+    """One file: its `scene` and `trial`, or the `error` that kept it from running."""
+
+    path: Path
+    scene: Scene | None = None
+    trial: Trial | None = None
+    error: Exception | None = None
+
+    @property
+    def word(self) -> Word:
+        """The verdict on the file in one word."""
+        if self.trial is None:
+            return "unusable"
+        return "holds" if self.trial.holds else "failed"
+
+
+def exit_code(results: Sequence[Result]) -> int:
+    """2 if a file could not be used, else 1 if one failed, else 0."""
+    words = {result.word for result in results}
+    return UNUSABLE if "unusable" in words else FAILED if "failed" in words else HOLDS
+
+
+def document(results: Sequence[Result], seconds: float) -> dict[str, Any]:
+    """The whole outcome as the JSON document that `--json` prints; its keys only ever grow in number."""
+    return {
+        "format": 1,
+        "sandbox": __version__,
+        "exit_code": exit_code(results),
+        "seconds": round(seconds, 3),
+        "scenes": [_scene_entry(result) for result in results],
+    }
+
+
+def _scene_entry(result: Result) -> dict[str, Any]:
+    entry: dict[str, Any] = {"path": result.path.as_posix(), "verdict": result.word}
+    if result.trial is None or result.scene is None:
+        return {**entry, "problems": _problems(result.error)}
+    trial = result.trial
+    return {
+        **entry,
+        "title": result.scene.title,
+        "steps": trial.steps,
+        "ms_per_step": round(trial.milliseconds, 6),
+        "digest": trial.digest,
+        "expectations": [_expectation_entry(result, verdict) for verdict in trial.verdicts],
+        "frozen": [{"body": body, "step": step} for body, step in trial.frozen],
+    }
+
+
+def _problems(error: Exception | None) -> list[dict[str, Any]]:
+    problems = error.problems if isinstance(error, SceneError) else [Problem(str(error))]
+    return [asdict(problem) for problem in problems]
+
+
+def _expectation_entry(result: Result, verdict: Verdict) -> dict[str, Any]:
+    """`line` is 0 for one that holds: looking it up is only worth it for a failure."""
+    line = 0 if verdict.holds else expectation_line(result.path, verdict.index)
+    return {"text": expectation_text(result, verdict), "line": line, **asdict(verdict)}
+
+
+def expectation_text(result: Result, verdict: Verdict) -> str:
+    """The expectation as the author could have written it, on one line."""
+    assert result.scene is not None
+    return json.dumps(result.scene.expect[verdict.index].said(), ensure_ascii=False)
+
+
+def expectation_line(path: Path, index: int) -> int:
+    """The line of expectation `index` in its file."""
+    from sandbox.scene.excerpt import line_column
+    from sandbox.scene.locate import locate
+
+    text = path.read_text("utf-8-sig")
+    pointer = ("expect", index)
+    return line_column(text, locate(text, [pointer])[pointer].value_span[0])[0]

@@ -1,0 +1,82 @@
+"""How `sandbox check` looks to a person: a line a scene, the reasons below a failed one, and a summary."""
+
+from __future__ import annotations
+
+import sys
+from collections import Counter
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rich.text import Text
+
+from sandbox.cli import failures
+from sandbox.cli.check_result import Result, expectation_line, expectation_text
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from sandbox.replay.expectations import Verdict
+
+_STYLES = {"holds": "green", "failed": "bold red", "unusable": "bold red"}
+
+
+class Table:
+    """Prints results to `console` as they come, aligned for all `files`."""
+
+    def __init__(self, console: Console, files: Sequence[Path]) -> None:
+        self._console = console
+        self._width = max(len("scene"), *(len(file.as_posix()) for file in files))
+
+    def head(self) -> None:
+        """The line of column titles."""
+        self._console.print(Text(self._row("scene", "steps", "ms/step", "digest") + "verdict", style="dim"))
+
+    def show(self, result: Result) -> None:
+        """The line of one file; reasons follow if it failed, or go to stderr if it could not be used."""
+        trial = result.trial
+        cells = (str(trial.steps), f"{trial.milliseconds:.3f}", trial.digest) if trial else ("-", "-", "-")
+        line = Text(self._row(result.path.as_posix(), *cells))
+        self._console.print(line.append(self._word(result), _STYLES[result.word]))
+        for reason in _reasons(result):
+            self._console.print(Text(reason))
+        if result.error is not None:
+            sys.stdout.flush()
+            failures.report(result.error)
+
+    def summary(self, results: Sequence[Result], seconds: float) -> None:
+        """One line over all files."""
+        count = Counter(result.word for result in results)
+        parts = [f"{count['holds']} hold"]
+        parts += [f"{count['failed']} failed"] if count["failed"] else []
+        parts += [f"{count['unusable']} could not be used"] if count["unusable"] else []
+        steps = sum(result.trial.steps for result in results if result.trial)
+        plural = "" if len(results) == 1 else "s"
+        text = f"{len(results)} scene{plural}: {', '.join(parts)}; {steps} steps in {seconds:.1f} s"
+        self._console.print(Text(text, style="bold"))
+
+    def _row(self, name: str, steps: str, milliseconds: str, digest: str) -> str:
+        return f"{name:<{self._width}}  {steps:>7}  {milliseconds:>8}  {digest:<16}  "
+
+    def _word(self, result: Result) -> str:
+        if result.trial is not None and result.trial.holds and not result.trial.verdicts:
+            return "holds (expects nothing)"
+        return result.word
+
+
+def _reasons(result: Result) -> list[str]:
+    trial = result.trial
+    if trial is None:
+        return []
+    reasons = [_reason(result, verdict) for verdict in trial.verdicts if not verdict.holds]
+    return reasons + [
+        f"  {body} was frozen at step {step}: its numbers went bad" for body, step in trial.frozen
+    ]
+
+
+def _reason(result: Result, verdict: Verdict) -> str:
+    place = f"{result.path.as_posix()}:{expectation_line(result.path, verdict.index)}"
+    return (
+        f"  {place}: {expectation_text(result, verdict)}\n"
+        f"    at step {verdict.step}: expected {verdict.expected}; got: {verdict.got}"
+    )

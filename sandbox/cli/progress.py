@@ -1,0 +1,49 @@
+"""A progress bar over many scenes, for terminals only: in a log file it would be noise."""
+
+from __future__ import annotations
+
+import sys
+from types import TracebackType
+from typing import TYPE_CHECKING, Self
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+
+class SceneProgress:
+    """One bar that shows the scene being run; a context manager that leaves nothing behind on the screen."""
+
+    def __init__(self, console: Console, count: int) -> None:
+        from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
+
+        columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TextColumn("steps"))
+        self._bar = Progress(
+            *columns,
+            console=console,
+            transient=True,
+            disable=not console.is_terminal,
+            # Lines printed to the same terminal go above the bar; those that go to a file stay out of its way.
+            redirect_stdout=sys.stdout.isatty(),
+            redirect_stderr=sys.stderr.isatty(),
+        )
+        self._task = self._bar.add_task("", total=None)
+        self._count = count
+        self._begun = 0
+
+    def begin(self, name: str, steps: int) -> None:
+        """The next scene starts; it will take `steps` steps."""
+        self._begun += 1
+        self._bar.reset(self._task, total=steps, description=f"{self._begun}/{self._count} {name}")
+
+    def done(self, steps: int) -> None:
+        """`steps` steps of the current scene are done."""
+        self._bar.update(self._task, completed=steps)
+
+    def __enter__(self) -> Self:
+        self._bar.start()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._bar.stop()
