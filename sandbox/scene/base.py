@@ -1,0 +1,33 @@
+"""What all scene models share: unknown fields are mistakes, values are strict and never change."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pydantic import BaseModel, ConfigDict, ValidationError
+
+from sandbox.errors import SceneError
+
+
+class Model(BaseModel):
+    """A part of a scene. Immutable; bad values raise one `SceneError` with all mistakes."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False)
+
+    def __init__(self, **data: Any) -> None:
+        try:
+            super().__init__(**data)
+        except ValidationError as error:
+            from sandbox.scene.wording import findings
+
+            problems = [finding.problem() for finding in findings(error, type(self))]
+            raise SceneError(type(self).__name__, problems) from None
+
+    # Unless it is marked so, pydantic calls an own __init__ for nested models too; only the outermost rewords.
+    __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
+
+    def said(self) -> dict[str, Any]:
+        """The fields the author gave, by Python name; defaults are left out."""
+        return {
+            name: getattr(self, name) for name in type(self).model_fields if name in self.model_fields_set
+        }

@@ -1,0 +1,183 @@
+"""What a scene promises: each expectation has one time and one condition. Data only; `replay` judges it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from fnmatch import translate
+from typing import Annotated, Literal
+
+from pydantic import Field, Tag
+
+from sandbox.scene.base import Model
+from sandbox.scene.quantities import (
+    Angles,
+    Coordinate,
+    Degrees,
+    Distance,
+    Listed,
+    Point,
+    Rectangle,
+    Speed,
+    Speeds,
+    Step,
+    Steps,
+)
+from sandbox.scene.union import TAG, by_key, by_type
+
+Pattern = Annotated[str, Field(min_length=1, max_length=100)]
+"""A body's id, or a pattern for all matching ids: `*` is anything, `?` one character, `[...]` one of some."""
+
+Ids = Annotated[
+    Annotated[Pattern, Tag(TAG + "text")]
+    | Annotated[Annotated[tuple[Pattern, ...], Listed('["id", ...]', 1, 1000)], Tag(TAG + "list")],
+    by_type('a body id, a list of ids, or a pattern such as "wall-*"'),
+]
+"""One id, a list of ids, or patterns: all bodies meant."""
+
+Pair = Annotated[tuple[Pattern, Pattern], Listed('["id", "id"]', 2, 2)]
+
+
+def is_pattern(name: str) -> bool:
+    """Whether `name` stands for all ids it matches rather than for one id."""
+    return any(mark in name for mark in "*?[")
+
+
+def matching_ids(ids: str | Sequence[str], names: Sequence[str]) -> list[str]:
+    """Those of `names` that an `Ids` field means, in the order of `names`."""
+    wanted = [ids] if isinstance(ids, str) else list(ids)
+    exact = {name for name in wanted if not is_pattern(name)}
+    patterns = [re.compile(translate(name)) for name in wanted if is_pattern(name)]
+    return [name for name in names if name in exact or any(pattern.match(name) for pattern in patterns)]
+
+
+class Expectation(Model):
+    """What all expectations have: exactly one of the three times. Step n is the state after n steps."""
+
+    at: Step | None = Field(default=None, description="Holds at this step.")
+    always: Literal[True] | None = Field(
+        default=None, description="true: holds at the start and after every step."
+    )
+    within: Steps | None = Field(
+        default=None, description="[first, last]: holds at one of these steps at least."
+    )
+
+    @property
+    def when(self) -> Literal["at", "always", "within"]:
+        """Which of the three times this expectation has."""
+        return "at" if self.at is not None else "within" if self.within is not None else "always"
+
+    @property
+    def last_step(self) -> int:
+        """The last step named, 0 where none is."""
+        return self.at or (self.within[1] if self.within else 0)
+
+
+class Rests(Expectation):
+    """The bodies hardly move."""
+
+    rests: Ids = Field(description="Bodies that must be at rest.")
+    tolerance: Speed = Field(default=0.05, description="Slower counts as at rest: m/s, and rad/s of turning.")
+
+
+class Stands(Expectation):
+    """The bodies are still where they started."""
+
+    stands: Ids = Field(description="Bodies that must not have moved away.")
+    moved: Distance = Field(default=0.05, description="Nearer than this to its start counts as standing, m.")
+    turned: Degrees | None = Field(
+        default=None, description="If given: turned less than this since the start, degrees."
+    )
+
+
+class Inside(Expectation):
+    """The positions lie in a rectangle."""
+
+    inside: Rectangle = Field(description="[left, bottom, right, top], m.")
+    of: Ids | None = Field(default=None, description="Which bodies; default: all dynamic ones.")
+
+
+class Above(Expectation):
+    """The positions lie above a height."""
+
+    above: Coordinate = Field(description="y, m.")
+    of: Ids | None = Field(default=None, description="Which bodies; default: all dynamic ones.")
+
+
+class Below(Expectation):
+    """The positions lie below a height."""
+
+    below: Coordinate = Field(description="y, m.")
+    of: Ids | None = Field(default=None, description="Which bodies; default: all dynamic ones.")
+
+
+class Touches(Expectation):
+    """Two bodies touch (with patterns: some body of the first touches some body of the second)."""
+
+    touches: Pair = Field(description="The two bodies.")
+
+
+class Apart(Expectation):
+    """Two bodies do not touch (with patterns: no body of the first touches any of the second)."""
+
+    apart: Pair = Field(description="The two bodies.")
+
+
+class Asleep(Expectation):
+    """The bodies are asleep."""
+
+    asleep: Ids = Field(description="Bodies that must be asleep.")
+
+
+class Near(Expectation):
+    """The positions lie within a distance of a point."""
+
+    near: Point = Field(description="[x, y], m.")
+    of: Ids = Field(description="Which bodies.")
+    tolerance: Distance = Field(default=0.05, description="How near, m.")
+
+
+class Speeding(Expectation):
+    """The speeds lie in a range."""
+
+    speed: Speeds = Field(description="[lowest, highest], m/s.")
+    of: Ids = Field(description="Which bodies.")
+
+
+class Turned(Expectation):
+    """The angles lie in a range; a full turn counts as 360."""
+
+    angle: Angles = Field(description="[lowest, highest], degrees.")
+    of: Ids = Field(description="Which bodies.")
+
+
+CONDITIONS: dict[str, type[Expectation]] = {
+    "rests": Rests,
+    "stands": Stands,
+    "inside": Inside,
+    "above": Above,
+    "below": Below,
+    "touches": Touches,
+    "apart": Apart,
+    "asleep": Asleep,
+    "near": Near,
+    "speed": Speeding,
+    "angle": Turned,
+}
+"""Every kind of expectation by its key."""
+
+AnyExpectation = Annotated[
+    Annotated[Rests, Tag(TAG + "rests")]
+    | Annotated[Stands, Tag(TAG + "stands")]
+    | Annotated[Inside, Tag(TAG + "inside")]
+    | Annotated[Above, Tag(TAG + "above")]
+    | Annotated[Below, Tag(TAG + "below")]
+    | Annotated[Touches, Tag(TAG + "touches")]
+    | Annotated[Apart, Tag(TAG + "apart")]
+    | Annotated[Asleep, Tag(TAG + "asleep")]
+    | Annotated[Near, Tag(TAG + "near")]
+    | Annotated[Speeding, Tag(TAG + "speed")]
+    | Annotated[Turned, Tag(TAG + "angle")],
+    by_key("expectation", CONDITIONS),
+]
+"""Any expectation; exactly one of the keys of `CONDITIONS` tells which."""

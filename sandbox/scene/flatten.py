@@ -1,0 +1,110 @@
+"""From a scene to its flat form: prefabs, materials, generators and defaults expanded, degrees to radians."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import fields
+from typing import TYPE_CHECKING, Any
+
+from sandbox.geometry.rotation import RADIANS_PER_DEGREE
+from sandbox.scene.arrange import placings
+from sandbox.scene.body import Body, Prefab
+from sandbox.scene.finding import Finding, Path
+from sandbox.scene.flat import FlatBody, FlatScene, FlatSettings, FlatShape
+from sandbox.scene.flat_shapes import flat_shape
+from sandbox.scene.generators import Generator, body_count, body_names, kind_of
+from sandbox.scene.limits import MAX_SHAPES
+from sandbox.scene.solidity import faults
+
+if TYPE_CHECKING:
+    from sandbox.scene.scene import Scene
+
+_FARTHEST = 1e9
+_SAME = [
+    "type", "velocity", "linear_damping", "angular_damping", "gravity_scale", "fixed_rotation", "mass",
+    "inertia", "center", "color",
+]  # fmt: skip
+
+
+class Flattener:
+    """Expands one scene; `findings` collects mistakes that show only now."""
+
+    def __init__(self, scene: Scene) -> None:
+        self.scene = scene
+        self.findings: list[Finding] = []
+        self._shapes: dict[tuple[int, str | None], tuple[FlatShape, ...]] = {}
+
+    def flat(self) -> FlatScene:
+        """The flat scene; use it only if `findings` stays empty."""
+        if self._too_many_shapes():
+            return FlatScene(())
+        settings = {field.name: getattr(self.scene.settings, field.name) for field in fields(FlatSettings)}
+        bodies = (*self._written(), *self._generated())
+        return FlatScene(bodies, self.scene.gravity, FlatSettings(**settings))
+
+    def _too_many_shapes(self) -> bool:
+        own = sum(len(self._merged(body)["shapes"]) for body in self.scene.bodies)
+        made = sum(body_count(each) * len(self._prefab(each).shapes) for each in self.scene.generate)
+        if own + made > MAX_SHAPES:
+            text = f"the scene has {own + made} shapes; {MAX_SHAPES} is the limit"
+            self.findings.append(Finding(("generate",) if made > own else ("bodies",), text))
+        return own + made > MAX_SHAPES
+
+    def _written(self) -> Iterator[FlatBody]:
+        for i, body in enumerate(self.scene.bodies):
+            values = self._merged(body)
+            yield FlatBody(id=body.id, position=body.position, **self._traits(values, ("bodies", i)))
+
+    def _generated(self) -> Iterator[FlatBody]:
+        for i, generator in enumerate(self.scene.generate):
+            prefab = self._prefab(generator)
+            traits = self._traits(_values(prefab), ("generate", i))
+            places = placings(generator, traits["shapes"], prefab.angle)
+            self._check_places(generator, places, ("generate", i))
+            for name, (x, y, degrees) in zip(body_names(generator), places, strict=False):
+                if degrees is not None:
+                    traits["angle"] = degrees * RADIANS_PER_DEGREE
+                yield FlatBody(id=name, position=(x, y), **traits)
+
+    def _check_places(self, generator: Generator, places: list[Any], path: Path) -> None:
+        wanted = body_count(generator)
+        if len(places) < wanted:
+            text = f"only {len(places)} of {wanted} bodies fit"
+            self.findings.append(Finding(path, text, 'widen "inside", or give a smaller "apart"'))
+        if any(max(abs(x), abs(y)) > _FARTHEST for x, y, _ in places):
+            self.findings.append(
+                Finding(path, f"some bodies lie farther than {_FARTHEST:g} m from the origin")
+            )
+
+    def _prefab(self, generator: Generator) -> Prefab:
+        return self.scene.prefabs[getattr(generator, kind_of(generator))]
+
+    def _merged(self, body: Body) -> dict[str, Any]:
+        """A body's fields: its own, else its prefab's, else the defaults."""
+        if body.prefab is None:
+            return _values(body)
+        return {**_values(self.scene.prefabs[body.prefab]), **body.said()}
+
+    def _traits(self, values: dict[str, Any], path: Path) -> dict[str, Any]:
+        """The fields of a flat body that do not depend on where it is; adds what is wrong with them."""
+        traits = {name: values[name] for name in _SAME}
+        traits["shapes"] = self._flat_shapes(values["shapes"], values["material"])
+        traits["angle"] = values["angle"] * RADIANS_PER_DEGREE
+        traits["angular_velocity"] = values["angular_velocity"] * RADIANS_PER_DEGREE
+        traits["pointer"] = "".join(f"/{part}" for part in path)
+        self.findings += [Finding(path, message, hint) for message, hint in faults(traits)]
+        return traits
+
+    def _flat_shapes(self, shapes: tuple[Any, ...], material: str | None) -> tuple[FlatShape, ...]:
+        """One tuple for all bodies of one `shapes` (the scene keeps it, hence its id, alive) and material."""
+        key = (id(shapes), material)
+        if key not in self._shapes:
+            names = [shape.material or material for shape in shapes]
+            materials = [self.scene.materials[name] if name else None for name in names]
+            pairs = zip(shapes, materials, strict=True)
+            self._shapes[key] = tuple(flat_shape(s, m, self.scene.categories) for s, m in pairs)
+        return self._shapes[key]
+
+
+def _values(pattern: Prefab) -> dict[str, Any]:
+    return {name: getattr(pattern, name) for name in Prefab.model_fields}

@@ -1,0 +1,27 @@
+"""The stated limits of a scene. A file past one of them is refused before memory is taken for it."""
+
+from __future__ import annotations
+
+MAX_BYTES = 16 * 1024 * 1024
+"""Size of a scene file."""
+
+MAX_DEPTH = 32
+"""Nesting of objects and lists in a scene file."""
+
+MAX_BODIES = 100_000
+"""Bodies of a scene, generated ones included."""
+
+MAX_SHAPES = 200_000
+"""Shapes of a scene, over all its bodies."""
+
+MAX_VERTICES = 64
+"""Vertices of a polygon."""
+
+MAX_CATEGORIES = 31
+"""Named collision categories: 32 bits, the lowest of which is "default"."""
+
+MAX_PROBLEMS = 100
+"""Mistakes listed for one file; a last line counts the rest."""
+
+ALL_BITS = 0xFFFFFFFF
+"""A mask that collides with everything."""

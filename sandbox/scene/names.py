@@ -1,0 +1,74 @@
+"""The ids of all bodies of a scene: each once, and not more than the limit."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+from pydantic import TypeAdapter, ValidationError
+
+from sandbox.scene.finding import Finding, Path, quoted
+from sandbox.scene.generators import AnyGenerator, Generator, body_count, body_names
+from sandbox.scene.limits import MAX_BODIES
+from sandbox.scene.plain import children
+
+_GENERATOR: TypeAdapter[Generator] = TypeAdapter(AnyGenerator)
+
+
+@dataclass
+class BodyNames:
+    """The path of the body or generator behind each id.
+
+    `unread` begins the ids that may come from generators with mistakes of their own; `counted` is False
+    where the scene is too large to name its bodies.
+    """
+
+    origins: dict[str, Path] = field(default_factory=dict)
+    unread: tuple[str, ...] = ()
+    counted: bool = True
+    findings: list[Finding] = field(default_factory=list)
+
+    def add(self, name: str, path: Path, place: Path) -> None:
+        """Note an id, or the mistake that it is taken. `place` is where to point."""
+        if name in self.origins:
+            first = "".join(f"[{part}]" if isinstance(part, int) else part for part in self.origins[name])
+            self.findings.append(Finding(place, f"the id {quoted(name)} is taken by {first}"))
+        else:
+            self.origins[name] = path
+
+
+def body_ids(data: dict[str, Any]) -> BodyNames:
+    """All ids of the bodies of a scene's plain data, or the mistakes that stand against them."""
+    generators = list(_generators(data))
+    found = BodyNames(unread=_unread(data, generators))
+    bodies = data.get("bodies")
+    total = len(bodies) if isinstance(bodies, (list, tuple)) else 0
+    total += sum(body_count(generator) for _, generator in generators if generator)
+    if total > MAX_BODIES:
+        text = f"the scene has {total} bodies; {MAX_BODIES} is the limit"
+        return BodyNames(
+            counted=False, findings=[Finding(("generate",) if generators else ("bodies",), text)]
+        )
+    for path, body in children(bodies, ("bodies",)):
+        if isinstance(body.get("id"), str):
+            found.add(body["id"], path, (*path, "id"))
+    for path, generator in generators:
+        for name in body_names(generator) if generator else ():
+            found.add(name, path, (*path, "id"))
+    return found
+
+
+def _unread(data: dict[str, Any], generators: list[tuple[Path, Generator | None]]) -> tuple[str, ...]:
+    raw = dict(children(data.get("generate"), ("generate",)))
+    ids = [raw[path].get("id") for path, generator in generators if generator is None]
+    return tuple(f"{name}-" if isinstance(name, str) else "" for name in ids)
+
+
+def _generators(data: dict[str, Any]) -> Iterator[tuple[Path, Generator | None]]:
+    """Each generator with its path; None where it has mistakes of its own."""
+    for path, generator in children(data.get("generate"), ("generate",)):
+        try:
+            yield path, _GENERATOR.validate_python(generator)
+        except ValidationError:
+            yield path, None

@@ -1,0 +1,55 @@
+"""Reads plain data of a scene that may be wrong anywhere: what has the wrong type is passed over.
+
+The rules between fields work on plain data, so that they find their mistakes in a file that has others too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from sandbox.scene.finding import Path
+
+Node = tuple[Path, dict[str, Any]]
+"""An object of the file and the path to it."""
+
+
+def mapping(value: object) -> dict[str, Any]:
+    """`value` if it is an object, else an empty one."""
+    return value if isinstance(value, dict) else {}
+
+
+def children(parent: object, path: Path) -> Iterator[Node]:
+    """The objects in a list or object, each with its path."""
+    if isinstance(parent, dict):
+        pairs: Any = parent.items()
+    else:
+        pairs = enumerate(parent) if isinstance(parent, (list, tuple)) else ()
+    for key, value in pairs:
+        if isinstance(value, dict):
+            yield (*path, key), value
+
+
+def patterns(data: dict[str, Any]) -> Iterator[Node]:
+    """Every body and prefab."""
+    yield from children(data.get("prefabs"), ("prefabs",))
+    yield from children(data.get("bodies"), ("bodies",))
+
+
+def shapes(data: dict[str, Any]) -> Iterator[Node]:
+    """Every shape of every body and prefab."""
+    for path, pattern in patterns(data):
+        yield from children(pattern.get("shapes"), (*path, "shapes"))
+
+
+def texts(value: object, path: Path) -> Iterator[tuple[Path, str]]:
+    """A text, or the texts of a list."""
+    if isinstance(value, str):
+        yield path, value
+    elif isinstance(value, (list, tuple)):
+        yield from (((*path, i), entry) for i, entry in enumerate(value) if isinstance(entry, str))
+
+
+def is_number(value: object) -> bool:
+    """Whether a value is a number of the file (true and false are not)."""
+    return isinstance(value, (int, float)) and not isinstance(value, bool)

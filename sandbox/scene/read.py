@@ -1,0 +1,58 @@
+"""Reads a scene file as text, whatever is found under the path."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from sandbox.errors import Problem, SceneError
+from sandbox.scene.finding import did_you_mean
+from sandbox.scene.limits import MAX_BYTES
+from sandbox.scene.report import syntax_error
+
+
+def read_text(path: Path) -> str:
+    """The text of a UTF-8 file of at most `MAX_BYTES`. Raises `SceneError`."""
+    data = _read_bytes(path)
+    if len(data) > MAX_BYTES:
+        raise _error(path, f"the file is larger than {MAX_BYTES // 2**20} MiB, the limit of a scene")
+    try:
+        return data.decode("utf-8")
+    except UnicodeDecodeError as error:
+        raise _not_utf8(path, data, error.start) from None
+
+
+def _read_bytes(path: Path) -> bytes:
+    try:
+        with path.open("rb") as file:
+            return file.read(MAX_BYTES + 1)
+    except FileNotFoundError:
+        raise _error(path, "there is no such file", _nearest_file(path)) from None
+    except IsADirectoryError:
+        raise _error(path, "this is a folder, not a scene file") from None
+    except (OSError, ValueError) as error:
+        if path.is_dir():  # some systems answer "permission denied" for a folder
+            raise _error(path, "this is a folder, not a scene file") from None
+        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+        raise _error(path, f"the file cannot be read: {reason}") from None
+
+
+def _nearest_file(path: Path) -> str:
+    try:
+        names = [name for name in os.listdir(path.parent) if name.endswith(".json")]
+    except OSError:
+        return ""
+    return did_you_mean(path.name, names)
+
+
+def _not_utf8(path: Path, data: bytes, start: int) -> SceneError:
+    text = data[:start].decode("utf-8")
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")) or b"\0" in data[:100]:
+        return _error(path, "the file is not UTF-8; it looks like UTF-16", "save it as UTF-8")
+    shown = text + data[start : start + 100].decode("utf-8", "replace")
+    message = f"the byte 0x{data[start]:02x} is not UTF-8"
+    return syntax_error(str(path), shown, (len(text), len(text) + 1), message, "save the file as UTF-8")
+
+
+def _error(path: Path, message: str, hint: str = "") -> SceneError:
+    return SceneError(str(path), [Problem(f"{message}:" if hint else message, hint=hint)])

@@ -1,0 +1,114 @@
+"""The scene: all that an author writes, from a file or from Python."""
+
+from __future__ import annotations
+
+from pathlib import Path as FilePath
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, PrivateAttr
+
+from sandbox.scene.base import Model
+from sandbox.scene.body import Body, Prefab
+from sandbox.scene.excerpt import line_column
+from sandbox.scene.expect import AnyExpectation
+from sandbox.scene.finding import path_of
+from sandbox.scene.flat import FlatScene
+from sandbox.scene.flatten import Flattener
+from sandbox.scene.generators import AnyGenerator
+from sandbox.scene.limits import MAX_BODIES, MAX_CATEGORIES
+from sandbox.scene.locate import locate
+from sandbox.scene.material import Material
+from sandbox.scene.pretty import pretty
+from sandbox.scene.quantities import Acceleration2, Listed, Name
+from sandbox.scene.report import scene_error
+from sandbox.scene.rules import cross_checks
+from sandbox.scene.settings import Settings, View
+
+
+class Scene(Model):
+    """A scene; it never changes. `Scene(title=..., bodies=[...])` raises `SceneError` with every mistake."""
+
+    schema_uri: str | None = Field(default=None, alias="$schema", description="For editors; not read.")
+    format: Literal[1] = Field(default=1, description="Version of the format.")
+    title: str = Field(default="", description="A line for people.")
+    about: str = Field(default="", description="What to watch for.")
+    gravity: Acceleration2 = Field(default=(0.0, -9.81), description="[x, y], m/s^2; y points up.")
+    categories: Annotated[tuple[Name, ...], Listed('["name", ...]', 0, MAX_CATEGORIES)] = Field(
+        default=(), description='Names of collision categories; "default" is one already.'
+    )
+    materials: dict[Name, Material] = Field(default={}, description="Materials by name.")
+    prefabs: dict[Name, Prefab] = Field(
+        default={}, description="Patterns for bodies and generators, by name."
+    )
+    bodies: Annotated[tuple[Body, ...], Listed("of bodies", 0, MAX_BODIES)] = Field(
+        default=(), description="The bodies."
+    )
+    generate: Annotated[tuple[AnyGenerator, ...], Listed("of generators", 0, 10_000)] = Field(
+        default=(), description="Bodies made by rule, after the written ones."
+    )
+    settings: Settings = Field(default=Settings(), description="How the scene is simulated.")
+    view: View | None = Field(default=None, description="What the camera shows; default: the whole scene.")
+    expect: Annotated[tuple[AnyExpectation, ...], Listed("of expectations", 0, 10_000)] = Field(
+        default=(), description="What must hold when the scene runs."
+    )
+
+    _source: str = PrivateAttr("Scene")
+    _text: str | None = PrivateAttr(None)
+    _flat: FlatScene | None = PrivateAttr(None)
+
+    def __init__(self, **data: Any) -> None:
+        super().__init__(**data)
+        self.flatten()
+
+    __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
+
+    @property
+    def source(self) -> str:
+        """The file the scene came from, or "Scene"."""
+        return self._source
+
+    @property
+    def text(self) -> str | None:
+        """The file's text; None for a scene built in Python."""
+        return self._text
+
+    def flatten(self) -> FlatScene:
+        """The scene with nothing left to look up, always the same object. Raises `SceneError`."""
+        if self._flat is None:
+            flattener = Flattener(self)
+            findings = cross_checks(self.to_data())
+            flat = None if findings else flattener.flat()
+            if findings or flattener.findings:
+                raise scene_error(self._source, findings or flattener.findings, self._text)
+            self._flat = flat
+        assert self._flat is not None
+        return self._flat
+
+    def to_data(self) -> dict[str, Any]:
+        """The scene as plain data, as a file holds it; fields that were not given are left out."""
+        return self.model_dump(mode="json", by_alias=True, exclude_unset=True)
+
+    def save(self, path: str | FilePath) -> None:
+        """Write the scene as JSON (UTF-8) that loads to an equal scene."""
+        data = self.to_data()
+        head = {"$schema": data.pop("$schema")} if "$schema" in data else {}
+        text = pretty({**head, "format": 1, **data}) + "\n"
+        FilePath(path).write_text(text, encoding="utf-8", newline="\n")
+
+    def locate(self, pointer: str) -> tuple[int, int] | None:
+        """Line and column in the scene's file of the value at a JSON pointer; None if there is no file."""
+        if self._text is None:
+            return None
+        path = path_of(pointer)
+        return line_column(self._text, locate(self._text, [path])[path].value_span[0])
+
+    def model_copy(self, *, update: Any = None, deep: bool = False) -> Scene:
+        """A new scene with the fields in `update` changed, checked like any other."""
+        changed = {**self.said(), **(update or {})}
+        aliases = {name: field.alias or name for name, field in type(self).model_fields.items()}
+        return type(self)(**{aliases.get(name, name): value for name, value in changed.items()})
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Scene) and self.__dict__ == other.__dict__
+
+    __hash__ = None  # type: ignore[assignment]

@@ -1,0 +1,35 @@
+"""How a scene is simulated and looked at. Every field has a default that a scene need not touch."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from pydantic import Field
+
+from sandbox.scene.base import Model
+from sandbox.scene.quantities import Hertz, Point, Range, Ratio, Size, Speed
+
+
+class Settings(Model):
+    """Simulation settings."""
+
+    step_rate: Hertz = Field(default=60.0, description="Steps per second.")
+    substeps: Annotated[int, Range(1, 64)] = Field(default=4, description="Solver substeps in a step.")
+    contact_hertz: Hertz = Field(default=60.0, description="Stiffness of contacts, Hz.")
+    contact_damping_ratio: Ratio = Field(default=10.0, description="Damping of contacts; 1 is critical.")
+    push_out_speed: Speed = Field(default=3.0, description="Fastest recovery of an overlap, m/s.")
+    restitution_threshold: Speed = Field(default=0.2, description="Slower impacts do not bounce, m/s.")
+    sleeping: bool = Field(default=True, description="false: resting bodies never fall asleep.")
+    steps: Annotated[int, Range(1, 1_000_000)] = Field(
+        default=300,
+        description="How many steps a headless check runs; more if an expectation names a later step.",
+    )
+
+
+class View(Model):
+    """What the camera shows at first."""
+
+    center: Point = Field(default=(0.0, 0.0), description="Middle of the picture, m.")
+    height: Size | None = Field(
+        default=None, description="Height of the picture, m; default: the whole scene."
+    )

@@ -1,0 +1,138 @@
+"""The shapes of a body, each told by its own key."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from pydantic import AfterValidator, Field, Tag
+from pydantic_core import PydanticCustomError
+
+from sandbox.geometry.polygon import PolygonError, convex_polygon
+from sandbox.scene.limits import ALL_BITS
+from sandbox.scene.material import Surface
+from sandbox.scene.quantities import (
+    Bits,
+    Degrees,
+    Ends,
+    Listed,
+    Name,
+    Outline,
+    Point,
+    Range,
+    Rounding,
+    Size,
+    Size2,
+)
+from sandbox.scene.union import TAG, by_key, by_type
+
+Names = Annotated[tuple[Name, ...], Listed('["name", ...]', 0, 32)]
+Categories = Annotated[
+    Annotated[Bits, Tag(TAG + "number")]
+    | Annotated[Name, Tag(TAG + "text")]
+    | Annotated[Names, Tag(TAG + "list")],
+    by_type("a category name, a list of names, or a whole number used as bits"),
+]
+"""A category name, several, or the bits themselves."""
+
+
+def _check_ends(ends: Ends) -> Ends:
+    (ax, ay), (bx, by) = ends
+    if max(abs(bx - ax), abs(by - ay)) < 1e-6:
+        raise PydanticCustomError("ends", "the two ends are the same point", {"index": 1})
+    return ends
+
+
+def _check_polygon(outline: Outline) -> Outline:
+    try:
+        convex_polygon(outline)
+    except PolygonError as error:
+        raise PydanticCustomError("polygon", str(error), {"index": error.index}) from None
+    return outline
+
+
+class AnyShape(Surface):
+    """What all shapes have: a place in the body, a surface, a collision filter."""
+
+    at: Point = Field(
+        default=(0.0, 0.0), description="Offset from the body's position, in the body's frame, m."
+    )
+    material: Name | None = Field(default=None, description="Name of a material; default: the body's.")
+    category: Categories = Field(default=1, description='What the shape is, for filters; default "default".')
+    mask: Categories = Field(
+        default=ALL_BITS, description="What the shape collides with; default: everything."
+    )
+    group: Annotated[int, Range(-(2**31), 2**31 - 1)] = Field(
+        default=0,
+        description="Shapes of the same positive group always collide, of the same negative group never.",
+    )
+
+
+class Circle(AnyShape):
+    """A disc."""
+
+    circle: Size = Field(description="Radius, m.")
+
+
+class Turnable(AnyShape):
+    """A shape that can be turned about its offset."""
+
+    angle: Degrees = Field(default=0.0, description="Turn about `at`, degrees, counter-clockwise.")
+
+
+class Box(Turnable):
+    """A rectangle, centred on `at`."""
+
+    box: Size2 = Field(description="Outer width and height, m.")
+    radius: Rounding = Field(
+        default=0.0,
+        description="Rounds the corners inwards, m: the outer size stays; less than half the smaller side.",
+    )
+
+
+class Capsule(Turnable):
+    """All points within `radius` of the line between two points."""
+
+    capsule: Annotated[Ends, AfterValidator(_check_ends)] = Field(
+        description="The two centers [[x, y], [x, y]], m."
+    )
+    radius: Size = Field(description="Distance of the outline from the line, m.")
+
+
+class Segment(Turnable):
+    """A line between two points, solid from both sides; it has no mass unless it has a radius."""
+
+    segment: Annotated[Ends, AfterValidator(_check_ends)] = Field(
+        description="The two ends [[x, y], [x, y]], m."
+    )
+    radius: Rounding = Field(default=0.0, description="Thickness to each side, m.")
+
+
+class Polygon(Turnable):
+    """A convex polygon of 3 to 64 vertices, in either winding."""
+
+    polygon: Annotated[Outline, AfterValidator(_check_polygon)] = Field(
+        description="Vertices [[x, y], ...], m; repeated vertices and ones on a straight side are dropped."
+    )
+    radius: Rounding = Field(
+        default=0.0, description="Rounds the corners outwards, m: the shape grows by it."
+    )
+
+
+SHAPES: dict[str, type[AnyShape]] = {
+    "circle": Circle,
+    "box": Box,
+    "capsule": Capsule,
+    "segment": Segment,
+    "polygon": Polygon,
+}
+"""Every kind of shape by its key."""
+
+Shape = Annotated[
+    Annotated[Circle, Tag(TAG + "circle")]
+    | Annotated[Box, Tag(TAG + "box")]
+    | Annotated[Capsule, Tag(TAG + "capsule")]
+    | Annotated[Segment, Tag(TAG + "segment")]
+    | Annotated[Polygon, Tag(TAG + "polygon")],
+    by_key("shape", SHAPES),
+]
+"""Any shape; exactly one of the keys of `SHAPES` tells which."""
