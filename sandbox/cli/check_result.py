@@ -37,6 +37,16 @@ class Result:
             return "unusable"
         return "holds" if self.trial.holds else "failed"
 
+    def text(self, verdict: Verdict) -> str:
+        """The expectation that `verdict` is about, on one line, as the author could have written it."""
+        wanted = self.scene.expect[verdict.index] if self.scene else None
+        return json.dumps(wanted.said() if wanted else {}, ensure_ascii=False)
+
+    def line(self, verdict: Verdict) -> int:
+        """The line of that expectation in its file."""
+        place = self.scene.locate(f"/expect/{verdict.index}") if self.scene else None
+        return place[0] if place else 0
+
 
 def exit_code(results: Sequence[Result]) -> int:
     """2 if a file could not be used, else 1 if one failed, else 0."""
@@ -77,22 +87,4 @@ def _problems(error: Exception | None) -> list[dict[str, Any]]:
 
 
 def _expectation_entry(result: Result, verdict: Verdict) -> dict[str, Any]:
-    """`line` is 0 for one that holds: looking it up is only worth it for a failure."""
-    line = 0 if verdict.holds else expectation_line(result.path, verdict.index)
-    return {"text": expectation_text(result, verdict), "line": line, **asdict(verdict)}
-
-
-def expectation_text(result: Result, verdict: Verdict) -> str:
-    """The expectation as the author could have written it, on one line."""
-    assert result.scene is not None
-    return json.dumps(result.scene.expect[verdict.index].said(), ensure_ascii=False)
-
-
-def expectation_line(path: Path, index: int) -> int:
-    """The line of expectation `index` in its file."""
-    from sandbox.scene.excerpt import line_column
-    from sandbox.scene.locate import locate
-
-    text = path.read_text("utf-8-sig")
-    pointer = ("expect", index)
-    return line_column(text, locate(text, [pointer])[pointer].value_span[0])[0]
+    return {"text": result.text(verdict), "line": result.line(verdict), **asdict(verdict)}

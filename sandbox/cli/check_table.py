@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from rich.text import Text
 
 from sandbox.cli import failures
-from sandbox.cli.check_result import Result, expectation_line, expectation_text
+from sandbox.cli.check_result import Result
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -75,8 +75,7 @@ def _reasons(result: Result) -> list[str]:
 
 
 def _reason(result: Result, verdict: Verdict) -> str:
-    place = f"{result.path.as_posix()}:{expectation_line(result.path, verdict.index)}"
     return (
-        f"  {place}: {expectation_text(result, verdict)}\n"
+        f"  {result.path.as_posix()}:{result.line(verdict)}: {result.text(verdict)}\n"
         f"    at step {verdict.step}: expected {verdict.expected}; got: {verdict.got}"
     )

@@ -22,7 +22,7 @@ class SceneProgress:
             console=console,
             transient=True,
             disable=not console.is_terminal,
-            # Lines printed to the same terminal go above the bar; those that go to a file stay out of its way.
+            # Lines for the same terminal go above the bar; those for a file stay out of its way.
             redirect_stdout=sys.stdout.isatty(),
             redirect_stderr=sys.stderr.isatty(),
         )
