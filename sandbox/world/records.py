@@ -11,7 +11,10 @@ from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
+Integers: TypeAlias = NDArray[np.int64]
+Floats: TypeAlias = NDArray[np.float64]
 Records: TypeAlias = "np.recarray[Any, Any]"
 """A one-dimensional record array: `bodies[3].velocity_x`, or `bodies.velocity_x` for the column."""
 
@@ -96,7 +99,7 @@ SHAPE = Table(
         Field("friction", "1", "Coulomb coefficient; a pair uses sqrt(a b)"),
         Field("restitution", "1", "a pair uses max(a, b)"),
         Field("rolling_resistance", "m", "lever arm of the rolling friction; a pair uses max(a, b)"),
-        Field("surface_speed", "m/s", "conveyor: speed of the surface along its counter-clockwise tangent"),
+        Field("surface_speed", "m/s", "conveyor: speed of the surface, clockwise around the shape"),
         Field("category", "-", "bit set of what the shape is", "i8"),
         Field("mask", "-", "bit set of what it collides with", "i8"),
         Field("group", "-", "same positive group always collides, same negative group never, 0 no group", "i8"),

@@ -1,0 +1,69 @@
+"""Stage: colour the constraint graph, so that contacts of one colour share no moving body."""
+
+from __future__ import annotations
+
+from sandbox._jit import kernel
+from sandbox.engine.contact_blocks import LANES, MAX_COLORS
+from sandbox.world.records import Integers, Records
+
+
+@kernel
+def color_contacts(bodies: Records, flights: Records, contacts: Records, count: int, colors: Integers) -> int:
+    """Greedy colouring in contact order; write each contact's colour to `colors`, return the number of colours.
+
+    Only bodies with mass count: static and kinematic ones are read by the solver but not changed. A contact that
+    finds no free colour gets `MAX_COLORS`, the colour of those that are solved one by one.
+    """
+    for i in range(flights.shape[0]):
+        flights[i].colors = 0
+    highest = -1
+    for i in range(count):
+        a = contacts[i].body_a
+        b = contacts[i].body_b
+        moves_a = bodies[a].inverse_mass > 0.0
+        moves_b = bodies[b].inverse_mass > 0.0
+        taken = (flights[a].colors if moves_a else 0) | (flights[b].colors if moves_b else 0)
+        color = 0
+        while color < MAX_COLORS and (taken >> color) & 1:
+            color += 1
+        colors[i] = color
+        highest = color if color > highest else highest
+        if color < MAX_COLORS:
+            if moves_a:
+                flights[a].colors |= 1 << color
+            if moves_b:
+                flights[b].colors |= 1 << color
+    return highest + 1
+
+
+@kernel
+def fill_blocks(
+    contacts: Records, count: int, colors: Integers, color_count: int, heads: Integers, slots: Records, blocks: Records
+) -> int:
+    """Order contacts by colour into `slots` and cut every colour into blocks of up to 64; return the blocks used."""
+    for c in range(color_count + 1):
+        heads[c] = 0
+    for i in range(count):
+        heads[colors[i]] += 1
+    total = 0
+    for c in range(color_count + 1):
+        total += heads[c]
+        heads[c] = total
+    for i in range(count - 1, -1, -1):
+        heads[colors[i]] -= 1
+        slot = slots[heads[colors[i]]]
+        slot.contact = i
+        slot.body_a = contacts[i].body_a
+        slot.body_b = contacts[i].body_b
+    used = 0
+    for c in range(color_count):
+        first = heads[c]
+        while first < heads[c + 1]:
+            left = heads[c + 1] - first
+            block = blocks[used]
+            block.first = first
+            block.count = left if left < LANES else LANES
+            block.serial = 1 if c == MAX_COLORS else 0
+            first += block.count
+            used += 1
+    return used

@@ -1,0 +1,173 @@
+"""Everything that changes a world from outside is a command: plain data, checked as a whole before it is applied."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, fields
+from typing import TypeAlias
+
+from sandbox.engine.guard import MAX_COORDINATE
+from sandbox.engine.integrate import place_origin
+from sandbox.errors import CommandError
+from sandbox.geometry.trig import cos_sin
+from sandbox.world.records import DYNAMIC, STATIC, Records
+from sandbox.world.state import State
+
+Vec = tuple[float, float]
+
+SPEED_LIMIT = 1e6
+"""Highest velocity a command may set, in m/s or rad/s."""
+DRAG_HERTZ = 5.0
+DRAG_DAMPING_RATIO = 0.7
+
+
+@dataclass(frozen=True)
+class SetPose:
+    """Put a body at `position` (m) and `angle` (rad) at once, without touching its velocity."""
+
+    body: str
+    position: Vec
+    angle: float
+
+
+@dataclass(frozen=True)
+class SetVelocity:
+    """Give a body a velocity (m/s) and an angular velocity (rad/s). Static bodies refuse."""
+
+    body: str
+    velocity: Vec
+    angular_velocity: float
+
+
+@dataclass(frozen=True)
+class ApplyForce:
+    """Push a dynamic body during the next step: force (N) at its centre of mass and torque (N m). Adds up."""
+
+    body: str
+    force: Vec
+    torque: float = 0.0
+
+
+@dataclass(frozen=True)
+class StartDrag:
+    """Take hold of a dynamic body at a world `point` (m); pull it there with at most `max_force` (N).
+
+    Without `max_force` the limit is a thousand times the body's weight at 1 g.
+    """
+
+    body: str
+    point: Vec
+    max_force: float | None = None
+
+
+@dataclass(frozen=True)
+class MoveDrag:
+    """Move the target of a body's drag (m)."""
+
+    body: str
+    target: Vec
+
+
+@dataclass(frozen=True)
+class EndDrag:
+    """Let go of a body."""
+
+    body: str
+
+
+Command: TypeAlias = SetPose | SetVelocity | ApplyForce | StartDrag | MoveDrag | EndDrag
+
+
+def apply_command(state: State, index: int, command: Command) -> None:
+    """Apply a command to body `index`. Raises `CommandError`, and changes nothing, if it cannot be done."""
+    _check_numbers(command)
+    body = state.bodies[index]
+    match command:
+        case SetPose():
+            _set_pose(body, command)
+        case SetVelocity():
+            _set_velocity(body, command)
+        case ApplyForce():
+            _apply_force(body, command)
+        case StartDrag():
+            _start_drag(state, index, command)
+        case MoveDrag():
+            drag = _drag_of(state, index, command.body)
+            drag.target_x, drag.target_y = command.target
+        case EndDrag():
+            _drag_of(state, index, command.body).body = -1
+    if body.type == DYNAMIC:
+        body.awake, body.sleep_time = 1, 0.0
+
+
+def _check_numbers(command: Command) -> None:
+    """Every number of a command must be finite and within its limit."""
+    for item in fields(command):
+        value = getattr(command, item.name)
+        for number in value if isinstance(value, tuple) else (value,):
+            if isinstance(number, str) or number is None:
+                continue
+            if not math.isfinite(number):
+                raise CommandError(f"{_name(command)}: {item.name} must be a finite number, not {number}")
+            limit = SPEED_LIMIT if "velocity" in item.name else MAX_COORDINATE
+            if "force" not in item.name and item.name != "torque" and abs(number) > limit:
+                raise CommandError(f"{_name(command)}: {item.name} of {number:g} is past the limit of {limit:g}")
+
+
+def _name(command: Command) -> str:
+    return f"{type(command).__name__} of {command.body!r}"
+
+
+def _set_pose(body: Records, command: SetPose) -> None:
+    body.angle = command.angle
+    body.rotation_cos, body.rotation_sin = cos_sin(command.angle)
+    x, y = body.local_center_x, body.local_center_y
+    body.center_x = command.position[0] + (body.rotation_cos * x - body.rotation_sin * y)
+    body.center_y = command.position[1] + (body.rotation_sin * x + body.rotation_cos * y)
+    place_origin(body)
+
+
+def _set_velocity(body: Records, command: SetVelocity) -> None:
+    if body.type == STATIC:
+        raise CommandError(f"{_name(command)}: a static body has no velocity; make it kinematic in the scene")
+    body.velocity_x, body.velocity_y = command.velocity
+    body.angular_velocity = command.angular_velocity
+
+
+def _apply_force(body: Records, command: ApplyForce) -> None:
+    _needs_dynamic(body, command)
+    force = (body.force_x + command.force[0], body.force_y + command.force[1])
+    torque = body.torque + command.torque
+    if not all(math.isfinite(value) for value in (*force, torque)):
+        raise CommandError(f"{_name(command)}: the forces on the body add up to infinity")
+    body.force_x, body.force_y = force
+    body.torque = torque
+
+
+def _start_drag(state: State, index: int, command: StartDrag) -> None:
+    body = state.bodies[index]
+    _needs_dynamic(body, command)
+    rows = [row for row in state.drags if row.body == index] or [row for row in state.drags if row.body < 0]
+    if not rows:
+        raise CommandError(f"{_name(command)}: {len(state.drags)} bodies are dragged already; end one first")
+    drag = rows[0]
+    dx, dy = command.point[0] - body.center_x, command.point[1] - body.center_y
+    drag.body = index
+    drag.target_x, drag.target_y = command.point
+    drag.local_x = body.rotation_cos * dx + body.rotation_sin * dy
+    drag.local_y = body.rotation_cos * dy - body.rotation_sin * dx
+    drag.hertz, drag.damping_ratio = DRAG_HERTZ, DRAG_DAMPING_RATIO
+    drag.max_force = command.max_force if command.max_force is not None else 9810.0 * body.mass
+    drag.impulse_x = drag.impulse_y = 0.0
+
+
+def _needs_dynamic(body: Records, command: Command) -> None:
+    if body.type != DYNAMIC:
+        raise CommandError(f"{_name(command)}: only a dynamic body can be pushed or dragged")
+
+
+def _drag_of(state: State, index: int, name: str) -> Records:
+    for row in state.drags:
+        if row.body == index:
+            return row
+    raise CommandError(f"{name!r} is not being dragged; start with StartDrag")

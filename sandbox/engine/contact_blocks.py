@@ -1,0 +1,56 @@
+"""How contacts lie in memory while they are solved: blocks of 64 lanes, one float array for all.
+
+Contacts of one colour share no body, so 64 of them can be solved side by side. Field `F` of lane `k` of a block is
+`lanes[base + F + k]`: every field at a constant offset in one array is what lets LLVM turn the loop over `k` into
+vector instructions. Results do not depend on the vector width.
+"""
+
+from __future__ import annotations
+
+LANES = 64
+MAX_COLORS = 62
+"""Contacts that find no colour below this go into serial blocks."""
+
+NORMAL_X = 0 * LANES
+NORMAL_Y = 1 * LANES
+INVERSE_MASS_A = 2 * LANES
+INVERSE_INERTIA_A = 3 * LANES
+INVERSE_MASS_B = 4 * LANES
+INVERSE_INERTIA_B = 5 * LANES
+FRICTION = 6 * LANES
+SURFACE_SPEED = 7 * LANES
+ROLLING_RESISTANCE = 8 * LANES
+ROLLING_MASS = 9 * LANES
+ROLLING_IMPULSE = 10 * LANES
+
+POINT_1 = 11 * LANES
+"""First field of point 1; the fields below count from it."""
+POINT_2 = 20 * LANES
+"""First field of point 2. A contact of one point leaves its masses zero, so that it never pushes."""
+
+ANCHOR_AX = 0 * LANES
+ANCHOR_AY = 1 * LANES
+ANCHOR_BX = 2 * LANES
+ANCHOR_BY = 3 * LANES
+SEPARATION = 4 * LANES
+NORMAL_MASS = 5 * LANES
+TANGENT_MASS = 6 * LANES
+NORMAL_IMPULSE = 7 * LANES
+TANGENT_IMPULSE = 8 * LANES
+
+BLOCK_SIZE = 29 * LANES
+
+# Bodies of a block, gathered before the arithmetic and scattered after it.
+VELOCITY_AX = 0 * LANES
+VELOCITY_AY = 1 * LANES
+ANGULAR_A = 2 * LANES
+VELOCITY_BX = 3 * LANES
+VELOCITY_BY = 4 * LANES
+ANGULAR_B = 5 * LANES
+DELTA_X = 6 * LANES
+DELTA_Y = 7 * LANES
+COS_A = 8 * LANES
+SIN_A = 9 * LANES
+COS_B = 10 * LANES
+SIN_B = 11 * LANES
+GATHER_SIZE = 12 * LANES

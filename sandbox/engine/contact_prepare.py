@@ -1,0 +1,138 @@
+"""Stages: copy contacts into solver blocks before the substeps, and their impulses back after."""
+
+from __future__ import annotations
+
+from sandbox._jit import kernel
+from sandbox.engine import contact_blocks as cb
+from sandbox.world.records import Floats, Records
+
+BLOCK_SIZE = cb.BLOCK_SIZE
+LANES = cb.LANES
+
+
+@kernel
+def prepare_contacts(
+    bodies: Records, contacts: Records, slots: Records, blocks: Records, block_count: int, lanes: Floats
+) -> None:
+    """Fill the lanes of every block: axes, anchors, effective masses and the impulses to start from."""
+    for n in range(block_count):
+        block = blocks[n]
+        base = n * BLOCK_SIZE
+        block.rolling = 0
+        for k in range(block.count):
+            slot = slots[block.first + k]
+            contact = contacts[slot.contact]
+            _prepare_lane(bodies[slot.body_a], bodies[slot.body_b], contact, lanes, base + k)
+            if contact.rolling_resistance > 0.0:
+                block.rolling = 1
+        for k in range(block.count, padded(block.count)):
+            for field in range(0, BLOCK_SIZE, LANES):
+                lanes[base + field + k] = 0.0
+
+
+@kernel
+def padded(count: int) -> int:
+    """Lanes rounded up to whole vectors, so that the arithmetic needs no scalar rest."""
+    return (count + 7) & ~7
+
+
+@kernel
+def _prepare_lane(a: Records, b: Records, contact: Records, lanes: Floats, at: int) -> None:
+    lanes[at + cb.NORMAL_X] = contact.normal_x
+    lanes[at + cb.NORMAL_Y] = contact.normal_y
+    lanes[at + cb.INVERSE_MASS_A] = a.inverse_mass
+    lanes[at + cb.INVERSE_INERTIA_A] = a.inverse_inertia
+    lanes[at + cb.INVERSE_MASS_B] = b.inverse_mass
+    lanes[at + cb.INVERSE_INERTIA_B] = b.inverse_inertia
+    lanes[at + cb.FRICTION] = contact.friction
+    lanes[at + cb.SURFACE_SPEED] = contact.surface_speed
+    lanes[at + cb.ROLLING_RESISTANCE] = contact.rolling_resistance
+    turning = a.inverse_inertia + b.inverse_inertia
+    lanes[at + cb.ROLLING_MASS] = 1.0 / turning if turning > 0.0 else 0.0
+    lanes[at + cb.ROLLING_IMPULSE] = contact.rolling_impulse
+    _prepare_point(
+        a,
+        b,
+        contact,
+        contact.anchor_ax1,
+        contact.anchor_ay1,
+        contact.anchor_bx1,
+        contact.anchor_by1,
+        contact.separation1,
+        contact.normal_impulse1,
+        contact.tangent_impulse1,
+        lanes,
+        at + cb.POINT_1,
+    )
+    _prepare_point(
+        a,
+        b,
+        contact,
+        contact.anchor_ax2,
+        contact.anchor_ay2,
+        contact.anchor_bx2,
+        contact.anchor_by2,
+        contact.separation2,
+        contact.normal_impulse2,
+        contact.tangent_impulse2,
+        lanes,
+        at + cb.POINT_2,
+    )
+    if contact.point_count == 1:
+        lanes[at + cb.POINT_2 + cb.NORMAL_MASS] = 0.0
+        lanes[at + cb.POINT_2 + cb.TANGENT_MASS] = 0.0
+
+
+@kernel
+def _prepare_point(
+    a: Records,
+    b: Records,
+    contact: Records,
+    ax: float,
+    ay: float,
+    bx: float,
+    by: float,
+    separation: float,
+    normal_impulse: float,
+    tangent_impulse: float,
+    lanes: Floats,
+    at: int,
+) -> None:
+    nx = contact.normal_x
+    ny = contact.normal_y
+    lanes[at + cb.ANCHOR_AX] = ax
+    lanes[at + cb.ANCHOR_AY] = ay
+    lanes[at + cb.ANCHOR_BX] = bx
+    lanes[at + cb.ANCHOR_BY] = by
+    # During the substeps the gap is this plus the way of the two anchors along the normal.
+    lanes[at + cb.SEPARATION] = separation - ((bx - ax) * nx + (by - ay) * ny)
+    lanes[at + cb.NORMAL_MASS] = effective_mass(a, b, ax, ay, bx, by, nx, ny)
+    lanes[at + cb.TANGENT_MASS] = effective_mass(a, b, ax, ay, bx, by, ny, -nx)
+    lanes[at + cb.NORMAL_IMPULSE] = normal_impulse
+    lanes[at + cb.TANGENT_IMPULSE] = tangent_impulse
+
+
+@kernel
+def effective_mass(
+    a: Records, b: Records, ax: float, ay: float, bx: float, by: float, nx: float, ny: float
+) -> float:
+    """Effective mass (kg) of two bodies along the unit axis (nx, ny) at anchors a and b; 0 if neither moves."""
+    turn_a = ax * ny - ay * nx
+    turn_b = bx * ny - by * nx
+    inverse = a.inverse_mass + b.inverse_mass + a.inverse_inertia * turn_a * turn_a + b.inverse_inertia * turn_b * turn_b
+    return 1.0 / inverse if inverse > 0.0 else 0.0
+
+
+@kernel
+def store_impulses(contacts: Records, slots: Records, blocks: Records, block_count: int, lanes: Floats) -> None:
+    """Copy the accumulated impulses back into the contacts, to warm start the next step."""
+    for n in range(block_count):
+        for k in range(blocks[n].count):
+            contact = contacts[slots[blocks[n].first + k].contact]
+            at = n * BLOCK_SIZE + k
+            contact.rolling_impulse = lanes[at + cb.ROLLING_IMPULSE]
+            contact.normal_impulse1 = lanes[at + cb.POINT_1 + cb.NORMAL_IMPULSE]
+            contact.tangent_impulse1 = lanes[at + cb.POINT_1 + cb.TANGENT_IMPULSE]
+            if contact.point_count == 2:
+                contact.normal_impulse2 = lanes[at + cb.POINT_2 + cb.NORMAL_IMPULSE]
+                contact.tangent_impulse2 = lanes[at + cb.POINT_2 + cb.TANGENT_IMPULSE]

@@ -1,0 +1,245 @@
+"""Stages: warm start, solve and relax contacts, block by block.
+
+Sequential impulses with accumulated clamping (E. Catto, "Iterative Dynamics with Temporal Coherence", GDC 2005);
+soft contacts with a relax pass after the positions have moved (Box2D v3's soft step). Each block is gathered into
+`gathered`, computed lane by lane, and scattered; see `contact_blocks` for the layout.
+"""
+
+from __future__ import annotations
+
+from sandbox._jit import kernel
+from sandbox.engine import contact_blocks as cb
+from sandbox.engine.contact_prepare import padded
+from sandbox.world.records import Floats, Records
+
+BLOCK_SIZE = cb.BLOCK_SIZE
+
+
+@kernel
+def warm_start(
+    motions: Records, slots: Records, blocks: Records, block_count: int, lanes: Floats, gathered: Floats
+) -> None:
+    """Apply the impulses accumulated so far: the best guess of what this substep needs."""
+    for n in range(block_count):
+        block = blocks[n]
+        values = lanes[n * BLOCK_SIZE : (n + 1) * BLOCK_SIZE]
+        if block.serial == 1:
+            for k in range(block.count):
+                _gather(motions, slots, block.first, k, k + 1, gathered)
+                _warm_start_lanes(values, gathered, k, k + 1)
+                _scatter(motions, slots, block.first, k, k + 1, gathered)
+        else:
+            _gather(motions, slots, block.first, 0, block.count, gathered)
+            _warm_start_lanes(values, gathered, 0, padded(block.count))
+            _scatter(motions, slots, block.first, 0, block.count, gathered)
+
+
+@kernel
+def solve_contacts(
+    motions: Records,
+    slots: Records,
+    blocks: Records,
+    block_count: int,
+    lanes: Floats,
+    gathered: Floats,
+    inverse_seconds: float,
+    bias_rate: float,
+    mass_scale: float,
+    impulse_scale: float,
+    slowest_bias: float,
+) -> None:
+    """One pass over all contacts: push apart, then rub, then brake rolling.
+
+    `slowest_bias` (m/s, negative or zero) bounds the velocity that pushes overlapping bodies apart; zero makes this
+    a relax pass, which removes the velocity that the push has added.
+    """
+    for n in range(block_count):
+        block = blocks[n]
+        values = lanes[n * BLOCK_SIZE : (n + 1) * BLOCK_SIZE]
+        vectors = 1 if block.serial == 0 else block.count
+        for k in range(vectors):
+            first = k
+            end = k + 1 if block.serial == 1 else block.count
+            whole = end if block.serial == 1 else padded(end)
+            _gather(motions, slots, block.first, first, end, gathered)
+            _solve_lanes(
+                values,
+                gathered,
+                first,
+                whole,
+                inverse_seconds,
+                bias_rate,
+                mass_scale,
+                impulse_scale,
+                slowest_bias,
+            )
+            if block.rolling == 1:
+                _brake_rolling(values, gathered, first, whole)
+            _scatter(motions, slots, block.first, first, end, gathered)
+
+
+@kernel
+def _gather(motions: Records, slots: Records, slot: int, first: int, end: int, g: Floats) -> None:
+    for k in range(first, end):
+        a = motions[slots[slot + k].body_a]
+        b = motions[slots[slot + k].body_b]
+        g[cb.VELOCITY_AX + k] = a.velocity_x
+        g[cb.VELOCITY_AY + k] = a.velocity_y
+        g[cb.ANGULAR_A + k] = a.angular_velocity
+        g[cb.VELOCITY_BX + k] = b.velocity_x
+        g[cb.VELOCITY_BY + k] = b.velocity_y
+        g[cb.ANGULAR_B + k] = b.angular_velocity
+        g[cb.DELTA_X + k] = b.delta_x - a.delta_x
+        g[cb.DELTA_Y + k] = b.delta_y - a.delta_y
+        g[cb.COS_A + k] = a.delta_cos
+        g[cb.SIN_A + k] = a.delta_sin
+        g[cb.COS_B + k] = b.delta_cos
+        g[cb.SIN_B + k] = b.delta_sin
+
+
+@kernel
+def _scatter(motions: Records, slots: Records, slot: int, first: int, end: int, g: Floats) -> None:
+    for k in range(first, end):
+        a = motions[slots[slot + k].body_a]
+        b = motions[slots[slot + k].body_b]
+        a.velocity_x = g[cb.VELOCITY_AX + k]
+        a.velocity_y = g[cb.VELOCITY_AY + k]
+        a.angular_velocity = g[cb.ANGULAR_A + k]
+        b.velocity_x = g[cb.VELOCITY_BX + k]
+        b.velocity_y = g[cb.VELOCITY_BY + k]
+        b.angular_velocity = g[cb.ANGULAR_B + k]
+
+
+@kernel
+def _warm_start_lanes(v: Floats, g: Floats, first: int, end: int) -> None:
+    for k in range(first, end):
+        nx = v[cb.NORMAL_X + k]
+        ny = v[cb.NORMAL_Y + k]
+        ax = g[cb.VELOCITY_AX + k]
+        ay = g[cb.VELOCITY_AY + k]
+        aw = g[cb.ANGULAR_A + k] - v[cb.INVERSE_INERTIA_A + k] * v[cb.ROLLING_IMPULSE + k]
+        bx = g[cb.VELOCITY_BX + k]
+        by = g[cb.VELOCITY_BY + k]
+        bw = g[cb.ANGULAR_B + k] + v[cb.INVERSE_INERTIA_B + k] * v[cb.ROLLING_IMPULSE + k]
+        for point in (cb.POINT_1, cb.POINT_2):
+            normal = v[point + cb.NORMAL_IMPULSE + k]
+            tangent = v[point + cb.TANGENT_IMPULSE + k]
+            px = normal * nx + tangent * ny
+            py = normal * ny - tangent * nx
+            ax = ax - v[cb.INVERSE_MASS_A + k] * px
+            ay = ay - v[cb.INVERSE_MASS_A + k] * py
+            turn_a = v[point + cb.ANCHOR_AX + k] * py - v[point + cb.ANCHOR_AY + k] * px
+            aw = aw - v[cb.INVERSE_INERTIA_A + k] * turn_a
+            bx = bx + v[cb.INVERSE_MASS_B + k] * px
+            by = by + v[cb.INVERSE_MASS_B + k] * py
+            turn_b = v[point + cb.ANCHOR_BX + k] * py - v[point + cb.ANCHOR_BY + k] * px
+            bw = bw + v[cb.INVERSE_INERTIA_B + k] * turn_b
+        g[cb.VELOCITY_AX + k] = ax
+        g[cb.VELOCITY_AY + k] = ay
+        g[cb.ANGULAR_A + k] = aw
+        g[cb.VELOCITY_BX + k] = bx
+        g[cb.VELOCITY_BY + k] = by
+        g[cb.ANGULAR_B + k] = bw
+
+
+@kernel
+def _solve_lanes(
+    v: Floats,
+    g: Floats,
+    first: int,
+    end: int,
+    inverse_seconds: float,
+    bias_rate: float,
+    mass_scale: float,
+    impulse_scale: float,
+    slowest_bias: float,
+) -> None:
+    for k in range(first, end):
+        ax = g[cb.VELOCITY_AX + k]
+        ay = g[cb.VELOCITY_AY + k]
+        aw = g[cb.ANGULAR_A + k]
+        bx = g[cb.VELOCITY_BX + k]
+        by = g[cb.VELOCITY_BY + k]
+        bw = g[cb.ANGULAR_B + k]
+        nx = v[cb.NORMAL_X + k]
+        ny = v[cb.NORMAL_Y + k]
+        mass_a = v[cb.INVERSE_MASS_A + k]
+        mass_b = v[cb.INVERSE_MASS_B + k]
+        inertia_a = v[cb.INVERSE_INERTIA_A + k]
+        inertia_b = v[cb.INVERSE_INERTIA_B + k]
+        for point in (cb.POINT_1, cb.POINT_2):
+            rax = v[point + cb.ANCHOR_AX + k]
+            ray = v[point + cb.ANCHOR_AY + k]
+            rbx = v[point + cb.ANCHOR_BX + k]
+            rby = v[point + cb.ANCHOR_BY + k]
+            gap_x = g[cb.DELTA_X + k] + (g[cb.COS_B + k] * rbx - g[cb.SIN_B + k] * rby)
+            gap_x = gap_x - (g[cb.COS_A + k] * rax - g[cb.SIN_A + k] * ray)
+            gap_y = g[cb.DELTA_Y + k] + (g[cb.SIN_B + k] * rbx + g[cb.COS_B + k] * rby)
+            gap_y = gap_y - (g[cb.SIN_A + k] * rax + g[cb.COS_A + k] * ray)
+            separation = gap_x * nx + gap_y * ny + v[point + cb.SEPARATION + k]
+            overlaps = separation <= 0.0
+            push = bias_rate * separation
+            push = push if push > slowest_bias else slowest_bias
+            bias = push if overlaps else separation * inverse_seconds
+            scale = mass_scale if overlaps else 1.0
+            softness = impulse_scale if overlaps else 0.0
+            vx = bx - bw * rby - ax + aw * ray
+            vy = by + bw * rbx - ay - aw * rax
+            speed = vx * nx + vy * ny
+            before = v[point + cb.NORMAL_IMPULSE + k]
+            after = before - v[point + cb.NORMAL_MASS + k] * scale * (speed + bias) - softness * before
+            after = after if after > 0.0 else 0.0
+            v[point + cb.NORMAL_IMPULSE + k] = after
+            impulse = after - before
+            px = impulse * nx
+            py = impulse * ny
+            ax = ax - mass_a * px
+            ay = ay - mass_a * py
+            aw = aw - inertia_a * (rax * py - ray * px)
+            bx = bx + mass_b * px
+            by = by + mass_b * py
+            bw = bw + inertia_b * (rbx * py - rby * px)
+        for point in (cb.POINT_1, cb.POINT_2):
+            rax = v[point + cb.ANCHOR_AX + k]
+            ray = v[point + cb.ANCHOR_AY + k]
+            rbx = v[point + cb.ANCHOR_BX + k]
+            rby = v[point + cb.ANCHOR_BY + k]
+            vx = bx - bw * rby - ax + aw * ray
+            vy = by + bw * rbx - ay - aw * rax
+            speed = vx * ny - vy * nx - v[cb.SURFACE_SPEED + k]
+            before = v[point + cb.TANGENT_IMPULSE + k]
+            limit = v[cb.FRICTION + k] * v[point + cb.NORMAL_IMPULSE + k]
+            after = before - v[point + cb.TANGENT_MASS + k] * speed
+            after = after if after < limit else limit
+            after = after if after > -limit else -limit
+            v[point + cb.TANGENT_IMPULSE + k] = after
+            impulse = after - before
+            px = impulse * ny
+            py = -impulse * nx
+            ax = ax - mass_a * px
+            ay = ay - mass_a * py
+            aw = aw - inertia_a * (rax * py - ray * px)
+            bx = bx + mass_b * px
+            by = by + mass_b * py
+            bw = bw + inertia_b * (rbx * py - rby * px)
+        g[cb.VELOCITY_AX + k] = ax
+        g[cb.VELOCITY_AY + k] = ay
+        g[cb.ANGULAR_A + k] = aw
+        g[cb.VELOCITY_BX + k] = bx
+        g[cb.VELOCITY_BY + k] = by
+        g[cb.ANGULAR_B + k] = bw
+
+
+@kernel
+def _brake_rolling(v: Floats, g: Floats, first: int, end: int) -> None:
+    """Rolling resistance: a torque impulse against relative spin, bounded by lever arm times normal impulse."""
+    for k in range(first, end):
+        load = v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] + v[cb.POINT_2 + cb.NORMAL_IMPULSE + k]
+        limit = v[cb.ROLLING_RESISTANCE + k] * load
+        before = v[cb.ROLLING_IMPULSE + k]
+        after = before - v[cb.ROLLING_MASS + k] * (g[cb.ANGULAR_B + k] - g[cb.ANGULAR_A + k])
+        after = after if after < limit else limit
+        after = after if after > -limit else -limit
+        v[cb.ROLLING_IMPULSE + k] = after
+        g[cb.ANGULAR_A + k] = g[cb.ANGULAR_A + k] - v[cb.INVERSE_INERTIA_A + k] * (after - before)
+        g[cb.ANGULAR_B + k] = g[cb.ANGULAR_B + k] + v[cb.INVERSE_INERTIA_B + k] * (after - before)

@@ -1,0 +1,261 @@
+"""Stage: restitution. Impacts that fall into a substep, resolved before the solver makes them inelastic.
+
+Contacts strike one after the other until none closes faster than the threshold, so that a blow runs through a row
+of balls as it does through Newton's cradle. The two points of a manifold strike together, so that a flat box
+leaves flat. The rebound speed comes from the energy at the surface, not at the place where the step happens to
+catch the body, so that a bounce neither gains nor loses height.
+"""
+
+from __future__ import annotations
+
+import math
+
+from sandbox._jit import kernel
+from sandbox.engine.contact_prepare import effective_mass
+from sandbox.world.records import Integers, Records
+
+_SWEEPS = 32
+_SINGULAR = 1e-9
+
+
+@kernel
+def list_bouncy(
+    bodies: Records, contacts: Records, count: int, threshold: float, bouncy: Integers
+) -> int:
+    """List the contacts with restitution, or none when no body is fast enough for any to matter."""
+    fastest = 0.0
+    for i in range(bodies.shape[0]):
+        body = bodies[i]
+        rim = body.angular_velocity * body.extent
+        square = body.velocity_x * body.velocity_x + body.velocity_y * body.velocity_y + rim * rim
+        fastest = square if square > fastest else fastest
+    used = 0
+    if fastest > 0.25 * threshold * threshold:
+        for i in range(count):
+            if contacts[i].restitution > 0.0:
+                bouncy[used] = i
+                used += 1
+    return used
+
+
+@kernel
+def resolve_impacts(
+    bodies: Records,
+    motions: Records,
+    flights: Records,
+    contacts: Records,
+    bouncy: Integers,
+    bouncy_count: int,
+    threshold: float,
+    seconds: float,
+) -> None:
+    """Strike every bouncy contact that closes within the substep, again and again until none is left."""
+    for _sweep in range(_SWEEPS):
+        struck = False
+        for k in range(bouncy_count):
+            if _strike(bodies, motions, flights, contacts[bouncy[k]], threshold, seconds):
+                struck = True
+        if not struck:
+            return
+
+
+@kernel
+def _strike(
+    bodies: Records, motions: Records, flights: Records, contact: Records, threshold: float, seconds: float
+) -> bool:
+    """Resolve the impact of one contact, if there is one; both its points at once."""
+    ia = contact.body_a
+    ib = contact.body_b
+    a = bodies[ia]
+    b = bodies[ib]
+    change1 = _wanted_change(
+        motions[ia],
+        motions[ib],
+        flights[ia],
+        flights[ib],
+        contact,
+        contact.anchor_ax1,
+        contact.anchor_ay1,
+        contact.anchor_bx1,
+        contact.anchor_by1,
+        contact.separation1,
+        threshold,
+        seconds,
+    )
+    change2 = 0.0
+    if contact.point_count == 2:
+        change2 = _wanted_change(
+            motions[ia],
+            motions[ib],
+            flights[ia],
+            flights[ib],
+            contact,
+            contact.anchor_ax2,
+            contact.anchor_ay2,
+            contact.anchor_bx2,
+            contact.anchor_by2,
+            contact.separation2,
+            threshold,
+            seconds,
+        )
+    if change1 <= 0.0 and change2 <= 0.0:
+        return False
+    impulse1, impulse2 = _pair_impulses(a, b, contact, change1, change2)
+    if impulse1 > 0.0:
+        _push(a, b, motions, flights, contact, impulse1, 1)
+    if impulse2 > 0.0:
+        _push(a, b, motions, flights, contact, impulse2, 2)
+    if impulse1 > 0.0:
+        _rub(a, b, motions, flights, contact, impulse1, 1)
+    if impulse2 > 0.0:
+        _rub(a, b, motions, flights, contact, impulse2, 2)
+    return True
+
+
+@kernel
+def _wanted_change(
+    motion_a: Records,
+    motion_b: Records,
+    flight_a: Records,
+    flight_b: Records,
+    contact: Records,
+    ax: float,
+    ay: float,
+    bx: float,
+    by: float,
+    separation: float,
+    threshold: float,
+    seconds: float,
+) -> float:
+    """Change of normal velocity (m/s) that the impact at one point asks for; 0 when there is no impact.
+
+    With the speed v at a gap s and the relative acceleration a along the normal, v^2 - 2 a s is the same at the
+    surface: that is where restitution applies.
+    """
+    nx = contact.normal_x
+    ny = contact.normal_y
+    start_x = flight_b.start_x - flight_b.start_w * by - flight_a.start_x + flight_a.start_w * ay
+    start_y = flight_b.start_y + flight_b.start_w * bx - flight_a.start_y - flight_a.start_w * ax
+    start = start_x * nx + start_y * ny
+    if -start <= threshold:
+        return 0.0
+    free_x = flight_b.free_x - flight_b.free_w * by - flight_a.free_x + flight_a.free_w * ay
+    free_y = flight_b.free_y + flight_b.free_w * bx - flight_a.free_y - flight_a.free_w * ax
+    free = free_x * nx + free_y * ny
+    c_a = motion_a.delta_cos
+    s_a = motion_a.delta_sin
+    c_b = motion_b.delta_cos
+    s_b = motion_b.delta_sin
+    way_x = motion_b.delta_x - motion_a.delta_x + (c_b * bx - s_b * by - bx) - (c_a * ax - s_a * ay - ax)
+    way_y = motion_b.delta_y - motion_a.delta_y + (s_b * bx + c_b * by - by) - (s_a * ax + c_a * ay - ay)
+    gap = separation + way_x * nx + way_y * ny
+    if gap + seconds * free > 0.0:
+        return 0.0
+    lift = 2.0 * gap * (free - start) / seconds
+    at_surface = start * start - lift
+    at_surface = at_surface if at_surface > 0.0 else 0.0
+    rebound = contact.restitution * contact.restitution * at_surface + lift
+    rebound = math.sqrt(rebound) if rebound > 0.0 else 0.0
+    return rebound - start
+
+
+@kernel
+def _pair_impulses(
+    a: Records, b: Records, contact: Records, change1: float, change2: float
+) -> tuple[float, float]:
+    """Normal impulses (N s) at the two points that give both wanted changes, none of them pulling."""
+    mass1 = effective_mass(
+        a, b, contact.anchor_ax1, contact.anchor_ay1, contact.anchor_bx1, contact.anchor_by1, contact.normal_x, contact.normal_y
+    )  # fmt: skip
+    if change2 <= 0.0:
+        return mass1 * change1, 0.0
+    mass2 = effective_mass(
+        a, b, contact.anchor_ax2, contact.anchor_ay2, contact.anchor_bx2, contact.anchor_by2, contact.normal_x, contact.normal_y
+    )  # fmt: skip
+    if change1 <= 0.0:
+        return 0.0, mass2 * change2
+    if mass1 <= 0.0 or mass2 <= 0.0:
+        return 0.0, 0.0
+    k11 = 1.0 / mass1
+    k22 = 1.0 / mass2
+    turn_a1 = contact.anchor_ax1 * contact.normal_y - contact.anchor_ay1 * contact.normal_x
+    turn_a2 = contact.anchor_ax2 * contact.normal_y - contact.anchor_ay2 * contact.normal_x
+    turn_b1 = contact.anchor_bx1 * contact.normal_y - contact.anchor_by1 * contact.normal_x
+    turn_b2 = contact.anchor_bx2 * contact.normal_y - contact.anchor_by2 * contact.normal_x
+    k12 = a.inverse_mass + b.inverse_mass
+    k12 = k12 + a.inverse_inertia * turn_a1 * turn_a2 + b.inverse_inertia * turn_b1 * turn_b2
+    determinant = k11 * k22 - k12 * k12
+    if determinant > _SINGULAR * k11 * k22:
+        impulse1 = (k22 * change1 - k12 * change2) / determinant
+        impulse2 = (k11 * change2 - k12 * change1) / determinant
+        if impulse1 >= 0.0 and impulse2 >= 0.0:
+            return impulse1, impulse2
+    if change1 >= change2:
+        return mass1 * change1, 0.0
+    return 0.0, mass2 * change2
+
+
+@kernel
+def _push(
+    a: Records, b: Records, motions: Records, flights: Records, contact: Records, impulse: float, point: int
+) -> None:
+    """Apply a normal impulse at a point."""
+    _apply(a, b, motions, flights, contact, impulse * contact.normal_x, impulse * contact.normal_y, point)
+
+
+@kernel
+def _rub(
+    a: Records, b: Records, motions: Records, flights: Records, contact: Records, impulse: float, point: int
+) -> None:
+    """Coulomb friction of the impact: stop the sliding at a point, as far as its normal impulse allows."""
+    if contact.friction <= 0.0:
+        return
+    first = point == 1
+    ax = contact.anchor_ax1 if first else contact.anchor_ax2
+    ay = contact.anchor_ay1 if first else contact.anchor_ay2
+    bx = contact.anchor_bx1 if first else contact.anchor_bx2
+    by = contact.anchor_by1 if first else contact.anchor_by2
+    tx = contact.normal_y
+    ty = -contact.normal_x
+    fa = flights[contact.body_a]
+    fb = flights[contact.body_b]
+    vx = fb.start_x - fb.start_w * by - fa.start_x + fa.start_w * ay
+    vy = fb.start_y + fb.start_w * bx - fa.start_y - fa.start_w * ax
+    speed = vx * tx + vy * ty - contact.surface_speed
+    limit = contact.friction * impulse
+    stop = -effective_mass(a, b, ax, ay, bx, by, tx, ty) * speed
+    stop = stop if stop < limit else limit
+    stop = stop if stop > -limit else -limit
+    _apply(a, b, motions, flights, contact, stop * tx, stop * ty, point)
+
+
+@kernel
+def _apply(
+    a: Records, b: Records, motions: Records, flights: Records, contact: Records, px: float, py: float, point: int
+) -> None:
+    """Apply the impulse (px, py) N s to b and its opposite to a."""
+    first = point == 1
+    ax = contact.anchor_ax1 if first else contact.anchor_ax2
+    ay = contact.anchor_ay1 if first else contact.anchor_ay2
+    bx = contact.anchor_bx1 if first else contact.anchor_bx2
+    by = contact.anchor_by1 if first else contact.anchor_by2
+    ia = contact.body_a
+    ib = contact.body_b
+    turn_a = -a.inverse_inertia * (ax * py - ay * px)
+    turn_b = b.inverse_inertia * (bx * py - by * px)
+    _kick(motions[ia], flights[ia], -a.inverse_mass * px, -a.inverse_mass * py, turn_a)
+    _kick(motions[ib], flights[ib], b.inverse_mass * px, b.inverse_mass * py, turn_b)
+
+
+@kernel
+def _kick(motion: Records, flight: Records, x: float, y: float, w: float) -> None:
+    """Change a body's velocity at the start of the substep and everything derived from it."""
+    flight.start_x += x
+    flight.start_y += y
+    flight.start_w += w
+    flight.free_x += x
+    flight.free_y += y
+    flight.free_w += w
+    motion.velocity_x = flight.free_x
+    motion.velocity_y = flight.free_y
+    motion.angular_velocity = flight.free_w

@@ -1,0 +1,112 @@
+"""Stages: velocities from forces, positions from velocities, and the new poses at the end of a step."""
+
+from __future__ import annotations
+
+from sandbox._jit import kernel
+from sandbox.geometry.trig import cos_sin
+from sandbox.world.records import DYNAMIC, STATIC, Records
+
+
+@kernel
+def begin_motions(bodies: Records, motions: Records, flights: Records) -> None:
+    """Load the velocities; nothing has moved yet, and nothing is known to hinder anybody."""
+    for i in range(bodies.shape[0]):
+        body = bodies[i]
+        motion = motions[i]
+        motion.velocity_x = body.velocity_x
+        motion.velocity_y = body.velocity_y
+        motion.angular_velocity = body.angular_velocity
+        motion.delta_x = 0.0
+        motion.delta_y = 0.0
+        motion.delta_cos = 1.0
+        motion.delta_sin = 0.0
+        motion.delta_angle = 0.0
+        flight = flights[i]
+        flight.start_x = flight.free_x = body.velocity_x
+        flight.start_y = flight.free_y = body.velocity_y
+        flight.start_w = flight.free_w = body.angular_velocity
+
+
+@kernel
+def integrate_velocities(
+    bodies: Records, motions: Records, flights: Records, gravity_x: float, gravity_y: float, seconds: float
+) -> None:
+    """Gravity, forces and damping (implicit, so that strong damping stays stable) over one substep."""
+    for i in range(bodies.shape[0]):
+        body = bodies[i]
+        if body.type != DYNAMIC or body.awake == 0:
+            continue
+        motion = motions[i]
+        flight = flights[i]
+        flight.start_x = motion.velocity_x
+        flight.start_y = motion.velocity_y
+        flight.start_w = motion.angular_velocity
+        slow = 1.0 / (1.0 + seconds * body.linear_damping)
+        ax = body.gravity_scale * gravity_x + body.inverse_mass * body.force_x
+        ay = body.gravity_scale * gravity_y + body.inverse_mass * body.force_y
+        motion.velocity_x = (motion.velocity_x + seconds * ax) * slow
+        motion.velocity_y = (motion.velocity_y + seconds * ay) * slow
+        brake = 1.0 / (1.0 + seconds * body.angular_damping)
+        aw = body.inverse_inertia * body.torque
+        motion.angular_velocity = (motion.angular_velocity + seconds * aw) * brake
+        flight.free_x = motion.velocity_x
+        flight.free_y = motion.velocity_y
+        flight.free_w = motion.angular_velocity
+
+
+@kernel
+def integrate_positions(bodies: Records, motions: Records, flights: Records, seconds: float) -> None:
+    """Move by the velocity the solver left; a body that nothing touched moves by the mean of both ends.
+
+    The mean is exact under constant acceleration, so free flight follows the parabola to rounding. A body in
+    contact keeps the end velocity, which is what the solver made safe.
+    """
+    for i in range(bodies.shape[0]):
+        body = bodies[i]
+        if body.type == STATIC or body.awake == 0:
+            continue
+        motion = motions[i]
+        flight = flights[i]
+        vx = motion.velocity_x
+        vy = motion.velocity_y
+        w = motion.angular_velocity
+        if body.type == DYNAMIC and vx == flight.free_x and vy == flight.free_y and w == flight.free_w:
+            vx = 0.5 * (flight.start_x + vx)
+            vy = 0.5 * (flight.start_y + vy)
+            w = 0.5 * (flight.start_w + w)
+        motion.delta_x += seconds * vx
+        motion.delta_y += seconds * vy
+        if w != 0.0:
+            motion.delta_angle += seconds * w
+            motion.delta_cos, motion.delta_sin = cos_sin(motion.delta_angle)
+
+
+@kernel
+def finish_motions(bodies: Records, motions: Records) -> None:
+    """Write the new velocities and poses into the bodies and clear the forces."""
+    for i in range(bodies.shape[0]):
+        body = bodies[i]
+        if body.type == STATIC or body.awake == 0:
+            continue
+        motion = motions[i]
+        body.velocity_x = motion.velocity_x
+        body.velocity_y = motion.velocity_y
+        body.angular_velocity = motion.angular_velocity
+        body.center_x += motion.delta_x
+        body.center_y += motion.delta_y
+        if motion.delta_angle != 0.0:
+            body.angle += motion.delta_angle
+            body.rotation_cos, body.rotation_sin = cos_sin(body.angle)
+        place_origin(body)
+        body.force_x = 0.0
+        body.force_y = 0.0
+        body.torque = 0.0
+
+
+@kernel
+def place_origin(body: Records) -> None:
+    """Derive the origin from the centre of mass and the rotation."""
+    x = body.local_center_x
+    y = body.local_center_y
+    body.position_x = body.center_x - (body.rotation_cos * x - body.rotation_sin * y)
+    body.position_y = body.center_y - (body.rotation_sin * x + body.rotation_cos * y)

@@ -1,0 +1,176 @@
+"""Stage: the separating-axis test decides each proposed pair and keeps what is known of it from the last step."""
+
+from __future__ import annotations
+
+import math
+
+from sandbox._jit import kernel
+from sandbox.engine.bounds import shape_margin
+from sandbox.geometry.manifold import collide_cores
+from sandbox.world.records import Records
+
+FACE_BIAS = 1e-4
+"""A face of b has to beat the best face of a by this many metres, so that resting contacts keep their face."""
+
+
+@kernel
+def find_contacts(
+    bodies: Records,
+    shapes: Records,
+    turned: Records,
+    pairs: Records,
+    pair_count: int,
+    seconds: float,
+    manifold: Records,
+    old: Records,
+    old_count: int,
+    contacts: Records,
+) -> int:
+    """Write a contact for every pair that touches or may touch within `seconds`; return how many.
+
+    Pairs and old contacts are both sorted by (shape_a, shape_b): one walk through both matches them, and impulses
+    of points with the same feature id carry over (warm starting).
+    """
+    count = 0
+    k = 0
+    for i in range(pair_count):
+        shape_a = pairs[i].shape_a
+        shape_b = pairs[i].shape_b
+        while k < old_count and (
+            old[k].shape_a < shape_a or (old[k].shape_a == shape_a and old[k].shape_b < shape_b)
+        ):
+            k += 1
+        if not _collide(bodies, shapes, turned, shape_a, shape_b, seconds, manifold):
+            continue
+        contact = contacts[count]
+        _fill(bodies, shapes, shape_a, shape_b, manifold[0], contact)
+        if _drop_missing_points(bodies, contact, seconds):
+            continue
+        if k < old_count and old[k].shape_a == shape_a and old[k].shape_b == shape_b:
+            _match(old[k], contact)
+        count += 1
+    return count
+
+
+@kernel
+def _collide(
+    bodies: Records, shapes: Records, turned: Records, i: int, j: int, seconds: float, manifold: Records
+) -> bool:
+    """Manifold of one pair of shapes, looking ahead as far as the bodies can close in during the step."""
+    a = shapes[i]
+    b = shapes[j]
+    body_a = bodies[a.body]
+    body_b = bodies[b.body]
+    margin_a = shape_margin(body_a.extent)
+    margin_b = shape_margin(body_b.extent)
+    margin = 2.0 * (margin_a if margin_a < margin_b else margin_b)
+    vx = body_b.velocity_x - body_a.velocity_x
+    vy = body_b.velocity_y - body_a.velocity_y
+    spin = abs(body_a.angular_velocity) * body_a.extent + abs(body_b.angular_velocity) * body_b.extent
+    way = seconds * (math.sqrt(vx * vx + vy * vy) + spin)
+    return (
+        collide_cores(
+            turned,
+            a.vertex_start,
+            a.vertex_count,
+            a.radius,
+            b.vertex_start,
+            b.vertex_count,
+            b.radius,
+            body_b.center_x - body_a.center_x,
+            body_b.center_y - body_a.center_y,
+            margin if margin > way else way,
+            FACE_BIAS,
+            manifold,
+        )
+        > 0
+    )
+
+
+@kernel
+def _fill(bodies: Records, shapes: Records, i: int, j: int, m: Records, contact: Records) -> None:
+    """Copy a manifold into a fresh contact and mix the surfaces of its shapes."""
+    a = shapes[i]
+    b = shapes[j]
+    dx = bodies[b.body].center_x - bodies[a.body].center_x
+    dy = bodies[b.body].center_y - bodies[a.body].center_y
+    contact.shape_a = i
+    contact.shape_b = j
+    contact.body_a = a.body
+    contact.body_b = b.body
+    contact.normal_x = m.normal_x
+    contact.normal_y = m.normal_y
+    contact.friction = math.sqrt(a.friction * b.friction)
+    contact.restitution = a.restitution if a.restitution > b.restitution else b.restitution
+    rolling = a.rolling_resistance if a.rolling_resistance > b.rolling_resistance else b.rolling_resistance
+    contact.rolling_resistance = rolling
+    contact.surface_speed = a.surface_speed + b.surface_speed
+    contact.rolling_impulse = 0.0
+    contact.point_count = m.point_count
+    contact.anchor_ax1 = m.x1
+    contact.anchor_ay1 = m.y1
+    contact.anchor_bx1 = m.x1 - dx
+    contact.anchor_by1 = m.y1 - dy
+    contact.separation1 = m.separation1
+    contact.feature1 = m.feature1
+    contact.normal_impulse1 = 0.0
+    contact.tangent_impulse1 = 0.0
+    two = m.point_count == 2
+    contact.anchor_ax2 = m.x2 if two else 0.0
+    contact.anchor_ay2 = m.y2 if two else 0.0
+    contact.anchor_bx2 = m.x2 - dx if two else 0.0
+    contact.anchor_by2 = m.y2 - dy if two else 0.0
+    contact.separation2 = m.separation2 if two else 0.0
+    contact.feature2 = m.feature2 if two else -1
+    contact.normal_impulse2 = 0.0
+    contact.tangent_impulse2 = 0.0
+
+
+@kernel
+def _drop_missing_points(bodies: Records, contact: Records, seconds: float) -> bool:
+    """True when no point of a contact can close within the step: then it would only act as a ghost wall."""
+    a = bodies[contact.body_a]
+    b = bodies[contact.body_b]
+    margin_a = shape_margin(a.extent)
+    margin_b = shape_margin(b.extent)
+    margin = 2.0 * (margin_a if margin_a < margin_b else margin_b)
+    if contact.separation1 <= margin:
+        return False
+    if contact.point_count == 2 and contact.separation2 <= margin:
+        return False
+    close1 = _closing_way(a, b, contact, contact.anchor_ax1, contact.anchor_ay1, seconds)
+    if contact.separation1 <= close1 + margin:
+        return False
+    if contact.point_count == 1:
+        return True
+    close2 = _closing_way(a, b, contact, contact.anchor_ax2, contact.anchor_ay2, seconds)
+    return bool(contact.separation2 > close2 + margin)
+
+
+@kernel
+def _closing_way(a: Records, b: Records, contact: Records, x: float, y: float, seconds: float) -> float:
+    """How far the surfaces close in at a point (from the centre of a) within `seconds`, in metres."""
+    bx = x - (b.center_x - a.center_x)
+    by = y - (b.center_y - a.center_y)
+    vx = b.velocity_x - b.angular_velocity * by - a.velocity_x + a.angular_velocity * y
+    vy = b.velocity_y + b.angular_velocity * bx - a.velocity_y - a.angular_velocity * x
+    return -seconds * (vx * contact.normal_x + vy * contact.normal_y)
+
+
+@kernel
+def _match(old: Records, contact: Records) -> None:
+    """Carry impulses over from the points of the last step with the same feature ids."""
+    contact.rolling_impulse = old.rolling_impulse
+    if contact.feature1 == old.feature1:
+        contact.normal_impulse1 = old.normal_impulse1
+        contact.tangent_impulse1 = old.tangent_impulse1
+    elif contact.feature1 == old.feature2 and old.point_count == 2:
+        contact.normal_impulse1 = old.normal_impulse2
+        contact.tangent_impulse1 = old.tangent_impulse2
+    if contact.point_count == 2:
+        if contact.feature2 == old.feature2 and old.point_count == 2:
+            contact.normal_impulse2 = old.normal_impulse2
+            contact.tangent_impulse2 = old.tangent_impulse2
+        elif contact.feature2 == old.feature1:
+            contact.normal_impulse2 = old.normal_impulse1
+            contact.tangent_impulse2 = old.tangent_impulse1

@@ -1,0 +1,142 @@
+"""Memory that a step needs and forgets: never hashed, never saved, only grown."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from sandbox.engine.broad_phase import LEVELS
+from sandbox.engine.contact_blocks import BLOCK_SIZE, GATHER_SIZE, LANES, MAX_COLORS
+from sandbox.geometry.manifold import MANIFOLD
+from sandbox.world.records import CONTACT, VERTEX, Field, Floats, Integers, Records, Table
+from sandbox.world.state import State
+
+MOTION = Table(
+    "motion",
+    (
+        Field("velocity_x", "m/s", "what the solver works on"),
+        Field("velocity_y", "m/s", "what the solver works on"),
+        Field("angular_velocity", "rad/s", "what the solver works on"),
+        Field("delta_x", "m", "way of the centre since the step began"),
+        Field("delta_y", "m", "way of the centre since the step began"),
+        Field("delta_cos", "1", "rotation since the step began"),
+        Field("delta_sin", "1", "rotation since the step began"),
+        Field("delta_angle", "rad", "rotation since the step began"),
+    ),
+)
+"""One row a body, one cache line: all that the solver gathers and scatters."""
+
+FLIGHT = Table(
+    "flight",
+    (
+        Field("start_x", "m/s", "velocity when the substep began"),
+        Field("start_y", "m/s", "velocity when the substep began"),
+        Field("start_w", "rad/s", "velocity when the substep began"),
+        Field("free_x", "m/s", "velocity at its end if nothing touches the body"),
+        Field("free_y", "m/s", "velocity at its end if nothing touches the body"),
+        Field("free_w", "rad/s", "velocity at its end if nothing touches the body"),
+        Field("colors", "-", "bit set of the colours its constraints have", "i8"),
+        Field("island", "-", "root of its island", "i8"),
+    ),
+)
+"""One row a body: where an unhindered body would go, and its place in the constraint graph."""
+
+BOX = Table(
+    "box",
+    (
+        Field("lower_x", "m", "bounds of the shape, its margin and its way during the step"),
+        Field("lower_y", "m", ""),
+        Field("upper_x", "m", ""),
+        Field("upper_y", "m", ""),
+        Field("cell_x", "-", "cell of the box's middle, on the grid of its level", "i8"),
+        Field("cell_y", "-", "", "i8"),
+        Field("level", "-", "cells of its grid are 2**level m wide", "i8"),
+        Field("shape_index", "-", "row of the shape", "i8"),
+        Field("body", "-", "index of the body", "i8"),
+        Field("moves", "-", "1 when the body is dynamic and awake", "i8"),
+        Field("category", "-", "", "i8"),
+        Field("mask", "-", "", "i8"),
+        Field("group", "-", "", "i8"),
+    ),
+)
+
+PAIR = Table("pair", (Field("shape_a", "-", "", "i8"), Field("shape_b", "-", "", "i8")))
+
+SLOT = Table(
+    "slot",
+    (
+        Field("contact", "-", "row in the contact table", "i8"),
+        Field("body_a", "-", "", "i8"),
+        Field("body_b", "-", "", "i8"),
+    ),
+)
+"""Contacts in the order they are solved in: colour by colour."""
+
+BLOCK = Table(
+    "block",
+    (
+        Field("first", "-", "its first slot", "i8"),
+        Field("count", "-", "lanes in use, 1..64", "i8"),
+        Field("serial", "-", "1 when its contacts may share bodies and go one by one", "i8"),
+        Field("rolling", "-", "1 when some contact has rolling resistance", "i8"),
+    ),
+)
+
+@dataclass
+class Scratch:
+    """The arrays of one world's step. `pairs` decides the capacity of everything that grows with contacts."""
+
+    motions: Records
+    flights: Records
+    turned: Records
+    boxes: Records
+    sorted_boxes: Records
+    heads: Integers
+    levels: Integers
+    pairs: Records
+    sorted_pairs: Records
+    contacts: Records
+    manifold: Records
+    slots: Records
+    blocks: Records
+    colors: Integers
+    lanes: Floats
+    gathered: Floats
+
+    @classmethod
+    def for_state(cls, state: State, pair_capacity: int) -> Scratch:
+        """Scratch for as many bodies and shapes as `state` has and for `pair_capacity` candidate pairs."""
+        shapes = len(state.shapes)
+        block_capacity = pair_capacity // LANES + MAX_COLORS + 2
+        return cls(
+            motions=MOTION.zeros(len(state.bodies)),
+            flights=FLIGHT.zeros(len(state.bodies)),
+            turned=VERTEX.zeros(len(state.vertices)),
+            boxes=BOX.zeros(shapes),
+            sorted_boxes=BOX.zeros(shapes),
+            heads=np.zeros(_head_count(shapes), np.int64),
+            levels=np.zeros(LEVELS, np.int64),
+            pairs=PAIR.zeros(pair_capacity),
+            sorted_pairs=PAIR.zeros(pair_capacity),
+            contacts=CONTACT.zeros(pair_capacity),
+            manifold=MANIFOLD.zeros(1),
+            slots=SLOT.zeros(pair_capacity),
+            blocks=BLOCK.zeros(block_capacity),
+            colors=np.zeros(pair_capacity, np.int64),
+            lanes=np.zeros(block_capacity * BLOCK_SIZE),
+            gathered=np.zeros(GATHER_SIZE),
+        )
+
+    def arguments(self) -> tuple[Any, ...]:
+        """The arrays in the order of the step's parameters."""
+        return tuple(self.__dict__.values())
+
+
+def _head_count(shapes: int) -> int:
+    """Buckets of the grid: a power of two, about two a shape, and one more to close the last."""
+    buckets = 128
+    while buckets < 2 * shapes:
+        buckets *= 2
+    return buckets + 1

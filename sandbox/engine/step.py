@@ -1,0 +1,121 @@
+"""The step: every stage of the engine, in order. Window, replay, benchmark and test all come through here."""
+
+from __future__ import annotations
+
+from sandbox._jit import entry_point, kernel
+from sandbox.engine.bounds import bound_shapes, turn_cores
+from sandbox.engine.broad_phase import find_pairs, sort_pairs
+from sandbox.engine.coloring import color_contacts, fill_blocks
+from sandbox.engine.contact_prepare import prepare_contacts, store_impulses
+from sandbox.engine.contact_solver import solve_contacts, warm_start
+from sandbox.engine.drags import solve_drags
+from sandbox.engine.guard import guard_positions, guard_velocities
+from sandbox.engine.impacts import list_bouncy, resolve_impacts
+from sandbox.engine.integrate import begin_motions, finish_motions, integrate_positions, integrate_velocities
+from sandbox.engine.narrow_phase import find_contacts
+from sandbox.engine.softness import soft_coefficients
+from sandbox.world.records import Floats, Integers, Records
+
+
+@entry_point
+def advance(
+    bodies: Records,
+    shapes: Records,
+    vertices: Records,
+    old_contacts: Records,
+    drags: Records,
+    settings: Records,
+    counters: Records,
+    motions: Records,
+    flights: Records,
+    turned: Records,
+    boxes: Records,
+    ordered: Records,
+    heads: Integers,
+    levels: Integers,
+    pairs: Records,
+    sorted_pairs: Records,
+    contacts: Records,
+    manifold: Records,
+    slots: Records,
+    blocks: Records,
+    colors: Integers,
+    lanes: Floats,
+    gathered: Floats,
+) -> int:
+    """Advance the world by one step; the new contacts are in `contacts`. Returns the number of candidate pairs.
+
+    If that is more than `pairs` can hold, nothing has changed: give it more room and call again.
+    """
+    setting = settings[0]
+    counter = counters[0]
+    seconds = setting.step_seconds
+
+    turn_cores(bodies, shapes, vertices, turned)
+    bound_shapes(bodies, shapes, turned, seconds, boxes)
+    pair_count = find_pairs(boxes, ordered, heads, levels, pairs)
+    if pair_count > pairs.shape[0]:
+        return pair_count
+    sort_pairs(pairs, pair_count, sorted_pairs, heads, shapes.shape[0])
+
+    count = find_contacts(
+        bodies, shapes, turned, pairs, pair_count, seconds, manifold, old_contacts, counter.contact_count, contacts
+    )
+    color_count = color_contacts(bodies, flights, contacts, count, colors)
+    block_count = fill_blocks(contacts, count, colors, color_count, heads, slots, blocks)
+    prepare_contacts(bodies, contacts, slots, blocks, block_count, lanes)
+
+    bouncy_count = list_bouncy(bodies, contacts, count, setting.restitution_threshold, colors)
+    _run_substeps(
+        bodies, motions, flights, drags, setting, counters, contacts, colors, bouncy_count, slots, blocks, block_count,
+        lanes, gathered,
+    )  # fmt: skip
+    store_impulses(contacts, slots, blocks, block_count, lanes)
+
+    counter.step_count += 1
+    counter.contact_count = count
+    counter.pair_count = pair_count
+    counter.color_count = color_count
+    return pair_count
+
+
+@kernel
+def _run_substeps(
+    bodies: Records,
+    motions: Records,
+    flights: Records,
+    drags: Records,
+    setting: Records,
+    counters: Records,
+    contacts: Records,
+    bouncy: Integers,
+    bouncy_count: int,
+    slots: Records,
+    blocks: Records,
+    block_count: int,
+    lanes: Floats,
+    gathered: Floats,
+) -> None:
+    """Integrate, solve and relax `substeps` times, then put the motion into the bodies."""
+    seconds = setting.step_seconds / setting.substeps
+    rate = 1.0 / seconds
+    hertz = setting.contact_hertz if setting.contact_hertz < 0.25 * rate else 0.25 * rate
+    bias, mass_scale, impulse_scale = soft_coefficients(hertz, setting.contact_damping_ratio, seconds)
+    slowest = -setting.push_out_speed
+
+    begin_motions(bodies, motions, flights)
+    for _substep in range(setting.substeps):
+        integrate_velocities(bodies, motions, flights, setting.gravity_x, setting.gravity_y, seconds)
+        guard_velocities(bodies, motions, counters)
+        resolve_impacts(
+            bodies, motions, flights, contacts, bouncy, bouncy_count, setting.restitution_threshold, seconds
+        )
+        solve_drags(bodies, motions, drags, seconds)
+        warm_start(motions, slots, blocks, block_count, lanes, gathered)
+        solve_contacts(
+            motions, slots, blocks, block_count, lanes, gathered, rate, bias, mass_scale, impulse_scale, slowest
+        )
+        integrate_positions(bodies, motions, flights, seconds)
+        solve_contacts(motions, slots, blocks, block_count, lanes, gathered, rate, 0.0, 1.0, 0.0, 0.0)
+    guard_positions(bodies, motions, counters)
+    finish_motions(bodies, motions)

@@ -1,0 +1,134 @@
+"""How a user sees the records: NumPy views of all bodies, and one body with the same names."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from sandbox.engine.commands import Command, SetPose, SetVelocity
+from sandbox.world.records import BODY, Floats, Records
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+_NAMES = {0: "static", 1: "kinematic", 2: "dynamic"}
+
+
+def _vectors(records: Records, first: str) -> Floats:
+    """Read-only (n, 2) view of two neighbouring columns, `first` and the one after it."""
+    offset = records.dtype.fields[first][1]
+    pair = np.dtype({"names": ["v"], "formats": [("f8", (2,))], "offsets": [offset], "itemsize": BODY.dtype.itemsize})
+    view: Floats = np.asarray(records).view(pair)["v"]
+    view.flags.writeable = False
+    return view
+
+
+def _column(records: Records, name: str) -> Any:
+    view = np.asarray(records)[name]
+    view.flags.writeable = False
+    return view
+
+
+class Bodies:
+    """All bodies as columns. The arrays are read-only views that follow the world; copy what you keep."""
+
+    def __init__(self, records: Records, names: Sequence[str]) -> None:
+        self.ids: tuple[str, ...] = tuple(names)
+        self.position = _vectors(records, "position_x")
+        """(n, 2) m, the bodies' origins."""
+        self.angle: Floats = _column(records, "angle")
+        """(n,) rad, not wrapped."""
+        self.velocity = _vectors(records, "velocity_x")
+        """(n, 2) m/s, of the centres of mass."""
+        self.angular_velocity: Floats = _column(records, "angular_velocity")
+        """(n,) rad/s."""
+        self.center = _vectors(records, "center_x")
+        """(n, 2) m, the centres of mass."""
+        self.mass: Floats = _column(records, "mass")
+        """(n,) kg; 0 for static and kinematic bodies."""
+        self.awake = _column(records, "awake")
+        """(n,) 1 while simulated, 0 asleep."""
+
+    def __len__(self) -> int:
+        return len(self.ids)
+
+
+class Body:
+    """One body of a world. Setting a property applies a command, so that it can be recorded and refused."""
+
+    def __init__(self, name: str, record: Records, apply: Callable[[Command], None]) -> None:
+        self.id = name
+        self._record = record
+        self._apply = apply
+
+    @property
+    def type(self) -> str:
+        """`static`, `kinematic` or `dynamic`; a frozen body is static."""
+        return _NAMES[int(self._record.type)]
+
+    @property
+    def position(self) -> tuple[float, float]:
+        """Origin in metres."""
+        return float(self._record.position_x), float(self._record.position_y)
+
+    @position.setter
+    def position(self, value: tuple[float, float]) -> None:
+        self._apply(SetPose(self.id, _pair(value), self.angle))
+
+    @property
+    def angle(self) -> float:
+        """Radians turned so far, not wrapped."""
+        return float(self._record.angle)
+
+    @angle.setter
+    def angle(self, value: float) -> None:
+        self._apply(SetPose(self.id, self.position, float(value)))
+
+    @property
+    def velocity(self) -> tuple[float, float]:
+        """Of the centre of mass, m/s."""
+        return float(self._record.velocity_x), float(self._record.velocity_y)
+
+    @velocity.setter
+    def velocity(self, value: tuple[float, float]) -> None:
+        self._apply(SetVelocity(self.id, _pair(value), self.angular_velocity))
+
+    @property
+    def angular_velocity(self) -> float:
+        """Radians a second, counter-clockwise."""
+        return float(self._record.angular_velocity)
+
+    @angular_velocity.setter
+    def angular_velocity(self, value: float) -> None:
+        self._apply(SetVelocity(self.id, self.velocity, float(value)))
+
+    @property
+    def center(self) -> tuple[float, float]:
+        """Centre of mass in metres."""
+        return float(self._record.center_x), float(self._record.center_y)
+
+    @property
+    def mass(self) -> float:
+        """Kilograms; 0 for static and kinematic bodies."""
+        return float(self._record.mass)
+
+    @property
+    def inertia(self) -> float:
+        """kg m^2 about the centre of mass; 0 where the body cannot turn."""
+        return float(self._record.inertia)
+
+    @property
+    def awake(self) -> bool:
+        """Whether the body is simulated."""
+        return bool(self._record.awake)
+
+    def __repr__(self) -> str:
+        x, y = self.position
+        return f"<Body {self.id!r} {self.type} at ({x:.4g}, {y:.4g}) m, {self.angle:.4g} rad>"
+
+
+def _pair(value: tuple[float, float]) -> tuple[float, float]:
+    x, y = value
+    return float(x), float(y)

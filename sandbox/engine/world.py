@@ -1,0 +1,109 @@
+"""The world: a scene set in motion."""
+
+from __future__ import annotations
+
+import difflib
+from typing import TYPE_CHECKING
+
+from sandbox.engine.commands import Command, apply_command
+from sandbox.engine.scratch import Scratch
+from sandbox.engine.step import advance
+from sandbox.engine.views import Bodies, Body
+from sandbox.errors import UnknownBodyError
+from sandbox.world.build import build_state
+from sandbox.world.digest import digest
+from sandbox.world.records import Records
+from sandbox.world.snapshot import restore, snapshot
+from sandbox.world.state import State
+
+if TYPE_CHECKING:
+    from sandbox.scene import Scene
+    from sandbox.scene.flat import FlatScene
+
+
+class World:
+    """A simulation of one scene.
+
+    The same scene and the same commands give the same bits on every machine. `step` advances, `apply` is the only
+    way to change anything from outside, everything else reads.
+    """
+
+    def __init__(self, scene: Scene | FlatScene) -> None:
+        self.scene = scene
+        flat = scene.flatten() if hasattr(scene, "flatten") else scene
+        self.state: State = build_state(flat)
+        self._index = {name: i for i, name in enumerate(self.state.names)}
+        self._scratch = Scratch.for_state(self.state, len(self.state.contacts))
+        self.bodies = Bodies(self.state.bodies, self.state.names)
+
+    def step(self, n: int = 1) -> None:
+        """Advance by `n` steps of `1 / step_rate` seconds each."""
+        for _ in range(n):
+            while True:
+                state, scratch = self.state, self._scratch
+                wanted = advance(*state.arrays, *scratch.arguments())
+                if wanted <= len(scratch.pairs):
+                    break
+                self._scratch = Scratch.for_state(state, wanted + wanted // 2)
+            # The step reads the contacts of the last one while it writes the new ones.
+            state.contacts, scratch.contacts = scratch.contacts, state.contacts
+
+    def apply(self, command: Command) -> None:
+        """Apply a command. Raises `CommandError` or `UnknownBodyError` and changes nothing if it can't be done."""
+        apply_command(self.state, self._find(command.body), command)
+
+    @property
+    def time(self) -> float:
+        """Seconds since the start."""
+        return self.step_count * float(self.state.settings[0].step_seconds)
+
+    @property
+    def step_count(self) -> int:
+        """Steps taken since the start."""
+        return int(self.state.counters[0].step_count)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Body ids in the order of `bodies`."""
+        return self.state.names
+
+    def body(self, name: str) -> Body:
+        """The body of that id. Raises `UnknownBodyError` with the nearest name."""
+        return Body(name, self.state.bodies[self._find(name)], self.apply)
+
+    @property
+    def contacts(self) -> Records:
+        """The contacts of the last step: `records.CONTACT` rows, sorted by shape. A view; copy what you keep."""
+        return self.state.contacts[: int(self.state.counters[0].contact_count)]
+
+    @property
+    def frozen(self) -> list[tuple[str, int]]:
+        """(body id, step) of every body that bad numbers froze."""
+        rows = self.state.bodies.frozen_step
+        return [(self.names[i], int(rows[i])) for i in range(len(rows)) if rows[i] >= 0]
+
+    def digest(self) -> str:
+        """Fingerprint of the whole state, 16 hex digits: equal bits, equal digest."""
+        return digest(self.state)
+
+    def snapshot(self) -> bytes:
+        """The whole state as bytes, for `restore`."""
+        return snapshot(self.state)
+
+    def restore(self, data: bytes) -> None:
+        """Go back to a snapshot of this scene. Raises `SnapshotError` and changes nothing if it can't."""
+        restore(self.state, data)
+        if len(self.state.contacts) != len(self._scratch.contacts):
+            self._scratch = Scratch.for_state(self.state, len(self.state.contacts))
+
+    def _find(self, name: str) -> int:
+        index = self._index.get(name)
+        if index is None:
+            near = difflib.get_close_matches(name, self.names, 1)
+            raise UnknownBodyError(f"no body {name!r} in this world" + (f"; did you mean {near[0]!r}?" if near else ""))
+        return index
+
+    def __repr__(self) -> str:
+        return f"<World of {len(self.names)} bodies at step {self.step_count}>"
+
+
