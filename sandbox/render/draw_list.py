@@ -11,7 +11,8 @@ from sandbox.render.camera import Camera, Floats, Vec
 from sandbox.render.frame import Frame
 from sandbox.render.geometry import Ints, Mesh
 from sandbox.render.grid import grid_lines
-from sandbox.render.theme import Color, Theme, Wardrobe, tints
+from sandbox.render.theme import Color, Theme
+from sandbox.render.wardrobe import Wardrobe, tints
 from sandbox.world.records import DYNAMIC, SEGMENT, STATIC
 
 MIN_HALF_PIXELS = 0.6
@@ -109,7 +110,7 @@ def _shapes(frame: Frame, camera: Camera, wardrobe: Wardrobe) -> ShapeItems:
         axis=axis[index] * (1.0, -1.0),
         grow=grow[index],
         line=line[index],
-        fill=colors.fill[body],
+        fill=np.where((mesh.kind[index] == SEGMENT)[:, None], colors.edge[body], colors.fill[body]),
         edge=colors.edge[body],
         mark=colors.mark[body],
         mark_opacity=_mark_opacity(half, frame.type[body]),

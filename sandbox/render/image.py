@@ -9,8 +9,8 @@ from typing import Any
 from sandbox.render.camera import Camera
 from sandbox.render.draw_list import build_draw_list
 from sandbox.render.frame import Frame
-from sandbox.render.surface_painter import SurfacePainter, pygame
-from sandbox.render.theme import Wardrobe
+from sandbox.render.surface_painter import SurfacePainter, rgb_bytes
+from sandbox.render.wardrobe import Wardrobe
 
 PALETTE_COLORS = 160
 """Colours of a film: fewer make the file smaller, more make antialiased edges smoother."""
@@ -31,7 +31,7 @@ class Studio:
         from PIL import Image
 
         surface = self._painter.paint(build_draw_list(frame, self.camera, self.wardrobe))
-        return Image.frombytes("RGB", surface.get_size(), pygame.image.tobytes(surface, "RGB"))
+        return Image.frombytes("RGB", surface.get_size(), rgb_bytes(surface))
 
     def save_png(self, frame: Frame, path: Path) -> None:
         """Write one frame as a PNG file."""

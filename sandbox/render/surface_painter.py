@@ -73,6 +73,11 @@ class SurfacePainter:
         return self._tables
 
 
+def rgb_bytes(surface: Any) -> bytes:
+    """The pixels of a surface, row by row from the top, three bytes each."""
+    return bytes(pygame.image.tobytes(surface, "RGB"))
+
+
 def _placed(table: ContourTable, items: ShapeItems, samples: int) -> list[Any]:
     """The contour of every visible shape in pixels of the large sheet."""
     count = table.count[items.index]

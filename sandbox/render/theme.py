@@ -2,19 +2,8 @@
 
 from __future__ import annotations
 
-import re
-import zlib
-from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import TypeAlias
-
-import numpy as np
-
-from sandbox.render.camera import Floats
-from sandbox.render.frame import Frame
-from sandbox.render.oklab import oklch_to_srgb
-from sandbox.world.records import DYNAMIC, KINEMATIC, STATIC
 
 Color: TypeAlias = tuple[float, float, float]
 """sRGB, 0..1 each."""
@@ -32,9 +21,9 @@ def hex_color(text: str) -> Color:
 class Theme:
     """All colours of a picture.
 
-    Families take their hues (degrees in OKLCH) from `hues`; a large family spreads over `sweep` degrees,
-    neighbours differ by up to `jitter`. `outline`, `static_outline` and `sleep` say how far (0..1) outlines move
-    towards `light` and sleeping bodies towards the background.
+    Families take their hues (degrees in OKLCH) from `hues`; a large family spreads over `sweep` degrees and
+    neighbours differ by up to `jitter`. `outline`, `static_outline` and `sleep` say how far (0..1) outlines
+    move towards `light` and sleeping bodies towards the background.
     """
 
     background: Color
@@ -69,93 +58,3 @@ DARK = Theme(
     ink=hex_color("#0d0f13"),
     drag=hex_color("#ffd479"),
 )
-
-
-@dataclass(frozen=True)
-class Tints:
-    """Colours of every body in one frame, sRGB (n, 3) each; `hatched` (n,) marks frozen bodies."""
-
-    fill: Floats
-    edge: Floats
-    mark: Floats
-    hatched: Floats
-
-
-@dataclass(frozen=True)
-class Wardrobe:
-    """The awake colour of each body (n, 3), chosen once a world."""
-
-    theme: Theme
-    base: Floats = field(repr=False)
-
-
-def family(name: str) -> str:
-    """What bodies of one generator share: the id without its counters (`"crate-3-7"` -> `"crate"`)."""
-    return re.sub(r"[\W_]*\d+([\W_]+\d+)*$", "", name) or name
-
-
-def dress(
-    names: Sequence[str], types: Sequence[int], theme: Theme, colors: Mapping[str, str] | None = None
-) -> Wardrobe:
-    """Choose a colour for every body by its id and type; `colors` (id -> CSS colour) overrules."""
-    chosen = colors or {}
-    families = [family(name) for name in names]
-    size, seen = Counter(families), Counter[str]()
-    hues = _family_hues((own for own, kind in zip(families, types, strict=True) if kind == DYNAMIC), theme)
-    base = np.zeros((len(names), 3))
-    for i, (name, own) in enumerate(zip(names, families, strict=True)):
-        hue = hues.get(own, 0.0)
-        base[i] = _color(name, chosen) or _base_color(types[i], hue, seen[own], size[own], theme)
-        seen[own] += 1
-    return Wardrobe(theme, base)
-
-
-def _color(name: str, chosen: Mapping[str, str]) -> Color | None:
-    return hex_color(chosen[name]) if name in chosen else None
-
-
-def _family_hues(families: Iterable[str], theme: Theme) -> dict[str, float]:
-    """A hue for each family by its name; if an earlier family has it, the next free one."""
-    slots: dict[str, int] = {}
-    count = len(theme.hues)
-    for own in dict.fromkeys(families):
-        wish = zlib.crc32(own.encode()) % count
-        taken = set(slots.values())
-        slots[own] = next((k for i in range(count) if (k := (wish + 3 * i) % count) not in taken), wish)
-    return {own: theme.hues[slot] for own, slot in slots.items()}
-
-
-def _base_color(kind: int, hue: float, rank: int, size: int, theme: Theme) -> Color:
-    """Hue by family; a large one sweeps across neighbouring hues, and members differ a little."""
-    if kind == STATIC:
-        return theme.static
-    if kind == KINEMATIC:
-        return theme.kinematic
-    sweep = theme.sweep * min(size / 30.0, 1.0) * (rank / size - 0.5)
-    jitter = theme.jitter * _scatter(rank, 0.6180339887)
-    return oklch_to_srgb(
-        theme.lightness + 0.06 * _scatter(rank, 0.7548776662), theme.chroma, hue + sweep + jitter
-    )
-
-
-def _scatter(rank: int, ratio: float) -> float:
-    """A number in -0.5..0.5 that differs most between neighbouring ranks; 0 for the first."""
-    return (rank * ratio + 0.5) % 1.0 - 0.5
-
-
-def tints(frame: Frame, wardrobe: Wardrobe) -> Tints:
-    """The colours of a frame: sleeping bodies dimmed, frozen bodies red and hatched."""
-    theme = wardrobe.theme
-    fill = wardrobe.base.copy()
-    fill[frame.frozen] = theme.frozen
-    asleep = ~frame.awake & ~frame.frozen & (frame.type == DYNAMIC)
-    fill[asleep] = mix(fill[asleep], theme.background, theme.sleep)
-    edge = mix(fill, theme.light, theme.outline)
-    edge[frame.type == STATIC] = mix(fill[frame.type == STATIC], theme.light, theme.static_outline)
-    mark = mix(fill, theme.ink, 0.55)
-    return Tints(fill, edge, mark, frame.frozen.astype(np.float64))
-
-
-def mix(colors: Floats, other: Color, amount: float) -> Floats:
-    """Colours (k, 3) moved towards `other` by `amount` 0..1."""
-    return np.asarray(colors) * (1.0 - amount) + np.asarray(other) * amount

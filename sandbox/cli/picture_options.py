@@ -1,0 +1,36 @@
+"""Options about pictures that several commands share."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection
+from pathlib import Path
+
+from sandbox.errors import SandboxError
+
+LARGEST = 8192
+SMALLEST = 16
+
+
+def parse_size(text: str) -> tuple[int, int]:
+    """`"1280x800"` -> (1280, 800). Raises `SandboxError` for anything else and for impossible sizes."""
+    match = re.fullmatch(r"\s*(\d{1,6})\s*[xX×*]\s*(\d{1,6})\s*", text)
+    if match is None:
+        raise SandboxError(
+            f"--size {text!r} is not a size; write width and height in pixels, such as 1280x800"
+        )
+    width, height = int(match[1]), int(match[2])
+    if not (SMALLEST <= width <= LARGEST and SMALLEST <= height <= LARGEST):
+        raise SandboxError(f"--size {text}: each side must be {SMALLEST} to {LARGEST} pixels")
+    return width, height
+
+
+def writable_picture(path: Path, suffixes: Collection[str]) -> str:
+    """The lower-case suffix of a picture to be written. Raises `SandboxError` if it or the folder is no good."""
+    suffix = path.suffix.lower()
+    if suffix not in suffixes:
+        known = " or ".join(sorted(suffixes))
+        raise SandboxError(f"{path}: the name of a picture must end in {known}")
+    if not path.resolve().parent.is_dir():
+        raise SandboxError(f"{path}: the folder {path.resolve().parent} does not exist")
+    return suffix

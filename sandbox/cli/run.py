@@ -1,0 +1,44 @@
+"""`sandbox run`: a scene in a window."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from sandbox.resources import find_scene
+
+_SCENE = typer.Argument(show_default=False, help="A scene file, or the name of a shipped scene.")
+_SIZE = typer.Option(metavar="WxH", help="Size of the window in pixels.")
+_STEP = typer.Option(min=0, max=10_000_000, help="Start after this many steps.")
+_FRAMES = typer.Option(
+    min=1, show_default=False, help="Quit after this many pictures, with one physics step for each."
+)
+_SCREENSHOT = typer.Option(show_default=False, help="Write the last picture to this PNG file.")
+
+
+def run(
+    scene: Annotated[Path | None, _SCENE] = None,
+    size: Annotated[str, _SIZE] = "1280x800",
+    step: Annotated[int, _STEP] = 0,
+    frames: Annotated[int | None, _FRAMES] = None,
+    screenshot: Annotated[Path | None, _SCREENSHOT] = None,
+) -> None:
+    """Open a scene in a window; without a scene, choose one from a list.
+
+    Space pauses, . takes one step, - and + change the speed, R restarts, F fits the view, H shows all keys.
+    Drag bodies with the mouse.
+    """
+    from sandbox.cli.picture_options import parse_size, writable_picture
+
+    pixels = parse_size(size)
+    if screenshot is not None:
+        writable_picture(screenshot, {".png"})
+    from sandbox.window.requirements import check_packages
+
+    check_packages()
+    from sandbox.window.app import Options, run_window
+
+    path = find_scene(scene) if scene is not None else None
+    run_window(Options(path, pixels, step, frames, screenshot))

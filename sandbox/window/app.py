@@ -1,0 +1,127 @@
+"""The program with a window: opens it, shows one screen after another, and ends as asked."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import pygame
+
+from sandbox.render.camera import Size
+from sandbox.render.theme import DARK
+from sandbox.window.display import Display, check_size
+from sandbox.window.gl_painter import GlPainter
+from sandbox.window.gui import Gui
+from sandbox.window.loader import Loader
+from sandbox.window.loading import LoadingScreen
+from sandbox.window.play import PlayScreen
+from sandbox.window.scene_index import scene_entries
+from sandbox.window.scene_list import SceneList
+from sandbox.window.screen import Screen, Stage
+from sandbox.window.session import Session
+
+LOCKSTEP_SECONDS = 1 / 60
+"""What a frame counts for where frames are counted, so that fading text is the same every time."""
+
+
+@dataclass(frozen=True)
+class Options:
+    """What to show and when to end: `frames` pictures, then quit, with one physics step a picture."""
+
+    scene: Path | None = None
+    size: Size = (1280, 800)
+    start_step: int = 0
+    frames: int | None = None
+    screenshot: Path | None = None
+
+
+def run_window(options: Options) -> None:
+    """Show the window until it is closed. Raises `MissingDependencyError` or `SceneError`."""
+    check_size(options.size)
+    with Display(options.size, "sandbox", vsync=options.frames is None) as display:
+        gui = Gui(display.driver)
+        try:
+            App(Stage(display, GlPainter(display.context), gui, DARK), options).run()
+        finally:
+            gui.close()
+
+
+class App:
+    """The loop: events, time, picture."""
+
+    def __init__(self, stage: Stage, options: Options) -> None:
+        self.stage = stage
+        self.options = options
+        self._clock = pygame.time.Clock()
+        self._list: SceneList | None = None
+
+    def run(self) -> None:
+        """Until the user leaves, or the frames are used up."""
+        screen: Screen | None = self._load(self.options.scene) if self.options.scene else self._scene_list()
+        drawn = 0
+        while screen is not None:
+            elapsed = self._tick(screen)
+            if not self._handle_events(screen):
+                screen = None
+            if screen is not None:
+                screen = screen.update(elapsed)
+            if screen is None:
+                break
+            self._draw(screen)
+            drawn += screen.counts
+            if self.options.frames is not None and drawn >= self.options.frames:
+                break
+            self.stage.display.show()
+        if self.options.screenshot is not None:
+            self.stage.display.save(self.options.screenshot)
+
+    def _handle_events(self, screen: Screen) -> bool:
+        """False when the window is to be closed."""
+        for event in pygame.event.get():
+            if event.type == pygame.QUIT:
+                return False
+            self.stage.gui.process(event)
+            screen.handle(event)
+        return True
+
+    def _tick(self, screen: Screen) -> float:
+        """Wait for the next picture; gives the seconds since the last one."""
+        counting = self.options.frames is not None
+        limit = 0 if counting and screen.counts else 60 if counting else self.stage.display.refresh_rate
+        elapsed = self._clock.tick(limit) / 1000.0
+        return LOCKSTEP_SECONDS if counting else elapsed
+
+    def _draw(self, screen: Screen) -> None:
+        if isinstance(screen, PlayScreen):
+            screen.fps = self._clock.get_fps()
+        self.stage.display.begin()
+        self.stage.gui.begin(self.stage.display.size)
+        screen.draw(self.stage)
+        self.stage.gui.end()
+
+    def _load(self, path: Path) -> Screen:
+        return LoadingScreen(Loader(path, self.options.start_step), self._play, self._failed)
+
+    def _play(self, session: Session) -> Screen:
+        title = session.scene.title or (self.options.scene or Path()).name
+        self.stage.display.title(f"{title} - sandbox")
+        lockstep = self.options.frames is not None
+        return PlayScreen(session, self.stage.display.size, self._back, lockstep)
+
+    def _back(self) -> Screen | None:
+        """From a scene: to the list it was chosen from, or out."""
+        if self._list is None:
+            return None
+        self.stage.display.title("sandbox")
+        return self._list
+
+    def _failed(self, error: Exception) -> Screen | None:
+        """A scene that cannot be loaded is fatal where it was asked for, and a message in the list."""
+        if self._list is None:
+            raise error
+        self._list.say(str(error))
+        return self._list
+
+    def _scene_list(self) -> SceneList:
+        self._list = SceneList(scene_entries(), self._load)
+        return self._list

@@ -1,0 +1,85 @@
+"""Draw list -> one instance record a quad: what the shader reads."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sandbox.render.draw_list import DrawList, Line
+
+Instances: TypeAlias = NDArray[np.void]
+
+INSTANCE = np.dtype(
+    [
+        ("origin", "f4", 2),
+        ("axis", "f4", 2),
+        ("extent", "f4", 4),
+        ("fill", "f4", 4),
+        ("edge", "f4", 4),
+        ("mark", "f4", 4),
+        ("detail", "f4", 4),
+    ]
+)
+"""Fields and their order as in `shapes.vert.glsl`."""
+
+TRIM_PIXELS = 20_000.0
+"""Longer boxes are cut off screen, because 32-bit floats are too coarse for their far ends."""
+
+
+def pack(picture: DrawList) -> Instances:
+    """All quads of a picture from back to front."""
+    parts = [_strokes(picture.below), _shapes(picture), _strokes(picture.above)]
+    return np.concatenate(parts)
+
+
+def _strokes(lines: Sequence[Line]) -> Instances:
+    """Strokes are capsules: a core as long as the line, and half the width around it."""
+    out = np.zeros(len(lines), INSTANCE)
+    for row, line in zip(out, lines, strict=True):
+        dx, dy = line.end[0] - line.start[0], line.end[1] - line.start[1]
+        length = float(np.hypot(dx, dy))
+        row["origin"] = (line.start[0] + line.end[0]) / 2, (line.start[1] + line.end[1]) / 2
+        row["axis"] = (dx / length, dy / length) if length > 0.0 else (1.0, 0.0)
+        row["extent"] = length / 2, 0.0, line.width / 2, 0.0
+        row["fill"] = *line.color, line.opacity
+    return out
+
+
+def _shapes(picture: DrawList) -> Instances:
+    items, mesh, scale = picture.shapes, picture.mesh, picture.camera.scale
+    out = np.zeros(len(items.index), INSTANCE)
+    origin, half, trimmed = _trim(picture)
+    out["origin"], out["axis"] = origin, items.axis
+    out["extent"][:, :2] = half
+    out["extent"][:, 2] = mesh.radius[items.index] * scale + items.grow
+    out["extent"][:, 3] = items.line
+    out["fill"][:, :3], out["fill"][:, 3] = items.fill, 1.0
+    out["edge"][:, :3], out["edge"][:, 3] = items.edge, items.hatched
+    out["mark"][:, :3], out["mark"][:, 3] = items.mark, np.where(trimmed, 0.0, items.mark_opacity)
+    out["detail"][:, :2] = mesh.mark[items.index] * scale
+    out["detail"][:, 2], out["detail"][:, 3] = mesh.start[items.index], mesh.count[items.index]
+    return out
+
+
+def _trim(picture: DrawList) -> tuple[Any, Any, Any]:
+    """Origins and half extents in pixels, with the far ends of huge boxes moved to a little off screen."""
+    items, mesh, camera = picture.shapes, picture.mesh, picture.camera
+    half = mesh.half[items.index] * camera.scale
+    huge = (half.max(axis=1, initial=0.0) > TRIM_PIXELS) & (mesh.count[items.index] == 0)
+    if not huge.any():
+        return items.origin, half, huge
+    origin, half = items.origin.copy(), half.copy()
+    a, b = items.axis[huge, 0], items.axis[huge, 1]
+    to = np.asarray(camera.size) / 2 - origin[huge]
+    seen = np.column_stack([to[:, 0] * a + to[:, 1] * b, to[:, 0] * b - to[:, 1] * a])
+    low = np.clip(seen - TRIM_PIXELS / 2, -half[huge], half[huge])
+    high = np.clip(seen + TRIM_PIXELS / 2, -half[huge], half[huge])
+    middle = (low + high) / 2
+    origin[huge] += np.column_stack(
+        [a * middle[:, 0] + b * middle[:, 1], b * middle[:, 0] - a * middle[:, 1]]
+    )
+    half[huge] = (high - low) / 2
+    return origin, half, huge

@@ -1,0 +1,57 @@
+"""Getting a session ready in a thread, so that the window stays alive while kernels are being compiled."""
+
+from __future__ import annotations
+
+import threading
+from pathlib import Path
+
+from sandbox.errors import SandboxError
+from sandbox.window.session import Session
+
+
+class Loader:
+    """Loads a scene file and warms up the engine; look at `done`, then take `result`."""
+
+    def __init__(self, path: Path, start_step: int = 0) -> None:
+        self.path = path
+        self.start_step = start_step
+        self.message = "Reading the scene"
+        self._session: Session | None = None
+        self._error: Exception | None = None
+        self._thread = threading.Thread(target=self._run, daemon=True)
+        self._thread.start()
+
+    @property
+    def done(self) -> bool:
+        """True when `result` can be called without waiting."""
+        return not self._thread.is_alive()
+
+    def result(self) -> Session:
+        """The session. Raises what went wrong: `SceneError` for a bad file, `OSError` for a missing one."""
+        self._thread.join()
+        if self._error is not None:
+            raise self._error
+        if self._session is None:
+            raise SandboxError(f"{self.path}: loading ended without a result")
+        return self._session
+
+    def _run(self) -> None:
+        try:
+            self._session = self._load()
+        except Exception as error:  # handed to the thread that asks for the result
+            self._error = error
+
+    def _load(self) -> Session:
+        from sandbox.engine.world import World
+        from sandbox.scene import load_scene
+
+        scene = load_scene(self.path)
+        self.message = "Preparing the engine"
+        # The first step of a process compiles or loads kernels. It is taken here in a world of its own, so
+        # that the first step a person sees does not wait.
+        World(scene).step()
+        world = World(scene)
+        if self.start_step:
+            self.message = f"Simulating the first {self.start_step:,} steps"
+            world.step(self.start_step)
+        return Session(scene, world)

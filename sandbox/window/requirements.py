@@ -1,0 +1,41 @@
+"""Is all there that the window needs? Says what to install instead of failing half way."""
+
+from __future__ import annotations
+
+import importlib
+
+from sandbox.errors import MissingDependencyError
+
+PACKAGES = ("pygame", "moderngl", "imgui_bundle", "OpenGL")
+
+LIBRARIES_HINT = "On Debian or Ubuntu: sudo apt install libgl1 libegl1 libgl1-mesa-dri"
+SCREEN_HINT = (
+    "Without a screen, run it on a virtual one: sudo apt install xvfb, then xvfb-run -a sandbox run SCENE. "
+    "`sandbox render` and `sandbox check` need neither a screen nor OpenGL."
+)
+
+
+def check_packages() -> None:
+    """Raise `MissingDependencyError` unless every package of the extra `window` can be imported."""
+    for name in PACKAGES:
+        try:
+            importlib.import_module(name)
+        except ModuleNotFoundError as error:
+            raise MissingDependencyError(_package_text(error.name or name)) from error
+        except (ImportError, OSError, AttributeError) as error:
+            text = f"the window cannot load {name}: {error}. A system library is missing. {LIBRARIES_HINT}"
+            raise MissingDependencyError(text) from error
+
+
+def _package_text(name: str) -> str:
+    return (
+        f"the window needs the Python package {name.partition('.')[0]}, which is not installed. "
+        "In a checkout: pip install -e '.[window]'; else: pip install 'sandbox2d[window]'"
+    )
+
+
+def no_window(reason: object) -> MissingDependencyError:
+    """The error for a screen or an OpenGL that is not there."""
+    return MissingDependencyError(
+        f"cannot open a window with OpenGL 3.3: {reason}. {LIBRARIES_HINT}. {SCREEN_HINT}"
+    )

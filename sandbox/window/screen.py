@@ -1,0 +1,43 @@
+"""What a screen of the window is: it handles events, lets time pass, and draws itself on a stage."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import pygame
+
+from sandbox.render.theme import Theme
+from sandbox.window.display import Display
+from sandbox.window.gl_painter import GlPainter
+from sandbox.window.gui import Gui
+
+
+@dataclass(frozen=True)
+class Stage:
+    """What screens draw with."""
+
+    display: Display
+    painter: GlPainter
+    gui: Gui
+    theme: Theme
+
+    def clear(self) -> None:
+        """An empty sheet."""
+        self.display.context.clear(*self.theme.background)
+
+
+class Screen(Protocol):
+    """One of the things that the window can show."""
+
+    counts: bool
+    """Whether its pictures count towards a limit on frames."""
+
+    def handle(self, event: pygame.event.Event) -> None:
+        """Act on an event."""
+
+    def update(self, elapsed: float) -> Screen | None:
+        """Let `elapsed` seconds pass; gives the screen to show now, None to leave the program."""
+
+    def draw(self, stage: Stage) -> None:
+        """Draw the picture, then what lies over it."""

@@ -1,0 +1,112 @@
+"""A scene being played: world, clock, the last two frames and the hand that drags. Knows no window."""
+
+from __future__ import annotations
+
+import time
+from typing import TYPE_CHECKING
+
+from sandbox.engine.commands import EndDrag, MoveDrag, StartDrag
+from sandbox.engine.world import World
+from sandbox.errors import CommandError
+from sandbox.render.camera import Bounds, Vec
+from sandbox.render.frame import Frame, blend, capture, interesting_bounds
+from sandbox.render.pick import pick
+from sandbox.window.clock import StepClock
+
+if TYPE_CHECKING:
+    from sandbox.scene import Scene
+
+MOST_STEPS = 8
+"""Steps a frame at most, however much time has passed."""
+FRAME_BUDGET = 0.05
+"""Seconds a frame may spend on steps, so that a heavy scene runs slower but stays responsive."""
+DRAG_ACCELERATION = 500.0
+"""Limit of the drag force for each kilogram, in m/s^2."""
+
+
+class Session:
+    """One scene from its start; `restart` begins again."""
+
+    def __init__(self, scene: Scene, world: World) -> None:
+        self.scene = scene
+        self.world = world
+        self.clock = StepClock(float(world.state.settings[0].step_seconds))
+        self.step_cost = 0.0
+        self.grabbed: int | None = None
+        self.target: Vec = (0.0, 0.0)
+        self._grip: Vec = (0.0, 0.0)
+        self.previous = self.current = capture(world.state)
+
+    def update(self, elapsed: float) -> int:
+        """Let `elapsed` seconds of real time pass; gives the number of steps taken."""
+        most = MOST_STEPS if self.step_cost == 0.0 else int(FRAME_BUDGET / self.step_cost)
+        steps = self.clock.advance(elapsed, min(max(most, 1), MOST_STEPS))
+        for _ in range(steps):
+            self._step()
+        return steps
+
+    def step_once(self) -> None:
+        """Take one step and show it exactly."""
+        self._step()
+        self.clock.settle()
+
+    def restart(self) -> None:
+        """Begin again from the scene as it was written."""
+        self.grabbed = None
+        self.world = World(self.scene)
+        self.previous = self.current = capture(self.world.state, self.current.mesh)
+
+    def frame(self) -> Frame:
+        """What is to be seen now: between the last two steps, as far as the clock says."""
+        return blend(self.previous, self.current, self.clock.alpha)
+
+    def bounds(self) -> Bounds:
+        """The part of the world worth looking at."""
+        return interesting_bounds(self.current)
+
+    def grab(self, point: Vec, slack: float) -> bool:
+        """Take hold of the dynamic body at `point` (metres); False if there is none within `slack` metres."""
+        body = pick(self.frame(), point, slack)
+        if body is None or not self._send_grab(body, point):
+            return False
+        self.grabbed, self.target, self._grip = body, point, self._local(body, point)
+        return True
+
+    def drag(self, point: Vec) -> None:
+        """Pull the grabbed body towards `point`."""
+        if self.grabbed is not None and point != self.target:
+            self.world.apply(MoveDrag(self.world.names[self.grabbed], point))
+            self.target = point
+
+    def release(self) -> None:
+        """Let go."""
+        if self.grabbed is not None:
+            self.world.apply(EndDrag(self.world.names[self.grabbed]))
+            self.grabbed = None
+
+    def grip(self, frame: Frame) -> Vec:
+        """Where the grabbed point of the body is in `frame`, in metres."""
+        assert self.grabbed is not None
+        (c, s), (x, y), (u, v) = frame.rotation[self.grabbed], frame.center[self.grabbed], self._grip
+        return float(x + c * u - s * v), float(y + s * u + c * v)
+
+    def _send_grab(self, body: int, point: Vec) -> bool:
+        force = DRAG_ACCELERATION * float(self.world.state.bodies[body].mass)
+        try:
+            self.world.apply(StartDrag(self.world.names[body], point, force))
+        except CommandError:
+            return False
+        return True
+
+    def _local(self, body: int, point: Vec) -> Vec:
+        frame = self.current
+        (c, s), (x, y) = frame.rotation[body], frame.center[body]
+        dx, dy = point[0] - x, point[1] - y
+        return float(c * dx + s * dy), float(c * dy - s * dx)
+
+    def _step(self) -> None:
+        begin = time.perf_counter()
+        self.world.step()
+        cost = time.perf_counter() - begin
+        self.step_cost = cost if self.step_cost == 0.0 else 0.9 * self.step_cost + 0.1 * cost
+        self.previous, self.current = self.current, capture(self.world.state, self.current.mesh)

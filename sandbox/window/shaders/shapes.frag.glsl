@@ -1,0 +1,58 @@
+#version 330 core
+// Signed distances in pixels, so that one pixel of coverage is one unit of distance and edges are equally crisp
+// at every zoom. Distance functions after Inigo Quilez, "2D distance functions".
+
+uniform sampler2D vertices;  // polygon vertices in metres, one a texel, 1024 a row
+uniform float scale;         // pixels a metre
+
+in vec2 place;
+flat in vec4 f_extent, f_fill, f_edge, f_mark, f_detail;
+
+out vec4 color;
+
+float box_distance(vec2 p, vec2 half_size) {
+    vec2 d = abs(p) - half_size;
+    return length(max(d, 0.0)) + min(max(d.x, d.y), 0.0);
+}
+
+vec2 vertex(int i) {
+    return texelFetch(vertices, ivec2(i & 1023, i >> 10), 0).xy * scale;
+}
+
+float polygon_distance(vec2 p, int first, int count) {
+    vec2 before = vertex(first + count - 1);
+    float nearest = dot(p - before, p - before);
+    float deepest = -1e30;
+    for (int i = 0; i < count; i++) {
+        vec2 here = vertex(first + i);
+        vec2 along = here - before;
+        vec2 to = p - before;
+        vec2 off = to - along * clamp(dot(to, along) / dot(along, along), 0.0, 1.0);
+        nearest = min(nearest, dot(off, off));
+        deepest = max(deepest, (to.x * along.y - to.y * along.x));  // outside of any edge is outside of all
+        before = here;
+    }
+    return deepest > 0.0 ? sqrt(nearest) : -sqrt(nearest);
+}
+
+float stroke_distance(vec2 p, float from, float to) {
+    return length(p - vec2(clamp(p.x, from, to), 0.0));
+}
+
+void main() {
+    int count = int(f_detail.w);
+    float core = count > 0 ? polygon_distance(place, int(f_detail.z), count) : box_distance(place, f_extent.xy);
+    float distance = core - f_extent.z;
+    float coverage = clamp(0.5 - distance, 0.0, 1.0);
+    if (coverage <= 0.0) discard;
+
+    vec3 paint = f_fill.rgb;
+    if (f_edge.a > 0.5) {
+        float stripe = abs(fract((gl_FragCoord.x - gl_FragCoord.y) / 9.9) - 0.5) * 9.9;
+        paint = mix(f_edge.rgb, paint, clamp(stripe, 0.0, 1.0));
+    }
+    float spoke = clamp(0.5 + max(f_extent.w, 0.7) * 0.75 - stroke_distance(place, f_detail.x, f_detail.y), 0.0, 1.0);
+    paint = mix(paint, f_mark.rgb, spoke * f_mark.a);
+    paint = mix(paint, f_edge.rgb, clamp(distance + f_extent.w + 0.5, 0.0, 1.0) * min(f_extent.w, 1.0));
+    color = vec4(paint, coverage * f_fill.a);
+}

@@ -1,0 +1,28 @@
+#version 330 core
+// One quad a shape or stroke, a pixel larger than what it covers. All lengths are pixels, y points down.
+
+uniform vec2 screen;
+
+in vec2 corner;    // -1..1
+in vec2 origin;    // of the shape frame
+in vec2 axis;      // x axis of the shape frame (cos, sin)
+in vec4 extent;    // half extents of the core, rounding radius, outline width
+in vec4 fill;      // sRGB and opacity
+in vec4 edge;      // sRGB and 1 where hatched
+in vec4 mark;      // sRGB and opacity
+in vec4 detail;    // mark from x, mark to x, first polygon vertex, number of polygon vertices
+
+out vec2 place;    // in the shape frame
+flat out vec4 f_extent, f_fill, f_edge, f_mark, f_detail;
+
+void main() {
+    place = corner * (extent.xy + extent.z + 1.0);
+    // The shape frame has y up, the screen y down: a reflection, not a turn.
+    vec2 pixel = origin + vec2(axis.x * place.x + axis.y * place.y, axis.y * place.x - axis.x * place.y);
+    gl_Position = vec4(pixel.x / screen.x * 2.0 - 1.0, 1.0 - pixel.y / screen.y * 2.0, 0.0, 1.0);
+    f_extent = extent;
+    f_fill = fill;
+    f_edge = edge;
+    f_mark = mark;
+    f_detail = detail;
+}
