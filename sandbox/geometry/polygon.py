@@ -38,7 +38,7 @@ def convex_polygon(vertices: Sequence[Vec]) -> tuple[Vec, ...]:
     """
     points, unit = scaled(vertices)
     kept = _corners(points)
-    if len(kept) < 3:
+    if len(kept) < 3 or _on_one_line(points):
         raise PolygonError("the polygon has no area: its vertices lie on one line")
     turns = _turns(points, kept)
     if not _goes_round_once(points, kept, turns):
@@ -75,6 +75,17 @@ def _is_straight(before: Point, here: Point, after: Point, size: int) -> bool:
     return (cross(before, here, after) * STRAIGHT) ** 2 <= length_squared * size**2
 
 
+def _on_one_line(points: list[Point]) -> bool:
+    first = points[0]
+    far = max(points, key=lambda p: (p[0] - first[0]) ** 2 + (p[1] - first[1]) ** 2)
+    return all(cross(first, far, point) == 0 for point in points)
+
+
+def _double_area(points: list[Point], kept: list[int]) -> int:
+    """Twice the area, positive if the outline runs counter-clockwise."""
+    return sum(cross(points[kept[0]], points[a], points[b]) for a, b in pairwise(kept))
+
+
 def _turns(points: list[Point], kept: list[int]) -> list[int]:
     """Sign of the turn at each kept vertex: 1 left, -1 right, 0 back on itself."""
     count = len(kept)
@@ -96,7 +107,7 @@ def _why_not_convex(points: list[Point], kept: list[int], turns: list[int]) -> P
     hit = _self_intersection(points, kept)
     if hit is not None:
         return PolygonError("the polygon intersects itself", hit)
-    left = sum(turns) > 0
+    left = _double_area(points, kept) > 0
     dent = next(i for i, turn in zip(kept, turns, strict=True) if (turn > 0) != left)
     return PolygonError("the polygon is concave, which is not yet supported: split it into convex ones", dent)
 
@@ -122,6 +133,5 @@ def _check_size(points: list[Point], kept: list[int], unit: int) -> None:
     for a, b in pairwise(ring):
         if (points[a][0] - points[b][0]) ** 2 + (points[a][1] - points[b][1]) ** 2 < least**2:
             raise PolygonError(f"two vertices of the polygon are less than {MIN_EDGE:g} m apart", b)
-    double_area = abs(sum(cross(points[kept[0]], points[a], points[b]) for a, b in pairwise(kept)))
-    if double_area < 2 * least * span(points):
+    if abs(_double_area(points, kept)) < 2 * least * span(points):
         raise PolygonError(f"the polygon has no area: it is thinner than {MIN_EDGE:g} m")

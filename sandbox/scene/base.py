@@ -23,7 +23,7 @@ class Model(BaseModel):
             problems = [finding.problem() for finding in findings(error, type(self))]
             raise SceneError(type(self).__name__, problems) from None
 
-    # Unless it is marked so, pydantic calls an own __init__ for nested models too; only the outermost rewords.
+    # Unless it is marked so, pydantic calls this for nested models too, but only the outermost may reword.
     __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
 
     def said(self) -> dict[str, Any]:

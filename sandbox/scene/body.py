@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from sandbox.scene.base import Model
+from sandbox.scene.constraints import Listed
 from sandbox.scene.limits import MAX_SHAPES
 from sandbox.scene.quantities import (
     Color,
@@ -14,7 +15,7 @@ from sandbox.scene.quantities import (
     Degrees,
     Factor,
     Inertia,
-    Listed,
+    LocalPoint,
     Mass,
     Name,
     Point,
@@ -46,7 +47,7 @@ class Prefab(Model):
         default=None,
         description="Overrides the inertia about the centre of mass, kg m^2; default: scaled with mass.",
     )
-    center: Point | None = Field(
+    center: LocalPoint | None = Field(
         default=None, description="Overrides the centre of mass, in the body's frame, m."
     )
     material: Name | None = Field(

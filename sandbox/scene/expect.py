@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Sequence
-from fnmatch import translate
 from typing import Annotated, Literal
 
 from pydantic import Field, Tag
 
 from sandbox.scene.base import Model
+from sandbox.scene.body_refs import Ids, Pair, is_pattern, matching_ids
 from sandbox.scene.quantities import (
     Angles,
     Coordinate,
     Degrees,
     Distance,
-    Listed,
     Point,
     Rectangle,
     Speed,
@@ -23,32 +20,28 @@ from sandbox.scene.quantities import (
     Step,
     Steps,
 )
-from sandbox.scene.union import TAG, by_key, by_type
+from sandbox.scene.union import TAG, by_key
 
-Pattern = Annotated[str, Field(min_length=1, max_length=100)]
-"""A body's id, or a pattern for all matching ids: `*` is anything, `?` one character, `[...]` one of some."""
-
-Ids = Annotated[
-    Annotated[Pattern, Tag(TAG + "text")]
-    | Annotated[Annotated[tuple[Pattern, ...], Listed('["id", ...]', 1, 1000)], Tag(TAG + "list")],
-    by_type('a body id, a list of ids, or a pattern such as "wall-*"'),
+__all__ = [
+    "CONDITIONS",
+    "Above",
+    "AnyExpectation",
+    "Apart",
+    "Asleep",
+    "Below",
+    "Expectation",
+    "Ids",
+    "Inside",
+    "Near",
+    "Pair",
+    "Rests",
+    "Speeding",
+    "Stands",
+    "Touches",
+    "Turned",
+    "is_pattern",
+    "matching_ids",
 ]
-"""One id, a list of ids, or patterns: all bodies meant."""
-
-Pair = Annotated[tuple[Pattern, Pattern], Listed('["id", "id"]', 2, 2)]
-
-
-def is_pattern(name: str) -> bool:
-    """Whether `name` stands for all ids it matches rather than for one id."""
-    return any(mark in name for mark in "*?[")
-
-
-def matching_ids(ids: str | Sequence[str], names: Sequence[str]) -> list[str]:
-    """Those of `names` that an `Ids` field means, in the order of `names`."""
-    wanted = [ids] if isinstance(ids, str) else list(ids)
-    exact = {name for name in wanted if not is_pattern(name)}
-    patterns = [re.compile(translate(name)) for name in wanted if is_pattern(name)]
-    return [name for name in names if name in exact or any(pattern.match(name) for pattern in patterns)]
 
 
 class Expectation(Model):

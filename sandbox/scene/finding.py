@@ -5,8 +5,11 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import islice
 
 from sandbox.errors import Problem
+
+_CONSIDERED = 2000
 
 Path = tuple[str | int, ...]
 """The way to a value in a scene: keys and indices, such as ("bodies", 3, "shapes", 0)."""
@@ -39,7 +42,7 @@ def path_of(pointer: str) -> tuple[str, ...]:
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:
     """The hint with the nearest of the `known` names, empty if none is near."""
-    by_folded = {candidate.casefold(): candidate for candidate in known}
+    by_folded = {candidate.casefold(): candidate for candidate in islice(known, _CONSIDERED)}
     near = difflib.get_close_matches(name[:200].casefold(), by_folded, n=1, cutoff=0.6)
     return f'did you mean "{by_folded[near[0]]}"?' if near else ""
 

@@ -7,18 +7,9 @@ from typing import Annotated
 from pydantic import Field, Tag
 
 from sandbox.scene.base import Model
+from sandbox.scene.constraints import Range
 from sandbox.scene.limits import MAX_BODIES
-from sandbox.scene.quantities import (
-    Angles,
-    Displacement,
-    Distance,
-    Name,
-    Point,
-    Range,
-    Rectangle,
-    Size,
-    Size2,
-)
+from sandbox.scene.quantities import Angles, Displacement, Distance, Name, Point, Rectangle, Size, Size2
 from sandbox.scene.union import TAG, by_key
 
 Count = Annotated[int, Range(1, MAX_BODIES)]

@@ -23,5 +23,8 @@ MAX_CATEGORIES = 31
 MAX_PROBLEMS = 100
 """Mistakes listed for one file; a last line counts the rest."""
 
+MAX_FINDINGS = 2000
+"""Mistakes of one sort looked into before the rest is let be."""
+
 ALL_BITS = 0xFFFFFFFF
 """A mask that collides with everything."""

@@ -43,13 +43,13 @@ def body_ids(data: dict[str, Any]) -> BodyNames:
     generators = list(_generators(data))
     found = BodyNames(unread=_unread(data, generators))
     bodies = data.get("bodies")
-    total = len(bodies) if isinstance(bodies, (list, tuple)) else 0
-    total += sum(body_count(generator) for _, generator in generators if generator)
+    written = len(bodies) if isinstance(bodies, (list, tuple)) else 0
+    total = written + sum(body_count(generator) for _, generator in generators if generator)
     if total > MAX_BODIES:
         text = f"the scene has {total} bodies; {MAX_BODIES} is the limit"
-        return BodyNames(
-            counted=False, findings=[Finding(("generate",) if generators else ("bodies",), text)]
-        )
+        # A list of bodies that is too long by itself is told by its own model.
+        told = [Finding(("generate",), text)] if written <= MAX_BODIES else []
+        return BodyNames(counted=False, findings=told)
     for path, body in children(bodies, ("bodies",)):
         if isinstance(body.get("id"), str):
             found.add(body["id"], path, (*path, "id"))

@@ -6,7 +6,7 @@ The rules between fields work on plain data, so that they find their mistakes in
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, TypeGuard
 
 from sandbox.scene.finding import Path
 
@@ -50,6 +50,6 @@ def texts(value: object, path: Path) -> Iterator[tuple[Path, str]]:
         yield from (((*path, i), entry) for i, entry in enumerate(value) if isinstance(entry, str))
 
 
-def is_number(value: object) -> bool:
-    """Whether a value is a number of the file (true and false are not)."""
-    return isinstance(value, (int, float)) and not isinstance(value, bool)
+def is_number(value: object) -> TypeGuard[float]:
+    """Whether a value is a number a scene can have (true and false are none, nor is one past all limits)."""
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) <= 1e20

@@ -6,6 +6,8 @@ import json
 import math
 from typing import Any
 
+from sandbox.scene.shapes import SHAPES
+
 _WIDTH = 100
 _EXACT = 2.0**53
 
@@ -13,6 +15,16 @@ _EXACT = 2.0**53
 def pretty(value: Any) -> str:
     """JSON text of plain data without NaN and infinities."""
     return _lines(_plain(value), 0, 0)
+
+
+def kinds_first(value: Any) -> Any:
+    """The same data with the key that tells a shape's kind before its other fields."""
+    if isinstance(value, list):
+        return [kinds_first(entry) for entry in value]
+    if not isinstance(value, dict):
+        return value
+    first = {key: value[key] for key in SHAPES if key in value}
+    return {key: kinds_first(entry) for key, entry in {**first, **value}.items()}
 
 
 def _plain(value: Any) -> Any:

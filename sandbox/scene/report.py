@@ -16,7 +16,7 @@ def scene_error(source: str, findings: list[Finding], text: str | None) -> Scene
     else:
         problems = _placed(findings, text)
     if len(problems) > MAX_PROBLEMS:
-        more = f"and {len(problems) - MAX_PROBLEMS} more mistakes"
+        more = f"and at least {len(problems) - MAX_PROBLEMS} more mistakes"
         problems = [*problems[:MAX_PROBLEMS], Problem(more)]
     return SceneError(source, problems)
 

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from itertools import islice
 from typing import Any
 
 from sandbox.scene import plain
 from sandbox.scene.body import Body
 from sandbox.scene.finding import Finding, did_you_mean, quoted
 from sandbox.scene.generators import GENERATORS
+from sandbox.scene.limits import MAX_FINDINGS
 from sandbox.scene.names import body_ids
 from sandbox.scene.references import unknown_names
 
@@ -20,14 +22,15 @@ def cross_checks(data: object) -> list[Finding]:
     if not isinstance(data, dict):
         return []
     ids = body_ids(data)
-    return [
-        *ids.findings,
-        *unknown_names(data, ids),
-        *_without_shapes(data),
-        *_overrounded(data),
-        *_times(data),
-        *_repeated_categories(data),
+    rules: list[Iterable[Finding]] = [
+        ids.findings,
+        unknown_names(data, ids),
+        _without_shapes(data),
+        _overrounded(data),
+        _times(data),
+        _repeated_categories(data),
     ]
+    return [finding for rule in rules for finding in islice(rule, MAX_FINDINGS)]
 
 
 def _without_shapes(data: dict[str, Any]) -> Iterator[Finding]:
@@ -61,7 +64,7 @@ def _overrounded(data: dict[str, Any]) -> Iterator[Finding]:
         size, radius = shape.get("box"), shape.get("radius")
         if not (isinstance(size, (list, tuple)) and len(size) == 2 and all(map(plain.is_number, size))):
             continue
-        if isinstance(radius, (int, float)) and radius > 0 and not min(size) / 2 - radius >= 5e-7:
+        if plain.is_number(radius) and radius > 0 and not min(size) / 2 - radius >= 5e-7:
             text = f"the radius must be less than half the box's smaller side ({min(size) / 2:g} m)"
             yield Finding((*path, "radius"), text, "a box rounded that far is a capsule")
 

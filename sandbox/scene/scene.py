@@ -9,6 +9,7 @@ from pydantic import Field, PrivateAttr
 
 from sandbox.scene.base import Model
 from sandbox.scene.body import Body, Prefab
+from sandbox.scene.constraints import Listed
 from sandbox.scene.excerpt import line_column
 from sandbox.scene.expect import AnyExpectation
 from sandbox.scene.finding import path_of
@@ -18,8 +19,8 @@ from sandbox.scene.generators import AnyGenerator
 from sandbox.scene.limits import MAX_BODIES, MAX_CATEGORIES
 from sandbox.scene.locate import locate
 from sandbox.scene.material import Material
-from sandbox.scene.pretty import pretty
-from sandbox.scene.quantities import Acceleration2, Listed, Name
+from sandbox.scene.pretty import kinds_first, pretty
+from sandbox.scene.quantities import Acceleration2, Name
 from sandbox.scene.report import scene_error
 from sandbox.scene.rules import cross_checks
 from sandbox.scene.settings import Settings, View
@@ -92,7 +93,7 @@ class Scene(Model):
         """Write the scene as JSON (UTF-8) that loads to an equal scene."""
         data = self.to_data()
         head = {"$schema": data.pop("$schema")} if "$schema" in data else {}
-        text = pretty({**head, "format": 1, **data}) + "\n"
+        text = pretty(kinds_first({**head, "format": 1, **data})) + "\n"
         FilePath(path).write_text(text, encoding="utf-8", newline="\n")
 
     def locate(self, pointer: str) -> tuple[int, int] | None:

@@ -10,11 +10,31 @@ from sandbox.scene.scene import Scene
 
 def schema() -> dict[str, Any]:
     """JSON Schema (draft 2020-12) of format 1, with descriptions and units."""
-    made = Scene.model_json_schema(by_alias=True)
-    head = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": "Scene, format 1"}
-    return {**head, **{key: value for key, value in made.items() if key != "title"}}
+    made = _tidy(Scene.model_json_schema(by_alias=True))
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "Scene, format 1",
+        **{key: value for key, value in made.items() if key != "title"},
+    }
 
 
 def schema_text() -> str:
     """The text of `scenes/scene.schema.json`."""
     return pretty(schema()) + "\n"
+
+
+def _tidy(node: Any) -> Any:
+    """Without what says nothing to an author: titles made from names, and null as a way to say nothing."""
+    if isinstance(node, list):
+        return [_tidy(entry) for entry in node]
+    if not isinstance(node, dict):
+        return node
+    kept = {key: _tidy(value) for key, value in node.items() if not _is_noise(key, value)}
+    choices = [entry for entry in kept.get("anyOf", ()) if entry != {"type": "null"}]
+    if len(choices) == 1:
+        kept = {**choices[0], **{key: value for key, value in kept.items() if key != "anyOf"}}
+    return kept
+
+
+def _is_noise(key: str, value: Any) -> bool:
+    return (key == "title" and isinstance(value, str)) or (key == "default" and value is None)

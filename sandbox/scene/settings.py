@@ -7,7 +7,8 @@ from typing import Annotated
 from pydantic import Field
 
 from sandbox.scene.base import Model
-from sandbox.scene.quantities import Hertz, Point, Range, Ratio, Size, Speed
+from sandbox.scene.constraints import Range
+from sandbox.scene.quantities import Hertz, Point, Ratio, Size, Speed
 
 
 class Settings(Model):

@@ -8,21 +8,10 @@ from pydantic import AfterValidator, Field, Tag
 from pydantic_core import PydanticCustomError
 
 from sandbox.geometry.polygon import PolygonError, convex_polygon
+from sandbox.scene.constraints import Listed, Range
 from sandbox.scene.limits import ALL_BITS
 from sandbox.scene.material import Surface
-from sandbox.scene.quantities import (
-    Bits,
-    Degrees,
-    Ends,
-    Listed,
-    Name,
-    Outline,
-    Point,
-    Range,
-    Rounding,
-    Size,
-    Size2,
-)
+from sandbox.scene.quantities import Bits, Degrees, Ends, LocalPoint, Name, Outline, Rounding, Size, Size2
 from sandbox.scene.union import TAG, by_key, by_type
 
 Names = Annotated[tuple[Name, ...], Listed('["name", ...]', 0, 32)]
@@ -53,7 +42,7 @@ def _check_polygon(outline: Outline) -> Outline:
 class AnyShape(Surface):
     """What all shapes have: a place in the body, a surface, a collision filter."""
 
-    at: Point = Field(
+    at: LocalPoint = Field(
         default=(0.0, 0.0), description="Offset from the body's position, in the body's frame, m."
     )
     material: Name | None = Field(default=None, description="Name of a material; default: the body's.")
