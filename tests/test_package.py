@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -48,9 +49,9 @@ def test_shipped_scenes_are_found_by_name() -> None:
     assert scenes
     assert resources.assets_dir().is_dir()
     bare = scenes[0].name.removesuffix(resources.SCENE_SUFFIX)
-    assert resources.find_scene(resources.Path(bare)).name == scenes[0].name
+    assert resources.find_scene(Path(bare)).name == scenes[0].name
 
 
 def test_a_path_that_is_nowhere_stays_as_it_is() -> None:
-    nowhere = resources.Path("nowhere/at-all.json")
+    nowhere = Path("nowhere/at-all.json")
     assert resources.find_scene(nowhere) == nowhere

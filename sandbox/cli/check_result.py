@@ -38,14 +38,28 @@ class Result:
         return "holds" if self.trial.holds else "failed"
 
     def text(self, verdict: Verdict) -> str:
-        """The expectation that `verdict` is about, on one line, as the author could have written it."""
-        wanted = self.scene.expect[verdict.index] if self.scene else None
-        return json.dumps(wanted.said() if wanted else {}, ensure_ascii=False)
+        """The expectation that `verdict` is about, as its author wrote it, on one line."""
+        assert self.scene is not None
+        return author_text(self.scene, verdict.index)
 
     def line(self, verdict: Verdict) -> int:
         """The line of that expectation in its file."""
-        place = self.scene.locate(f"/expect/{verdict.index}") if self.scene else None
-        return place[0] if place else 0
+        assert self.scene is not None
+        return _place(self.scene, verdict.index)[0]
+
+
+def author_text(scene: Scene, index: int) -> str:
+    """Expectation `index` as its author wrote it, on one line."""
+    if scene.text is None:
+        return json.dumps(scene.expect[index].said(), ensure_ascii=False)
+    line, column = _place(scene, index)
+    rest = "\n".join(scene.text.split("\n")[line - 1 :])[column - 1 :]
+    end = json.JSONDecoder().raw_decode(rest)[1]
+    return " ".join(rest[:end].split())
+
+
+def _place(scene: Scene, index: int) -> tuple[int, int]:
+    return scene.locate(f"/expect/{index}") or (0, 0)
 
 
 def exit_code(results: Sequence[Result]) -> int:

@@ -1,0 +1,140 @@
+"""The command line as a whole: help, version, laziness, and what a user sees when something goes wrong."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+import sandbox
+from sandbox.cli import app, failures
+from sandbox.errors import Problem, SandboxError, SceneError
+
+
+def run_process(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-m", "sandbox", *arguments]
+    return subprocess.run(
+        command, capture_output=True, text=True, env={**os.environ, **environment}, timeout=120
+    )
+
+
+def test_version_in_a_process_of_its_own() -> None:
+    done = run_process("--version")
+    assert (done.returncode, done.stdout) == (0, f"sandbox {sandbox.__version__}\n")
+
+
+def test_help_names_every_command(cli: Callable) -> None:
+    done = cli("--help")
+    assert done.code == 0
+    assert all(name in done.out for name in app.COMMANDS)
+
+
+def test_check_help_documents_the_exit_codes(cli: Callable) -> None:
+    text = " ".join(cli("check", "--help").out.replace("│", " ").split())
+    for part in ("0: all hold", "1: an expectation failed", "2: a file could not be used"):
+        assert part in text
+
+
+@pytest.mark.parametrize("arguments", [["--help"], ["--version"], ["check", "--help"]])
+def test_help_imports_nothing_heavy(arguments: list[str]) -> None:
+    program = (
+        "import sys\nfrom sandbox.cli import main\n"
+        f"try: main({arguments!r})\nexcept SystemExit: pass\n"
+        "heavy = {'numba', 'numpy', 'pygame', 'pymunk', 'moderngl', 'imgui_bundle'}\n"
+        "print('heavy:', sorted(heavy & set(sys.modules)))"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert done.stdout.endswith("heavy: []\n")
+
+
+def test_a_command_that_is_not_there_is_exit_2_with_the_nearest_name(cli: Callable) -> None:
+    done = cli("chekc")
+    assert done.code == 2
+    assert "'check'" in done.err
+
+
+def test_a_wrong_option_is_exit_2_on_stderr(cli: Callable) -> None:
+    done = cli("check", "--stepz", "3", "x.json")
+    assert (done.code, done.out) == (2, "")
+    assert "--steps" in done.err
+
+
+def _explode(error: Exception) -> Callable[[str], object]:
+    def load(name: str) -> object:
+        raise error
+
+    return load
+
+
+def test_a_sandbox_error_is_one_message_and_exit_2(cli: Callable, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(app, "_load", _explode(SandboxError("no [bold]such[/bold] thing")))
+    done = cli("check")
+    assert (done.code, done.out, done.err) == (2, "", "sandbox: no [bold]such[/bold] thing\n")
+
+
+def test_an_unexpected_error_is_a_bug_on_one_line(cli: Callable, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv(failures.TRACEBACK_VARIABLE, raising=False)
+    monkeypatch.setattr(app, "_load", _explode(ZeroDivisionError("division\nby zero")))
+    done = cli("check")
+    assert done.code == 70
+    assert done.err.count("\n") == 1
+    assert "this is a bug in sandbox" in done.err
+    assert "ZeroDivisionError: division by zero" in done.err
+    assert "SANDBOX_TRACEBACK=1" in done.err
+
+
+def test_the_traceback_can_be_had(cli: Callable, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv(failures.TRACEBACK_VARIABLE, "1")
+    monkeypatch.setattr(app, "_load", _explode(ZeroDivisionError("zero")))
+    done = cli("check")
+    assert done.code == 70
+    assert "Traceback (most recent call last)" in done.err
+
+
+def test_a_file_that_cannot_be_written_is_the_users_to_mend(
+    cli: Callable, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(app, "_load", _explode(PermissionError(13, "Permission denied", "/out.png")))
+    done = cli("check")
+    assert (done.code, done.err) == (2, "sandbox: /out.png: Permission denied\n")
+
+
+def test_scene_mistakes_are_listed_with_place_excerpt_and_mend(
+    cli: Callable, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    problems = [
+        Problem(
+            'unknown field "shpaes"',
+            "/bodies/0/shpaes",
+            3,
+            7,
+            'did you mean "shapes"?',
+            '  3 | "shpaes"\n    | ^^^^',
+        ),
+        Problem("too many bodies"),
+    ]
+    monkeypatch.setattr(app, "_load", _explode(SceneError("a.json", problems)))
+    done = cli("check")
+    assert done.code == 2
+    assert done.err.splitlines() == "\n".join(SceneError("a.json", problems).lines()).splitlines()
+    assert done.err.startswith('a.json:3:7: unknown field "shpaes"')
+
+
+def test_check_runs_in_a_process_of_its_own(write_scene: Callable, tmp_path: Path) -> None:
+    path = write_scene("a.scene.json", {"at": 20, "rests": "crate"})
+    done = run_process("check", str(path))
+    assert done.returncode == 0, done.stderr
+    assert "1 scene: 1 hold" in done.stdout
+
+
+def test_a_cold_cache_is_announced_and_a_warm_one_is_not(write_scene: Callable, tmp_path: Path) -> None:
+    path = str(write_scene("a.scene.json", {"at": 2, "rests": "crate"}, settings={"steps": 2}))
+    cold = run_process("check", path, SANDBOX_CACHE_DIR=str(tmp_path / "cache"))
+    warm = run_process("check", path, SANDBOX_CACHE_DIR=str(tmp_path / "cache"))
+    assert "compiling" in cold.stderr
+    assert warm.stderr == ""
+    assert cold.stdout.splitlines()[1].split()[3] == warm.stdout.splitlines()[1].split()[3]
