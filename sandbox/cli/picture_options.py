@@ -26,7 +26,7 @@ def parse_size(text: str) -> tuple[int, int]:
 
 
 def writable_picture(path: Path, suffixes: Collection[str]) -> str:
-    """The lower-case suffix of a picture to be written. Raises `SandboxError` if it or the folder is no good."""
+    """The lower-case suffix of a picture to write. Raises `SandboxError` if it or the folder is no good."""
     suffix = path.suffix.lower()
     if suffix not in suffixes:
         known = " or ".join(sorted(suffixes))

@@ -68,7 +68,7 @@ class Camera:
         return replace(self, size=size, scale=_clamp_scale(self.scale * size[1] / self.size[1]))
 
 
-def fit(bounds: Bounds, size: Size, margin: float = 0.08) -> Camera:
+def fit(bounds: Bounds, size: Size, margin: float = 0.1) -> Camera:
     """A camera that shows all of `bounds` with `margin` (a part of the window) free on every side."""
     x0, y0, x1, y1 = bounds
     free = 1.0 - 2.0 * margin

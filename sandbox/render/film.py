@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterable, Iterator
 from typing import Protocol
 
 from sandbox.render.frame import Frame, blend, capture
@@ -23,19 +23,17 @@ def gif_seconds(fps: float) -> float:
     return max(round(100.0 / fps), 2) / 100.0
 
 
-def film(world: Steppable, steps: int, seconds_a_frame: float, watch: Callable[[], None]) -> Iterator[Frame]:
-    """Take `steps` steps and give a frame every `seconds_a_frame` of the world's time, blended between steps.
+def film(world: Steppable, steps: Iterable[object], seconds_a_frame: float) -> Iterator[Frame]:
+    """Take a step for each item of `steps` and give a frame every `seconds_a_frame` of the world's time.
 
-    The world's present state is the first frame. `watch` is called after every step.
+    The world's present state is the first frame; later ones are blended between two steps.
     """
     current = capture(world.state)
     yield current
     begin, shown = current.time, 1
-    for _ in range(steps):
+    for _ in steps:
         world.step()
-        watch()
         previous, current = current, capture(world.state, current.mesh)
-        while begin + shown * seconds_a_frame <= current.time + 1e-9:
-            moment = begin + shown * seconds_a_frame
+        while (moment := begin + shown * seconds_a_frame) <= current.time + 1e-9:
             yield blend(previous, current, (moment - previous.time) / (current.time - previous.time))
             shown += 1

@@ -87,19 +87,23 @@ def shape_bounds(frame: Frame) -> Floats:
     return np.hstack([origin - reach, origin + reach])
 
 
-def interesting_bounds(frame: Frame, surroundings: float = 0.15) -> Bounds:
-    """What a person wants to see: all moving bodies, and as much of the static ones as lies near them.
+NEAR, BELOW = 0.15, 1.0
+"""How far around and below the moving bodies static ones count, in parts of the extent of the moving."""
 
-    `surroundings` is how far around the moving bodies counts as near, as a part of their larger extent.
-    """
+
+def interesting_bounds(frame: Frame) -> Bounds:
+    """What a person wants to see: all moving bodies, and of the static what lies near or catches them."""
     boxes = shape_bounds(frame)
     moving = (frame.type != STATIC)[frame.mesh.body]
     if len(boxes) == 0:
         return -5.0, -5.0, 5.0, 5.0
     low, high = _hull(boxes[moving] if moving.any() else boxes)
-    near = max(surroundings * float((high - low).max()), 0.5)
-    clipped = np.hstack([np.maximum(boxes[:, :2], low - near), np.minimum(boxes[:, 2:], high + near)])
-    visible = clipped[(clipped[:, :2] <= clipped[:, 2:]).all(axis=1)]
+    extent = float((high - low).max())
+    near = max(NEAR * extent, 0.5)
+    clipped = np.hstack([np.maximum(boxes[:, :2], low - (near, BELOW * extent + near)), boxes[:, 2:]])
+    clipped[:, 2:] = np.minimum(clipped[:, 2:], high + near)
+    clipped[:, 1] = np.maximum(clipped[:, 1], clipped[:, 3] - near)  # of thick ground, the surface is enough
+    visible = clipped[~moving & (clipped[:, :2] <= clipped[:, 2:]).all(axis=1)]
     low, high = _hull(np.vstack([visible, [[*low, *high]]]))
     return float(low[0]), float(low[1]), float(high[0]), float(high[1])
 

@@ -6,11 +6,13 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from sandbox.render.camera import Camera
+from sandbox.engine.world import World
+from sandbox.render.camera import Camera, Size, scene_camera
 from sandbox.render.draw_list import build_draw_list
-from sandbox.render.frame import Frame
+from sandbox.render.frame import Frame, capture, interesting_bounds
 from sandbox.render.surface_painter import SurfacePainter, rgb_bytes
-from sandbox.render.wardrobe import Wardrobe
+from sandbox.render.wardrobe import Wardrobe, wardrobe_of
+from sandbox.scene.flat import FlatScene
 
 PALETTE_COLORS = 160
 """Colours of a film: fewer make the file smaller, more make antialiased edges smoother."""
@@ -53,6 +55,14 @@ class Studio:
         for i, sample in enumerate(samples):
             sheet.paste(sample, (0, i * height))
         return sheet.quantize(colors=PALETTE_COLORS, method=Image.Quantize.MEDIANCUT, kmeans=1)
+
+
+def studio_of(world: World, size: Size) -> Studio:
+    """The studio for a world at its start: the view and the colours that its scene asks for."""
+    scene = world.scene
+    flat = scene if isinstance(scene, FlatScene) else scene.flatten()
+    camera = scene_camera(getattr(scene, "view", None), interesting_bounds(capture(world.state)), size)
+    return Studio(camera, wardrobe_of(flat, world.state))
 
 
 def save_gif(images: Iterable[Any], path: Path, seconds_a_frame: float) -> None:

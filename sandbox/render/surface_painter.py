@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import os
 from typing import Any
 
 import numpy as np
+import pygame
 
 from sandbox.render.camera import Floats
 from sandbox.render.contour import ContourTable
 from sandbox.render.draw_list import DrawList, Line, ShapeItems, stroke_sizes
 from sandbox.render.geometry import gather
-
-os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
-import pygame
 
 HATCH_PIXELS = 7.0
 """Distance of the stripes on frozen bodies."""

@@ -58,22 +58,24 @@ class App:
     def run(self) -> None:
         """Until the user leaves, or the frames are used up."""
         screen: Screen | None = self._load(self.options.scene) if self.options.scene else self._scene_list()
-        drawn = 0
-        while screen is not None:
+        drawn, last = 0, screen
+        while screen is not None and (self.options.frames is None or drawn < self.options.frames):
             elapsed = self._tick(screen)
             if not self._handle_events(screen):
-                screen = None
+                break
+            screen = self._update(screen, elapsed)
             if screen is not None:
-                screen = screen.update(elapsed)
-            if screen is None:
-                break
-            self._draw(screen)
-            drawn += screen.counts
-            if self.options.frames is not None and drawn >= self.options.frames:
-                break
-            self.stage.display.show()
-        if self.options.screenshot is not None:
+                self._draw(screen)
+                self.stage.display.show()
+                drawn, last = drawn + screen.counts, screen
+        if self.options.screenshot is not None and last is not None:
+            self._draw(last)  # once more: what is behind a shown picture is undefined
             self.stage.display.save(self.options.screenshot)
+
+    def _update(self, screen: Screen, elapsed: float) -> Screen | None:
+        """Let time pass; a screen that comes on gets its share at once: one update a picture."""
+        following = screen.update(elapsed)
+        return following if following is screen or following is None else following.update(elapsed)
 
     def _handle_events(self, screen: Screen) -> bool:
         """False when the window is to be closed."""

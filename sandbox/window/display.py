@@ -69,6 +69,9 @@ class Display:
 
         viewport = (0, 0, *self.size)
         pixels = self.context.screen.read(viewport=viewport, components=3, alignment=1)
+        _ = (
+            self.context.error
+        )  # reading the window leaves a stale error flag, which ImGui's painter would raise
         picture = Image.frombytes("RGB", self.size, pixels).transpose(Image.Transpose.FLIP_TOP_BOTTOM)
         picture.save(path, optimize=True)
 

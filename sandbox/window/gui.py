@@ -102,7 +102,7 @@ class Pen:
     ) -> None:
         """Stroke a part of a circle between two angles in radians."""
         self._list.path_arc_to(imgui.ImVec2(x, y), radius, turn[0], turn[1], 32)
-        self._list.path_stroke(pack(color, 1.0), width)
+        self._list.path_stroke(pack(color, 1.0), thickness=width)
 
 
 def pack(color: Color, opacity: float) -> int:
