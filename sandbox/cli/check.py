@@ -18,9 +18,13 @@ if TYPE_CHECKING:
     from sandbox.cli.check_result import Result
     from sandbox.cli.progress import SceneProgress
 
-_PATHS = typer.Argument(metavar="PATH...", help=f"Scene files, or folders to search for *{SCENE_SUFFIX}.")
+_PATHS = typer.Argument(metavar="PATH", help=f"Scene files, or folders to search for *{SCENE_SUFFIX}.")
 _STEPS = typer.Option(
-    min=1, max=10_000_000, show_default=False, help="Steps to run instead of a scene's own number."
+    min=1,
+    max=10_000_000,
+    metavar="N",
+    show_default=False,
+    help="Steps to run instead of a scene's own number.",
 )
 _ONLY = typer.Option(
     "-k", "--only", metavar="TEXT", show_default=False, help="Only files whose path contains TEXT."
@@ -38,8 +42,9 @@ def check(
 
     A scene runs for its own number of steps, or on to the last step that its expectations name.
 
-    Exit code 0: all hold. 1: an expectation failed, or bad numbers froze a body. 2: a file could not be used
-    (the other scenes still ran).
+    Exit code 0: all hold.
+    Exit code 1: an expectation failed, or bad numbers froze a body.
+    Exit code 2: a file could not be used; the other scenes still ran.
     """
     files = find_files(paths, only)
     from sandbox.cli.check_result import exit_code

@@ -35,7 +35,7 @@ def test_help_names_every_command(cli: Callable) -> None:
 
 def test_check_help_documents_the_exit_codes(cli: Callable) -> None:
     text = " ".join(cli("check", "--help").out.replace("│", " ").split())
-    for part in ("0: all hold", "1: an expectation failed", "2: a file could not be used"):
+    for part in ("code 0: all hold", "code 1: an expectation failed", "code 2: a file could not be used"):
         assert part in text
 
 
