@@ -92,7 +92,6 @@ def _tell(as_json: bool, output: Path, size: tuple[int, int], world: World, fram
     if as_json:
         print(json.dumps(facts, indent=2))
     else:
-        what = f"{frames} pictures, " if frames > 1 else ""
-        print(
-            f"{output}: {what}{size[0]}x{size[1]}, {facts['bytes'] / 1000:.0f} kB, up to step {world.step_count}"
-        )
+        what = f"{frames} pictures" if frames > 1 else "a picture"
+        kilobytes = facts["bytes"] / 1000
+        print(f"{output}: {what}, {size[0]}x{size[1]}, {kilobytes:.0f} kB, at step {world.step_count}")

@@ -6,8 +6,9 @@ from dataclasses import dataclass
 
 from sandbox.render.camera import Size
 from sandbox.render.theme import hex_color
-from sandbox.window.gui import TEXT_SIZE, Pen
+from sandbox.window.gui import TEXT_SIZE
 from sandbox.window.keys import help_items
+from sandbox.window.pen import Pen, shorten
 
 TEXT, FAINT, WARM = hex_color("#e6eaf1"), hex_color("#8e99aa"), hex_color("#ffd479")
 PANEL = hex_color("#1b2029")
@@ -88,11 +89,12 @@ def draw_help(pen: Pen, size: Size, opacity: float) -> None:
             x += width + GAP
 
 
-def draw_title(pen: Pen, title: str, about: str, opacity: float) -> None:
+def draw_title(pen: Pen, size: Size, title: str, about: str, opacity: float) -> None:
     """The scene's title and what to watch for, below the figures."""
     top = MARGIN + 2 * PAD_Y + TEXT_SIZE + 14.0
-    pen.text(MARGIN + 4.0, top, title, TEXT, opacity, 24.0, bold=True)
-    pen.text(MARGIN + 4.0, top + 32.0, about, FAINT, opacity)
+    room = size[0] - 2 * MARGIN - 8.0
+    pen.text(MARGIN + 4.0, top, shorten(pen, title, room, 24.0), TEXT, opacity, 24.0, bold=True)
+    pen.text(MARGIN + 4.0, top + 32.0, shorten(pen, about, room), FAINT, opacity)
 
 
 def _wrap(pen: Pen, room: float) -> list[list[tuple[str, str, float]]]:

@@ -9,9 +9,9 @@ import pygame
 
 from sandbox.errors import SandboxError
 from sandbox.render.camera import Size
-from sandbox.window.gui import Pen
 from sandbox.window.hud import FAINT, TEXT, WARM
 from sandbox.window.loader import Loader
+from sandbox.window.pen import Pen
 from sandbox.window.screen import Screen, Stage
 from sandbox.window.session import Session
 

@@ -10,8 +10,8 @@ from sandbox.render.camera import Camera, Size, fit, scene_camera
 from sandbox.render.draw_list import build_draw_list
 from sandbox.render.wardrobe import wardrobe_of
 from sandbox.window import hud
-from sandbox.window.gui import Pen
 from sandbox.window.keys import action_of
+from sandbox.window.pen import Pen
 from sandbox.window.screen import Screen, Stage
 from sandbox.window.session import Session
 from sandbox.window.tools import Mouse
@@ -79,7 +79,7 @@ class PlayScreen:
         hud.draw_time_state(pen, size, clock.paused, clock.speed)
         title = _fade(TITLE_SECONDS - self._age)
         if title > 0.0:
-            hud.draw_title(pen, scene.title, scene.about, title)
+            hud.draw_title(pen, size, scene.title, scene.about, title)
         shown = _fade(self._help_until - self._age)
         if shown > 0.0:
             hud.draw_help(pen, size, shown)
