@@ -38,7 +38,7 @@ class Options:
 def run_window(options: Options) -> None:
     """Show the window until it is closed. Raises `MissingDependencyError` or `SceneError`."""
     check_size(options.size)
-    with Display(options.size, "sandbox", vsync=options.frames is None) as display:
+    with Display(options.size, "sandbox", visible=options.frames is None) as display:
         gui = Gui(display.driver)
         try:
             App(Stage(display, GlPainter(display.context), gui, DARK), options).run()

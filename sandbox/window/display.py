@@ -11,6 +11,7 @@ import pygame
 
 from sandbox.errors import SandboxError
 from sandbox.render.camera import Size
+from sandbox.window.platform import choose_video_driver, survive_x_errors
 from sandbox.window.requirements import no_window
 
 SMALLEST: Size = (320, 200)
@@ -23,11 +24,14 @@ class Display:
     Raises `MissingDependencyError` if there is no screen or no OpenGL.
     """
 
-    def __init__(self, size: Size, title: str, vsync: bool = True) -> None:
+    def __init__(self, size: Size, title: str, visible: bool = True) -> None:
+        """`visible` is False where nobody looks: the window may be off screen, and never waits."""
+        choose_video_driver(visible)
+        survive_x_errors()
         try:
             pygame.display.init()
             _ask_for_core_profile()
-            _open(size, vsync)
+            _open(size, visible)
             pygame.display.set_caption(title)
             self.context: Any = moderngl.create_context(require=330)
         except Exception as error:  # pygame, moderngl and the driver each have their own

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +9,7 @@ import imgui_bundle
 from imgui_bundle import imgui
 
 from sandbox.render.camera import Size
+from sandbox.window.platform import choose_gl_platform
 
 TEXT_SIZE = 16.0
 _FONT = Path(imgui_bundle.__file__).parent / "assets" / "fonts" / "Roboto" / "Roboto-Regular.ttf"
@@ -21,7 +20,7 @@ class Gui:
     """One ImGui context drawn with OpenGL. Between `begin` and `end`, draw."""
 
     def __init__(self, driver: str) -> None:
-        _choose_gl_platform(driver)
+        choose_gl_platform(driver)
         from imgui_bundle.python_backends.pygame_backend import PygameRenderer
 
         imgui.create_context()
@@ -60,12 +59,6 @@ class Gui:
         if path.is_file():
             return self.io.fonts.add_font_from_file_ttf(str(path), TEXT_SIZE)
         return self.io.fonts.add_font_default()
-
-
-def _choose_gl_platform(driver: str) -> None:
-    """PyOpenGL has to use the interface (GLX or EGL) that SDL uses; alone it guesses from the session."""
-    if sys.platform.startswith("linux"):
-        os.environ.setdefault("PYOPENGL_PLATFORM", "glx" if driver == "x11" else "egl")
 
 
 def _style() -> None:

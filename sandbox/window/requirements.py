@@ -9,9 +9,10 @@ from sandbox.errors import MissingDependencyError
 PACKAGES = ("pygame", "moderngl", "imgui_bundle", "OpenGL")
 
 LIBRARIES_HINT = "On Debian or Ubuntu: sudo apt install libgl1 libegl1 libgl1-mesa-dri"
-SCREEN_HINT = (
-    "Without a screen, run it on a virtual one: sudo apt install xvfb, then xvfb-run -a sandbox run SCENE. "
-    "`sandbox render` and `sandbox check` need neither a screen nor OpenGL."
+SCREEN_HINTS = (
+    "With a virtual screen: sudo apt install xvfb, then xvfb-run -a sandbox run SCENE",
+    "Out of sight: sandbox run SCENE --frames 100 --screenshot FILE.png",
+    "Without OpenGL: sandbox render SCENE -o FILE.png, or sandbox check SCENE",
 )
 
 
@@ -34,8 +35,13 @@ def _package_text(name: str) -> str:
     )
 
 
+def no_screen() -> MissingDependencyError:
+    """The error where nobody could see a window."""
+    reason = "there is no screen to open a window on (DISPLAY and WAYLAND_DISPLAY are not set)"
+    return MissingDependencyError("\n  ".join((reason, *SCREEN_HINTS)))
+
+
 def no_window(reason: object) -> MissingDependencyError:
-    """The error for a screen or an OpenGL that is not there."""
-    return MissingDependencyError(
-        f"cannot open a window with OpenGL 3.3: {reason}. {LIBRARIES_HINT}. {SCREEN_HINT}"
-    )
+    """The error where a window or OpenGL fails."""
+    head = f"cannot open a window with OpenGL 3.3: {reason}"
+    return MissingDependencyError("\n  ".join((head, LIBRARIES_HINT, *SCREEN_HINTS)))
