@@ -26,7 +26,8 @@ class Finding:
 
     def problem(self, line: int = 0, column: int = 0, excerpt: str = "") -> Problem:
         """The mistake as the error carries it."""
-        message = f"{self.message}:" if self.hint else self.message
+        # The colon leads to the hint; without a line, the pointer in brackets comes between.
+        message = f"{self.message}:" if self.hint and line else self.message
         return Problem(printable(message), pointer(self.path), line, column, printable(self.hint), excerpt)
 
 

@@ -13,6 +13,7 @@ from sandbox.scene.limits import MAX_DEPTH
 from sandbox.scene.locate import Span, too_deep
 from sandbox.scene.report import syntax_error
 
+_OPEN_TEXT = "text must end on the line it begins"
 _WORD = re.compile(r"[A-Za-z_$][\w$]*")
 
 
@@ -76,6 +77,8 @@ def _reworded(source: str, text: str, error: json.JSONDecodeError) -> SceneError
     pos = error.pos
     if message.startswith("a trailing comma"):
         pos = pos if text[pos : pos + 1] == "," else text.rindex(",", 0, pos)
+    if message == _OPEN_TEXT:
+        pos = text.rindex('"', 0, pos + 1)
     return syntax_error(source, text, _token(text, pos), message, hint)
 
 
@@ -102,8 +105,10 @@ def _explain(text: str, pos: int, msg: str) -> tuple[str, str]:
 
 
 def _explain_value(text: str, pos: int, msg: str, word: str) -> tuple[str, str]:
+    if "control character" in msg and text[pos] not in "\r\n":
+        return "a control character within text", "write it with a backslash: a tab is \\t"
     if "Unterminated" in msg or "control character" in msg:
-        return "text must end on the line it begins", 'close it with " (a line break inside is \\n)'
+        return _OPEN_TEXT, 'close it with " (a line break inside is \\n)'
     if "escape" in msg:
         return "not a valid \\ escape", "a backslash itself is \\\\"
     if "Extra data" in msg:

@@ -32,6 +32,9 @@ _FIELDS: dict[str, type[BaseModel]] = {
     "settings": Settings,
     "view": View,
 }
+TAGS = {TAG + key for key in (*_KINDS, "number", "text", "list")}
+"""What pydantic puts into locations to tell the kinds of a union."""
+
 _HOMES: dict[str, type[BaseModel]] = {
     "a material": Material,
     "a shape": SHAPES["box"],
@@ -83,8 +86,8 @@ def model_at(loc: Path, root: type[BaseModel] | None) -> type[BaseModel] | None:
     """The model that a pydantic location lies in."""
     model = root
     for place, part in enumerate(loc):
-        if isinstance(part, str) and part.startswith(TAG):
-            model = _KINDS.get(part[len(TAG) :], model)
+        if part in TAGS:
+            model = _KINDS.get(str(part)[len(TAG) :], model)
         elif place == 0 and part in _FIELDS:
             model = _FIELDS[part]
     return model

@@ -11,8 +11,7 @@ from pydantic import BaseModel, ValidationError
 from sandbox.scene.constraints import describe
 from sandbox.scene.finding import Finding, Path, did_you_mean, quoted
 from sandbox.scene.limits import MAX_FINDINGS
-from sandbox.scene.union import TAG
-from sandbox.scene.unknown import model_at, names, no_kind, unknown_field
+from sandbox.scene.unknown import TAGS, model_at, names, no_kind, unknown_field
 
 _WANTED = {
     "float_type": "must be a number",
@@ -35,10 +34,11 @@ def findings(error: ValidationError, root: type[BaseModel] | None = None) -> lis
 
 def _reworded(item: Mapping[str, Any], root: type[BaseModel] | None) -> list[Finding]:
     loc = item["loc"]
-    path: Path = tuple(part for part in loc if not (isinstance(part, str) and part.startswith(TAG)))
+    path: Path = tuple(part for part in loc if part not in TAGS)
     kind = item["type"]
     if kind == "extra_forbidden":
-        return [unknown_field(path, names(model_at(loc[:-1], root)))]
+        place = tuple(part for part in loc[:-1] if part not in TAGS)
+        return [unknown_field((*place, loc[-1]), names(model_at(loc[:-1], root)))]
     if kind == "missing":
         return [Finding(path[:-1], f'"{path[-1]}" is missing')]
     if kind == "kind":

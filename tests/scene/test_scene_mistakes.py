@@ -1,0 +1,264 @@
+"""Every mistake is told in one plain line, at its place, all of them at once."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from sandbox.errors import SceneError
+from sandbox.scene import load_scene, loads_scene
+from sandbox.scene.limits import MAX_BODIES, MAX_BYTES, MAX_DEPTH, MAX_PROBLEMS
+
+BALL = '{"id": "ball", "shapes": [{"circle": 1}]}'
+
+
+def refused(text: str) -> SceneError:
+    with pytest.raises(SceneError) as caught:
+        loads_scene(text, "x.json")
+    return caught.value
+
+
+def one(text: str) -> str:
+    """The one mistake of a text, as `line:column: message`."""
+    lines = [line for line in refused(text).lines() if line.startswith("x.json")]
+    assert len(lines) == 1
+    return lines[0].removeprefix("x.json:")
+
+
+def body(fields: str) -> str:
+    return f'{{"bodies": [\n{{"id": "it", {fields}}}\n]}}'
+
+
+def shape(fields: str) -> str:
+    return f'{{"bodies": [{{"id": "it", "type": "static", "shapes": [\n{{{fields}}}\n]}}]}}'
+
+
+def expect(fields: str) -> str:
+    return f'{{"bodies": [{BALL}], "expect": [\n{{{fields}}}\n]}}'
+
+
+def generate(fields: str) -> str:
+    return f'{{"prefabs": {{"crate": {{"shapes": [{{"circle": 1}}]}}}}, "generate": [\n{{"id": "g", {fields}}}\n]}}'
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ('{"format": 2}', "1:12: format must be 1"),
+        ('{"bodys": []}', '1:2: unknown field "bodys": did you mean "bodies"?'),
+        ('{"gravity": -9.81}', "1:13: gravity must be a list [x, y], not a number"),
+        ('{"gravity": [0]}', "1:13: gravity needs 2 entries, [x, y], and has 1"),
+        ('{"gravity": [0, "down"]}', "1:17: gravity[1] must be a number, not text"),
+        ('{"gravity": [0, NaN]}', "1:17: gravity[1] must be a finite number"),
+        ('{"gravity": [0, -Infinity]}', "1:17: gravity[1] must be a finite number"),
+        ('{"gravity": [0, 1e999]}', "1:17: gravity[1] must be a finite number"),
+        ('{"title": 5}', "1:11: title must be text, not a number"),
+        ('{"title": "a", "title": "b"}', '1:16: "title" is given twice in one object'),
+        ('{"settings": {"step_rate": 0}}', "1:28: step_rate must not be below 1 Hz"),
+        ('{"settings": {"substeps": 2.5}}', "1:27: substeps must be a whole number"),
+        ('{"settings": {"sleeping": 1}}', "1:27: sleeping must be true or false, not a number"),
+        ('{"substeps": 2}', '1:2: unknown field "substeps": it belongs in "settings"'),
+        ('{"materials": {"w d": {}}}', '1:16: the name "w d" must be 1 to 100 letters, digits or any of _ - . :'),
+        ('{"materials": {"w": {"friction": -1}}}', "1:34: friction must not be negative"),
+        ('{"materials": {"w": {"density": 1e-9}}}', "1:33: density must be 0 or at least 1e-06 kg/m^2"),
+        ('{"categories": ["default"]}', '1:17: the category "default" is there already'),
+        ('[]', "1:1: must be an object {...}, not a list"),
+        ('{"bodies": {}}', "1:12: bodies must be a list of bodies, not an object"),
+        ('{"bodies": [5]}', "1:13: bodies[0] must be an object {...}, not a number"),
+        ('{"bodies": [{"shapes": [{"circle": 1}]}]}', '1:13: "id" is missing'),
+        (f'{{"bodies": [{BALL},\n{BALL}]}}', '2:8: the id "ball" is taken by bodies[0]'),
+        (body('"shpaes": []'), '2:14: unknown field "shpaes": did you mean "shapes"?'),
+        (body('"type": "static"'), '2:1: the body "it" has no shapes: give it one, as in "shapes": [{"circle": 0.5}]'),
+        (body('"shapes": []'), "2:24: shapes needs at least 1 entries and has 0"),
+        (body('"shapes": [{"circle": 1}], "type": "dinamic"'),
+         '2:49: type must be one of "static", "kinematic", "dynamic": did you mean "dynamic"?'),
+        (body('"shapes": [{"circle": 1}], "friction": 1'),
+         '2:41: unknown field "friction": it belongs in a material or a shape'),
+        (body('"shapes": [{"circle": 1}], "position": [2e9, 0]'), "2:54: position[0] must not be above 1e+09 m"),
+        (body('"shapes": [{"circle": 1}], "color": "red"'), '2:50: color must be a colour such as "#3a7bd5"'),
+        (body('"shapes": [{"circle": 1}], "material": "wood"'), '2:53: no material is named "wood"'),
+        (body('"prefab": "crate"'), '2:24: no prefab is named "crate"'),
+        (body('"shapes": [{"segment": [[0, 0], [1, 0]]}]'),
+         "2:1: a dynamic body without mass: give its shapes a density and an area, or give it a mass"),
+        (shape('"cirlce": 1'), '2:2: unknown field "cirlce": did you mean "circle"?'),
+        (shape('"at": [0, 0]'), '2:1: a shape needs one of "circle", "box", "capsule", "segment", "polygon"'),
+        (shape('"circle": 1, "box": [1, 1]'), '2:15: a shape has one kind, and this one has "circle" and "box"'),
+        (shape('"circle": 0'), "2:12: circle must not be below 1e-06 m"),
+        (shape('"circle": true'), "2:12: circle must be a number, not true or false"),
+        (shape('"circle": 1, "angle": 5'), '2:15: unknown field "angle": it belongs in a shape or a body'),
+        (shape('"box": 1'), "2:9: box must be a list [width, height], not a number"),
+        (shape('"box": [2, 1], "radius": 0.5'),
+         "2:27: the radius must be less than half the box's smaller side (0.5 m): a box rounded that far is a capsule"),
+        (shape('"capsule": [[1, 1], [1, 1]], "radius": 1'), "2:22: the two ends are the same point"),
+        (shape('"capsule": [[1, 1], [2, 1]]'), '2:1: "radius" is missing'),
+        (shape('"polygon": [[0, 0], [1, 1]]'), "2:13: polygon needs at least 3 entries and has 2"),
+        (shape('"polygon": [[0, 0], [1, 1], [2, 2]]'),
+         "2:13: the polygon has no area: its vertices lie on one line"),
+        (shape('"polygon": [[0, 0], [2, 2], [2, 0], [0, 2]]'), "2:14: the polygon intersects itself"),
+        (shape('"polygon": [[0, 0], [4, 0], [1, 1], [0, 4]]'),
+         "2:30: the polygon is concave, which is not yet supported: split it into convex ones"),
+        (shape(f'"polygon": {[[k, k * k] for k in range(65)]}'), "2:13: polygon has 65 entries; 64 is the limit"),
+        (shape('"circle": 1, "category": "payer"'), '2:27: no category is named "payer"'),
+        (shape('"circle": 1, "mask": 1.5'),
+         "2:23: mask must be a category name, a list of names, or a whole number used as bits, not 1.5"),
+        (shape('"circle": 1, "mask": -1'), "2:23: mask must not be negative"),
+        (expect('"rests": "ball"'),
+         '2:1: an expectation needs a time: "at": step, "always": true, or "within": [first, last]'),
+        (expect('"at": 1, "always": true, "rests": "ball"'),
+         '2:11: an expectation has one time, and this one has "at" and "always"'),
+        (expect('"always": false, "rests": "ball"'), "2:12: always must be true"),
+        (expect('"at": 1.5, "rests": "ball"'), "2:8: at must be a whole number"),
+        (expect('"within": [9, 1], "rests": "ball"'),
+         "2:12: within the first number must not be greater than the second"),
+        (expect('"at": 1, "rests": "bal"'), '2:20: no body has the id "bal": did you mean "ball"?'),
+        (expect('"at": 1, "rests": ["ball", "x-*"]'), '2:29: no body\'s id matches "x-*"'),
+        (expect('"at": 1, "rests": 5'),
+         '2:20: rests must be a body id, a list of ids, or a pattern such as "wall-*", not a number'),
+        (expect('"at": 1, "inside": [1, 1, 0, 0]'),
+         "2:21: inside must be [left, bottom, right, top] with left < right and bottom < top"),
+        (expect('"at": 1, "rest": "ball"'), '2:11: unknown field "rest": did you mean "rests"?'),
+        (expect('"at": 1, "near": [0, 0]'), '2:1: "of" is missing'),
+        (generate('"row": "crate"'), '2:1: "count" is missing'),
+        (generate('"row": "crte", "count": 2'), '2:20: no prefab is named "crte": did you mean "crate"?'),
+        (generate('"row": "crate", "count": 0'), "2:38: count must not be below 1"),
+        (generate('"pile": "crate", "count": 2'),
+         '2:1: a generator needs one of "row", "stack", "grid", "pyramid", "scatter"'),
+    ],
+)  # fmt: skip
+def test_one_mistake_is_one_line(text, told):
+    lines = [line for line in refused(text).lines() if line.startswith("x.json:")]
+    assert lines[0].removeprefix("x.json:") == told
+    assert len(lines) == (2 if '"pile"' in text else 1)
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("", '1:1: the file is empty: a scene is an object: {"bodies": [...]}'),
+        ("  \n ", '1:1: the file is empty: a scene is an object: {"bodies": [...]}'),
+        ('{"title": "a",}', "1:14: a trailing comma: take it away: nothing follows it"),
+        ('{"gravity": [0, 1,]}', "1:18: a trailing comma: take it away: nothing follows it"),
+        ('{"title": "a"', "1:14: the file ends too early: a closing bracket is missing"),
+        ('{"title": "a" "about": ""}', "1:15: a comma is missing before this"),
+        ('{"title" "a"}', '1:10: a ":" is missing after the field\'s name'),
+        ('{title: "a"}', "1:2: a field's name is due here: in double quotes"),
+        ("{'title': 1}", "1:2: text stands in double quotes"),
+        ('{"title": \'a\'}', "1:11: text stands in double quotes"),
+        ('{\n  // hello\n}', '2:3: JSON has no comments: a scene has the field "about" for words'),
+        ('{"title": "a}\n}', '1:11: text must end on the line it begins: close it with " (a line break inside is \\n)'),
+        ('{"title": "a\tb"}', "1:13: a control character within text: write it with a backslash: a tab is \\t"),
+        ('{"title": "\\q"}', "1:12: not a valid \\ escape: a backslash itself is \\\\"),
+        ('{"title": True}', '1:11: True is not JSON: did you mean "true"?'),
+        ('{"title": None}', '1:11: None is not JSON: did you mean "null"?'),
+        ('{"title": hello}', "1:11: a value is due here: text stands in double quotes"),
+        ('{"gravity": [0, .5]}', "1:17: not a valid number: a number begins with a digit or -, as in 0.5 or -0.5"),
+        ('{"gravity": [0, +5]}', "1:17: not a valid number: a number begins with a digit or -, as in 0.5 or -0.5"),
+        ('{"gravity": [0, 05]}', "1:18: a number must not begin with 0"),
+        ("{} {}", "1:4: the scene has ended before this: a file holds one object"),
+        ('{"a": ' * 40 + "1" + "}" * 40, "1:193: nested deeper than 32 levels"),
+        ("[" * 100_000, "1:33: nested deeper than 32 levels"),
+    ],
+)  # fmt: skip
+def test_what_is_no_json_is_told_at_its_place(text, told):
+    assert one(text) == told
+
+
+def test_all_mistakes_are_told_at_once_in_the_order_of_the_file():
+    error = refused(
+        """{
+  "expect": [{"at": 300, "rests": "crat"}],
+  "titel": "x", "titel": "y",
+  "bodies": [
+    {"id": "crate", "shpaes": [{"box": [1, 1]}], "position": [0, "5"]},
+    {"id": "crate", "shapes": [{"circle": NaN}, {"box": [1, 1], "material": "wod"}]}
+  ],
+  "materials": {"wood": {}}
+}"""
+    )
+    assert [(p.line, p.column, p.pointer) for p in error.problems] == [
+        (2, 35, "/expect/0/rests"),
+        (3, 17, "/titel"),
+        (3, 17, "/titel"),
+        (5, 21, "/bodies/0/shpaes"),
+        (5, 66, "/bodies/0/position/1"),
+        (6, 12, "/bodies/1/id"),
+        (6, 43, "/bodies/1/shapes/0/circle"),
+        (6, 77, "/bodies/1/shapes/1/material"),
+    ]
+
+
+def test_the_excerpt_shows_the_line_and_a_caret():
+    problem = refused('{"title": "x",\n\t"gravty": [0, 0]}').problems[0]
+    assert problem.message == 'unknown field "gravty":'
+    assert problem.hint == 'did you mean "gravity"?'
+    assert problem.excerpt == '    2 |  "gravty": [0, 0]}\n      |  ^^^^^^^^'
+
+
+def test_the_excerpt_of_a_long_line_keeps_the_caret_in_sight():
+    text = '{"about": "' + "x" * 500 + '", "titel": "y"}'
+    shown, carets = refused(text).problems[0].excerpt.splitlines()
+    assert len(shown) < 120
+    start = carets.index("^")
+    assert shown[start : start + carets.count("^")] == '"titel"'
+
+
+def test_a_thousand_mistakes_are_told_in_part():
+    bodies = ",\n".join('{"id": "a%d", "shpaes": 1}' % k for k in range(1000))
+    error = refused(f'{{"bodies": [\n{bodies}]}}')
+    assert len(error.problems) == MAX_PROBLEMS + 1
+    assert error.problems[-1].message == "and at least 900 more mistakes"
+    assert error.problems[0].line == 2
+
+
+def test_too_many_bodies_are_one_mistake():
+    text = json.dumps({"bodies": [{"id": f"b{k}", "prefab": "p"} for k in range(MAX_BODIES + 1)]})
+    assert "bodies has 100001 entries; 100000 is the limit" in str(refused(text))
+
+
+def test_a_scene_of_the_allowed_depth_is_read():
+    deep = '{"x": ' + "[" * (MAX_DEPTH - 1) + "]" * (MAX_DEPTH - 1) + "}"
+    assert one(deep) == '1:2: unknown field "x"'
+
+
+def test_brackets_in_texts_are_not_nesting():
+    assert loads_scene('{"about": "%s"}' % ("[" * 100)).about == "[" * 100
+
+
+def unreadable(path) -> str:
+    with pytest.raises(SceneError) as caught:
+        load_scene(path)
+    return str(caught.value)
+
+
+def test_a_missing_file_is_told_with_the_nearest_name(tmp_path):
+    (tmp_path / "pyramid.scene.json").write_text("{}")
+    told = unreadable(tmp_path / "piramid.scene.json")
+    assert told == f'{tmp_path}/piramid.scene.json: there is no such file: did you mean "pyramid.scene.json"?'
+    assert "there is no such file" in unreadable(tmp_path / "none" / "x.json")
+
+
+def test_a_folder_is_no_scene(tmp_path):
+    assert unreadable(tmp_path) == f"{tmp_path}: this is a folder, not a scene file"
+
+
+def test_an_impossible_path_is_no_scene():
+    assert "cannot be read" in unreadable("a\0b")
+
+
+def test_a_file_over_the_limit_is_not_parsed(tmp_path):
+    path = tmp_path / "x.json"
+    path.write_bytes(b" " * (MAX_BYTES + 1))
+    assert "larger than 16 MiB" in unreadable(path)
+
+
+def test_what_is_not_utf8_is_told_at_its_byte(tmp_path):
+    path = tmp_path / "x.json"
+    path.write_bytes('{\n"title": "Größe"}'.encode("latin-1"))
+    assert f"{path}:2:13: the byte 0xf6 is not UTF-8: save the file as UTF-8" in unreadable(path)
+    path.write_text("{}", encoding="utf-16")
+    assert "it looks like UTF-16" in unreadable(path)
+
+
+def test_lone_surrogates_never_reach_the_terminal():
+    str(refused('{"\\ud800": "\\ud800", "title": "\\ud800"}')).encode("utf-8")
