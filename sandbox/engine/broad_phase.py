@@ -76,7 +76,7 @@ def _assign_cells(boxes: Records, levels: Integers) -> int:
 def _bucket(cell_x: int, cell_y: int, level: int, heads: Integers) -> int:
     """Bucket of a cell; the row is kept contiguous, rows and levels are spread."""
     row = (cell_y & _CELL_BITS) * _ROW_STRIDE
-    return ((cell_x & _CELL_BITS) + row + level * _LEVEL_STRIDE) & (heads.shape[0] - 2)
+    return int(((cell_x & _CELL_BITS) + row + level * _LEVEL_STRIDE) & (heads.shape[0] - 2))
 
 
 @kernel
@@ -114,9 +114,7 @@ def _pairs_on_own_level(ordered: Records, i: int, heads: Integers, pairs: Record
 
 
 @kernel
-def _pairs_on_coarser_level(
-    ordered: Records, i: int, level: int, heads: Integers, pairs: Records, count: int
-) -> int:
+def _pairs_on_coarser_level(ordered: Records, i: int, level: int, heads: Integers, pairs: Records, count: int) -> int:
     """Pairs of box i with the boxes of a coarser level: their middles are at most half a cell outside of it."""
     box = ordered[i]
     inverse = math.ldexp(1.0, -int(level))
@@ -139,13 +137,13 @@ def _pairs_in_cell(
     box = ordered[i]
     for j in range(first, end):
         other = ordered[j]
+        # One branch for the four bounds: each alone would be a coin toss to the processor.
+        apart_x = (box.lower_x > other.upper_x) | (other.lower_x > box.upper_x)
+        if apart_x | (box.lower_y > other.upper_y) | (other.lower_y > box.upper_y):
+            continue
         if other.cell_x != x or other.cell_y != y or other.level != level:
             continue
         if box.moves + other.moves == 0 or box.body == other.body:
-            continue
-        if box.lower_x > other.upper_x or other.lower_x > box.upper_x:
-            continue
-        if box.lower_y > other.upper_y or other.lower_y > box.upper_y:
             continue
         if not may_collide(box.category, box.mask, box.group, other.category, other.mask, other.group):
             continue
@@ -159,9 +157,7 @@ def _pairs_in_cell(
 
 
 @kernel
-def may_collide(
-    category_a: int, mask_a: int, group_a: int, category_b: int, mask_b: int, group_b: int
-) -> bool:
+def may_collide(category_a: int, mask_a: int, group_a: int, category_b: int, mask_b: int, group_b: int) -> bool:
     """Collision filter: a shared group decides by its sign; otherwise each mask must accept the other's category."""
     if group_a == group_b and group_a != 0:
         return group_a > 0
@@ -176,9 +172,7 @@ def sort_pairs(pairs: Records, count: int, buffer: Records, heads: Integers, sha
 
 
 @kernel
-def _counting_pass(
-    source: Records, count: int, target: Records, heads: Integers, shapes: int, by_first: bool
-) -> None:
+def _counting_pass(source: Records, count: int, target: Records, heads: Integers, shapes: int, by_first: bool) -> None:
     for k in range(shapes + 1):
         heads[k] = 0
     for i in range(count):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox.engine.contact_blocks import LANES, MAX_COLORS
+from sandbox.engine.contact_blocks import LANES, MAX_COLORS, VECTOR
 from sandbox.world.records import Integers, Records
 
 
@@ -38,9 +38,18 @@ def color_contacts(bodies: Records, flights: Records, contacts: Records, count: 
 
 @kernel
 def fill_blocks(
-    contacts: Records, count: int, colors: Integers, color_count: int, heads: Integers, slots: Records, blocks: Records
+    contacts: Records,
+    count: int,
+    colors: Integers,
+    color_count: int,
+    heads: Integers,
+    slots: Records,
+    blocks: Records,
 ) -> int:
-    """Order contacts by colour into `slots` and cut every colour into blocks of up to 64; return the blocks used."""
+    """Order contacts by colour into `slots` and cut every colour into blocks; return how many blocks that takes.
+
+    If that is more than `blocks` can hold, none is written.
+    """
     for c in range(color_count + 1):
         heads[c] = 0
     for i in range(count):
@@ -55,6 +64,12 @@ def fill_blocks(
         slot.contact = i
         slot.body_a = contacts[i].body_a
         slot.body_b = contacts[i].body_b
+    needed = 0
+    for c in range(color_count):
+        most = LANES // VECTOR if c == MAX_COLORS else LANES
+        needed += (heads[c + 1] - heads[c] + most - 1) // most
+    if needed > blocks.shape[0]:
+        return needed
     used = 0
     for c in range(color_count):
         first = heads[c]
@@ -62,8 +77,9 @@ def fill_blocks(
             left = heads[c + 1] - first
             block = blocks[used]
             block.first = first
-            block.count = left if left < LANES else LANES
-            block.serial = 1 if c == MAX_COLORS else 0
+            block.stride = VECTOR if c == MAX_COLORS else 1
+            most = LANES // block.stride
+            block.count = left if left < most else most
             first += block.count
             used += 1
     return used

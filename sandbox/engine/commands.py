@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, fields
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 from sandbox.engine.guard import MAX_COORDINATE
 from sandbox.engine.integrate import place_origin
@@ -166,7 +166,7 @@ def _needs_dynamic(body: Records, command: Command) -> None:
         raise CommandError(f"{_name(command)}: only a dynamic body can be pushed or dragged")
 
 
-def _drag_of(state: State, index: int, name: str) -> Records:
+def _drag_of(state: State, index: int, name: str) -> Any:
     for row in state.drags:
         if row.body == index:
             return row

@@ -8,8 +8,10 @@ vector instructions. Results do not depend on the vector width.
 from __future__ import annotations
 
 LANES = 64
+VECTOR = 16
+"""Lanes that one turn of the arithmetic covers. Constant, or LLVM would not vectorise it."""
 MAX_COLORS = 62
-"""Contacts that find no colour below this go into serial blocks."""
+"""Contacts that find no colour below this go into serial blocks: one contact to every `VECTOR` lanes."""
 
 NORMAL_X = 0 * LANES
 NORMAL_Y = 1 * LANES
@@ -22,10 +24,12 @@ SURFACE_SPEED = 7 * LANES
 ROLLING_RESISTANCE = 8 * LANES
 ROLLING_MASS = 9 * LANES
 ROLLING_IMPULSE = 10 * LANES
+BOUNCY = 11 * LANES
+"""1 where an impact may follow: such a contact must not be slowed before it strikes."""
 
-POINT_1 = 11 * LANES
+POINT_1 = 12 * LANES
 """First field of point 1; the fields below count from it."""
-POINT_2 = 20 * LANES
+POINT_2 = 21 * LANES
 """First field of point 2. A contact of one point leaves its masses zero, so that it never pushes."""
 
 ANCHOR_AX = 0 * LANES
@@ -38,7 +42,7 @@ TANGENT_MASS = 6 * LANES
 NORMAL_IMPULSE = 7 * LANES
 TANGENT_IMPULSE = 8 * LANES
 
-BLOCK_SIZE = 29 * LANES
+BLOCK_SIZE = 30 * LANES
 
 # Bodies of a block, gathered before the arithmetic and scattered after it.
 VELOCITY_AX = 0 * LANES

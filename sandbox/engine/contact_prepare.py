@@ -8,32 +8,43 @@ from sandbox.world.records import Floats, Records
 
 BLOCK_SIZE = cb.BLOCK_SIZE
 LANES = cb.LANES
+VECTOR = cb.VECTOR
 
 
 @kernel
 def prepare_contacts(
-    bodies: Records, contacts: Records, slots: Records, blocks: Records, block_count: int, lanes: Floats
+    bodies: Records,
+    contacts: Records,
+    slots: Records,
+    blocks: Records,
+    block_count: int,
+    bouncy: bool,
+    lanes: Floats,
 ) -> None:
     """Fill the lanes of every block: axes, anchors, effective masses and the impulses to start from."""
     for n in range(block_count):
         block = blocks[n]
         base = n * BLOCK_SIZE
+        _clear_last_vector(block, lanes, base)
         block.rolling = 0
         for k in range(block.count):
             slot = slots[block.first + k]
             contact = contacts[slot.contact]
-            _prepare_lane(bodies[slot.body_a], bodies[slot.body_b], contact, lanes, base + k)
+            at = base + k * block.stride
+            _prepare_lane(bodies[slot.body_a], bodies[slot.body_b], contact, lanes, at)
+            lanes[at + cb.BOUNCY] = 1.0 if bouncy and contact.restitution > 0.0 else 0.0
             if contact.rolling_resistance > 0.0:
                 block.rolling = 1
-        for k in range(block.count, padded(block.count)):
-            for field in range(0, BLOCK_SIZE, LANES):
-                lanes[base + field + k] = 0.0
 
 
 @kernel
-def padded(count: int) -> int:
-    """Lanes rounded up to whole vectors, so that the arithmetic needs no scalar rest."""
-    return (count + 7) & ~7
+def _clear_last_vector(block: Records, lanes: Floats, base: int) -> None:
+    """Zero the lanes that no contact fills but the arithmetic runs over."""
+    first = 0 if block.stride > 1 else block.count & ~(VECTOR - 1)
+    end = LANES if block.stride > 1 or block.count > LANES - VECTOR else first + VECTOR
+    for field in range(0, BLOCK_SIZE, LANES):
+        for k in range(first, end):
+            lanes[base + field + k] = 0.0
 
 
 @kernel
@@ -113,13 +124,13 @@ def _prepare_point(
 
 
 @kernel
-def effective_mass(
-    a: Records, b: Records, ax: float, ay: float, bx: float, by: float, nx: float, ny: float
-) -> float:
+def effective_mass(a: Records, b: Records, ax: float, ay: float, bx: float, by: float, nx: float, ny: float) -> float:
     """Effective mass (kg) of two bodies along the unit axis (nx, ny) at anchors a and b; 0 if neither moves."""
     turn_a = ax * ny - ay * nx
     turn_b = bx * ny - by * nx
-    inverse = a.inverse_mass + b.inverse_mass + a.inverse_inertia * turn_a * turn_a + b.inverse_inertia * turn_b * turn_b
+    inverse = (
+        a.inverse_mass + b.inverse_mass + a.inverse_inertia * turn_a * turn_a + b.inverse_inertia * turn_b * turn_b
+    )
     return 1.0 / inverse if inverse > 0.0 else 0.0
 
 
@@ -129,7 +140,7 @@ def store_impulses(contacts: Records, slots: Records, blocks: Records, block_cou
     for n in range(block_count):
         for k in range(blocks[n].count):
             contact = contacts[slots[blocks[n].first + k].contact]
-            at = n * BLOCK_SIZE + k
+            at = n * BLOCK_SIZE + k * blocks[n].stride
             contact.rolling_impulse = lanes[at + cb.ROLLING_IMPULSE]
             contact.normal_impulse1 = lanes[at + cb.POINT_1 + cb.NORMAL_IMPULSE]
             contact.tangent_impulse1 = lanes[at + cb.POINT_1 + cb.TANGENT_IMPULSE]

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from sandbox._jit import kernel
 from sandbox.engine import contact_blocks as cb
-from sandbox.engine.contact_prepare import padded
 from sandbox.world.records import Floats, Records
 
 BLOCK_SIZE = cb.BLOCK_SIZE
+VECTOR = cb.VECTOR
 
 
 @kernel
@@ -22,16 +22,15 @@ def warm_start(
     """Apply the impulses accumulated so far: the best guess of what this substep needs."""
     for n in range(block_count):
         block = blocks[n]
-        values = lanes[n * BLOCK_SIZE : (n + 1) * BLOCK_SIZE]
-        if block.serial == 1:
-            for k in range(block.count):
-                _gather(motions, slots, block.first, k, k + 1, gathered)
-                _warm_start_lanes(values, gathered, k, k + 1)
-                _scatter(motions, slots, block.first, k, k + 1, gathered)
-        else:
-            _gather(motions, slots, block.first, 0, block.count, gathered)
-            _warm_start_lanes(values, gathered, 0, padded(block.count))
-            _scatter(motions, slots, block.first, 0, block.count, gathered)
+        turns = block.count if block.stride > 1 else 1
+        width = 1 if block.stride > 1 else block.count
+        for turn in range(turns):
+            v = lanes[n * BLOCK_SIZE + turn * VECTOR : (n + 1) * BLOCK_SIZE]
+            slot = block.first + turn
+            _gather_velocities(motions, slots, slot, width, gathered)
+            for first in range(0, width, VECTOR):
+                _warm_start_lanes(v[first:], gathered[first:])
+            _scatter(motions, slots, slot, width, gathered)
 
 
 @kernel
@@ -47,40 +46,42 @@ def solve_contacts(
     mass_scale: float,
     impulse_scale: float,
     slowest_bias: float,
+    bounce_allowance: float,
 ) -> None:
     """One pass over all contacts: push apart, then rub, then brake rolling.
 
     `slowest_bias` (m/s, negative or zero) bounds the velocity that pushes overlapping bodies apart; zero makes this
-    a relax pass, which removes the velocity that the push has added.
+    a relax pass, which removes the velocity that the push has added. `bounce_allowance` (m/s) is added to the speed
+    at which bouncy contacts may close while they are apart.
     """
     for n in range(block_count):
         block = blocks[n]
-        values = lanes[n * BLOCK_SIZE : (n + 1) * BLOCK_SIZE]
-        vectors = 1 if block.serial == 0 else block.count
-        for k in range(vectors):
-            first = k
-            end = k + 1 if block.serial == 1 else block.count
-            whole = end if block.serial == 1 else padded(end)
-            _gather(motions, slots, block.first, first, end, gathered)
-            _solve_lanes(
-                values,
-                gathered,
-                first,
-                whole,
-                inverse_seconds,
-                bias_rate,
-                mass_scale,
-                impulse_scale,
-                slowest_bias,
-            )
+        turns = block.count if block.stride > 1 else 1
+        width = 1 if block.stride > 1 else block.count
+        for turn in range(turns):
+            v = lanes[n * BLOCK_SIZE + turn * VECTOR : (n + 1) * BLOCK_SIZE]
+            slot = block.first + turn
+            _gather_velocities(motions, slots, slot, width, gathered)
+            _gather_deltas(motions, slots, slot, width, gathered)
+            for first in range(0, width, VECTOR):
+                _solve_lanes(
+                    v[first:],
+                    gathered[first:],
+                    inverse_seconds,
+                    bias_rate,
+                    mass_scale,
+                    impulse_scale,
+                    slowest_bias,
+                    bounce_allowance,
+                )
             if block.rolling == 1:
-                _brake_rolling(values, gathered, first, whole)
-            _scatter(motions, slots, block.first, first, end, gathered)
+                _brake_rolling(v, gathered, width)
+            _scatter(motions, slots, slot, width, gathered)
 
 
 @kernel
-def _gather(motions: Records, slots: Records, slot: int, first: int, end: int, g: Floats) -> None:
-    for k in range(first, end):
+def _gather_velocities(motions: Records, slots: Records, slot: int, count: int, g: Floats) -> None:
+    for k in range(count):
         a = motions[slots[slot + k].body_a]
         b = motions[slots[slot + k].body_b]
         g[cb.VELOCITY_AX + k] = a.velocity_x
@@ -89,6 +90,13 @@ def _gather(motions: Records, slots: Records, slot: int, first: int, end: int, g
         g[cb.VELOCITY_BX + k] = b.velocity_x
         g[cb.VELOCITY_BY + k] = b.velocity_y
         g[cb.ANGULAR_B + k] = b.angular_velocity
+
+
+@kernel
+def _gather_deltas(motions: Records, slots: Records, slot: int, count: int, g: Floats) -> None:
+    for k in range(count):
+        a = motions[slots[slot + k].body_a]
+        b = motions[slots[slot + k].body_b]
         g[cb.DELTA_X + k] = b.delta_x - a.delta_x
         g[cb.DELTA_Y + k] = b.delta_y - a.delta_y
         g[cb.COS_A + k] = a.delta_cos
@@ -98,8 +106,8 @@ def _gather(motions: Records, slots: Records, slot: int, first: int, end: int, g
 
 
 @kernel
-def _scatter(motions: Records, slots: Records, slot: int, first: int, end: int, g: Floats) -> None:
-    for k in range(first, end):
+def _scatter(motions: Records, slots: Records, slot: int, count: int, g: Floats) -> None:
+    for k in range(count):
         a = motions[slots[slot + k].body_a]
         b = motions[slots[slot + k].body_b]
         a.velocity_x = g[cb.VELOCITY_AX + k]
@@ -111,8 +119,8 @@ def _scatter(motions: Records, slots: Records, slot: int, first: int, end: int, 
 
 
 @kernel
-def _warm_start_lanes(v: Floats, g: Floats, first: int, end: int) -> None:
-    for k in range(first, end):
+def _warm_start_lanes(v: Floats, g: Floats) -> None:
+    for k in range(VECTOR):
         nx = v[cb.NORMAL_X + k]
         ny = v[cb.NORMAL_Y + k]
         ax = g[cb.VELOCITY_AX + k]
@@ -146,15 +154,14 @@ def _warm_start_lanes(v: Floats, g: Floats, first: int, end: int) -> None:
 def _solve_lanes(
     v: Floats,
     g: Floats,
-    first: int,
-    end: int,
     inverse_seconds: float,
     bias_rate: float,
     mass_scale: float,
     impulse_scale: float,
     slowest_bias: float,
+    bounce_allowance: float,
 ) -> None:
-    for k in range(first, end):
+    for k in range(VECTOR):
         ax = g[cb.VELOCITY_AX + k]
         ay = g[cb.VELOCITY_AY + k]
         aw = g[cb.ANGULAR_A + k]
@@ -180,7 +187,8 @@ def _solve_lanes(
             overlaps = separation <= 0.0
             push = bias_rate * separation
             push = push if push > slowest_bias else slowest_bias
-            bias = push if overlaps else separation * inverse_seconds
+            ahead = separation * inverse_seconds + v[cb.BOUNCY + k] * bounce_allowance
+            bias = push if overlaps else ahead
             scale = mass_scale if overlaps else 1.0
             softness = impulse_scale if overlaps else 0.0
             vx = bx - bw * rby - ax + aw * ray
@@ -231,9 +239,9 @@ def _solve_lanes(
 
 
 @kernel
-def _brake_rolling(v: Floats, g: Floats, first: int, end: int) -> None:
+def _brake_rolling(v: Floats, g: Floats, count: int) -> None:
     """Rolling resistance: a torque impulse against relative spin, bounded by lever arm times normal impulse."""
-    for k in range(first, end):
+    for k in range(count):
         load = v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] + v[cb.POINT_2 + cb.NORMAL_IMPULSE + k]
         limit = v[cb.ROLLING_RESISTANCE + k] * load
         before = v[cb.ROLLING_IMPULSE + k]

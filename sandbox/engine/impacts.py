@@ -19,9 +19,7 @@ _SINGULAR = 1e-9
 
 
 @kernel
-def list_bouncy(
-    bodies: Records, contacts: Records, count: int, threshold: float, bouncy: Integers
-) -> int:
+def list_bouncy(bodies: Records, contacts: Records, count: int, threshold: float, bouncy: Integers) -> int:
     """List the contacts with restitution, or none when no body is fast enough for any to matter."""
     fastest = 0.0
     for i in range(bodies.shape[0]):
@@ -156,22 +154,34 @@ def _wanted_change(
     at_surface = at_surface if at_surface > 0.0 else 0.0
     rebound = contact.restitution * contact.restitution * at_surface + lift
     rebound = math.sqrt(rebound) if rebound > 0.0 else 0.0
-    return rebound - start
+    return float(rebound - start)
 
 
 @kernel
-def _pair_impulses(
-    a: Records, b: Records, contact: Records, change1: float, change2: float
-) -> tuple[float, float]:
+def _pair_impulses(a: Records, b: Records, contact: Records, change1: float, change2: float) -> tuple[float, float]:
     """Normal impulses (N s) at the two points that give both wanted changes, none of them pulling."""
     mass1 = effective_mass(
-        a, b, contact.anchor_ax1, contact.anchor_ay1, contact.anchor_bx1, contact.anchor_by1, contact.normal_x, contact.normal_y
-    )  # fmt: skip
+        a,
+        b,
+        contact.anchor_ax1,
+        contact.anchor_ay1,
+        contact.anchor_bx1,
+        contact.anchor_by1,
+        contact.normal_x,
+        contact.normal_y,
+    )
     if change2 <= 0.0:
         return mass1 * change1, 0.0
     mass2 = effective_mass(
-        a, b, contact.anchor_ax2, contact.anchor_ay2, contact.anchor_bx2, contact.anchor_by2, contact.normal_x, contact.normal_y
-    )  # fmt: skip
+        a,
+        b,
+        contact.anchor_ax2,
+        contact.anchor_ay2,
+        contact.anchor_bx2,
+        contact.anchor_by2,
+        contact.normal_x,
+        contact.normal_y,
+    )
     if change1 <= 0.0:
         return 0.0, mass2 * change2
     if mass1 <= 0.0 or mass2 <= 0.0:
@@ -231,7 +241,14 @@ def _rub(
 
 @kernel
 def _apply(
-    a: Records, b: Records, motions: Records, flights: Records, contact: Records, px: float, py: float, point: int
+    a: Records,
+    b: Records,
+    motions: Records,
+    flights: Records,
+    contact: Records,
+    px: float,
+    py: float,
+    point: int,
 ) -> None:
     """Apply the impulse (px, py) N s to b and its opposite to a."""
     first = point == 1

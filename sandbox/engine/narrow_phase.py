@@ -36,9 +36,7 @@ def find_contacts(
     for i in range(pair_count):
         shape_a = pairs[i].shape_a
         shape_b = pairs[i].shape_b
-        while k < old_count and (
-            old[k].shape_a < shape_a or (old[k].shape_a == shape_a and old[k].shape_b < shape_b)
-        ):
+        while k < old_count and (old[k].shape_a < shape_a or (old[k].shape_a == shape_a and old[k].shape_b < shape_b)):
             k += 1
         if not _collide(bodies, shapes, turned, shape_a, shape_b, seconds, manifold):
             continue
@@ -154,7 +152,7 @@ def _closing_way(a: Records, b: Records, contact: Records, x: float, y: float, s
     by = y - (b.center_y - a.center_y)
     vx = b.velocity_x - b.angular_velocity * by - a.velocity_x + a.angular_velocity * y
     vy = b.velocity_y + b.angular_velocity * bx - a.velocity_y - a.angular_velocity * x
-    return -seconds * (vx * contact.normal_x + vy * contact.normal_y)
+    return float(-seconds * (vx * contact.normal_x + vy * contact.normal_y))
 
 
 @kernel

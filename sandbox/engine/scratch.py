@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from sandbox._jit import kernel_argument
 from sandbox.engine.broad_phase import LEVELS
 from sandbox.engine.contact_blocks import BLOCK_SIZE, GATHER_SIZE, LANES, MAX_COLORS
 from sandbox.geometry.manifold import MANIFOLD
@@ -79,10 +80,16 @@ BLOCK = Table(
     (
         Field("first", "-", "its first slot", "i8"),
         Field("count", "-", "lanes in use, 1..64", "i8"),
-        Field("serial", "-", "1 when its contacts may share bodies and go one by one", "i8"),
+        Field(
+            "stride",
+            "-",
+            "lanes from contact to contact; more than 1 when they share bodies and go one by one",
+            "i8",
+        ),
         Field("rolling", "-", "1 when some contact has rolling resistance", "i8"),
     ),
 )
+
 
 @dataclass
 class Scratch:
@@ -106,10 +113,10 @@ class Scratch:
     gathered: Floats
 
     @classmethod
-    def for_state(cls, state: State, pair_capacity: int) -> Scratch:
-        """Scratch for as many bodies and shapes as `state` has and for `pair_capacity` candidate pairs."""
+    def for_state(cls, state: State, pair_capacity: int, block_capacity: int = 0) -> Scratch:
+        """Scratch for all bodies and shapes of `state`, for so many candidate pairs and so many solver blocks."""
         shapes = len(state.shapes)
-        block_capacity = pair_capacity // LANES + MAX_COLORS + 2
+        block_capacity = max(block_capacity, pair_capacity // LANES + MAX_COLORS + 2)
         return cls(
             motions=MOTION.zeros(len(state.bodies)),
             flights=FLIGHT.zeros(len(state.bodies)),
@@ -131,7 +138,7 @@ class Scratch:
 
     def arguments(self) -> tuple[Any, ...]:
         """The arrays in the order of the step's parameters."""
-        return tuple(self.__dict__.values())
+        return tuple(kernel_argument(array) for array in self.__dict__.values())
 
 
 def _head_count(shapes: int) -> int:

@@ -16,6 +16,9 @@ from sandbox.engine.narrow_phase import find_contacts
 from sandbox.engine.softness import soft_coefficients
 from sandbox.world.records import Floats, Integers, Records
 
+WAIT = 1e30
+"""Speed (m/s) that a relax pass grants contacts which may bounce: the next substep decides on their impact."""
+
 
 @entry_point
 def advance(
@@ -43,9 +46,10 @@ def advance(
     lanes: Floats,
     gathered: Floats,
 ) -> int:
-    """Advance the world by one step; the new contacts are in `contacts`. Returns the number of candidate pairs.
+    """Advance the world by one step; the new contacts are in `contacts`. Returns 0.
 
-    If that is more than `pairs` can hold, nothing has changed: give it more room and call again.
+    If scratch memory is too small, nothing has changed: the answer is the number of pairs that need room, or, as a
+    negative number, of blocks. Give it that and call again.
     """
     setting = settings[0]
     counter = counters[0]
@@ -59,13 +63,24 @@ def advance(
     sort_pairs(pairs, pair_count, sorted_pairs, heads, shapes.shape[0])
 
     count = find_contacts(
-        bodies, shapes, turned, pairs, pair_count, seconds, manifold, old_contacts, counter.contact_count, contacts
+        bodies,
+        shapes,
+        turned,
+        pairs,
+        pair_count,
+        seconds,
+        manifold,
+        old_contacts,
+        counter.contact_count,
+        contacts,
     )
     color_count = color_contacts(bodies, flights, contacts, count, colors)
     block_count = fill_blocks(contacts, count, colors, color_count, heads, slots, blocks)
-    prepare_contacts(bodies, contacts, slots, blocks, block_count, lanes)
-
+    if block_count > blocks.shape[0]:
+        return -block_count
     bouncy_count = list_bouncy(bodies, contacts, count, setting.restitution_threshold, colors)
+    prepare_contacts(bodies, contacts, slots, blocks, block_count, bouncy_count > 0, lanes)
+
     _run_substeps(
         bodies, motions, flights, drags, setting, counters, contacts, colors, bouncy_count, slots, blocks, block_count,
         lanes, gathered,
@@ -76,7 +91,7 @@ def advance(
     counter.contact_count = count
     counter.pair_count = pair_count
     counter.color_count = color_count
-    return pair_count
+    return 0
 
 
 @kernel
@@ -113,9 +128,20 @@ def _run_substeps(
         solve_drags(bodies, motions, drags, seconds)
         warm_start(motions, slots, blocks, block_count, lanes, gathered)
         solve_contacts(
-            motions, slots, blocks, block_count, lanes, gathered, rate, bias, mass_scale, impulse_scale, slowest
+            motions,
+            slots,
+            blocks,
+            block_count,
+            lanes,
+            gathered,
+            rate,
+            bias,
+            mass_scale,
+            impulse_scale,
+            slowest,
+            0.0,
         )
         integrate_positions(bodies, motions, flights, seconds)
-        solve_contacts(motions, slots, blocks, block_count, lanes, gathered, rate, 0.0, 1.0, 0.0, 0.0)
+        solve_contacts(motions, slots, blocks, block_count, lanes, gathered, rate, 0.0, 1.0, 0.0, 0.0, WAIT)
     guard_positions(bodies, motions, counters)
     finish_motions(bodies, motions)

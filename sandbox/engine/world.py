@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import difflib
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+from sandbox._jit import kernel_argument
 from sandbox.engine.commands import Command, apply_command
 from sandbox.engine.scratch import Scratch
 from sandbox.engine.step import advance
@@ -12,7 +13,7 @@ from sandbox.engine.views import Bodies, Body
 from sandbox.errors import UnknownBodyError
 from sandbox.world.build import build_state
 from sandbox.world.digest import digest
-from sandbox.world.records import Records
+from sandbox.world.records import CONTACT
 from sandbox.world.snapshot import restore, snapshot
 from sandbox.world.state import State
 
@@ -33,20 +34,19 @@ class World:
         flat = scene.flatten() if hasattr(scene, "flatten") else scene
         self.state: State = build_state(flat)
         self._index = {name: i for i, name in enumerate(self.state.names)}
-        self._scratch = Scratch.for_state(self.state, len(self.state.contacts))
+        self._turn = 0
+        self._arguments: list[tuple[Any, ...]] = []
+        self._use_scratch(Scratch.for_state(self.state, len(self.state.contacts)))
         self.bodies = Bodies(self.state.bodies, self.state.names)
 
     def step(self, n: int = 1) -> None:
         """Advance by `n` steps of `1 / step_rate` seconds each."""
         for _ in range(n):
-            while True:
-                state, scratch = self.state, self._scratch
-                wanted = advance(*state.arrays, *scratch.arguments())
-                if wanted <= len(scratch.pairs):
-                    break
-                self._scratch = Scratch.for_state(state, wanted + wanted // 2)
-            # The step reads the contacts of the last one while it writes the new ones.
-            state.contacts, scratch.contacts = scratch.contacts, state.contacts
+            while (shortage := advance(*self._arguments[self._turn])) != 0:
+                self._make_room(shortage)
+            # A step reads the contacts of the last one while it writes the new ones.
+            self._turn = 1 - self._turn
+            self.state.contacts, self._scratch.contacts = self._scratch.contacts, self.state.contacts
 
     def apply(self, command: Command) -> None:
         """Apply a command. Raises `CommandError` or `UnknownBodyError` and changes nothing if it can't be done."""
@@ -72,7 +72,7 @@ class World:
         return Body(name, self.state.bodies[self._find(name)], self.apply)
 
     @property
-    def contacts(self) -> Records:
+    def contacts(self) -> Any:
         """The contacts of the last step: `records.CONTACT` rows, sorted by shape. A view; copy what you keep."""
         return self.state.contacts[: int(self.state.counters[0].contact_count)]
 
@@ -94,7 +94,32 @@ class World:
         """Go back to a snapshot of this scene. Raises `SnapshotError` and changes nothing if it can't."""
         restore(self.state, data)
         if len(self.state.contacts) != len(self._scratch.contacts):
-            self._scratch = Scratch.for_state(self.state, len(self.state.contacts))
+            self._use_scratch(Scratch.for_state(self.state, len(self.state.contacts)))
+        self._prepare_arguments()
+
+    def _make_room(self, shortage: int) -> None:
+        """Give the step what it lacked: so many pairs, or, if negative, so many blocks."""
+        scratch = self._scratch
+        pairs = max(len(scratch.pairs), shortage + shortage // 2)
+        blocks = max(len(scratch.blocks), -shortage - shortage // 2)
+        old = self.contacts
+        self.state.contacts = CONTACT.zeros(pairs)
+        self.state.contacts[: len(old)] = old
+        self._use_scratch(Scratch.for_state(self.state, pairs, blocks))
+
+    def _use_scratch(self, scratch: Scratch) -> None:
+        self._scratch = scratch
+        self._prepare_arguments()
+
+    def _prepare_arguments(self) -> None:
+        """Argument lists of the step: one for even and one for odd steps, as the contact tables swap places."""
+        self._turn = 0
+        now, after = self.state.contacts, self._scratch.contacts
+        lists: list[tuple[Any, ...]] = []
+        for self.state.contacts, self._scratch.contacts in ((after, now), (now, after)):
+            state = tuple(kernel_argument(array) for array in self.state.arrays)
+            lists.insert(0, (*state, *self._scratch.arguments()))
+        self._arguments = lists
 
     def _find(self, name: str) -> int:
         index = self._index.get(name)
@@ -105,5 +130,3 @@ class World:
 
     def __repr__(self) -> str:
         return f"<World of {len(self.names)} bodies at step {self.step_count}>"
-
-

@@ -90,7 +90,15 @@ def collide_cores(
 
 @kernel
 def _collide_points(
-    cores: Records, a: int, a_radius: float, b: int, b_radius: float, dx: float, dy: float, margin: float, m: Records
+    cores: Records,
+    a: int,
+    a_radius: float,
+    b: int,
+    b_radius: float,
+    dx: float,
+    dy: float,
+    margin: float,
+    m: Records,
 ) -> int:
     """Two discs. Concentric ones part along +y: some axis has to be chosen, and always the same one."""
     gx = cores[b].x + dx - cores[a].x

@@ -65,8 +65,8 @@ class FlatSettings:
 
     step_rate: float = 60.0
     substeps: int = 4
-    contact_hertz: float = 60.0
-    contact_damping_ratio: float = 10.0
+    contact_hertz: float = 55.0
+    contact_damping_ratio: float = 1.5
     push_out_speed: float = 3.0
     restitution_threshold: float = 0.2
     sleeping: bool = True

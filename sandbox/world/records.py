@@ -8,6 +8,7 @@ eight bytes (`f8` or `i8`), so records have no padding and their bytes can be ha
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -40,9 +41,9 @@ class Table:
     name: str
     fields: tuple[Field, ...]
 
-    @property
+    @cached_property
     def dtype(self) -> np.dtype[Any]:
-        """The structured dtype of one row."""
+        """The structured dtype of one row: always the same object, which makes calls into kernels fast."""
         return np.dtype([(field.name, field.kind) for field in self.fields])
 
     @property
