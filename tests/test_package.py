@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -55,3 +56,11 @@ def test_shipped_scenes_are_found_by_name() -> None:
 def test_a_path_that_is_nowhere_stays_as_it_is() -> None:
     nowhere = Path("nowhere/at-all.json")
     assert resources.find_scene(nowhere) == nowhere
+
+
+def test_the_readme_speaks_of_files_that_are_there() -> None:
+    root = Path(sandbox.__file__).parents[1]
+    text = (root / "README.md").read_text(encoding="utf-8")
+    named = re.findall(r"(?:scenes|assets|sandbox)/[\w./-]+\.(?:json|png|gif|md)", text)
+    assert len(named) >= 4
+    assert [name for name in named if not (root / name).is_file()] == []

@@ -17,9 +17,7 @@ from sandbox.errors import Problem, SandboxError, SceneError
 
 def run_process(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
     command = [sys.executable, "-m", "sandbox", *arguments]
-    return subprocess.run(
-        command, capture_output=True, text=True, env={**os.environ, **environment}, timeout=120
-    )
+    return subprocess.run(command, capture_output=True, text=True, env={**os.environ, **environment}, timeout=120)
 
 
 def test_version_in_a_process_of_its_own() -> None:
@@ -95,17 +93,13 @@ def test_the_traceback_can_be_had(cli: Callable, monkeypatch: pytest.MonkeyPatch
     assert "Traceback (most recent call last)" in done.err
 
 
-def test_a_file_that_cannot_be_written_is_the_users_to_mend(
-    cli: Callable, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_file_that_cannot_be_written_is_the_users_to_mend(cli: Callable, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(app, "_load", _explode(PermissionError(13, "Permission denied", "/out.png")))
     done = cli("check")
     assert (done.code, done.err) == (2, "sandbox: /out.png: Permission denied\n")
 
 
-def test_scene_mistakes_are_listed_with_place_excerpt_and_mend(
-    cli: Callable, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_scene_mistakes_are_listed_with_place_excerpt_and_mend(cli: Callable, monkeypatch: pytest.MonkeyPatch) -> None:
     problems = [
         Problem(
             'unknown field "shpaes"',
