@@ -6,11 +6,11 @@ import math
 
 import numpy as np
 
-from sandbox.render.camera import Floats
+from sandbox.render.camera import Floats, Vec
 from sandbox.render.geometry import Ints, Mesh
 
-TOLERANCE_PIXELS = 0.1
-"""Largest distance between an arc and the chords that stand for it."""
+TOLERANCE_PIXELS, MOST_CHORDS = 0.1, 100_000
+"""Largest distance between an arc and the chords that stand for it, and how many chords there can be."""
 
 
 def contour(core: Floats, radius: float, tolerance: float = TOLERANCE_PIXELS) -> Floats:
@@ -30,7 +30,8 @@ def contour(core: Floats, radius: float, tolerance: float = TOLERANCE_PIXELS) ->
 
 def _arc(begin: float, turn: float, radius: float, tolerance: float) -> Floats:
     step = 2.0 * math.acos(max(1.0 - tolerance / radius, 0.5))
-    angle = begin + np.linspace(0.0, turn, max(math.ceil(turn / step), 1) + 1)
+    chords = min(max(math.ceil(turn / step), 1), MOST_CHORDS)
+    angle = begin + np.linspace(0.0, turn, chords + 1)
     return np.column_stack([np.cos(angle), np.sin(angle)])
 
 
@@ -46,9 +47,29 @@ def inset(core: Floats, distance: float) -> Floats:
 
 def shape_contour(core: Floats, radius: float, shrink: float) -> Floats:
     """The contour of a shape moved inwards by `shrink`: the rounding gives way first, then the core."""
-    if shrink <= radius or len(core) < 3:
+    if shrink < radius or len(core) < 3:
         return contour(core, max(radius - shrink, 0.05))
     return inset(core, shrink - radius)
+
+
+def clip(polygon: Floats, low: Vec, high: Vec) -> Floats:
+    """The part of a convex polygon (k, 2) inside a rectangle (Sutherland and Hodgman 1974); maybe no rows."""
+    for axis in (0, 1):
+        polygon = _cut(polygon, polygon[:, axis] - low[axis])
+        polygon = _cut(polygon, high[axis] - polygon[:, axis])
+    return polygon
+
+
+def _cut(polygon: Floats, height: Floats) -> Floats:
+    """What of a polygon has `height` (k,) >= 0, where the height varies linearly along the edges."""
+    points = []
+    for i in range(len(polygon)):
+        before, h0, here, h1 = polygon[i - 1], height[i - 1], polygon[i], height[i]
+        if (h0 < 0.0) != (h1 < 0.0):
+            points.append(before + (here - before) * (h0 / (h0 - h1)))
+        if h1 >= 0.0:
+            points.append(here)
+    return np.array(points).reshape(-1, 2)
 
 
 class ContourTable:

@@ -6,13 +6,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sandbox.render.camera import Camera, Floats, Vec
 from sandbox.render.frame import Frame
 from sandbox.render.geometry import Ints, Mesh
 from sandbox.render.grid import grid_lines
 from sandbox.render.theme import Color, Theme
-from sandbox.render.wardrobe import Wardrobe, tints
+from sandbox.render.wardrobe import Tints, Wardrobe, tints
 from sandbox.world.records import DYNAMIC, SEGMENT, STATIC
 
 MIN_HALF_PIXELS = 0.6
@@ -71,9 +72,7 @@ class DrawList:
 def build_draw_list(frame: Frame, camera: Camera, wardrobe: Wardrobe, above: Sequence[Line] = ()) -> DrawList:
     """The draw list of a frame seen through a camera; `above` are strokes of tools, such as the drag line."""
     theme = wardrobe.theme
-    return DrawList(
-        camera, theme, frame.mesh, grid_strokes(camera, theme), _shapes(frame, camera, wardrobe), above
-    )
+    return DrawList(camera, theme, frame.mesh, grid_strokes(camera, theme), _shapes(frame, camera, wardrobe), above)
 
 
 def grid_strokes(camera: Camera, theme: Theme) -> list[Line]:
@@ -106,16 +105,22 @@ def _shapes(frame: Frame, camera: Camera, wardrobe: Wardrobe) -> ShapeItems:
     grow, line = stroke_sizes(mesh, camera.scale)
     return ShapeItems(
         index=index,
-        origin=origin[index],
-        axis=axis[index] * (1.0, -1.0),
+        origin=origin.take(index, axis=0),
+        axis=axis.take(index, axis=0) * (1.0, -1.0),
         grow=grow[index],
         line=line[index],
-        fill=np.where((mesh.kind[index] == SEGMENT)[:, None], colors.edge[body], colors.fill[body]),
-        edge=colors.edge[body],
-        mark=colors.mark[body],
+        fill=_fills(colors, body, mesh.kind[index] == SEGMENT),
+        edge=colors.edge.take(body, axis=0),
+        mark=colors.mark.take(body, axis=0),
         mark_opacity=_mark_opacity(half, frame.type[body]),
         hatched=colors.hatched[body],
     )
+
+
+def _fills(colors: Tints, body: Ints, segment: NDArray[np.bool_]) -> Floats:
+    fill = colors.fill.take(body, axis=0)
+    fill[segment] = colors.edge[body[segment]]
+    return fill
 
 
 def _visible(origin: Floats, reach: Floats, camera: Camera) -> Ints:

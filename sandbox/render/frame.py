@@ -87,7 +87,7 @@ def shape_bounds(frame: Frame) -> Floats:
     return np.hstack([origin - reach, origin + reach])
 
 
-NEAR, BELOW = 0.15, 1.0
+NEAR, BELOW = 0.15, 2.0
 """How far around and below the moving bodies static ones count, in parts of the extent of the moving."""
 
 
@@ -97,14 +97,15 @@ def interesting_bounds(frame: Frame) -> Bounds:
     moving = (frame.type != STATIC)[frame.mesh.body]
     if len(boxes) == 0:
         return -5.0, -5.0, 5.0, 5.0
-    low, high = _hull(boxes[moving] if moving.any() else boxes)
+    subject = boxes[moving] if moving.any() else boxes
+    low, high = _hull(subject)
     extent = float((high - low).max())
-    near = max(NEAR * extent, 0.5)
+    near = max(NEAR * extent, float(np.median(subject[:, 2:] - subject[:, :2])))
     clipped = np.hstack([np.maximum(boxes[:, :2], low - (near, BELOW * extent + near)), boxes[:, 2:]])
     clipped[:, 2:] = np.minimum(clipped[:, 2:], high + near)
     clipped[:, 1] = np.maximum(clipped[:, 1], clipped[:, 3] - near)  # of thick ground, the surface is enough
     visible = clipped[~moving & (clipped[:, :2] <= clipped[:, 2:]).all(axis=1)]
-    low, high = _hull(np.vstack([visible, [[*low, *high]]]))
+    low, high = _hull(np.vstack([visible, [[*low - near / 2, *high + near / 2]]]))
     return float(low[0]), float(low[1]), float(high[0]), float(high[1])
 
 

@@ -6,11 +6,13 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
+from PIL import Image
+
 from sandbox.engine.world import World
 from sandbox.render.camera import Camera, Size, scene_camera
 from sandbox.render.draw_list import build_draw_list
 from sandbox.render.frame import Frame, capture, interesting_bounds
-from sandbox.render.surface_painter import SurfacePainter, rgb_bytes
+from sandbox.render.surface_painter import SurfacePainter
 from sandbox.render.wardrobe import Wardrobe, wardrobe_of
 from sandbox.scene.flat import FlatScene
 
@@ -30,10 +32,7 @@ class Studio:
 
     def picture(self, frame: Frame) -> Any:
         """The frame as a `PIL.Image.Image` in RGB."""
-        from PIL import Image
-
-        surface = self._painter.paint(build_draw_list(frame, self.camera, self.wardrobe))
-        return Image.frombytes("RGB", surface.get_size(), rgb_bytes(surface))
+        return self._painter.paint(build_draw_list(frame, self.camera, self.wardrobe))
 
     def save_png(self, frame: Frame, path: Path) -> None:
         """Write one frame as a PNG file."""
@@ -46,8 +45,6 @@ class Studio:
             yield self.picture(frame).quantize(palette=palette, dither=0)
 
     def _palette(self, frames: Sequence[Frame]) -> Any:
-        from PIL import Image
-
         step = max(len(frames) // PALETTE_SAMPLES, 1)
         samples = [self.picture(frame) for frame in frames[::step]]
         width, height = self.camera.size

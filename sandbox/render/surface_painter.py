@@ -1,4 +1,4 @@
-"""The painter that needs no display: draw list -> pygame surface, drawn large and scaled down."""
+"""The painter that needs no display: draw list -> image, drawn large on a pygame surface and averaged down."""
 
 from __future__ import annotations
 
@@ -6,11 +6,12 @@ from typing import Any
 
 import numpy as np
 import pygame
+from PIL import Image
 
 from sandbox.render.camera import Floats
-from sandbox.render.contour import ContourTable
+from sandbox.render.contour import ContourTable, clip
 from sandbox.render.draw_list import DrawList, Line, ShapeItems, stroke_sizes
-from sandbox.render.geometry import gather
+from sandbox.render.geometry import Mesh, gather
 
 HATCH_PIXELS = 7.0
 """Distance of the stripes on frozen bodies."""
@@ -22,11 +23,12 @@ class SurfacePainter:
     def __init__(self, samples: int = 3) -> None:
         """`samples` x `samples` points are averaged for each pixel."""
         self.samples = samples
-        self._key: tuple[int, float] | None = None
+        self._mesh: Mesh | None = None
+        self._scale = 0.0
         self._tables: tuple[ContourTable, ContourTable]
 
     def paint(self, picture: DrawList) -> Any:
-        """Draw the picture; gives a `pygame.Surface` of `picture.camera.size` pixels."""
+        """Draw the picture; gives a `PIL.Image.Image` in RGB of `picture.camera.size` pixels."""
         width, height = picture.camera.size
         sheet = pygame.Surface((width * self.samples, height * self.samples), depth=24)
         sheet.fill(_rgb(picture.theme.background))
@@ -35,48 +37,65 @@ class SurfacePainter:
         self._shapes(sheet, picture)
         for line in picture.above:
             self._stroke(sheet, line, picture.theme.background)
-        return pygame.transform.smoothscale(sheet, (width, height))
+        # Pillow's average is exact; pygame's smoothscale darkens colours by about two levels.
+        large = Image.frombytes("RGB", sheet.get_size(), pygame.image.tobytes(sheet, "RGB"))
+        return large.reduce(self.samples)
 
     def _stroke(self, sheet: Any, line: Line, background: tuple[float, ...]) -> None:
-        points = np.array([line.start, line.end]) * self.samples
-        along = points[1] - points[0]
-        side = np.array([-along[1], along[0]]) / max(float(np.hypot(*along)), 1e-9)
-        side *= max(line.width * self.samples, 1.0) / 2
-        corners = [points[0] + side, points[1] + side, points[1] - side, points[0] - side]
-        pygame.draw.polygon(sheet, _rgb(_over(line, background)), [tuple(p - 0.5) for p in corners])
+        color = _rgb(_over(line, background))
+        start, end = np.array([line.start, line.end]) * self.samples
+        half = max(line.width * self.samples, 1.0) / 2
+        if (start == end).any():  # level, upright or a dot: exact as a rectangle
+            low, high = np.minimum(start, end) - half, np.maximum(start, end) + half
+            sheet.fill(color, (*np.rint(low), *np.rint(high - low)))
+            return
+        side = np.array([start[1] - end[1], end[0] - start[0]]) * (half / np.hypot(*(end - start)))
+        corners = np.floor([start + side, end + side, end - side, start - side])
+        pygame.draw.polygon(sheet, color, corners.tolist())
 
     def _shapes(self, sheet: Any, picture: DrawList) -> None:
         items = picture.shapes
         outer, inner = self._contours(picture)
-        edges = _placed(outer, items, self.samples)
-        fills = _placed(inner, items, self.samples)
+        edges = self._placed(outer, picture)
+        fills = self._placed(inner, picture)
         marks = _marks(picture, self.samples)
         fill, edge, mark = _bytes(items.fill), _bytes(items.edge), _bytes(_mark_colors(items))
         for i in range(len(items.index)):
-            pygame.draw.polygon(sheet, edge[i], edges[i])
-            pygame.draw.polygon(sheet, fill[i], fills[i])
+            _fill(sheet, edge[i], edges[i])
+            _fill(sheet, fill[i], fills[i])
             if items.hatched[i]:
                 _hatch(sheet, edge[i], np.array(fills[i]), HATCH_PIXELS * self.samples)
             if items.mark_opacity[i] > 0.0:
                 pygame.draw.polygon(sheet, mark[i], marks[i])
 
+    def _placed(self, table: ContourTable, picture: DrawList) -> list[Any]:
+        """The contour of every visible shape in pixels of the large sheet."""
+        items = picture.shapes
+        runs = _place_all(table, items, self.samples)
+        margin, size = 64.0, picture.camera.size
+        high = (size[0] * self.samples + margin, size[1] * self.samples + margin)
+        reach = picture.mesh.reach[items.index] * picture.camera.scale
+        for i in np.flatnonzero(reach > max(size)):
+            # pygame walks through all rows of a polygon, seen or not.
+            runs[i] = clip(np.array(runs[i]), (-margin, -margin), high).tolist()
+        return runs
+
     def _contours(self, picture: DrawList) -> tuple[ContourTable, ContourTable]:
-        key = (id(picture.mesh), picture.camera.scale)
-        if key != self._key:
-            scale = picture.camera.scale
-            grow, line = stroke_sizes(picture.mesh, scale)
-            outer = ContourTable(picture.mesh, scale, grow, np.zeros_like(line))
-            self._key, self._tables = key, (outer, ContourTable(picture.mesh, scale, grow, line))
+        mesh, scale = picture.mesh, picture.camera.scale
+        if mesh is not self._mesh or scale != self._scale:
+            grow, line = stroke_sizes(mesh, scale)
+            outer = ContourTable(mesh, scale, grow, np.zeros_like(line))
+            self._tables = outer, ContourTable(mesh, scale, grow, line)
+            self._mesh, self._scale = mesh, scale
         return self._tables
 
 
-def rgb_bytes(surface: Any) -> bytes:
-    """The pixels of a surface, row by row from the top, three bytes each."""
-    return bytes(pygame.image.tobytes(surface, "RGB"))
+def _fill(sheet: Any, color: Any, points: list[Any]) -> None:
+    if len(points) >= 3:  # else it was clipped away
+        pygame.draw.polygon(sheet, color, points)
 
 
-def _placed(table: ContourTable, items: ShapeItems, samples: int) -> list[Any]:
-    """The contour of every visible shape in pixels of the large sheet."""
+def _place_all(table: ContourTable, items: ShapeItems, samples: int) -> list[Any]:
     count = table.count[items.index]
     rows, first = gather(table.start[items.index], count)
     owner = np.repeat(np.arange(len(count)), count)
@@ -87,7 +106,8 @@ def _place(points: Floats, items: ShapeItems, owner: Any, samples: int) -> Float
     a, b = items.axis[owner, 0], items.axis[owner, 1]
     u, v = points[:, 0], points[:, 1]
     turned = np.column_stack([a * u + b * v, b * u - a * v])
-    placed: Floats = (items.origin[owner] + turned) * samples - 0.5
+    # pygame fills a polygon with its boundary pixels, so the pixel that holds a corner is the right one.
+    placed: Floats = np.floor((items.origin[owner] + turned) * samples)
     return placed
 
 

@@ -87,9 +87,7 @@ def _base_color(kind: int, hue: float, rank: int, size: int, theme: Theme) -> Co
         return theme.kinematic
     sweep = theme.sweep * min(size / 30.0, 1.0) * (rank / size - 0.5)
     jitter = theme.jitter * _scatter(rank, 0.6180339887)
-    return oklch_to_srgb(
-        theme.lightness + 0.06 * _scatter(rank, 0.7548776662), theme.chroma, hue + sweep + jitter
-    )
+    return oklch_to_srgb(theme.lightness + 0.06 * _scatter(rank, 0.7548776662), theme.chroma, hue + sweep + jitter)
 
 
 def _scatter(rank: int, ratio: float) -> float:

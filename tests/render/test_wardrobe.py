@@ -1,0 +1,70 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from stages import zoo
+
+from sandbox.render.frame import capture
+from sandbox.render.oklab import oklch_to_srgb
+from sandbox.render.theme import DARK, hex_color
+from sandbox.render.wardrobe import dress, family, tints
+from sandbox.world.records import DYNAMIC, STATIC
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"),
+    [
+        ("crate", "crate"),
+        ("crate-3", "crate"),
+        ("crate-3-7", "crate"),
+        ("wall.12", "wall"),
+        ("42", "42"),
+        ("b2b", "b2b"),
+    ],
+)
+def test_family_is_the_id_without_counters(name: str, expected: str) -> None:
+    assert family(name) == expected
+
+
+def test_colours_depend_on_ids_and_types_alone() -> None:
+    names = [f"crate-{i}" for i in range(50)] + ["ball", "ground"]
+    types = [DYNAMIC] * 51 + [STATIC]
+    first, second = dress(names, types, DARK).base, dress(names, types, DARK).base
+    assert np.array_equal(first, second)
+    assert tuple(first[-1]) == DARK.static
+
+
+def test_families_get_hues_of_their_own_while_there_are_enough() -> None:
+    names = [f"thing{chr(97 + i)}" for i in range(len(DARK.hues))]
+    base = dress(names, [DYNAMIC] * len(names), DARK).base
+    assert len({tuple(row) for row in base.tolist()}) == len(names)
+
+
+def test_neighbours_in_a_family_can_be_told_apart() -> None:
+    base = dress([f"crate-{i}" for i in range(100)], [DYNAMIC] * 100, DARK).base
+    assert np.abs(np.diff(base, axis=0)).max(axis=1).min() > 0.005
+
+
+def test_a_scene_can_choose_a_colour() -> None:
+    base = dress(["a", "b"], [DYNAMIC, STATIC], DARK, {"b": "#ff8000"}).base
+    assert tuple(base[1]) == hex_color("#ff8000") == (1.0, 128 / 255, 0.0)
+
+
+def test_sleep_dims_and_bad_numbers_show_red() -> None:
+    state = zoo()
+    wardrobe = dress(state.names, state.bodies.type, DARK)
+    colors = tints(capture(state), wardrobe)
+    asleep, frozen = state.names.index("dozer"), state.names.index("broken")
+    assert colors.fill[asleep].mean() < wardrobe.base[asleep].mean()
+    assert tuple(colors.fill[frozen]) == DARK.frozen
+    assert np.flatnonzero(colors.hatched).tolist() == [frozen]
+
+
+def test_oklch_ends_are_black_and_white() -> None:
+    assert oklch_to_srgb(0.0, 0.0, 0.0) == (0.0, 0.0, 0.0)
+    assert oklch_to_srgb(1.0, 0.0, 0.0) == pytest.approx((1.0, 1.0, 1.0), abs=1e-4)
+
+
+def test_oklch_red_is_red() -> None:
+    # The published coordinates of sRGB red.
+    assert oklch_to_srgb(0.62796, 0.25768, 29.2339) == pytest.approx((1.0, 0.0, 0.0), abs=2e-3)
