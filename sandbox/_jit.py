@@ -50,6 +50,14 @@ def entry_point(function: F) -> F:
         config.CACHE_DIR = before
 
 
+def interpreted(function: F) -> F:
+    """The Python body of a kernel, for callers in Python: calling the kernel itself would compile it for them alone.
+
+    Only for kernels that call no other kernel.
+    """
+    return cast(F, getattr(function, "py_func", function))
+
+
 def kernel_argument(array: Any) -> Any:
     """What to pass to an entry point for `array`: calls with a plain array are 20 times faster than with a recarray.
 

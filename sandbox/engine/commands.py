@@ -6,13 +6,16 @@ import math
 from dataclasses import dataclass, fields
 from typing import Any, TypeAlias
 
+from sandbox._jit import interpreted
 from sandbox.engine.guard import MAX_COORDINATE
-from sandbox.engine.integrate import place_origin
+from sandbox.engine.integrate import place_origin as place_origin_kernel
 from sandbox.errors import CommandError
 from sandbox.geometry.trig import cos_sin
 from sandbox.world.records import DYNAMIC, STATIC, Records
 from sandbox.world.state import State
 
+_place_origin = interpreted(place_origin_kernel)
+_cos_sin = interpreted(cos_sin)
 Vec = tuple[float, float]
 
 SPEED_LIMIT = 1e6
@@ -120,11 +123,11 @@ def _name(command: Command) -> str:
 
 def _set_pose(body: Records, command: SetPose) -> None:
     body.angle = command.angle
-    body.rotation_cos, body.rotation_sin = cos_sin(command.angle)
+    body.rotation_cos, body.rotation_sin = _cos_sin(command.angle)
     x, y = body.local_center_x, body.local_center_y
     body.center_x = command.position[0] + (body.rotation_cos * x - body.rotation_sin * y)
     body.center_y = command.position[1] + (body.rotation_sin * x + body.rotation_cos * y)
-    place_origin(body)
+    _place_origin(body)
 
 
 def _set_velocity(body: Records, command: SetVelocity) -> None:

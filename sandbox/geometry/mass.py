@@ -10,8 +10,10 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from sandbox._jit import interpreted
 from sandbox.geometry.trig import PI, arctan2
 
+_arctan2 = interpreted(arctan2)
 Vec = tuple[float, float]
 
 
@@ -75,7 +77,7 @@ def _sector(vertex: Vec, before: Vec, after: Vec, radius: float) -> Moments:
     if before == (0.0, 0.0):
         turn = 2.0 * PI
     else:
-        turn = arctan2(before[0] * after[1] - before[1] * after[0], before[0] * after[0] + before[1] * after[1])
+        turn = _arctan2(before[0] * after[1] - before[1] * after[0], before[0] * after[0] + before[1] * after[1])
         turn = turn if turn >= 0.0 else turn + 2.0 * PI
     area = radius * radius * turn / 2.0
     cubed = radius * radius * radius / 3.0

@@ -19,41 +19,31 @@ _TAN_PI_8 = 0.41421356237309503
 
 
 @kernel
-def _sin_core(x: float) -> float:
+def cos_sin(angle: float) -> tuple[float, float]:
+    """(cosine, sine) of an angle in radians; error below 2e-16 up to 1e6 rad.
+
+    Cody-Waite reduction to [-pi/4, pi/4], then the polynomials of fdlibm's `__kernel_cos` and `__kernel_sin`.
+    """
+    x = angle
+    quadrant = 0
+    if angle < -0.75 or angle > 0.75:
+        turns = math.floor(angle * _TWO_OVER_PI + 0.5)
+        x = angle - turns * _HALF_PI_HIGH
+        x = x - turns * _HALF_PI_MIDDLE
+        x = x - turns * _HALF_PI_LOW
+        quadrant = int(turns) & 3
     z = x * x
     tail = -2.50507602534068634195e-08 + z * 1.58969099521155010221e-10
     tail = 2.75573137070700676789e-06 + z * tail
     tail = -1.98412698298579493134e-04 + z * tail
     tail = 8.33333333332248946124e-03 + z * tail
-    return x + x * z * (-1.66666666666666324348e-01 + z * tail)
-
-
-@kernel
-def _cos_core(x: float) -> float:
-    z = x * x
+    sine = x + x * z * (-1.66666666666666324348e-01 + z * tail)
     tail = 2.08757232129817482790e-09 - z * 1.13596475577881948265e-11
     tail = -2.75573143513906633035e-07 + z * tail
     tail = 2.48015872894767294178e-05 + z * tail
     tail = -1.38888888888741095749e-03 + z * tail
     tail = 4.16666666666666019037e-02 + z * tail
-    return 1.0 - (0.5 * z - z * z * tail)
-
-
-@kernel
-def cos_sin(angle: float) -> tuple[float, float]:
-    """(cosine, sine) of an angle in radians; error below 2e-16 up to 1e6 rad.
-
-    Cody-Waite reduction to [-pi/4, pi/4], then the kernel polynomials of fdlibm.
-    """
-    if -0.75 < angle < 0.75:
-        return _cos_core(angle), _sin_core(angle)
-    turns = math.floor(angle * _TWO_OVER_PI + 0.5)
-    x = angle - turns * _HALF_PI_HIGH
-    x = x - turns * _HALF_PI_MIDDLE
-    x = x - turns * _HALF_PI_LOW
-    cosine = _cos_core(x)
-    sine = _sin_core(x)
-    quadrant = int(turns) & 3
+    cosine = 1.0 - (0.5 * z - z * z * tail)
     if quadrant == 0:
         return cosine, sine
     if quadrant == 1:
@@ -64,9 +54,17 @@ def cos_sin(angle: float) -> tuple[float, float]:
 
 
 @kernel
-def arctan(x: float) -> float:
-    """Arc tangent in radians, in (-pi/2, pi/2); error below 3e-16. Method: Cephes `atan` (S. Moshier)."""
-    magnitude = -x if x < 0.0 else x
+def arctan2(y: float, x: float) -> float:
+    """Angle of the vector (x, y) in radians, in [-pi, pi]; 0 for the zero vector; error below 5e-16.
+
+    Arc tangent of y / x by the rational approximation of Cephes (S. Moshier), then the quadrant.
+    """
+    if x == 0.0:
+        if y == 0.0:
+            return 0.0
+        return 0.5 * PI if y > 0.0 else -0.5 * PI
+    slope = y / x
+    magnitude = -slope if slope < 0.0 else slope
     base = 0.0
     if magnitude > 1.0 / _TAN_PI_8:
         base = 0.5 * PI
@@ -84,18 +82,8 @@ def arctan(x: float) -> float:
     lower = lower * z + 4.328810604912902668951e2
     lower = lower * z + 4.853903996359136964868e2
     lower = lower * z + 1.945506571482613964425e2
-    result = base + (magnitude * (z * upper / lower) + magnitude)
-    return -result if x < 0.0 else result
-
-
-@kernel
-def arctan2(y: float, x: float) -> float:
-    """Angle of the vector (x, y) in radians, in [-pi, pi]; 0 for the zero vector."""
-    if x == 0.0:
-        if y == 0.0:
-            return 0.0
-        return 0.5 * PI if y > 0.0 else -0.5 * PI
-    angle = arctan(y / x)
+    angle = base + (magnitude * (z * upper / lower) + magnitude)
+    angle = -angle if slope < 0.0 else angle
     if x > 0.0:
         return angle
     return angle + PI if y >= 0.0 else angle - PI

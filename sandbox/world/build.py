@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sandbox._jit import interpreted
 from sandbox.geometry.mass import Moments, edge_normals, moments
 from sandbox.geometry.trig import cos_sin
 from sandbox.scene.flat import FlatBody, FlatScene, FlatShape, Vec
@@ -14,6 +15,7 @@ from sandbox.world import records
 from sandbox.world.records import Records
 from sandbox.world.state import State
 
+_cos_sin = interpreted(cos_sin)
 _TYPES = {"static": records.STATIC, "kinematic": records.KINEMATIC, "dynamic": records.DYNAMIC}
 _KINDS = {
     "circle": records.CIRCLE, "box": records.BOX, "capsule": records.CAPSULE,
@@ -99,7 +101,7 @@ def _fill_shape(row: Records, shape: FlatShape, start: int) -> None:
 
 
 def _fill_body(row: Records, body: FlatBody, outline: _Outline) -> None:
-    cosine, sine = cos_sin(body.angle)
+    cosine, sine = _cos_sin(body.angle)
     cx, cy = outline.center
     row.position_x, row.position_y, row.angle = *body.position, body.angle
     row.velocity_x, row.velocity_y = body.velocity
