@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from sandbox._jit import kernel
 from sandbox.engine.contact_blocks import LANES, MAX_COLORS, VECTOR
+from sandbox.engine.islands import is_active
 from sandbox.world.records import Integers, Records
 
 
@@ -11,8 +12,8 @@ from sandbox.world.records import Integers, Records
 def color_contacts(bodies: Records, flights: Records, contacts: Records, count: int, colors: Integers) -> int:
     """Greedy colouring in contact order; write each contact's colour to `colors`, return the number of colours.
 
-    Only bodies with mass count: static and kinematic ones are read by the solver but not changed. A contact that
-    finds no free colour gets `MAX_COLORS`, the colour of those that are solved one by one.
+    Only active bodies count: others are read by the solver but not changed. A contact that finds no free colour gets
+    `MAX_COLORS`, the colour of those that are solved one by one; one among sleeping bodies gets -1 and is not solved.
     """
     for i in range(flights.shape[0]):
         flights[i].colors = 0
@@ -20,8 +21,11 @@ def color_contacts(bodies: Records, flights: Records, contacts: Records, count: 
     for i in range(count):
         a = contacts[i].body_a
         b = contacts[i].body_b
-        moves_a = bodies[a].inverse_mass > 0.0
-        moves_b = bodies[b].inverse_mass > 0.0
+        moves_a = is_active(bodies[a])
+        moves_b = is_active(bodies[b])
+        if not (moves_a or moves_b):
+            colors[i] = -1
+            continue
         taken = (flights[a].colors if moves_a else 0) | (flights[b].colors if moves_b else 0)
         color = 0
         while color < MAX_COLORS and (taken >> color) & 1:
@@ -53,12 +57,15 @@ def fill_blocks(
     for c in range(color_count + 1):
         heads[c] = 0
     for i in range(count):
-        heads[colors[i]] += 1
+        if colors[i] >= 0:
+            heads[colors[i]] += 1
     total = 0
     for c in range(color_count + 1):
         total += heads[c]
         heads[c] = total
     for i in range(count - 1, -1, -1):
+        if colors[i] < 0:
+            continue
         heads[colors[i]] -= 1
         slot = slots[heads[colors[i]]]
         slot.contact = i

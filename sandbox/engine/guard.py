@@ -43,6 +43,7 @@ def _freeze(body: Records, motion: Records, counter: Records) -> None:
     """Make a body static at the pose it had when the step began."""
     body.type = STATIC
     body.frozen_step = counter.step_count
+    body.awake = 1
     body.velocity_x = 0.0
     body.velocity_y = 0.0
     body.angular_velocity = 0.0

@@ -6,6 +6,7 @@ import math
 
 from sandbox._jit import kernel
 from sandbox.engine.bounds import shape_margin
+from sandbox.engine.islands import is_active
 from sandbox.geometry.manifold import collide_cores
 from sandbox.world.records import Records
 
@@ -29,14 +30,16 @@ def find_contacts(
     """Write a contact for every pair that touches or may touch within `seconds`; return how many.
 
     Pairs and old contacts are both sorted by (shape_a, shape_b): one walk through both matches them, and impulses
-    of points with the same feature id carry over (warm starting).
+    of points with the same feature id carry over (warm starting). Contacts among sleeping bodies, which the grid does
+    not propose, are kept as they are.
     """
     count = 0
     k = 0
     for i in range(pair_count):
         shape_a = pairs[i].shape_a
         shape_b = pairs[i].shape_b
-        while k < old_count and (old[k].shape_a < shape_a or (old[k].shape_a == shape_a and old[k].shape_b < shape_b)):
+        while k < old_count and _comes_before(old[k], shape_a, shape_b):
+            count = _keep_if_asleep(bodies, old[k], contacts, count)
             k += 1
         if not _collide(bodies, shapes, turned, shape_a, shape_b, seconds, manifold):
             continue
@@ -47,7 +50,26 @@ def find_contacts(
         if k < old_count and old[k].shape_a == shape_a and old[k].shape_b == shape_b:
             _match(old[k], contact)
         count += 1
+    for i in range(k, old_count):
+        count = _keep_if_asleep(bodies, old[i], contacts, count)
     return count
+
+
+@kernel
+def _comes_before(contact: Records, shape_a: int, shape_b: int) -> bool:
+    first = contact.shape_a
+    return bool(first < shape_a or (first == shape_a and contact.shape_b < shape_b))
+
+
+@kernel
+def _keep_if_asleep(bodies: Records, old: Records, contacts: Records, count: int) -> int:
+    """Append an old contact if one of its bodies sleeps and none is active; return the new count."""
+    a = bodies[old.body_a]
+    b = bodies[old.body_b]
+    if is_active(a) or is_active(b) or a.awake + b.awake == 2:
+        return count
+    contacts[count] = old
+    return count + 1
 
 
 @kernel

@@ -12,6 +12,7 @@ from sandbox.engine.drags import solve_drags
 from sandbox.engine.guard import guard_positions, guard_velocities
 from sandbox.engine.impacts import list_bouncy, resolve_impacts
 from sandbox.engine.integrate import begin_motions, finish_motions, integrate_positions, integrate_velocities
+from sandbox.engine.islands import fall_asleep, wake_touched
 from sandbox.engine.narrow_phase import find_contacts
 from sandbox.engine.softness import soft_coefficients
 from sandbox.world.records import Floats, Integers, Records
@@ -58,8 +59,9 @@ def advance(
     turn_cores(bodies, shapes, vertices, turned)
     bound_shapes(bodies, shapes, turned, seconds, boxes)
     pair_count = find_pairs(boxes, ordered, heads, levels, pairs)
-    if pair_count > pairs.shape[0]:
-        return pair_count
+    kept = counter.contact_count if counter.asleep_count > 0 else 0
+    if pair_count + kept > pairs.shape[0]:
+        return pair_count + kept
     sort_pairs(pairs, pair_count, sorted_pairs, heads, shapes.shape[0])
 
     count = find_contacts(
@@ -74,6 +76,7 @@ def advance(
         counter.contact_count,
         contacts,
     )
+    wake_touched(bodies, contacts, count, counters)
     color_count = color_contacts(bodies, flights, contacts, count, colors)
     block_count = fill_blocks(contacts, count, colors, color_count, heads, slots, blocks)
     if block_count > blocks.shape[0]:
@@ -87,6 +90,7 @@ def advance(
     )  # fmt: skip
     store_impulses(contacts, slots, blocks, block_count, lanes)
 
+    fall_asleep(bodies, flights, contacts, count, drags, seconds, setting.sleeping == 1, counters)
     counter.step_count += 1
     counter.contact_count = count
     counter.pair_count = pair_count

@@ -85,6 +85,8 @@ BODY = Table(
         Field("type", "-", "0 static, 1 kinematic, 2 dynamic", "i8"),
         Field("awake", "-", "1 while the body is simulated; 0 asleep", "i8"),
         Field("sleep_time", "s", "how long the body has been slow"),
+        Field("slow_speed", "m/s", "fastest point of the body when it became slow"),
+        Field("island", "-", "1 + first row of the island it fell asleep with; 0 while awake", "i8"),
         Field("frozen_step", "-", "step at which bad numbers froze the body; -1 if never", "i8"),
     ),
 )
@@ -192,6 +194,7 @@ COUNTERS = Table(
         Field("pair_count", "-", "pairs the grid proposed in the last step", "i8", hashed=False),
         Field("color_count", "-", "colours of the contact graph in the last step", "i8", hashed=False),
         Field("awake_count", "-", "dynamic bodies awake after the last step", "i8", hashed=False),
+        Field("asleep_count", "-", "dynamic bodies asleep after the last step", "i8", hashed=False),
         Field("frozen_count", "-", "bodies frozen so far", "i8"),
     ),
 )

@@ -1,0 +1,181 @@
+"""Stages: wake what is touched, and let resting islands fall asleep.
+
+An island is a set of dynamic bodies joined by contacts. It falls asleep as a whole once every body in it has been
+slow for a while, and wakes as a whole. Sleeping bodies are not moved or solved; their contacts are kept as they are,
+so that a pile wakes with the impulses it fell asleep with.
+"""
+
+from __future__ import annotations
+
+import math
+
+from sandbox._jit import kernel
+from sandbox.world.records import DYNAMIC, KINEMATIC, Records
+
+SLEEP_SPEED = 0.05
+"""A body is slow while no point of it moves faster than this, in m/s."""
+STILL_SPEED = 0.001
+"""A body that has become faster while it was slow is about to slide or tip, unless it is slower than this, in m/s."""
+SLEEP_SECONDS = 0.5
+"""How long all bodies of an island have to be slow."""
+
+
+@kernel
+def is_active(body: Records) -> bool:
+    """Whether the solver moves this body."""
+    return bool(body.type == DYNAMIC and body.awake == 1)
+
+
+@kernel
+def wake_touched(bodies: Records, contacts: Records, count: int, counters: Records) -> None:
+    """Wake every island that has a contact with an awake or a moving kinematic body."""
+    if counters[0].asleep_count == 0:
+        return
+    found = False
+    for i in range(count):
+        a = bodies[contacts[i].body_a]
+        b = bodies[contacts[i].body_b]
+        if a.awake == 0 and _disturbs(b):
+            a.awake = 1
+            found = True
+        elif b.awake == 0 and _disturbs(a):
+            b.awake = 1
+            found = True
+    if found:
+        wake_marked_islands(bodies)
+
+
+@kernel
+def _disturbs(body: Records) -> bool:
+    if body.type == KINEMATIC:
+        return bool(body.velocity_x != 0.0 or body.velocity_y != 0.0 or body.angular_velocity != 0.0)
+    return is_active(body)
+
+
+@kernel
+def wake_marked_islands(bodies: Records) -> None:
+    """Wake all bodies of every island in which one body is awake already; that one still carries the island's root.
+
+    `island` is the row of the island's first body plus one, 0 for a body that has not been asleep.
+    """
+    for i in range(bodies.shape[0]):
+        body = bodies[i]
+        if body.island > 0 and body.awake == 1:
+            bodies[body.island - 1].sleep_time = -1.0
+    for i in range(bodies.shape[0]):
+        body = bodies[i]
+        if body.island > 0 and bodies[body.island - 1].sleep_time < 0.0:
+            body.awake = 1
+    for i in range(bodies.shape[0]):
+        body = bodies[i]
+        if body.island > 0 and body.awake == 1:
+            body.sleep_time = 0.0
+            body.island = 0
+
+
+@kernel
+def find_islands(bodies: Records, flights: Records, contacts: Records, count: int) -> None:
+    """Union-find over contacts that push: `flight.island` of an active body becomes the lowest row of its island."""
+    for i in range(bodies.shape[0]):
+        flights[i].island = i
+    for i in range(count):
+        contact = contacts[i]
+        if not (is_active(bodies[contact.body_a]) and is_active(bodies[contact.body_b])):
+            continue
+        a = _root(flights, contact.body_a)
+        b = _root(flights, contact.body_b)
+        if a < b:
+            flights[b].island = a
+        elif b < a:
+            flights[a].island = b
+    for i in range(bodies.shape[0]):
+        flights[i].island = _root(flights, i)
+
+
+@kernel
+def _root(flights: Records, i: int) -> int:
+    """Root of body i; halves the path on its way."""
+    while flights[i].island != i:
+        flights[i].island = flights[flights[i].island].island
+        i = flights[i].island
+    return i
+
+
+@kernel
+def fall_asleep(
+    bodies: Records,
+    flights: Records,
+    contacts: Records,
+    count: int,
+    drags: Records,
+    seconds: float,
+    sleeping: bool,
+    counters: Records,
+) -> None:
+    """Count how long bodies have been slow; put islands to sleep in which all have been slow long enough."""
+    _count_slow_time(bodies, seconds)
+    _keep_awake(bodies, contacts, count, drags)
+    ready = False
+    for i in range(bodies.shape[0]):
+        if is_active(bodies[i]) and bodies[i].sleep_time >= SLEEP_SECONDS:
+            ready = True
+    if ready and sleeping:
+        find_islands(bodies, flights, contacts, count)
+        _sleep_islands(bodies, flights)
+    counters[0].asleep_count = 0
+    counters[0].awake_count = 0
+    for i in range(bodies.shape[0]):
+        if bodies[i].type == DYNAMIC:
+            counters[0].asleep_count += 1 - bodies[i].awake
+            counters[0].awake_count += bodies[i].awake
+
+
+@kernel
+def _count_slow_time(bodies: Records, seconds: float) -> None:
+    for i in range(bodies.shape[0]):
+        body = bodies[i]
+        if not is_active(body):
+            continue
+        rim = body.angular_velocity * body.extent
+        speed = math.sqrt(body.velocity_x * body.velocity_x + body.velocity_y * body.velocity_y + rim * rim)
+        if speed >= SLEEP_SPEED:
+            body.sleep_time = 0.0
+            continue
+        if body.sleep_time == 0.0:
+            body.slow_speed = speed
+        body.sleep_time += seconds
+        if body.sleep_time >= SLEEP_SECONDS and speed > STILL_SPEED and speed > body.slow_speed:
+            body.sleep_time = 0.0
+
+
+@kernel
+def _keep_awake(bodies: Records, contacts: Records, count: int, drags: Records) -> None:
+    """Dragged bodies and those on a moving kinematic body do not fall asleep."""
+    for k in range(drags.shape[0]):
+        if drags[k].body >= 0:
+            bodies[drags[k].body].sleep_time = 0.0
+    for i in range(count):
+        a = bodies[contacts[i].body_a]
+        b = bodies[contacts[i].body_b]
+        if a.type == KINEMATIC and _disturbs(a):
+            b.sleep_time = 0.0
+        elif b.type == KINEMATIC and _disturbs(b):
+            a.sleep_time = 0.0
+
+
+@kernel
+def _sleep_islands(bodies: Records, flights: Records) -> None:
+    """An island sleeps if none of its bodies is too lively; a lively body marks the root by a colour of -1."""
+    for i in range(bodies.shape[0]):
+        flights[i].colors = 0
+    for i in range(bodies.shape[0]):
+        if is_active(bodies[i]) and bodies[i].sleep_time < SLEEP_SECONDS:
+            flights[flights[i].island].colors = -1
+    for i in range(bodies.shape[0]):
+        body = bodies[i]
+        if is_active(body) and flights[flights[i].island].colors == 0:
+            body.awake = 0
+            body.island = flights[i].island + 1
+            body.velocity_x = 0.0
+            body.velocity_y = 0.0
+            body.angular_velocity = 0.0
