@@ -26,9 +26,7 @@ _STEPS = typer.Option(
     show_default=False,
     help="Steps to run instead of a scene's own number.",
 )
-_ONLY = typer.Option(
-    "-k", "--only", metavar="TEXT", show_default=False, help="Only files whose path contains TEXT."
-)
+_ONLY = typer.Option("-k", "--only", metavar="TEXT", show_default=False, help="Only files whose path contains TEXT.")
 _JSON = typer.Option("--json", help="Print one JSON document instead of the table.")
 
 

@@ -69,9 +69,7 @@ def _reasons(result: Result) -> list[str]:
     if trial is None:
         return []
     reasons = [_reason(result, verdict) for verdict in trial.verdicts if not verdict.holds]
-    return reasons + [
-        f"  {body} was frozen at step {step}: its numbers went bad" for body, step in trial.frozen
-    ]
+    return reasons + [f"  {body} was frozen at step {step}: its numbers went bad" for body, step in trial.frozen]
 
 
 def _reason(result: Result, verdict: Verdict) -> str:

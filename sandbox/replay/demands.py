@@ -42,9 +42,7 @@ def _rests(wanted: expect.Rests, start: State) -> list[Condition]:
     them, limit = _bodies(wanted.rests, start), wanted.tolerance
     speed, turning = measures.speed(them.rows), measures.turning(them.rows)
     return [
-        Condition(
-            them.labels, speed, f"speed at most {limit:g} m/s", "{name} moves at {value:.4g} m/s", high=limit
-        ),
+        Condition(them.labels, speed, f"speed at most {limit:g} m/s", "{name} moves at {value:.4g} m/s", high=limit),
         Condition(
             them.labels,
             turning,
@@ -83,9 +81,7 @@ def _above(wanted: expect.Above, start: State) -> list[Condition]:
 
 def _below(wanted: expect.Below, start: State) -> list[Condition]:
     them, high = _bodies(wanted.of, start), wanted.below
-    return [
-        Condition(them.labels, measures.height(them.rows), f"y at most {high:g} m", _AT_HEIGHT, high=high)
-    ]
+    return [Condition(them.labels, measures.height(them.rows), f"y at most {high:g} m", _AT_HEIGHT, high=high)]
 
 
 def _touches(wanted: expect.Touches, start: State) -> list[Condition]:
@@ -96,9 +92,7 @@ def _touches(wanted: expect.Touches, start: State) -> list[Condition]:
 def _apart(wanted: expect.Apart, start: State) -> list[Condition]:
     first, second = wanted.apart
     return [
-        _contact(
-            first, second, start, f"{first} and {second} apart", "{value:.0f} contacts between them", high=0.0
-        )
+        _contact(first, second, start, f"{first} and {second} apart", "{value:.0f} contacts between them", high=0.0)
     ]
 
 
@@ -122,9 +116,7 @@ def _near(wanted: expect.Near, start: State) -> list[Condition]:
 def _speed(wanted: expect.Speeding, start: State) -> list[Condition]:
     them, (low, high) = _bodies(wanted.of, start), wanted.speed
     text = f"speed in [{low:g}, {high:g}] m/s"
-    return [
-        Condition(them.labels, measures.speed(them.rows), text, "{name} moves at {value:.4g} m/s", low, high)
-    ]
+    return [Condition(them.labels, measures.speed(them.rows), text, "{name} moves at {value:.4g} m/s", low, high)]
 
 
 def _angle(wanted: expect.Turned, start: State) -> list[Condition]:

@@ -70,8 +70,7 @@ def test_inside_judges_all_dynamic_bodies_by_default(state: State) -> None:
     assert fault(expect.Inside(always=True, inside=(-1, -0.5, 2, 1)), state) == "crate-2 is 1 m outside"
     assert fault(expect.Inside(always=True, inside=(-1, -0.5, 2, 1), of="crate-1"), state) is None
     assert (
-        fault(expect.Inside(always=True, inside=(-1, -0.5, 4, 1), of=("ground",)), state)
-        == "ground is 0.5 m outside"
+        fault(expect.Inside(always=True, inside=(-1, -0.5, 4, 1), of=("ground",)), state) == "ground is 0.5 m outside"
     )
 
 
