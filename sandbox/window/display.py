@@ -33,7 +33,7 @@ class Display:
             _ask_for_core_profile()
             _open(size, visible)
             pygame.display.set_caption(title)
-            self.context: Any = moderngl.create_context(require=330)
+            self.context = _context()
         except Exception as error:  # pygame, moderngl and the driver each have their own
             pygame.display.quit()
             raise no_window(error) from error
@@ -73,9 +73,7 @@ class Display:
 
         viewport = (0, 0, *self.size)
         pixels = self.context.screen.read(viewport=viewport, components=3, alignment=1)
-        _ = (
-            self.context.error
-        )  # reading the window leaves a stale error flag, which ImGui's painter would raise
+        _ = self.context.error  # reading the window leaves a stale error flag, which ImGui's painter would raise
         picture = Image.frombytes("RGB", self.size, pixels).transpose(Image.Transpose.FLIP_TOP_BOTTOM)
         picture.save(path, optimize=True)
 
@@ -94,9 +92,7 @@ def check_size(size: Size) -> None:
     """Raise `SandboxError` for a window that nobody could use."""
     if size[0] < SMALLEST[0] or size[1] < SMALLEST[1] or max(size) > LARGEST:
         low, high = f"{SMALLEST[0]}x{SMALLEST[1]}", f"{LARGEST}x{LARGEST}"
-        raise SandboxError(
-            f"a window of {size[0]}x{size[1]} pixels is not possible; it can be {low} to {high}"
-        )
+        raise SandboxError(f"a window of {size[0]}x{size[1]} pixels is not possible; it can be {low} to {high}")
 
 
 def _ask_for_core_profile() -> None:
@@ -110,6 +106,15 @@ def _ask_for_core_profile() -> None:
         attributes[pygame.GL_CONTEXT_FLAGS] = pygame.GL_CONTEXT_FORWARD_COMPATIBLE_FLAG
     for name, value in attributes.items():
         pygame.display.gl_set_attribute(name, value)
+
+
+def _context() -> Any:
+    """moderngl's view of the window's OpenGL context, by GLX, EGL or whatever made it."""
+    moderngl.init_context()
+    context = moderngl.get_context()
+    if context.version_code < 330:
+        raise RuntimeError(f"the driver offers only OpenGL {context.version_code / 100:.1f}")
+    return context
 
 
 def _open(size: Size, vsync: bool) -> None:

@@ -31,13 +31,16 @@ TRIM_PIXELS = 20_000.0
 
 def pack(picture: DrawList) -> Instances:
     """All quads of a picture from back to front."""
-    parts = [_strokes(picture.below), _shapes(picture), _strokes(picture.above)]
-    return np.concatenate(parts)
+    below, shapes, above = len(picture.below), len(picture.shapes.index), len(picture.above)
+    out = np.zeros(below + shapes + above, INSTANCE)
+    _strokes(out[:below], picture.below)
+    _shapes(out[below : below + shapes], picture)
+    _strokes(out[below + shapes :], picture.above)
+    return out
 
 
-def _strokes(lines: Sequence[Line]) -> Instances:
+def _strokes(out: Instances, lines: Sequence[Line]) -> None:
     """Strokes are capsules: a core as long as the line, and half the width around it."""
-    out = np.zeros(len(lines), INSTANCE)
     for row, line in zip(out, lines, strict=True):
         dx, dy = line.end[0] - line.start[0], line.end[1] - line.start[1]
         length = float(np.hypot(dx, dy))
@@ -45,12 +48,10 @@ def _strokes(lines: Sequence[Line]) -> Instances:
         row["axis"] = (dx / length, dy / length) if length > 0.0 else (1.0, 0.0)
         row["extent"] = length / 2, 0.0, line.width / 2, 0.0
         row["fill"] = *line.color, line.opacity
-    return out
 
 
-def _shapes(picture: DrawList) -> Instances:
+def _shapes(out: Instances, picture: DrawList) -> None:
     items, mesh, scale = picture.shapes, picture.mesh, picture.camera.scale
-    out = np.zeros(len(items.index), INSTANCE)
     origin, half, trimmed = _trim(picture)
     out["origin"], out["axis"] = origin, items.axis
     out["extent"][:, :2] = half
@@ -59,15 +60,14 @@ def _shapes(picture: DrawList) -> Instances:
     out["fill"][:, :3], out["fill"][:, 3] = items.fill, 1.0
     out["edge"][:, :3], out["edge"][:, 3] = items.edge, items.hatched
     out["mark"][:, :3], out["mark"][:, 3] = items.mark, np.where(trimmed, 0.0, items.mark_opacity)
-    out["detail"][:, :2] = mesh.mark[items.index] * scale
+    out["detail"][:, :2] = mesh.mark.take(items.index, axis=0) * scale
     out["detail"][:, 2], out["detail"][:, 3] = mesh.start[items.index], mesh.count[items.index]
-    return out
 
 
 def _trim(picture: DrawList) -> tuple[Any, Any, Any]:
     """Origins and half extents in pixels, with the far ends of huge boxes moved to a little off screen."""
     items, mesh, camera = picture.shapes, picture.mesh, picture.camera
-    half = mesh.half[items.index] * camera.scale
+    half = mesh.half.take(items.index, axis=0) * camera.scale
     huge = (half.max(axis=1, initial=0.0) > TRIM_PIXELS) & (mesh.count[items.index] == 0)
     if not huge.any():
         return items.origin, half, huge
@@ -78,8 +78,6 @@ def _trim(picture: DrawList) -> tuple[Any, Any, Any]:
     low = np.clip(seen - TRIM_PIXELS / 2, -half[huge], half[huge])
     high = np.clip(seen + TRIM_PIXELS / 2, -half[huge], half[huge])
     middle = (low + high) / 2
-    origin[huge] += np.column_stack(
-        [a * middle[:, 0] + b * middle[:, 1], b * middle[:, 0] - a * middle[:, 1]]
-    )
+    origin[huge] += np.column_stack([a * middle[:, 0] + b * middle[:, 1], b * middle[:, 0] - a * middle[:, 1]])
     half[huge] = (high - low) / 2
     return origin, half, huge

@@ -50,8 +50,8 @@ class Loader:
         # The first step of a process compiles or loads kernels. It is taken here in a world of its own, so
         # that the first step a person sees does not wait.
         World(scene).step()
-        world = World(scene)
+        session = Session(scene, World(scene))
         if self.start_step:
             self.message = f"Simulating the first {self.start_step:,} steps"
-            world.step(self.start_step)
-        return Session(scene, world)
+            session.skip(self.start_step)
+        return session

@@ -65,7 +65,5 @@ class LoadingScreen:
             _center(pen, (width, height), 72.0, text, 16.0, FAINT)
 
 
-def _center(
-    pen: Pen, size: Size, down: float, text: str, points: float, color: tuple[float, float, float]
-) -> None:
+def _center(pen: Pen, size: Size, down: float, text: str, points: float, color: tuple[float, float, float]) -> None:
     pen.text((size[0] - pen.width(text, points)) / 2, size[1] / 2 + down, text, color, size=points)

@@ -38,16 +38,12 @@ class Pen:
         imgui.pop_font()
         return width
 
-    def panel(
-        self, box: tuple[float, float, float, float], color: Color, opacity: float, rounding: float
-    ) -> None:
+    def panel(self, box: tuple[float, float, float, float], color: Color, opacity: float, rounding: float) -> None:
         """Fill a rectangle (left, top, right, bottom) with round corners."""
         low, high = imgui.ImVec2(box[0], box[1]), imgui.ImVec2(box[2], box[3])
         self._list.add_rect_filled(low, high, pack(color, opacity), rounding)
 
-    def arc(
-        self, x: float, y: float, radius: float, turn: tuple[float, float], color: Color, width: float
-    ) -> None:
+    def arc(self, x: float, y: float, radius: float, turn: tuple[float, float], color: Color, width: float) -> None:
         """Stroke a part of a circle between two angles in radians."""
         self._list.path_arc_to(imgui.ImVec2(x, y), radius, turn[0], turn[1], 32)
         self._list.path_stroke(pack(color, 1.0), thickness=width)

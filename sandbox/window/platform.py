@@ -40,4 +40,10 @@ def survive_x_errors() -> None:
 def choose_gl_platform(driver: str) -> None:
     """PyOpenGL has to use the interface (GLX or EGL) that SDL uses; alone it guesses from the session."""
     if sys.platform.startswith("linux"):
-        os.environ.setdefault("PYOPENGL_PLATFORM", "glx" if driver == "x11" else "egl")
+        os.environ.setdefault("PYOPENGL_PLATFORM", "egl" if _uses_egl(driver) else "glx")
+
+
+def _uses_egl(driver: str) -> bool:
+    """Of SDL's drivers on Linux only `x11` speaks GLX, unless it is told to speak EGL."""
+    forced = os.environ.get("SDL_VIDEO_X11_FORCE_EGL") == "1"
+    return sys.platform.startswith("linux") and (driver != "x11" or forced)

@@ -24,9 +24,7 @@ class PlayScreen:
 
     counts = True
 
-    def __init__(
-        self, session: Session, size: Size, back: Callable[[], Screen | None], lockstep: bool = False
-    ) -> None:
+    def __init__(self, session: Session, size: Size, back: Callable[[], Screen | None], lockstep: bool = False) -> None:
         self.session = session
         self.lockstep = lockstep
         self.mouse = Mouse(session, self._fitted(size))
@@ -101,7 +99,7 @@ class PlayScreen:
             self.mouse.camera = self.mouse.camera.resized(size) if self.mouse.touched else self._fitted(size)
 
     def _fitted(self, size: Size) -> Camera:
-        return scene_camera(self.session.scene.view, self.session.bounds(), size)
+        return scene_camera(self.session.scene.view, self.session.home, size)
 
     def _pause(self) -> None:
         self.session.clock.paused = not self.session.clock.paused

@@ -36,6 +36,8 @@ class Session:
         self.target: Vec = (0.0, 0.0)
         self._grip: Vec = (0.0, 0.0)
         self.previous = self.current = capture(world.state)
+        self.home = interesting_bounds(self.current)
+        """What is worth looking at when the scene begins, in metres."""
 
     def update(self, elapsed: float) -> int:
         """Let `elapsed` seconds of real time pass; gives the number of steps taken."""
@@ -50,6 +52,11 @@ class Session:
         self._step()
         self.clock.settle()
 
+    def skip(self, steps: int) -> None:
+        """Take many steps unseen."""
+        self.world.step(steps)
+        self.previous = self.current = capture(self.world.state, self.current.mesh)
+
     def restart(self) -> None:
         """Begin again from the scene as it was written."""
         self.grabbed = None
@@ -61,15 +68,21 @@ class Session:
         return blend(self.previous, self.current, self.clock.alpha)
 
     def bounds(self) -> Bounds:
-        """The part of the world worth looking at."""
+        """What is worth looking at now, in metres."""
         return interesting_bounds(self.current)
 
     def grab(self, point: Vec, slack: float) -> bool:
         """Take hold of the dynamic body at `point` (metres); False if there is none within `slack` metres."""
-        body = pick(self.frame(), point, slack)
-        if body is None or not self._send_grab(body, point):
+        frame = self.frame()
+        body = pick(frame, point, slack)
+        if body is None:
             return False
-        self.grabbed, self.target, self._grip = body, point, self._local(body, point)
+        grip = _to_body(frame, body, point)
+        # The picture lags behind the world by up to a step: catch the point that was seen, where it is now.
+        if not self._send_grab(body, _to_world(self.current, body, grip)):
+            return False
+        self.grabbed, self._grip = body, grip
+        self.drag(point)
         return True
 
     def drag(self, point: Vec) -> None:
@@ -87,8 +100,7 @@ class Session:
     def grip(self, frame: Frame) -> Vec:
         """Where the grabbed point of the body is in `frame`, in metres."""
         assert self.grabbed is not None
-        (c, s), (x, y), (u, v) = frame.rotation[self.grabbed], frame.center[self.grabbed], self._grip
-        return float(x + c * u - s * v), float(y + s * u + c * v)
+        return _to_world(frame, self.grabbed, self._grip)
 
     def _send_grab(self, body: int, point: Vec) -> bool:
         force = DRAG_ACCELERATION * float(self.world.state.bodies[body].mass)
@@ -96,13 +108,8 @@ class Session:
             self.world.apply(StartDrag(self.world.names[body], point, force))
         except CommandError:
             return False
+        self.target = point
         return True
-
-    def _local(self, body: int, point: Vec) -> Vec:
-        frame = self.current
-        (c, s), (x, y) = frame.rotation[body], frame.center[body]
-        dx, dy = point[0] - x, point[1] - y
-        return float(c * dx + s * dy), float(c * dy - s * dx)
 
     def _step(self) -> None:
         begin = time.perf_counter()
@@ -110,3 +117,16 @@ class Session:
         cost = time.perf_counter() - begin
         self.step_cost = cost if self.step_cost == 0.0 else 0.9 * self.step_cost + 0.1 * cost
         self.previous, self.current = self.current, capture(self.world.state, self.current.mesh)
+
+
+def _to_body(frame: Frame, body: int, point: Vec) -> Vec:
+    """A world point in the body's frame, from its centre of mass."""
+    (c, s), (x, y) = frame.rotation[body], frame.center[body]
+    dx, dy = point[0] - x, point[1] - y
+    return float(c * dx + s * dy), float(c * dy - s * dx)
+
+
+def _to_world(frame: Frame, body: int, local: Vec) -> Vec:
+    """The inverse of `_to_body`."""
+    (c, s), (x, y), (u, v) = frame.rotation[body], frame.center[body], local
+    return float(x + c * u - s * v), float(y + s * u + c * v)

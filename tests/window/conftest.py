@@ -1,0 +1,26 @@
+"""A window to test in: on the screen if there is one, else out of sight, else the test is skipped."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+
+from sandbox.errors import MissingDependencyError
+from sandbox.window.requirements import check_packages
+
+SIZE = (480, 300)
+
+
+@pytest.fixture(scope="session")
+def display() -> Iterator[object]:
+    """A window with OpenGL of `SIZE` pixels, open until the last test."""
+    try:
+        check_packages()
+        from sandbox.window.display import Display
+
+        opened = Display(SIZE, "test", visible=False)
+    except MissingDependencyError as error:
+        pytest.skip(f"no window can be opened here: {error}")
+    with opened:
+        yield opened

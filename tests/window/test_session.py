@@ -1,0 +1,100 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import sandbox
+from sandbox.window.session import MOST_STEPS, Session
+
+SCENE = sandbox.Scene(
+    title="Two crates",
+    bodies=[
+        {"id": "ground", "type": "static", "shapes": [{"box": [40, 1]}], "position": [0, -0.5]},
+        {"id": "crate", "shapes": [{"box": [1, 1]}], "position": [0, 0.5]},
+        {"id": "other", "shapes": [{"box": [1, 1]}], "position": [4, 3]},
+    ],
+)
+
+
+@pytest.fixture
+def session() -> Session:
+    return Session(SCENE, sandbox.World(SCENE))
+
+
+def test_a_session_is_the_world_stepped(session: Session) -> None:
+    for _ in range(50):
+        session.step_once()
+    world = sandbox.World(SCENE)
+    world.step(50)
+    assert session.world.digest() == world.digest()
+
+
+def test_slow_motion_and_uneven_frames_do_not_change_the_physics(session: Session) -> None:
+    session.clock.speed = 0.25
+    for k in range(400):
+        session.update(0.001 * (k % 37))
+    world = sandbox.World(SCENE)
+    world.step(session.world.step_count)
+    assert session.world.step_count > 20
+    assert session.world.digest() == world.digest()
+
+
+def test_the_picture_lies_between_the_last_two_steps(session: Session) -> None:
+    step = session.clock.step_seconds
+    session.update(10.25 * step / 1.0)
+    session.update(0.0)
+    session.clock.settle()
+    session.update(0.25 * step)
+    before, after = session.previous.center[2, 1], session.current.center[2, 1]
+    assert session.frame().center[2, 1] == pytest.approx(before + 0.25 * (after - before))
+
+
+def test_a_long_wait_is_not_caught_up_with(session: Session) -> None:
+    assert session.update(100.0) <= MOST_STEPS
+
+
+def test_pause_and_single_steps(session: Session) -> None:
+    session.clock.paused = True
+    assert session.update(1.0) == 0
+    session.step_once()
+    assert session.world.step_count == 1
+    assert session.frame().step == 1
+    assert session.frame() is session.current
+
+
+def test_restart_begins_again(session: Session) -> None:
+    start = session.world.digest()
+    session.grab((4.0, 3.0), 0.0)
+    session.update(0.1)
+    session.restart()
+    assert session.world.digest() == start
+    assert session.grabbed is None
+    assert np.array_equal(session.frame().center, session.current.center)
+
+
+def test_dragging_pulls_the_body_towards_the_hand_and_release_lets_it_fall(session: Session) -> None:
+    assert session.grab((0.2, 0.6), 0.0)
+    session.drag((0.2, 4.0))
+    for _ in range(120):
+        session.step_once()
+    grip = session.grip(session.current)
+    assert np.hypot(grip[0] - 0.2, grip[1] - 4.0) < 0.1
+    session.release()
+    assert session.grabbed is None
+    for _ in range(120):
+        session.step_once()
+    assert session.world.body("crate").position[1] < 0.8
+
+
+def test_the_grip_is_the_point_that_was_caught(session: Session) -> None:
+    session.update(0.05)
+    session.grab((4.3, 3.1), 0.0)
+    assert session.grip(session.frame()) == pytest.approx((4.3, 3.1), abs=1e-9)
+
+
+def test_nothing_is_grabbed_where_nothing_moves(session: Session) -> None:
+    assert not session.grab((-5.0, -0.5), 0.0)
+    assert not session.grab((10.0, 10.0), 0.1)
+    session.drag((1.0, 1.0))
+    session.release()
+    assert session.grabbed is None
