@@ -1,0 +1,9 @@
+"""Settings shared by all tests. `tests` is a package, so that rooms can share `tests.flat` and the naive twins."""
+
+from __future__ import annotations
+
+from hypothesis import settings
+
+# The first call of a kernel compiles it, which no deadline could allow for.
+settings.register_profile("sandbox", deadline=None, print_blob=True)
+settings.load_profile("sandbox")

@@ -1,0 +1,162 @@
+"""Coulomb friction, rolling, conveyors."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import pytest
+
+from tests.flat import body, box, capsule, circle, ground, world
+
+G = 9.81
+
+
+def slope(angle: float, **surface) -> tuple:
+    """Static ground turned by `angle`: its top runs through the origin, uphill to +x."""
+    return (body("ground", box(400.0, 2.0, (0.0, -1.0), **surface), type="static", angle=angle),)
+
+
+def on_slope(angle: float, shape, height: float, **fields):
+    """A body resting on the slope at the origin, its middle `height` above the surface."""
+    position = (-height * math.sin(angle), height * math.cos(angle))
+    return body("rider", shape, position=position, angle=angle, **fields)
+
+
+def way_down(w, steps: int, angle: float) -> float:
+    """How far the rider has gone down the slope after `steps`."""
+    start = w.body("rider").position
+    w.step(steps)
+    x, y = w.body("rider").position
+    return -((x - start[0]) * math.cos(angle) + (y - start[1]) * math.sin(angle))
+
+
+def slides(angle: float, mu: float, shape, height: float) -> bool:
+    w = world(*slope(angle, friction=mu), on_slope(angle, shape, height))
+    w.step(60)
+    return way_down(w, 120, angle) > 1e-4
+
+
+@pytest.mark.parametrize(
+    ("shape", "height"),
+    [(box(1.0, 0.3), 0.15), (box(0.8, 0.2, radius=0.05), 0.15), (capsule(0.5, 0.1), 0.1)],
+    ids=["box", "rounded box", "capsule"],
+)
+@pytest.mark.parametrize("mu", [0.2, 0.5, 0.8])
+def test_sliding_starts_at_the_friction_angle(mu, shape, height):
+    rider = replace(shape, friction=mu)
+    low, high = 0.0, math.radians(60.0)
+    assert not slides(low, mu, rider, height)
+    assert slides(high, mu, rider, height)
+    while high - low > math.radians(0.02):
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if slides(middle, mu, rider, height) else (middle, high)
+    assert math.degrees(0.5 * (low + high)) == pytest.approx(math.degrees(math.atan(mu)), abs=0.1)
+
+
+@pytest.mark.parametrize(("mu", "speed"), [(0.1, 2.0), (0.1, 8.0), (0.3, 8.0), (0.7, 8.0)])
+def test_stopping_distance(mu, speed):
+    w = world(
+        ground(friction=mu),
+        body("sled", box(1.0, 0.2, friction=mu), position=(0.0, 0.1)),
+    )
+    w.step(30)
+    start = w.body("sled").position[0]
+    w.body("sled").velocity = (speed, 0.0)
+    w.step(60 + int(60 * speed / (mu * G)))
+    assert w.body("sled").velocity[0] == pytest.approx(0.0, abs=1e-6)
+    assert w.body("sled").position[0] - start == pytest.approx(speed**2 / (2 * mu * G), rel=5e-3)
+
+
+def test_friction_of_a_pair_is_the_geometric_mean():
+    w = world(ground(friction=0.9), body("sled", box(1.0, 0.2, friction=0.1), position=(0.0, 0.1), velocity=(5.0, 0.0)))
+    w.step(300)
+    assert w.body("sled").position[0] == pytest.approx(25.0 / (2 * 0.3 * G), rel=1e-2)
+
+
+@pytest.mark.parametrize(("mu", "degrees"), [(0.2, 30.0), (0.0, 20.0), (0.5, 40.0)])
+def test_sliding_down_a_slope(mu, degrees):
+    angle = math.radians(degrees)
+    w = world(*slope(angle, friction=mu), on_slope(angle, box(1.0, 0.2, friction=mu), 0.1))
+    a = G * (math.sin(angle) - mu * math.cos(angle))
+    assert way_down(w, 120, angle) == pytest.approx(0.5 * a * 4.0, rel=5e-3)
+
+
+def test_sliding_up_a_slope_and_staying_there():
+    angle, mu, speed = math.radians(20.0), 0.5, 9.0
+    rider = box(1.0, 0.2, friction=mu)
+    velocity = (speed * math.cos(angle), speed * math.sin(angle))
+    w = world(*slope(angle, friction=mu), on_slope(angle, rider, 0.1, velocity=velocity))
+    a = G * (math.sin(angle) + mu * math.cos(angle))
+    assert -way_down(w, 240, angle) == pytest.approx(speed**2 / (2 * a), rel=5e-3)
+    assert way_down(w, 240, angle) == pytest.approx(0.0, abs=1e-4)
+
+
+@pytest.mark.parametrize("degrees", [5.0, 20.0])
+def test_a_disc_rolls_down_without_slipping(degrees):
+    angle = math.radians(degrees)
+    w = world(*slope(angle, friction=1.0), on_slope(angle, circle(0.5, friction=1.0), 0.5))
+    assert way_down(w, 180, angle) == pytest.approx(0.5 * (2.0 / 3.0 * G * math.sin(angle)) * 9.0, rel=5e-3)
+    speed = math.hypot(*w.body("rider").velocity)
+    assert w.body("rider").angular_velocity == pytest.approx(speed / 0.5, rel=5e-3)
+
+
+def test_a_sliding_ball_ends_rolling_at_two_thirds_of_its_speed():
+    w = world(ground(friction=0.4), body("ball", circle(0.5, friction=0.4), position=(0.0, 0.5), velocity=(6.0, 0.0)))
+    w.step(240)
+    assert w.body("ball").velocity[0] == pytest.approx(4.0, rel=5e-3)
+    assert w.body("ball").angular_velocity == pytest.approx(-8.0, rel=5e-3)
+
+
+@pytest.mark.parametrize("arm", [0.002, 0.01, 0.05])
+def test_rolling_resistance_slows_a_disc(arm):
+    """Torque arm * N against the roll, friction keeps it from slipping: a = g arm r / (r^2 + r^2 / 2)."""
+    ball = circle(0.5, friction=1.0, rolling_resistance=arm)
+    w = world(
+        ground(friction=1.0),
+        body("ball", ball, position=(0.0, 0.5), velocity=(3.0, 0.0), angular_velocity=-6.0),
+    )
+    w.step(60)
+    assert w.body("ball").velocity[0] == pytest.approx(3.0 - G * arm * 0.5 / (1.5 * 0.25), rel=2e-3)
+
+
+def test_rolling_resistance_brings_a_disc_to_rest_and_holds_it_on_a_gentle_slope():
+    angle = 0.5 * math.atan(0.05 / 0.5)
+    ball = circle(0.5, friction=1.0, rolling_resistance=0.05)
+    w = world(*slope(angle, friction=1.0), on_slope(angle, ball, 0.5))
+    w.step(60)
+    assert way_down(w, 300, angle) == pytest.approx(0.0, abs=1e-3)
+
+
+@pytest.mark.parametrize("speed", [1.5, -3.0])
+def test_a_conveyor_brings_a_crate_to_the_speed_of_the_belt(speed):
+    """A belt moves clockwise around its shape: its upper side toward +x."""
+    w = world(
+        ground(friction=0.5, surface_speed=speed),
+        body("crate", box(1.0, 0.5, friction=0.5), position=(0.0, 0.25)),
+    )
+    w.step(20)
+    grip = math.copysign(0.5 * G * 20 / 60, speed)
+    expected = grip if abs(grip) < abs(speed) else speed
+    assert w.body("crate").velocity[0] == pytest.approx(expected, rel=1e-2)
+    w.step(100)
+    assert w.body("crate").velocity[0] == pytest.approx(speed, rel=1e-6)
+
+
+def test_a_crate_with_a_tracked_underside_drives():
+    """Clockwise around the crate its underside runs toward -x, so the crate drives toward +x."""
+    w = world(ground(friction=0.5), body("tank", box(1.0, 0.5, surface_speed=2.0), position=(0.0, 0.25)))
+    w.step(120)
+    assert w.body("tank").velocity[0] == pytest.approx(2.0, rel=1e-6)
+
+
+def test_friction_does_not_let_a_heavy_pusher_through():
+    w = world(
+        ground(friction=0.5),
+        body("pusher", box(0.5, 1.0), type="kinematic", position=(-2.0, 0.6), velocity=(1.0, 0.0)),
+        body("crate", box(1.0, 1.0), position=(0.0, 0.5)),
+    )
+    w.step(300)
+    assert w.body("pusher").position[0] == pytest.approx(3.0)
+    assert w.body("crate").position[0] == pytest.approx(3.0 + 0.25 + 0.5, abs=0.01)
+    assert w.body("crate").velocity[0] == pytest.approx(1.0, abs=1e-2)
