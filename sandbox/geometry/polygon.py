@@ -8,6 +8,7 @@ dropped, as is a vertex that repeats the one before it, or the first one at the 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from itertools import pairwise
 
 from sandbox.errors import SandboxError
@@ -36,6 +37,11 @@ def convex_polygon(vertices: Sequence[Vec]) -> tuple[Vec, ...]:
     `vertices` are (x, y) in metres in either winding; finite. Raises `PolygonError` when the polygon is
     degenerate, intersects itself, is concave, or has an edge shorter than `MIN_EDGE`.
     """
+    return _convex(tuple((float(x), float(y)) for x, y in vertices))
+
+
+@lru_cache(maxsize=256)
+def _convex(vertices: tuple[Vec, ...]) -> tuple[Vec, ...]:
     points, unit = scaled(vertices)
     kept = _corners(points)
     if len(kept) < 3 or _on_one_line(points):
@@ -46,7 +52,7 @@ def convex_polygon(vertices: Sequence[Vec]) -> tuple[Vec, ...]:
     _check_size(points, kept, unit)
     if turns[0] < 0:
         kept = [kept[0], *reversed(kept[1:])]
-    return tuple((float(vertices[i][0]), float(vertices[i][1])) for i in kept)
+    return tuple(vertices[i] for i in kept)
 
 
 def _corners(points: list[Point]) -> list[int]:

@@ -7,6 +7,7 @@ multiples of 90 degrees.
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import lru_cache
 
 RADIANS_PER_DEGREE = 0.017453292519943295
 """The float nearest pi / 180; a file's degrees times this are the API's radians."""
@@ -15,6 +16,7 @@ _ONE = 1 << 128
 _PI = 0x3243F6A8885A308D313198A2E03707344A  # pi in units of 2^-132
 
 
+@lru_cache(maxsize=4096)
 def cos_sin_degrees(degrees: float) -> tuple[float, float]:
     """(cos, sin) of a finite angle in degrees."""
     exact = Fraction(degrees)

@@ -28,6 +28,4 @@ class Model(BaseModel):
 
     def said(self) -> dict[str, Any]:
         """The fields the author gave, by Python name; defaults are left out."""
-        return {
-            name: getattr(self, name) for name in type(self).model_fields if name in self.model_fields_set
-        }
+        return {name: getattr(self, name) for name in type(self).model_fields if name in self.model_fields_set}

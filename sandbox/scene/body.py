@@ -47,12 +47,8 @@ class Prefab(Model):
         default=None,
         description="Overrides the inertia about the centre of mass, kg m^2; default: scaled with mass.",
     )
-    center: LocalPoint | None = Field(
-        default=None, description="Overrides the centre of mass, in the body's frame, m."
-    )
-    material: Name | None = Field(
-        default=None, description="Material of all shapes that do not name their own."
-    )
+    center: LocalPoint | None = Field(default=None, description="Overrides the centre of mass, in the body's frame, m.")
+    material: Name | None = Field(default=None, description="Material of all shapes that do not name their own.")
     color: Color | None = Field(default=None, description='Such as "#3a7bd5"; default: chosen by the theme.')
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from fnmatch import translate
 from typing import Annotated
 
@@ -17,7 +17,7 @@ Pattern = Annotated[str, Field(min_length=1, max_length=100)]
 
 Ids = Annotated[
     Annotated[Pattern, Tag(TAG + "text")]
-    | Annotated[Annotated[tuple[Pattern, ...], Listed('["id", ...]', 1, 1000)], Tag(TAG + "list")],
+    | Annotated[Annotated[tuple[Pattern, ...], Listed('["id", ...]', 1, 100)], Tag(TAG + "list")],
     by_type('a body id, a list of ids, or a pattern such as "wall-*"'),
 ]
 """One id, a list of ids, or patterns: all bodies meant."""
@@ -28,6 +28,12 @@ Pair = Annotated[tuple[Pattern, Pattern], Listed('["id", "id"]', 2, 2)]
 def is_pattern(name: str) -> bool:
     """Whether `name` stands for all ids it matches rather than for one id."""
     return any(mark in name for mark in "*?[")
+
+
+def matches_any(pattern: str, names: Iterable[str]) -> bool:
+    """Whether a pattern means at least one of `names`."""
+    match = re.compile(translate(pattern)).match
+    return any(match(name) for name in names)
 
 
 def matching_ids(ids: str | Sequence[str], names: Sequence[str]) -> list[str]:

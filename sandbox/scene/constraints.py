@@ -32,9 +32,7 @@ class Range:
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         return core_schema.no_info_after_validator_function(self._check, handler(source))
 
-    def __get_pydantic_json_schema__(
-        self, schema: CoreSchema, handler: GetJsonSchemaHandler
-    ) -> dict[str, Any]:
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
         return {**handler(schema), "minimum": self.low, "maximum": self.high}
 
     def _check(self, value: float) -> float:
@@ -63,9 +61,7 @@ class Listed:
         inner["strict"] = False  # type: ignore[index]
         return core_schema.no_info_before_validator_function(self._check, inner)
 
-    def __get_pydantic_json_schema__(
-        self, schema: CoreSchema, handler: GetJsonSchemaHandler
-    ) -> dict[str, Any]:
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
         found = dict(handler(schema))
         items = found.get("items") or found["prefixItems"][0]
         return {"type": "array", "items": items, "minItems": self.low, "maxItems": self.high}

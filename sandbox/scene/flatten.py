@@ -72,9 +72,7 @@ class Flattener:
             text = f"only {len(places)} of {wanted} bodies fit"
             self.findings.append(Finding(path, text, 'widen "inside", or give a smaller "apart"'))
         if any(max(abs(x), abs(y)) > _FARTHEST for x, y, _ in places):
-            self.findings.append(
-                Finding(path, f"some bodies lie farther than {_FARTHEST:g} m from the origin")
-            )
+            self.findings.append(Finding(path, f"some bodies lie farther than {_FARTHEST:g} m from the origin"))
 
     def _prefab(self, generator: Generator) -> Prefab:
         return self.scene.prefabs[getattr(generator, kind_of(generator))]

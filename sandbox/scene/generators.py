@@ -39,9 +39,7 @@ class Stack(Generator):
     stack: Name = Field(description="The prefab to repeat.")
     count: Count = Field(description="How many.")
     at: Point = Field(default=(0.0, 0.0), description="Position of the lowest body, m.")
-    spacing: Size | None = Field(
-        default=None, description="From centre to centre, m; default: the prefab's height."
-    )
+    spacing: Size | None = Field(default=None, description="From centre to centre, m; default: the prefab's height.")
 
 
 class Grid(Generator):
@@ -62,9 +60,7 @@ class Pyramid(Generator):
 
     pyramid: Name = Field(description="The prefab to repeat.")
     rows: Count = Field(description="How many rows; the top one has one body.")
-    at: Point = Field(
-        default=(0.0, 0.0), description="The middle of the lowest row, at the height of its bodies, m."
-    )
+    at: Point = Field(default=(0.0, 0.0), description="The middle of the lowest row, at the height of its bodies, m.")
     spacing: Size2 | None = Field(
         default=None, description="From centre to centre [x, y], m; default: the prefab's width and height."
     )
@@ -76,9 +72,7 @@ class Scatter(Generator):
     scatter: Name = Field(description="The prefab to repeat.")
     count: Count = Field(description="How many.")
     inside: Rectangle = Field(description="[left, bottom, right, top] of the positions, m.")
-    seed: Annotated[int, Range(0, 2**63 - 1)] = Field(
-        default=1, description="Another seed, another arrangement."
-    )
+    seed: Annotated[int, Range(0, 2**63 - 1)] = Field(default=1, description="Another seed, another arrangement.")
     apart: Distance | None = Field(
         default=None,
         description="Least distance between two positions, m; default: so that none can overlap.",

@@ -14,6 +14,12 @@ MAX_BODIES = 100_000
 MAX_SHAPES = 200_000
 """Shapes of a scene, over all its bodies."""
 
+MAX_GENERATORS = 10_000
+"""Generators of a scene."""
+
+MAX_EXPECTATIONS = 1000
+"""Expectations of a scene."""
+
 MAX_VERTICES = 64
 """Vertices of a polygon."""
 

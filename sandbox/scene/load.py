@@ -25,12 +25,12 @@ def loads_scene(text: str, source: str = "<string>") -> Scene:
     """The scene in a JSON text; `source` names it in messages. Raises `SceneError`."""
     text = text.removeprefix("\ufeff")
     parsed = parse(text, source)
-    found = cross_checks(parsed.data)
+    found = parsed.repeats + cross_checks(parsed.data)
     try:
         scene = Scene.model_validate(parsed.data)
     except ValidationError as error:
         raise scene_error(source, findings(error, Scene) + found, text) from None
-    if found or parsed.repeats:
+    if found:
         raise scene_error(source, found, text)
     return _checked(scene, source, text)
 

@@ -1,40 +1,36 @@
-"""From text to plain data, with syntax errors in plain words."""
+"""From text to plain data."""
 
 from __future__ import annotations
 
 import json
-import re
+from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from sandbox.errors import SceneError
-from sandbox.scene.limits import MAX_DEPTH
-from sandbox.scene.locate import Span, too_deep
+from sandbox.scene.finding import Finding, Path, quoted
+from sandbox.scene.limits import MAX_DEPTH, MAX_FINDINGS
+from sandbox.scene.locate import too_deep
 from sandbox.scene.report import syntax_error
-
-_OPEN_TEXT = "text must end on the line it begins"
-_WORD = re.compile(r"[A-Za-z_$][\w$]*")
+from sandbox.scene.syntax import explained
 
 
 @dataclass(frozen=True)
 class Parsed:
-    """Plain data of a JSON text; `repeats` tells whether some object gives a key twice."""
+    """Plain data of a JSON text, and a finding for every key that an object gives more than once."""
 
     data: Any
-    repeats: bool
+    repeats: list[Finding]
 
 
 def parse(text: str, source: str) -> Parsed:
     """Parse JSON. NaN and infinities come through as floats for the models to refuse. Raises `SceneError`."""
     if not text.strip():
-        raise syntax_error(
-            source, text, (0, 0), "the file is empty", 'a scene is an object: {"bodies": [...]}'
-        )
+        raise syntax_error(source, text, (0, 0), "the file is empty", 'a scene is an object: {"bodies": [...]}')
     try:
         parsed = _load(text)
     except json.JSONDecodeError as error:
-        raise _reworded(source, text, error) from None
+        raise explained(source, text, error) from None
     except RecursionError:
         parsed = None
     if parsed is None or _depth_exceeds(parsed.data, MAX_DEPTH):
@@ -44,12 +40,13 @@ def parse(text: str, source: str) -> Parsed:
 
 
 def _load(text: str) -> Parsed:
-    repeats = False
+    repeating: list[tuple[dict[str, Any], list[str]]] = []
 
     def to_dict(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-        nonlocal repeats
         made = dict(pairs)
-        repeats = repeats or len(made) < len(pairs)
+        if len(made) < len(pairs):
+            counts = Counter(key for key, _ in pairs)
+            repeating.append((made, [key for key, count in counts.items() if count > 1]))
         return made
 
     try:
@@ -57,8 +54,27 @@ def _load(text: str) -> Parsed:
     except json.JSONDecodeError:
         raise
     except ValueError:  # Python refuses to read whole numbers of thousands of digits
+        repeating.clear()
         data = json.loads(text, object_pairs_hook=to_dict, parse_int=float)
-    return Parsed(data, repeats)
+    return Parsed(data, _repeats(data, repeating))
+
+
+def _repeats(data: Any, repeating: list[tuple[dict[str, Any], list[str]]]) -> list[Finding]:
+    """Findings for the objects of `data` that are in `repeating`, whose paths are not known yet."""
+    keys = {id(node): names for node, names in repeating}
+    found: list[Finding] = []
+    level: list[tuple[Path, Any]] = [((), data)] if repeating and isinstance(data, (dict, list)) else []
+    while level and len(level[0][0]) <= MAX_DEPTH:
+        for path, node in level:
+            names = keys.get(id(node), ())
+            found += [Finding((*path, name), f"{quoted(name)} is given twice", on_key=True) for name in names]
+        level = [((*path, key), child) for path, node in level for key, child in _items(node)]
+    return found[:MAX_FINDINGS]
+
+
+def _items(node: Any) -> Iterable[tuple[str | int, Any]]:
+    pairs = node.items() if isinstance(node, dict) else enumerate(node)
+    return ((key, child) for key, child in pairs if isinstance(child, (dict, list)))
 
 
 def _depth_exceeds(data: Any, limit: int) -> bool:
@@ -70,59 +86,3 @@ def _depth_exceeds(data: Any, limit: int) -> bool:
 
 def _children(node: Any) -> Iterable[Any]:
     return node.values() if isinstance(node, dict) else node
-
-
-def _reworded(source: str, text: str, error: json.JSONDecodeError) -> SceneError:
-    message, hint = _explain(text, error.pos, error.msg)
-    pos = error.pos
-    if message.startswith("a trailing comma"):
-        pos = pos if text[pos : pos + 1] == "," else text.rindex(",", 0, pos)
-    if message == _OPEN_TEXT:
-        pos = text.rindex('"', 0, pos + 1)
-    return syntax_error(source, text, _token(text, pos), message, hint)
-
-
-def _token(text: str, pos: int) -> Span:
-    word = _WORD.match(text, pos)
-    return (pos, word.end()) if word else (pos, pos + 1)
-
-
-def _explain(text: str, pos: int, msg: str) -> tuple[str, str]:
-    """Message and mend for what `json` says at `pos`."""
-    here, before = text[pos : pos + 1], text[:pos].rstrip()[-1:]
-    word = _WORD.match(text, pos)
-    if "trailing comma" in msg or (before == "," and here and here in "]}"):
-        return "a trailing comma", "take it away: nothing follows it"
-    if text[pos:].strip() == "" and "tring" not in msg:
-        return "the file ends too early", "a closing bracket is missing"
-    if here in ("/", "#"):
-        return "JSON has no comments", 'a scene has the field "about" for words'
-    if here == "'":
-        return "text stands in double quotes", ""
-    if "property name" in msg:
-        return "a field's name is due here", "in double quotes" if word else ""
-    return _explain_value(text, pos, msg, word.group() if word else "")
-
-
-def _explain_value(text: str, pos: int, msg: str, word: str) -> tuple[str, str]:
-    if "control character" in msg and text[pos] not in "\r\n":
-        return "a control character within text", "write it with a backslash: a tab is \\t"
-    if "Unterminated" in msg or "control character" in msg:
-        return _OPEN_TEXT, 'close it with " (a line break inside is \\n)'
-    if "escape" in msg:
-        return "not a valid \\ escape", "a backslash itself is \\\\"
-    if "Extra data" in msg:
-        return "the scene has ended before this", "a file holds one object"
-    if "':'" in msg:
-        return 'a ":" is missing after the field\'s name', ""
-    if "','" in msg:
-        leading = text[pos - 1 : pos] == "0" and text[pos : pos + 1].isdigit()
-        return ("a number must not begin with 0", "") if leading else ("a comma is missing before this", "")
-    known = {"true": "true", "false": "false", "none": "null", "nan": "", "inf": "", "infinity": ""}
-    if word.lower() in known and known[word.lower()]:
-        return f"{word} is not JSON", f'did you mean "{known[word.lower()]}"?'
-    if word:
-        return "a value is due here", "text stands in double quotes"
-    if text[pos : pos + 1] in ("+", ".", "-"):
-        return "not a valid number", "a number begins with a digit or -, as in 0.5 or -0.5"
-    return "a value is due here", ""

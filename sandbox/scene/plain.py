@@ -6,9 +6,11 @@ The rules between fields work on plain data, so that they find their mistakes in
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import islice
 from typing import Any, TypeGuard
 
 from sandbox.scene.finding import Path
+from sandbox.scene.limits import MAX_SHAPES
 
 Node = tuple[Path, dict[str, Any]]
 """An object of the file and the path to it."""
@@ -20,12 +22,12 @@ def mapping(value: object) -> dict[str, Any]:
 
 
 def children(parent: object, path: Path) -> Iterator[Node]:
-    """The objects in a list or object, each with its path."""
+    """The objects in a list or object, each with its path; a longer one than any allowed is cut."""
     if isinstance(parent, dict):
         pairs: Any = parent.items()
     else:
         pairs = enumerate(parent) if isinstance(parent, (list, tuple)) else ()
-    for key, value in pairs:
+    for key, value in islice(pairs, MAX_SHAPES):
         if isinstance(value, dict):
             yield (*path, key), value
 

@@ -36,9 +36,7 @@ def _check_order(pair: tuple[Any, Any]) -> tuple[Any, Any]:
 
 def _check_rectangle(box: Rectangle) -> Rectangle:
     if not (box[0] < box[2] and box[1] < box[3]):
-        raise PydanticCustomError(
-            "order", "must be [left, bottom, right, top] with left < right and bottom < top"
-        )
+        raise PydanticCustomError("order", "must be [left, bottom, right, top] with left < right and bottom < top")
     return box
 
 
@@ -64,9 +62,7 @@ Step = Annotated[int, Range(0, 1_000_000)]
 Bits = Annotated[int, Range(0, 0xFFFFFFFF)]
 
 Name = Annotated[str, AfterValidator(_check_name), Field(json_schema_extra=_LENGTHS)]
-Color = Annotated[
-    str, AfterValidator(_check_color), Field(json_schema_extra={"pattern": f"^{_COLOR.pattern}$"})
-]
+Color = Annotated[str, AfterValidator(_check_color), Field(json_schema_extra={"pattern": f"^{_COLOR.pattern}$"})]
 
 Point = Annotated[tuple[Coordinate, Coordinate], Listed("[x, y]", 2, 2)]
 Displacement = Point

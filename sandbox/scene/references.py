@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
+from itertools import islice
 from typing import Any
 
 from sandbox.scene import plain
-from sandbox.scene.expect import is_pattern, matching_ids
+from sandbox.scene.body_refs import is_pattern, matches_any
 from sandbox.scene.finding import Finding, Path, did_you_mean, quoted
 from sandbox.scene.generators import GENERATORS
+from sandbox.scene.limits import MAX_EXPECTATIONS
 from sandbox.scene.names import BodyNames
 
 _BODY_FIELDS = ("rests", "stands", "asleep", "touches", "apart", "of")
@@ -24,9 +26,7 @@ def unknown_names(data: dict[str, Any], ids: BodyNames) -> Iterator[Finding]:
     yield from _bodies(data, ids)
 
 
-def _unknown(
-    node: dict[str, Any], path: Path, field: str, what: str, known: Collection[str]
-) -> Iterator[Finding]:
+def _unknown(node: dict[str, Any], path: Path, field: str, what: str, known: Collection[str]) -> Iterator[Finding]:
     for place, name in plain.texts(node.get(field), (*path, field)):
         if name not in known:
             yield Finding(place, f"no {what} is named {quoted(name)}", did_you_mean(name, known))
@@ -50,17 +50,28 @@ def _categories(data: dict[str, Any]) -> Iterator[Finding]:
 
 
 def _bodies(data: dict[str, Any], ids: BodyNames) -> Iterator[Finding]:
-    names = list(ids.origins)
-    for path, expectation in plain.children(data.get("expect"), ("expect",)):
+    if not ids.counted:
+        return
+    known: dict[str, bool] = {}
+    for path, expectation in islice(plain.children(data.get("expect"), ("expect",)), MAX_EXPECTATIONS):
         for field in _BODY_FIELDS:
             for place, name in plain.texts(expectation.get(field), (*path, field)):
-                yield from _body(name, place, ids, names)
+                if name not in known:
+                    known[name] = _is_known(name, ids)
+                if not known[name]:
+                    yield _unknown_body(name, place, ids)
 
 
-def _body(name: str, place: Path, ids: BodyNames, names: list[str]) -> Iterator[Finding]:
-    if not ids.counted or name.startswith(ids.unread):
-        return
-    if not is_pattern(name) and name not in ids.origins:
-        yield Finding(place, f"no body has the id {quoted(name)}", did_you_mean(name, names))
-    elif is_pattern(name) and not ids.unread and not matching_ids(name, names):
-        yield Finding(place, f"no body's id matches {quoted(name)}")
+def _is_known(name: str, ids: BodyNames) -> bool:
+    """Whether an id or pattern means a body, or may mean one of a generator that cannot be read."""
+    if name.startswith(ids.unread):
+        return True
+    if is_pattern(name):
+        return bool(ids.unread) or matches_any(name, ids.origins)
+    return name in ids.origins
+
+
+def _unknown_body(name: str, place: Path, ids: BodyNames) -> Finding:
+    if is_pattern(name):
+        return Finding(place, f"no body's id matches {quoted(name)}")
+    return Finding(place, f"no body has the id {quoted(name)}", did_you_mean(name, ids.origins))

@@ -6,7 +6,7 @@ from sandbox.errors import Problem, SceneError
 from sandbox.scene.excerpt import excerpt, line_column
 from sandbox.scene.finding import Finding
 from sandbox.scene.limits import MAX_PROBLEMS
-from sandbox.scene.locate import Span, duplicate_keys, locate
+from sandbox.scene.locate import Span, locate
 
 
 def scene_error(source: str, findings: list[Finding], text: str | None) -> SceneError:
@@ -26,23 +26,12 @@ def syntax_error(source: str, text: str, span: Span, message: str, hint: str = "
     return SceneError(source, [_problem(Finding((), message, hint), text, span)])
 
 
-def repeated_keys(text: str) -> list[tuple[Span, Finding]]:
-    """A finding for every key given twice, with its place (a path would lead to the last one only)."""
-    return [
-        (span, Finding(path, f'"{path[-1]}" is given twice in one object', on_key=True))
-        for path, span in duplicate_keys(text)
-    ]
-
-
 def _placed(findings: list[Finding], text: str) -> list[Problem]:
     found = locate(text, {finding.path for finding in findings})
-    spans = [
-        (found[f.path].key_span if f.on_key else found[f.path].value_span, f) for f in findings
-    ] + repeated_keys(text)
-    spans.sort(key=lambda pair: pair[0][0])
-    return [_problem(finding, text, span) for span, finding in spans[: MAX_PROBLEMS + 1]] + [
-        finding.problem() for _, finding in spans[MAX_PROBLEMS + 1 :]
-    ]
+    places = [found[f.path].key_span if f.on_key else found[f.path].value_span for f in findings]
+    pairs = sorted(zip(places, findings, strict=True), key=lambda pair: pair[0][0])
+    shown, rest = pairs[:MAX_PROBLEMS], pairs[MAX_PROBLEMS:]
+    return [_problem(finding, text, span) for span, finding in shown] + [f.problem() for _, f in rest]
 
 
 def _problem(finding: Finding, text: str, span: Span) -> Problem:

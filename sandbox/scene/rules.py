@@ -73,14 +73,10 @@ def _times(data: dict[str, Any]) -> Iterator[Finding]:
     for path, expectation in plain.children(data.get("expect"), ("expect",)):
         given = [key for key in _TIMES if expectation.get(key) is not None]
         if not given:
-            yield Finding(
-                path, 'an expectation needs a time: "at": step, "always": true, or "within": [first, last]'
-            )
+            yield Finding(path, 'an expectation needs a time: "at": step, "always": true, or "within": [first, last]')
         elif len(given) > 1:
             listed = " and ".join(f'"{key}"' for key in given)
-            yield Finding(
-                (*path, given[-1]), f"an expectation has one time, and this one has {listed}", on_key=True
-            )
+            yield Finding((*path, given[-1]), f"an expectation has one time, and this one has {listed}", on_key=True)
 
 
 def _repeated_categories(data: dict[str, Any]) -> Iterator[Finding]:

@@ -8,9 +8,7 @@ from sandbox.scene.splitmix import SplitMix64
 _TRIES_EACH, _TRIES_MORE = 20, 10_000
 
 
-def scatter(
-    count: int, box: tuple[float, float, float, float], apart: float, random: SplitMix64
-) -> list[Vec]:
+def scatter(count: int, box: tuple[float, float, float, float], apart: float, random: SplitMix64) -> list[Vec]:
     """Up to `count` points (m) in `box` (left, bottom, right, top), each at least `apart` m from all others.
 
     Throws darts and keeps those that keep their distance; fewer points than asked for means that no room was
@@ -32,9 +30,7 @@ def scatter(
     return points
 
 
-def _has_room(
-    point: Vec, column: int, row: int, cells: dict[tuple[int, int], list[Vec]], apart_squared: float
-) -> bool:
+def _has_room(point: Vec, column: int, row: int, cells: dict[tuple[int, int], list[Vec]], apart_squared: float) -> bool:
     for i in (column - 1, column, column + 1):
         for j in (row - 1, row, row + 1):
             for x, y in cells.get((i, j), ()):

@@ -16,7 +16,7 @@ from sandbox.scene.finding import path_of
 from sandbox.scene.flat import FlatScene
 from sandbox.scene.flatten import Flattener
 from sandbox.scene.generators import AnyGenerator
-from sandbox.scene.limits import MAX_BODIES, MAX_CATEGORIES
+from sandbox.scene.limits import MAX_BODIES, MAX_CATEGORIES, MAX_EXPECTATIONS, MAX_GENERATORS
 from sandbox.scene.locate import locate
 from sandbox.scene.material import Material
 from sandbox.scene.pretty import kinds_first, pretty
@@ -38,18 +38,16 @@ class Scene(Model):
         default=(), description='Names of collision categories; "default" is one already.'
     )
     materials: dict[Name, Material] = Field(default={}, description="Materials by name.")
-    prefabs: dict[Name, Prefab] = Field(
-        default={}, description="Patterns for bodies and generators, by name."
-    )
+    prefabs: dict[Name, Prefab] = Field(default={}, description="Patterns for bodies and generators, by name.")
     bodies: Annotated[tuple[Body, ...], Listed("of bodies", 0, MAX_BODIES)] = Field(
         default=(), description="The bodies."
     )
-    generate: Annotated[tuple[AnyGenerator, ...], Listed("of generators", 0, 10_000)] = Field(
+    generate: Annotated[tuple[AnyGenerator, ...], Listed("of generators", 0, MAX_GENERATORS)] = Field(
         default=(), description="Bodies made by rule, after the written ones."
     )
     settings: Settings = Field(default=Settings(), description="How the scene is simulated.")
     view: View | None = Field(default=None, description="What the camera shows; default: the whole scene.")
-    expect: Annotated[tuple[AnyExpectation, ...], Listed("of expectations", 0, 10_000)] = Field(
+    expect: Annotated[tuple[AnyExpectation, ...], Listed("of expectations", 0, MAX_EXPECTATIONS)] = Field(
         default=(), description="What must hold when the scene runs."
     )
 

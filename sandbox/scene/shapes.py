@@ -16,9 +16,7 @@ from sandbox.scene.union import TAG, by_key, by_type
 
 Names = Annotated[tuple[Name, ...], Listed('["name", ...]', 0, 32)]
 Categories = Annotated[
-    Annotated[Bits, Tag(TAG + "number")]
-    | Annotated[Name, Tag(TAG + "text")]
-    | Annotated[Names, Tag(TAG + "list")],
+    Annotated[Bits, Tag(TAG + "number")] | Annotated[Name, Tag(TAG + "text")] | Annotated[Names, Tag(TAG + "list")],
     by_type("a category name, a list of names, or a whole number used as bits"),
 ]
 """A category name, several, or the bits themselves."""
@@ -42,14 +40,10 @@ def _check_polygon(outline: Outline) -> Outline:
 class AnyShape(Surface):
     """What all shapes have: a place in the body, a surface, a collision filter."""
 
-    at: LocalPoint = Field(
-        default=(0.0, 0.0), description="Offset from the body's position, in the body's frame, m."
-    )
+    at: LocalPoint = Field(default=(0.0, 0.0), description="Offset from the body's position, in the body's frame, m.")
     material: Name | None = Field(default=None, description="Name of a material; default: the body's.")
     category: Categories = Field(default=1, description='What the shape is, for filters; default "default".')
-    mask: Categories = Field(
-        default=ALL_BITS, description="What the shape collides with; default: everything."
-    )
+    mask: Categories = Field(default=ALL_BITS, description="What the shape collides with; default: everything.")
     group: Annotated[int, Range(-(2**31), 2**31 - 1)] = Field(
         default=0,
         description="Shapes of the same positive group always collide, of the same negative group never.",
@@ -81,18 +75,14 @@ class Box(Turnable):
 class Capsule(Turnable):
     """All points within `radius` of the line between two points."""
 
-    capsule: Annotated[Ends, AfterValidator(_check_ends)] = Field(
-        description="The two centers [[x, y], [x, y]], m."
-    )
+    capsule: Annotated[Ends, AfterValidator(_check_ends)] = Field(description="The two centers [[x, y], [x, y]], m.")
     radius: Size = Field(description="Distance of the outline from the line, m.")
 
 
 class Segment(Turnable):
     """A line between two points, solid from both sides; it has no mass unless it has a radius."""
 
-    segment: Annotated[Ends, AfterValidator(_check_ends)] = Field(
-        description="The two ends [[x, y], [x, y]], m."
-    )
+    segment: Annotated[Ends, AfterValidator(_check_ends)] = Field(description="The two ends [[x, y], [x, y]], m.")
     radius: Rounding = Field(default=0.0, description="Thickness to each side, m.")
 
 
@@ -102,9 +92,7 @@ class Polygon(Turnable):
     polygon: Annotated[Outline, AfterValidator(_check_polygon)] = Field(
         description="Vertices [[x, y], ...], m; repeated vertices and ones on a straight side are dropped."
     )
-    radius: Rounding = Field(
-        default=0.0, description="Rounds the corners outwards, m: the shape grows by it."
-    )
+    radius: Rounding = Field(default=0.0, description="Rounds the corners outwards, m: the shape grows by it.")
 
 
 SHAPES: dict[str, type[AnyShape]] = {

@@ -69,11 +69,7 @@ def no_kind(path: Path, item: Mapping[str, Any]) -> list[Finding]:
     given = [key for key in kinds if key in value]
     if given:
         listed = " and ".join(f'"{key}"' for key in given)
-        return [
-            Finding(
-                (*path, given[-1]), f"{article} {what} has one kind, and this one has {listed}", on_key=True
-            )
-        ]
+        return [Finding((*path, given[-1]), f"{article} {what} has one kind, and this one has {listed}", on_key=True)]
     strays = [key for key in islice(value, MAX_FINDINGS) if key not in fields]
     unknown = [unknown_field((*path, key), fields) for key in strays]
     if any(did_you_mean(key, kinds) for key in strays):

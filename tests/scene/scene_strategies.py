@@ -73,9 +73,7 @@ pattern = {
     "color": colors,
 }
 materials = st.fixed_dictionaries({name: record({}, surface) for name in MATERIALS})
-prefabs = st.fixed_dictionaries(
-    {"crate": record({"shapes": st.lists(shapes, min_size=1, max_size=2)}, pattern)}
-)
+prefabs = st.fixed_dictionaries({"crate": record({"shapes": st.lists(shapes, min_size=1, max_size=2)}, pattern)})
 
 
 @st.composite
@@ -120,9 +118,7 @@ def generators(draw: st.DrawFn) -> list[dict[str, Any]]:
     kinds = st.one_of(
         record({"row": st.just("crate"), "count": count}, {"at": points, "step": points}),
         record({"stack": st.just("crate"), "count": count}, {"at": points, "spacing": sizes}),
-        record(
-            {"grid": st.just("crate"), "columns": count, "rows": count}, {"at": points, "spacing": spacing}
-        ),
+        record({"grid": st.just("crate"), "columns": count, "rows": count}, {"at": points, "spacing": spacing}),
         record({"pyramid": st.just("crate"), "rows": count}, {"at": points, "spacing": spacing}),
         record(
             {"scatter": st.just("crate"), "count": count, "inside": st.just([-1e5, -1e5, 1e5, 1e5])},

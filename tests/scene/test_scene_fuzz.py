@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from copy import deepcopy
 from typing import Any
 
@@ -20,6 +21,7 @@ FRAGMENTS = [
     '"id":"a",', '"at":1,', '"always":true,', '"circle":1,', '"box":[1,1],', '"prefab":"crate",', '"angle":90,',
     "1e-7", "1e7", "1e9", "-1", "0", "1.5", "4294967296", "100000", "1000001",
 ]  # fmt: skip
+PYDANTIC = ("Input should", "Extra inputs", "Field required", "Value error")
 KEYS = [
     "id",
     "shapes",
@@ -41,16 +43,21 @@ VALUES: list[Any] = [
 ]  # fmt: skip
 
 
+def refusal(build: Callable[[], object]) -> SceneError | None:
+    try:
+        build()
+    except SceneError as error:
+        return error
+    return None
+
+
 def load(text: str) -> None:
     """Load; a refusal must carry a place in the text and messages that any terminal can show."""
-    try:
-        loads_scene(text)
-    except SceneError as error:
+    error = refusal(lambda: loads_scene(text))
+    if error is not None:
         assert error.problems
         str(error).encode("utf-8")
-        assert not any(
-            noise in str(error) for noise in ("Input should", "Extra inputs", "nput_", "Value error")
-        )
+        assert not any(noise in str(error) for noise in PYDANTIC)
         lines = [problem.line for problem in error.problems if problem.line]
         assert lines == sorted(lines)
         assert lines or not text
@@ -97,13 +104,13 @@ def _damage(draw: st.DrawFn, node: Any) -> None:
 
 
 @given(damaged_texts())
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=120, deadline=None)
 def test_damaged_text_is_a_scene_or_a_scene_error(text):
     load(text)
 
 
 @given(damaged_data())
-@settings(max_examples=600, deadline=None)
+@settings(max_examples=200, deadline=None)
 @example({"bodies": 5, "generate": 5, "expect": 5, "materials": 5, "prefabs": 5, "categories": 5})
 @example({"bodies": [{"id": "a", "shapes": [{"box": [10**400, 1], "radius": 10**400}]}]})
 @example({"\ud800": 1})
@@ -112,12 +119,10 @@ def test_damaged_values_are_a_scene_or_a_scene_error(data):
 
 
 @given(damaged_data())
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=100, deadline=None)
 def test_damaged_values_in_python_are_a_scene_or_a_scene_error(data):
-    try:
-        Scene(**data).flatten()
-    except SceneError as error:
-        assert error.problems
+    error = refusal(lambda: Scene(**data).flatten())
+    assert error is None or error.problems
 
 
 @given(st.text())
@@ -125,8 +130,6 @@ def test_any_text_is_a_scene_or_a_scene_error(text):
     load(text)
 
 
-@given(
-    st.recursive(st.sampled_from(VALUES), lambda inner: st.lists(inner) | st.dictionaries(st.text(), inner))
-)
+@given(st.recursive(st.sampled_from(VALUES), lambda inner: st.lists(inner) | st.dictionaries(st.text(), inner)))
 def test_any_json_is_a_scene_or_a_scene_error(data):
     load(json.dumps(data))

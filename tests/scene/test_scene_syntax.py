@@ -1,0 +1,52 @@
+"""What is no JSON, or not enough like it, is told in plain words at its place."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from scene_helpers import one
+
+from sandbox.scene import loads_scene
+from sandbox.scene.limits import MAX_DEPTH
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("", '1:1: the file is empty: a scene is an object: {"bodies": [...]}'),
+        ("  \n ", '1:1: the file is empty: a scene is an object: {"bodies": [...]}'),
+        ('{"title": "a",}', "1:14: a trailing comma: take it away: nothing follows it"),
+        ('{"gravity": [0, 1,]}', "1:18: a trailing comma: take it away: nothing follows it"),
+        ('{"title": "a"', "1:14: the file ends too early: a closing bracket is missing"),
+        ('{"title": "a" "about": ""}', "1:15: a comma is missing before this"),
+        ('{"title" "a"}', '1:10: a ":" is missing after the field\'s name'),
+        ('{title: "a"}', "1:2: a field's name is due here: in double quotes"),
+        ("{'title': 1}", "1:2: text stands in double quotes"),
+        ('{"title": \'a\'}', "1:11: text stands in double quotes"),
+        ('{\n  // hello\n}', '2:3: JSON has no comments: a scene has the field "about" for words'),
+        ('{"title": "a}\n}', '1:11: text must end on the line it begins: close it with " (a line break inside is \\n)'),
+        ('{"title": "a\tb"}', "1:13: a control character within text: write it with a backslash: a tab is \\t"),
+        ('{"title": "\\q"}', "1:12: not a valid \\ escape: a backslash itself is \\\\"),
+        ('{"title": True}', '1:11: True is not JSON: did you mean "true"?'),
+        ('{"title": None}', '1:11: None is not JSON: did you mean "null"?'),
+        ('{"title": hello}', "1:11: a value is due here: text stands in double quotes"),
+        ('{"gravity": [0, .5]}', "1:17: not a valid number: a number begins with a digit or -, as in 0.5 or -0.5"),
+        ('{"gravity": [0, +5]}', "1:17: not a valid number: a number begins with a digit or -, as in 0.5 or -0.5"),
+        ('{"gravity": [0, 05]}', "1:18: a number must not begin with 0"),
+        ("{} {}", "1:4: the scene has ended before this: a file holds one object"),
+        ('{"a": ' * 40 + "1" + "}" * 40, "1:193: nested deeper than 32 levels"),
+        ("[" * 100_000, "1:33: nested deeper than 32 levels"),
+    ],
+)  # fmt: skip
+def test_what_is_no_json_is_told_at_its_place(text, told):
+    assert one(text) == told
+
+
+def test_a_scene_of_the_allowed_depth_is_read():
+    deep = '{"x": ' + "[" * (MAX_DEPTH - 1) + "]" * (MAX_DEPTH - 1) + "}"
+    assert one(deep) == '1:2: unknown field "x"'
+
+
+def test_brackets_in_texts_are_not_nesting():
+    assert loads_scene(json.dumps({"about": "[" * 100})).about == "[" * 100
