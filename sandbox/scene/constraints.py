@@ -49,6 +49,21 @@ class Range:
 
 
 @dataclass(frozen=True)
+class Exactly:
+    """Annotates a literal: the one value it can have. (Python takes 1, 1.0 and true for the same literal.)"""
+
+    value: bool | int
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        return core_schema.no_info_before_validator_function(self._check, handler(source))
+
+    def _check(self, value: object) -> object:
+        if type(value) is type(self.value) and value == self.value:
+            return value
+        raise PydanticCustomError("exactly", f"must be {str(self.value).lower()}")
+
+
+@dataclass(frozen=True)
 class Listed:
     """Annotates a tuple: takes a JSON list or any Python sequence. `form` shows the author how it looks."""
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
 from pydantic import Field
 
 from sandbox.scene.base import Model
+from sandbox.scene.constraints import Exactly
 from sandbox.scene.quantities import Step, Steps
 
 
@@ -14,7 +15,9 @@ class Expectation(Model):
     """What all expectations have: exactly one of the three times. Step n is the state after n steps."""
 
     at: Step | None = Field(default=None, description="Holds at this step.")
-    always: Literal[True] | None = Field(default=None, description="true: holds at the start and after every step.")
+    always: Annotated[Literal[True], Exactly(True)] | None = Field(
+        default=None, description="true: holds at the start and after every step."
+    )
     within: Steps | None = Field(default=None, description="[first, last]: holds at one of these steps at least.")
 
     @property

@@ -41,11 +41,17 @@ def path_of(pointer: str) -> tuple[str, ...]:
     return tuple(part.replace("~1", "/").replace("~0", "~") for part in pointer.split("/")[1:])
 
 
-def did_you_mean(name: str, known: Iterable[str]) -> str:
-    """The hint with the nearest of the `known` names, empty if none is near."""
+def nearest(name: str, known: Iterable[str]) -> str | None:
+    """The one of the `known` names that is most like `name`, if any is."""
     by_folded = {candidate.casefold(): candidate for candidate in islice(known, _CONSIDERED)}
     near = difflib.get_close_matches(name[:200].casefold(), by_folded, n=1, cutoff=0.6)
-    return f'did you mean "{by_folded[near[0]]}"?' if near else ""
+    return by_folded[near[0]] if near else None
+
+
+def did_you_mean(name: str, known: Iterable[str]) -> str:
+    """The hint with the nearest of the `known` names, empty if none is near."""
+    near = nearest(name, known)
+    return f'did you mean "{near}"?' if near else ""
 
 
 def quoted(name: str) -> str:

@@ -6,7 +6,7 @@ import os
 from pathlib import Path
 
 from sandbox.errors import Problem, SceneError
-from sandbox.scene.finding import did_you_mean
+from sandbox.scene.finding import nearest
 from sandbox.scene.limits import MAX_BYTES
 from sandbox.scene.report import syntax_error
 
@@ -39,10 +39,12 @@ def _read_bytes(path: Path) -> bytes:
 
 def _nearest_file(path: Path) -> str:
     try:
-        names = [name for name in os.listdir(path.parent) if name.endswith(".json")]
-    except OSError:
+        # What all names end in would make all of them look alike.
+        stems = {name.split(".")[0]: name for name in os.listdir(path.parent) if name.endswith(".json")}
+    except (OSError, ValueError):
         return ""
-    return did_you_mean(path.name, names)
+    near = nearest(path.name.split(".")[0], stems)
+    return f'did you mean "{stems[near]}"?' if near else ""
 
 
 def _not_utf8(path: Path, data: bytes, start: int) -> SceneError:

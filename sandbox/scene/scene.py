@@ -9,7 +9,7 @@ from pydantic import Field, PrivateAttr
 
 from sandbox.scene.base import Model
 from sandbox.scene.body import Body, Prefab
-from sandbox.scene.constraints import Listed
+from sandbox.scene.constraints import Exactly, Listed
 from sandbox.scene.excerpt import line_column
 from sandbox.scene.expect import AnyExpectation
 from sandbox.scene.finding import path_of
@@ -30,7 +30,7 @@ class Scene(Model):
     """A scene; it never changes. `Scene(title=..., bodies=[...])` raises `SceneError` with every mistake."""
 
     schema_uri: str | None = Field(default=None, alias="$schema", description="For editors; not read.")
-    format: Literal[1] = Field(default=1, description="Version of the format.")
+    format: Annotated[Literal[1], Exactly(1)] = Field(default=1, description="Version of the format.")
     title: str = Field(default="", description="A line for people.")
     about: str = Field(default="", description="What to watch for.")
     gravity: Acceleration2 = Field(default=(0.0, -9.81), description="[x, y], m/s^2; y points up.")

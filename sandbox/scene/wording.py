@@ -74,8 +74,6 @@ def _message(item: Mapping[str, Any]) -> tuple[str, str]:
 
 def _not_a_choice(value: object, expected: str) -> tuple[str, str]:
     names = re.findall(r"'([^']*)'", expected)
-    if not names:
-        return f"must be {expected.lower()}", ""
     listed = ", ".join(f'"{name}"' for name in names)
     return f"must be one of {listed}", did_you_mean(value, names) if isinstance(value, str) else ""
 

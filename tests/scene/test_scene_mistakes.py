@@ -32,6 +32,8 @@ def generate(fields: str) -> str:
     ("text", "told"),
     [
         ('{"format": 2}', "1:12: format must be 1"),
+        ('{"format": true}', "1:12: format must be 1"),
+        ('{"format": 1.0}', "1:12: format must be 1"),
         ('{"bodys": []}', '1:2: unknown field "bodys": did you mean "bodies"?'),
         ('{"gravity": -9.81}', "1:13: gravity must be a list [x, y], not a number"),
         ('{"gravity": [0]}', "1:13: gravity needs 2 entries, [x, y], and has 1"),
@@ -94,6 +96,7 @@ def generate(fields: str) -> str:
         (expect('"at": 1, "always": true, "rests": "ball"'),
          '2:11: an expectation has one time, and this one has "at" and "always"'),
         (expect('"always": false, "rests": "ball"'), "2:12: always must be true"),
+        (expect('"always": 1, "rests": "ball"'), "2:12: always must be true"),
         (expect('"at": 1.5, "rests": "ball"'), "2:8: at must be a whole number"),
         (expect('"within": [9, 1], "rests": "ball"'),
          "2:12: within the first number must not be greater than the second"),

@@ -6,6 +6,7 @@ import json
 import re
 from pathlib import Path
 
+import jsonschema
 import pytest
 
 from sandbox.errors import SceneError
@@ -72,3 +73,13 @@ def test_every_property_of_the_schema_is_described():
         for field, value in definition["properties"].items():
             assert value.get("description"), (name, field)
     assert json.loads(schema_text()) == schema()
+
+
+@pytest.mark.parametrize("path", sorted(SCENES.rglob("*.scene.json")), ids=lambda path: path.name)
+def test_every_shipped_scene_follows_the_schema(path):
+    jsonschema.Draft202012Validator(schema()).validate(json.loads(path.read_text(encoding="utf-8")))
+    scene = load_scene(path)
+    assert scene.schema_uri == "../scene.schema.json"
+    assert scene.title
+    assert scene.about
+    assert scene.expect
