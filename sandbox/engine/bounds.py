@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox.world.records import DYNAMIC, Records
+from sandbox.tables import Records
+from sandbox.world.records import DYNAMIC
 
 MARGIN = 0.02
 """Most that contacts look ahead at low speed, in metres; four times the usual slop of 5 mm."""
@@ -36,7 +37,9 @@ def turn_cores(bodies: Records, shapes: Records, vertices: Records, turned: Reco
 
 
 @kernel
-def bound_shapes(bodies: Records, shapes: Records, turned: Records, seconds: float, boxes: Records) -> None:
+def bound_shapes(
+    bodies: Records, shapes: Records, turned: Records, seconds: float, boxes: Records, owners: Records
+) -> None:
     """Box of every shape: core, radius, margin, and the way it can go in `seconds` at its present velocity."""
     for i in range(shapes.shape[0]):
         shape = shapes[i]
@@ -65,8 +68,9 @@ def bound_shapes(bodies: Records, shapes: Records, turned: Records, seconds: flo
         box.upper_x = body.center_x + upper_x + grow + (way_x if way_x > 0.0 else 0.0)
         box.upper_y = body.center_y + upper_y + grow + (way_y if way_y > 0.0 else 0.0)
         box.shape_index = i
-        box.body = shape.body
-        box.moves = 1 if body.type == DYNAMIC and body.awake == 1 else 0
-        box.category = shape.category
-        box.mask = shape.mask
-        box.group = shape.group
+        owner = owners[i]
+        owner.body = shape.body
+        owner.moves = 1 if body.type == DYNAMIC and body.awake == 1 else 0
+        owner.category = shape.category
+        owner.mask = shape.mask
+        owner.group = shape.group

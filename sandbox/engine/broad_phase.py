@@ -12,12 +12,14 @@ from __future__ import annotations
 
 import math
 
-from sandbox._jit import kernel
-from sandbox.world.records import Integers, Records
+from sandbox._jit import inlined_kernel, kernel
+from sandbox.tables import Integers, Records
 
 LEVELS = 96
-"""Cells from 2**-40 m (below the smallest shape) to 2**55 m."""
+"""Cells from 2**-40 to 2**55 times the base cell, which fits the most common size of shape."""
 _LOWEST = -40
+_SPARSE = 8
+LEVEL_SPACE = (2 + _SPARSE) * LEVELS
 _SLACK = 1.01
 _ROUNDING = 1e-14
 _CELL_BITS = (1 << 26) - 1
@@ -26,53 +28,104 @@ _LEVEL_STRIDE = 9973
 
 
 @kernel
-def find_pairs(boxes: Records, ordered: Records, heads: Integers, levels: Integers, pairs: Records) -> int:
+def find_pairs(
+    boxes: Records, owners: Records, ordered: Records, heads: Integers, levels: Integers, pairs: Records
+) -> int:
     """Write every pair of overlapping boxes that may collide, each once, shape_a < shape_b; return how many.
 
-    Pairs past the capacity of `pairs` are counted but not written. `ordered`, `heads` and `levels` are scratch.
-    The order of the pairs follows the grid: see `sort_pairs`.
+    Pairs past the capacity of `pairs` are counted but not written. `ordered`, `heads` and `levels` (`LEVEL_SPACE`
+    items) are scratch. The order of the pairs follows the grid: see `sort_pairs`.
     """
-    used = _assign_cells(boxes, levels)
+    population = levels[LEVELS : 2 * LEVELS]
+    sparse = levels[2 * LEVELS :]
+    base = _base_cell(boxes, population)
+    used = _assign_cells(boxes, base, population, levels)
     _order_by_bucket(boxes, ordered, heads)
+    sparse_count = _list_sparse_levels(ordered, population, sparse)
     count = 0
     for i in range(ordered.shape[0]):
-        count = _pairs_on_own_level(ordered, i, heads, pairs, count)
+        count = _pairs_on_own_level(ordered, owners, i, heads, pairs, count)
+        count = _pairs_on_sparse_levels(ordered, owners, i, sparse, sparse_count, pairs, count)
         for k in range(used):
             if levels[k] > ordered[i].level:
-                count = _pairs_on_coarser_level(ordered, i, levels[k], heads, pairs, count)
+                count = _pairs_on_coarser_level(ordered, owners, i, base, levels[k], heads, pairs, count)
     return count
 
 
 @kernel
-def _assign_cells(boxes: Records, levels: Integers) -> int:
-    """Give every box its level and cell; list the levels in use in `levels`, ascending, and return how many."""
+def _box_size(box: Records) -> float:
+    """Longer side of a box and a little more: the slack covers the rounding of the middle far from the origin."""
+    width = box.upper_x - box.lower_x
+    height = box.upper_y - box.lower_y
+    reach = abs(box.lower_x) + abs(box.upper_x) + abs(box.lower_y) + abs(box.upper_y)
+    return float((width if width > height else height) * _SLACK + _ROUNDING * reach)
+
+
+@kernel
+def _octave(size: float) -> int:
+    """Smallest n with size < 2**n, within the range of levels."""
+    n = math.frexp(size)[1]
+    n = n if n > _LOWEST else _LOWEST
+    return n if n < _LOWEST + LEVELS - 1 else _LOWEST + LEVELS - 1
+
+
+@kernel
+def _base_cell(boxes: Records, population: Integers) -> float:
+    """Width of the cells of level 0 in metres: it just fits all boxes of the octave in which most boxes lie."""
     for k in range(LEVELS):
-        levels[k] = 0
+        population[k] = 0
+    for i in range(boxes.shape[0]):
+        population[_octave(_box_size(boxes[i])) - _LOWEST] += 1
+    most = 0
+    for k in range(LEVELS):
+        most = k if population[k] > population[most] else most
+    base = 0.0
+    for i in range(boxes.shape[0]):
+        size = _box_size(boxes[i])
+        if size > base and _octave(size) - _LOWEST == most:
+            base = size
+    return base if base > 0.0 else 1.0
+
+
+@kernel
+def _assign_cells(boxes: Records, base: float, population: Integers, levels: Integers) -> int:
+    """Give every box its level and cell; list in `levels` those with many boxes, ascending, and return how many."""
+    for k in range(LEVELS):
+        population[k] = 0
     for i in range(boxes.shape[0]):
         box = boxes[i]
-        width = box.upper_x - box.lower_x
-        height = box.upper_y - box.lower_y
-        x = 0.5 * (box.lower_x + box.upper_x)
-        y = 0.5 * (box.lower_y + box.upper_y)
-        # The slack covers the rounding of the middle, which grows with the distance from the origin.
-        size = (width if width > height else height) * _SLACK + _ROUNDING * (abs(x) + abs(y))
-        level = math.frexp(size)[1]
-        level = level if level > _LOWEST else _LOWEST
-        level = level if level < _LOWEST + LEVELS - 1 else _LOWEST + LEVELS - 1
-        inverse = math.ldexp(1.0, -int(level))
+        ratio = _box_size(box) / base
+        level = 0 if 0.5 < ratio <= 1.0 else _octave(ratio)
+        inverse = _cells_per_metre(base, level)
         box.level = level
-        box.cell_x = math.floor(x * inverse)
-        box.cell_y = math.floor(y * inverse)
-        levels[level - _LOWEST] = 1
+        box.cell_x = math.floor(0.5 * (box.lower_x + box.upper_x) * inverse)
+        box.cell_y = math.floor(0.5 * (box.lower_y + box.upper_y) * inverse)
+        population[level - _LOWEST] += 1
     used = 0
     for k in range(LEVELS):
-        if levels[k] == 1:
+        if population[k] > _SPARSE:
             levels[used] = k + _LOWEST
             used += 1
     return used
 
 
 @kernel
+def _list_sparse_levels(ordered: Records, population: Integers, sparse: Integers) -> int:
+    """List the boxes of levels with few boxes: to go through them all is cheaper than to look into cells."""
+    count = 0
+    for i in range(ordered.shape[0]):
+        if population[ordered[i].level - _LOWEST] <= _SPARSE:
+            sparse[count] = i
+            count += 1
+    return count
+
+
+@inlined_kernel
+def _cells_per_metre(base: float, level: int) -> float:
+    return math.ldexp(1.0, -int(level)) / base
+
+
+@inlined_kernel
 def _bucket(cell_x: int, cell_y: int, level: int, heads: Integers) -> int:
     """Bucket of a cell; the row is kept contiguous, rows and levels are spread."""
     row = (cell_y & _CELL_BITS) * _ROW_STRIDE
@@ -98,26 +151,41 @@ def _order_by_bucket(boxes: Records, ordered: Records, heads: Integers) -> None:
         ordered[heads[k]] = box
 
 
-@kernel
-def _pairs_on_own_level(ordered: Records, i: int, heads: Integers, pairs: Records, count: int) -> int:
+@inlined_kernel
+def _pairs_on_own_level(ordered: Records, owners: Records, i: int, heads: Integers, pairs: Records, count: int) -> int:
     """Pairs of box i with later boxes of its own cell and with half of the neighbour cells."""
     box = ordered[i]
     x = box.cell_x
     y = box.cell_y
     level = box.level
     own = _bucket(x, y, level, heads)
-    count = _pairs_in_cell(ordered, i, i + 1, heads[own + 1], x, y, level, pairs, count)
-    for step_x, step_y in ((1, 0), (-1, 1), (0, 1), (1, 1)):
-        k = _bucket(x + step_x, y + step_y, level, heads)
-        count = _pairs_in_cell(ordered, i, heads[k], heads[k + 1], x + step_x, y + step_y, level, pairs, count)
+    count = _pairs_in_cell(ordered, owners, i, i + 1, heads[own + 1], x, y, level, pairs, count)
+    for dx, dy in ((1, 0), (-1, 1), (0, 1), (1, 1)):
+        k = _bucket(x + dx, y + dy, level, heads)
+        count = _pairs_in_cell(ordered, owners, i, heads[k], heads[k + 1], x + dx, y + dy, level, pairs, count)
     return count
 
 
-@kernel
-def _pairs_on_coarser_level(ordered: Records, i: int, level: int, heads: Integers, pairs: Records, count: int) -> int:
+@inlined_kernel
+def _pairs_on_sparse_levels(
+    ordered: Records, owners: Records, i: int, sparse: Integers, sparse_count: int, pairs: Records, count: int
+) -> int:
+    """Pairs of box i with the boxes of coarser levels that hold few boxes."""
+    box = ordered[i]
+    for k in range(sparse_count):
+        other = ordered[sparse[k]]
+        if other.level > box.level and _overlap(box, other):
+            count = _propose(owners, box.shape_index, other.shape_index, pairs, count)
+    return count
+
+
+@inlined_kernel
+def _pairs_on_coarser_level(
+    ordered: Records, owners: Records, i: int, base: float, level: int, heads: Integers, pairs: Records, count: int
+) -> int:
     """Pairs of box i with the boxes of a coarser level: their middles are at most half a cell outside of it."""
     box = ordered[i]
-    inverse = math.ldexp(1.0, -int(level))
+    inverse = _cells_per_metre(base, level)
     first_x = math.floor(box.lower_x * inverse - 0.5)
     first_y = math.floor(box.lower_y * inverse - 0.5)
     last_x = math.floor(box.upper_x * inverse + 0.5)
@@ -125,38 +193,58 @@ def _pairs_on_coarser_level(ordered: Records, i: int, level: int, heads: Integer
     for y in range(first_y, last_y + 1):
         for x in range(first_x, last_x + 1):
             k = _bucket(x, y, level, heads)
-            count = _pairs_in_cell(ordered, i, heads[k], heads[k + 1], x, y, level, pairs, count)
+            count = _pairs_in_cell(ordered, owners, i, heads[k], heads[k + 1], x, y, level, pairs, count)
     return count
 
 
-@kernel
+@inlined_kernel
 def _pairs_in_cell(
-    ordered: Records, i: int, first: int, end: int, x: int, y: int, level: int, pairs: Records, count: int
+    ordered: Records,
+    owners: Records,
+    i: int,
+    first: int,
+    end: int,
+    x: int,
+    y: int,
+    level: int,
+    pairs: Records,
+    count: int,
 ) -> int:
     """Pairs of box i with the boxes of one cell within `ordered[first:end]`; other cells may share the bucket."""
     box = ordered[i]
     for j in range(first, end):
         other = ordered[j]
-        # One branch for the four bounds: each alone would be a coin toss to the processor.
-        apart_x = (box.lower_x > other.upper_x) | (other.lower_x > box.upper_x)
-        if apart_x | (box.lower_y > other.upper_y) | (other.lower_y > box.upper_y):
+        if not _overlap(box, other):
             continue
-        if other.cell_x != x or other.cell_y != y or other.level != level:
-            continue
-        if box.moves + other.moves == 0 or box.body == other.body:
-            continue
-        if not may_collide(box.category, box.mask, box.group, other.category, other.mask, other.group):
-            continue
-        if count < pairs.shape[0]:
-            pair = pairs[count]
-            first_shape = box.shape_index < other.shape_index
-            pair.shape_a = box.shape_index if first_shape else other.shape_index
-            pair.shape_b = other.shape_index if first_shape else box.shape_index
-        count += 1
+        if other.cell_x == x and other.cell_y == y and other.level == level:
+            count = _propose(owners, box.shape_index, other.shape_index, pairs, count)
     return count
 
 
-@kernel
+@inlined_kernel
+def _overlap(a: Records, b: Records) -> bool:
+    """Whether two boxes share a point. One branch for all bounds: each alone would be a coin toss to the processor."""
+    apart_x = (a.lower_x > b.upper_x) | (b.lower_x > a.upper_x)
+    apart_y = (a.lower_y > b.upper_y) | (b.lower_y > a.upper_y)
+    return bool(not (apart_x | apart_y))
+
+
+@inlined_kernel
+def _propose(owners: Records, i: int, j: int, pairs: Records, count: int) -> int:
+    """Append the pair of shapes i and j, if one of them moves and they may collide; return the new count."""
+    a = owners[i]
+    b = owners[j]
+    if a.moves + b.moves == 0 or a.body == b.body:
+        return count
+    if not may_collide(a.category, a.mask, a.group, b.category, b.mask, b.group):
+        return count
+    if count < pairs.shape[0]:
+        pairs[count].shape_a = i if i < j else j
+        pairs[count].shape_b = j if i < j else i
+    return count + 1
+
+
+@inlined_kernel
 def may_collide(category_a: int, mask_a: int, group_a: int, category_b: int, mask_b: int, group_b: int) -> bool:
     """Collision filter: a shared group decides by its sign; otherwise each mask must accept the other's category."""
     if group_a == group_b and group_a != 0:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from sandbox._jit import kernel
 from sandbox.engine.contact_blocks import LANES, MAX_COLORS, VECTOR
 from sandbox.engine.islands import is_active
-from sandbox.world.records import Integers, Records
+from sandbox.tables import Integers, Records
 
 
 @kernel

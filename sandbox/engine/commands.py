@@ -13,7 +13,8 @@ from sandbox.engine.guard import MAX_COORDINATE
 from sandbox.engine.integrate import place_origin as place_origin_kernel
 from sandbox.errors import CommandError
 from sandbox.geometry.trig import cos_sin
-from sandbox.world.records import DYNAMIC, STATIC, Records
+from sandbox.tables import Records
+from sandbox.world.records import DYNAMIC, STATIC
 from sandbox.world.state import State
 
 _place_origin = interpreted(place_origin_kernel)

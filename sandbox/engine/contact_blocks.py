@@ -27,9 +27,12 @@ ROLLING_IMPULSE = 10 * LANES
 BOUNCY = 11 * LANES
 """1 where an impact may follow: such a contact must not be slowed before it strikes."""
 
-POINT_1 = 12 * LANES
+RADIUS_A = 12 * LANES
+RADIUS_B = 13 * LANES
+
+POINT_1 = 14 * LANES
 """First field of point 1; the fields below count from it."""
-POINT_2 = 21 * LANES
+POINT_2 = 23 * LANES
 """First field of point 2. A contact of one point leaves its masses zero, so that it never pushes."""
 
 ANCHOR_AX = 0 * LANES
@@ -42,7 +45,7 @@ TANGENT_MASS = 6 * LANES
 NORMAL_IMPULSE = 7 * LANES
 TANGENT_IMPULSE = 8 * LANES
 
-BLOCK_SIZE = 30 * LANES
+BLOCK_SIZE = 32 * LANES
 
 # Bodies of a block, gathered before the arithmetic and scattered after it.
 VELOCITY_AX = 0 * LANES

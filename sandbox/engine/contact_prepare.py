@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sandbox._jit import kernel
 from sandbox.engine import contact_blocks as cb
-from sandbox.world.records import Floats, Records
+from sandbox.tables import Floats, Records
 
 BLOCK_SIZE = cb.BLOCK_SIZE
 LANES = cb.LANES
@@ -58,6 +58,8 @@ def _prepare_lane(a: Records, b: Records, contact: Records, lanes: Floats, at: i
     lanes[at + cb.FRICTION] = contact.friction
     lanes[at + cb.SURFACE_SPEED] = contact.surface_speed
     lanes[at + cb.ROLLING_RESISTANCE] = contact.rolling_resistance
+    lanes[at + cb.RADIUS_A] = contact.radius_a
+    lanes[at + cb.RADIUS_B] = contact.radius_b
     turning = a.inverse_inertia + b.inverse_inertia
     lanes[at + cb.ROLLING_MASS] = 1.0 / turning if turning > 0.0 else 0.0
     lanes[at + cb.ROLLING_IMPULSE] = contact.rolling_impulse
@@ -115,8 +117,10 @@ def _prepare_point(
     lanes[at + cb.ANCHOR_AY] = ay
     lanes[at + cb.ANCHOR_BX] = bx
     lanes[at + cb.ANCHOR_BY] = by
-    # During the substeps the gap is this plus the way of the two anchors along the normal.
-    lanes[at + cb.SEPARATION] = separation - ((bx - ax) * nx + (by - ay) * ny)
+    # During the substeps the gap is this plus the way of two points of the cores along the normal. The core turns with
+    # the body; the rounding around it does not: wherever a disc has turned to, it touches below its middle.
+    way = (bx - ax) * nx + (by - ay) * ny + contact.radius_a + contact.radius_b
+    lanes[at + cb.SEPARATION] = separation - way
     lanes[at + cb.NORMAL_MASS] = effective_mass(a, b, ax, ay, bx, by, nx, ny)
     lanes[at + cb.TANGENT_MASS] = effective_mass(a, b, ax, ay, bx, by, ny, -nx)
     lanes[at + cb.NORMAL_IMPULSE] = normal_impulse

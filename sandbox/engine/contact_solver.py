@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from sandbox._jit import kernel
 from sandbox.engine import contact_blocks as cb
-from sandbox.world.records import Floats, Records
+from sandbox.tables import Floats, Records
 
 BLOCK_SIZE = cb.BLOCK_SIZE
 VECTOR = cb.VECTOR
@@ -174,6 +174,7 @@ def _solve_lanes(
         mass_b = v[cb.INVERSE_MASS_B + k]
         inertia_a = v[cb.INVERSE_INERTIA_A + k]
         inertia_b = v[cb.INVERSE_INERTIA_B + k]
+        rounding = v[cb.RADIUS_A + k] * g[cb.COS_A + k] + v[cb.RADIUS_B + k] * g[cb.COS_B + k]
         for point in (cb.POINT_1, cb.POINT_2):
             rax = v[point + cb.ANCHOR_AX + k]
             ray = v[point + cb.ANCHOR_AY + k]
@@ -183,7 +184,7 @@ def _solve_lanes(
             gap_x = gap_x - (g[cb.COS_A + k] * rax - g[cb.SIN_A + k] * ray)
             gap_y = g[cb.DELTA_Y + k] + (g[cb.SIN_B + k] * rbx + g[cb.COS_B + k] * rby)
             gap_y = gap_y - (g[cb.SIN_A + k] * rax + g[cb.COS_A + k] * ray)
-            separation = gap_x * nx + gap_y * ny + v[point + cb.SEPARATION + k]
+            separation = gap_x * nx + gap_y * ny + rounding + v[point + cb.SEPARATION + k]
             overlaps = separation <= 0.0
             push = bias_rate * separation
             push = push if push > slowest_bias else slowest_bias

@@ -6,7 +6,8 @@ import math
 
 from sandbox._jit import kernel
 from sandbox.engine.softness import soft_coefficients
-from sandbox.world.records import DYNAMIC, Records
+from sandbox.tables import Records
+from sandbox.world.records import DYNAMIC
 
 
 @kernel

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox.world.records import STATIC, Records
+from sandbox.tables import Records
+from sandbox.world.records import STATIC
 
 MAX_SPEED = 1e7
 """Metres or radians a second past which a velocity counts as broken."""

@@ -12,7 +12,7 @@ import math
 
 from sandbox._jit import kernel
 from sandbox.engine.contact_prepare import effective_mass
-from sandbox.world.records import Integers, Records
+from sandbox.tables import Integers, Records
 
 _SWEEPS = 32
 _SINGULAR = 1e-9
@@ -99,6 +99,7 @@ def _strike(
     if change1 <= 0.0 and change2 <= 0.0:
         return False
     impulse1, impulse2 = _pair_impulses(a, b, contact, change1, change2)
+    contact.impact_impulse += impulse1 + impulse2
     if impulse1 > 0.0:
         _push(a, b, motions, flights, contact, impulse1, 1)
     if impulse2 > 0.0:
@@ -146,7 +147,8 @@ def _wanted_change(
     s_b = motion_b.delta_sin
     way_x = motion_b.delta_x - motion_a.delta_x + (c_b * bx - s_b * by - bx) - (c_a * ax - s_a * ay - ax)
     way_y = motion_b.delta_y - motion_a.delta_y + (s_b * bx + c_b * by - by) - (s_a * ax + c_a * ay - ay)
-    gap = separation + way_x * nx + way_y * ny
+    rounding = contact.radius_a * (c_a - 1.0) + contact.radius_b * (c_b - 1.0)
+    gap = separation + way_x * nx + way_y * ny + rounding
     if gap + seconds * free > 0.0:
         return 0.0
     lift = 2.0 * gap * (free - start) / seconds

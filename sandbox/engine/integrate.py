@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from sandbox._jit import kernel
 from sandbox.geometry.trig import cos_sin
-from sandbox.world.records import DYNAMIC, STATIC, Records
+from sandbox.tables import Records
+from sandbox.world.records import DYNAMIC, STATIC
 
 
 @kernel
@@ -41,12 +42,12 @@ def integrate_velocities(
         flight.start_x = motion.velocity_x
         flight.start_y = motion.velocity_y
         flight.start_w = motion.angular_velocity
-        slow = 1.0 / (1.0 + seconds * body.linear_damping)
+        slow = _decay(seconds * body.linear_damping)
         ax = body.gravity_scale * gravity_x + body.inverse_mass * body.force_x
         ay = body.gravity_scale * gravity_y + body.inverse_mass * body.force_y
         motion.velocity_x = (motion.velocity_x + seconds * ax) * slow
         motion.velocity_y = (motion.velocity_y + seconds * ay) * slow
-        brake = 1.0 / (1.0 + seconds * body.angular_damping)
+        brake = _decay(seconds * body.angular_damping)
         aw = body.inverse_inertia * body.torque
         motion.angular_velocity = (motion.angular_velocity + seconds * aw) * brake
         flight.free_x = motion.velocity_x
@@ -55,12 +56,20 @@ def integrate_velocities(
 
 
 @kernel
-def integrate_positions(bodies: Records, motions: Records, flights: Records, seconds: float) -> None:
+def _decay(x: float) -> float:
+    """exp(-x) to second order, for x >= 0: never negative, so that strong damping stays stable."""
+    return 1.0 / (1.0 + x + 0.5 * x * x)
+
+
+@kernel
+def integrate_positions(bodies: Records, motions: Records, flights: Records, gravity: float, seconds: float) -> None:
     """Move by the velocity the solver left; a body that nothing touched moves by the mean of both ends.
 
     The mean is exact under constant acceleration, so free flight follows the parabola to rounding. A body in
-    contact keeps the end velocity, which is what the solver made safe.
+    contact keeps the direction of its end velocity, which is what the solver made safe, but where it is only slowed
+    or sped up, by no more than forces do (`gravity` in m/s^2 is the measure), it goes the mean way along it.
     """
+    gentle = 4.0 * seconds * gravity
     for i in range(bodies.shape[0]):
         body = bodies[i]
         if body.type == STATIC or body.awake == 0:
@@ -74,11 +83,28 @@ def integrate_positions(bodies: Records, motions: Records, flights: Records, sec
             vx = 0.5 * (flight.start_x + vx)
             vy = 0.5 * (flight.start_y + vy)
             w = 0.5 * (flight.start_w + w)
+        elif body.type == DYNAMIC:
+            share = _mean_share(flight.start_x - vx, flight.start_y - vy, vx, vy, gentle)
+            vx = vx * share
+            vy = vy * share
+            change = flight.start_w - w
+            if abs(change) * body.extent <= gentle and abs(change) <= 0.5 * abs(w):
+                w = w + 0.5 * change
         motion.delta_x += seconds * vx
         motion.delta_y += seconds * vy
         if w != 0.0:
             motion.delta_angle += seconds * w
             motion.delta_cos, motion.delta_sin = cos_sin(motion.delta_angle)
+
+
+@kernel
+def _mean_share(change_x: float, change_y: float, vx: float, vy: float, gentle: float) -> float:
+    """Factor that turns the end velocity into the mean velocity along it; 1 after a change that is not gentle."""
+    change = change_x * change_x + change_y * change_y
+    square = vx * vx + vy * vy
+    if change > gentle * gentle or change > 0.25 * square or square == 0.0:
+        return 1.0
+    return 1.0 + 0.5 * (change_x * vx + change_y * vy) / square
 
 
 @kernel

@@ -10,7 +10,8 @@ from __future__ import annotations
 import math
 
 from sandbox._jit import kernel
-from sandbox.world.records import DYNAMIC, KINEMATIC, Records
+from sandbox.tables import Records
+from sandbox.world.records import DYNAMIC, KINEMATIC
 
 SLEEP_SPEED = 0.05
 """A body is slow while no point of it moves faster than this, in m/s."""

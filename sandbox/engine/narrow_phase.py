@@ -8,7 +8,7 @@ from sandbox._jit import kernel
 from sandbox.engine.bounds import shape_margin
 from sandbox.engine.islands import is_active
 from sandbox.geometry.manifold import collide_cores
-from sandbox.world.records import Records
+from sandbox.tables import Records
 
 FACE_BIAS = 1e-4
 """A face of b has to beat the best face of a by this many metres, so that resting contacts keep their face."""
@@ -125,7 +125,10 @@ def _fill(bodies: Records, shapes: Records, i: int, j: int, m: Records, contact:
     rolling = a.rolling_resistance if a.rolling_resistance > b.rolling_resistance else b.rolling_resistance
     contact.rolling_resistance = rolling
     contact.surface_speed = a.surface_speed + b.surface_speed
+    contact.radius_a = a.radius
+    contact.radius_b = b.radius
     contact.rolling_impulse = 0.0
+    contact.impact_impulse = 0.0
     contact.point_count = m.point_count
     contact.anchor_ax1 = m.x1
     contact.anchor_ay1 = m.y1

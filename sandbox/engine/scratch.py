@@ -8,10 +8,11 @@ from typing import Any
 import numpy as np
 
 from sandbox._jit import kernel_argument
-from sandbox.engine.broad_phase import LEVELS
+from sandbox.engine.broad_phase import LEVEL_SPACE
 from sandbox.engine.contact_blocks import BLOCK_SIZE, GATHER_SIZE, LANES, MAX_COLORS
 from sandbox.geometry.manifold import MANIFOLD
-from sandbox.world.records import CONTACT, VERTEX, Field, Floats, Integers, Records, Table
+from sandbox.tables import Field, Floats, Integers, Records, Table
+from sandbox.world.records import CONTACT, VERTEX
 from sandbox.world.state import State
 
 MOTION = Table(
@@ -55,6 +56,13 @@ BOX = Table(
         Field("cell_y", "-", "", "i8"),
         Field("level", "-", "cells of its grid are 2**level m wide", "i8"),
         Field("shape_index", "-", "row of the shape", "i8"),
+    ),
+)
+"""One row a shape, one cache line: all that the grid looks at before it finds an overlap."""
+
+OWNER = Table(
+    "owner",
+    (
         Field("body", "-", "index of the body", "i8"),
         Field("moves", "-", "1 when the body is dynamic and awake", "i8"),
         Field("category", "-", "", "i8"),
@@ -99,6 +107,7 @@ class Scratch:
     flights: Records
     turned: Records
     boxes: Records
+    owners: Records
     sorted_boxes: Records
     heads: Integers
     levels: Integers
@@ -122,9 +131,10 @@ class Scratch:
             flights=FLIGHT.zeros(len(state.bodies)),
             turned=VERTEX.zeros(len(state.vertices)),
             boxes=BOX.zeros(shapes),
+            owners=OWNER.zeros(shapes),
             sorted_boxes=BOX.zeros(shapes),
             heads=np.zeros(_head_count(shapes), np.int64),
-            levels=np.zeros(LEVELS, np.int64),
+            levels=np.zeros(LEVEL_SPACE, np.int64),
             pairs=PAIR.zeros(pair_capacity),
             sorted_pairs=PAIR.zeros(pair_capacity),
             contacts=CONTACT.zeros(pair_capacity),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from sandbox._jit import entry_point, kernel
 from sandbox.engine.bounds import bound_shapes, turn_cores
 from sandbox.engine.broad_phase import find_pairs, sort_pairs
@@ -15,7 +17,7 @@ from sandbox.engine.integrate import begin_motions, finish_motions, integrate_po
 from sandbox.engine.islands import fall_asleep, wake_touched
 from sandbox.engine.narrow_phase import find_contacts
 from sandbox.engine.softness import soft_coefficients
-from sandbox.world.records import Floats, Integers, Records
+from sandbox.tables import Floats, Integers, Records
 
 WAIT = 1e30
 """Speed (m/s) that a relax pass grants contacts which may bounce: the next substep decides on their impact."""
@@ -34,6 +36,7 @@ def advance(
     flights: Records,
     turned: Records,
     boxes: Records,
+    owners: Records,
     ordered: Records,
     heads: Integers,
     levels: Integers,
@@ -57,8 +60,8 @@ def advance(
     seconds = setting.step_seconds
 
     turn_cores(bodies, shapes, vertices, turned)
-    bound_shapes(bodies, shapes, turned, seconds, boxes)
-    pair_count = find_pairs(boxes, ordered, heads, levels, pairs)
+    bound_shapes(bodies, shapes, turned, seconds, boxes, owners)
+    pair_count = find_pairs(boxes, owners, ordered, heads, levels, pairs)
     kept = counter.contact_count if counter.asleep_count > 0 else 0
     if pair_count + kept > pairs.shape[0]:
         return pair_count + kept
@@ -121,6 +124,7 @@ def _run_substeps(
     hertz = setting.contact_hertz if setting.contact_hertz < 0.25 * rate else 0.25 * rate
     bias, mass_scale, impulse_scale = soft_coefficients(hertz, setting.contact_damping_ratio, seconds)
     slowest = -setting.push_out_speed
+    gravity = math.sqrt(setting.gravity_x * setting.gravity_x + setting.gravity_y * setting.gravity_y)
 
     begin_motions(bodies, motions, flights)
     for _substep in range(setting.substeps):
@@ -145,7 +149,7 @@ def _run_substeps(
             slowest,
             0.0,
         )
-        integrate_positions(bodies, motions, flights, seconds)
+        integrate_positions(bodies, motions, flights, gravity, seconds)
         solve_contacts(motions, slots, blocks, block_count, lanes, gathered, rate, 0.0, 1.0, 0.0, 0.0, WAIT)
     guard_positions(bodies, motions, counters)
     finish_motions(bodies, motions)

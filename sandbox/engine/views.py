@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from sandbox.engine.commands import Command, SetPose, SetVelocity
-from sandbox.world.records import BODY, Floats, Records
+from sandbox.tables import Floats, Records
+from sandbox.world.records import BODY
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

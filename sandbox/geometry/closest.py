@@ -6,7 +6,7 @@ import math
 
 from sandbox._jit import kernel
 from sandbox.geometry.sat import FAR
-from sandbox.world.records import Records
+from sandbox.tables import Records
 
 
 @kernel

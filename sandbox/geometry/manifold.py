@@ -12,7 +12,7 @@ import math
 from sandbox._jit import kernel
 from sandbox.geometry.closest import closest_vertices
 from sandbox.geometry.sat import face_separation, facing_edge, support_vertex
-from sandbox.world.records import Field, Records, Table
+from sandbox.tables import Field, Records, Table
 
 MANIFOLD = Table(
     "manifold",
@@ -33,6 +33,8 @@ MANIFOLD = Table(
         Field("feature2", "-", "64 * vertex of a + vertex of b", "i8"),
     ),
 )
+
+_TIE = 1e-9
 
 
 @kernel
@@ -71,7 +73,8 @@ def collide_cores(
     core_separation = separation_b if flip else separation_a
     if core_separation > 0.0 and radii > 0.0:
         corner, i, j, nx, ny, distance = closest_vertices(cores, a, a_count, b, b_count, dx, dy)
-        if corner:
+        # Faces that lie flat on each other are as close at their corners: there the face gives the better manifold.
+        if corner and distance > core_separation * (1.0 + _TIE) + face_bias:
             if distance > reach:
                 return 0
             return _corner_point(cores, a, i, a_radius, j, b_radius, nx, ny, distance, m)

@@ -8,7 +8,7 @@ with differences keeps the full precision far from the world's origin.
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox.world.records import Records
+from sandbox.tables import Records
 
 FAR = 1e300
 

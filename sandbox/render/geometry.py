@@ -14,7 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.render.camera import Floats
-from sandbox.world.records import BOX, CAPSULE, CIRCLE, SEGMENT, Records
+from sandbox.tables import Records
+from sandbox.world.records import BOX, CAPSULE, CIRCLE, SEGMENT
 
 Ints = NDArray[np.int64]
 

@@ -90,7 +90,8 @@ def _touching(contacts: Any) -> NDArray[np.bool_]:
     """Contacts that overlap or have pushed; the table also holds pairs that are merely near."""
     one = (contacts.separation1 <= 0.0) | (contacts.normal_impulse1 > 0.0)
     two = (contacts.separation2 <= 0.0) | (contacts.normal_impulse2 > 0.0)
-    touching: NDArray[np.bool_] = ((contacts.point_count > 0) & one) | ((contacts.point_count > 1) & two)
+    struck = contacts.impact_impulse > 0.0
+    touching: NDArray[np.bool_] = ((contacts.point_count > 0) & one) | ((contacts.point_count > 1) & two) | struck
     return touching
 
 

@@ -11,8 +11,8 @@ from sandbox._jit import interpreted
 from sandbox.geometry.mass import Moments, edge_normals, moments
 from sandbox.geometry.trig import cos_sin
 from sandbox.scene.flat import FlatBody, FlatScene, FlatShape, Vec
+from sandbox.tables import Records
 from sandbox.world import records
-from sandbox.world.records import Records
 from sandbox.world.state import State
 
 _cos_sin = interpreted(cos_sin)

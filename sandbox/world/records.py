@@ -1,60 +1,15 @@
 """The record of everything a world stores: one table a concept, one row a field.
 
-The dtypes, the digest, the snapshot layout and the documentation are derived from these tables. Every field is
-eight bytes (`f8` or `i8`), so records have no padding and their bytes can be hashed as they are. Booleans are `i8`
-0 or 1; an index of -1 means none.
+The dtypes, the digest, the snapshot layout and the documentation are derived from these tables. Booleans are `i8` 0
+or 1; an index of -1 means none.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from functools import cached_property
-from typing import Any, TypeAlias
-
-import numpy as np
-from numpy.typing import NDArray
-
-Integers: TypeAlias = NDArray[np.int64]
-Floats: TypeAlias = NDArray[np.float64]
-Records: TypeAlias = "np.recarray[Any, Any]"
-"""A one-dimensional record array: `bodies[3].velocity_x`, or `bodies.velocity_x` for the column."""
+from sandbox.tables import Field, Table
 
 STATIC, KINEMATIC, DYNAMIC = 0, 1, 2
 CIRCLE, BOX, CAPSULE, SEGMENT, POLYGON = 0, 1, 2, 3, 4
-
-
-@dataclass(frozen=True)
-class Field:
-    """One column: its name, unit and meaning; `kind` is `f8` or `i8`; only `hashed` columns enter the digest."""
-
-    name: str
-    unit: str
-    meaning: str
-    kind: str = "f8"
-    hashed: bool = True
-
-
-@dataclass(frozen=True)
-class Table:
-    """A concept of the world: a name and its columns in storage order."""
-
-    name: str
-    fields: tuple[Field, ...]
-
-    @cached_property
-    def dtype(self) -> np.dtype[Any]:
-        """The structured dtype of one row: always the same object, which makes calls into kernels fast."""
-        return np.dtype([(field.name, field.kind) for field in self.fields])
-
-    @property
-    def hashed_fields(self) -> list[str]:
-        """Names of the columns that enter the digest."""
-        return [field.name for field in self.fields if field.hashed]
-
-    def zeros(self, count: int) -> Records:
-        """A new array of `count` rows, all zero."""
-        return np.zeros(count, self.dtype).view(np.recarray)
-
 
 BODY = Table(
     "body",
@@ -149,7 +104,10 @@ CONTACT = Table(
         Field("restitution", "1", "mixed coefficient"),
         Field("rolling_resistance", "m", "mixed lever arm"),
         Field("surface_speed", "m/s", "tangent speed asked of b relative to a"),
+        Field("radius_a", "m", "rounding of shape a"),
+        Field("radius_b", "m", "rounding of shape b"),
         Field("rolling_impulse", "N m s", "accumulated over the last substep"),
+        Field("impact_impulse", "N s", "normal impulse of the impacts during the step, both points"),
         Field("point_count", "-", "1 or 2", "i8"),
         *_point_fields(),
     ),

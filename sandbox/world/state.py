@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from sandbox.world.records import Records
+from sandbox.tables import Records
 
 
 @dataclass
