@@ -35,6 +35,7 @@ MANIFOLD = Table(
 )
 
 _TIE = 1e-9
+"""Relative difference below which two separations count as equal."""
 
 
 @kernel
@@ -71,7 +72,9 @@ def collide_cores(
         return 0
     flip = face_a < 0 or (face_b >= 0 and separation_b > separation_a + face_bias)
     core_separation = separation_b if flip else separation_a
-    if core_separation > 0.0 and radii > 0.0:
+    # Points and segments in one line overlap on all their face normals, however far apart they are.
+    flat = a_count <= 2 and b_count <= 2 and core_separation > -_TIE * radii
+    if radii > 0.0 and (core_separation > 0.0 or flat):
         corner, i, j, nx, ny, distance = closest_vertices(cores, a, a_count, b, b_count, dx, dy)
         # Faces that lie flat on each other are as close at their corners: there the face gives the better manifold.
         if corner and distance > core_separation * (1.0 + _TIE) + face_bias:
