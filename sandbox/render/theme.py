@@ -43,7 +43,7 @@ class Theme:
     chroma: float = 0.105
     outline: float = 0.32
     static_outline: float = 0.22
-    sleep: float = 0.42
+    sleep: float = 0.26
 
 
 DARK = Theme(

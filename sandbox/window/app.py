@@ -20,6 +20,8 @@ from sandbox.window.scene_list import SceneList
 from sandbox.window.screen import Screen, Stage
 from sandbox.window.session import Session
 
+LOADING_FPS = 20
+"""Enough to look alive; each picture more would slow the loading thread down."""
 LOCKSTEP_SECONDS = 1 / 60
 """What a frame counts for where frames are counted, so that fading text is the same every time."""
 
@@ -89,9 +91,12 @@ class App:
     def _tick(self, screen: Screen) -> float:
         """Wait for the next picture; gives the seconds since the last one."""
         counting = self.options.frames is not None
-        limit = 0 if counting and screen.counts else 60 if counting else self.stage.display.refresh_rate
+        if not screen.counts:
+            limit = LOADING_FPS
+        else:
+            limit = 0 if counting else self.stage.display.refresh_rate
         elapsed = self._clock.tick(limit) / 1000.0
-        return LOCKSTEP_SECONDS if counting else elapsed
+        return LOCKSTEP_SECONDS if counting and screen.counts else elapsed
 
     def _draw(self, screen: Screen) -> None:
         if isinstance(screen, PlayScreen):

@@ -12,7 +12,7 @@ from sandbox.window.pen import Pen, shorten
 
 TEXT, FAINT, WARM = hex_color("#e6eaf1"), hex_color("#8e99aa"), hex_color("#ffd479")
 PANEL = hex_color("#1b2029")
-PANEL_OPACITY = 0.86
+PANEL_OPACITY = 0.9
 MARGIN, PAD_X, PAD_Y, GAP = 14.0, 14.0, 8.0, 22.0
 
 
@@ -91,10 +91,19 @@ def draw_help(pen: Pen, size: Size, opacity: float) -> None:
 
 def draw_title(pen: Pen, size: Size, title: str, about: str, opacity: float) -> None:
     """The scene's title and what to watch for, below the figures."""
-    top = MARGIN + 2 * PAD_Y + TEXT_SIZE + 14.0
-    room = size[0] - 2 * MARGIN - 8.0
-    pen.text(MARGIN + 4.0, top, shorten(pen, title, room, 24.0), TEXT, opacity, 24.0, bold=True)
-    pen.text(MARGIN + 4.0, top + 32.0, shorten(pen, about, room), FAINT, opacity)
+    top = MARGIN + 2 * PAD_Y + TEXT_SIZE + 10.0
+    room = size[0] - 2 * (MARGIN + PAD_X)
+    lines = [(shorten(pen, title, room, 22.0), TEXT, 22.0, 30.0), (shorten(pen, about, room), FAINT, TEXT_SIZE, 20.0)]
+    shown = [line for line in lines if line[0]]
+    if not shown:
+        return
+    width = max(pen.width(text, points) for text, _, points, _ in shown)
+    height = sum(down for *_, down in shown) + 2 * PAD_Y
+    pen.panel((MARGIN, top, MARGIN + width + 2 * PAD_X, top + height), PANEL, PANEL_OPACITY * opacity, 10.0)
+    y = top + PAD_Y
+    for text, color, points, down in shown:
+        pen.text(MARGIN + PAD_X, y, text, color, opacity, points)
+        y += down
 
 
 def _wrap(pen: Pen, room: float) -> list[list[tuple[str, str, float]]]:

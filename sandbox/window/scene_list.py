@@ -40,7 +40,7 @@ class SceneList:
     def __init__(self, entries: list[Entry], open_scene: Callable[[Path], Screen]) -> None:
         self._entries = entries
         self._open = open_scene
-        self._message = ""
+        self.message = ""
         self._selected = 0
         self._chosen: int | None = None
         self._leaving = False
@@ -65,12 +65,12 @@ class SceneList:
             return None
         if self._chosen is None:
             return self
-        chosen, self._chosen, self._message = self._chosen, None, ""
+        chosen, self._chosen, self.message = self._chosen, None, ""
         return self._open(self._entries[chosen].path)
 
     def say(self, message: str) -> None:
         """Show a message above the cards until the next choice."""
-        self._message = message.splitlines()[0]
+        self.message = message.splitlines()[0]
 
     def draw(self, stage: Stage) -> None:
         """Heading, message, cards."""
@@ -85,9 +85,9 @@ class SceneList:
 
     def _subtitle(self, pen: Pen, left: float, wide: float) -> None:
         hint = "arrows and Enter, or click  ·  Esc leaves"
-        text = self._message or f"{len(self._entries)} scenes"
+        text = self.message or f"{len(self._entries)} scenes"
         room = wide - pen.width(hint) - 30.0
-        pen.text(left, 68.0, shorten(pen, text, room), WARM if self._message else FAINT)
+        pen.text(left, 68.0, shorten(pen, text, room), WARM if self.message else FAINT)
         pen.text(left + wide - pen.width(hint), 68.0, hint, FAINT)
 
     def _cards(self, gui: Gui, left: float, wide: float, height: float) -> None:

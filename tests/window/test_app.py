@@ -1,0 +1,152 @@
+"""The program from list to scene and back, driven by events as a user's hands would make them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pygame
+import pytest
+from PIL import Image
+from test_session import SCENE
+
+from sandbox.window.app import App, Options
+from sandbox.window.gl_painter import GlPainter
+from sandbox.window.gui import Gui
+from sandbox.window.loader import Loader
+from sandbox.window.loading import LoadingScreen
+from sandbox.window.play import PlayScreen
+from sandbox.window.scene_index import Entry
+from sandbox.window.scene_list import SceneList
+from sandbox.window.screen import Screen, Stage
+
+Condition = Callable[[Any], bool]
+
+
+def key(code: int, character: str = "") -> pygame.event.Event:
+    return pygame.event.Event(pygame.KEYDOWN, key=code, unicode=character, mod=0)
+
+
+def shows(kind: type) -> Condition:
+    return lambda screen: isinstance(screen, kind)
+
+
+class Hands(App):
+    """The program, with hands that press the next thing as soon as its condition holds."""
+
+    def __init__(self, stage: Stage, options: Options, script: list[tuple[Condition, pygame.event.Event]]) -> None:
+        super().__init__(stage, options)
+        self.script = script
+        self.seen: list[str] = []
+        self.pictures = 0
+
+    def _draw(self, screen: Screen) -> None:
+        super()._draw(screen)
+        self.pictures += screen.counts
+        assert self.pictures < 1500, f"stuck on {self.seen[-1]}"
+        name = type(screen).__name__
+        if name not in self.seen[-1:]:
+            self.seen.append(name)
+        if self.script and self.script[0][0](screen):
+            pygame.event.post(self.script.pop(0)[1])
+
+
+@pytest.fixture
+def stage(display: Any) -> Iterator[Stage]:
+    from sandbox.render.theme import DARK
+
+    gui = Gui(display.driver)
+    yield Stage(display, GlPainter(display.context), gui, DARK)
+    gui.close()
+
+
+@pytest.fixture
+def scenes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[Entry]:
+    SCENE.save(tmp_path / "good.scene.json")
+    (tmp_path / "bad.scene.json").write_text('{"format": 1, "bodys": []}')
+    entries = [Entry(tmp_path / f"{name}.scene.json", name, "", "a theme") for name in ("bad", "good")]
+    monkeypatch.setattr("sandbox.window.app.scene_entries", lambda: entries)
+    return entries
+
+
+def test_from_the_list_to_a_scene_and_back_and_out(stage: Stage, scenes: list[Entry]) -> None:
+    steps: list[int] = []
+
+    def paused(screen: Any) -> bool:
+        if isinstance(screen, PlayScreen) and screen.session.clock.paused:
+            steps.append(screen.session.world.step_count)
+        return len(steps) >= 4
+
+    script = [
+        (shows(SceneList), key(pygame.K_DOWN)),
+        (shows(SceneList), key(pygame.K_RIGHT)),
+        (shows(SceneList), key(pygame.K_RETURN)),
+        (lambda s: isinstance(s, PlayScreen) and s.session.world.step_count > 5, key(pygame.K_SPACE, " ")),
+        (paused, key(pygame.K_ESCAPE)),
+        (shows(SceneList), key(pygame.K_ESCAPE)),
+    ]
+    hands = Hands(stage, Options(), script)
+    hands.run()
+    assert hands.script == []
+    assert hands.seen == ["SceneList", "LoadingScreen", "PlayScreen", "SceneList"]
+    assert len(set(steps)) == 1  # nothing moved while paused
+
+
+def test_a_bad_scene_leads_back_to_the_list_with_a_message(stage: Stage, scenes: list[Entry]) -> None:
+    messages: list[str] = []
+
+    def told(screen: Any) -> bool:
+        messages.append(getattr(screen, "message", ""))
+        return bool(messages[-1])
+
+    script = [(shows(SceneList), key(pygame.K_RETURN)), (told, key(pygame.K_ESCAPE))]
+    hands = Hands(stage, Options(), script)
+    hands.run()
+    assert hands.seen == ["SceneList", "LoadingScreen", "SceneList"]
+    assert "bad.scene.json:1:15" in messages[-1]
+
+
+def test_a_click_on_a_card_opens_it(stage: Stage, scenes: list[Entry]) -> None:
+    x, y = 200, 190  # inside the first card
+    moves = [
+        pygame.event.Event(pygame.MOUSEMOTION, pos=(x, y), rel=(1, 1), buttons=(0, 0, 0)),
+        pygame.event.Event(pygame.MOUSEBUTTONDOWN, pos=(x, y), button=1),
+        pygame.event.Event(pygame.MOUSEBUTTONUP, pos=(x, y), button=1),
+    ]
+    script: list[tuple[Condition, pygame.event.Event]] = [(shows(SceneList), move) for move in moves]
+    script.append((lambda s: isinstance(s, SceneList) and bool(s.message), key(pygame.K_ESCAPE)))
+    hands = Hands(stage, Options(), script)
+    hands.run()
+    assert hands.script == []
+    assert "LoadingScreen" in hands.seen
+
+
+def test_the_loading_screen_says_what_is_being_done(stage: Stage, scenes: list[Entry], tmp_path: Path) -> None:
+    loader = Loader(scenes[1].path)
+    screen = LoadingScreen(loader, play=lambda session: pytest.fail("not asked"), failed=pytest.fail)
+    stage.display.begin()
+    stage.gui.begin(stage.display.size)
+    screen.draw(stage)
+    stage.gui.end()
+    stage.display.save(tmp_path / "loading.png")
+    with Image.open(tmp_path / "loading.png") as image:
+        drawn = np.asarray(image).astype(int)
+    bright = (drawn.max(axis=2) > 100).nonzero()
+    assert len(bright[0]) > 200  # the arc, what is being done, and the file's name
+    assert abs(bright[1].mean() - stage.display.size[0] / 2) < 20  # centred
+    assert loader.result().world.step_count == 0
+
+
+def test_what_loads_does_not_count_as_a_picture(stage: Stage, scenes: list[Entry]) -> None:
+    hands = Hands(stage, Options(scene=scenes[1].path, frames=3), [])
+    hands.run()
+    assert hands.seen[-1] == "PlayScreen"
+    assert not LoadingScreen.counts
+
+
+def test_closing_the_window_ends_the_program(stage: Stage, scenes: list[Entry]) -> None:
+    hands = Hands(stage, Options(), [(shows(SceneList), pygame.event.Event(pygame.QUIT))])
+    hands.run()
+    assert hands.seen == ["SceneList"]
