@@ -16,6 +16,8 @@ from sandbox.world.build import build_state
 from sandbox.world.state import State
 
 SIZE = (480, 300)
+RIM = 2.0
+"""Pixels: half the least width of a segment, half the diagonal of a pixel, and a sample."""
 SHEET = np.array([DARK.background, DARK.grid_minor, DARK.grid_major, DARK.grid_axis]) * 255
 
 
@@ -37,7 +39,7 @@ def check_pixels(state: State, camera: Camera) -> None:
         for column in range(0, camera.size[0], 7):
             x, y = camera.point((column + 0.5, row + 0.5))
             gap = min(distance(state, i, x, y) for i in range(len(state.shapes))) * camera.scale
-            if abs(gap) > 1.6:
+            if abs(gap) > RIM:
                 seen[gap < 0] += 1
                 assert is_sheet(picture[row, column]) == (gap > 0), (column, row, gap)
     assert min(seen.values()) > 50
