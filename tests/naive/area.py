@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
+from itertools import pairwise
 
 Point = tuple[Fraction, Fraction]
 
@@ -15,7 +16,7 @@ def polygon_moments(points: list[Point]) -> tuple[Fraction, Fraction, Fraction, 
     products of its corners' coordinates, each pair once.
     """
     total = [Fraction(0)] * 4
-    for q, r in zip(points[1:-1], points[2:], strict=True):
+    for q, r in pairwise(points[1:]):
         corners = (points[0], q, r)
         (x0, y0), (x1, y1), (x2, y2) = corners
         area = ((x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0)) / 2
