@@ -1,0 +1,1 @@
+"""The same scene in pymunk, the engine that contact decisions and speed are compared with."""
