@@ -9,6 +9,7 @@ import statistics
 import time
 from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
@@ -23,7 +24,7 @@ SCENES = [("pyramid-10", 400, 10), ("pyramid-100", 8, 8)]
 
 def awake(name: str) -> FlatScene:
     """A shipped scene that never falls asleep, as pymunk's spaces do by default."""
-    flat = sandbox.load_scene(find_scene(name)).flatten()
+    flat = sandbox.load_scene(find_scene(Path(name))).flatten()
     return replace(flat, settings=replace(flat.settings, sleeping=False))
 
 
