@@ -16,9 +16,7 @@ def parse_size(text: str) -> tuple[int, int]:
     """`"1280x800"` -> (1280, 800). Raises `SandboxError` for anything else and for impossible sizes."""
     match = re.fullmatch(r"\s*(\d{1,6})\s*[xX×*]\s*(\d{1,6})\s*", text)
     if match is None:
-        raise SandboxError(
-            f"--size {text!r} is not a size; write width and height in pixels, such as 1280x800"
-        )
+        raise SandboxError(f"--size {text!r} is not a size; write width and height in pixels, such as 1280x800")
     width, height = int(match[1]), int(match[2])
     if not (SMALLEST <= width <= LARGEST and SMALLEST <= height <= LARGEST):
         raise SandboxError(f"--size {text}: each side must be {SMALLEST} to {LARGEST} pixels")

@@ -17,9 +17,7 @@ STILL_SIZE, FILM_SIZE = "1280x800", "640x400"
 
 _SCENE = typer.Argument(help="A scene file, or the name of a shipped scene.")
 _OUTPUT = typer.Option("-o", "--output", help="The file to write: NAME.png or NAME.gif.")
-_STEP = typer.Option(
-    min=0, max=10_000_000, help="Steps to take before the picture, or before the film begins."
-)
+_STEP = typer.Option(min=0, max=10_000_000, help="Steps to take before the picture, or before the film begins.")
 _STEPS = typer.Option(min=1, max=100_000, help="Length of a film in steps.")
 _FPS = typer.Option(min=1.0, max=50.0, help="Pictures a second in a film.")
 _SIZE = typer.Option(

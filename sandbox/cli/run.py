@@ -12,9 +12,7 @@ from sandbox.resources import find_scene
 _SCENE = typer.Argument(show_default=False, help="A scene file, or the name of a shipped scene.")
 _SIZE = typer.Option(metavar="WxH", help="Size of the window in pixels.")
 _STEP = typer.Option(min=0, max=10_000_000, help="Start after this many steps.")
-_FRAMES = typer.Option(
-    min=1, show_default=False, help="Quit after this many pictures, with one physics step for each."
-)
+_FRAMES = typer.Option(min=1, show_default=False, help="Quit after this many pictures, with one physics step for each.")
 _SCREENSHOT = typer.Option(show_default=False, help="Write the last picture to this PNG file.")
 
 

@@ -13,9 +13,11 @@ class Steppable(Protocol):
     """What filming needs of a world."""
 
     @property
-    def state(self) -> State: ...
+    def state(self) -> State:
+        """The records as they are now."""
 
-    def step(self, n: int = 1) -> object: ...
+    def step(self, n: int = 1) -> object:
+        """Advance by `n` steps."""
 
 
 def gif_seconds(fps: float) -> float:
