@@ -154,8 +154,8 @@ def _set_velocity(body: Records, command: SetVelocity) -> None:
 
 def _apply_force(body: Records, command: ApplyForce) -> None:
     _needs_dynamic(body, command)
-    force = (body.force_x + command.force[0], body.force_y + command.force[1])
-    torque = body.torque + command.torque
+    force = (float(body.force_x) + command.force[0], float(body.force_y) + command.force[1])
+    torque = float(body.torque) + command.torque
     if not all(math.isfinite(value) for value in (*force, torque)):
         raise CommandError(f"{_name(command)}: the forces on the body add up to infinity")
     body.force_x, body.force_y = force

@@ -28,10 +28,14 @@ def is_active(body: Records) -> bool:
 
 
 @kernel
-def wake_touched(bodies: Records, contacts: Records, count: int, counters: Records) -> None:
-    """Wake every island that has a contact with an awake or a moving kinematic body."""
+def wake_touched(bodies: Records, flights: Records, contacts: Records, count: int, counters: Records) -> None:
+    """Wake every island that has a contact with an awake or a moving kinematic body; `undo_waking` takes it back."""
     if counters[0].asleep_count == 0:
         return
+    for i in range(bodies.shape[0]):
+        flights[i].was_awake = bodies[i].awake
+        flights[i].was_island = bodies[i].island
+        flights[i].was_slow = bodies[i].sleep_time
     found = False
     for i in range(count):
         a = bodies[contacts[i].body_a]
@@ -44,6 +48,17 @@ def wake_touched(bodies: Records, contacts: Records, count: int, counters: Recor
             found = True
     if found:
         wake_marked_islands(bodies)
+
+
+@kernel
+def undo_waking(bodies: Records, flights: Records, counters: Records) -> None:
+    """Put all bodies back to sleep that `wake_touched` has woken, for a step that has to begin again."""
+    if counters[0].asleep_count == 0:
+        return
+    for i in range(bodies.shape[0]):
+        bodies[i].awake = flights[i].was_awake
+        bodies[i].island = flights[i].was_island
+        bodies[i].sleep_time = flights[i].was_slow
 
 
 @kernel

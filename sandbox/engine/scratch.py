@@ -41,6 +41,9 @@ FLIGHT = Table(
         Field("free_w", "rad/s", "velocity at its end if nothing touches the body"),
         Field("colors", "-", "bit set of the colours its constraints have", "i8"),
         Field("island", "-", "root of its island", "i8"),
+        Field("was_awake", "-", "before the step woke anybody", "i8"),
+        Field("was_island", "-", "before the step woke anybody", "i8"),
+        Field("was_slow", "s", "sleep time before the step woke anybody"),
     ),
 )
 """One row a body: where an unhindered body would go, and its place in the constraint graph."""

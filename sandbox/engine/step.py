@@ -14,7 +14,7 @@ from sandbox.engine.drags import solve_drags
 from sandbox.engine.guard import guard_positions, guard_velocities
 from sandbox.engine.impacts import list_bouncy, resolve_impacts
 from sandbox.engine.integrate import begin_motions, finish_motions, integrate_positions, integrate_velocities
-from sandbox.engine.islands import fall_asleep, wake_touched
+from sandbox.engine.islands import fall_asleep, undo_waking, wake_touched
 from sandbox.engine.narrow_phase import find_contacts
 from sandbox.engine.softness import soft_coefficients
 from sandbox.tables import Floats, Integers, Records
@@ -79,10 +79,11 @@ def advance(
         counter.contact_count,
         contacts,
     )
-    wake_touched(bodies, contacts, count, counters)
+    wake_touched(bodies, flights, contacts, count, counters)
     color_count = color_contacts(bodies, flights, contacts, count, colors)
     block_count = fill_blocks(contacts, count, colors, color_count, heads, slots, blocks)
     if block_count > blocks.shape[0]:
+        undo_waking(bodies, flights, counters)
         return -block_count
     bouncy_count = list_bouncy(bodies, contacts, count, setting.restitution_threshold, colors)
     prepare_contacts(bodies, contacts, slots, blocks, block_count, bouncy_count > 0, lanes)

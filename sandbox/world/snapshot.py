@@ -8,6 +8,7 @@ import struct
 import numpy as np
 
 from sandbox.errors import SnapshotError
+from sandbox.tables import Table
 from sandbox.world.records import TABLES
 from sandbox.world.state import State
 
@@ -36,15 +37,28 @@ def restore(state: State, data: bytes) -> None:
     rows = []
     offset = 0
     for table, array in zip(TABLES, state.arrays, strict=True):
-        (count,) = struct.unpack_from("<q", body, offset)
+        count = _row_count(body, offset, table)
         if table.name != "contact" and count != len(array):
             raise SnapshotError(f"the snapshot holds {count} {table.name} rows, this world {len(array)}")
         rows.append(np.frombuffer(body, table.dtype, count, offset + 8))
         offset += 8 + count * table.dtype.itemsize
+    names = [table.name for table in TABLES]
+    contact_count = rows[names.index("counters")]["contact_count"][0]
+    if offset != len(body) or contact_count != len(rows[names.index("contact")]):
+        raise SnapshotError("the snapshot is damaged: its tables do not fit together")
     for table, array, values in zip(TABLES, state.arrays, rows, strict=True):
         if len(values) > len(array):
             state.contacts = array = table.zeros(len(values))
         array[: len(values)] = values
+
+
+def _row_count(body: bytes, offset: int, table: Table) -> int:
+    """Number of rows of the table at `offset`, checked against the bytes that are there."""
+    room = len(body) - offset - 8
+    count = int(struct.unpack_from("<q", body, offset)[0]) if room >= 0 else -1
+    if count < 0 or count * table.dtype.itemsize > room:
+        raise SnapshotError(f"the snapshot is damaged: its {table.name} table is cut off")
+    return count
 
 
 def _checked_body(data: bytes) -> bytes:
