@@ -71,8 +71,9 @@ def test_angular_momentum_is_nearly_kept(seed):
 def test_a_pair_keeps_its_momentum(seed, vx, vy, spin):
     random = np.random.default_rng(seed)
     a, b = random.choice(5, 2)
+    place = -0.7, float(random.uniform(-0.4, 0.4))
     w = world(
-        body("a", SHAPES[a], position=(-0.7, float(random.uniform(-0.4, 0.4))), velocity=(vx, vy), angular_velocity=spin),
+        body("a", SHAPES[a], position=place, velocity=(vx, vy), angular_velocity=spin),
         body("b", SHAPES[b], position=(0.7, 0.0), angle=float(random.uniform(-3, 3))),
         gravity=(0.0, 0.0),
     )  # fmt: skip

@@ -19,7 +19,8 @@ def energy(w) -> float:
     return float(np.sum(b.mass * (0.5 * speed + G * b.center_y) + 0.5 * b.inertia * b.angular_velocity**2))
 
 
-STANDING = [(box(1.0, 1.0), 12), (box(1.0, 1.0), 20)]
+ROUNDED = box(0.8, 0.8, radius=0.1)
+STANDING = [(box(1.0, 1.0), 12), (box(1.0, 1.0), 20), (ROUNDED, 12), (ROUNDED, 20)]
 
 
 @pytest.mark.parametrize(("shape", "count"), STANDING)
@@ -29,7 +30,7 @@ def test_a_stack_stands_for_600_steps(shape, count):
     start = w.bodies.position.copy()
     w.step(600)
     moved = np.abs(w.bodies.position - start)
-    assert moved[:, 0].max() < 0.01
+    assert moved[:, 0].max() < 0.02
     assert moved[:, 1].max() < 2.5e-3 * count, "contacts give way by a few millimetres"
     assert np.abs(w.bodies.angle).max() < 1e-3
     assert np.abs(w.bodies.velocity).max() < 0.01
