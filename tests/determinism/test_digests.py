@@ -144,6 +144,31 @@ def test_the_crowd_needs_serial_blocks():
     assert world.state.counters[0].color_count == 63
 
 
+def hub_and_rim() -> FlatScene:
+    """A wheel among 300 balls that falls asleep and is struck: waking needs more memory than a fresh world has."""
+    hub = body("hub", circle(4.0), velocity=(0.004, 0.0), angular_velocity=0.01)
+    turns = [2 * np.pi * k / 300 for k in range(300)]
+    places = [(float(4.031 * np.cos(t)), float(4.031 * np.sin(t))) for t in turns]
+    rim = [body(f"r{k}", circle(0.03), position=place, velocity=(0.004, 0.0)) for k, place in enumerate(places)]
+    visitor = body("visitor", circle(0.1), position=(-14.0, 0.0), velocity=(8.0, 0.0))
+    return FlatScene((hub, *rim, visitor), gravity=(0.0, 0.0), settings=FlatSettings())
+
+
+def test_waking_a_crowd_does_not_depend_on_scratch_memory():
+    world, slept = World(hub_and_rim()), False
+    for _ in range(80):
+        saved = world.snapshot()
+        world.step()
+        slept = slept or world.bodies.awake.sum() < 10
+        if world.step_count % 10 == 0 or world.step_count > 70:
+            fresh = World(hub_and_rim())
+            fresh.restore(saved)
+            fresh.step()
+            assert fresh.digest() == world.digest(), world.step_count
+    assert slept
+    assert world.bodies.awake.all()
+
+
 def falling_asleep() -> FlatScene:
     """Two stacks and a late visitor that wakes one of them."""
     stacks = [body(f"{x}-{y}", box(1.0, 1.0), position=(4.0 * x, 0.5 + y)) for x in range(2) for y in range(3)]
