@@ -1,0 +1,187 @@
+"""The stages of a step called one by one, each compiled for calls from Python and kept on disk.
+
+The only place in the tests that knows the signatures of kernels and the layout of scratch memory.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+
+from sandbox._jit import entry_point
+from sandbox.engine import (
+    bounds,
+    broad_phase,
+    coloring,
+    contact_prepare,
+    contact_solver,
+    drags,
+    guard,
+    impacts,
+    integrate,
+    narrow_phase,
+)
+from sandbox.engine.scratch import BOX, OWNER, PAIR, Scratch
+from sandbox.engine.world import World
+from sandbox.world.state import State
+from tests.naive.grid import Box
+
+Pair = tuple[int, int]
+
+
+def stage(kernel: Any) -> Callable[..., Any]:
+    """A kernel to call with record arrays."""
+    compiled = entry_point(getattr(kernel, "py_func", kernel))
+
+    def call(*arguments: Any) -> Any:
+        return compiled(*(plain(argument) for argument in arguments))
+
+    return call
+
+
+def plain(argument: Any) -> Any:
+    """A whole record array as a plain one over the same memory (with the compiler; Python needs the fields)."""
+    from sandbox._jit import kernel_argument
+
+    if isinstance(argument, np.recarray) and argument.base is None:
+        raise TypeError("a copied recarray has no base: use Table.zeros and fill it")
+    return kernel_argument(argument)
+
+
+turn_cores = stage(bounds.turn_cores)
+bound_shapes = stage(bounds.bound_shapes)
+find_pairs = stage(broad_phase.find_pairs)
+sort_pairs = stage(broad_phase.sort_pairs)
+find_contacts = stage(narrow_phase.find_contacts)
+color_contacts = stage(coloring.color_contacts)
+fill_blocks = stage(coloring.fill_blocks)
+prepare_contacts = stage(contact_prepare.prepare_contacts)
+store_impulses = stage(contact_prepare.store_impulses)
+warm_start = stage(contact_solver.warm_start)
+solve_contacts = stage(contact_solver.solve_contacts)
+begin_motions = stage(integrate.begin_motions)
+integrate_velocities = stage(integrate.integrate_velocities)
+integrate_positions = stage(integrate.integrate_positions)
+resolve_impacts = stage(impacts.resolve_impacts)
+list_bouncy = stage(impacts.list_bouncy)
+solve_drags = stage(drags.solve_drags)
+guard_velocities = stage(guard.guard_velocities)
+
+
+class Grid:
+    """The broad phase on a list of boxes."""
+
+    def __init__(self, boxes: Sequence[Box], capacity: int = 100_000) -> None:
+        self.count = len(boxes)
+        self.boxes, self.owners = BOX.zeros(self.count), OWNER.zeros(self.count)
+        self.ordered = BOX.zeros(self.count)
+        self.pairs, self.buffer = PAIR.zeros(capacity), PAIR.zeros(capacity)
+        buckets = 128
+        while buckets < 2 * self.count:
+            buckets *= 2
+        self.heads = np.zeros(buckets + 1, np.int64)
+        self.levels = np.zeros(broad_phase.LEVEL_SPACE, np.int64)
+        for i, box in enumerate(boxes):
+            row, owner = self.boxes[i], self.owners[i]
+            row.lower_x, row.lower_y = box.lower
+            row.upper_x, row.upper_y = box.upper
+            row.shape_index = i
+            owner.body, owner.moves = box.body, int(box.moves)
+            owner.category, owner.mask, owner.group = box.category, box.mask, box.group
+
+    def find(self) -> int:
+        """Run the grid; the number of pairs it counted."""
+        return int(find_pairs(self.boxes, self.owners, self.ordered, self.heads, self.levels, self.pairs))
+
+    def found(self, count: int) -> list[Pair]:
+        """The pairs written, in the order of the grid."""
+        rows = self.pairs[:count]
+        return list(zip(rows.shape_a.tolist(), rows.shape_b.tolist(), strict=True))
+
+    def sorted_pairs(self) -> list[Pair]:
+        """Find and sort: what the narrow phase gets."""
+        count = self.find()
+        sort_pairs(self.pairs, count, self.buffer, self.heads, self.count)
+        return self.found(count)
+
+
+class Paused:
+    """The state and scratch memory of a world, to run the stages of its next step by hand."""
+
+    def __init__(self, world: World) -> None:
+        self.state: State = world.state
+        self.scratch: Scratch = world._scratch
+        self.count = self.colors = self.blocks = self.bouncy = 0
+        self.setting = world.state.settings[0]
+        self.seconds = float(self.setting.step_seconds)
+        self.substep = self.seconds / int(self.setting.substeps)
+
+    def detect(self) -> None:
+        """Bounds, grid, contacts."""
+        s, m = self.state, self.scratch
+        turn_cores(s.bodies, s.shapes, s.vertices, m.turned)
+        bound_shapes(s.bodies, s.shapes, m.turned, self.seconds, m.boxes, m.owners)
+        count = find_pairs(m.boxes, m.owners, m.sorted_boxes, m.heads, m.levels, m.pairs)
+        assert count <= len(m.pairs)
+        sort_pairs(m.pairs, count, m.sorted_pairs, m.heads, len(s.shapes))
+        self.count = find_contacts(
+            s.bodies, s.shapes, m.turned, m.pairs, count, self.seconds, m.manifold, s.contacts,
+            int(s.counters[0].contact_count), m.contacts,
+        )  # fmt: skip
+
+    def lay_out(self) -> None:
+        """Colours, slots, blocks and lanes."""
+        s, m = self.state, self.scratch
+        self.colors = color_contacts(s.bodies, m.flights, m.contacts, self.count, m.colors)
+        self.blocks = fill_blocks(m.contacts, self.count, m.colors, self.colors, m.heads, m.slots, m.blocks)
+        assert self.blocks <= len(m.blocks)
+        self.prepare()
+
+    def prepare(self, bouncy: bool = False) -> None:
+        """Fill the lanes of the blocks there are."""
+        s, m = self.state, self.scratch
+        prepare_contacts(s.bodies, m.contacts, m.slots, m.blocks, self.blocks, bouncy, m.lanes)
+
+    def one_contact_a_block(self) -> None:
+        """The same slots, but every contact alone in its block."""
+        m = self.scratch
+        m.blocks, m.lanes = type(m).for_state(self.state, len(m.pairs), self.count + 1).__dict__["blocks"], None
+        m.lanes = type(m).for_state(self.state, len(m.pairs), self.count + 1).lanes
+        for k in range(self.count):
+            m.blocks[k].first, m.blocks[k].count, m.blocks[k].stride = k, 1, 1
+        self.blocks = self.count
+        self.prepare()
+
+    def begin(self) -> None:
+        """Load the velocities and add a substep of gravity."""
+        s, m = self.state, self.scratch
+        begin_motions(s.bodies, m.motions, m.flights)
+        integrate_velocities(
+            s.bodies, m.motions, m.flights, self.setting.gravity_x, self.setting.gravity_y, self.substep
+        )
+
+    def warm(self) -> None:
+        """Warm start."""
+        m = self.scratch
+        warm_start(m.motions, m.slots, m.blocks, self.blocks, m.lanes, m.gathered)
+
+    def solve(self, bias: float, mass: float, impulse: float, slowest: float, allowance: float = 0.0) -> None:
+        """One pass."""
+        m = self.scratch
+        solve_contacts(
+            m.motions, m.slots, m.blocks, self.blocks, m.lanes, m.gathered, 1.0 / self.substep, bias, mass, impulse,
+            slowest, allowance,
+        )  # fmt: skip
+
+    def move(self) -> None:
+        """Integrate positions over a substep."""
+        s, m = self.state, self.scratch
+        gravity = float(np.hypot(self.setting.gravity_x, self.setting.gravity_y))
+        integrate_positions(s.bodies, m.motions, m.flights, gravity, self.substep)
+
+    def store(self) -> None:
+        """Impulses back into the contacts."""
+        m = self.scratch
+        store_impulses(m.contacts, m.slots, m.blocks, self.blocks, m.lanes)
