@@ -33,17 +33,21 @@ _ROOMS = ("_jit.py", "tables.py", "geometry", "world/records.py", "engine")
 _FLAGS: dict[str, Any] = {"error_model": "numpy", "boundscheck": False, "_nrt": False}
 # Kernels allocate nothing, so numba's reference counting is off: its atomic counters around every call that takes an
 # array cost more than the arithmetic (the grid ran 7 times slower with them).
+_CALLABLE = os.environ.get("SANDBOX_CALLABLE_KERNELS") == "1"
+_INNER: dict[str, Any] = _FLAGS | {"no_cpython_wrapper": not _CALLABLE, "no_cfunc_wrapper": True}
+# Only entry points are called from Python. The others go without the wrappers for that, which are a sixth of the
+# compile time; tests of single kernels ask for them.
 _STALE_SECONDS = 14 * 24 * 3600
 
 
 def kernel(function: F) -> F:
     """Compile `function` for use by other kernels. The same bits as plain Python, only faster."""
-    return cast(F, njit(**_FLAGS)(function))
+    return cast(F, njit(**_INNER)(function))
 
 
 def inlined_kernel(function: F) -> F:
     """A `kernel` that is always inlined: for short functions called in the innermost loops with many arrays."""
-    return cast(F, njit(**_FLAGS, forceinline=True)(function))
+    return cast(F, njit(**_INNER, forceinline=True)(function))
 
 
 def entry_point(function: F) -> F:
