@@ -32,7 +32,7 @@ def begin_motions(bodies: Records, motions: Records, flights: Records) -> None:
 def integrate_velocities(
     bodies: Records, motions: Records, flights: Records, gravity_x: float, gravity_y: float, seconds: float
 ) -> None:
-    """Gravity, forces and damping (implicit, so that strong damping stays stable) over one substep."""
+    """Gravity, forces and damping over one substep: exact terminal velocity, decay to second order, always stable."""
     for i in range(bodies.shape[0]):
         body = bodies[i]
         if body.type != DYNAMIC or body.awake == 0:
@@ -42,14 +42,16 @@ def integrate_velocities(
         flight.start_x = motion.velocity_x
         flight.start_y = motion.velocity_y
         flight.start_w = motion.angular_velocity
+        lag = 1.0 + 0.5 * seconds * body.linear_damping
         slow = _decay(seconds * body.linear_damping)
         ax = body.gravity_scale * gravity_x + body.inverse_mass * body.force_x
         ay = body.gravity_scale * gravity_y + body.inverse_mass * body.force_y
-        motion.velocity_x = (motion.velocity_x + seconds * ax) * slow
-        motion.velocity_y = (motion.velocity_y + seconds * ay) * slow
+        motion.velocity_x = (motion.velocity_x + seconds * ax * lag) * slow
+        motion.velocity_y = (motion.velocity_y + seconds * ay * lag) * slow
+        turn_lag = 1.0 + 0.5 * seconds * body.angular_damping
         brake = _decay(seconds * body.angular_damping)
         aw = body.inverse_inertia * body.torque
-        motion.angular_velocity = (motion.angular_velocity + seconds * aw) * brake
+        motion.angular_velocity = (motion.angular_velocity + seconds * aw * turn_lag) * brake
         flight.free_x = motion.velocity_x
         flight.free_y = motion.velocity_y
         flight.free_w = motion.angular_velocity

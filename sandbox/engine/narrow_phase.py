@@ -17,6 +17,7 @@ FACE_BIAS = 1e-4
 @kernel
 def find_contacts(
     bodies: Records,
+    flights: Records,
     shapes: Records,
     turned: Records,
     pairs: Records,
@@ -33,6 +34,7 @@ def find_contacts(
     of points with the same feature id carry over (warm starting). Contacts among sleeping bodies, which the grid does
     not propose, are kept as they are.
     """
+    _mark_hemmed(bodies, flights, shapes, pairs, pair_count)
     count = 0
     k = 0
     for i in range(pair_count):
@@ -41,11 +43,12 @@ def find_contacts(
         while k < old_count and _comes_before(old[k], shape_a, shape_b):
             count = _keep_if_asleep(bodies, old[k], contacts, count)
             k += 1
-        if not _collide(bodies, shapes, turned, shape_a, shape_b, seconds, manifold):
+        hemmed = _is_hemmed(flights, shapes[shape_a].body, shapes[shape_b].body)
+        if not _collide(bodies, shapes, turned, shape_a, shape_b, seconds, hemmed, manifold):
             continue
         contact = contacts[count]
         _fill(bodies, shapes, shape_a, shape_b, manifold[0], contact)
-        if _drop_missing_points(bodies, contact, seconds):
+        if not hemmed and _cannot_close(bodies, contact, seconds):
             continue
         if k < old_count and old[k].shape_a == shape_a and old[k].shape_b == shape_b:
             _match(old[k], contact)
@@ -53,6 +56,26 @@ def find_contacts(
     for i in range(k, old_count):
         count = _keep_if_asleep(bodies, old[i], contacts, count)
     return count
+
+
+@kernel
+def _mark_hemmed(bodies: Records, flights: Records, shapes: Records, pairs: Records, pair_count: int) -> None:
+    """Mark the bodies that something immovable may stop during the step."""
+    for i in range(bodies.shape[0]):
+        flights[i].hemmed = 0
+    for i in range(pair_count):
+        a = shapes[pairs[i].shape_a].body
+        b = shapes[pairs[i].shape_b].body
+        if not is_active(bodies[a]):
+            flights[b].hemmed = 1
+        elif not is_active(bodies[b]):
+            flights[a].hemmed = 1
+
+
+@kernel
+def _is_hemmed(flights: Records, a: int, b: int) -> bool:
+    """Whether the velocities of two bodies may change within the step, so that their difference says too little."""
+    return bool(flights[a].hemmed + flights[b].hemmed > 0)
 
 
 @kernel
@@ -74,7 +97,7 @@ def _keep_if_asleep(bodies: Records, old: Records, contacts: Records, count: int
 
 @kernel
 def _collide(
-    bodies: Records, shapes: Records, turned: Records, i: int, j: int, seconds: float, manifold: Records
+    bodies: Records, shapes: Records, turned: Records, i: int, j: int, seconds: float, hemmed: bool, manifold: Records
 ) -> bool:
     """Manifold of one pair of shapes, looking ahead as far as the bodies can close in during the step."""
     a = shapes[i]
@@ -84,10 +107,9 @@ def _collide(
     margin_a = shape_margin(body_a.extent)
     margin_b = shape_margin(body_b.extent)
     margin = 2.0 * (margin_a if margin_a < margin_b else margin_b)
-    vx = body_b.velocity_x - body_a.velocity_x
-    vy = body_b.velocity_y - body_a.velocity_y
+    speed = _closing_speed(body_a, body_b, hemmed)
     spin = abs(body_a.angular_velocity) * body_a.extent + abs(body_b.angular_velocity) * body_b.extent
-    way = seconds * (math.sqrt(vx * vx + vy * vy) + spin)
+    way = seconds * (speed + spin)
     return (
         collide_cores(
             turned,
@@ -105,6 +127,17 @@ def _collide(
         )
         > 0
     )
+
+
+@kernel
+def _closing_speed(a: Records, b: Records, hemmed: bool) -> float:
+    """Bound of how fast two centres can close in, in m/s: either may be stopped within the step if they are hemmed."""
+    if hemmed:
+        fast_a = math.sqrt(a.velocity_x * a.velocity_x + a.velocity_y * a.velocity_y)
+        return fast_a + math.sqrt(b.velocity_x * b.velocity_x + b.velocity_y * b.velocity_y)
+    vx = b.velocity_x - a.velocity_x
+    vy = b.velocity_y - a.velocity_y
+    return math.sqrt(vx * vx + vy * vy)
 
 
 @kernel
@@ -150,7 +183,7 @@ def _fill(bodies: Records, shapes: Records, i: int, j: int, m: Records, contact:
 
 
 @kernel
-def _drop_missing_points(bodies: Records, contact: Records, seconds: float) -> bool:
+def _cannot_close(bodies: Records, contact: Records, seconds: float) -> bool:
     """True when no point of a contact can close within the step: then it would only act as a ghost wall."""
     a = bodies[contact.body_a]
     b = bodies[contact.body_b]

@@ -41,6 +41,7 @@ FLIGHT = Table(
         Field("free_w", "rad/s", "velocity at its end if nothing touches the body"),
         Field("colors", "-", "bit set of the colours its constraints have", "i8"),
         Field("island", "-", "root of its island", "i8"),
+        Field("hemmed", "-", "1 when something immovable may stop it during the step", "i8"),
         Field("was_awake", "-", "before the step woke anybody", "i8"),
         Field("was_island", "-", "before the step woke anybody", "i8"),
         Field("was_slow", "s", "sleep time before the step woke anybody"),

@@ -69,6 +69,7 @@ def advance(
 
     count = find_contacts(
         bodies,
+        flights,
         shapes,
         turned,
         pairs,

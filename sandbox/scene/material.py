@@ -20,7 +20,8 @@ class Material(Model):
         default=0.0, description="Lever arm of the rolling friction, m; a pair uses max(a, b)."
     )
     surface_speed: Velocity = Field(
-        default=0.0, description="Conveyor: speed of the surface along its counter-clockwise tangent, m/s."
+        default=0.0,
+        description="Conveyor: surface speed clockwise around the shape, m/s; positive carries things on top to the right.",
     )
 
 
