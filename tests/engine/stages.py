@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from sandbox._jit import entry_point
+from sandbox._jit import entry_point, kernel_argument
 from sandbox.engine import (
     bounds,
     broad_phase,
@@ -21,10 +21,12 @@ from sandbox.engine import (
     guard,
     impacts,
     integrate,
+    islands,
     narrow_phase,
 )
-from sandbox.engine.scratch import BOX, OWNER, PAIR, Scratch
+from sandbox.engine.scratch import BOX, FLIGHT, OWNER, PAIR, Scratch
 from sandbox.engine.world import World
+from sandbox.world.records import BODY, CONTACT, DYNAMIC
 from sandbox.world.state import State
 from tests.naive.grid import Box
 
@@ -43,8 +45,6 @@ def stage(kernel: Any) -> Callable[..., Any]:
 
 def plain(argument: Any) -> Any:
     """A whole record array as a plain one over the same memory (with the compiler; Python needs the fields)."""
-    from sandbox._jit import kernel_argument
-
     if isinstance(argument, np.recarray) and argument.base is None:
         raise TypeError("a copied recarray has no base: use Table.zeros and fill it")
     return kernel_argument(argument)
@@ -67,6 +67,7 @@ integrate_positions = stage(integrate.integrate_positions)
 resolve_impacts = stage(impacts.resolve_impacts)
 list_bouncy = stage(impacts.list_bouncy)
 solve_drags = stage(drags.solve_drags)
+find_islands = stage(islands.find_islands)
 guard_velocities = stage(guard.guard_velocities)
 
 
@@ -185,3 +186,14 @@ class Paused:
         """Impulses back into the contacts."""
         m = self.scratch
         store_impulses(m.contacts, m.slots, m.blocks, self.blocks, m.lanes)
+
+
+def island_roots(count: int, links: Sequence[tuple[int, int]], active: Sequence[bool]) -> list[int]:
+    """What `find_islands` finds for bodies that are joined by contacts."""
+    bodies, flights, contacts = BODY.zeros(count), FLIGHT.zeros(count), CONTACT.zeros(len(links) + 1)
+    for row, awake in zip(bodies, active, strict=True):
+        row.type, row.awake = DYNAMIC, int(awake)
+    for row, (a, b) in zip(contacts, links, strict=False):
+        row.body_a, row.body_b = a, b
+    find_islands(bodies, flights, contacts, len(links))
+    return [int(i) for i in flights.island]
