@@ -11,6 +11,9 @@ MARGIN = 0.02
 MARGIN_SHARE = 0.1
 """The same for small bodies, as a share of their extent."""
 
+ACTIVE, SLEEPS, DRIVEN = 1, 2, 4
+"""How the body of a shape moves; bits, so that a pair can be judged by one `or`."""
+
 
 @kernel
 def shape_margin(extent: float) -> float:
@@ -34,6 +37,15 @@ def turn_cores(bodies: Records, shapes: Records, vertices: Records, turned: Reco
             target.y = s * source.x + c * source.y
             target.normal_x = c * source.normal_x - s * source.normal_y
             target.normal_y = s * source.normal_x + c * source.normal_y
+
+
+@kernel
+def _how_it_moves(body: Records) -> int:
+    """`ACTIVE`, `SLEEPS`, `DRIVEN`, or 0 for a body that stays where it is."""
+    if body.type == DYNAMIC:
+        return ACTIVE if body.awake == 1 else SLEEPS
+    moves = body.velocity_x != 0.0 or body.velocity_y != 0.0 or body.angular_velocity != 0.0
+    return DRIVEN if moves or body.posed == 1 else 0
 
 
 @kernel
@@ -70,7 +82,7 @@ def bound_shapes(
         box.shape_index = i
         owner = owners[i]
         owner.body = shape.body
-        owner.moves = 1 if body.type == DYNAMIC and body.awake == 1 else 0
+        owner.moves = _how_it_moves(body)
         owner.category = shape.category
         owner.mask = shape.mask
         owner.group = shape.group

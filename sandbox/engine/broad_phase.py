@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 
 from sandbox._jit import inlined_kernel, kernel
+from sandbox.engine.bounds import ACTIVE, DRIVEN, SLEEPS
 from sandbox.tables import Integers, Records
 
 LEVELS = 96
@@ -231,10 +232,14 @@ def _overlap(a: Records, b: Records) -> bool:
 
 @inlined_kernel
 def _propose(owners: Records, i: int, j: int, pairs: Records, count: int) -> int:
-    """Append the pair of shapes i and j, if one of them moves and they may collide; return the new count."""
+    """Append the pair of shapes i and j, if they may collide and it matters; return the new count.
+
+    It matters if one of them is active, or if one sleeps and the other is driven into it.
+    """
     a = owners[i]
     b = owners[j]
-    if a.moves + b.moves == 0 or a.body == b.body:
+    moves = a.moves | b.moves
+    if a.body == b.body or not ((moves & ACTIVE) != 0 or moves == SLEEPS | DRIVEN):
         return count
     if not may_collide(a.category, a.mask, a.group, b.category, b.mask, b.group):
         return count

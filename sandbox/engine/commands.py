@@ -137,6 +137,7 @@ def _name(command: Command) -> str:
 
 
 def _set_pose(body: Records, command: SetPose) -> None:
+    body.posed = 1
     body.angle = command.angle
     body.rotation_cos, body.rotation_sin = _cos_sin(command.angle)
     x, y = body.local_center_x, body.local_center_y

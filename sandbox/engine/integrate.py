@@ -22,6 +22,7 @@ def begin_motions(bodies: Records, motions: Records, flights: Records) -> None:
         motion.delta_cos = 1.0
         motion.delta_sin = 0.0
         motion.delta_angle = 0.0
+        body.posed = 0
         flight = flights[i]
         flight.start_x = flight.free_x = body.velocity_x
         flight.start_y = flight.free_y = body.velocity_y

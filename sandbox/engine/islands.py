@@ -29,7 +29,7 @@ def is_active(body: Records) -> bool:
 
 @kernel
 def wake_touched(bodies: Records, flights: Records, contacts: Records, count: int, counters: Records) -> None:
-    """Wake every island that has a contact with an awake or a moving kinematic body; `undo_waking` takes it back."""
+    """Wake every island that has a contact with an active or a driven body; `undo_waking` takes it back."""
     if counters[0].asleep_count == 0:
         return
     for i in range(bodies.shape[0]):
@@ -63,9 +63,9 @@ def undo_waking(bodies: Records, flights: Records, counters: Records) -> None:
 
 @kernel
 def _disturbs(body: Records) -> bool:
-    if body.type == KINEMATIC:
-        return bool(body.velocity_x != 0.0 or body.velocity_y != 0.0 or body.angular_velocity != 0.0)
-    return is_active(body)
+    if body.type == DYNAMIC:
+        return is_active(body)
+    return bool(body.velocity_x != 0.0 or body.velocity_y != 0.0 or body.angular_velocity != 0.0 or body.posed == 1)
 
 
 @kernel
@@ -129,7 +129,8 @@ def fall_asleep(
     counters: Records,
 ) -> None:
     """Count how long bodies have been slow; put islands to sleep in which all have been slow long enough."""
-    _count_slow_time(bodies, seconds)
+    _mark_resting(bodies, flights, contacts, count)
+    _count_slow_time(bodies, flights, seconds)
     _keep_awake(bodies, contacts, count, drags)
     ready = False
     for i in range(bodies.shape[0]):
@@ -147,14 +148,26 @@ def fall_asleep(
 
 
 @kernel
-def _count_slow_time(bodies: Records, seconds: float) -> None:
+def _mark_resting(bodies: Records, flights: Records, contacts: Records, count: int) -> None:
+    """Mark the bodies that lie on or against something: a body in free flight may be slow, but it does not rest."""
+    for i in range(bodies.shape[0]):
+        flights[i].rests = 0
+    for i in range(count):
+        contact = contacts[i]
+        if contact.normal_impulse1 > 0.0 or contact.normal_impulse2 > 0.0:
+            flights[contact.body_a].rests = 1
+            flights[contact.body_b].rests = 1
+
+
+@kernel
+def _count_slow_time(bodies: Records, flights: Records, seconds: float) -> None:
     for i in range(bodies.shape[0]):
         body = bodies[i]
         if not is_active(body):
             continue
         rim = body.angular_velocity * body.extent
         speed = math.sqrt(body.velocity_x * body.velocity_x + body.velocity_y * body.velocity_y + rim * rim)
-        if speed >= SLEEP_SPEED:
+        if speed >= SLEEP_SPEED or (flights[i].rests == 0 and speed > 0.0):
             body.sleep_time = 0.0
             continue
         if body.sleep_time == 0.0:
@@ -166,17 +179,18 @@ def _count_slow_time(bodies: Records, seconds: float) -> None:
 
 @kernel
 def _keep_awake(bodies: Records, contacts: Records, count: int, drags: Records) -> None:
-    """Dragged bodies and those on a moving kinematic body do not fall asleep."""
+    """Dragged bodies and those on a driven body or a running belt do not fall asleep."""
     for k in range(drags.shape[0]):
         if drags[k].body >= 0:
             bodies[drags[k].body].sleep_time = 0.0
     for i in range(count):
         a = bodies[contacts[i].body_a]
         b = bodies[contacts[i].body_b]
-        if a.type == KINEMATIC and _disturbs(a):
-            b.sleep_time = 0.0
-        elif b.type == KINEMATIC and _disturbs(b):
+        belt = contacts[i].surface_speed != 0.0
+        if a.awake == 1 and (belt or (b.type == KINEMATIC and _disturbs(b))):
             a.sleep_time = 0.0
+        if b.awake == 1 and (belt or (a.type == KINEMATIC and _disturbs(a))):
+            b.sleep_time = 0.0
 
 
 @kernel

@@ -41,6 +41,7 @@ FLIGHT = Table(
         Field("free_w", "rad/s", "velocity at its end if nothing touches the body"),
         Field("colors", "-", "bit set of the colours its constraints have", "i8"),
         Field("island", "-", "root of its island", "i8"),
+        Field("rests", "-", "1 when something bears it after the step", "i8"),
         Field("hemmed", "-", "1 when something immovable may stop it during the step", "i8"),
         Field("was_awake", "-", "before the step woke anybody", "i8"),
         Field("was_island", "-", "before the step woke anybody", "i8"),
@@ -68,7 +69,7 @@ OWNER = Table(
     "owner",
     (
         Field("body", "-", "index of the body", "i8"),
-        Field("moves", "-", "1 when the body is dynamic and awake", "i8"),
+        Field("moves", "-", "`ACTIVE`, `SLEEPS`, `DRIVEN` or 0, see `bounds`", "i8"),
         Field("category", "-", "", "i8"),
         Field("mask", "-", "", "i8"),
         Field("group", "-", "", "i8"),

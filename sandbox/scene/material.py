@@ -21,7 +21,7 @@ class Material(Model):
     )
     surface_speed: Velocity = Field(
         default=0.0,
-        description="Conveyor: surface speed clockwise around the shape, m/s; positive carries things on top to the right.",
+        description="Conveyor: surface speed clockwise around the shape, m/s; positive carries what is on top right.",
     )
 
 

@@ -42,6 +42,7 @@ BODY = Table(
         Field("sleep_time", "s", "how long the body has been slow"),
         Field("slow_speed", "m/s", "fastest point of the body when it became slow"),
         Field("island", "-", "1 + first row of the island it fell asleep with; 0 while awake", "i8"),
+        Field("posed", "-", "1 from the command that sets the pose until the next step", "i8"),
         Field("frozen_step", "-", "step at which bad numbers froze the body; -1 if never", "i8"),
     ),
 )

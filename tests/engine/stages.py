@@ -128,7 +128,7 @@ class Paused:
         assert count <= len(m.pairs)
         sort_pairs(m.pairs, count, m.sorted_pairs, m.heads, len(s.shapes))
         self.count = find_contacts(
-            s.bodies, s.shapes, m.turned, m.pairs, count, self.seconds, m.manifold, s.contacts,
+            s.bodies, m.flights, s.shapes, m.turned, m.pairs, count, self.seconds, m.manifold, s.contacts,
             int(s.counters[0].contact_count), m.contacts,
         )  # fmt: skip
 
@@ -148,8 +148,8 @@ class Paused:
     def one_contact_a_block(self) -> None:
         """The same slots, but every contact alone in its block."""
         m = self.scratch
-        m.blocks, m.lanes = type(m).for_state(self.state, len(m.pairs), self.count + 1).__dict__["blocks"], None
-        m.lanes = type(m).for_state(self.state, len(m.pairs), self.count + 1).lanes
+        roomy = Scratch.for_state(self.state, len(m.pairs), self.count + 1)
+        m.blocks, m.lanes = roomy.blocks, roomy.lanes
         for k in range(self.count):
             m.blocks[k].first, m.blocks[k].count, m.blocks[k].stride = k, 1, 1
         self.blocks = self.count
