@@ -1,0 +1,209 @@
+"""The block solver against one contact after the other, and blocks of 64 against blocks of one, bit for bit."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from sandbox.engine.contact_blocks import LANES, MAX_COLORS, VECTOR
+from sandbox.engine.softness import soft_coefficients
+from sandbox.engine.world import World
+from tests.determinism import busy
+from tests.determinism.test_digests import crowd
+from tests.engine.stages import Paused
+from tests.naive import solver as naive
+from tests.physics.test_momentum import crowd as drifting
+from tests.physics.test_stacks import falling_pile
+
+
+def busy_world(steps: int) -> World:
+    """The busy scene after some steps with its commands."""
+    world = World(busy.scene())
+    busy.digests(world, 0, steps)
+    return world
+
+
+def stepped(world: World, steps: int) -> World:
+    """A world some steps on."""
+    world.step(steps)
+    return world
+
+
+WORLDS = {
+    "busy 8": lambda: busy_world(8),
+    "busy 16": lambda: busy_world(16),
+    "hub": lambda: stepped(World(crowd(False)), 3),
+    "pile": lambda: stepped(falling_pile(0.6, 1), 80),
+    "drift": lambda: stepped(drifting(2), 70),
+}
+
+
+@pytest.fixture(params=WORLDS)
+def paused(request) -> Paused:
+    """A world in the middle of a step: contacts are laid out, gravity has worked for a substep."""
+    p = Paused(WORLDS[request.param]())
+    p.detect()
+    assert p.count > 5
+    p.lay_out()
+    p.begin()
+    return p
+
+
+def vector(row, x: str, y: str) -> np.ndarray:
+    """Two fields of a record."""
+    return np.array([float(row[x]), float(row[y])])
+
+
+def twin(p: Paused, bouncy: bool = False) -> tuple[list[naive.Body], list[naive.Contact]]:
+    """The twin's bodies and its contacts in the order of the slots."""
+    bodies = [
+        naive.Body(float(b.inverse_mass), float(b.inverse_inertia), vector(m, "velocity_x", "velocity_y"),
+                   float(m.angular_velocity), vector(m, "delta_x", "delta_y"), float(m.delta_cos), float(m.delta_sin))
+        for b, m in zip(p.state.bodies, p.scratch.motions, strict=True)
+    ]  # fmt: skip
+    contacts = []
+    for slot in slots(p):
+        c = p.scratch.contacts[slot]
+        points = [
+            naive.Point(vector(c, f"anchor_ax{k}", f"anchor_ay{k}"), vector(c, f"anchor_bx{k}", f"anchor_by{k}"),
+                        float(c[f"separation{k}"]), float(c[f"normal_impulse{k}"]), float(c[f"tangent_impulse{k}"]))
+            for k in range(1, int(c.point_count) + 1)
+        ]  # fmt: skip
+        contacts.append(
+            naive.Contact(
+                bodies[c.body_a], bodies[c.body_b], vector(c, "normal_x", "normal_y"), points, float(c.friction),
+                float(c.surface_speed), float(c.rolling_resistance), float(c.rolling_impulse), float(c.radius_a),
+                float(c.radius_b), bouncy and c.restitution > 0.0,
+            )
+        )  # fmt: skip
+    return bodies, contacts
+
+
+def slots(p: Paused) -> list[int]:
+    """Contacts in the order they are solved in."""
+    blocks = p.scratch.blocks[: p.blocks]
+    return [int(p.scratch.slots[b.first + k].contact) for b in blocks for k in range(b.count)]
+
+
+def assert_same(p: Paused, bodies: list[naive.Body], contacts: list[naive.Contact]) -> None:
+    """Velocities and impulses agree to rounding."""
+    motions = p.scratch.motions
+    assert motions.velocity_x == pytest.approx(np.array([b.velocity[0] for b in bodies]), abs=1e-11)
+    assert motions.velocity_y == pytest.approx(np.array([b.velocity[1] for b in bodies]), abs=1e-11)
+    assert motions.angular_velocity == pytest.approx(np.array([b.angular for b in bodies]), abs=1e-10)
+    p.store()
+    for slot, contact in zip(slots(p), contacts, strict=True):
+        row = p.scratch.contacts[slot]
+        assert row.rolling_impulse == pytest.approx(contact.rolling, abs=1e-11)
+        for k, point in enumerate(contact.points, start=1):
+            assert row[f"normal_impulse{k}"] == pytest.approx(point.normal, abs=1e-11)
+            assert row[f"tangent_impulse{k}"] == pytest.approx(point.tangent, abs=1e-11)
+
+
+def test_warm_start(paused):
+    bodies, contacts = twin(paused)
+    paused.warm()
+    naive.warm_start(contacts)
+    assert_same(paused, bodies, contacts)
+
+
+@pytest.mark.parametrize("bouncy", [False, True])
+def test_a_substep_of_the_solver(paused, bouncy):
+    """Warm start, solve softly, move, relax: twice."""
+    paused.prepare(bouncy)
+    soft = soft_coefficients(55.0, 1.5, paused.substep)
+    bodies, contacts = twin(paused, bouncy)
+    for _ in range(2):
+        paused.warm()
+        naive.warm_start(contacts)
+        paused.solve(*soft, -3.0)
+        naive.solve(contacts, paused.substep, *soft, 3.0, 0.0)
+        assert_same(paused, bodies, contacts)
+        paused.move()
+        for body, motion in zip(bodies, paused.scratch.motions, strict=True):
+            body.delta, body.cosine = vector(motion, "delta_x", "delta_y"), float(motion.delta_cos)
+            body.sine = float(motion.delta_sin)
+        paused.solve(0.0, 1.0, 0.0, 0.0, 1e30)
+        naive.solve(contacts, paused.substep, 0.0, 1.0, 0.0, 0.0, 1e30)
+        assert_same(paused, bodies, contacts)
+
+
+def run(p: Paused) -> tuple[list[list[float]], list[list[float]]]:
+    """Motions and contacts after two substeps: to the last bit, but for the sign of zero."""
+    soft = soft_coefficients(55.0, 1.5, p.substep)
+    for _ in range(2):
+        p.warm()
+        p.solve(*soft, -3.0)
+        p.move()
+        p.solve(0.0, 1.0, 0.0, 0.0)
+    p.store()
+    return p.scratch.motions.tolist(), p.scratch.contacts[: p.count].tolist()
+
+
+@pytest.mark.parametrize("make", WORLDS.values(), ids=WORLDS)
+def test_lanes_are_independent_to_the_bit(make):
+    together, alone = Paused(make()), Paused(make())
+    for p in (together, alone):
+        p.detect()
+        p.lay_out()
+        p.begin()
+    alone.one_contact_a_block()
+    assert run(together) == run(alone)
+
+
+def test_colours_share_no_moving_body(paused):
+    bodies, contacts, colors = paused.state.bodies, paused.scratch.contacts, paused.scratch.colors
+    seen: dict[int, set[int]] = {}
+    for i in range(paused.count):
+        touched = {int(b) for b in (contacts[i].body_a, contacts[i].body_b) if bodies[b].inverse_mass > 0.0}
+        color = int(colors[i])
+        assert 0 <= color <= MAX_COLORS
+        if color < MAX_COLORS:
+            assert not touched & seen.setdefault(color, set())
+            seen[color] |= touched
+        # Greedy: all lower colours are taken by earlier contacts of one of the two bodies.
+        lower = {int(colors[k]) for k in range(i) if touched & {int(contacts[k].body_a), int(contacts[k].body_b)}}
+        assert set(range(color)) <= lower
+
+
+def test_every_contact_has_one_slot_and_every_block_one_colour(paused):
+    assert sorted(slots(paused)) == list(range(paused.count))
+    place, last = 0, -1
+    for block in paused.scratch.blocks[: paused.blocks]:
+        assert block.first == place
+        members = [int(paused.scratch.slots[place + k].contact) for k in range(block.count)]
+        colors = {int(paused.scratch.colors[m]) for m in members}
+        assert len(colors) == 1
+        (color,) = colors
+        assert color >= last
+        assert members == sorted(members)
+        serial = color == MAX_COLORS
+        assert block.stride == (VECTOR if serial else 1)
+        assert 1 <= block.count <= (LANES // VECTOR if serial else LANES)
+        for k in range(block.count):
+            slot = paused.scratch.slots[place + k]
+            contact = paused.scratch.contacts[slot.contact]
+            assert (slot.body_a, slot.body_b) == (contact.body_a, contact.body_b)
+        place, last = place + int(block.count), color
+    assert place == paused.count
+
+
+def test_the_hub_has_serial_contacts():
+    p = Paused(WORLDS["hub"]())
+    p.detect()
+    p.lay_out()
+    assert (p.scratch.colors[: p.count] == MAX_COLORS).sum() >= 10
+
+
+@pytest.mark.parametrize("make", WORLDS.values(), ids=WORLDS)
+def test_rubbish_of_an_earlier_step_reaches_nobody(make):
+    clean, dirty = Paused(make()), Paused(make())
+    dirty.scratch.lanes[:] = 1e3
+    dirty.scratch.gathered[:] = 1e3
+    dirty.scratch.heads[:] = 12345
+    dirty.scratch.flights.colors[:] = -1
+    for p in (clean, dirty):
+        p.detect()
+        p.lay_out()
+        p.begin()
+    assert run(clean) == run(dirty)
