@@ -110,3 +110,46 @@ def test_sleep_leaves_the_rest_of_the_world_as_it_would_be_without():
         ways.append((w.body("ball").position, w.body("0").awake))
     assert ways[0][0] == ways[1][0]
     assert (ways[0][1], ways[1][1]) == (False, True)
+
+
+def test_a_kinematic_pusher_wakes_what_it_meets():
+    w = world(
+        ground(),
+        body("crate", box(1, 1), position=(0.0, 0.5)),
+        body("pusher", box(0.5, 0.5), type="kinematic", position=(-6.0, 0.6), velocity=(1.0, 0.0)),
+        settings=SLEEPY,
+    )
+    w.step(100)
+    assert not w.body("crate").awake
+    w.step(800)
+    assert w.body("crate").position[0] == pytest.approx(w.body("pusher").position[0] + 0.75, abs=0.02)
+
+
+@pytest.mark.parametrize("kind", ["static", "kinematic"])
+def test_a_body_put_into_a_sleeping_one_wakes_it(kind):
+    w = world(
+        ground(),
+        body("crate", box(1, 1), position=(0.0, 0.5)),
+        body("wall", box(1, 1), type=kind, position=(0.0, 9.0)),
+        settings=SLEEPY,
+    )
+    w.step(200)
+    assert not w.body("crate").awake
+    w.apply(SetPose("wall", (0.4, 0.5), 0.0))
+    w.step(60)
+    assert w.body("crate").position[0] < -0.4
+
+
+def test_free_flight_is_not_rest():
+    w = world(body("a", circle(0.5), velocity=(0.0, 0.04)), gravity=(0.0, -0.01), settings=SLEEPY)
+    w.step(600)
+    assert w.body("a").position[1] == pytest.approx(0.04 * 10 - 0.5 * 0.01 * 100)
+    w = world(body("a", circle(0.5), velocity=(0.02, 0.0)), gravity=(0.0, 0.0), settings=SLEEPY)
+    w.step(600)
+    assert w.body("a").position[0] == pytest.approx(0.2)
+
+
+def test_a_slow_conveyor_keeps_carrying():
+    w = world(ground(surface_speed=0.03), body("crate", box(1, 1), position=(0.0, 0.5)), settings=SLEEPY)
+    w.step(600)
+    assert w.body("crate").position[0] == pytest.approx(0.3, rel=0.02)

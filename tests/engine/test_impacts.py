@@ -1,0 +1,178 @@
+"""Impacts against the textbook: impulses of rigid bodies that strike at points."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from tests.engine.stages import Paused, list_bouncy, resolve_impacts
+from tests.flat import body, box, circle, ground, world
+
+
+def struck(w):
+    """The world paused after `resolve_impacts` of its first substep, and its contact."""
+    p = Paused(w)
+    p.detect()
+    p.begin()
+    s, m = p.state, p.scratch
+    count = list_bouncy(s.bodies, m.contacts, p.count, 0.2, m.colors)
+    resolve_impacts(s.bodies, m.motions, m.flights, m.contacts, m.colors, count, 0.2, p.substep)
+    return p
+
+
+def points(contact, k: int) -> tuple[np.ndarray, np.ndarray]:
+    """Anchors of a point."""
+    a = np.array([contact[f"anchor_ax{k}"], contact[f"anchor_ay{k}"]])
+    return a, np.array([contact[f"anchor_bx{k}"], contact[f"anchor_by{k}"]])
+
+
+def cross(a, b) -> float:
+    """Scalar cross product."""
+    return float(a[0] * b[1] - a[1] * b[0])
+
+
+def speed_at(va, wa, ra, vb, wb, rb) -> np.ndarray:
+    """Velocity of b against a at the anchors."""
+    return vb + wb * np.array([-rb[1], rb[0]]) - va - wa * np.array([-ra[1], ra[0]])
+
+
+def energy(body, motion) -> float:
+    """Kinetic energy."""
+    square = motion.velocity_x**2 + motion.velocity_y**2
+    return float(0.5 * body.mass * square + 0.5 * body.inertia * motion.angular_velocity**2)
+
+
+speeds = st.floats(-5.0, 5.0)
+
+
+@given(
+    st.tuples(speeds, speeds),
+    st.tuples(speeds, speeds),
+    speeds,
+    speeds,
+    st.floats(0.0, 1.0),
+    st.floats(0.0, 1.0),
+    st.floats(0.05, 1.5),
+    st.floats(0.1, 10.0),
+)
+@settings(max_examples=200)
+def test_a_disc_strikes_the_corner_of_a_box(va, vb, wa, wb, e, friction, angle, mass):
+    """A disc touches a tilted box off its centre: normal impulse with restitution, then Coulomb friction."""
+    corner = np.array([0.5 * math.cos(angle) - 0.3 * math.sin(angle), 0.5 * math.sin(angle) + 0.3 * math.cos(angle)])
+    n = np.array([math.cos(0.8), math.sin(0.8)]) if angle < 0.5 else np.array([math.cos(angle), math.sin(angle)])
+    place = corner + 0.2 * n
+    w = world(
+        body("a", box(1.0, 0.6, restitution=e, friction=friction), angle=angle, velocity=va, angular_velocity=wa),
+        body("b", circle(0.2, friction=friction), position=tuple(map(float, place)), velocity=vb, angular_velocity=wb,
+             mass=mass),
+        gravity=(0.0, 0.0),
+    )  # fmt: skip
+    before = [np.array(v) for v in (va, vb)]
+    p = struck(w)
+    assume(p.count == 1)
+    contact, (a, b), (ma, mb) = p.scratch.contacts[0], p.state.bodies, p.scratch.motions
+    assume(abs(contact.separation1) < 1e-9)
+    n = np.array([contact.normal_x, contact.normal_y])
+    t = np.array([n[1], -n[0]])
+    ra, rb = points(contact, 1)
+    closing = float(speed_at(before[0], wa, ra, before[1], wb, rb) @ n)
+
+    def mass_along(axis):
+        turning = cross(ra, axis) ** 2 * a.inverse_inertia + cross(rb, axis) ** 2 * b.inverse_inertia
+        return 1.0 / (a.inverse_mass + b.inverse_mass + turning)
+
+    impulse = np.zeros(2)
+    if closing < -0.2 and e > 0.0:
+        j = -(1.0 + e) * closing * mass_along(n)
+        pushed = [before[0] - j * n * a.inverse_mass, before[1] + j * n * b.inverse_mass]
+        spun = wa - cross(ra, j * n) * a.inverse_inertia, wb + cross(rb, j * n) * b.inverse_inertia
+        slip = float(speed_at(pushed[0], spun[0], ra, pushed[1], spun[1], rb) @ t)
+        rub = max(-friction * j, min(friction * j, -mass_along(t) * slip))
+        impulse = j * n + rub * t
+        va1, vb1 = before[0] - impulse * a.inverse_mass, before[1] + impulse * b.inverse_mass
+        wa1, wb1 = wa - cross(ra, impulse) * a.inverse_inertia, wb + cross(rb, impulse) * b.inverse_inertia
+        # Friction may turn the bodies into each other again; then they strike twice.
+        assume(speed_at(va1, wa1, ra, vb1, wb1, rb) @ n > -0.2 + 1e-9)
+    assume(abs(closing + 0.2) > 1e-9)
+    assert energy(a, ma) + energy(b, mb) <= (energy(a, a) + energy(b, b)) * (1 + 1e-9)
+    assert ma.velocity_x == pytest.approx(va[0] - impulse[0] * a.inverse_mass, abs=1e-9)
+    assert ma.velocity_y == pytest.approx(va[1] - impulse[1] * a.inverse_mass, abs=1e-9)
+    assert mb.velocity_x == pytest.approx(vb[0] + impulse[0] * b.inverse_mass, abs=1e-9)
+    assert mb.velocity_y == pytest.approx(vb[1] + impulse[1] * b.inverse_mass, abs=1e-9)
+    assert ma.angular_velocity == pytest.approx(wa - cross(ra, impulse) * a.inverse_inertia, abs=1e-9)
+    assert mb.angular_velocity == pytest.approx(wb + cross(rb, impulse) * b.inverse_inertia, abs=1e-9)
+
+
+@given(st.floats(0.01, 1.0), st.floats(-9.0, -0.5), st.floats(-2.0, 2.0))
+@settings(max_examples=100)
+def test_a_flat_box_rebounds_at_both_corners(e, fall, spin):
+    w = world(
+        ground(),
+        body("a", box(1.0, 1.0, restitution=e, friction=0.0), position=(0.0, 0.5), velocity=(0.0, fall),
+             angular_velocity=spin),
+        gravity=(0.0, 0.0),
+    )  # fmt: skip
+    p = struck(w)
+    motion = p.scratch.motions[1]
+    before = [fall - 0.5 * spin, fall + 0.5 * spin]
+    after = [motion.velocity_y - 0.5 * motion.angular_velocity, motion.velocity_y + 0.5 * motion.angular_velocity]
+    assume(all(abs(v + 0.2) > 1e-6 for v in before))
+    if all(v < -0.2 for v in before):
+        # Two impulses that both push give each corner its own rebound: j1 + j2 = m dv, (j2 - j1) / 2 = I dw.
+        wanted = [-e * v for v in before]
+        dv, dw = sum(wanted) / 2 - fall, wanted[1] - wanted[0] - spin
+        if abs(dw / 6.0) < abs(dv) / 2:
+            assert after == pytest.approx(wanted, abs=1e-9)
+    assert all(v > -1e-9 or abs(v) <= 0.2 for v in after)
+    energy = motion.velocity_y**2 + motion.angular_velocity**2 / 6.0
+    assert energy <= (fall**2 + spin**2 / 6.0) * (1 + 1e-9)
+
+
+def test_slow_impacts_do_not_bounce():
+    w = world(
+        ground(restitution=1.0),
+        body("a", circle(0.5), position=(0.0, 0.5), velocity=(0.0, -0.19)),
+        gravity=(0.0, 0.0),
+    )
+    p = struck(w)
+    assert p.scratch.motions[1].velocity_y == -0.19
+
+
+def test_a_body_that_moves_away_is_not_struck():
+    w = world(
+        ground(restitution=1.0),
+        body("a", circle(0.5), position=(0.0, 0.5), velocity=(0.0, 3.0)),
+        gravity=(0.0, 0.0),
+    )
+    assert struck(w).scratch.motions[1].velocity_y == 3.0
+
+
+def test_an_impact_within_the_substep_only():
+    """5 m/s closes 21 mm in a substep: a gap of 20 mm strikes, one of 30 mm has to wait."""
+    speeds = []
+    for gap in (0.02, 0.03):
+        ball = body("a", circle(0.5), position=(0.0, 0.5 + gap), velocity=(0.0, -5.0))
+        speeds.append(float(struck(world(ground(restitution=1.0), ball, gravity=(0, 0))).scratch.motions[1].velocity_y))
+    assert speeds == pytest.approx([5.0, -5.0])
+
+
+@given(st.integers(0, 2**32), st.floats(0.0, 1.0), st.floats(0.0, 1.0))
+@settings(max_examples=60)
+def test_impacts_in_a_row_of_boxes_keep_momentum_and_never_gain_energy(seed, e, friction):
+    random = np.random.default_rng(seed)
+    shape = box(1.0, 1.0, restitution=e, friction=friction)
+    boxes = [
+        body(f"{i}", shape, position=(1.0 * i, float(0.3 * random.normal())), angular_velocity=float(random.normal()),
+             velocity=(float(random.normal() - 2.0 * i), float(random.normal())))
+        for i in range(4)
+    ]  # fmt: skip
+    p = struck(world(*boxes, gravity=(0.0, 0.0)))
+    bodies, motions = p.state.bodies, p.scratch.motions
+    for way in ("velocity_x", "velocity_y"):
+        assert np.sum(bodies.mass * motions[way]) == pytest.approx(np.sum(bodies.mass * bodies[way]), abs=1e-11)
+    before = sum(energy(b, b) for b in bodies)
+    assert sum(energy(b, m) for b, m in zip(bodies, motions, strict=True)) <= before * (1 + 1e-9)
