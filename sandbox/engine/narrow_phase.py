@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from sandbox._jit import kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.bounds import shape_margin
 from sandbox.engine.islands import is_active
 from sandbox.geometry.manifold import collide_cores
@@ -72,13 +72,13 @@ def _mark_hemmed(bodies: Records, flights: Records, shapes: Records, pairs: Reco
             flights[a].hemmed = 1
 
 
-@kernel
+@inlined_kernel
 def _is_hemmed(flights: Records, a: int, b: int) -> bool:
     """Whether the velocities of two bodies may change within the step, so that their difference says too little."""
     return bool(flights[a].hemmed + flights[b].hemmed > 0)
 
 
-@kernel
+@inlined_kernel
 def _comes_before(contact: Records, shape_a: int, shape_b: int) -> bool:
     first = contact.shape_a
     return bool(first < shape_a or (first == shape_a and contact.shape_b < shape_b))
@@ -95,7 +95,7 @@ def _keep_if_asleep(bodies: Records, old: Records, contacts: Records, count: int
     return count + 1
 
 
-@kernel
+@inlined_kernel
 def _collide(
     bodies: Records, shapes: Records, turned: Records, i: int, j: int, seconds: float, hemmed: bool, manifold: Records
 ) -> bool:
@@ -129,7 +129,7 @@ def _collide(
     )
 
 
-@kernel
+@inlined_kernel
 def _closing_speed(a: Records, b: Records, hemmed: bool) -> float:
     """Bound of how fast two centres can close in, in m/s: either may be stopped within the step if they are hemmed."""
     if hemmed:
@@ -140,7 +140,7 @@ def _closing_speed(a: Records, b: Records, hemmed: bool) -> float:
     return math.sqrt(vx * vx + vy * vy)
 
 
-@kernel
+@inlined_kernel
 def _fill(bodies: Records, shapes: Records, i: int, j: int, m: Records, contact: Records) -> None:
     """Copy a manifold into a fresh contact and mix the surfaces of its shapes."""
     a = shapes[i]
@@ -182,7 +182,7 @@ def _fill(bodies: Records, shapes: Records, i: int, j: int, m: Records, contact:
     contact.tangent_impulse2 = 0.0
 
 
-@kernel
+@inlined_kernel
 def _cannot_close(bodies: Records, contact: Records, seconds: float) -> bool:
     """True when no point of a contact can close within the step: then it would only act as a ghost wall."""
     a = bodies[contact.body_a]
@@ -213,7 +213,7 @@ def _closing_way(a: Records, b: Records, contact: Records, x: float, y: float, s
     return float(-seconds * (vx * contact.normal_x + vy * contact.normal_y))
 
 
-@kernel
+@inlined_kernel
 def _match(old: Records, contact: Records) -> None:
     """Carry impulses over from the points of the last step with the same feature ids."""
     contact.rolling_impulse = old.rolling_impulse
