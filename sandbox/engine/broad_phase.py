@@ -152,7 +152,7 @@ def _order_by_bucket(boxes: Records, ordered: Records, heads: Integers) -> None:
         ordered[heads[k]] = box
 
 
-@inlined_kernel
+@kernel
 def _pairs_on_own_level(ordered: Records, owners: Records, i: int, heads: Integers, pairs: Records, count: int) -> int:
     """Pairs of box i with later boxes of its own cell and with half of the neighbour cells."""
     box = ordered[i]
@@ -167,7 +167,7 @@ def _pairs_on_own_level(ordered: Records, owners: Records, i: int, heads: Intege
     return count
 
 
-@inlined_kernel
+@kernel
 def _pairs_on_sparse_levels(
     ordered: Records, owners: Records, i: int, sparse: Integers, sparse_count: int, pairs: Records, count: int
 ) -> int:
@@ -180,7 +180,7 @@ def _pairs_on_sparse_levels(
     return count
 
 
-@inlined_kernel
+@kernel
 def _pairs_on_coarser_level(
     ordered: Records, owners: Records, i: int, base: float, level: int, heads: Integers, pairs: Records, count: int
 ) -> int:
@@ -230,7 +230,7 @@ def _overlap(a: Records, b: Records) -> bool:
     return bool(not (apart_x | apart_y))
 
 
-@inlined_kernel
+@kernel
 def _propose(owners: Records, i: int, j: int, pairs: Records, count: int) -> int:
     """Append the pair of shapes i and j, if they may collide and it matters; return the new count.
 
@@ -249,7 +249,7 @@ def _propose(owners: Records, i: int, j: int, pairs: Records, count: int) -> int
     return count + 1
 
 
-@inlined_kernel
+@kernel
 def may_collide(category_a: int, mask_a: int, group_a: int, category_b: int, mask_b: int, group_b: int) -> bool:
     """Collision filter: a shared group decides by its sign; otherwise each mask must accept the other's category."""
     if group_a == group_b and group_a != 0:

@@ -8,10 +8,13 @@ from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.bounds import shape_margin
 from sandbox.engine.islands import is_active
 from sandbox.geometry.manifold import collide_cores
+from sandbox.geometry.time_of_touch import time_of_touch
 from sandbox.tables import Records
 
 FACE_BIAS = 1e-4
 """A face of b has to beat the best face of a by this many metres, so that resting contacts keep their face."""
+_SLOP_SHARE = 0.05
+"""Share of the margin within which a fast pair counts as touching already."""
 
 
 @kernel
@@ -22,17 +25,18 @@ def find_contacts(
     turned: Records,
     pairs: Records,
     pair_count: int,
+    fall: float,
     seconds: float,
     manifold: Records,
     old: Records,
     old_count: int,
     contacts: Records,
 ) -> int:
-    """Write a contact for every pair that touches or may touch within `seconds`; return how many.
+    """Write a contact for every pair that touches or will touch within `seconds`; return how many.
 
-    Pairs and old contacts are both sorted by (shape_a, shape_b): one walk through both matches them, and impulses
-    of points with the same feature id carry over (warm starting). Contacts among sleeping bodies, which the grid does
-    not propose, are kept as they are.
+    `fall` (m) is what gravity adds to a way within that time. Pairs and old contacts are both sorted by (shape_a,
+    shape_b): one walk through both matches them, and impulses of points with the same feature id carry over (warm
+    starting). Contacts among sleeping bodies, which the grid does not propose, are kept as they are.
     """
     _mark_hemmed(bodies, flights, shapes, pairs, pair_count)
     count = 0
@@ -43,12 +47,8 @@ def find_contacts(
         while k < old_count and _comes_before(old[k], shape_a, shape_b):
             count = _keep_if_asleep(bodies, old[k], contacts, count)
             k += 1
-        hemmed = _is_hemmed(flights, shapes[shape_a].body, shapes[shape_b].body)
-        if not _collide(bodies, shapes, turned, shape_a, shape_b, seconds, hemmed, manifold):
-            continue
         contact = contacts[count]
-        _fill(bodies, shapes, shape_a, shape_b, manifold[0], contact)
-        if not hemmed and _cannot_close(bodies, contact, seconds):
+        if not _meet(bodies, flights, shapes, turned, shape_a, shape_b, fall, seconds, manifold, contact):
             continue
         if k < old_count and old[k].shape_a == shape_a and old[k].shape_b == shape_b:
             _match(old[k], contact)
@@ -96,20 +96,113 @@ def _keep_if_asleep(bodies: Records, old: Records, contacts: Records, count: int
 
 
 @inlined_kernel
-def _collide(
-    bodies: Records, shapes: Records, turned: Records, i: int, j: int, seconds: float, hemmed: bool, manifold: Records
+def _meet(
+    bodies: Records,
+    flights: Records,
+    shapes: Records,
+    turned: Records,
+    i: int,
+    j: int,
+    fall: float,
+    seconds: float,
+    manifold: Records,
+    contact: Records,
 ) -> bool:
-    """Manifold of one pair of shapes, looking ahead as far as the bodies can close in during the step."""
+    """Fill the contact of a pair, if its shapes touch, or nearly, or will within the step.
+
+    A pair that closes in faster than its margin is looked at where it will first touch: the axis there is the one that
+    stops it, while the axis at the start would deflect bodies that only pass by.
+    """
+    a = bodies[shapes[i].body]
+    b = bodies[shapes[j].body]
+    margin = _slow_margin(a, b)
+    vx = b.velocity_x - a.velocity_x
+    vy = b.velocity_y - a.velocity_y
+    hemmed = _is_hemmed(flights, shapes[i].body, shapes[j].body)
+    speed = math.sqrt(vx * vx + vy * vy)
+    if hemmed and is_active(a) and is_active(b):
+        speed = speed + math.sqrt(a.velocity_x * a.velocity_x + a.velocity_y * a.velocity_y)
+        speed = speed + math.sqrt(b.velocity_x * b.velocity_x + b.velocity_y * b.velocity_y)
+    swing = abs(a.angular_velocity) * (a.extent - shapes[i].radius)
+    swing = seconds * (swing + abs(b.angular_velocity) * (b.extent - shapes[j].radius))
+    way = seconds * speed + swing
+    t = 0.0
+    if way > margin:
+        slop = _SLOP_SHARE * margin + fall + swing
+        t = _touch(bodies, shapes, turned, i, j, vx, vy, seconds, slop, manifold)
+        if t < 0.0 and hemmed and is_active(a) and is_active(b):
+            # Either of them may be stopped within the step: what if only the other one moves?
+            for only_a in range(2):
+                if t < 0.0:
+                    vx = -a.velocity_x if only_a == 1 else b.velocity_x
+                    vy = -a.velocity_y if only_a == 1 else b.velocity_y
+                    t = _touch(bodies, shapes, turned, i, j, vx, vy, seconds, slop, manifold)
+        if t < 0.0:
+            return False
+        margin = way
+    if not _collide(bodies, shapes, turned, i, j, vx * t, vy * t, margin, manifold):
+        return False
+    _fill(bodies, shapes, i, j, vx * t, vy * t, manifold[0], contact)
+    return True
+
+
+@inlined_kernel
+def _slow_margin(a: Records, b: Records) -> float:
+    """How far a pair of slow bodies looks ahead, in metres."""
+    margin_a = shape_margin(a.extent)
+    margin_b = shape_margin(b.extent)
+    return 2.0 * (margin_a if margin_a < margin_b else margin_b)
+
+
+@kernel
+def _touch(
+    bodies: Records,
+    shapes: Records,
+    turned: Records,
+    i: int,
+    j: int,
+    vx: float,
+    vy: float,
+    seconds: float,
+    slop: float,
+    manifold: Records,
+) -> float:
+    """Time until two shapes touch, if b moves against a by (vx, vy) m/s; -1 if they do not within `seconds`."""
     a = shapes[i]
     b = shapes[j]
-    body_a = bodies[a.body]
-    body_b = bodies[b.body]
-    margin_a = shape_margin(body_a.extent)
-    margin_b = shape_margin(body_b.extent)
-    margin = 2.0 * (margin_a if margin_a < margin_b else margin_b)
-    speed = _closing_speed(body_a, body_b, hemmed)
-    spin = abs(body_a.angular_velocity) * body_a.extent + abs(body_b.angular_velocity) * body_b.extent
-    way = seconds * (speed + spin)
+    return time_of_touch(
+        turned,
+        a.vertex_start,
+        a.vertex_count,
+        a.radius,
+        b.vertex_start,
+        b.vertex_count,
+        b.radius,
+        bodies[b.body].center_x - bodies[a.body].center_x,
+        bodies[b.body].center_y - bodies[a.body].center_y,
+        vx,
+        vy,
+        seconds,
+        slop,
+        manifold,
+    )
+
+
+@inlined_kernel
+def _collide(
+    bodies: Records,
+    shapes: Records,
+    turned: Records,
+    i: int,
+    j: int,
+    shift_x: float,
+    shift_y: float,
+    margin: float,
+    manifold: Records,
+) -> bool:
+    """Manifold of a pair of shapes, with b moved against a by (shift_x, shift_y) metres."""
+    a = shapes[i]
+    b = shapes[j]
     return (
         collide_cores(
             turned,
@@ -119,9 +212,9 @@ def _collide(
             b.vertex_start,
             b.vertex_count,
             b.radius,
-            body_b.center_x - body_a.center_x,
-            body_b.center_y - body_a.center_y,
-            margin if margin > way else way,
+            bodies[b.body].center_x - bodies[a.body].center_x + shift_x,
+            bodies[b.body].center_y - bodies[a.body].center_y + shift_y,
+            margin,
             FACE_BIAS,
             manifold,
         )
@@ -130,23 +223,25 @@ def _collide(
 
 
 @inlined_kernel
-def _closing_speed(a: Records, b: Records, hemmed: bool) -> float:
-    """Bound of how fast two centres can close in, in m/s: either may be stopped within the step if they are hemmed."""
-    if hemmed:
-        fast_a = math.sqrt(a.velocity_x * a.velocity_x + a.velocity_y * a.velocity_y)
-        return fast_a + math.sqrt(b.velocity_x * b.velocity_x + b.velocity_y * b.velocity_y)
-    vx = b.velocity_x - a.velocity_x
-    vy = b.velocity_y - a.velocity_y
-    return math.sqrt(vx * vx + vy * vy)
+def _fill(
+    bodies: Records,
+    shapes: Records,
+    i: int,
+    j: int,
+    shift_x: float,
+    shift_y: float,
+    m: Records,
+    contact: Records,
+) -> None:
+    """Copy a manifold into a fresh contact and mix the surfaces of its shapes.
 
-
-@inlined_kernel
-def _fill(bodies: Records, shapes: Records, i: int, j: int, m: Records, contact: Records) -> None:
-    """Copy a manifold into a fresh contact and mix the surfaces of its shapes."""
+    The manifold is of the moment when b has moved against a by (shift_x, shift_y) metres: gaps are taken back to now.
+    """
     a = shapes[i]
     b = shapes[j]
-    dx = bodies[b.body].center_x - bodies[a.body].center_x
-    dy = bodies[b.body].center_y - bodies[a.body].center_y
+    dx = bodies[b.body].center_x - bodies[a.body].center_x + shift_x
+    dy = bodies[b.body].center_y - bodies[a.body].center_y + shift_y
+    ahead = -(shift_x * m.normal_x + shift_y * m.normal_y)
     contact.shape_a = i
     contact.shape_b = j
     contact.body_a = a.body
@@ -167,7 +262,7 @@ def _fill(bodies: Records, shapes: Records, i: int, j: int, m: Records, contact:
     contact.anchor_ay1 = m.y1
     contact.anchor_bx1 = m.x1 - dx
     contact.anchor_by1 = m.y1 - dy
-    contact.separation1 = m.separation1
+    contact.separation1 = m.separation1 + ahead
     contact.feature1 = m.feature1
     contact.normal_impulse1 = 0.0
     contact.tangent_impulse1 = 0.0
@@ -176,41 +271,10 @@ def _fill(bodies: Records, shapes: Records, i: int, j: int, m: Records, contact:
     contact.anchor_ay2 = m.y2 if two else 0.0
     contact.anchor_bx2 = m.x2 - dx if two else 0.0
     contact.anchor_by2 = m.y2 - dy if two else 0.0
-    contact.separation2 = m.separation2 if two else 0.0
+    contact.separation2 = m.separation2 + ahead if two else 0.0
     contact.feature2 = m.feature2 if two else -1
     contact.normal_impulse2 = 0.0
     contact.tangent_impulse2 = 0.0
-
-
-@inlined_kernel
-def _cannot_close(bodies: Records, contact: Records, seconds: float) -> bool:
-    """True when no point of a contact can close within the step: then it would only act as a ghost wall."""
-    a = bodies[contact.body_a]
-    b = bodies[contact.body_b]
-    margin_a = shape_margin(a.extent)
-    margin_b = shape_margin(b.extent)
-    margin = 2.0 * (margin_a if margin_a < margin_b else margin_b)
-    if contact.separation1 <= margin:
-        return False
-    if contact.point_count == 2 and contact.separation2 <= margin:
-        return False
-    close1 = _closing_way(a, b, contact, contact.anchor_ax1, contact.anchor_ay1, seconds)
-    if contact.separation1 <= close1 + margin:
-        return False
-    if contact.point_count == 1:
-        return True
-    close2 = _closing_way(a, b, contact, contact.anchor_ax2, contact.anchor_ay2, seconds)
-    return bool(contact.separation2 > close2 + margin)
-
-
-@kernel
-def _closing_way(a: Records, b: Records, contact: Records, x: float, y: float, seconds: float) -> float:
-    """How far the surfaces close in at a point (from the centre of a) within `seconds`, in metres."""
-    bx = x - (b.center_x - a.center_x)
-    by = y - (b.center_y - a.center_y)
-    vx = b.velocity_x - b.angular_velocity * by - a.velocity_x + a.angular_velocity * y
-    vy = b.velocity_y + b.angular_velocity * bx - a.velocity_y - a.angular_velocity * x
-    return float(-seconds * (vx * contact.normal_x + vy * contact.normal_y))
 
 
 @inlined_kernel

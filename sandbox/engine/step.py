@@ -67,6 +67,7 @@ def advance(
         return pair_count + kept
     sort_pairs(pairs, pair_count, sorted_pairs, heads, shapes.shape[0])
 
+    gravity = math.sqrt(setting.gravity_x * setting.gravity_x + setting.gravity_y * setting.gravity_y)
     count = find_contacts(
         bodies,
         flights,
@@ -74,6 +75,7 @@ def advance(
         turned,
         pairs,
         pair_count,
+        0.5 * gravity * seconds * seconds,
         seconds,
         manifold,
         old_contacts,
