@@ -47,7 +47,7 @@ def test_every_pair_that_touches_has_a_contact(name, steps):
     p.detect()
     contacts = {(int(c.shape_a), int(c.shape_b)): c for c in p.scratch.contacts[: p.count]}
     truth = gaps(p)
-    assert sum(gap < 0.0 for gap in truth.values()) > 3
+    assert sum(gap < 0.0 for gap in truth.values()) >= 3
     for pair, gap in truth.items():
         if gap < -1e-9:
             assert pair in contacts, (pair, gap)
@@ -75,9 +75,13 @@ def test_contacts_are_sorted_and_consistent(name):
     for c in p.scratch.contacts[: p.count]:
         a, b = p.state.bodies[c.body_a], p.state.bodies[c.body_b]
         assert math.hypot(c.normal_x, c.normal_y) == pytest.approx(1.0, abs=1e-12)
+        velocity = np.array([b.velocity_x - a.velocity_x, b.velocity_y - a.velocity_y])
         for k in range(1, int(c.point_count) + 1):
-            assert a.center_x + c[f"anchor_ax{k}"] == pytest.approx(b.center_x + c[f"anchor_bx{k}"], abs=1e-12)
-            assert a.center_y + c[f"anchor_ay{k}"] == pytest.approx(b.center_y + c[f"anchor_by{k}"], abs=1e-12)
+            on_a = np.array([a.center_x + c[f"anchor_ax{k}"], a.center_y + c[f"anchor_ay{k}"]])
+            on_b = np.array([b.center_x + c[f"anchor_bx{k}"], b.center_y + c[f"anchor_by{k}"]])
+            # One and the same place once the bodies have moved to where they touch; now, for those that touch.
+            apart = np.hypot(*(on_b - on_a))
+            assert apart <= 1e-12 + p.seconds * np.hypot(*velocity) * (2.0 if c.separation1 > 0.0 else 1e-9)
 
 
 def test_surfaces_are_mixed():
@@ -97,6 +101,9 @@ def test_impulses_carry_over_by_feature():
     old = {}
     for number, c in enumerate(w.contacts):
         c.rolling_impulse = 1000.0 + number
+        if number % 2 and c.point_count == 2:
+            # The points may come in the other order when the reference face has changed.
+            c.feature1, c.feature2 = int(c.feature2), int(c.feature1)
         for k in range(1, int(c.point_count) + 1):
             c[f"normal_impulse{k}"], c[f"tangent_impulse{k}"] = 10.0 * number + k, -10.0 * number - k
             old[int(c.shape_a), int(c.shape_b), int(c[f"feature{k}"])] = 10.0 * number + k

@@ -100,6 +100,15 @@ def test_a_lattice_with_boxes_exactly_on_cell_borders(seed, pitch, far):
     agree(parts)
 
 
+@given(st.integers(0, 2**32), st.sampled_from([1e-6, 1e-5, 1e-3]))
+@settings(max_examples=60)
+def test_specks_at_the_end_of_the_world(seed, size):
+    """At 1e9 m neighbouring floats are 0.1 um apart: the middle of a box is rounded by much of its size."""
+    random = np.random.default_rng(seed)
+    place = 1e9 + size * random.integers(-5, 5, (80, 2)) * random.uniform(0.5, 1.5, (80, 2))
+    agree([plain(p, p + size, k) for k, p in enumerate(place)])
+
+
 @given(st.integers(0, 2**32))
 @settings(max_examples=30)
 def test_many_levels_at_once(seed):

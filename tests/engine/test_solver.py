@@ -9,7 +9,7 @@ from sandbox.engine.contact_blocks import LANES, MAX_COLORS, VECTOR
 from sandbox.engine.softness import soft_coefficients
 from sandbox.engine.world import World
 from tests.determinism import busy
-from tests.determinism.test_digests import crowd
+from tests.determinism.test_digests import laden_plank
 from tests.engine.stages import Paused
 from tests.naive import solver as naive
 from tests.physics.test_momentum import crowd as drifting
@@ -32,7 +32,7 @@ def stepped(world: World, steps: int) -> World:
 WORLDS = {
     "busy 8": lambda: busy_world(8),
     "busy 16": lambda: busy_world(16),
-    "hub": lambda: stepped(World(crowd(False)), 3),
+    "plank": lambda: stepped(World(laden_plank()), 9),
     "pile": lambda: stepped(falling_pile(0.6, 1), 80),
     "drift": lambda: stepped(drifting(2), 70),
 }
@@ -188,8 +188,8 @@ def test_every_contact_has_one_slot_and_every_block_one_colour(paused):
     assert place == paused.count
 
 
-def test_the_hub_has_serial_contacts():
-    p = Paused(WORLDS["hub"]())
+def test_the_plank_has_serial_contacts():
+    p = Paused(WORLDS["plank"]())
     p.detect()
     p.lay_out()
     assert (p.scratch.colors[: p.count] == MAX_COLORS).sum() >= 10
