@@ -5,12 +5,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PIL import Image
-from stages import box, ground
 
 import sandbox
 from sandbox.render.film import film, gif_seconds
 from sandbox.render.image import save_gif, studio_of
 from sandbox.scene.flat import FlatBody, FlatScene
+from tests.render.stages import box, ground
 
 SCENE = FlatScene((ground(), FlatBody("a", "dynamic", (box(1, 1),), (0.0, 3.0))))
 

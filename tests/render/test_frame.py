@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from stages import box, ground, pyramid, zoo
 
 from sandbox.render.frame import blend, capture, interesting_bounds
 from sandbox.scene.flat import FlatBody, FlatScene
 from sandbox.world.build import build_state
+from tests.render.stages import box, ground, pyramid, zoo
 
 
 def turned(angle: float, x: float) -> object:

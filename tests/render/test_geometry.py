@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from naive import distance
-from stages import zoo
 
 from sandbox.render.frame import capture, shape_bounds
 from sandbox.render.pick import shape_distance
+from tests.render.naive import distance
+from tests.render.stages import zoo
 
 STATE = zoo()
 FRAME = capture(STATE)

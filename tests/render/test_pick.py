@@ -2,12 +2,12 @@ from __future__ import annotations
 
 from hypothesis import example, given
 from hypothesis import strategies as st
-from naive import distance, topmost
-from stages import zoo
 
 from sandbox.render.frame import capture
 from sandbox.render.pick import pick
 from sandbox.world.records import DYNAMIC
+from tests.render.naive import distance, topmost
+from tests.render.stages import zoo
 
 STATE = zoo()
 FRAME = capture(STATE)

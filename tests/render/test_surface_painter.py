@@ -2,8 +2,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from naive import distance
-from stages import box, circle, ground, rod, zoo
 
 from sandbox.render.camera import Camera, fit
 from sandbox.render.draw_list import Line, build_draw_list
@@ -14,6 +12,8 @@ from sandbox.render.wardrobe import dress
 from sandbox.scene.flat import FlatBody, FlatScene
 from sandbox.world.build import build_state
 from sandbox.world.state import State
+from tests.render.naive import distance
+from tests.render.stages import box, circle, ground, rod, zoo
 
 SIZE = (480, 300)
 RIM = 2.0

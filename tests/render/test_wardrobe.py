@@ -2,13 +2,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from stages import zoo
 
 from sandbox.render.frame import capture
 from sandbox.render.oklab import oklch_to_srgb
 from sandbox.render.theme import DARK, hex_color
 from sandbox.render.wardrobe import dress, family, tints
 from sandbox.world.records import DYNAMIC, STATIC
+from tests.render.stages import zoo
 
 
 @pytest.mark.parametrize(

@@ -9,10 +9,10 @@ from typing import Any
 
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
-from scene_strategies import scenes
 
 from sandbox.errors import SceneError
 from sandbox.scene import Scene, loads_scene
+from tests.scene.scene_strategies import scenes
 
 FRAGMENTS = [
     *'{}[]:,"\\0-.eE+#/ \n\t\ufeff\x00é',

@@ -5,9 +5,9 @@ from __future__ import annotations
 import json
 
 import pytest
-from scene_helpers import refused
 
 from sandbox.scene.limits import MAX_BODIES, MAX_PROBLEMS
+from tests.scene.scene_helpers import refused
 
 BALL = '{"id": "ball", "shapes": [{"circle": 1}]}'
 

@@ -9,9 +9,9 @@ from pathlib import Path
 import jsonschema
 import pytest
 from hypothesis import given, settings
-from scene_strategies import scenes
 
 from sandbox.scene import Scene, load_scene, loads_scene, schema
+from tests.scene.scene_strategies import scenes
 
 VALIDATOR = jsonschema.Draft202012Validator(schema())
 

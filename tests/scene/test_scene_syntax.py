@@ -5,10 +5,10 @@ from __future__ import annotations
 import json
 
 import pytest
-from scene_helpers import one
 
 from sandbox.scene import loads_scene
 from sandbox.scene.limits import MAX_DEPTH
+from tests.scene.scene_helpers import one
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,6 @@ import numpy as np
 import pygame
 import pytest
 from PIL import Image
-from test_session import SCENE
 
 from sandbox.window.app import App, Options
 from sandbox.window.gl_painter import GlPainter
@@ -21,6 +20,7 @@ from sandbox.window.play import PlayScreen
 from sandbox.window.scene_index import Entry
 from sandbox.window.scene_list import SceneList
 from sandbox.window.screen import Screen, Stage
+from tests.window.test_session import SCENE
 
 Condition = Callable[[Any], bool]
 

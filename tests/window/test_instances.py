@@ -9,8 +9,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 sys.path.append(str(Path(__file__).parents[1] / "render"))
-from stages import box, zoo
-
 from sandbox.render.camera import Camera
 from sandbox.render.draw_list import build_draw_list
 from sandbox.render.frame import capture
@@ -20,6 +18,7 @@ from sandbox.scene.flat import FlatBody, FlatScene
 from sandbox.window.instances import TRIM_PIXELS, pack
 from sandbox.world.build import build_state
 from sandbox.world.state import State
+from tests.render.stages import box, zoo
 
 
 def packed(state: State, camera: Camera) -> np.ndarray:

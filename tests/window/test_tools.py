@@ -2,7 +2,6 @@ from __future__ import annotations
 
 import pygame
 import pytest
-from test_session import SCENE
 
 import sandbox
 from sandbox.render.camera import Camera
@@ -10,6 +9,7 @@ from sandbox.render.theme import DARK
 from sandbox.window.keys import BINDINGS, action_of, help_items
 from sandbox.window.session import Session
 from sandbox.window.tools import Mouse
+from tests.window.test_session import SCENE
 
 CAMERA = Camera((2.0, 2.0), 50.0, (800, 600))
 

@@ -11,8 +11,6 @@ from typing import Any
 import numpy as np
 import pytest
 from PIL import Image
-from test_instances import zoo
-from test_session import SCENE
 
 import sandbox
 from sandbox.render.camera import fit
@@ -21,6 +19,8 @@ from sandbox.render.frame import capture, interesting_bounds
 from sandbox.render.surface_painter import SurfacePainter
 from sandbox.render.theme import DARK
 from sandbox.render.wardrobe import dress
+from tests.window.test_instances import zoo
+from tests.window.test_session import SCENE
 
 
 def picture_of_the_zoo(size: tuple[int, int]) -> DrawList:
@@ -47,9 +47,8 @@ def test_opengl_draws_what_the_surface_painter_draws(display: Any, tmp_path: Pat
 
 
 def test_one_painter_draws_worlds_of_any_size_in_turn(display: Any, tmp_path: Path) -> None:
-    from stages import pyramid
-
     from sandbox.window.gl_painter import GlPainter
+    from tests.render.stages import pyramid
 
     painter = GlPainter(display.context)
     for state in (zoo(), pyramid(60), zoo()):
