@@ -136,8 +136,8 @@ def test_swapping_the_shapes_mirrors_the_manifold(case):
         return
     assert n.separation == pytest.approx(m.separation, abs=TINY)
     if m.axis_owner == 2 or n.axis_owner == 2 or best_two_axes_differ(case):
-        if cores_apart(case) < 1e-12 and len(case.a) == len(case.b) == 1:
-            return
+        if abs(cores_apart(case)) < 1e-9 and len(case.a) <= 2 and len(case.b) <= 2:
+            return  # Points and lines on each other have no best axis: one is taken.
         assert (n.normal_x, n.normal_y) == pytest.approx((-m.normal_x, -m.normal_y), abs=1e-6)
         assert other == count
         mine = sorted((p[3], p[0], p[1], p[2]) for p in points_of(m))
