@@ -8,6 +8,8 @@ from pathlib import Path
 
 from sandbox.resources import SCENE_SUFFIX, scenes_dir, shipped_scenes
 
+_BEGINNERS = "first"
+
 
 @dataclass(frozen=True)
 class Entry:
@@ -20,8 +22,9 @@ class Entry:
 
 
 def scene_entries() -> list[Entry]:
-    """All shipped scenes, by folder, then by file name."""
-    return [_entry(path, scenes_dir()) for path in shipped_scenes()]
+    """All shipped scenes, by folder, then by file name; the folder for beginners comes first."""
+    entries = [_entry(path, scenes_dir()) for path in shipped_scenes()]
+    return sorted(entries, key=lambda entry: entry.theme != _BEGINNERS)
 
 
 def _entry(path: Path, root: Path) -> Entry:
