@@ -7,7 +7,7 @@ from sandbox.engine.world import World
 from sandbox.scene.flat import FlatScene, FlatSettings
 from tests.flat import body, box, capsule, circle, ground, polygon, segment
 
-STEPS = 48
+STEPS = 56
 
 COMMANDS = {
     5: StartDrag("box", (0.3, 2.2), 400.0),
@@ -16,12 +16,13 @@ COMMANDS = {
     18: SetVelocity("paddle", (0.5, 0.0), -3.0),
     22: EndDrag("box"),
     26: SetPose("pill", (-1.0, 4.0), 1.25),
+    50: SetVelocity("bullet", (3.0, -300.0), 40.0),
 }
 """Commands by the step they come before."""
 
 
 def scene() -> FlatScene:
-    """Every kind of shape, every surface property, filters, three body types, two shapes on a body."""
+    """Every kind of shape and surface, filters, three body types, a sleeper and the bullet that wakes it."""
     return FlatScene(
         (
             ground(20.0, friction=0.6),
@@ -35,6 +36,8 @@ def scene() -> FlatScene:
             body("pill", capsule(0.4, 0.2, restitution=0.3), position=(-3.0, 0.7), linear_damping=0.2),
             body("wedge", polygon((-0.5, -0.3), (0.5, -0.3), (0.1, 0.5)), position=(2.4, 2.6), angular_damping=0.5),
             body("club", box(0.2, 1.2), circle(0.3, at=(0.0, 0.7)), position=(-1.6, 2.0), angle=1.0),
+            body("sleeper", box(1.0, 1.0), position=(8.5, 0.5)),
+            body("bullet", circle(0.1), position=(8.3, 9.0), gravity_scale=0.0),
             body("ghost", circle(0.5, category=2, mask=1, group=-3), position=(0.0, 2.5), gravity_scale=0.5),
             body("shade", circle(0.5, category=2, mask=3, group=-3), position=(0.1, 2.9), fixed_rotation=True),
         ),

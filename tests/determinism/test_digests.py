@@ -36,12 +36,15 @@ def other_process(**environment: str) -> list[str]:
 
 def test_the_scene_is_busy():
     world = World(scene())
-    kinds = set()
+    kinds, awake = set(), []
     for step in range(STEPS):
         digests(world, step, step + 1)
+        awake.append(world.body("sleeper").awake)
         kinds |= {(int(c.point_count), c.restitution > 0, c.rolling_resistance > 0) for c in world.contacts}
     assert len(kinds) >= 5
     assert world.state.counters[0].color_count > 1
+    assert not all(awake)
+    assert awake[-1]
 
 
 def test_every_step_changes_the_digest(expected):
