@@ -9,7 +9,7 @@ from sandbox.engine.contact_blocks import LANES, MAX_COLORS, VECTOR
 from sandbox.engine.softness import soft_coefficients
 from sandbox.engine.world import World
 from tests.determinism import busy
-from tests.determinism.test_digests import laden_plank
+from tests.determinism.test_scratch import laden_plank
 from tests.engine.stages import Paused
 from tests.naive import solver as naive
 from tests.physics.test_momentum import crowd as drifting
