@@ -18,7 +18,6 @@ from sandbox.engine import (
     contact_prepare,
     contact_solver,
     drags,
-    guard,
     impacts,
     integrate,
     islands,
@@ -68,7 +67,6 @@ resolve_impacts = stage(impacts.resolve_impacts)
 list_bouncy = stage(impacts.list_bouncy)
 solve_drags = stage(drags.solve_drags)
 find_islands = stage(islands.find_islands)
-guard_velocities = stage(guard.guard_velocities)
 
 
 class Grid:
