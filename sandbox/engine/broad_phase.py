@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 
-from sandbox._jit import inlined_kernel, kernel
+from sandbox._jit import ZERO, inlined_kernel, kernel
 from sandbox.engine.bounds import ACTIVE, DRIVEN, SLEEPS
 from sandbox.tables import Integers, Records
 
@@ -43,7 +43,7 @@ def find_pairs(
     used = _assign_cells(boxes, base, population, levels)
     _order_by_bucket(boxes, ordered, heads)
     sparse_count = _list_sparse_levels(ordered, population, sparse)
-    count = 0
+    count = ZERO
     for i in range(ordered.shape[0]):
         count = _pairs_on_own_level(ordered, owners, i, heads, pairs, count)
         count = _pairs_on_sparse_levels(ordered, owners, i, sparse, sparse_count, pairs, count)
@@ -260,8 +260,11 @@ def may_collide(category_a: int, mask_a: int, group_a: int, category_b: int, mas
 @kernel
 def sort_pairs(pairs: Records, count: int, buffer: Records, heads: Integers, shapes: int) -> None:
     """Sort `pairs[:count]` by (shape_a, shape_b): two stable counting passes. `heads` needs `shapes + 1` items."""
-    _counting_pass(pairs, count, buffer, heads, shapes, False)
-    _counting_pass(buffer, count, pairs, heads, shapes, True)
+    for turn in range(2):
+        if turn == 0:
+            _counting_pass(pairs, count, buffer, heads, shapes, turn == 1)
+        else:
+            _counting_pass(buffer, count, pairs, heads, shapes, turn == 1)
 
 
 @kernel

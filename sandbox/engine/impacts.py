@@ -100,14 +100,14 @@ def _strike(
         return False
     impulse1, impulse2 = _pair_impulses(a, b, contact, change1, change2)
     contact.impact_impulse += impulse1 + impulse2
-    if impulse1 > 0.0:
-        _push(a, b, motions, flights, contact, impulse1, 1)
-    if impulse2 > 0.0:
-        _push(a, b, motions, flights, contact, impulse2, 2)
-    if impulse1 > 0.0:
-        _rub(a, b, motions, flights, contact, impulse1, 1)
-    if impulse2 > 0.0:
-        _rub(a, b, motions, flights, contact, impulse2, 2)
+    for point in range(1, 3):
+        impulse = impulse1 if point == 1 else impulse2
+        if impulse > 0.0:
+            _push(a, b, motions, flights, contact, impulse, point)
+    for point in range(1, 3):
+        impulse = impulse1 if point == 1 else impulse2
+        if impulse > 0.0:
+            _rub(a, b, motions, flights, contact, impulse, point)
     return True
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from sandbox._jit import inlined_kernel, kernel
+from sandbox._jit import ZERO, inlined_kernel, kernel
 from sandbox.engine.bounds import shape_margin
 from sandbox.engine.islands import is_active
 from sandbox.geometry.manifold import collide_cores
@@ -39,7 +39,7 @@ def find_contacts(
     starting). Contacts among sleeping bodies, which the grid does not propose, are kept as they are.
     """
     _mark_hemmed(bodies, flights, shapes, pairs, pair_count)
-    count = 0
+    count = ZERO
     k = 0
     for i in range(pair_count):
         shape_a = pairs[i].shape_a

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-from sandbox._jit import kernel
+from sandbox._jit import ZERO, kernel
 from sandbox.geometry.closest import closest_vertices
 from sandbox.geometry.sat import face_separation, facing_edge, support_vertex
 from sandbox.tables import Field, Records, Table
@@ -82,14 +82,23 @@ def collide_cores(
                 return 0
             return _corner_point(cores, a, i, a_radius, j, b_radius, nx, ny, distance, m)
     m.separation = core_separation - radii
-    if flip:
-        m.axis_owner = 1
-        m.axis_edge = face_b
-        _clip(cores, b, b_count, b_radius, face_b, a, a_count, a_radius, -dx, -dy, margin, True, m)
-    else:
-        m.axis_owner = 0
-        m.axis_edge = face_a
-        _clip(cores, a, a_count, a_radius, face_a, b, b_count, b_radius, dx, dy, margin, False, m)
+    m.axis_owner = 1 if flip else 0
+    m.axis_edge = face_b if flip else face_a
+    _clip(
+        cores,
+        b if flip else a,
+        b_count if flip else a_count,
+        b_radius if flip else a_radius,
+        m.axis_edge,
+        a if flip else b,
+        a_count if flip else b_count,
+        a_radius if flip else b_radius,
+        -dx if flip else dx,
+        -dy if flip else dy,
+        margin,
+        flip,
+        m,
+    )
     count: int = m.point_count
     return count
 
@@ -117,7 +126,7 @@ def _collide_points(
     if distance > 0.0:
         nx = gx / distance
         ny = gy / distance
-    return _corner_point(cores, a, 0, a_radius, 0, b_radius, nx, ny, distance, m)
+    return _corner_point(cores, a, ZERO, a_radius, ZERO, b_radius, nx, ny, distance, m)
 
 
 @kernel
