@@ -89,7 +89,7 @@ def jit_enabled() -> bool:
 
 
 def cache_is_cold() -> bool:
-    """True when the next step has to compile the kernels first (about 15 seconds)."""
+    """True when the next step has to compile the kernels first (10 to 20 seconds)."""
     return jit_enabled() and next(cache_folder().rglob("*.nbi"), None) is None
 
 

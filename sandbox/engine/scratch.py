@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
-from sandbox._jit import kernel_argument
 from sandbox.engine.broad_phase import LEVEL_SPACE
 from sandbox.engine.contact_blocks import BLOCK_SIZE, GATHER_SIZE, LANES, MAX_COLORS
 from sandbox.geometry.manifold import MANIFOLD
@@ -150,10 +148,6 @@ class Scratch:
             lanes=np.zeros(block_capacity * BLOCK_SIZE),
             gathered=np.zeros(GATHER_SIZE),
         )
-
-    def arguments(self) -> tuple[Any, ...]:
-        """The arrays in the order of the step's parameters."""
-        return tuple(kernel_argument(array) for array in self.__dict__.values())
 
 
 def _head_count(shapes: int) -> int:

@@ -1,4 +1,7 @@
-"""The step: every stage of the engine, in order. Window, replay, benchmark and test all come through here."""
+"""The step: every stage of the engine, in order. Window, replay, benchmark and test all come through here.
+
+It has two halves, so that an empty kernel cache can be filled by two processes at once (`warm_up.py`).
+"""
 
 from __future__ import annotations
 
@@ -24,51 +27,42 @@ WAIT = 1e30
 
 
 @entry_point
-def advance(
+def find_touching(
     bodies: Records,
     shapes: Records,
     vertices: Records,
     old_contacts: Records,
-    drags: Records,
     settings: Records,
     counters: Records,
-    motions: Records,
     flights: Records,
     turned: Records,
     boxes: Records,
     owners: Records,
-    ordered: Records,
+    sorted_boxes: Records,
     heads: Integers,
     levels: Integers,
     pairs: Records,
     sorted_pairs: Records,
     contacts: Records,
     manifold: Records,
-    slots: Records,
-    blocks: Records,
-    colors: Integers,
-    lanes: Floats,
-    gathered: Floats,
 ) -> int:
-    """Advance the world by one step; the new contacts are in `contacts`. Returns 0.
+    """The first half: grid and SAT at the poses of now. `contacts` and `counters.found_count` have the answer.
 
-    If scratch memory is too small, nothing has changed: the answer is the number of pairs that need room, or, as a
-    negative number, of blocks. Give it that and call again.
+    Returns 0, or the number of pairs that scratch memory must have room for before this is called again.
     """
     setting = settings[0]
     counter = counters[0]
     seconds = setting.step_seconds
-
     turn_cores(bodies, shapes, vertices, turned)
     bound_shapes(bodies, shapes, turned, seconds, boxes, owners)
-    pair_count = find_pairs(boxes, owners, ordered, heads, levels, pairs)
+    pair_count = find_pairs(boxes, owners, sorted_boxes, heads, levels, pairs)
     kept = counter.contact_count if counter.asleep_count > 0 else 0
     if pair_count + kept > pairs.shape[0]:
         return pair_count + kept
     sort_pairs(pairs, pair_count, sorted_pairs, heads, shapes.shape[0])
-
     gravity = math.sqrt(setting.gravity_x * setting.gravity_x + setting.gravity_y * setting.gravity_y)
-    count = find_contacts(
+    counter.pair_count = pair_count
+    counter.found_count = find_contacts(
         bodies,
         flights,
         shapes,
@@ -82,12 +76,40 @@ def advance(
         counter.contact_count,
         contacts,
     )
+    return 0
+
+
+@entry_point
+def move(
+    bodies: Records,
+    drags: Records,
+    settings: Records,
+    counters: Records,
+    motions: Records,
+    flights: Records,
+    heads: Integers,
+    contacts: Records,
+    slots: Records,
+    blocks: Records,
+    colors: Integers,
+    lanes: Floats,
+    gathered: Floats,
+) -> int:
+    """The second half: solve the contacts found and move everything.
+
+    Returns 0, or the number of blocks that scratch memory must have room for; then nothing has changed, and the
+    step begins again with `find_touching`.
+    """
+    setting = settings[0]
+    counter = counters[0]
+    seconds = setting.step_seconds
+    count = counter.found_count
     wake_touched(bodies, flights, contacts, count, counters)
     color_count = color_contacts(bodies, flights, contacts, count, colors)
     block_count = fill_blocks(contacts, count, colors, color_count, heads, slots, blocks)
     if block_count > blocks.shape[0]:
         undo_waking(bodies, flights, counters)
-        return -block_count
+        return block_count
     bouncy_count = list_bouncy(bodies, contacts, count, setting.restitution_threshold, colors)
     prepare_contacts(bodies, contacts, slots, blocks, block_count, bouncy_count > 0, lanes)
 
@@ -100,7 +122,6 @@ def advance(
     fall_asleep(bodies, flights, contacts, count, drags, seconds, setting.sleeping == 1, counters)
     counter.step_count += 1
     counter.contact_count = count
-    counter.pair_count = pair_count
     counter.color_count = color_count
     return 0
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 import difflib
 from typing import TYPE_CHECKING, Any
 
-from sandbox._jit import kernel_argument
+from sandbox.engine.binding import bind
 from sandbox.engine.commands import Command, apply_command
 from sandbox.engine.scratch import Scratch
-from sandbox.engine.step import advance
+from sandbox.engine.step import find_touching, move
 from sandbox.engine.views import Bodies, Body
+from sandbox.engine.warm_up import compile_step
 from sandbox.errors import UnknownBodyError
 from sandbox.world.build import build_state
 from sandbox.world.digest import digest
@@ -35,15 +36,16 @@ class World:
         self.state: State = build_state(flat)
         self._index = {name: i for i, name in enumerate(self.state.names)}
         self._turn = 0
-        self._arguments: list[tuple[Any, ...]] = []
+        self._arguments: list[tuple[tuple[Any, ...], tuple[Any, ...]]] = []
         self._use_scratch(Scratch.for_state(self.state, len(self.state.contacts)))
         self.bodies = Bodies(self.state.bodies, self.state.names)
 
     def step(self, n: int = 1) -> None:
         """Advance by `n` steps of `1 / step_rate` seconds each."""
+        compile_step()
         for _ in range(n):
-            while (shortage := advance(*self._arguments[self._turn])) != 0:
-                self._make_room(shortage)
+            while not self._advance():
+                pass
             # A step reads the contacts of the last one while it writes the new ones.
             self._turn = 1 - self._turn
             self.state.contacts, self._scratch.contacts = self._scratch.contacts, self.state.contacts
@@ -97,11 +99,21 @@ class World:
             self._use_scratch(Scratch.for_state(self.state, len(self.state.contacts)))
         self._prepare_arguments()
 
-    def _make_room(self, shortage: int) -> None:
-        """Give the step what it lacked: so many pairs, or, if negative, so many blocks."""
+    def _advance(self) -> bool:
+        """Take a step; False if it lacked scratch memory, which it has now: then nothing else has changed."""
+        seen, moved = self._arguments[self._turn]
+        lacking_pairs = find_touching(*seen)
+        lacking_blocks = move(*moved) if lacking_pairs == 0 else 0
+        if lacking_pairs or lacking_blocks:
+            self._make_room(lacking_pairs, lacking_blocks)
+            return False
+        return True
+
+    def _make_room(self, pairs: int, blocks: int) -> None:
+        """Grow scratch memory to that many pairs and blocks, and half as many more."""
         scratch = self._scratch
-        pairs = max(len(scratch.pairs), shortage + shortage // 2)
-        blocks = max(len(scratch.blocks), -shortage - shortage // 2)
+        pairs = max(len(scratch.pairs), pairs + pairs // 2)
+        blocks = max(len(scratch.blocks), blocks + blocks // 2)
         old = self.contacts
         self.state.contacts = CONTACT.zeros(pairs)
         self.state.contacts[: len(old)] = old
@@ -115,10 +127,10 @@ class World:
         """Argument lists of the step: one for even and one for odd steps, as the contact tables swap places."""
         self._turn = 0
         now, after = self.state.contacts, self._scratch.contacts
-        lists: list[tuple[Any, ...]] = []
+        lists: list[tuple[tuple[Any, ...], tuple[Any, ...]]] = []
         for self.state.contacts, self._scratch.contacts in ((after, now), (now, after)):
-            state = tuple(kernel_argument(array) for array in self.state.arrays)
-            lists.insert(0, (*state, *self._scratch.arguments()))
+            halves = [bind(half, self.state, self._scratch) for half in (find_touching, move)]
+            lists.insert(0, (halves[0], halves[1]))
         self._arguments = lists
 
     def _find(self, name: str) -> int:

@@ -151,6 +151,7 @@ COUNTERS = Table(
         Field("step_count", "-", "steps taken since the start", "i8"),
         Field("contact_count", "-", "rows in use in the contact table", "i8"),
         Field("pair_count", "-", "pairs the grid proposed in the last step", "i8", hashed=False),
+        Field("found_count", "-", "contacts found in the step under way", "i8", hashed=False),
         Field("color_count", "-", "colours of the contact graph in the last step", "i8", hashed=False),
         Field("awake_count", "-", "dynamic bodies awake after the last step", "i8", hashed=False),
         Field("asleep_count", "-", "dynamic bodies asleep after the last step", "i8", hashed=False),

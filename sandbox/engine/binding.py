@@ -1,0 +1,20 @@
+"""The arguments of an entry point, found by the names of its parameters."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable
+from typing import Any
+
+from sandbox._jit import interpreted, kernel_argument
+from sandbox.engine.scratch import Scratch
+from sandbox.world.state import State
+
+
+def bind(function: Callable[..., Any], state: State, scratch: Scratch) -> tuple[Any, ...]:
+    """What to call `function` with: each parameter is named like the array of `state` or `scratch` it takes.
+
+    `contacts` are those of the step under way, `old_contacts` those of the step before.
+    """
+    arrays = {**vars(state), "old_contacts": state.contacts, **vars(scratch)}
+    return tuple(kernel_argument(arrays[name]) for name in inspect.signature(interpreted(function)).parameters)
