@@ -25,20 +25,29 @@ if TYPE_CHECKING:
         Problem,
         SandboxError,
         SceneError,
+        ShapeError,
         SnapshotError,
         UnknownBodyError,
     )
+    from sandbox.geometry.shapes import Box, Capsule, Circle, Polygon, Segment, Shape
     from sandbox.replay.expectations import Judge, Verdict
     from sandbox.scene import Scene, load_scene
 
 __all__ = [
+    "Box",
+    "Capsule",
+    "Circle",
     "CommandError",
     "Judge",
     "MissingDependencyError",
+    "Polygon",
     "Problem",
     "SandboxError",
     "Scene",
     "SceneError",
+    "Segment",
+    "Shape",
+    "ShapeError",
     "SnapshotError",
     "UnknownBodyError",
     "Verdict",
@@ -53,10 +62,13 @@ _ERRORS = {
     "Problem",
     "SandboxError",
     "SceneError",
+    "ShapeError",
     "SnapshotError",
     "UnknownBodyError",
 }
+_SHAPES = {"Box", "Capsule", "Circle", "Polygon", "Segment", "Shape"}
 _HOMES = {
+    **dict.fromkeys(_SHAPES, "sandbox.geometry.shapes"),
     **dict.fromkeys(_ERRORS, "sandbox.errors"),
     "Judge": "sandbox.replay.expectations",
     "Verdict": "sandbox.replay.expectations",

@@ -46,6 +46,10 @@ class SceneError(SandboxError):
         return out
 
 
+class ShapeError(SandboxError, ValueError):
+    """A shape cannot be made of the given numbers."""
+
+
 class CommandError(SandboxError):
     """A command was refused; the world is unchanged."""
 

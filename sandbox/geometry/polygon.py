@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 from itertools import pairwise
 
-from sandbox.errors import SandboxError
+from sandbox.errors import ShapeError
 from sandbox.geometry.exact import Point, between, cross, crossing, scaled, span
 
 Vec = tuple[float, float]
@@ -19,11 +19,14 @@ Vec = tuple[float, float]
 MIN_EDGE = 1e-6
 """Shortest edge and smallest thickness of a polygon in metres."""
 
+MAX_VERTICES = 64
+"""Most vertices of a polygon: the feature ids of contacts count by it."""
+
 STRAIGHT = 10**9
-"""A corner flatter than the polygon's size divided by this is no corner."""
+"""A corner of a scene's polygon flatter than its size divided by this is no corner, and a dent no dent."""
 
 
-class PolygonError(SandboxError, ValueError):
+class PolygonError(ShapeError):
     """A polygon cannot be used. `index` is the vertex to look at, as the author counted, or None."""
 
     def __init__(self, message: str, index: int | None = None) -> None:
@@ -37,48 +40,59 @@ def convex_polygon(vertices: Sequence[Vec]) -> tuple[Vec, ...]:
     `vertices` are (x, y) in metres in either winding; finite. Raises `PolygonError` when the polygon is
     degenerate, intersects itself, is concave, or has an edge shorter than `MIN_EDGE`.
     """
-    return _convex(tuple((float(x), float(y)) for x, y in vertices))
+    return tuple((float(vertices[i][0]), float(vertices[i][1])) for i in convex_corners(vertices))
+
+
+def convex_corners(vertices: Sequence[Vec], straight: int = STRAIGHT, least: float = MIN_EDGE) -> tuple[int, ...]:
+    """Which of `vertices` are the corners of `convex_polygon`, counter-clockwise.
+
+    A corner flatter than the size divided by `straight` is dropped; `least` (m) is the shortest edge allowed.
+    """
+    return _convex(tuple((float(x), float(y)) for x, y in vertices), straight, least)
 
 
 @lru_cache(maxsize=256)
-def _convex(vertices: tuple[Vec, ...]) -> tuple[Vec, ...]:
+def _convex(vertices: tuple[Vec, ...], straight: int, least: float) -> tuple[int, ...]:
     points, unit = scaled(vertices)
-    kept = _corners(points)
+    kept = _corners(points, straight)
     if len(kept) < 3 or _on_one_line(points):
         raise PolygonError("the polygon has no area: its vertices lie on one line")
     turns = _turns(points, kept)
     if not _goes_round_once(points, kept, turns):
         raise _why_not_convex(points, kept, turns)
-    _check_size(points, kept, unit)
+    _check_size(points, kept, unit, least)
     if turns[0] < 0:
         kept = [kept[0], *reversed(kept[1:])]
-    return tuple(vertices[i] for i in kept)
+    return tuple(kept)
 
 
-def _corners(points: list[Point]) -> list[int]:
+def _corners(points: list[Point], straight: int) -> list[int]:
     """Indices of the vertices left once repeated and straight ones are dropped."""
     kept = [i for i in range(len(points)) if i == 0 or points[i] != points[i - 1]]
     while len(kept) > 1 and points[kept[-1]] == points[kept[0]]:
         kept.pop()
     size = span(points)
+    winding = _double_area(points, kept)
     changed = True
     while changed and len(kept) >= 3:
         changed = False
         for place in range(len(kept)):
             before, here, after = kept[place - 1], kept[place], kept[(place + 1) % len(kept)]
-            if _is_straight(points[before], points[here], points[after], size):
+            if _is_straight(points[before], points[here], points[after], size, winding, straight):
                 del kept[place]
                 changed = True
                 break
     return kept
 
 
-def _is_straight(before: Point, here: Point, after: Point, size: int) -> bool:
-    """Whether `here` lies on the way from `before` to `after`, to a billionth of the polygon's size."""
+def _is_straight(before: Point, here: Point, after: Point, size: int, winding: int, straight: int) -> bool:
+    """Whether `here` lies on the way from `before` to `after`; a shallow dent is never a corner."""
     if before == after or not between(before, here, after):
         return False
+    turn = cross(before, here, after)
+    share = straight if turn * winding > 0 else min(straight, STRAIGHT)
     length_squared = (after[0] - before[0]) ** 2 + (after[1] - before[1]) ** 2
-    return (cross(before, here, after) * STRAIGHT) ** 2 <= length_squared * size**2
+    return (turn * share) ** 2 <= length_squared * size**2
 
 
 def _on_one_line(points: list[Point]) -> bool:
@@ -132,12 +146,12 @@ def _self_intersection(points: list[Point], kept: list[int]) -> int | None:
     return None
 
 
-def _check_size(points: list[Point], kept: list[int], unit: int) -> None:
-    """Refuse edges and slivers too small for the arithmetic of a step. `unit` is the integer of one metre."""
-    least = unit // round(1 / MIN_EDGE)
+def _check_size(points: list[Point], kept: list[int], unit: int, smallest: float) -> None:
+    """Refuse edges and slivers under `smallest` metres. `unit` is the integer of one metre."""
+    least = unit // round(1 / smallest)
     ring = [*kept, kept[0]]
     for a, b in pairwise(ring):
         if (points[a][0] - points[b][0]) ** 2 + (points[a][1] - points[b][1]) ** 2 < least**2:
-            raise PolygonError(f"two vertices of the polygon are less than {MIN_EDGE:g} m apart", b)
+            raise PolygonError(f"two vertices of the polygon are less than {smallest:g} m apart", b)
     if abs(_double_area(points, kept)) < 2 * least * span(points):
-        raise PolygonError(f"the polygon has no area: it is thinner than {MIN_EDGE:g} m")
+        raise PolygonError(f"the polygon has no area: it is thinner than {smallest:g} m")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from sandbox.geometry import polygon
+
 MAX_BYTES = 16 * 1024 * 1024
 """Size of a scene file."""
 
@@ -20,7 +22,7 @@ MAX_GENERATORS = 10_000
 MAX_EXPECTATIONS = 1000
 """Expectations of a scene."""
 
-MAX_VERTICES = 64
+MAX_VERTICES = polygon.MAX_VERTICES
 """Vertices of a polygon."""
 
 MAX_CATEGORIES = 31
