@@ -29,6 +29,7 @@ if TYPE_CHECKING:
         SnapshotError,
         UnknownBodyError,
     )
+    from sandbox.geometry.collide import Contact, Distance, collide, contains, distance
     from sandbox.geometry.shapes import Box, Capsule, Circle, Polygon, Segment, Shape
     from sandbox.replay.expectations import Judge, Verdict
     from sandbox.scene import Scene, load_scene
@@ -38,6 +39,8 @@ __all__ = [
     "Capsule",
     "Circle",
     "CommandError",
+    "Contact",
+    "Distance",
     "Judge",
     "MissingDependencyError",
     "Polygon",
@@ -53,6 +56,9 @@ __all__ = [
     "Verdict",
     "World",
     "__version__",
+    "collide",
+    "contains",
+    "distance",
     "load_scene",
 ]
 
@@ -66,8 +72,10 @@ _ERRORS = {
     "SnapshotError",
     "UnknownBodyError",
 }
+_TESTS = {"Contact", "Distance", "collide", "contains", "distance"}
 _SHAPES = {"Box", "Capsule", "Circle", "Polygon", "Segment", "Shape"}
 _HOMES = {
+    **dict.fromkeys(_TESTS, "sandbox.geometry.collide"),
     **dict.fromkeys(_SHAPES, "sandbox.geometry.shapes"),
     **dict.fromkeys(_ERRORS, "sandbox.errors"),
     "Judge": "sandbox.replay.expectations",

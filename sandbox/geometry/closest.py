@@ -57,35 +57,61 @@ def nearest_on_edges(
 
 
 @kernel
+def closest_points(
+    cores: Records, a: int, a_count: int, b: int, b_count: int, dx: float, dy: float
+) -> tuple[float, float, float, float, float, bool, int, int]:
+    """Closest points of two disjoint cores: (distance squared, x, y on a, x, y on b, both vertices?, which of a, of b).
+
+    Points are measured from the centre of a. Brute force over vertex and edge: exact, and only met by rounded shapes
+    whose cores do not overlap, and by those who ask for a distance.
+    """
+    best = FAR
+    ax = 0.0
+    ay = 0.0
+    bx = 0.0
+    by = 0.0
+    both = False
+    vertex_a = 0
+    vertex_b = 0
+    for j in range(b_count):
+        px = cores[b + j].x + dx
+        py = cores[b + j].y + dy
+        square, x, y, feature, is_vertex = nearest_on_edges(cores, a, a_count, px, py)
+        if square < best:
+            best = square
+            ax = x
+            ay = y
+            bx = px
+            by = py
+            both = is_vertex
+            vertex_a = feature
+            vertex_b = j
+    for i in range(a_count):
+        px = cores[a + i].x
+        py = cores[a + i].y
+        square, x, y, feature, is_vertex = nearest_on_edges(cores, b, b_count, px - dx, py - dy)
+        if square < best:
+            best = square
+            ax = px
+            ay = py
+            bx = x + dx
+            by = y + dy
+            both = is_vertex
+            vertex_a = i
+            vertex_b = feature
+    return best, ax, ay, bx, by, both, vertex_a, vertex_b
+
+
+@kernel
 def closest_vertices(
     cores: Records, a: int, a_count: int, b: int, b_count: int, dx: float, dy: float
 ) -> tuple[bool, int, int, float, float, float]:
     """Whether two disjoint cores are closest at two vertices: (yes, vertex of a, vertex of b, axis x, y, distance).
 
     The unit axis points from a to b. When a vertex faces the inside of an edge instead, the face normals of the
-    separating-axis test already hold the right axis and the answer is no. Brute force over vertex and edge: exact,
-    and only met by rounded shapes whose cores do not overlap.
+    separating-axis test already hold the right axis and the answer is no.
     """
-    best = FAR
-    both = False
-    vertex_a = 0
-    vertex_b = 0
-    for j in range(b_count):
-        row = cores[b + j]
-        square, _x, _y, feature, is_vertex = nearest_on_edges(cores, a, a_count, row.x + dx, row.y + dy)
-        if square < best:
-            best = square
-            both = is_vertex
-            vertex_a = feature
-            vertex_b = j
-    for i in range(a_count):
-        row = cores[a + i]
-        square, _x, _y, feature, is_vertex = nearest_on_edges(cores, b, b_count, row.x - dx, row.y - dy)
-        if square < best:
-            best = square
-            both = is_vertex
-            vertex_a = i
-            vertex_b = feature
+    best, _ax, _ay, _bx, _by, both, vertex_a, vertex_b = closest_points(cores, a, a_count, b, b_count, dx, dy)
     if not both or best <= 0.0:
         return False, 0, 0, 0.0, 0.0, 0.0
     gx = cores[b + vertex_b].x + dx - cores[a + vertex_a].x

@@ -11,7 +11,7 @@ import math
 
 from sandbox._jit import ZERO, kernel
 from sandbox.geometry.closest import closest_vertices
-from sandbox.geometry.sat import face_separation, facing_edge, support_vertex
+from sandbox.geometry.sat import face_separation, facing_edge, pair_size, support_vertex
 from sandbox.tables import Field, Records, Table
 
 MANIFOLD = Table(
@@ -34,8 +34,8 @@ MANIFOLD = Table(
     ),
 )
 
-_TIE = 1e-9
-"""Relative difference below which two separations count as equal."""
+_ROUNDING = 4e-15
+"""How far a computed separation may be off, as a share of the pair's size."""
 
 
 @kernel
@@ -72,15 +72,17 @@ def collide_cores(
         return 0
     flip = face_a < 0 or (face_b >= 0 and separation_b > separation_a + face_bias)
     core_separation = separation_b if flip else separation_a
-    # Points and segments in one line overlap on all their face normals, however far apart they are.
-    flat = a_count <= 2 and b_count <= 2 and core_separation > -_TIE * radii
-    if radii > 0.0 and (core_separation > 0.0 or flat):
-        corner, i, j, nx, ny, distance = closest_vertices(cores, a, a_count, b, b_count, dx, dy)
-        # Faces that lie flat on each other are as close at their corners: there the face gives the better manifold.
-        if corner and distance > core_separation * (1.0 + _TIE) + face_bias:
-            if distance > reach:
-                return 0
-            return _corner_point(cores, a, i, a_radius, j, b_radius, nx, ny, distance, m)
+    if radii > 0.0:
+        # Points and lines in one line overlap on all their face normals, however far apart they are, and so do slivers
+        # to rounding: only a clear overlap of the cores rules their corners out.
+        slack = _ROUNDING * pair_size(cores, a, a_count, b, b_count, dx, dy)
+        if core_separation > -slack:
+            corner, i, j, nx, ny, distance = closest_vertices(cores, a, a_count, b, b_count, dx, dy)
+            # Faces flat on each other are as close at their corners: there the face gives the better manifold.
+            if corner and distance > core_separation + 3.0 * slack + face_bias:
+                if distance > reach:
+                    return 0
+                return _corner_point(cores, a, i, a_radius, j, b_radius, nx, ny, distance, m)
     m.separation = core_separation - radii
     m.axis_owner = 1 if flip else 0
     m.axis_edge = face_b if flip else face_a

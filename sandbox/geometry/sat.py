@@ -71,3 +71,19 @@ def support_vertex(cores: Records, start: int, count: int, nx: float, ny: float)
             lowest = along
             deepest = i
     return deepest
+
+
+@kernel
+def core_size(cores: Records, start: int, count: int) -> float:
+    """Farthest vertex of a core from its own centre, |x| + |y| in metres."""
+    size = 0.0
+    for i in range(start, start + count):
+        reach = abs(cores[i].x) + abs(cores[i].y)
+        size = reach if reach > size else size
+    return size
+
+
+@kernel
+def pair_size(cores: Records, a: int, a_count: int, b: int, b_count: int, dx: float, dy: float) -> float:
+    """Size of two cores and the way between them in metres: rounding errors of the test are a share of it."""
+    return core_size(cores, a, a_count) + core_size(cores, b, b_count) + abs(dx) + abs(dy)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from typing import Self
+from typing import Protocol, Self
 
 from sandbox._jit import interpreted
 from sandbox.errors import ShapeError
@@ -20,6 +20,18 @@ from sandbox.geometry.trig import cos_sin
 _cos_sin = interpreted(cos_sin)
 _STRAIGHT = 10**13
 """A corner of a `Polygon` flatter than its size divided by this is dropped: it is below what the test can tell."""
+
+
+class Core(Protocol):
+    """What the tests ask of a shape: vertices counter-clockwise and the radius around them, metres."""
+
+    @property
+    def vertices(self) -> tuple[Vec, ...]:
+        """1 point, 2 points or the corners of a polygon."""
+
+    @property
+    def radius(self) -> float:
+        """Rounding, m."""
 
 
 @dataclass(frozen=True)
