@@ -1,12 +1,4 @@
-"""Stage: the uniform grid proposes pairs.
-
-A shape lies in exactly one cell: the one that holds the middle of its box, on the level whose cells are wider than
-the box. So two boxes overlap only if their cells, seen on the coarser of the two levels, are the same or neighbours.
-That keeps the grid O(n) where a single cell size fails: dust on a huge ground (two levels), bodies scattered over a
-million metres (cells are hashed, empty ones cost nothing), and a fast body with a long box (a coarser level, still
-one cell). Cells are laid into buckets by counting sort; cells next to each other in a row are next to each other in
-memory.
-"""
+"""Stage: the uniform grid (`grid.py`) proposes pairs."""
 
 from __future__ import annotations
 
@@ -14,18 +6,8 @@ import math
 
 from sandbox._jit import ZERO, inlined_kernel, kernel
 from sandbox.engine.bounds import ACTIVE, DRIVEN, SLEEPS
+from sandbox.engine.grid import LEVELS, boxes_overlap, bucket, cells_per_metre, fill_grid
 from sandbox.tables import Integers, Records
-
-LEVELS = 96
-"""Cells from 2**-40 to 2**55 times the base cell, which fits the most common size of shape."""
-_LOWEST = -40
-_SPARSE = 8
-LEVEL_SPACE = (2 + _SPARSE) * LEVELS
-_SLACK = 1.01
-_ROUNDING = 1e-14
-_CELL_BITS = (1 << 26) - 1
-_ROW_STRIDE = 40503001
-_LEVEL_STRIDE = 9973
 
 
 @kernel
@@ -37,12 +19,8 @@ def find_pairs(
     Pairs past the capacity of `pairs` are counted but not written. `ordered`, `heads` and `levels` (`LEVEL_SPACE`
     items) are scratch. The order of the pairs follows the grid: see `sort_pairs`.
     """
-    population = levels[LEVELS : 2 * LEVELS]
     sparse = levels[2 * LEVELS :]
-    base = _base_cell(boxes, population)
-    used = _assign_cells(boxes, base, population, levels)
-    _order_by_bucket(boxes, ordered, heads)
-    sparse_count = _list_sparse_levels(ordered, population, sparse)
+    base, used, sparse_count = fill_grid(boxes, ordered, heads, levels)
     count = ZERO
     for i in range(ordered.shape[0]):
         count = _pairs_on_own_level(ordered, owners, i, heads, pairs, count)
@@ -54,115 +32,16 @@ def find_pairs(
 
 
 @kernel
-def _box_size(box: Records) -> float:
-    """Longer side of a box and a little more: the slack covers the rounding of the middle far from the origin."""
-    width = box.upper_x - box.lower_x
-    height = box.upper_y - box.lower_y
-    reach = abs(box.lower_x) + abs(box.upper_x) + abs(box.lower_y) + abs(box.upper_y)
-    return float((width if width > height else height) * _SLACK + _ROUNDING * reach)
-
-
-@kernel
-def _octave(size: float) -> int:
-    """Smallest n with size < 2**n, within the range of levels."""
-    n = math.frexp(size)[1]
-    n = n if n > _LOWEST else _LOWEST
-    return n if n < _LOWEST + LEVELS - 1 else _LOWEST + LEVELS - 1
-
-
-@kernel
-def _base_cell(boxes: Records, population: Integers) -> float:
-    """Width of the cells of level 0 in metres: it just fits all boxes of the octave in which most boxes lie."""
-    for k in range(LEVELS):
-        population[k] = 0
-    for i in range(boxes.shape[0]):
-        population[_octave(_box_size(boxes[i])) - _LOWEST] += 1
-    most = 0
-    for k in range(LEVELS):
-        most = k if population[k] > population[most] else most
-    base = 0.0
-    for i in range(boxes.shape[0]):
-        size = _box_size(boxes[i])
-        if size > base and _octave(size) - _LOWEST == most:
-            base = size
-    return base if base > 0.0 else 1.0
-
-
-@kernel
-def _assign_cells(boxes: Records, base: float, population: Integers, levels: Integers) -> int:
-    """Give every box its level and cell; list in `levels` those with many boxes, ascending, and return how many."""
-    for k in range(LEVELS):
-        population[k] = 0
-    for i in range(boxes.shape[0]):
-        box = boxes[i]
-        ratio = _box_size(box) / base
-        level = 0 if 0.5 < ratio <= 1.0 else _octave(ratio)
-        inverse = _cells_per_metre(base, level)
-        box.level = level
-        box.cell_x = math.floor(0.5 * (box.lower_x + box.upper_x) * inverse)
-        box.cell_y = math.floor(0.5 * (box.lower_y + box.upper_y) * inverse)
-        population[level - _LOWEST] += 1
-    used = 0
-    for k in range(LEVELS):
-        if population[k] > _SPARSE:
-            levels[used] = k + _LOWEST
-            used += 1
-    return used
-
-
-@kernel
-def _list_sparse_levels(ordered: Records, population: Integers, sparse: Integers) -> int:
-    """List the boxes of levels with few boxes: to go through them all is cheaper than to look into cells."""
-    count = 0
-    for i in range(ordered.shape[0]):
-        if population[ordered[i].level - _LOWEST] <= _SPARSE:
-            sparse[count] = i
-            count += 1
-    return count
-
-
-@inlined_kernel
-def _cells_per_metre(base: float, level: int) -> float:
-    return math.ldexp(1.0, -int(level)) / base
-
-
-@inlined_kernel
-def _bucket(cell_x: int, cell_y: int, level: int, heads: Integers) -> int:
-    """Bucket of a cell; the row is kept contiguous, rows and levels are spread."""
-    row = (cell_y & _CELL_BITS) * _ROW_STRIDE
-    return int(((cell_x & _CELL_BITS) + row + level * _LEVEL_STRIDE) & (heads.shape[0] - 2))
-
-
-@kernel
-def _order_by_bucket(boxes: Records, ordered: Records, heads: Integers) -> None:
-    """Counting sort: bucket k is `ordered[heads[k]:heads[k + 1]]`, in the order of the shapes."""
-    for k in range(heads.shape[0]):
-        heads[k] = 0
-    for i in range(boxes.shape[0]):
-        box = boxes[i]
-        heads[_bucket(box.cell_x, box.cell_y, box.level, heads)] += 1
-    total = 0
-    for k in range(heads.shape[0]):
-        total += heads[k]
-        heads[k] = total
-    for i in range(boxes.shape[0] - 1, -1, -1):
-        box = boxes[i]
-        k = _bucket(box.cell_x, box.cell_y, box.level, heads)
-        heads[k] -= 1
-        ordered[heads[k]] = box
-
-
-@kernel
 def _pairs_on_own_level(ordered: Records, owners: Records, i: int, heads: Integers, pairs: Records, count: int) -> int:
     """Pairs of box i with later boxes of its own cell and with half of the neighbour cells."""
     box = ordered[i]
     x = box.cell_x
     y = box.cell_y
     level = box.level
-    own = _bucket(x, y, level, heads)
+    own = bucket(x, y, level, heads)
     count = _pairs_in_cell(ordered, owners, i, i + 1, heads[own + 1], x, y, level, pairs, count)
     for dx, dy in ((1, 0), (-1, 1), (0, 1), (1, 1)):
-        k = _bucket(x + dx, y + dy, level, heads)
+        k = bucket(x + dx, y + dy, level, heads)
         count = _pairs_in_cell(ordered, owners, i, heads[k], heads[k + 1], x + dx, y + dy, level, pairs, count)
     return count
 
@@ -175,7 +54,7 @@ def _pairs_on_sparse_levels(
     box = ordered[i]
     for k in range(sparse_count):
         other = ordered[sparse[k]]
-        if other.level > box.level and _overlap(box, other):
+        if other.level > box.level and boxes_overlap(box, other):
             count = _propose(owners, box.shape_index, other.shape_index, pairs, count)
     return count
 
@@ -186,14 +65,14 @@ def _pairs_on_coarser_level(
 ) -> int:
     """Pairs of box i with the boxes of a coarser level: their middles are at most half a cell outside of it."""
     box = ordered[i]
-    inverse = _cells_per_metre(base, level)
+    inverse = cells_per_metre(base, level)
     first_x = math.floor(box.lower_x * inverse - 0.5)
     first_y = math.floor(box.lower_y * inverse - 0.5)
     last_x = math.floor(box.upper_x * inverse + 0.5)
     last_y = math.floor(box.upper_y * inverse + 0.5)
     for y in range(first_y, last_y + 1):
         for x in range(first_x, last_x + 1):
-            k = _bucket(x, y, level, heads)
+            k = bucket(x, y, level, heads)
             count = _pairs_in_cell(ordered, owners, i, heads[k], heads[k + 1], x, y, level, pairs, count)
     return count
 
@@ -215,19 +94,11 @@ def _pairs_in_cell(
     box = ordered[i]
     for j in range(first, end):
         other = ordered[j]
-        if not _overlap(box, other):
+        if not boxes_overlap(box, other):
             continue
         if other.cell_x == x and other.cell_y == y and other.level == level:
             count = _propose(owners, box.shape_index, other.shape_index, pairs, count)
     return count
-
-
-@inlined_kernel
-def _overlap(a: Records, b: Records) -> bool:
-    """Whether two boxes share a point. One branch for all bounds: each alone would be a coin toss to the processor."""
-    apart_x = (a.lower_x > b.upper_x) | (b.lower_x > a.upper_x)
-    apart_y = (a.lower_y > b.upper_y) | (b.lower_y > a.upper_y)
-    return bool(not (apart_x | apart_y))
 
 
 @kernel

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sandbox.engine.broad_phase import LEVEL_SPACE
 from sandbox.engine.contact_blocks import BLOCK_SIZE, GATHER_SIZE, LANES, MAX_COLORS
+from sandbox.engine.grid import LEVEL_SPACE
 from sandbox.geometry.manifold import MANIFOLD
 from sandbox.tables import Field, Floats, Integers, Records, Table
 from sandbox.world.records import CONTACT, VERTEX

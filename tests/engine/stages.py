@@ -18,6 +18,7 @@ from sandbox.engine import (
     contact_prepare,
     contact_solver,
     drags,
+    grid,
     impacts,
     integrate,
     islands,
@@ -81,7 +82,7 @@ class Grid:
         while buckets < 2 * self.count:
             buckets *= 2
         self.heads = np.zeros(buckets + 1, np.int64)
-        self.levels = np.zeros(broad_phase.LEVEL_SPACE, np.int64)
+        self.levels = np.zeros(grid.LEVEL_SPACE, np.int64)
         for i, box in enumerate(boxes):
             row, owner = self.boxes[i], self.owners[i]
             row.lower_x, row.lower_y = box.lower

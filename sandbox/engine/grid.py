@@ -1,0 +1,149 @@
+"""The uniform grid: where boxes lie, so that those near a place are found without looking at all.
+
+A box lies in exactly one cell: the one that holds its middle, on the level whose cells are wider than the box. So two
+boxes overlap only if their cells, seen on the coarser of the two levels, are the same or neighbours. That keeps the
+grid O(n) where a single cell size fails: dust on a huge ground (two levels), bodies scattered over a million metres
+(cells are hashed, empty ones cost nothing), and a fast body with a long box (a coarser level, still one cell). Cells
+are laid into buckets by counting sort; cells next to each other in a row are next to each other in memory.
+"""
+
+from __future__ import annotations
+
+import math
+
+from sandbox._jit import inlined_kernel, kernel
+from sandbox.tables import Integers, Records
+
+LEVELS = 96
+"""Cells from 2**-40 to 2**55 times the base cell, which fits the most common size of shape."""
+LOWEST = -40
+SPARSE = 8
+"""Levels with more boxes than this are looked into cell by cell; the boxes of the others are gone through."""
+LEVEL_SPACE = (2 + SPARSE) * LEVELS
+_SLACK = 1.01
+_ROUNDING = 1e-14
+_CELL_BITS = (1 << 26) - 1
+_ROW_STRIDE = 40503001
+_LEVEL_STRIDE = 9973
+
+
+@kernel
+def fill_grid(boxes: Records, ordered: Records, heads: Integers, levels: Integers) -> tuple[float, int, int]:
+    """Lay `boxes` into cells: (width of the cells of level 0 in metres, levels with many boxes, sparse boxes).
+
+    `ordered` gets the boxes bucket by bucket: bucket k is `ordered[heads[k] : heads[k + 1]]`. `levels` (`LEVEL_SPACE`
+    items) gets the levels with many boxes, ascending; from `2 * LEVELS` on, the rows in `ordered` of the boxes on
+    levels with few.
+    """
+    population = levels[LEVELS : 2 * LEVELS]
+    base = _base_cell(boxes, population)
+    used = _assign_cells(boxes, base, population, levels)
+    _order_by_bucket(boxes, ordered, heads)
+    return base, used, _list_sparse_levels(ordered, population, levels[2 * LEVELS :])
+
+
+@kernel
+def _box_size(box: Records) -> float:
+    """Longer side of a box and a little more: the slack covers the rounding of the middle far from the origin."""
+    width = box.upper_x - box.lower_x
+    height = box.upper_y - box.lower_y
+    reach = abs(box.lower_x) + abs(box.upper_x) + abs(box.lower_y) + abs(box.upper_y)
+    return float((width if width > height else height) * _SLACK + _ROUNDING * reach)
+
+
+@kernel
+def _octave(size: float) -> int:
+    """Smallest n with size < 2**n, within the range of levels."""
+    n = math.frexp(size)[1]
+    n = n if n > LOWEST else LOWEST
+    return n if n < LOWEST + LEVELS - 1 else LOWEST + LEVELS - 1
+
+
+@kernel
+def _base_cell(boxes: Records, population: Integers) -> float:
+    """Width of the cells of level 0 in metres: it just fits all boxes of the octave in which most boxes lie."""
+    for k in range(LEVELS):
+        population[k] = 0
+    for i in range(boxes.shape[0]):
+        population[_octave(_box_size(boxes[i])) - LOWEST] += 1
+    most = 0
+    for k in range(LEVELS):
+        most = k if population[k] > population[most] else most
+    base = 0.0
+    for i in range(boxes.shape[0]):
+        size = _box_size(boxes[i])
+        if size > base and _octave(size) - LOWEST == most:
+            base = size
+    return base if base > 0.0 else 1.0
+
+
+@kernel
+def _assign_cells(boxes: Records, base: float, population: Integers, levels: Integers) -> int:
+    """Give every box its level and cell; list in `levels` those with many boxes, ascending, and return how many."""
+    for k in range(LEVELS):
+        population[k] = 0
+    for i in range(boxes.shape[0]):
+        box = boxes[i]
+        ratio = _box_size(box) / base
+        level = 0 if 0.5 < ratio <= 1.0 else _octave(ratio)
+        inverse = cells_per_metre(base, level)
+        box.level = level
+        box.cell_x = math.floor(0.5 * (box.lower_x + box.upper_x) * inverse)
+        box.cell_y = math.floor(0.5 * (box.lower_y + box.upper_y) * inverse)
+        population[level - LOWEST] += 1
+    used = 0
+    for k in range(LEVELS):
+        if population[k] > SPARSE:
+            levels[used] = k + LOWEST
+            used += 1
+    return used
+
+
+@kernel
+def _list_sparse_levels(ordered: Records, population: Integers, sparse: Integers) -> int:
+    """List the boxes of levels with few boxes: to go through them all is cheaper than to look into cells."""
+    count = 0
+    for i in range(ordered.shape[0]):
+        if population[ordered[i].level - LOWEST] <= SPARSE:
+            sparse[count] = i
+            count += 1
+    return count
+
+
+@inlined_kernel
+def cells_per_metre(base: float, level: int) -> float:
+    return math.ldexp(1.0, -int(level)) / base
+
+
+@inlined_kernel
+def bucket(cell_x: int, cell_y: int, level: int, heads: Integers) -> int:
+    """Bucket of a cell; the row is kept contiguous, rows and levels are spread."""
+    row = (cell_y & _CELL_BITS) * _ROW_STRIDE
+    return int(((cell_x & _CELL_BITS) + row + level * _LEVEL_STRIDE) & (heads.shape[0] - 2))
+
+
+@kernel
+def _order_by_bucket(boxes: Records, ordered: Records, heads: Integers) -> None:
+    """Counting sort: bucket k is `ordered[heads[k]:heads[k + 1]]`, in the order of the shapes."""
+    for k in range(heads.shape[0]):
+        heads[k] = 0
+    for i in range(boxes.shape[0]):
+        box = boxes[i]
+        heads[bucket(box.cell_x, box.cell_y, box.level, heads)] += 1
+    total = 0
+    for k in range(heads.shape[0]):
+        total += heads[k]
+        heads[k] = total
+    for i in range(boxes.shape[0] - 1, -1, -1):
+        box = boxes[i]
+        k = bucket(box.cell_x, box.cell_y, box.level, heads)
+        heads[k] -= 1
+        ordered[heads[k]] = box
+
+
+@inlined_kernel
+def boxes_overlap(a: Records, b: Records) -> bool:
+    """Whether two boxes share a point. One branch for all bounds: each alone would be a coin toss to the processor."""
+    apart_x = (a.lower_x > b.upper_x) | (b.lower_x > a.upper_x)
+    apart_y = (a.lower_y > b.upper_y) | (b.lower_y > a.upper_y)
+    return bool(not (apart_x | apart_y))
