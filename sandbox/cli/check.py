@@ -53,21 +53,21 @@ def check(
     raise typer.Exit(exit_code(results))
 
 
-def find_files(paths: Sequence[Path], only: str = "") -> list[Path]:
-    """The scene files meant by `paths`, each once, in order. Raises `SandboxError` if there are none."""
-    found = [file for path in paths for file in _files_of(path)]
+def find_files(paths: Sequence[Path], only: str = "", verb: str = "check") -> list[Path]:
+    """The scene files meant by `paths`, each once, in order. Raises `SandboxError` if there is nothing to `verb`."""
+    found = [file for path in paths for file in _files_of(path, verb)]
     files = [file for file in dict.fromkeys(found) if only in file.as_posix()]
     if not files:
-        raise SandboxError(f"nothing to check: no path contains {only!r}")
+        raise SandboxError(f"nothing to {verb}: no path contains {only!r}")
     return files
 
 
-def _files_of(path: Path) -> list[Path]:
+def _files_of(path: Path, verb: str) -> list[Path]:
     if not path.is_dir():
         return [find_scene(path)]
     files = sorted(path.rglob("*" + SCENE_SUFFIX))
     if not files:
-        raise SandboxError(f"nothing to check: no *{SCENE_SUFFIX} in {path} or below")
+        raise SandboxError(f"nothing to {verb}: no *{SCENE_SUFFIX} in {path} or below")
     return files
 
 

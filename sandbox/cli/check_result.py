@@ -82,7 +82,7 @@ def document(results: Sequence[Result], seconds: float) -> dict[str, Any]:
 def _scene_entry(result: Result) -> dict[str, Any]:
     entry: dict[str, Any] = {"path": result.path.as_posix(), "verdict": result.word}
     if result.trial is None or result.scene is None:
-        return {**entry, "problems": _problems(result.error)}
+        return {**entry, "problems": problems(result.error)}
     trial = result.trial
     return {
         **entry,
@@ -95,9 +95,10 @@ def _scene_entry(result: Result) -> dict[str, Any]:
     }
 
 
-def _problems(error: Exception | None) -> list[dict[str, Any]]:
-    problems = error.problems if isinstance(error, SceneError) else [Problem(str(error))]
-    return [asdict(problem) for problem in problems]
+def problems(error: Exception | None) -> list[dict[str, Any]]:
+    """What kept a file from running, as entries of the JSON document."""
+    found = error.problems if isinstance(error, SceneError) else [Problem(str(error))]
+    return [asdict(problem) for problem in found]
 
 
 def _expectation_entry(result: Result, verdict: Verdict) -> dict[str, Any]:

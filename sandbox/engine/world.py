@@ -79,6 +79,11 @@ class World:
         return self.state.contacts[: int(self.state.counters[0].contact_count)]
 
     @property
+    def scratch(self) -> Scratch:
+        """What the last step left in its memory (boxes, proposed pairs), for tools that look into it; read only."""
+        return self._scratch
+
+    @property
     def frozen(self) -> list[tuple[str, int]]:
         """(body id, step) of every body that bad numbers froze."""
         rows = self.state.bodies.frozen_step

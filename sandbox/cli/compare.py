@@ -1,0 +1,151 @@
+"""`sandbox compare`: run scenes headless and hold every decision about a pair of shapes against pymunk."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from sandbox.errors import SandboxError
+from sandbox.resources import SCENE_SUFFIX
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from sandbox.cli.compare_result import Result
+    from sandbox.cli.progress import SceneProgress
+
+_PATHS = typer.Argument(metavar="PATH", help=f"Scene files, or folders to search for *{SCENE_SUFFIX}.")
+_STEPS = typer.Option(
+    min=1, max=10_000_000, metavar="N", show_default=False, help="Steps to run instead of a scene's own number."
+)
+_EVERY = typer.Option(min=1, metavar="N", help="Compare only every N-th step.")
+_ONLY = typer.Option("-k", "--only", metavar="TEXT", show_default=False, help="Only files whose path contains TEXT.")
+_JSON = typer.Option("--json", help="Print one JSON document instead of the table.")
+_SAVE = typer.Option(
+    metavar="FOLDER", show_default=False, help="Write each disagreement into this folder as a test for pytest."
+)
+_TWIN = typer.Option("--twin", help="Simulate the whole scene in pymunk too, and show how the two drift apart.")
+_PLOT = typer.Option(metavar="FILE", show_default=False, help="With --twin: draw the curves into NAME.svg or NAME.png.")
+
+
+def compare(
+    paths: Annotated[list[Path], _PATHS],
+    steps: Annotated[int | None, _STEPS] = None,
+    every: Annotated[int, _EVERY] = 1,
+    only: Annotated[str, _ONLY] = "",
+    save: Annotated[Path | None, _SAVE] = None,
+    twin: Annotated[bool, _TWIN] = False,
+    plot: Annotated[Path | None, _PLOT] = None,
+    json: Annotated[bool, _JSON] = False,
+) -> None:
+    """Run scenes without a window and ask pymunk about every pair of shapes whose boxes overlap, at every step.
+
+    The pairs are found by looking at all of them, so one that the grid missed shows up. Where the two engines
+    disagree, exact arithmetic decides; known errors of pymunk are counted by name.
+
+    Exit code 0: no disagreement and no missed pair.
+    Exit code 1: there is one.
+    Exit code 2: a file could not be used; the other scenes still ran.
+    """
+    from sandbox.cli.check import find_files
+    from sandbox.cli.compiling import announce_compilation
+
+    _check_options(twin, plot, save)
+    files = find_files(paths, only, "compare")
+    announce_compilation()
+    if twin:
+        from sandbox.cli.compare_twin import run_twins
+
+        raise typer.Exit(run_twins(files, steps, every, plot, json))
+    from sandbox.cli.compare_result import exit_code
+
+    results = _run_for_machines(files, steps, every, save) if json else _run_for_people(files, steps, every, save)
+    raise typer.Exit(exit_code(results))
+
+
+def _check_options(twin: bool, plot: Path | None, save: Path | None) -> None:
+    if plot is not None and not twin:
+        raise SandboxError("--plot draws the curves of --twin: give both")
+    if save is not None and twin:
+        raise SandboxError("--save writes disagreements on single pairs; --twin has none: give one of the two")
+    if save is not None and save.exists() and not save.is_dir():
+        raise SandboxError(f"{save}: not a folder; --save needs one to write into")
+
+
+def _run_for_people(files: Sequence[Path], steps: int | None, every: int, save: Path | None) -> list[Result]:
+    from rich.console import Console
+
+    from sandbox.cli.compare_table import Table
+
+    out = Console(soft_wrap=True, highlight=False)
+    table = Table(out, files)
+    table.head()
+    start = time.perf_counter()
+    # On one terminal the bar and the lines must share a console, or they would overwrite each other.
+    bar = out if out.is_terminal else Console(stderr=True)
+    results = _run_all(files, steps, every, save, bar, table.show)
+    table.summary(results, time.perf_counter() - start)
+    return results
+
+
+def _run_for_machines(files: Sequence[Path], steps: int | None, every: int, save: Path | None) -> list[Result]:
+    import json
+
+    from rich.console import Console
+
+    from sandbox.cli.compare_result import document
+
+    start = time.perf_counter()
+    results = _run_all(files, steps, every, save, Console(stderr=True), _report_error)
+    print(json.dumps(document(results, time.perf_counter() - start), indent=2, ensure_ascii=False))
+    return results
+
+
+def _report_error(result: Result) -> None:
+    from sandbox.cli.failures import report
+
+    if result.error is not None:
+        report(result.error)
+
+
+def _run_all(
+    files: Sequence[Path],
+    steps: int | None,
+    every: int,
+    save: Path | None,
+    console: Console,
+    show: Callable[[Result], None],
+) -> list[Result]:
+    from sandbox.cli.progress import SceneProgress
+
+    results = []
+    with SceneProgress(console, len(files)) as progress:
+        for result in _results(files, steps, every, save, progress):
+            show(result)
+            results.append(result)
+    return results
+
+
+def _results(
+    files: Sequence[Path], steps: int | None, every: int, save: Path | None, progress: SceneProgress
+) -> Iterator[Result]:
+    from sandbox.cli.compare_result import Result
+    from sandbox.reference.comparison import compare
+    from sandbox.reference.regression import save_regressions
+    from sandbox.replay.trial import planned_steps
+    from sandbox.scene import load_scene
+
+    for file in files:
+        try:
+            scene = load_scene(file)
+            total = planned_steps(scene, steps) if steps is None else steps
+            progress.begin(file.name, total)
+            tally = compare(scene, total, every, progress.done)
+            saved = save_regressions(scene, file, tally, save) if save is not None else []
+            yield Result(file, scene, tally, saved)
+        except (SandboxError, OSError) as error:
+            yield Result(file, error=error)

@@ -1,0 +1,189 @@
+"""A scene run with pymunk looking over its shoulder: every pair of every step is decided twice."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from sandbox.engine.world import World
+from sandbox.reference.ask_pymunk import Answers, Probe
+from sandbox.reference.brute_force import overlapping_pairs, that_matter
+from sandbox.reference.decide import decide
+from sandbox.reference.pair import Pair
+from sandbox.reference.poses import Poses
+from sandbox.reference.settle import Answer, Settled, settle
+from sandbox.reference.tolerance import ROUNDING
+from sandbox.reference.weigh import Weighed, find_rows, weigh
+from sandbox.scene import Scene
+from sandbox.scene.flat import FlatScene
+from sandbox.tables import Floats, Integers
+
+KEEP = 100
+"""Disagreements of a scene kept with their poses; more are only counted."""
+_REPORT_EVERY = 16
+
+
+@dataclass(frozen=True)
+class Disagreement:
+    """One pair on which the engine is wrong, or pymunk in a way that has no name yet.
+
+    `what` is `verdict`, `depth or axis`, `no contact` or `contact axis`; the latter two concern the step's contact.
+    `names` are the bodies, `shapes` the rows of the shapes.
+    """
+
+    step: int
+    what: str
+    names: tuple[str, str]
+    shapes: tuple[int, int]
+    pair: Pair
+    ours: Answer
+    theirs: Answer
+    settled: Settled
+
+    @property
+    def who_is_wrong(self) -> str:
+        """`sandbox`, or `pymunk` where exact arithmetic confirms this engine and no trap explains pymunk."""
+        own = self.settled.faults or self.what in ("no contact", "contact axis")
+        return "sandbox" if own else "pymunk"
+
+
+@dataclass(frozen=True)
+class Miss:
+    """A pair of overlapping boxes that the grid did not propose."""
+
+    step: int
+    names: tuple[str, str]
+    shapes: tuple[int, int]
+
+
+@dataclass
+class Comparison:
+    """The tally of a scene. Lengths in m, angles in rad; `pymunk_wrong` counts by the names of the traps."""
+
+    steps: int = 0
+    pairs: int = 0
+    agreed: int = 0
+    touching: int = 0
+    disagreed: int = 0
+    missed: int = 0
+    other_axis: int = 0
+    depth_error: float = 0.0
+    normal_error: float = 0.0
+    pymunk_wrong: Counter[str] = field(default_factory=Counter)
+    disagreements: list[Disagreement] = field(default_factory=list)
+    misses: list[Miss] = field(default_factory=list)
+
+    @property
+    def agrees(self) -> bool:
+        """True if there is no disagreement and no missed pair."""
+        return not self.disagreed and not self.missed
+
+
+def compare(
+    scene: Scene | FlatScene, steps: int, every: int = 1, on_steps: Callable[[int], None] | None = None, first: int = 1
+) -> Comparison:
+    """Run `scene` for `steps` steps and hold every `every`-th, from step `first` on, against pymunk.
+
+    A step decides on the poses at its beginning, so step 1 is about the scene as it was written. `on_steps` hears now
+    and then how many steps are done.
+    """
+    world = World(scene)
+    observer = Observer(world)
+    for k in range(1, steps + 1):
+        if k >= first and (k - first) % every == 0:
+            observer.step()
+        else:
+            world.step()
+        if on_steps is not None and k % _REPORT_EVERY == 0:
+            on_steps(k)
+    return observer.tally
+
+
+class Observer:
+    """Steps a world and compares; `tally` is what came of it so far."""
+
+    def __init__(self, world: World) -> None:
+        self.world = world
+        self.tally = Comparison()
+        self._probe = Probe(self._poses(), world.state.vertices)
+
+    def _poses(self) -> Poses:
+        state = self.world.state
+        return Poses.of(state.bodies, state.shapes, state.vertices)
+
+    def step(self) -> None:
+        """One step of the world, compared."""
+        poses = self._poses()
+        self.world.step()
+        self.tally.steps += 1
+        candidates = that_matter(overlapping_pairs(self._search_boxes(poses)), poses.bodies, poses.shapes)
+        self._note_misses(candidates)
+        pairs = candidates[_overlap(poses.boxes[candidates[:, 0]], poses.boxes[candidates[:, 1]])]
+        if len(pairs):
+            self._weigh(poses, pairs)
+
+    def _search_boxes(self, poses: Poses) -> Floats:
+        """The step's own boxes, which cover margins and ways, widened where a shape sticks out of its box."""
+        rows = self.world.scratch.boxes
+        boxes = np.stack([rows.lower_x, rows.lower_y, rows.upper_x, rows.upper_y], axis=1)
+        tight, slack = poses.boxes, ROUNDING * np.abs(poses.boxes).max(axis=1, keepdims=True, initial=0.0)
+        lower, upper = tight[:, :2] + slack, tight[:, 2:] - slack
+        return np.concatenate([np.minimum(boxes[:, :2], lower), np.maximum(boxes[:, 2:], upper)], axis=1)
+
+    def _note_misses(self, candidates: Integers) -> None:
+        rows: Any = self.world.scratch.pairs[: int(self.world.state.counters[0].pair_count)]
+        proposed = np.stack([rows.shape_a, rows.shape_b], axis=1)
+        missed = candidates[find_rows(candidates, proposed, len(self.world.state.shapes)) < 0]
+        self.tally.missed += len(missed)
+        for a, b in missed[: KEEP - len(self.tally.misses)].tolist():
+            self.tally.misses.append(Miss(self.world.step_count, self._names(a, b), (a, b)))
+
+    def _weigh(self, poses: Poses, pairs: Integers) -> None:
+        separation, normal = decide(poses, pairs)
+        theirs = self._probe.ask(poses, pairs)
+        weighed = weigh(poses, pairs, separation, normal, theirs, self.world.contacts)
+        tally = self.tally
+        tally.pairs += len(pairs)
+        tally.agreed += int(weighed.agreed.sum())
+        tally.touching += int(weighed.touching.sum())
+        tally.other_axis += weighed.other_axis
+        tally.depth_error = max(tally.depth_error, weighed.depth_error)
+        tally.normal_error = max(tally.normal_error, weighed.normal_error)
+        for found in self._open(poses, pairs, separation, normal, theirs, weighed):
+            self._note(found)
+
+    def _open(
+        self, poses: Poses, pairs: Integers, separation: Floats, normal: Floats, theirs: Answers, weighed: Weighed
+    ) -> Iterator[Disagreement]:
+        """Every pair left open, with what the third referee says of it."""
+        for k in np.flatnonzero(~(weighed.agreed | weighed.touching)).tolist():
+            a, b = pairs[k].tolist()
+            pair = poses.pair(a, b)
+            ours = Answer(float(separation[k]), (float(normal[k, 0]), float(normal[k, 1])))
+            other = Answer(-float(theirs.depth[k]), (float(theirs.normal[k, 0]), float(theirs.normal[k, 1])))
+            other = other if theirs.hit[k] else Answer(None)
+            what = "no contact" if weighed.lost[k] else "contact axis" if weighed.askew[k] else ""
+            what = what or ("verdict" if theirs.hit[k] != (separation[k] < 0.0) else "depth or axis")
+            settled = settle(pair, ours, other)
+            yield Disagreement(self.world.step_count, what, self._names(a, b), (a, b), pair, ours, other, settled)
+
+    def _note(self, found: Disagreement) -> None:
+        if found.who_is_wrong == "pymunk" and found.settled.trap is not None:
+            self.tally.pymunk_wrong[found.settled.trap.name] += 1
+            return
+        self.tally.disagreed += 1
+        if len(self.tally.disagreements) < KEEP:
+            self.tally.disagreements.append(found)
+
+    def _names(self, a: int, b: int) -> tuple[str, str]:
+        owner = self.world.state.shapes.body
+        return self.world.names[owner[a]], self.world.names[owner[b]]
+
+
+def _overlap(a: Floats, b: Floats) -> Any:
+    """Whether boxes share a point, row by row."""
+    return ((a[:, :2] <= b[:, 2:]) & (b[:, :2] <= a[:, 2:])).all(axis=1)

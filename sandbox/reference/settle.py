@@ -1,0 +1,106 @@
+"""Two judges disagree on a pair of shapes: who is right?"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sandbox.geometry.mass import edge_normals
+from sandbox.reference.decide import decide
+from sandbox.reference.exact_referee import Truth, judge, overlap_along
+from sandbox.reference.pair import Pair, Point
+from sandbox.reference.poses import Poses
+from sandbox.reference.tolerance import allowed_error, touch_tolerance
+from sandbox.reference.traps import Trap, recognise
+from sandbox.world import records
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What one judge says: `separation` in m (None where it only says that the shapes are apart), `normal` from a."""
+
+    separation: float | None
+    normal: Point | None = None
+
+    def __str__(self) -> str:
+        if self.separation is None or self.normal is None:
+            return "apart"
+        side = "overlap of" if self.separation < 0.0 else "gap of"
+        return f"{side} {abs(self.separation):.9g} m along ({self.normal[0]:.9g}, {self.normal[1]:.9g})"
+
+
+@dataclass(frozen=True)
+class Settled:
+    """The outcome: `faults` of this engine (none: it is right), and the name of pymunk's trap if it is a known one."""
+
+    truth: Truth
+    faults: tuple[str, ...]
+    trap: Trap | None
+
+
+def settle(pair: Pair, ours: Answer, theirs: Answer) -> Settled:
+    """Hold both answers against exact arithmetic. pymunk is only looked into where this engine is right."""
+    truth = judge(pair)
+    faults = tuple(faults_of(pair, ours, truth))
+    tolerance = touch_tolerance(*size_and_reach(pair))
+    return Settled(truth, faults, None if faults else recognise(pair, theirs.normal, tolerance))
+
+
+def faults_of(pair: Pair, answer: Answer | None = None, truth: Truth | None = None) -> list[str]:
+    """How the narrow phase's answer (asked for now if None) differs from the truth; empty if it is right."""
+    answer = answer or our_answer(pair)
+    truth = truth or judge(pair)
+    tolerance, error = touch_tolerance(*size_and_reach(pair)), allowed_error(*size_and_reach(pair))
+    if abs(truth.separation) <= tolerance:
+        return []
+    hit = answer.separation is not None and answer.separation < 0.0
+    if hit != truth.overlap:
+        return [f"it says {answer}, but the shapes are {'overlapping' if truth.overlap else 'apart'}"]
+    return _faults_of_overlap(pair, answer, truth, error) if truth.overlap else []
+
+
+def _faults_of_overlap(pair: Pair, answer: Answer, truth: Truth, error: float) -> list[str]:
+    assert answer.separation is not None
+    assert answer.normal is not None
+    faults = []
+    if abs(answer.separation - truth.separation) > error:
+        faults.append(f"it says {answer}, but the depth is {truth.depth!r} m")
+    along = overlap_along(pair, answer.normal)
+    if along > truth.depth + error:
+        faults.append(f"along its normal b has to go {along!r} m, but {truth.depth!r} m is enough")
+    return faults
+
+
+def our_answer(pair: Pair) -> Answer:
+    """What the narrow phase says of two shapes."""
+    separation, normal = decide(poses_of(pair), np.array([[0, 1]]))
+    return Answer(float(separation[0]), (float(normal[0, 0]), float(normal[0, 1])))
+
+
+def size_and_reach(pair: Pair) -> tuple[float, float]:
+    """As `Poses.size` and `Poses.reach`."""
+    poses, both = poses_of(pair), np.array([[0, 1]])
+    return float(poses.size(both)[0]), float(poses.reach(both)[0])
+
+
+def poses_of(pair: Pair) -> Poses:
+    """Two bodies with a shape each, where the pair has them."""
+    cores = (pair.a, pair.b)
+    bodies, shapes = records.BODY.zeros(2), records.SHAPE.zeros(2)
+    vertices = records.VERTEX.zeros(sum(len(core.points) for core in cores))
+    start = 0
+    for k, (core, center) in enumerate(zip(cores, (pair.center_a, pair.center_b), strict=True)):
+        bodies[k].center_x, bodies[k].center_y = center
+        bodies[k].rotation_cos, bodies[k].extent = 1.0, extent_of(core.points) + core.radius
+        shapes[k].body, shapes[k].radius = k, core.radius
+        shapes[k].vertex_start, shapes[k].vertex_count = start, len(core.points)
+        for point, normal in zip(core.points, edge_normals(core.points), strict=True):
+            vertices[start] = (*point, *normal)
+            start += 1
+    return Poses.of(bodies, shapes, vertices)
+
+
+def extent_of(points: tuple[Point, ...]) -> float:
+    """Largest distance of a point from the centre."""
+    return float(max(np.hypot(x, y) for x, y in points))

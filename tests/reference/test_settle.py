@@ -1,0 +1,60 @@
+"""Who is right: the narrow phase against exact arithmetic, and lies that must be found out."""
+
+from __future__ import annotations
+
+from hypothesis import assume, given, settings
+
+from sandbox.reference.ask_pymunk import ask_pair
+from sandbox.reference.exact_referee import judge
+from sandbox.reference.pair import Core, Pair
+from sandbox.reference.settle import Answer, faults_of, our_answer, settle, size_and_reach
+from sandbox.reference.tolerance import allowed_error, touch_tolerance
+from tests.reference.pairs import any_pairs, at, box, circle, random_pairs, tied_pairs
+
+
+@settings(max_examples=400)
+@given(any_pairs)
+def test_the_narrow_phase_is_right(pair: Pair) -> None:
+    assert faults_of(pair) == []
+
+
+@settings(max_examples=300)
+@given(random_pairs | tied_pairs)
+def test_pymunk_is_right_or_trapped(pair: Pair) -> None:
+    """Whatever pymunk gets wrong has a name: a new kind of error, or a wrong referee, would show here."""
+    truth, answer = judge(pair), ask_pair(pair)
+    extent = size_and_reach(pair)
+    assume(abs(truth.separation) > touch_tolerance(*extent))
+    theirs = Answer(None) if answer is None else Answer(-answer[0], answer[1])
+    error = allowed_error(*extent)
+    right = (answer is not None) == truth.overlap and (answer is None or abs(answer[0] - truth.depth) <= error)
+    assert right or settle(pair, our_answer(pair), theirs).trap is not None
+
+
+def test_lies_are_found_out() -> None:
+    pair = at(box(2, 2), box(2, 2), (1.5, 0.25))
+    assert faults_of(pair, Answer(-0.5, (1.0, 0.0))) == []
+    assert faults_of(pair, Answer(None))
+    assert faults_of(pair, Answer(0.5, (1.0, 0.0)))
+    assert faults_of(pair, Answer(-0.5 - 1e-7, (1.0, 0.0)))
+    assert faults_of(pair, Answer(-0.5, (0.0, 1.0)))
+    assert faults_of(pair, Answer(-0.5, (-1.0, 0.0)))
+    apart = at(circle(1), circle(1), (3.0, 0.0))
+    assert faults_of(apart, Answer(-0.1, (1.0, 0.0)))
+
+
+def test_axes_of_equal_depth_are_all_right() -> None:
+    pair = at(box(2, 2), box(2, 2), (1.0, 1.0))
+    for normal in ((1.0, 0.0), (0.0, 1.0)):
+        assert faults_of(pair, Answer(-1.0, normal)) == []
+
+
+def test_where_shapes_touch_either_verdict_is_right() -> None:
+    pair = at(box(2, 2), box(2, 2), (2.0, 0.5))
+    for answer in (Answer(None), Answer(0.0, (1.0, 0.0)), Answer(-1e-13, (1.0, 0.0))):
+        assert faults_of(pair, answer) == []
+
+
+def test_source_is_the_same_pair_to_the_bit() -> None:
+    pair = at(Core(((0.1, 0.2),), 1 / 3), box(1 / 7, 5e-324), (1e300, -0.1))
+    assert eval(pair.source(), {"Core": Core, "Pair": Pair}) == pair
