@@ -1,4 +1,4 @@
-"""Exact predicates on points with integer coordinates: which way a turn goes, whether two segments meet."""
+"""Exact predicates on points with integer coordinates: turns, circles, whether segments meet or come near."""
 
 from __future__ import annotations
 
@@ -39,6 +39,30 @@ def crossing(a: Point, b: Point, c: Point, d: Point) -> bool:
     if side_c == side_d == 0:
         return all(_ranges_meet(a[i], b[i], c[i], d[i]) for i in (0, 1))
     return _opposite(side_c, side_d) and _opposite(side_a, side_b)
+
+
+def gap_below(a: Point, b: Point, c: Point, d: Point, least: int) -> bool:
+    """Whether the segments a b and c d, which do not cross, come nearer to each other than `least`."""
+    return _is_near(a, c, d, least) or _is_near(b, c, d, least) or _is_near(c, a, b, least) or _is_near(d, a, b, least)
+
+
+def _is_near(p: Point, a: Point, b: Point, least: int) -> bool:
+    if between(a, p, b):
+        return cross(a, b, p) ** 2 < least**2 * distance_squared(a, b)
+    return min(distance_squared(p, a), distance_squared(p, b)) < least**2
+
+
+def distance_squared(a: Point, b: Point) -> int:
+    """Square of the distance between two points."""
+    return (a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2
+
+
+def in_circle(a: Point, b: Point, c: Point, d: Point) -> int:
+    """Positive where d lies within the circle through a, b and c, which turn left; 0 on it."""
+    ax, ay, bx, by, cx, cy = a[0] - d[0], a[1] - d[1], b[0] - d[0], b[1] - d[1], c[0] - d[0], c[1] - d[1]
+    first = (ax * ax + ay * ay) * (bx * cy - cx * by)
+    second = (bx * bx + by * by) * (ax * cy - cx * ay)
+    return first - second + (cx * cx + cy * cy) * (ax * by - bx * ay)
 
 
 def _opposite(first: int, second: int) -> bool:

@@ -27,11 +27,18 @@ STRAIGHT = 10**9
 
 
 class PolygonError(ShapeError):
-    """A polygon cannot be used. `index` is the vertex to look at, as the author counted, or None."""
+    """A polygon cannot be used. `index` is the vertex to look at, as the author counted, or None.
 
-    def __init__(self, message: str, index: int | None = None) -> None:
+    `hole` is the hole that the vertex belongs to; None if it is the outline's.
+    """
+
+    def __init__(self, message: str, index: int | None = None, hole: int | None = None) -> None:
         super().__init__(message)
-        self.index = index
+        self.index, self.hole = index, hole
+
+
+class ConcaveError(PolygonError):
+    """A polygon is sound, but not convex."""
 
 
 def convex_polygon(vertices: Sequence[Vec]) -> tuple[Vec, ...]:
@@ -54,8 +61,8 @@ def convex_corners(vertices: Sequence[Vec], straight: int = STRAIGHT, least: flo
 @lru_cache(maxsize=256)
 def _convex(vertices: tuple[Vec, ...], straight: int, least: float) -> tuple[int, ...]:
     points, unit = scaled(vertices)
-    kept = _corners(points, straight)
-    if len(kept) < 3 or _on_one_line(points):
+    kept = corners_of(points, straight)
+    if len(kept) < 3 or on_one_line(points):
         raise PolygonError("the polygon has no area: its vertices lie on one line")
     turns = _turns(points, kept)
     if not _goes_round_once(points, kept, turns):
@@ -66,26 +73,26 @@ def _convex(vertices: tuple[Vec, ...], straight: int, least: float) -> tuple[int
     return tuple(kept)
 
 
-def _corners(points: list[Point], straight: int) -> list[int]:
+def corners_of(points: list[Point], straight: int = STRAIGHT) -> list[int]:
     """Indices of the vertices left once repeated and straight ones are dropped."""
     kept = [i for i in range(len(points)) if i == 0 or points[i] != points[i - 1]]
     while len(kept) > 1 and points[kept[-1]] == points[kept[0]]:
         kept.pop()
     size = span(points)
     winding = _double_area(points, kept)
-    changed = True
-    while changed and len(kept) >= 3:
-        changed = False
-        for place in range(len(kept)):
-            before, here, after = kept[place - 1], kept[place], kept[(place + 1) % len(kept)]
-            if _is_straight(points[before], points[here], points[after], size, winding, straight):
-                del kept[place]
-                changed = True
-                break
+    place = 0
+    while place < len(kept) >= 3:
+        before, here, after = kept[place - 1], kept[place], kept[(place + 1) % len(kept)]
+        if is_straight(points[before], points[here], points[after], size, winding, straight):
+            del kept[place]
+            # Only the neighbours can have become straight by that; the one after the last is the first.
+            place = max(place - 1, 0) if place < len(kept) else 0
+        else:
+            place += 1
     return kept
 
 
-def _is_straight(before: Point, here: Point, after: Point, size: int, winding: int, straight: int) -> bool:
+def is_straight(before: Point, here: Point, after: Point, size: int, winding: int, straight: int = STRAIGHT) -> bool:
     """Whether `here` lies on the way from `before` to `after`; a shallow dent is never a corner."""
     if before == after or not between(before, here, after):
         return False
@@ -95,7 +102,8 @@ def _is_straight(before: Point, here: Point, after: Point, size: int, winding: i
     return (turn * share) ** 2 <= length_squared * size**2
 
 
-def _on_one_line(points: list[Point]) -> bool:
+def on_one_line(points: list[Point]) -> bool:
+    """Whether all points lie on one line."""
     first = points[0]
     far = max(points, key=lambda p: (p[0] - first[0]) ** 2 + (p[1] - first[1]) ** 2)
     return all(cross(first, far, point) == 0 for point in points)
@@ -129,7 +137,7 @@ def _why_not_convex(points: list[Point], kept: list[int], turns: list[int]) -> P
         return PolygonError("the polygon intersects itself", hit)
     left = _double_area(points, kept) > 0
     dent = next(i for i, turn in zip(kept, turns, strict=True) if (turn > 0) != left)
-    return PolygonError("the polygon is concave, which is not yet supported: split it into convex ones", dent)
+    return ConcaveError("the polygon is concave; only a shape of a scene can be that", dent)
 
 
 def _self_intersection(points: list[Point], kept: list[int]) -> int | None:

@@ -85,7 +85,7 @@ def generate(fields: str) -> str:
          "2:13: the polygon has no area: its vertices lie on one line"),
         (shape('"polygon": [[0, 0], [2, 2], [2, 0], [0, 2]]'), "2:14: the polygon intersects itself"),
         (shape('"polygon": [[0, 0], [4, 0], [1, 1], [0, 4]]'),
-         "2:30: the polygon is concave, which is not yet supported: split it into convex ones"),
+         "2:30: the polygon is concave; only a shape of a scene can be that"),
         (shape(f'"polygon": {[[k, k * k] for k in range(65)]}'), "2:13: polygon has 65 entries; 64 is the limit"),
         (shape('"circle": 1, "category": "payer"'), '2:27: no category is named "payer"'),
         (shape('"circle": 1, "mask": 1.5'),
