@@ -25,7 +25,7 @@ def checked_number(kind: str, name: str, value: Any, unit: str, limit: float) ->
     if isinstance(value, str) or not math.isfinite(number):
         raise ShapeError(f"{kind}: {name} must be a finite number, not {value!r}")
     if abs(number) > limit:
-        raise ShapeError(f"{kind}: {name} must be within +-{limit:g} {unit}, not {number:g}")
+        raise ShapeError(f"{kind}: {name} must be within +-{limit:g} {unit}, not {number!r}")
     return number + 0.0  # -0.0 becomes 0.0, so that equal shapes have equal bits
 
 
@@ -34,7 +34,7 @@ def checked_size(kind: str, name: str, value: Any, zero: bool = False) -> float:
     size = checked_number(kind, name, value, "m", math.inf)
     if not (SMALLEST <= size <= LARGEST or (zero and size == 0.0)):
         least = "0 or " if zero else ""
-        raise ShapeError(f"{kind}: {name} must be {least}{SMALLEST:g} to {LARGEST:g} m, not {size:g}")
+        raise ShapeError(f"{kind}: {name} must be {least}{SMALLEST:g} to {LARGEST:g} m, not {size!r}")
     return size
 
 

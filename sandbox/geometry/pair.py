@@ -42,7 +42,7 @@ def manifold_of_pair(
 
     Surfaces farther apart than `share` of the size give no points, and a separation of 1e300 or what it is.
     """  # fmt: skip
-    size = pair_size(cores, 0, a_count, a_count, b_count, dx, dy)
+    size = pair_size(cores, 0, a_count, a_count, b_count, dx, dy) + a_radius + b_radius
     out[0].separation = FAR
     collide_cores(cores, 0, a_count, a_radius, a_count, b_count, b_radius, dx, dy, share * size, 0.0, out)
     return out[0].separation, size

@@ -50,16 +50,16 @@ def convex_polygon(vertices: Sequence[Vec]) -> tuple[Vec, ...]:
     return tuple((float(vertices[i][0]), float(vertices[i][1])) for i in convex_corners(vertices))
 
 
-def convex_corners(vertices: Sequence[Vec], straight: int = STRAIGHT, least: float = MIN_EDGE) -> tuple[int, ...]:
+def convex_corners(vertices: Sequence[Vec], straight: int = STRAIGHT) -> tuple[int, ...]:
     """Which of `vertices` are the corners of `convex_polygon`, counter-clockwise.
 
-    A corner flatter than the size divided by `straight` is dropped; `least` (m) is the shortest edge allowed.
+    A corner flatter than the size divided by `straight` is dropped.
     """
-    return _convex(tuple((float(x), float(y)) for x, y in vertices), straight, least)
+    return _convex(tuple((float(x), float(y)) for x, y in vertices), straight)
 
 
 @lru_cache(maxsize=256)
-def _convex(vertices: tuple[Vec, ...], straight: int, least: float) -> tuple[int, ...]:
+def _convex(vertices: tuple[Vec, ...], straight: int) -> tuple[int, ...]:
     points, unit = scaled(vertices)
     kept = corners_of(points, straight)
     if len(kept) < 3 or on_one_line(points):
@@ -67,7 +67,7 @@ def _convex(vertices: tuple[Vec, ...], straight: int, least: float) -> tuple[int
     turns = _turns(points, kept)
     if not _goes_round_once(points, kept, turns):
         raise _why_not_convex(points, kept, turns)
-    _check_size(points, kept, unit, least)
+    _check_size(points, kept, unit)
     if turns[0] < 0:
         kept = [kept[0], *reversed(kept[1:])]
     return tuple(kept)
@@ -154,12 +154,12 @@ def _self_intersection(points: list[Point], kept: list[int]) -> int | None:
     return None
 
 
-def _check_size(points: list[Point], kept: list[int], unit: int, smallest: float) -> None:
-    """Refuse edges and slivers under `smallest` metres. `unit` is the integer of one metre."""
-    least = unit // round(1 / smallest)
+def _check_size(points: list[Point], kept: list[int], unit: int) -> None:
+    """Refuse edges and slivers too small for the arithmetic of a step. `unit` is the integer of one metre."""
+    least = unit // round(1 / MIN_EDGE)
     ring = [*kept, kept[0]]
     for a, b in pairwise(ring):
         if (points[a][0] - points[b][0]) ** 2 + (points[a][1] - points[b][1]) ** 2 < least**2:
-            raise PolygonError(f"two vertices of the polygon are less than {smallest:g} m apart", b)
+            raise PolygonError(f"two vertices of the polygon are less than {MIN_EDGE:g} m apart", b)
     if abs(_double_area(points, kept)) < 2 * least * span(points):
-        raise PolygonError(f"the polygon has no area: it is thinner than {smallest:g} m")
+        raise PolygonError(f"the polygon has no area: it is thinner than {MIN_EDGE:g} m")

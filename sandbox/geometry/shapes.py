@@ -9,6 +9,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from math import dist, ulp
 from typing import Protocol, Self
 
 from sandbox._jit import interpreted
@@ -163,8 +164,11 @@ class Box(Shape):
         at = checked_point("Box", "its place", self.at)
         angle = checked_number("Box", "the angle", self.angle, "rad", 1e6)
         corners = _box_corners(width, height, at, angle)
-        if not _is_rectangle(corners):
-            raise ShapeError(f"Box: {width:g} by {height:g} m is too small to be told apart at {at}")
+        grain = ulp(max(abs(part) for corner in corners for part in corner))
+        if 100.0 * grain > min(width, height):
+            raise ShapeError(
+                f"Box: {width:g} by {height:g} m is too small for its place: floats are {grain:g} m apart there"
+            )
         self._set(width=width, height=height, at=at, angle=angle)
         self._set(vertices=corners, given=corners, edge_numbers=(0, 1, 2, 3))
 
@@ -192,17 +196,18 @@ def _placed(error: PolygonError) -> str:
 
 
 def _edge_numbers(given: tuple[Vec, ...], corners: tuple[int, ...]) -> tuple[int, ...]:
-    """The author's number of each edge of the core: of the first of its parts where the author broke it up."""
+    """The author's number of each edge of the core: of its longest part where the author broke it up."""
     count = len(corners)
-    backwards = sum(corners[i] > corners[(i + 1) % count] for i in range(count)) > 1
-    return tuple(_first_part(given, corners[(i + 1) % count] if backwards else corners[i]) for i in range(count))
+    ends = [(corners[i], corners[(i + 1) % count]) for i in range(count)]
+    backwards = sum(start > end for start, end in ends) > 1
+    return tuple(_longest_part(given, *(pair[::-1] if backwards else pair)) for pair in ends)
 
 
-def _first_part(given: tuple[Vec, ...], start: int) -> int:
-    """The first edge from vertex `start` on that has a length."""
-    while given[start] == given[(start + 1) % len(given)]:
-        start = (start + 1) % len(given)
-    return start
+def _longest_part(given: tuple[Vec, ...], start: int, end: int) -> int:
+    """The longest edge on the way from vertex `start` to vertex `end`; the first one of equals."""
+    count = len(given)
+    parts = [(start + k) % count for k in range((end - start) % count)]
+    return max(parts, key=lambda k: dist(given[k], given[(k + 1) % count]))
 
 
 def _box_corners(width: float, height: float, at: Vec, angle: float) -> tuple[Vec, ...]:
@@ -210,11 +215,3 @@ def _box_corners(width: float, height: float, at: Vec, angle: float) -> tuple[Ve
     x, y = width / 2, height / 2
     around = [(-x, -y), (x, -y), (x, y), (-x, y)]
     return tuple((at[0] + (cos * u - sin * v) + 0.0, at[1] + (sin * u + cos * v) + 0.0) for u, v in around)
-
-
-def _is_rectangle(corners: tuple[Vec, ...]) -> bool:
-    """Whether rounding left four corners of it."""
-    try:
-        return convex_corners(corners, _STRAIGHT, 0.5e-6) == (0, 1, 2, 3)
-    except PolygonError:
-        return False

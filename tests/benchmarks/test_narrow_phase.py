@@ -1,0 +1,62 @@
+"""What the separating-axis test costs a pair, inside the step and asked by itself. Prints figures.
+
+`python -m pytest -m benchmark -s tests/benchmarks/test_narrow_phase.py`
+"""
+
+from __future__ import annotations
+
+import statistics
+import time
+from pathlib import Path
+
+import pytest
+
+import sandbox
+from sandbox._jit import kernel_argument
+from sandbox.engine.narrow_phase import find_contacts
+from sandbox.resources import find_scene
+
+SECONDS = 1.0 / 60.0
+TURNS = 60
+
+
+def nanoseconds_a_pair(world: sandbox.World, turns: int = TURNS) -> tuple[float, int]:
+    """(time of the narrow phase over the pairs of the last step, number of pairs).
+
+    The lowest tenth of the turns: what else runs on the machine only ever adds.
+    """
+    state, scratch = world.state, world._scratch
+    count, kept = int(state.counters[0].pair_count), int(state.counters[0].contact_count)
+    tables = state.bodies, scratch.flights, state.shapes, scratch.turned, scratch.pairs
+    head = [kernel_argument(table) for table in tables]
+    tail = [kernel_argument(table) for table in (scratch.manifold, state.contacts)]
+    found = kernel_argument(scratch.contacts)
+    times = []
+    for _ in range(turns + 1):
+        start = time.perf_counter()
+        find_contacts(*head, count, 0.5 * 10.0 * SECONDS**2, SECONDS, *tail, kept, found)
+        times.append(time.perf_counter() - start)
+    return statistics.quantiles(times[1:], n=10)[0] / count * 1e9, count
+
+
+@pytest.mark.benchmark
+@pytest.mark.parametrize(("name", "steps"), [("pyramid-100", 20), ("pyramid-30", 20), ("pile", 300)])
+def test_narrow_phase(name: str, steps: int) -> None:
+    world = sandbox.World(sandbox.load_scene(find_scene(Path(name))))
+    world.step(steps)
+    cost, count = nanoseconds_a_pair(world)
+    print(f"\n{name}: {count} pairs, narrow phase {cost:.1f} ns a pair")
+    assert count > 100
+
+
+@pytest.mark.benchmark
+def test_collide_from_python() -> None:
+    a, b = sandbox.Box(1, 1), sandbox.Box(1, 1, at=(0.9, 0.2), angle=0.1)
+    sandbox.collide(a, b)
+    times = []
+    for _ in range(2000):
+        start = time.perf_counter()
+        contact = sandbox.collide(a, b)
+        times.append(time.perf_counter() - start)
+    print(f"\ncollide of two boxes from Python: {statistics.median(times) * 1e6:.0f} us")
+    assert contact is not None
