@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import re
+from pathlib import Path
 
 import pytest
 from hypothesis import given
@@ -251,3 +253,12 @@ def test_contains_agrees_with_exact_arithmetic(pair, u, v):
 def test_contains_refuses_what_is_no_point(point):
     with pytest.raises(ShapeError):
         contains(UNIT, point)
+
+
+def test_the_example_in_the_readme_prints_what_it_says(capsys):
+    text = Path(__file__).parents[2].joinpath("README.md").read_text(encoding="utf-8")
+    (code,) = [
+        block for block in re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL) if "Box" in block
+    ]
+    exec(code, {})
+    assert capsys.readouterr().out.splitlines() == re.findall(r"\)  # (.*)$", code, re.MULTILINE)
