@@ -142,7 +142,7 @@ def _results(
     for file in files:
         try:
             scene = load_scene(file)
-            total = planned_steps(scene, steps) if steps is None else steps
+            total = planned_steps(scene) if steps is None else steps
             progress.begin(file.name, total)
             tally = compare(scene, total, every, progress.done)
             saved = save_regressions(scene, file, tally, save) if save is not None else []

@@ -14,7 +14,7 @@ from sandbox.cli.failures import FAILED, HOLDS, UNUSABLE
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from sandbox.reference.comparison import Comparison, Disagreement
+    from sandbox.reference.tally import Comparison, Disagreement
     from sandbox.scene import Scene
 
 Word = Literal["agrees", "disagrees", "unusable"]

@@ -17,7 +17,7 @@ from sandbox.cli.compare_result import Result
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from sandbox.reference.comparison import Comparison, Disagreement
+    from sandbox.reference.tally import Comparison, Disagreement
 
 _STYLES = {"agrees": "green", "disagrees": "bold red", "unusable": "bold red"}
 _COLUMNS = (

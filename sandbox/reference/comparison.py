@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -13,74 +11,16 @@ from sandbox.engine.world import World
 from sandbox.reference.ask_pymunk import Answers, Probe
 from sandbox.reference.brute_force import overlapping_pairs, that_matter
 from sandbox.reference.decide import decide
-from sandbox.reference.pair import Pair
 from sandbox.reference.poses import Poses
-from sandbox.reference.settle import Answer, Settled, settle
+from sandbox.reference.settle import Answer, settle
+from sandbox.reference.tally import KEEP, Comparison, Disagreement, Miss
 from sandbox.reference.tolerance import ROUNDING
 from sandbox.reference.weigh import Weighed, find_rows, weigh
 from sandbox.scene import Scene
 from sandbox.scene.flat import FlatScene
 from sandbox.tables import Floats, Integers
 
-KEEP = 100
-"""Disagreements of a scene kept with their poses; more are only counted."""
 _REPORT_EVERY = 16
-
-
-@dataclass(frozen=True)
-class Disagreement:
-    """One pair on which the engine is wrong, or pymunk in a way that has no name yet.
-
-    `what` is `verdict`, `depth or axis`, `no contact` or `contact axis`; the latter two concern the step's contact.
-    `names` are the bodies, `shapes` the rows of the shapes.
-    """
-
-    step: int
-    what: str
-    names: tuple[str, str]
-    shapes: tuple[int, int]
-    pair: Pair
-    ours: Answer
-    theirs: Answer
-    settled: Settled
-
-    @property
-    def who_is_wrong(self) -> str:
-        """`sandbox`, or `pymunk` where exact arithmetic confirms this engine and no trap explains pymunk."""
-        own = self.settled.faults or self.what in ("no contact", "contact axis")
-        return "sandbox" if own else "pymunk"
-
-
-@dataclass(frozen=True)
-class Miss:
-    """A pair of overlapping boxes that the grid did not propose."""
-
-    step: int
-    names: tuple[str, str]
-    shapes: tuple[int, int]
-
-
-@dataclass
-class Comparison:
-    """The tally of a scene. Lengths in m, angles in rad; `pymunk_wrong` counts by the names of the traps."""
-
-    steps: int = 0
-    pairs: int = 0
-    agreed: int = 0
-    touching: int = 0
-    disagreed: int = 0
-    missed: int = 0
-    other_axis: int = 0
-    depth_error: float = 0.0
-    normal_error: float = 0.0
-    pymunk_wrong: Counter[str] = field(default_factory=Counter)
-    disagreements: list[Disagreement] = field(default_factory=list)
-    misses: list[Miss] = field(default_factory=list)
-
-    @property
-    def agrees(self) -> bool:
-        """True if there is no disagreement and no missed pair."""
-        return not self.disagreed and not self.missed
 
 
 def compare(
@@ -163,17 +103,21 @@ class Observer:
         for k in np.flatnonzero(~(weighed.agreed | weighed.touching)).tolist():
             a, b = pairs[k].tolist()
             pair = poses.pair(a, b)
-            ours = Answer(float(separation[k]), (float(normal[k, 0]), float(normal[k, 1])))
-            other = Answer(-float(theirs.depth[k]), (float(theirs.normal[k, 0]), float(theirs.normal[k, 1])))
-            other = other if theirs.hit[k] else Answer(None)
+            ours = Answer.ours(float(separation[k]), (float(normal[k, 0]), float(normal[k, 1])))
+            contact = (float(theirs.depth[k]), (float(theirs.normal[k, 0]), float(theirs.normal[k, 1])))
+            other = Answer.theirs(contact if theirs.hit[k] else None)
             what = "no contact" if weighed.lost[k] else "contact axis" if weighed.askew[k] else ""
             what = what or ("verdict" if theirs.hit[k] != (separation[k] < 0.0) else "depth or axis")
             settled = settle(pair, ours, other)
             yield Disagreement(self.world.step_count, what, self._names(a, b), (a, b), pair, ours, other, settled)
 
     def _note(self, found: Disagreement) -> None:
-        if found.who_is_wrong == "pymunk" and found.settled.trap is not None:
-            self.tally.pymunk_wrong[found.settled.trap.name] += 1
+        wrong, trap = found.who_is_wrong, found.settled.trap
+        if wrong == "nobody":
+            self.tally.agreed += 1
+            return
+        if wrong == "pymunk" and trap is not None:
+            self.tally.pymunk_wrong[trap.name] += 1
             return
         self.tally.disagreed += 1
         if len(self.tally.disagreements) < KEEP:

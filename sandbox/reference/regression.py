@@ -7,7 +7,7 @@ from pathlib import Path
 from string import Template
 
 from sandbox.reference.ask_pymunk import PYMUNK_VERSION
-from sandbox.reference.comparison import Comparison, Disagreement, Miss
+from sandbox.reference.tally import Comparison, Disagreement, Miss
 from sandbox.resources import SCENE_SUFFIX
 from sandbox.scene import Scene
 

@@ -18,54 +18,70 @@ from sandbox.world import records
 
 @dataclass(frozen=True)
 class Answer:
-    """What one judge says: `separation` in m (None where it only says that the shapes are apart), `normal` from a."""
+    """What one judge says: whether the shapes `hit`, their `separation` in m and the `normal` from a, if it tells."""
 
-    separation: float | None
+    hit: bool
+    separation: float | None = None
     normal: Point | None = None
+
+    @classmethod
+    def ours(cls, separation: float, normal: Point) -> Answer:
+        """The narrow phase's: shapes hit where they overlap."""
+        return cls(separation < 0.0, separation, normal)
+
+    @classmethod
+    def theirs(cls, contact: tuple[float, Point] | None) -> Answer:
+        """pymunk's, from (depth, normal) or None: shapes hit where there is a contact, be it of depth 0."""
+        return cls(False) if contact is None else cls(True, -contact[0], contact[1])
 
     def __str__(self) -> str:
         if self.separation is None or self.normal is None:
             return "apart"
-        side = "overlap of" if self.separation < 0.0 else "gap of"
+        side = "overlap of" if self.hit else "gap of"
         return f"{side} {abs(self.separation):.9g} m along ({self.normal[0]:.9g}, {self.normal[1]:.9g})"
 
 
 @dataclass(frozen=True)
 class Settled:
-    """The outcome: `faults` of this engine (none: it is right), and the name of pymunk's trap if it is a known one."""
+    """The outcome: what is wrong with our answer and with theirs (nothing: it is right), and pymunk's trap if known."""
 
     truth: Truth
     faults: tuple[str, ...]
+    their_faults: tuple[str, ...]
     trap: Trap | None
 
 
 def settle(pair: Pair, ours: Answer, theirs: Answer) -> Settled:
-    """Hold both answers against exact arithmetic. pymunk is only looked into where this engine is right."""
+    """Hold both answers against exact arithmetic."""
     truth = judge(pair)
-    faults = tuple(faults_of(pair, ours, truth))
-    tolerance = touch_tolerance(*size_and_reach(pair))
-    return Settled(truth, faults, None if faults else recognise(pair, theirs.normal, tolerance))
+    their_faults = tuple(faults_of(pair, theirs, truth))
+    trap = recognise(pair, theirs.normal, touch_tolerance(*size_and_reach(pair))) if their_faults else None
+    return Settled(truth, tuple(faults_of(pair, ours, truth)), their_faults, trap)
 
 
 def faults_of(pair: Pair, answer: Answer | None = None, truth: Truth | None = None) -> list[str]:
-    """How the narrow phase's answer (asked for now if None) differs from the truth; empty if it is right."""
+    """How an answer (that of the narrow phase if None) differs from the truth; empty if it is right.
+
+    Touching shapes may be called either. A gap may be smaller than the distance, for it is that of one axis.
+    """
     answer = answer or our_answer(pair)
     truth = truth or judge(pair)
     tolerance, error = touch_tolerance(*size_and_reach(pair)), allowed_error(*size_and_reach(pair))
-    if abs(truth.separation) <= tolerance:
-        return []
-    hit = answer.separation is not None and answer.separation < 0.0
-    if hit != truth.overlap:
+    separation, hit = answer.separation, answer.hit
+    touching = abs(truth.separation) <= tolerance
+    if hit != truth.overlap and not touching:
         return [f"it says {answer}, but the shapes are {'overlapping' if truth.overlap else 'apart'}"]
-    return _faults_of_overlap(pair, answer, truth, error) if truth.overlap else []
+    if separation is not None and (
+        separation > truth.separation + error or (hit and separation < truth.separation - error)
+    ):
+        return [f"it says {answer}, but the separation is {truth.separation!r} m"]
+    return _faults_of_axis(pair, answer, truth, error) if truth.overlap and not touching else []
 
 
-def _faults_of_overlap(pair: Pair, answer: Answer, truth: Truth, error: float) -> list[str]:
-    assert answer.separation is not None
-    assert answer.normal is not None
-    faults = []
-    if abs(answer.separation - truth.separation) > error:
-        faults.append(f"it says {answer}, but the depth is {truth.depth!r} m")
+def _faults_of_axis(pair: Pair, answer: Answer, truth: Truth, error: float) -> list[str]:
+    faults: list[str] = []
+    if answer.normal is None or answer.normal == (0.0, 0.0):
+        return ["it names no axis"]
     along = overlap_along(pair, answer.normal)
     if along > truth.depth + error:
         faults.append(f"along its normal b has to go {along!r} m, but {truth.depth!r} m is enough")
@@ -75,7 +91,7 @@ def _faults_of_overlap(pair: Pair, answer: Answer, truth: Truth, error: float) -
 def our_answer(pair: Pair) -> Answer:
     """What the narrow phase says of two shapes."""
     separation, normal = decide(poses_of(pair), np.array([[0, 1]]))
-    return Answer(float(separation[0]), (float(normal[0, 0]), float(normal[0, 1])))
+    return Answer.ours(float(separation[0]), (float(normal[0, 0]), float(normal[0, 1])))
 
 
 def size_and_reach(pair: Pair) -> tuple[float, float]:

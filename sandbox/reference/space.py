@@ -42,7 +42,9 @@ def _build_body(space: pymunk.Space, flat: FlatBody) -> pymunk.Body:
         body.center_of_gravity = center
         if flat.fixed_rotation:
             body.moment = math.inf
-    body.position, body.angle = flat.position, flat.angle
+    # The angle first: pymunk turns a body about its centre of gravity, which moves the origin.
+    body.angle = flat.angle
+    body.position = flat.position
     if flat.type != "static":
         body.velocity, body.angular_velocity = flat.velocity, flat.angular_velocity
     if flat.gravity_scale != 1.0 or flat.linear_damping or flat.angular_damping:

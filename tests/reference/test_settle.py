@@ -8,7 +8,7 @@ from sandbox.reference.ask_pymunk import ask_pair
 from sandbox.reference.exact_referee import judge
 from sandbox.reference.pair import Core, Pair
 from sandbox.reference.settle import Answer, faults_of, our_answer, settle, size_and_reach
-from sandbox.reference.tolerance import allowed_error, touch_tolerance
+from sandbox.reference.tolerance import touch_tolerance
 from tests.reference.pairs import any_pairs, at, box, circle, random_pairs, tied_pairs
 
 
@@ -23,36 +23,49 @@ def test_the_narrow_phase_is_right(pair: Pair) -> None:
 def test_pymunk_is_right_or_trapped(pair: Pair) -> None:
     """Whatever pymunk gets wrong has a name: a new kind of error, or a wrong referee, would show here."""
     truth, answer = judge(pair), ask_pair(pair)
-    extent = size_and_reach(pair)
-    assume(abs(truth.separation) > touch_tolerance(*extent))
-    theirs = Answer(None) if answer is None else Answer(-answer[0], answer[1])
-    error = allowed_error(*extent)
-    right = (answer is not None) == truth.overlap and (answer is None or abs(answer[0] - truth.depth) <= error)
-    assert right or settle(pair, our_answer(pair), theirs).trap is not None
+    assume(abs(truth.separation) > touch_tolerance(*size_and_reach(pair)))
+    settled = settle(pair, our_answer(pair), Answer.theirs(answer))
+    assert settled.faults == ()
+    assert not settled.their_faults or settled.trap is not None
+    assert settled.their_faults or (answer is not None) == truth.overlap
 
 
 def test_lies_are_found_out() -> None:
     pair = at(box(2, 2), box(2, 2), (1.5, 0.25))
-    assert faults_of(pair, Answer(-0.5, (1.0, 0.0))) == []
-    assert faults_of(pair, Answer(None))
-    assert faults_of(pair, Answer(0.5, (1.0, 0.0)))
-    assert faults_of(pair, Answer(-0.5 - 1e-7, (1.0, 0.0)))
-    assert faults_of(pair, Answer(-0.5, (0.0, 1.0)))
-    assert faults_of(pair, Answer(-0.5, (-1.0, 0.0)))
+    assert faults_of(pair, Answer.ours(-0.5, (1.0, 0.0))) == []
+    assert faults_of(pair, Answer(False))
+    assert faults_of(pair, Answer.ours(0.5, (1.0, 0.0)))
+    assert faults_of(pair, Answer.ours(-0.5 - 1e-7, (1.0, 0.0)))
+    assert faults_of(pair, Answer.ours(-0.5, (0.0, 1.0)))
+    assert faults_of(pair, Answer.ours(-0.5, (-1.0, 0.0)))
     apart = at(circle(1), circle(1), (3.0, 0.0))
-    assert faults_of(apart, Answer(-0.1, (1.0, 0.0)))
+    assert faults_of(apart, Answer.ours(-0.1, (1.0, 0.0)))
 
 
 def test_axes_of_equal_depth_are_all_right() -> None:
     pair = at(box(2, 2), box(2, 2), (1.0, 1.0))
     for normal in ((1.0, 0.0), (0.0, 1.0)):
-        assert faults_of(pair, Answer(-1.0, normal)) == []
+        assert faults_of(pair, Answer.ours(-1.0, normal)) == []
 
 
 def test_where_shapes_touch_either_verdict_is_right() -> None:
     pair = at(box(2, 2), box(2, 2), (2.0, 0.5))
-    for answer in (Answer(None), Answer(0.0, (1.0, 0.0)), Answer(-1e-13, (1.0, 0.0))):
+    contact = Answer.theirs((0.0, (0.0, 0.0)))
+    for answer in (Answer(False), Answer.ours(0.0, (1.0, 0.0)), Answer.ours(-1e-13, (1.0, 0.0)), contact):
         assert faults_of(pair, answer) == []
+    assert faults_of(pair, Answer.ours(-1e-3, (1.0, 0.0)))
+
+
+def test_a_gap_is_no_larger_than_the_distance() -> None:
+    corners = at(box(2, 2), box(2, 2), (5.0, 6.0))
+    assert faults_of(corners, Answer.ours(4.0, (0.0, 1.0))) == []
+    assert faults_of(corners, Answer.ours(5.001, (0.6, 0.8)))
+
+
+def test_a_contact_of_depth_zero_is_a_verdict() -> None:
+    contact = Answer.theirs((-0.0, (0.0, 0.0)))
+    assert faults_of(at(circle(1), circle(1), (3.0, 0.0)), contact)
+    assert faults_of(at(box(1, 1), box(1, 1), (0.0, 0.0)), contact)
 
 
 def test_source_is_the_same_pair_to_the_bit() -> None:

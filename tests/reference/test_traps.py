@@ -107,7 +107,7 @@ def test_no_axis(pair: Pair) -> None:
     assert judge(pair).overlap == (pair.center_b == (0.0, 0.0))
     expect_trap(traps.NO_AXIS, answer is not None and answer[1] == (0.0, 0.0))
     assert answer is not None
-    settled = settle(pair, our_answer(pair), Answer(-answer[0], answer[1]))
+    settled = settle(pair, our_answer(pair), Answer.theirs(answer))
     assert settled.trap is traps.NO_AXIS
 
 
@@ -129,13 +129,12 @@ def test_in_line(pair: Pair) -> None:
     assert faults_of(pair) == []
     wrong = (answer is not None) != truth.overlap or (answer is not None and answer[0] > truth.depth + 0.1)
     expect_trap(traps.IN_LINE, wrong)
-    theirs = Answer(None) if answer is None else Answer(-answer[0], answer[1])
-    assert settle(pair, our_answer(pair), theirs).trap is traps.IN_LINE
+    assert settle(pair, our_answer(pair), Answer.theirs(answer)).trap is traps.IN_LINE
 
 
 def test_a_wrong_answer_without_a_known_reason_has_no_name() -> None:
     pair = at(box(1, 1), box(1, 1), (0.75, 0.125))
-    assert settle(pair, our_answer(pair), Answer(None)).trap is None
+    assert settle(pair, our_answer(pair), Answer(False)).trap is None
 
 
 def test_every_trap_has_its_test() -> None:
