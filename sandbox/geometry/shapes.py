@@ -1,64 +1,27 @@
 """Shapes as plain values, in metres and world coordinates: to ask about geometry without a world.
 
-Every shape is a convex *core* (`vertices`: one point, two points or the corners of a polygon, counter-clockwise)
-and a `radius` around it. They are immutable and checked when they are made: what exists can be asked about.
+They are immutable and checked when they are made: what exists can be asked about.
 """
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from math import dist, ulp
-from typing import Protocol, Self
+from math import ulp
+from typing import Self
 
 from sandbox._jit import interpreted
 from sandbox.errors import ShapeError
 from sandbox.geometry.checks import Vec, checked_number, checked_point, checked_points, checked_size
 from sandbox.geometry.polygon import MAX_VERTICES, PolygonError, convex_corners
+from sandbox.geometry.shape import Core, Shape, edge_numbers
 from sandbox.geometry.trig import cos_sin
+
+__all__ = ["Box", "Capsule", "Circle", "Core", "Polygon", "Segment", "Shape"]
 
 _cos_sin = interpreted(cos_sin)
 _STRAIGHT = 10**13
 """A corner of a `Polygon` flatter than its size divided by this is dropped: it is below what the test can tell."""
-
-
-class Core(Protocol):
-    """What the tests ask of a shape: vertices counter-clockwise and the radius around them, metres."""
-
-    @property
-    def vertices(self) -> tuple[Vec, ...]:
-        """1 point, 2 points or the corners of a polygon."""
-
-    @property
-    def radius(self) -> float:
-        """Rounding, m."""
-
-
-@dataclass(frozen=True)
-class Shape(ABC):
-    """What all shapes have in common; make one of its kinds: Circle, Capsule, Segment, Polygon or Box.
-
-    `vertices` is the core the separating-axis test works on: 1 point, 2 points, or 3..64 corners counter-clockwise,
-    no three of them in line. `radius` (m) rounds it. `given` are the vertices as the author numbered them, and
-    `edge_numbers[i]` is the author's number, from 0, of the core's edge from vertex i to the next: edge k runs between
-    `given[k]` and the one after it. A line has two sides and one edge: both sides have number 0.
-    """
-
-    vertices: tuple[Vec, ...] = field(init=False, repr=False, compare=False)
-    given: tuple[Vec, ...] = field(init=False, repr=False, compare=False)
-    edge_numbers: tuple[int, ...] = field(init=False, repr=False, compare=False)
-
-    radius = 0.0
-
-    def _set(self, **values: object) -> None:
-        """Fill in fields while the value is being made."""
-        for name, value in values.items():
-            object.__setattr__(self, name, value)
-
-    @abstractmethod
-    def moved(self, way: Sequence[float]) -> Self:
-        """The same shape moved by `way` (x, y) in metres; coordinates are rounded to the nearest floats."""
 
 
 @dataclass(frozen=True)
@@ -135,7 +98,7 @@ class Polygon(Shape):
         except PolygonError as error:
             raise PolygonError(_placed(error), error.index) from None
         vertices = tuple(given[i] for i in corners)
-        self._set(given=given, radius=radius, vertices=vertices, edge_numbers=_edge_numbers(given, corners))
+        self._set(given=given, radius=radius, vertices=vertices, edge_numbers=edge_numbers(given, corners))
 
     def __repr__(self) -> str:
         rounded = f", radius={self.radius!r}" if self.radius else ""
@@ -193,21 +156,6 @@ def _checked_ends(kind: str, p: Vec, q: Vec) -> tuple[Vec, Vec]:
 def _placed(error: PolygonError) -> str:
     place = "" if error.index is None else f" (vertex {error.index}, counted from 0)"
     return f"Polygon: {error}{place}"
-
-
-def _edge_numbers(given: tuple[Vec, ...], corners: tuple[int, ...]) -> tuple[int, ...]:
-    """The author's number of each edge of the core: of its longest part where the author broke it up."""
-    count = len(corners)
-    ends = [(corners[i], corners[(i + 1) % count]) for i in range(count)]
-    backwards = sum(start > end for start, end in ends) > 1
-    return tuple(_longest_part(given, *(pair[::-1] if backwards else pair)) for pair in ends)
-
-
-def _longest_part(given: tuple[Vec, ...], start: int, end: int) -> int:
-    """The longest edge on the way from vertex `start` to vertex `end`; the first one of equals."""
-    count = len(given)
-    parts = [(start + k) % count for k in range((end - start) % count)]
-    return max(parts, key=lambda k: dist(given[k], given[(k + 1) % count]))
 
 
 def _box_corners(width: float, height: float, at: Vec, angle: float) -> tuple[Vec, ...]:
