@@ -30,6 +30,8 @@ if TYPE_CHECKING:
         UnknownBodyError,
     )
     from sandbox.geometry.collide import Contact, Distance, collide, contains, distance
+    from sandbox.geometry.sat_rows import SatRow
+    from sandbox.geometry.sat_table import SatTable, sat_table
     from sandbox.geometry.shapes import Box, Capsule, Circle, Polygon, Segment, Shape
     from sandbox.replay.expectations import Judge, Verdict
     from sandbox.scene import Scene, load_scene
@@ -46,6 +48,8 @@ __all__ = [
     "Polygon",
     "Problem",
     "SandboxError",
+    "SatRow",
+    "SatTable",
     "Scene",
     "SceneError",
     "Segment",
@@ -60,6 +64,7 @@ __all__ = [
     "contains",
     "distance",
     "load_scene",
+    "sat_table",
 ]
 
 _ERRORS = {
@@ -80,6 +85,9 @@ _HOMES = {
     **dict.fromkeys(_ERRORS, "sandbox.errors"),
     "Judge": "sandbox.replay.expectations",
     "Verdict": "sandbox.replay.expectations",
+    "SatRow": "sandbox.geometry.sat_rows",
+    "SatTable": "sandbox.geometry.sat_table",
+    "sat_table": "sandbox.geometry.sat_table",
     "Scene": "sandbox.scene",
     "load_scene": "sandbox.scene",
     "World": "sandbox.engine.world",

@@ -32,8 +32,8 @@ class World:
 
     def __init__(self, scene: Scene | FlatScene) -> None:
         self.scene = scene
-        flat = scene.flatten() if hasattr(scene, "flatten") else scene
-        self.state: State = build_state(flat)
+        self.flat: FlatScene = scene.flatten() if hasattr(scene, "flatten") else scene
+        self.state: State = build_state(self.flat)
         self._index = {name: i for i, name in enumerate(self.state.names)}
         self._turn = 0
         self._arguments: list[tuple[tuple[Any, ...], tuple[Any, ...]]] = []

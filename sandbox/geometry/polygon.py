@@ -58,6 +58,12 @@ def convex_corners(vertices: Sequence[Vec], straight: int = STRAIGHT) -> tuple[i
     return _convex(tuple((float(x), float(y)) for x, y in vertices), straight)
 
 
+def is_clockwise(vertices: Sequence[Vec]) -> bool:
+    """Whether the author went round a convex polygon clockwise. Raises `PolygonError` as `convex_polygon` does."""
+    corners = convex_corners(vertices)
+    return sum(before > after for before, after in pairwise([*corners, corners[0]])) > 1
+
+
 @lru_cache(maxsize=256)
 def _convex(vertices: tuple[Vec, ...], straight: int) -> tuple[int, ...]:
     points, unit = scaled(vertices)

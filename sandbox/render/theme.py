@@ -58,3 +58,19 @@ DARK = Theme(
     ink=hex_color("#0d0f13"),
     drag=hex_color("#ffd479"),
 )
+
+LIGHT = Theme(
+    background=hex_color("#fbfaf6"),
+    grid_minor=hex_color("#f1efe8"),
+    grid_major=hex_color("#e7e4da"),
+    grid_axis=hex_color("#d5d1c4"),
+    static=hex_color("#b9bdc6"),
+    kinematic=hex_color("#8090b4"),
+    frozen=hex_color("#c8343c"),
+    light=hex_color("#12151b"),
+    ink=hex_color("#ffffff"),
+    drag=hex_color("#b06a00"),
+    lightness=0.6,
+    chroma=0.13,
+)
+"""The same hues on paper: for pictures in pages that a reader may see light or dark."""

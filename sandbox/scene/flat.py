@@ -17,7 +17,8 @@ class FlatShape:
     """A convex core of 1..64 vertices plus a radius, in the body's frame, with its surface and its filter.
 
     `vertices` are metres from the body's origin, counter-clockwise; one for a circle, two for a capsule or a
-    segment. `density` in kg/m^2, `rolling_resistance` in metres, `surface_speed` in m/s.
+    segment; `clockwise` remembers that the author numbered them the other way round. `density` in kg/m^2,
+    `rolling_resistance` in metres, `surface_speed` in m/s.
     """
 
     kind: Literal["circle", "box", "capsule", "segment", "polygon"]
@@ -31,6 +32,7 @@ class FlatShape:
     category: int = 1
     mask: int = 0xFFFFFFFF
     group: int = 0
+    clockwise: bool = False
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal
 
-from sandbox.geometry.polygon import convex_polygon
+from sandbox.geometry.polygon import convex_polygon, is_clockwise
 from sandbox.geometry.rotation import cos_sin_degrees
 from sandbox.scene.flat import FlatShape, Vec
 from sandbox.scene.material import Material
@@ -29,6 +29,7 @@ def flat_shape(shape: AnyShape, material: Material | None, categories: Sequence[
         category=_bits(shape.category, categories),
         mask=_bits(shape.mask, categories),
         group=shape.group,
+        clockwise=isinstance(shape, Polygon) and is_clockwise(shape.polygon),
         **surface,
     )
 

@@ -1,0 +1,97 @@
+"""`sandbox sat`: the separating-axis test of two bodies, as a table, as a picture, or told step by step."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from sandbox.errors import SandboxError
+from sandbox.resources import find_scene
+
+if TYPE_CHECKING:
+    from sandbox.cli.sat_pair import SatPair
+    from sandbox.geometry.sat_table import SatTable
+
+_SCENE = typer.Argument(help="A scene file, or the name of a shipped scene.")
+_BODIES = typer.Option(show_default=False, metavar="A B", help="The two bodies; needed unless the scene has just two.")
+_STEP = typer.Option(min=0, max=10_000_000, help="Look at the scene after this many steps.")
+_ALL = typer.Option("--all", help="Every axis, also those after the first gap, and where each comes from.")
+_JSON = typer.Option("--json", help="Print one JSON document instead.")
+_SVG = typer.Option("--svg", show_default=False, metavar="FILE", help="Also draw it into this SVG file.")
+_FIGURE = typer.Option(metavar="NAME", help="What to draw: whole, edges, perpendiculars, axis, mtv or clipping.")
+_AXIS = typer.Option(min=1, show_default=False, metavar="N", help="The axis to draw; default: the deciding one.")
+_STEPS = typer.Option("--step-by-step", help="Tell the test step by step, down to the contact points.")
+
+
+def sat(
+    scene: Annotated[Path, _SCENE],
+    bodies: Annotated[tuple[str, str] | None, _BODIES] = None,
+    step: Annotated[int, _STEP] = 0,
+    all_axes: Annotated[bool, _ALL] = False,
+    json: Annotated[bool, _JSON] = False,
+    svg: Annotated[Path | None, _SVG] = None,
+    figure: Annotated[str, _FIGURE] = "whole",
+    axis: Annotated[int | None, _AXIS] = None,
+    step_by_step: Annotated[bool, _STEPS] = False,
+) -> None:
+    """Show the separating-axis test of two bodies, axis by axis.
+
+    Each row is an axis: how far the two shapes reach along it, and whether that leaves a gap. The first gap ends the
+    test.
+    """
+    if svg is not None:
+        _check_picture(svg, figure)
+    from sandbox.cli.sat_pair import pair_in
+    from sandbox.geometry.sat_table import sat_table
+
+    pair = pair_in(find_scene(scene), bodies, step)
+    table = sat_table(pair.a, pair.b, all_axes)
+    if svg is not None:
+        _draw(pair, table, svg, figure, axis)
+    _tell(pair, table, all_axes, json, step_by_step)
+    if svg is not None and not json:
+        typer.echo(f"{svg}: {svg.stat().st_size / 1000:.0f} kB")
+
+
+def _check_picture(svg: Path, figure: str) -> None:
+    from sandbox.cli.picture_options import writable_picture
+    from sandbox.render.sat_figure import FIGURES
+    from sandbox.scene.finding import did_you_mean
+
+    writable_picture(svg, {".svg"})
+    if figure not in FIGURES:
+        hint = did_you_mean(figure, FIGURES) or f"there are {', '.join(FIGURES)}"
+        raise SandboxError(f"--figure {figure}: no figure of that name; {hint}")
+
+
+def _draw(pair: SatPair, table: SatTable, svg: Path, figure: str, axis: int | None) -> None:
+    from sandbox.geometry.sat_table import sat_table
+    from sandbox.render.sat_figure import FIGURES
+    from sandbox.render.sat_page import SatFigure
+
+    if axis is not None and axis > table.axis_count:
+        raise SandboxError(f"--axis {axis}: these two shapes have {table.axis_count} axes")
+    rows = sat_table(pair.a, pair.b, all_axes=True).rows
+    FIGURES[figure](SatFigure(table, pair.names, rows[axis - 1] if axis else None)).save(svg)
+
+
+def _tell(pair: SatPair, table: SatTable, wide: bool, as_json: bool, step_by_step: bool) -> None:
+    if as_json:
+        import json
+
+        from sandbox.cli.sat_data import document
+
+        typer.echo(json.dumps(document(pair, table), indent=2, ensure_ascii=False))
+        return
+    if step_by_step:
+        from sandbox.cli.sat_steps import story
+
+        lines = story(pair, table)
+    else:
+        from sandbox.cli.sat_text import report
+
+        lines = report(pair, table, wide)
+    for line in lines:
+        typer.echo(line)

@@ -1,0 +1,86 @@
+"""Which two shapes `sandbox sat` looks at: two bodies of a scene at a step, and of each the shape that matters."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import product
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from sandbox.errors import SandboxError
+
+if TYPE_CHECKING:
+    from sandbox.engine.world import World
+    from sandbox.geometry.shapes import Shape
+
+
+@dataclass(frozen=True)
+class SatPair:
+    """Two shapes and where they come from; `numbers` are those of the shapes in their bodies, from 1."""
+
+    names: tuple[str, str]
+    a: Shape
+    b: Shape
+    step: int
+    numbers: tuple[int, int]
+    counts: tuple[int, int]
+
+    @property
+    def note(self) -> str:
+        """How the two shapes were chosen, where the bodies have several; else nothing."""
+        if self.counts == (1, 1):
+            return ""
+        parts = [
+            f"shape {number} of the {count} of {name}" if count > 1 else name
+            for name, number, count in zip(self.names, self.numbers, self.counts, strict=True)
+        ]
+        return f"{parts[0]} and {parts[1]}: of all pairs of their shapes the deepest, or else the nearest one"
+
+
+def pair_in(path: Path, bodies: tuple[str, str] | None, step: int) -> SatPair:
+    """The pair of a scene file. Raises `SandboxError` if the bodies do not make one."""
+    from sandbox.engine.world import World
+    from sandbox.scene import load_scene
+
+    world = World(load_scene(path))
+    names = bodies or _only_two(world)
+    _check(world, names)
+    if step:
+        from sandbox.cli.compiling import announce_compilation
+
+        announce_compilation()
+        world.step(step)
+    return chosen_pair(world, names)
+
+
+def chosen_pair(world: World, names: tuple[str, str]) -> SatPair:
+    """The deepest pair of shapes of two bodies; if none overlaps, the nearest; the first of equals."""
+    from sandbox.engine.body_shapes import body_shapes
+
+    shapes = body_shapes(world, names[0]), body_shapes(world, names[1])
+    pairs = list(product(enumerate(shapes[0], 1), enumerate(shapes[1], 1)))
+    (i, a), (j, b) = pairs[0] if len(pairs) == 1 else min(pairs, key=lambda pair: _apart(pair[0][1], pair[1][1]))
+    return SatPair(names, a, b, world.step_count, (i, j), (len(shapes[0]), len(shapes[1])))
+
+
+def _apart(a: Shape, b: Shape) -> float:
+    """Distance, or minus the depth (m)."""
+    from sandbox.geometry.collide import collide, distance
+
+    contact = collide(a, b)
+    return distance(a, b).value if contact is None else -contact.depth
+
+
+def _only_two(world: World) -> tuple[str, str]:
+    if len(world.names) == 2:
+        return world.names[0], world.names[1]
+    count = f"{len(world.names)} bodies" if len(world.names) != 1 else "one body"
+    mend = "; name two of them: --bodies " + " ".join(world.names[:2]) if len(world.names) > 2 else ""
+    raise SandboxError(f"this scene has {count}, and the test takes two{mend}")
+
+
+def _check(world: World, names: tuple[str, str]) -> None:
+    for name in names:
+        world.body(name)
+    if names[0] == names[1]:
+        raise SandboxError(f"--bodies {names[0]} {names[1]}: a body does not collide with itself; name two")

@@ -1,0 +1,21 @@
+"""Numbers as people write them: whole ones without a point, others with six digits."""
+
+from __future__ import annotations
+
+
+def plain(value: float) -> str:
+    """`91`, `-2.54558`, `1.5e-07`; never `-0`."""
+    if value == int(value) and abs(value) < 1e15:
+        return str(int(value))
+    return f"{value:.6g}"
+
+
+def metres(value: float) -> str:
+    """A length with its unit and four digits."""
+    text = f"{value:.4g}"
+    return f"{'0' if text == '-0' else text} m"
+
+
+def point(value: tuple[float, float]) -> str:
+    """`(7, 0)`."""
+    return f"({plain(value[0])}, {plain(value[1])})"
