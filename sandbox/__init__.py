@@ -18,11 +18,13 @@ from typing import TYPE_CHECKING
 __version__ = "0.1.0"
 
 if TYPE_CHECKING:
+    from sandbox.engine.queries.filter import Filter
     from sandbox.engine.world import World
     from sandbox.errors import (
         CommandError,
         MissingDependencyError,
         Problem,
+        QueryError,
         SandboxError,
         SceneError,
         ShapeError,
@@ -43,10 +45,12 @@ __all__ = [
     "CommandError",
     "Contact",
     "Distance",
+    "Filter",
     "Judge",
     "MissingDependencyError",
     "Polygon",
     "Problem",
+    "QueryError",
     "SandboxError",
     "SatRow",
     "SatTable",
@@ -71,6 +75,7 @@ _ERRORS = {
     "CommandError",
     "MissingDependencyError",
     "Problem",
+    "QueryError",
     "SandboxError",
     "SceneError",
     "ShapeError",
@@ -90,6 +95,7 @@ _HOMES = {
     "sat_table": "sandbox.geometry.sat_table",
     "Scene": "sandbox.scene",
     "load_scene": "sandbox.scene",
+    "Filter": "sandbox.engine.queries.filter",
     "World": "sandbox.engine.world",
 }
 """Where each public name lives."""

@@ -50,6 +50,10 @@ class ShapeError(SandboxError, ValueError):
     """A shape cannot be made of the given numbers."""
 
 
+class QueryError(SandboxError, ValueError):
+    """A query cannot be answered as it was asked."""
+
+
 class CommandError(SandboxError):
     """A command was refused; the world is unchanged."""
 

@@ -140,7 +140,7 @@ class Scratch:
             boxes=BOX.zeros(shapes),
             owners=OWNER.zeros(shapes),
             sorted_boxes=BOX.zeros(shapes),
-            heads=np.zeros(_head_count(shapes), np.int64),
+            heads=np.zeros(head_count(shapes), np.int64),
             levels=np.zeros(LEVEL_SPACE, np.int64),
             pairs=PAIR.zeros(pair_capacity),
             sorted_pairs=PAIR.zeros(pair_capacity),
@@ -154,7 +154,7 @@ class Scratch:
         )
 
 
-def _head_count(shapes: int) -> int:
+def head_count(shapes: int) -> int:
     """Buckets of the grid: a power of two, about two a shape, and one more to close the last."""
     buckets = 128
     while buckets < 2 * shapes:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from sandbox.engine.binding import bind
@@ -19,6 +20,7 @@ from sandbox.world.snapshot import restore, snapshot
 from sandbox.world.state import State
 
 if TYPE_CHECKING:
+    from sandbox.engine.queries.queries import Queries
     from sandbox.scene import Scene
     from sandbox.scene.flat import FlatScene
 
@@ -35,6 +37,8 @@ class World:
         self.flat: FlatScene = scene.flatten() if hasattr(scene, "flatten") else scene
         self.state: State = build_state(self.flat)
         self._index = {name: i for i, name in enumerate(self.state.names)}
+        self.changes = 0
+        """Counts steps, commands and restores: while it stays the same, nothing has moved."""
         self._turn = 0
         self._arguments: list[tuple[tuple[Any, ...], tuple[Any, ...]]] = []
         self._use_scratch(Scratch.for_state(self.state, len(self.state.contacts)))
@@ -43,6 +47,7 @@ class World:
     def step(self, n: int = 1) -> None:
         """Advance by `n` steps of `1 / step_rate` seconds each."""
         compile_step()
+        self.changes += 1
         for _ in range(n):
             while not self._advance():
                 pass
@@ -52,6 +57,7 @@ class World:
 
     def apply(self, command: Command) -> None:
         """Apply a command. Raises `CommandError` or `UnknownBodyError` and changes nothing if it can't be done."""
+        self.changes += 1
         apply_command(self.state, self._find(command.body), command)
 
     @property
@@ -89,6 +95,13 @@ class World:
         rows = self.state.bodies.frozen_step
         return [(self.names[i], int(rows[i])) for i in range(len(rows)) if rows[i] >= 0]
 
+    @cached_property
+    def query(self) -> Queries:
+        """Rays, casts, overlaps and distances: read-only questions about where things are."""
+        from sandbox.engine.queries.queries import Queries  # worlds that are asked nothing pay nothing
+
+        return Queries(self, self._find)
+
     def digest(self) -> str:
         """Fingerprint of the whole state, 16 hex digits: equal bits, equal digest."""
         return digest(self.state)
@@ -99,6 +112,7 @@ class World:
 
     def restore(self, data: bytes) -> None:
         """Go back to a snapshot of this scene. Raises `SnapshotError` and changes nothing if it can't."""
+        self.changes += 1
         restore(self.state, data)
         if len(self.state.contacts) != len(self._scratch.contacts):
             self._use_scratch(Scratch.for_state(self.state, len(self.state.contacts)))

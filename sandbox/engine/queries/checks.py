@@ -1,0 +1,59 @@
+"""Checks on what a query is given, each with a message that names the query and the mend."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from sandbox.errors import QueryError, ShapeError
+from sandbox.geometry.checks import FARTHEST, checked_point
+from sandbox.tables import Floats
+
+Vec = tuple[float, float]
+
+
+class UprightBox(NamedTuple):
+    """A box along the axes as a core; without width or height it is a line or a point."""
+
+    vertices: tuple[Vec, ...]
+    radius: float = 0.0
+
+
+def checked_place(query: str, name: str, value: Sequence[float]) -> Vec:
+    """A pair (x, y) in metres, within the limits of a world. Raises `QueryError`."""
+    if type(value) is tuple and len(value) == 2:  # the common case, in a hurry
+        x, y = value
+        if type(x) is float and type(y) is float and abs(x) <= FARTHEST and abs(y) <= FARTHEST:
+            return x, y
+    try:
+        return checked_point(query, name, value)
+    except ShapeError as error:
+        raise QueryError(str(error)) from None
+
+
+def checked_box(lower: Sequence[float], upper: Sequence[float]) -> UprightBox:
+    """The box between two corners. Raises `QueryError`."""
+    low_x, low_y = checked_place("overlap_box", "the lower corner", lower)
+    high_x, high_y = checked_place("overlap_box", "the upper corner", upper)
+    if low_x > high_x or low_y > high_y:
+        raise QueryError(f"overlap_box: the lower corner {tuple(lower)} is not below and left of {tuple(upper)}")
+    corners = ((low_x, low_y), (high_x, low_y), (high_x, high_y), (low_x, high_y))
+    return UprightBox(corners if low_x < high_x and low_y < high_y else tuple(dict.fromkeys(corners)))
+
+
+def checked_ways(origins: ArrayLike, translations: ArrayLike) -> Floats:
+    """Rows (x, y, way x, way y) of many rays. Raises `QueryError`."""
+    try:
+        starts, ways = (np.asarray(value, dtype=np.float64) for value in (origins, translations))
+        both = np.broadcast_arrays(np.atleast_2d(starts), np.atleast_2d(ways))
+        rows: Floats = np.ascontiguousarray(np.concatenate(both, axis=1))
+    except (TypeError, ValueError):
+        raise QueryError("rays: origins and translations must be arrays of pairs, (n, 2)") from None
+    if rows.shape[1] != 4 or rows.ndim != 2:
+        raise QueryError(f"rays: origins and translations must be arrays of pairs, (n, 2), not {both[0].shape}")
+    if not (np.abs(rows) <= FARTHEST).all():
+        raise QueryError(f"rays: every coordinate must be a number within +-{FARTHEST:g} m")
+    return rows

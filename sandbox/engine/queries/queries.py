@@ -1,0 +1,209 @@
+"""`world.query`: read-only questions about where things are."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from sandbox._jit import kernel_argument
+from sandbox.engine.queries.checks import checked_box, checked_place, checked_ways
+from sandbox.engine.queries.filter import Filter
+from sandbox.engine.queries.gap import find_gap
+from sandbox.engine.queries.lay_out import lay_out
+from sandbox.engine.queries.memory import HIT, Memory
+from sandbox.engine.queries.proximity import nearest_shape, overlaps
+from sandbox.engine.queries.results import BodyDistance, CastHit, Overlap, PointHit, RayHit, RayHits
+from sandbox.engine.queries.subject import POINT, Subject, subject_of, write_filter, write_subject
+from sandbox.engine.queries.sweep import all_hits, first_hits
+from sandbox.errors import QueryError
+from sandbox.geometry.shapes import Core
+
+if TYPE_CHECKING:
+    from sandbox.engine.world import World
+
+Vec = tuple[float, float]
+_EVERYTHING = Filter()
+
+
+class Queries:
+    """Questions to one world. They change nothing: no digest, no snapshot, no step.
+
+    Touching counts everywhere: a ray that grazes a corner hits it, and so does whatever the rounding of floats cannot
+    tell from a touch (a few units in the last place of the lengths involved). Sleeping, static and frozen bodies are
+    seen like any others. Lines are met from both sides.
+
+    The first question after a step, a command or a restore puts all shapes into a grid; those that follow use it.
+    """
+
+    def __init__(self, world: World, find: Callable[[str], int]) -> None:
+        self._world = world
+        self._find = find
+        self._way = np.zeros((1, 4))
+        self._one: Any = kernel_argument(HIT.zeros(2))
+        self._many: Any = kernel_argument(HIT.zeros(64))
+        self._laid_out = -1
+        self._asked: tuple[Subject, Filter] | None = None
+        self._use(Memory.for_state(world.state))
+
+    def ray(self, origin: Sequence[float], translation: Sequence[float], filter: Filter | None = None) -> RayHit | None:
+        """The first hit on the way from `origin` to `origin + translation` (m); the lowest shape if several tie.
+
+        A ray of length 0 hits what its origin touches. Raises `QueryError`.
+        """
+        x, y = checked_place("ray", "the origin", origin)
+        way = checked_place("ray", "the translation", translation)
+        hit = self._first((x, y), way, POINT, filter)
+        return None if hit is None else RayHit(*hit)
+
+    def ray_all(
+        self, origin: Sequence[float], translation: Sequence[float], filter: Filter | None = None
+    ) -> tuple[RayHit, ...]:
+        """Every shape the ray meets, where it enters, sorted by (fraction, shape)."""
+        place = checked_place("ray_all", "the origin", origin)
+        way = checked_place("ray_all", "the translation", translation)
+        return tuple(RayHit(*hit) for hit in self._all(place, way, POINT, filter))
+
+    def rays(self, origins: ArrayLike, translations: ArrayLike, filter: Filter | None = None) -> RayHits:
+        """The first hits of many rays at once: `origins` and `translations` are (n, 2) or one pair for all (m)."""
+        ways = checked_ways(origins, translations)
+        hits: Any = kernel_argument(HIT.zeros(len(ways)))
+        self._ask(POINT, filter)
+        self._run(first_hits, ways, hits)
+        point, normal = (np.stack([hits[x], hits[y]], 1) for x, y in (("x", "y"), ("normal_x", "normal_y")))
+        return RayHits(hits["body"], hits["shape_index"], point, normal, hits["fraction"])
+
+    def cast(self, shape: Core, translation: Sequence[float], filter: Filter | None = None) -> CastHit | None:
+        """The first hit of a shape that moves by `translation` (m) without turning. Raises `QueryError`."""
+        subject = subject_of(shape)
+        hit = self._first(subject.place, checked_place("cast", "the translation", translation), subject, filter)
+        return None if hit is None else CastHit(*hit)
+
+    def cast_all(self, shape: Core, translation: Sequence[float], filter: Filter | None = None) -> tuple[CastHit, ...]:
+        """Every shape that the moving shape meets, sorted by (fraction, shape)."""
+        subject = subject_of(shape)
+        way = checked_place("cast_all", "the translation", translation)
+        return tuple(CastHit(*hit) for hit in self._all(subject.place, way, subject, filter))
+
+    def point(self, point: Sequence[float], filter: Filter | None = None) -> tuple[PointHit, ...]:
+        """Every shape that holds the point (m), on its outline or inside, sorted by shape."""
+        place = checked_place("point", "the point", point)
+        return tuple(PointHit(*hit) for hit in self._overlaps(place, POINT, filter))
+
+    def nearest(
+        self, point: Sequence[float], within: float = float("inf"), filter: Filter | None = None
+    ) -> PointHit | None:
+        """The shape with the least signed distance from the point, if that is at most `within` metres.
+
+        Of shapes that hold the point it is the one it lies deepest in.
+        """
+        x, y = checked_place("nearest", "the point", point)
+        if not within >= 0.0:
+            raise QueryError(f"nearest: within must be a distance of 0 m or more, not {within}")
+        self._ask(POINT, filter)
+        if len(self._memory.boxes) == 0 or not self._run(nearest_shape, x, y, float(within), self._one):
+            return None
+        return PointHit(*self._answer(self._one.tolist()[0]))
+
+    def overlap_box(
+        self, lower: Sequence[float], upper: Sequence[float], filter: Filter | None = None
+    ) -> tuple[Overlap, ...]:
+        """Every shape that touches the upright box from corner `lower` to corner `upper` (m), sorted by shape.
+
+        The shapes themselves, not their bounds. A box without width or height is a line or a point.
+        """
+        subject = subject_of(checked_box(lower, upper))
+        return tuple(_overlap(hit) for hit in self._overlaps(subject.place, subject, filter))
+
+    def overlap_shape(self, shape: Core, filter: Filter | None = None) -> tuple[Overlap, ...]:
+        """Every shape that touches the given one, sorted by shape."""
+        subject = subject_of(shape)
+        return tuple(_overlap(hit) for hit in self._overlaps(subject.place, subject, filter))
+
+    def distance(self, body_a: str, body_b: str) -> BodyDistance:
+        """The closest points of two bodies. Raises `UnknownBodyError`, and `QueryError` for one and the same body."""
+        a, b = self._find(body_a), self._find(body_b)
+        if a == b:
+            raise QueryError(f"distance: {body_a!r} is given twice")
+        self._ask(POINT, None)
+        self._asked = None
+        memory, owner = self._memory, np.asarray(self._world.state.shapes)["body"]
+        arrays = (self._world.state.bodies, self._world.state.shapes, memory.turned, memory.boxes, memory.question)
+        parts = (np.flatnonzero(owner == a), np.flatnonzero(owner == b))
+        call: Callable[..., None] = find_gap
+        call(*(kernel_argument(array) for array in arrays), *parts, self._one)
+        of_a, of_b = map(self._answer, self._one.tolist())
+        return BodyDistance(of_a[4], of_a[2], of_b[2], of_a[3], of_a[1], of_b[1])
+
+    def _first(self, place: Vec, way: Vec, subject: Subject, seen: Filter | None) -> tuple[Any, ...] | None:
+        self._ask(subject, seen)
+        self._way[0] = (*place, *way)
+        self._run(first_hits, self._way, self._one)
+        hit = self._one.tolist()[0]
+        return self._answer(hit) if hit[0] >= 0 else None
+
+    def _all(self, place: Vec, way: Vec, subject: Subject, seen: Filter | None) -> list[tuple[Any, ...]]:
+        self._ask(subject, seen)
+        self._way[0] = (*place, *way)
+        hits = self._collect(lambda room: self._run(all_hits, self._way, room))
+        return [self._answer(hit) for hit in sorted(hits, key=lambda hit: (hit[2], hit[0]))]
+
+    def _overlaps(self, place: Vec, subject: Subject, seen: Filter | None) -> list[tuple[Any, ...]]:
+        self._ask(subject, seen)
+        hits = self._collect(lambda room: self._run(overlaps, *place, room))
+        return [self._answer(hit) for hit in sorted(hits)]
+
+    def _collect(self, ask: Callable[[Any], int]) -> list[tuple[Any, ...]]:
+        """Ask until there is room for all answers."""
+        count = ask(self._many)
+        if count > len(self._many):
+            self._many = kernel_argument(HIT.zeros(count + count // 2))
+            count = ask(self._many)
+        rows: list[tuple[Any, ...]] = self._many[:count].tolist()
+        return rows
+
+    def _run(self, kernel: Callable[..., Any], *more: Any) -> Any:
+        return kernel(*self._arguments, *more)
+
+    def _answer(self, hit: tuple[Any, ...]) -> tuple[str, int, Vec, Vec, float]:
+        shape, body, fraction, x, y, nx, ny = hit
+        return self._world.names[body], shape, (x, y), (nx, ny), fraction
+
+    def _ask(self, subject: Subject, seen: Filter | None) -> None:
+        """Bring the grid up to date and write down what is asked, if it is not what was asked last."""
+        if self._laid_out != self._world.changes:
+            self._refresh()
+        seen = seen or _EVERYTHING
+        if self._asked is None or self._asked[0] is not subject:
+            write_subject(self._memory, subject)
+        if self._asked is None or self._asked[1] != seen:
+            self._asked = None
+            write_filter(self._memory, seen, self._find)
+        self._asked = (subject, seen)
+
+    def _refresh(self) -> None:
+        """Put all shapes into the grid as they lie now."""
+        state = self._world.state
+        if self._tables != (id(state.bodies), id(state.shapes), id(state.vertices)):
+            self._use(Memory.for_state(state))
+        lay_out(*self._laying)
+        self._laid_out = self._world.changes
+
+    def _use(self, memory: Memory) -> None:
+        """Take new memory and prepare what the kernels are called with."""
+        state, m = self._world.state, memory
+        self._memory = memory
+        self._asked = None
+        self._tables = (id(state.bodies), id(state.shapes), id(state.vertices))
+        grid = (m.ordered, m.heads, m.levels, m.regions, m.question)
+        laying = (state.bodies, state.shapes, state.vertices, m.turned, m.boxes, *grid)
+        asking = (state.bodies, state.shapes, m.turned, *grid, m.walk, m.hidden)
+        self._laying: Any = tuple(kernel_argument(array) for array in laying)
+        self._arguments: Any = tuple(kernel_argument(array) for array in asking)
+
+
+def _overlap(hit: tuple[Any, ...]) -> Overlap:
+    body, shape, point, normal, distance = hit
+    return Overlap(body, shape, point, normal, 0.0 - distance)

@@ -1,0 +1,239 @@
+"""The boxes that something swept along a straight way could meet, near ones first, through the cells of the grid.
+
+A box reaches at most half a cell out of the cell that holds its middle. So on each level the walk visits the cells
+that the way meets when it is widened by half a cell and by what is swept. It goes line by line, across the longer
+side of the way, and turns to the next level when a line begins past `limit`. A level of which it would visit more cells
+than there are boxes is gone through directly, so that no ray costs more than looking at every box.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from sandbox._jit import inlined_kernel, kernel
+from sandbox.engine.grid import LEVELS, bucket
+from sandbox.engine.queries.lay_out import ROUNDING
+from sandbox.tables import Integers, Records
+
+_ANY_CELL = 1 << 62
+
+
+@kernel
+def begin_walk(walk: Records, question: Records, x: float, y: float, way_x: float, way_y: float, grow: float) -> None:
+    """Start at (x, y) towards (x + way_x, y + way_y) with the bounds of the query shape, `grow` metres wider."""
+    grow = grow + ROUNDING * (abs(x) + abs(y) + abs(way_x) + abs(way_y) + question.extent)
+    walk.x = x
+    walk.y = y
+    walk.way_x = way_x
+    walk.way_y = way_y
+    walk.limit = 1.0
+    walk.lower_x = question.lower_x - grow
+    walk.lower_y = question.lower_y - grow
+    walk.upper_x = question.upper_x + grow
+    walk.upper_y = question.upper_y + grow
+    walk.stage = -1
+    walk.lines_left = 0
+    walk.cell = 1
+    walk.last_cell = 0
+    walk.first = 0
+    walk.end = question.sparse_count
+
+
+@kernel
+def next_box(
+    walk: Records, question: Records, ordered: Records, heads: Integers, levels: Integers, regions: Records
+) -> int:
+    """Row in `ordered` of the next box that the sweep meets, each once; -1 when there is none left."""
+    while True:
+        end = walk.end
+        for i in range(walk.first, end):
+            row = levels[2 * LEVELS + i] if walk.stage < 0 else i
+            if meets_sweep(walk, ordered[row]) and (walk.stage < 0 or _in_found_cells(walk, ordered[row])):
+                walk.first = i + 1
+                return row
+        if not _find_run(walk, heads, regions, question.region_count, ordered.shape[0]):
+            return -1
+
+
+@inlined_kernel
+def meets_sweep(walk: Records, box: Records) -> bool:
+    """The separating-axis test of a box and the part of the way within `limit`: along x, y, and across the way."""
+    low_x = box.lower_x - walk.upper_x - walk.x
+    low_y = box.lower_y - walk.upper_y - walk.y
+    high_x = box.upper_x - walk.lower_x - walk.x
+    high_y = box.upper_y - walk.lower_y - walk.y
+    end_x = walk.limit * walk.way_x
+    end_y = walk.limit * walk.way_y
+    apart_x = ((end_x if end_x < 0.0 else 0.0) > high_x) | ((end_x if end_x > 0.0 else 0.0) < low_x)
+    apart_y = ((end_y if end_y < 0.0 else 0.0) > high_y) | ((end_y if end_y > 0.0 else 0.0) < low_y)
+    side = abs(walk.way_x * (low_y + high_y) - walk.way_y * (low_x + high_x))
+    reach = abs(walk.way_x) * (high_y - low_y) + abs(walk.way_y) * (high_x - low_x)
+    return bool(not (apart_x | apart_y | (side > reach)))
+
+
+@inlined_kernel
+def _in_found_cells(walk: Records, box: Records) -> bool:
+    """Whether a box lies in the cells that were looked up: other cells may share their buckets."""
+    in_x = (box.cell_x >= walk.low_x) & (box.cell_x <= walk.high_x)
+    in_y = (box.cell_y >= walk.low_y) & (box.cell_y <= walk.high_y)
+    return bool(in_x & in_y & (box.level == walk.level))
+
+
+@kernel
+def _find_run(walk: Records, heads: Integers, regions: Records, region_count: int, box_count: int) -> bool:
+    """Find the next run of boxes to look at: of a cell, of cells in a row, or all; False when the walk is over."""
+    while walk.cell > walk.last_cell:
+        walk.stage += 1 if walk.lines_left == 0 else 0
+        stage: Any = walk.stage
+        if stage >= region_count:
+            return False
+        if walk.lines_left > 0:
+            _begin_line(walk, regions[stage])
+        elif _begin_region(walk, regions[stage]):
+            walk.first = 0
+            walk.end = box_count
+            return True
+    _look_up(walk, heads)
+    return True
+
+
+@kernel
+def _begin_region(walk: Records, region: Records) -> bool:
+    """Plan the lines of a level; True when its boxes shall be gone through directly."""
+    inverse = region.cells_per_metre
+    walk.level = region.level
+    high = (walk.upper_y - walk.lower_y) * inverse
+    walk.by_columns = 1 if abs(walk.way_x) > abs(walk.way_y) and high < 2.0 else 0
+    if walk.by_columns == 1:
+        first, last = _cells(
+            walk.x, walk.way_x, walk.lower_x, walk.upper_x, walk.limit, region.lower_x, region.upper_x, inverse
+        )
+        walk.turn = 1 if walk.way_x >= 0.0 else -1
+    else:
+        first, last = _cells(
+            walk.y, walk.way_y, walk.lower_y, walk.upper_y, walk.limit, region.lower_y, region.upper_y, inverse
+        )
+        walk.turn = 1 if walk.way_y >= 0.0 else -1
+    walk.line = first if walk.turn > 0 else last
+    walk.lines_left = last - first + 1
+    if walk.lines_left <= region.count:
+        return False
+    walk.lines_left = 0
+    walk.low_x = -_ANY_CELL
+    walk.low_y = -_ANY_CELL
+    walk.high_x = _ANY_CELL
+    walk.high_y = _ANY_CELL
+    return True
+
+
+@kernel
+def _cells(
+    start: float,
+    way: float,
+    lower: float,
+    upper: float,
+    limit: float,
+    region_lower: float,
+    region_upper: float,
+    inverse: float,
+) -> tuple[int, int]:
+    """First and last line of cells along one axis that the sweep meets within the region; last < first if none."""
+    end = limit * way
+    low = (start + (end if end < 0.0 else 0.0) + lower) * inverse - 0.5
+    high = (start + (end if end > 0.0 else 0.0) + upper) * inverse + 0.5
+    return _clipped(low, high, region_lower * inverse, region_upper * inverse)
+
+
+@kernel
+def _clipped(low: float, high: float, least: float, most: float) -> tuple[int, int]:
+    """Cells from `low` to `high`, but only where the level has boxes."""
+    low = low if low > least else least
+    high = high if high < most else most
+    if low > high:
+        return 1, 0
+    return math.floor(low), math.floor(high)
+
+
+@kernel
+def _begin_line(walk: Records, region: Records) -> None:
+    """Find the cells of the next line."""
+    if walk.by_columns == 1:
+        begin, end = _fractions(walk, walk.x, walk.way_x, walk.lower_x, walk.upper_x, region.cells_per_metre)
+        _span(walk, begin, end, walk.y, walk.way_y, walk.lower_y, walk.upper_y, region.lower_y, region.upper_y, region)
+        walk.low_x = walk.line
+        walk.high_x = walk.line
+    else:
+        begin, end = _fractions(walk, walk.y, walk.way_y, walk.lower_y, walk.upper_y, region.cells_per_metre)
+        _span(walk, begin, end, walk.x, walk.way_x, walk.lower_x, walk.upper_x, region.lower_x, region.upper_x, region)
+        walk.low_y = walk.line
+        walk.high_y = walk.line
+    walk.line += walk.turn
+    walk.lines_left -= 1
+    if begin > walk.limit:
+        walk.lines_left = 0
+
+
+@kernel
+def _fractions(
+    walk: Records, start: float, way: float, lower: float, upper: float, inverse: float
+) -> tuple[float, float]:
+    """From where to where on the way the widened sweep meets the line: fractions from 0 on."""
+    if way == 0.0:
+        return 0.0, 1.0
+    near = walk.line if way > 0.0 else walk.line + 1
+    ahead = upper * inverse + 0.5 if way > 0.0 else lower * inverse - 0.5
+    behind = lower * inverse - 0.5 if way > 0.0 else upper * inverse + 0.5
+    begin = (near - ahead - start * inverse) / (way * inverse)
+    end = (near + walk.turn - behind - start * inverse) / (way * inverse)
+    return begin if begin > 0.0 else 0.0, end if end > 0.0 else 0.0
+
+
+@kernel
+def _span(
+    walk: Records,
+    begin: float,
+    end: float,
+    start: float,
+    way: float,
+    lower: float,
+    upper: float,
+    region_lower: float,
+    region_upper: float,
+    region: Records,
+) -> None:
+    """Cells of a line between two fractions of the way, none if it begins past the limit."""
+    inverse = region.cells_per_metre
+    walk.cell = 1
+    walk.last_cell = 0
+    if begin > walk.limit:
+        return
+    at_begin = start + begin * way
+    at_end = start + (end if end < walk.limit else walk.limit) * way
+    low = at_begin if at_begin < at_end else at_end
+    high = at_begin if at_begin > at_end else at_end
+    first, last = _clipped(
+        (low + lower) * inverse - 0.5, (high + upper) * inverse + 0.5, region_lower * inverse, region_upper * inverse
+    )
+    walk.cell = first
+    walk.last_cell = last
+
+
+@kernel
+def _look_up(walk: Records, heads: Integers) -> None:
+    """The run of boxes in the next cell of a column, or in the cells of a row: their buckets are neighbours."""
+    if walk.by_columns == 1:
+        k = bucket(walk.low_x, walk.cell, walk.level, heads)
+        walk.low_y = walk.cell
+        walk.high_y = walk.cell
+        count = 1
+    else:
+        k = bucket(walk.cell, walk.low_y, walk.level, heads)
+        room = heads.shape[0] - 1 - k
+        count = walk.last_cell - walk.cell + 1
+        count = count if count < room else room
+        walk.low_x = walk.cell
+        walk.high_x = walk.cell + count - 1
+    walk.first = heads[k]
+    walk.end = heads[k + count]
+    walk.cell += count
