@@ -26,6 +26,8 @@ _TOUCH = 1e-13
 """Share of the pair's size by which the kernels' separation may be off; below it whole numbers decide."""
 _SHALLOW = 1e-4
 """Share of the pair's size below which a depth is so small that rounding could favour a wrong axis by 1e-10 of it."""
+_PARALLEL = 1e-9
+"""Sine of an angle below which the kernel's axis is the one that whole numbers chose."""
 _OWNERS: tuple[Owner, Owner, Owner] = ("a", "b", "corners")
 
 
@@ -74,10 +76,11 @@ def collide(a: Shape, b: Shape) -> Contact | None:
         axis = exact.best()
         if exact.compare(axis) >= 0:
             return None
+        manifold = manifold if _agree(manifold, axis) else pair.manifold_on(axis)
     else:
         axis = exact.axis(int(manifold.axis_owner), int(manifold.axis_edge), int(manifold.feature1) % 64)
     depth, mtv = exact.way_out(axis)
-    points = _points(pair, manifold) or _points(pair, _pressed(pair, axis, size))
+    points = _points(pair, manifold)
     return Contact(axis.normal, depth, mtv, points, _OWNERS[axis.owner], _edge_number(a, b, axis))
 
 
@@ -118,14 +121,15 @@ class _Spot(NamedTuple):
 
 
 def _points(pair: Pair, manifold: Any) -> tuple[Vec, ...]:
+    """The points in world coordinates; two that are the same are one."""
     both = (manifold.x1, manifold.y1), (manifold.x2, manifold.y2)
-    return tuple(pair.in_world(x, y) for x, y in both[: int(manifold.point_count)])
+    return tuple(dict.fromkeys(pair.in_world(x, y) for x, y in both[: int(manifold.point_count)]))
 
 
-def _pressed(pair: Pair, axis: Axis, size: float) -> Any:
-    """The manifold with b pressed a little deeper along an axis: of an overlap too small for floats to see."""
-    nx, ny = axis.normal
-    return pair.manifold(_TOUCH, (-2.0 * _TOUCH * size * nx, -2.0 * _TOUCH * size * ny))[2]
+def _agree(manifold: Any, axis: Axis) -> bool:
+    """Whether the kernel's points are those of an axis: faces flat on each other are as near at their corners."""
+    (x, y), nx, ny = axis.normal, float(manifold.normal_x), float(manifold.normal_y)
+    return bool(manifold.point_count > 0 and nx * x + ny * y > 0.0 and abs(nx * y - ny * x) < _PARALLEL)
 
 
 def _edge_number(a: Shape, b: Shape, axis: Axis) -> int | None:

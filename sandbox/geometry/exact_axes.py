@@ -24,10 +24,14 @@ _BITS = 128
 
 @dataclass(frozen=True)
 class Axis:
-    """One axis of the test: (x, y) points from a to b; `edge` is the face of its owner, for corners the vertex of a."""
+    """One axis of the test: (x, y) points from a to b; `edge` is the face of its owner.
+
+    For corners it is the vertex of a, and `corner` that of b.
+    """
 
     owner: int
     edge: int
+    corner: int
     x: int
     y: int
     gap: int
@@ -52,10 +56,10 @@ class ExactPair:
         self.a, self.b = numbers[: len(a.vertices)], numbers[len(a.vertices) : -1]
         self.radii = sum(numbers[-1])
 
-    def axis(self, owner: int, edge: int, corner_b: int) -> Axis:
-        """The axis a manifold names: of a face, or from vertex `edge` of a to vertex `corner_b` of b."""
+    def axis(self, owner: int, edge: int, corner: int) -> Axis:
+        """The axis a manifold names: of a face, or from vertex `edge` of a to vertex `corner` of b."""
         if owner == CORNERS:
-            return self._corner_axis(edge, corner_b)
+            return self._corner_axis(edge, corner)
         return self._face_axis(owner, edge)
 
     def best(self) -> Axis:
@@ -101,18 +105,18 @@ class ExactPair:
         core = self.a if owner == FACE_OF_A else self.b
         (x0, y0), (x1, y1) = core[edge], core[(edge + 1) % len(core)]
         return (
-            self._along(owner, edge, y1 - y0, x0 - x1)
+            self._along(owner, edge, 0, y1 - y0, x0 - x1)
             if owner == FACE_OF_A
-            else self._along(owner, edge, y0 - y1, x1 - x0)
+            else self._along(owner, edge, 0, y0 - y1, x1 - x0)
         )
 
     def _corner_axis(self, i: int, j: int) -> Axis:
         x, y = self.b[j][0] - self.a[i][0], self.b[j][1] - self.a[i][1]
-        return self._along(CORNERS, i, x, y) if x or y else self._along(CORNERS, i, 0, 1)
+        return self._along(CORNERS, i, j, x, y) if x or y else self._along(CORNERS, i, j, 0, 1)
 
-    def _along(self, owner: int, edge: int, x: int, y: int) -> Axis:
+    def _along(self, owner: int, edge: int, corner: int, x: int, y: int) -> Axis:
         gap = min(x * p[0] + y * p[1] for p in self.b) - max(x * p[0] + y * p[1] for p in self.a)
-        return Axis(owner, edge, x, y, gap)
+        return Axis(owner, edge, corner, x, y, gap)
 
     def _closest_corners(self) -> tuple[int, int]:
         def square(pair: tuple[int, int]) -> int:

@@ -72,7 +72,7 @@ def collide_cores(
         return 0
     flip = face_a < 0 or (face_b >= 0 and separation_b > separation_a + face_bias)
     core_separation = separation_b if flip else separation_a
-    if radii > 0.0:
+    if radii > 0.0 or (a_count <= 2 and b_count <= 2):
         # Points and lines in one line overlap on all their face normals, however far apart they are, and so do slivers
         # to rounding: only a clear overlap of the cores rules their corners out.
         slack = _ROUNDING * pair_size(cores, a, a_count, b, b_count, dx, dy)
@@ -82,16 +82,38 @@ def collide_cores(
             if corner and distance > core_separation + 3.0 * slack + face_bias:
                 if distance > reach:
                     return 0
-                return _corner_point(cores, a, i, a_radius, j, b_radius, nx, ny, distance, m)
+                return corner_manifold(cores, a, i, a_radius, j, b_radius, nx, ny, distance, m)
     m.separation = core_separation - radii
+    face = face_b if flip else face_a
+    return face_manifold(cores, a, a_count, a_radius, b, b_count, b_radius, dx, dy, margin, flip, face, m)
+
+
+@kernel
+def face_manifold(
+    cores: Records,
+    a: int,
+    a_count: int,
+    a_radius: float,
+    b: int,
+    b_count: int,
+    b_radius: float,
+    dx: float,
+    dy: float,
+    margin: float,
+    flip: bool,
+    face: int,
+    m: Records,
+) -> int:
+    """Fill in the manifold on a face, of b if `flip`; return its number of points. `m.separation` is there already."""
+    m.point_count = 0
     m.axis_owner = 1 if flip else 0
-    m.axis_edge = face_b if flip else face_a
+    m.axis_edge = face
     _clip(
         cores,
         b if flip else a,
         b_count if flip else a_count,
         b_radius if flip else a_radius,
-        m.axis_edge,
+        face,
         a if flip else b,
         a_count if flip else b_count,
         a_radius if flip else b_radius,
@@ -128,11 +150,11 @@ def _collide_points(
     if distance > 0.0:
         nx = gx / distance
         ny = gy / distance
-    return _corner_point(cores, a, ZERO, a_radius, ZERO, b_radius, nx, ny, distance, m)
+    return corner_manifold(cores, a, ZERO, a_radius, ZERO, b_radius, nx, ny, distance, m)
 
 
 @kernel
-def _corner_point(
+def corner_manifold(
     cores: Records,
     a: int,
     i: int,

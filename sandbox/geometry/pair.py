@@ -7,7 +7,8 @@ from typing import Any, NamedTuple
 
 from sandbox._jit import entry_point, kernel_argument
 from sandbox.geometry.closest import closest_points
-from sandbox.geometry.manifold import MANIFOLD, collide_cores
+from sandbox.geometry.exact_axes import Axis
+from sandbox.geometry.manifold import MANIFOLD, collide_cores, corner_manifold, face_manifold
 from sandbox.geometry.mass import edge_normals
 from sandbox.geometry.sat import FAR, pair_size
 from sandbox.geometry.shapes import Core
@@ -49,6 +50,35 @@ def manifold_of_pair(
 
 
 @entry_point
+def manifold_on_axis(
+    cores: Records,
+    a_count: int,
+    a_radius: float,
+    b_count: int,
+    b_radius: float,
+    dx: float,
+    dy: float,
+    owner: int,
+    edge: int,
+    corner: int,
+    nx: float,
+    ny: float,
+    out: Records,
+) -> int:
+    """Fill `out[0]` on the axis that (owner, edge, corner of b) name, whether or not it is the best; at least a point.
+
+    `nx, ny` is the unit normal, from a to b.
+    """
+    m = out[0]
+    b = a_count
+    if owner == 2:
+        along = nx * (cores[b + corner].x + dx - cores[edge].x) + ny * (cores[b + corner].y + dy - cores[edge].y)
+        return corner_manifold(cores, 0, edge, a_radius, corner, b_radius, nx, ny, along, m)
+    m.separation = -1.0  # an overlap: it has a point
+    return face_manifold(cores, 0, a_count, a_radius, b, b_count, b_radius, dx, dy, 0.0, owner == 1, edge, m)
+
+
+@entry_point
 def nearest_of_pair(
     cores: Records, a_count: int, b_count: int, dx: float, dy: float
 ) -> tuple[float, float, float, float, float, bool, int, int]:
@@ -65,12 +95,19 @@ class Pair(NamedTuple):
     center: Vec
     way: Vec
 
-    def manifold(self, share: float, nearer: Vec = (0.0, 0.0)) -> tuple[float, float, Any]:
-        """`manifold_of_pair` with b moved by `nearer`: (separation, size of the pair, manifold row)."""
+    def manifold(self, share: float) -> tuple[float, float, Any]:
+        """`manifold_of_pair`: (separation, size of the pair, manifold row)."""
         out = MANIFOLD.zeros(1)
-        (m, n), (r, q), dx, dy = self.counts, self.radii, self.way[0] + nearer[0], self.way[1] + nearer[1]
-        separation, size = manifold_of_pair(self.cores, m, r, n, q, dx, dy, share, kernel_argument(out))
+        (m, n), (r, q) = self.counts, self.radii
+        separation, size = manifold_of_pair(self.cores, m, r, n, q, *self.way, share, kernel_argument(out))
         return separation, size, out[0]
+
+    def manifold_on(self, axis: Axis) -> Any:
+        """`manifold_on_axis`: the manifold row."""
+        out = MANIFOLD.zeros(1)
+        (m, n), (r, q), named = self.counts, self.radii, (axis.owner, axis.edge, axis.corner)
+        manifold_on_axis(self.cores, m, r, n, q, *self.way, *named, *axis.normal, kernel_argument(out))
+        return out[0]
 
     def nearest(self) -> tuple[float, Vec, Vec]:
         """(distance, point of a, point of b) of disjoint cores; points from the centre of a, metres."""

@@ -127,6 +127,26 @@ def slivers(rng: Random) -> Pair:
     return brought_near(rng, a, b) if rng.random() < 0.5 else (a, b)
 
 
+def in_line(rng: Random) -> Pair:
+    """Thin things one behind the other on a line: no face separates them by more than rounding."""
+    (c, s), size, place = direction(rng), 10.0 ** rng.uniform(-1.0, 5.0), around(rng, (0.0, 0.0), 10.0)
+    gap = size * rng.choice([0.0, 10.0 ** rng.uniform(-12.0, 0.0)])
+
+    def thin(start: float, end: float) -> Shape:
+        p, q = ((place[0] + t * c, place[1] + t * s) for t in (start, end))
+        radius = max(1e-6, gap * rng.uniform(0.1, 1.0))
+        kind, width = rng.randrange(4), 4e-6
+        if kind == 0:
+            return Circle(rng.choice([p, q]), radius)
+        if kind == 1:
+            return Segment(p, q)
+        if kind == 2:
+            return Polygon([p, q, (p[0] - width * s, p[1] + width * c)], rng.choice([0.0, radius]))
+        return Capsule(p, q, radius)
+
+    return thin(0.0, size), thin(size + gap, (size + gap) * rng.uniform(1.5, 3.0))
+
+
 def far_from_origin(rng: Random) -> Pair:
     """A pair of another family, 1e4 to 1e7 m away; still a thousand roundings wide."""
     c, s = direction(rng)
@@ -174,7 +194,8 @@ def on_a_grid(rng: Random) -> Pair:
 FAMILIES: dict[str, Callable[[Random], Pair]] = {
     family.__name__: family
     for family in (
-        general, near_touching, containing, identical, sharing_edges, slivers, far_from_origin, rounded, on_a_grid,
+        general, near_touching, containing, identical, sharing_edges, slivers, in_line, far_from_origin, rounded,
+        on_a_grid,
     )
 }  # fmt: skip
 

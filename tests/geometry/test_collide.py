@@ -20,6 +20,7 @@ from sandbox import (
     collide,
     distance,
 )
+from tests.geometry.judged import judge
 from tests.geometry.shape_families import pairs
 
 UNIT = Box(1, 1)
@@ -160,7 +161,7 @@ def test_capsules_in_one_line_are_apart():
         c, s = math.cos(turn), math.sin(turn)
         ends = [(far * c, far * s) for far in (-1000.0, 0.0, 1.0, 900.0)]
         a, b = Capsule(ends[0], ends[1], 1e-6), Capsule(ends[2], ends[3], 1e-6)
-        assert collide(a, b) is None
+        assert judge(a, b) == -1
         assert distance(a, b).value == pytest.approx(1.0 - 2e-6)
 
 
@@ -168,8 +169,8 @@ def test_the_tip_of_a_sliver_does_not_reach_beyond_itself():
     """Near the tip's direction every face separates by less than rounding."""
     sliver = Polygon([(0, 0), (3e5 * math.cos(1), 3e5 * math.sin(1)), (-3e-6, 2e-6)])
     beyond = math.cos(1) * 300006.0, math.sin(1) * 300006.0
-    assert collide(sliver, Circle(beyond, 5)) is None
-    assert collide(sliver, Circle(beyond, 7)) is not None
+    assert judge(sliver, Circle(beyond, 5)) == -1
+    assert judge(sliver, Circle(beyond, 7)) == 1
 
 
 def test_points_of_a_box_on_a_box():
@@ -223,3 +224,20 @@ def test_the_example_in_the_readme_prints_what_it_says(capsys):
     ]
     exec(code, {})
     assert capsys.readouterr().out.splitlines() == re.findall(r"\)  # (.*)$", code, re.MULTILINE)
+
+
+@pytest.mark.parametrize("depth", [0.05, 1e-3, 1e-6, 1e-9, 1e-12])
+@pytest.mark.parametrize("turn", [0.0, 0.1, 0.3, 1.234])
+def test_rounded_faces_flat_on_each_other_have_two_points_however_near(turn, depth):
+    """Their corners are as near as their faces, give or take a rounding."""
+
+    def rounded(x: float, y: float) -> Polygon:
+        c, s = math.cos(turn), math.sin(turn)
+        core = [(x - 0.4, y - 0.4), (x + 0.4, y - 0.4), (x + 0.4, y + 0.4), (x - 0.4, y + 0.4)]
+        return Polygon([(c * u - s * v, s * u + c * v) for u, v in core], 0.1)
+
+    for shift in (0.0, 0.2):
+        contact = collide(rounded(0, 0), rounded(shift, 1 - depth))
+        assert contact is not None
+        assert contact.depth == pytest.approx(depth, abs=1e-15)
+        assert math.dist(*contact.points) == pytest.approx(0.8 - shift, abs=1e-9)

@@ -1,7 +1,7 @@
 """The geometry API and the narrow phase under it against exact rational arithmetic.
 
 `SANDBOX_PAIRS=100000 python -m pytest tests/geometry/test_oracle.py -n auto` runs as many pairs as it says; without
-it there are 800 of each family.
+it there are 720 of each family.
 """
 
 from __future__ import annotations
