@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 _STYLES = {"agrees": "green", "disagrees": "bold red", "unusable": "bold red"}
 _COLUMNS = (
-    ("steps", 6), ("pairs", 8), ("agreed", 8), ("touch", 6), ("pymunk wrong", 12), ("disagreed", 9), ("missed", 6),
+    ("steps", 5), ("pairs", 8), ("agreed", 8), ("touch", 6), ("trapped", 7), ("disagreed", 9), ("missed", 6),
     ("depth m", 7), ("normal °", 8),
 )  # fmt: skip
 _SHOWN = 5
@@ -78,7 +78,10 @@ def _remarks(result: Result) -> list[tuple[str, str]]:
     tally = result.tally
     if tally is None:
         return []
-    remarks = [(f"pymunk wrong, {name}: {count}", "dim") for name, count in sorted(tally.pymunk_wrong.items())]
+    remarks = [
+        (f"trapped: pymunk is wrong {count} times by {name!r}", "dim")
+        for name, count in sorted(tally.pymunk_wrong.items())
+    ]
     remarks += [(_tell(found), "") for found in tally.disagreements[:_SHOWN]]
     remarks += _more(tally.disagreed - _SHOWN, "disagreements")
     for miss in tally.misses[:_SHOWN]:

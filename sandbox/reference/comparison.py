@@ -8,11 +8,12 @@ from typing import Any
 import numpy as np
 
 from sandbox.engine.world import World
+from sandbox.reference.answer import Answer
 from sandbox.reference.ask_pymunk import Answers, Probe
 from sandbox.reference.brute_force import overlapping_pairs, that_matter
 from sandbox.reference.decide import decide
 from sandbox.reference.poses import Poses
-from sandbox.reference.settle import Answer, settle
+from sandbox.reference.settle import settle
 from sandbox.reference.tally import KEEP, Comparison, Disagreement, Miss
 from sandbox.reference.tolerance import ROUNDING
 from sandbox.reference.weigh import Weighed, find_rows, weigh

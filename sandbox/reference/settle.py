@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sandbox.geometry.mass import edge_normals
+from sandbox.reference.answer import Answer
 from sandbox.reference.decide import decide
 from sandbox.reference.exact_referee import Truth, judge, overlap_along
 from sandbox.reference.pair import Pair, Point
@@ -14,31 +15,6 @@ from sandbox.reference.poses import Poses
 from sandbox.reference.tolerance import allowed_error, touch_tolerance
 from sandbox.reference.traps import Trap, recognise
 from sandbox.world import records
-
-
-@dataclass(frozen=True)
-class Answer:
-    """What one judge says: whether the shapes `hit`, their `separation` in m and the `normal` from a, if it tells."""
-
-    hit: bool
-    separation: float | None = None
-    normal: Point | None = None
-
-    @classmethod
-    def ours(cls, separation: float, normal: Point) -> Answer:
-        """The narrow phase's: shapes hit where they overlap."""
-        return cls(separation < 0.0, separation, normal)
-
-    @classmethod
-    def theirs(cls, contact: tuple[float, Point] | None) -> Answer:
-        """pymunk's, from (depth, normal) or None: shapes hit where there is a contact, be it of depth 0."""
-        return cls(False) if contact is None else cls(True, -contact[0], contact[1])
-
-    def __str__(self) -> str:
-        if self.separation is None or self.normal is None:
-            return "apart"
-        side = "overlap of" if self.hit else "gap of"
-        return f"{side} {abs(self.separation):.9g} m along ({self.normal[0]:.9g}, {self.normal[1]:.9g})"
 
 
 @dataclass(frozen=True)
@@ -55,7 +31,7 @@ def settle(pair: Pair, ours: Answer, theirs: Answer) -> Settled:
     """Hold both answers against exact arithmetic."""
     truth = judge(pair)
     their_faults = tuple(faults_of(pair, theirs, truth))
-    trap = recognise(pair, theirs.normal, touch_tolerance(*size_and_reach(pair))) if their_faults else None
+    trap = recognise(pair, theirs, truth, *size_and_reach(pair)) if their_faults else None
     return Settled(truth, tuple(faults_of(pair, ours, truth)), their_faults, trap)
 
 

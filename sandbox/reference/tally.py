@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass, field
 
+from sandbox.reference.answer import Answer
 from sandbox.reference.pair import Pair
-from sandbox.reference.settle import Answer, Settled
+from sandbox.reference.settle import Settled
 
 KEEP = 100
 """Disagreements of a scene kept with their poses; more are only counted."""

@@ -1,7 +1,7 @@
 """pymunk's traps by name: where its answer must not be taken at its word.
 
-Three are avoided in how `ask_pymunk` asks, one is a matter of convention, and two falsify answers whatever one does:
-those are recognised, but only after exact arithmetic has found pymunk wrong. Measured on 7.3.1; `tests/reference`
+Three are avoided in how `ask_pymunk` asks, one is a matter of convention, and the others falsify answers whatever one
+does: those are recognised, but only after exact arithmetic has found pymunk wrong. Measured on 7.3.1; `tests/reference`
 proves each and says when a newer pymunk has mended it.
 """
 
@@ -10,8 +10,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from sandbox.reference.exact_referee import nearest_line
-from sandbox.reference.pair import Pair, Point
+from sandbox.reference.answer import Answer
+from sandbox.reference.exact_referee import Truth, nearest_line, overlap_along
+from sandbox.reference.pair import Pair
+from sandbox.reference.tolerance import ROUNDING, allowed_error, touch_tolerance
 
 Handling = Literal["avoided", "convention", "recognised"]
 
@@ -51,14 +53,44 @@ IN_LINE = Trap(
     "recognised",
 )
 
-TRAPS = (ASSERTS_WHEN_APART, STALE_TRANSFORMS, SIGN_OF_ORDER, TOUCHING_BOXES, NO_AXIS, IN_LINE)
+CLIPPED_DEPTH = Trap(
+    "clipped-depth",
+    "the deepest point of a manifold is the deepest of two clipped edges; where the deepest corner lies beside both, "
+    "the depth falls short of what parts the shapes along the same normal",
+    "recognised",
+)
+BLURRED_NORMAL = Trap(
+    "blurred-normal",
+    "the normal of a circle and a segment is the way between two points in world coordinates, which says little where "
+    "the circle's centre lies on the segment but for rounding",
+    "recognised",
+)
+
+TRAPS = (
+    ASSERTS_WHEN_APART, STALE_TRANSFORMS, SIGN_OF_ORDER, TOUCHING_BOXES, NO_AXIS, IN_LINE, CLIPPED_DEPTH,
+    BLURRED_NORMAL,
+)  # fmt: skip
 
 
-def recognise(pair: Pair, normal: Point | None, tolerance: float) -> Trap | None:
-    """The trap behind a wrong answer of pymunk, given its `normal` (None when it saw no contact), if it is known.
-
-    `tolerance` (m) is how far rounding may have moved the shapes: pymunk turns them with its own sines.
-    """
-    if normal == (0.0, 0.0):
+def recognise(pair: Pair, wrong: Answer, truth: Truth, size: float, reach: float) -> Trap | None:
+    """The trap behind a wrong answer of pymunk, if it is a known one; `size` and `reach` as in `tolerance`."""
+    if wrong.normal == (0.0, 0.0):
         return NO_AXIS
-    return IN_LINE if nearest_line(pair) <= tolerance else None
+    # pymunk turns shapes with its own sines, so what it sees exactly in line is so here but for rounding.
+    if nearest_line(pair) <= touch_tolerance(size, reach):
+        return IN_LINE
+    if wrong.normal is None or wrong.separation is None or not truth.overlap:
+        return None
+    error, excess = allowed_error(size, reach), overlap_along(pair, wrong.normal) - truth.depth
+    if excess <= error and -wrong.separation < truth.depth:
+        return CLIPPED_DEPTH
+    same_depth = abs(wrong.separation - truth.separation) <= error
+    if pair.kinds == "circle-segment" and same_depth and excess <= _blur(pair, truth, size, reach):
+        return BLURRED_NORMAL
+    return None
+
+
+def _blur(pair: Pair, truth: Truth, size: float, reach: float) -> float:
+    """How much deeper (m) an axis may be that rounding has turned, given how near the cores come to each other."""
+    way = truth.separation + pair.a.radius + pair.b.radius
+    return size * min(1.0, 4.0 * ROUNDING * reach / way) if way > 0.0 else size

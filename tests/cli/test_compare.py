@@ -25,7 +25,7 @@ def test_a_sound_scene_agrees(cli: Callable, write_scene: Callable) -> None:
     done = cli("compare", path)
     assert done.code == 0
     head, row, summary = done.out.splitlines()
-    assert head.split()[:6] == ["scene", "steps", "pairs", "agreed", "touch", "pymunk"]
+    assert head.split()[:6] == ["scene", "steps", "pairs", "agreed", "touch", "trapped"]
     assert row.startswith(path.as_posix())
     assert row.endswith("agrees")
     assert re.match(r"1 scene: 1 agree; \d+ pairs at 20 steps in [\d.]+ s", summary)

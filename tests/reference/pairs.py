@@ -26,6 +26,18 @@ def at(a: Core, b: Core, way: Point) -> Pair:
     return Pair(a, b, (0.0, 0.0), way)
 
 
+def between(a, b) -> Pair:
+    """Two public shapes as a pair, each core about the middle of its box."""
+    (core_a, center_a), (core_b, center_b) = _core(a), _core(b)
+    return Pair(core_a, core_b, center_a, center_b)
+
+
+def _core(shape) -> tuple[Core, Point]:
+    xs, ys = zip(*shape.vertices, strict=True)
+    x, y = 0.5 * (min(xs) + max(xs)), 0.5 * (min(ys) + max(ys))
+    return Core(tuple((px - x, py - y) for px, py in shape.vertices), shape.radius), (x, y)
+
+
 def pair_of(case: Case) -> Pair:
     return at(Core(case.a, case.radius_a), Core(case.b, case.radius_b), case.way)
 

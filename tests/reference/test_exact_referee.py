@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
+from random import Random
 
 import pytest
 from hypothesis import given
 
 from sandbox.reference.exact_referee import convex_hull, judge, nearest_line, overlap_along
-from sandbox.reference.pair import Pair
-from tests.naive import convex
+from sandbox.reference.pair import Core, Pair
+from tests.geometry.shape_families import FAMILIES
+from tests.naive import convex, minkowski
 from tests.reference.pairs import any_pairs, at, box, circle, line
 
 
@@ -26,6 +28,16 @@ def test_it_agrees_with_a_definition_over_points_and_edges(pair: Pair) -> None:
     assert truth.overlap == (crossing or square < radii * radii)
     expected = convex.separation(a, b) - float(radii)
     assert truth.separation == pytest.approx(expected, rel=1e-12, abs=1e-12)
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_it_agrees_with_another_exact_referee(family: str) -> None:
+    for k in range(60):
+        a, b = FAMILIES[family](Random(f"compare/{family}/{k}"))
+        pair = Pair(Core(a.vertices, a.radius), Core(b.vertices, b.radius))
+        expected, truth = minkowski.separation(a, b), judge(pair)
+        assert truth.overlap == (expected.sign < 0)
+        assert truth.separation == pytest.approx(float(expected.value), rel=1e-15, abs=1e-300)
 
 
 @pytest.mark.parametrize("gap", [0.0, 2.0**-52, -(2.0**-52)])

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from random import Random
+
+import pytest
 from hypothesis import assume, given, settings
 
+from sandbox.reference.answer import Answer
 from sandbox.reference.ask_pymunk import ask_pair
 from sandbox.reference.exact_referee import judge
 from sandbox.reference.pair import Core, Pair
-from sandbox.reference.settle import Answer, faults_of, our_answer, settle, size_and_reach
+from sandbox.reference.settle import faults_of, our_answer, settle, size_and_reach
 from sandbox.reference.tolerance import touch_tolerance
-from tests.reference.pairs import any_pairs, at, box, circle, random_pairs, tied_pairs
+from tests.geometry.shape_families import FAMILIES
+from tests.reference.pairs import any_pairs, at, between, box, circle, random_pairs, tied_pairs
 
 
 @settings(max_examples=400)
@@ -28,6 +33,15 @@ def test_pymunk_is_right_or_trapped(pair: Pair) -> None:
     assert settled.faults == ()
     assert not settled.their_faults or settled.trap is not None
     assert settled.their_faults or (answer is not None) == truth.overlap
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_of_every_family_pymunk_is_right_or_trapped(family: str) -> None:
+    for k in range(150):
+        pair = between(*FAMILIES[family](Random(f"compare/{family}/{k}")))
+        settled = settle(pair, our_answer(pair), Answer.theirs(ask_pair(pair)))
+        assert settled.faults == (), pair.source()
+        assert not settled.their_faults or settled.trap is not None, pair.source()
 
 
 def test_lies_are_found_out() -> None:

@@ -11,10 +11,11 @@ import pymunk
 import pytest
 
 from sandbox.reference import traps
+from sandbox.reference.answer import Answer
 from sandbox.reference.ask_pymunk import PYMUNK_VERSION, Probe, ask_pair, collide, shape_of
-from sandbox.reference.exact_referee import judge
+from sandbox.reference.exact_referee import judge, overlap_along
 from sandbox.reference.pair import Core, Pair
-from sandbox.reference.settle import Answer, faults_of, our_answer, poses_of, settle
+from sandbox.reference.settle import faults_of, our_answer, poses_of, settle
 from tests.reference.pairs import at, box, circle, line
 
 MEASURED_ON = "7.3.1"
@@ -132,9 +133,54 @@ def test_in_line(pair: Pair) -> None:
     assert settle(pair, our_answer(pair), Answer.theirs(answer)).trap is traps.IN_LINE
 
 
+SLIVER = Core(
+    (
+        (55822.048665149734, 102476.48333215926),
+        (56708.459711970994, 104103.73089558023),
+        (-52589.37124702285, -96542.02819523451),
+        (-56708.459711970994, -104103.73089558023),
+        (-29749.973324874303, -54614.13066425153),
+        (-20270.50414558468, -37211.99858469606),
+        (-17549.754734841117, -32217.326443947008),
+        (52630.57872165622, 96617.67613000513),
+    )
+)
+LYING = line((-57395.894311703145, 0.0), (57395.894311703145, 0.0))
+CLIPPED = Pair(SLIVER, LYING, (8750.672798210839, 16055.795923103411), (3.6285335582724656, -1.772150665673389))
+
+
+def test_clipped_depth() -> None:
+    truth, answer = judge(CLIPPED), ask_pair(CLIPPED)
+    assert faults_of(CLIPPED) == []
+    assert answer is not None
+    assert overlap_along(CLIPPED, answer[1]) == pytest.approx(truth.depth, rel=1e-12)
+    expect_trap(traps.CLIPPED_DEPTH, answer[0] < 0.9 * truth.depth)
+    assert settle(CLIPPED, our_answer(CLIPPED), Answer.theirs(answer)).trap is traps.CLIPPED_DEPTH
+
+
+BLURRED = Pair(
+    circle(0.5),
+    line((-0.9993758389213572, -0.035326089229260206), (0.9993758389213572, 0.035326089229260206), 0.25),
+    (1000002.3712115529, 6.527569613574018),
+    (1000002.9973330857, 6.557605198214823),
+)
+
+
+def test_blurred_normal() -> None:
+    truth, answer = judge(BLURRED), ask_pair(BLURRED)
+    assert faults_of(BLURRED) == []
+    assert answer is not None
+    expect_trap(traps.BLURRED_NORMAL, overlap_along(BLURRED, answer[1]) > truth.depth + 4e-9)
+    assert settle(BLURRED, our_answer(BLURRED), Answer.theirs(answer)).trap is traps.BLURRED_NORMAL
+    lie = Answer.theirs((truth.depth, (-0.1, 0.99498743710662)))
+    assert settle(BLURRED, our_answer(BLURRED), lie).trap is None
+
+
 def test_a_wrong_answer_without_a_known_reason_has_no_name() -> None:
     pair = at(box(1, 1), box(1, 1), (0.75, 0.125))
     assert settle(pair, our_answer(pair), Answer(False)).trap is None
+    assert settle(pair, our_answer(pair), Answer.theirs((0.3, (1.0, 0.0)))).trap is None
+    assert settle(pair, our_answer(pair), Answer.theirs((0.25, (0.0, 1.0)))).trap is None
 
 
 def test_every_trap_has_its_test() -> None:
