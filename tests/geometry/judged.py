@@ -32,8 +32,8 @@ def judge(a: Shape, b: Shape) -> int:
 
 def judge_kernel(a: Shape, b: Shape, truth: Separation) -> None:
     """The narrow phase by itself: verdict right outside the touch tolerance, and depth to the same."""
-    found, size, _ = pair_of(a, b).manifold(0.0)
-    assert size > 0.0
+    found, _, _ = pair_of(a, b).manifold(0.0)
+    size = size_of(a, b)
     assert found <= TOUCH * size or found == 1e300
     exact = float(truth.value)
     if exact < -TOUCH * size:
@@ -63,7 +63,7 @@ def judge_contact(a: Shape, b: Shape, contact: Contact, truth: Separation) -> No
 def judge_points(a: Shape, b: Shape, contact: Contact) -> None:
     """Every point lies within the overlap of the two intervals along the normal."""
     normal = Fraction(contact.normal[0]), Fraction(contact.normal[1])
-    slack = 1e-12 * pair_of(a, b).manifold(0.0)[1] + 8 * rounding(a, b)
+    slack = 1e-12 * size_of(a, b) + 8 * rounding(a, b)
 
     def along(point: tuple[float, float]) -> Fraction:
         return Fraction(point[0]) * normal[0] + Fraction(point[1]) * normal[1]
@@ -80,10 +80,16 @@ def judge_distance(a: Shape, b: Shape, truth: Separation) -> None:
     assert abs(found.value - truth.value) <= RIGHT * abs(truth.value), "wrong distance"
     assert found.points is not None
     (ax, ay), (bx, by) = found.points
-    slack = 1e-12 * pair_of(a, b).manifold(0.0)[1] + 8 * rounding(a, b)
+    slack = 1e-12 * size_of(a, b) + 8 * rounding(a, b)
     assert abs(math.hypot(bx - ax, by - ay) - found.value) <= slack, "points that are not that far apart"
     for point, shape in zip(found.points, (a, b), strict=True):
         assert abs(separation(shape, Spot((point,))).value) <= slack, "a closest point off the outline"
+
+
+def size_of(a: Shape, b: Shape) -> float:
+    """Largest extent of a pair (m), wherever it lies."""
+    sides = [[v[k] for v in (*a.vertices, *b.vertices)] for k in (0, 1)]
+    return max(max(side) - min(side) for side in sides) + a.radius + b.radius
 
 
 def rounding(a: Shape, b: Shape) -> float:
