@@ -201,12 +201,12 @@ def test_far_from_the_origin_nothing_changes(at):
 
 @pytest.mark.parametrize("gap", [1e-17, 1e-30, 1e-100, 1e-280])
 def test_a_depth_is_right_however_small(gap):
-    """The discs overlap by `gap`: the one at the origin is exactly as far from touching."""
-    contact = collide(Circle((0, gap), 1), Circle((0, 2), 1))
+    """3-4-5: the centres are 5 m less four fifths of `gap` apart, which is irrational."""
+    contact = collide(Circle((0, gap), 2), Circle((3, 4), 3))
     assert contact is not None
-    assert contact.depth == pytest.approx(gap, rel=1e-15)
-    assert judge(Circle((0, gap), 1), Circle((0, 2), 1)) == 1
-    assert judge(Circle((0, -gap), 1), Circle((0, 2), 1)) == -1
+    assert contact.depth == pytest.approx(0.8 * gap, rel=1e-15)
+    assert judge(Circle((0, gap), 2), Circle((3, 4), 3)) == 1
+    assert judge(Circle((0, -gap), 2), Circle((3, 4), 3)) == -1
 
 
 @pytest.mark.parametrize("size", [1e-6, 1e-3, 1.0, 1e3, 1e7])
