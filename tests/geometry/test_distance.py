@@ -25,6 +25,13 @@ def test_distance_and_closest_points():
     assert distance(Box(0.1, 0.1), UNIT) == Distance(0.0, None)
 
 
+@pytest.mark.parametrize("aside", [1e-9, 1e-30, 1e-100, 1e-150])
+def test_a_distance_is_right_however_small(aside):
+    """A disc that touches another, moved along it: they part by the square of that."""
+    found = distance(Circle((0, 0), 2), Circle((aside, 5), 3))
+    assert found.value == pytest.approx(aside * aside / 10, rel=1e-15)
+
+
 def test_contains_takes_the_outline_in():
     assert contains(UNIT, (0.5, 0.5))
     assert not contains(UNIT, (0.5, 0.5000000000000001))
