@@ -6,7 +6,7 @@ import math
 
 from sandbox._jit import ZERO, inlined_kernel, kernel
 from sandbox.engine.bounds import ACTIVE, DRIVEN, SLEEPS
-from sandbox.engine.grid import LEVELS, boxes_overlap, bucket, cells_per_metre, fill_grid
+from sandbox.engine.grid import LEVELS, LOWEST, base_cell, boxes_overlap, bucket, cells_per_metre, fill_grid
 from sandbox.tables import Integers, Records
 
 
@@ -20,7 +20,8 @@ def find_pairs(
     items) are scratch. The order of the pairs follows the grid: see `sort_pairs`.
     """
     sparse = levels[2 * LEVELS :]
-    base, used, sparse_count = fill_grid(boxes, ordered, heads, levels)
+    base = base_cell(boxes, levels)
+    used, sparse_count = fill_grid(boxes, base, LOWEST, ordered, heads, levels)
     count = ZERO
     for i in range(ordered.shape[0]):
         count = _pairs_on_own_level(ordered, owners, i, heads, pairs, count)

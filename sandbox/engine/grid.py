@@ -28,18 +28,19 @@ _LEVEL_STRIDE = 9973
 
 
 @kernel
-def fill_grid(boxes: Records, ordered: Records, heads: Integers, levels: Integers) -> tuple[float, int, int]:
-    """Lay `boxes` into cells: (width of the cells of level 0 in metres, levels with many boxes, sparse boxes).
+def fill_grid(
+    boxes: Records, base: float, finest: int, ordered: Records, heads: Integers, levels: Integers
+) -> tuple[int, int]:
+    """Lay `boxes` into cells: (levels with many boxes, boxes on the others).
 
-    `ordered` gets the boxes bucket by bucket: bucket k is `ordered[heads[k] : heads[k + 1]]`. `levels` (`LEVEL_SPACE`
-    items) gets the levels with many boxes, ascending; from `2 * LEVELS` on, the rows in `ordered` of the boxes on
-    levels with few.
+    `base` is the width of the cells of level 0 in metres, `finest` the lowest level in use. `ordered` gets the boxes
+    bucket by bucket: bucket k is `ordered[heads[k] : heads[k + 1]]`. `levels` (`LEVEL_SPACE` items) gets the levels
+    with many boxes, ascending; from `2 * LEVELS` on, the rows in `ordered` of the boxes on levels with few.
     """
     population = levels[LEVELS : 2 * LEVELS]
-    base = _base_cell(boxes, population)
-    used = _assign_cells(boxes, base, population, levels)
+    used = _assign_cells(boxes, base, finest, population, levels)
     _order_by_bucket(boxes, ordered, heads)
-    return base, used, _list_sparse_levels(ordered, population, levels[2 * LEVELS :])
+    return used, _list_sparse_levels(ordered, population, levels[2 * LEVELS :])
 
 
 @kernel
@@ -52,7 +53,7 @@ def _box_size(box: Records) -> float:
 
 
 @kernel
-def _octave(size: float) -> int:
+def octave(size: float) -> int:
     """Smallest n with size < 2**n, within the range of levels."""
     n = math.frexp(size)[1]
     n = n if n > LOWEST else LOWEST
@@ -60,32 +61,40 @@ def _octave(size: float) -> int:
 
 
 @kernel
-def _base_cell(boxes: Records, population: Integers) -> float:
+def base_cell(boxes: Records, levels: Integers) -> float:
     """Width of the cells of level 0 in metres: it just fits all boxes of the octave in which most boxes lie."""
+    population = levels[LEVELS : 2 * LEVELS]
     for k in range(LEVELS):
         population[k] = 0
     for i in range(boxes.shape[0]):
-        population[_octave(_box_size(boxes[i])) - LOWEST] += 1
+        population[octave(_box_size(boxes[i])) - LOWEST] += 1
     most = 0
     for k in range(LEVELS):
         most = k if population[k] > population[most] else most
     base = 0.0
     for i in range(boxes.shape[0]):
         size = _box_size(boxes[i])
-        if size > base and _octave(size) - LOWEST == most:
+        if size > base and octave(size) - LOWEST == most:
             base = size
     return base if base > 0.0 else 1.0
 
 
+@inlined_kernel
+def box_level(box: Records, base: float) -> int:
+    """Lowest level whose cells are wider than a box."""
+    ratio = _box_size(box) / base
+    return 0 if 0.5 < ratio <= 1.0 else octave(ratio)
+
+
 @kernel
-def _assign_cells(boxes: Records, base: float, population: Integers, levels: Integers) -> int:
+def _assign_cells(boxes: Records, base: float, finest: int, population: Integers, levels: Integers) -> int:
     """Give every box its level and cell; list in `levels` those with many boxes, ascending, and return how many."""
     for k in range(LEVELS):
         population[k] = 0
     for i in range(boxes.shape[0]):
         box = boxes[i]
-        ratio = _box_size(box) / base
-        level = 0 if 0.5 < ratio <= 1.0 else _octave(ratio)
+        level = box_level(box, base)
+        level = level if level > finest else finest
         inverse = cells_per_metre(base, level)
         box.level = level
         box.cell_x = math.floor(0.5 * (box.lower_x + box.upper_x) * inverse)

@@ -31,7 +31,8 @@ def signed_distance(
         if distance > (slack if count > 1 else 0.0):
             return distance - radius, (px - x) / distance, (py - y) / distance
         return distance - radius, edge.normal_x, edge.normal_y if count > 1 else 1.0
-    if count == 2 and edge.normal_x * (px - x) + edge.normal_y * (py - y) < 0.0:
+    # The other side of a line, or of a sliver so thin that both its sides are as near.
+    if edge.normal_x * (px - x) + edge.normal_y * (py - y) < (0.0 if count == 2 else -slack):
         return distance - radius, -edge.normal_x, -edge.normal_y
     return distance - radius, edge.normal_x, edge.normal_y
 

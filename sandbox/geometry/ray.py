@@ -15,6 +15,9 @@ MISS = -1.0
 _RAY_ROUNDING = 1.8e-15
 """Share of the lengths involved by which the arithmetic of a ray may be off: eight units in the last place."""
 
+_NO_WAY = 1e-200
+"""Square of the length, in m^2, of a ray that leads nowhere: it is shorter than any slack, and might underflow."""
+
 
 @kernel
 def ray_slack(ox: float, oy: float, dx: float, dy: float, extent: float) -> float:
@@ -39,8 +42,9 @@ def ray_enters(
     The fraction is `MISS` when it does not. The origin is farther than `slack` metres from the shape: see
     `signed_distance`. All in the frame of the core.
     """
-    length = math.sqrt(dx * dx + dy * dy)
-    if length == 0.0 or _passes_by(cores, start, count, ox, oy, dx, dy, (radius + slack) * length):
+    square = dx * dx + dy * dy
+    length = math.sqrt(square)
+    if square < _NO_WAY or _passes_by(cores, start, count, ox, oy, dx, dy, (radius + slack) * length):
         return MISS, 0.0, 0.0
     end = 1.0 + slack / length
     t, nx, ny = _enters_edge(cores, start, count, radius, ox, oy, dx, dy, slack, end)

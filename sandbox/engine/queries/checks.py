@@ -13,6 +13,8 @@ from sandbox.geometry.checks import FARTHEST, checked_point
 from sandbox.tables import Floats
 
 Vec = tuple[float, float]
+_THIN = 1e-100
+"""Sides shorter than this (m) have no length: their squares could underflow."""
 
 
 class UprightBox(NamedTuple):
@@ -40,8 +42,10 @@ def checked_box(lower: Sequence[float], upper: Sequence[float]) -> UprightBox:
     high_x, high_y = checked_place("overlap_box", "the upper corner", upper)
     if low_x > high_x or low_y > high_y:
         raise QueryError(f"overlap_box: the lower corner {tuple(lower)} is not below and left of {tuple(upper)}")
+    high_x = high_x if high_x - low_x > _THIN else low_x
+    high_y = high_y if high_y - low_y > _THIN else low_y
     corners = ((low_x, low_y), (high_x, low_y), (high_x, high_y), (low_x, high_y))
-    return UprightBox(corners if low_x < high_x and low_y < high_y else tuple(dict.fromkeys(corners)))
+    return UprightBox(tuple(dict.fromkeys(corners)))
 
 
 def checked_ways(origins: ArrayLike, translations: ArrayLike) -> Floats:

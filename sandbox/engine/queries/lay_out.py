@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import math
+
 from sandbox._jit import entry_point, kernel
 from sandbox.engine.bounds import turn_cores
-from sandbox.engine.grid import cells_per_metre, fill_grid
+from sandbox.engine.grid import base_cell, box_level, bucket, cells_per_metre, fill_grid, octave
 from sandbox.geometry.sat import FAR
 from sandbox.tables import Integers, Records
 
+_COMPANY = 2
 ROUNDING = 1e-15
 """Share of its coordinates by which a box is widened, so that rounding cannot leave out what it bounds."""
 
@@ -28,7 +31,8 @@ def lay_out(
     """Turn the cores, bound them tightly, fill the grid, and note where its levels are populated."""
     turn_cores(bodies, shapes, vertices, turned)
     _bound(bodies, shapes, turned, boxes)
-    base, used, sparse_count = fill_grid(boxes, ordered, heads, levels)
+    base = base_cell(boxes, levels)
+    used, sparse_count = fill_grid(boxes, base, _finest_level(boxes, base, heads), ordered, heads, levels)
     question[0].region_count = used
     question[0].sparse_count = sparse_count
     for k in range(used):
@@ -58,6 +62,47 @@ def _bound(bodies: Records, shapes: Records, turned: Records, boxes: Records) ->
         box.upper_x = body.center_x + upper_x + grow
         box.upper_y = body.center_y + upper_y + grow
         box.shape_index = i
+
+
+@kernel
+def _finest_level(boxes: Records, base: float, heads: Integers) -> int:
+    """The level with about a box a cell, where the small ones lie: rays are to cross as few empty cells as full ones.
+
+    Beginning with what an even spread would ask for; crowded places then want finer cells.
+    """
+    if boxes.shape[0] == 0:
+        return 0
+    lower_x, lower_y, upper_x, upper_y = FAR, FAR, -FAR, -FAR
+    for i in range(boxes.shape[0]):
+        lower_x = boxes[i].lower_x if boxes[i].lower_x < lower_x else lower_x
+        lower_y = boxes[i].lower_y if boxes[i].lower_y < lower_y else lower_y
+        upper_x = boxes[i].upper_x if boxes[i].upper_x > upper_x else upper_x
+        upper_y = boxes[i].upper_y if boxes[i].upper_y > upper_y else upper_y
+    room = (upper_x - lower_x) * (upper_y - lower_y) / boxes.shape[0]
+    level = octave(math.sqrt(room) / base)
+    while level > 0 and _is_crowded(boxes, base, level, heads):
+        level -= 2
+    return level if level > 0 else 0
+
+
+@kernel
+def _is_crowded(boxes: Records, base: float, level: int, heads: Integers) -> bool:
+    """Whether a box shares its cell with more than `_COMPANY` others, on average, if the small ones lay on `level`."""
+    for k in range(heads.shape[0]):
+        heads[k] = 0
+    inverse = cells_per_metre(base, level)
+    count = 0
+    for i in range(boxes.shape[0]):
+        box = boxes[i]
+        if box_level(box, base) <= level:
+            x = math.floor(0.5 * (box.lower_x + box.upper_x) * inverse)
+            y = math.floor(0.5 * (box.lower_y + box.upper_y) * inverse)
+            heads[bucket(x, y, level, heads)] += 1
+            count += 1
+    squares = 0
+    for k in range(heads.shape[0]):
+        squares += heads[k] * heads[k]
+    return squares > (1 + _COMPANY) * count
 
 
 @kernel

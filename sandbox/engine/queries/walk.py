@@ -179,13 +179,14 @@ def _fractions(
     walk: Records, start: float, way: float, lower: float, upper: float, inverse: float
 ) -> tuple[float, float]:
     """From where to where on the way the widened sweep meets the line: fractions from 0 on."""
-    if way == 0.0:
+    speed = way * inverse
+    if speed == 0.0:
         return 0.0, 1.0
     near = walk.line if way > 0.0 else walk.line + 1
     ahead = upper * inverse + 0.5 if way > 0.0 else lower * inverse - 0.5
     behind = lower * inverse - 0.5 if way > 0.0 else upper * inverse + 0.5
-    begin = (near - ahead - start * inverse) / (way * inverse)
-    end = (near + walk.turn - behind - start * inverse) / (way * inverse)
+    begin = (near - ahead - start * inverse) / speed
+    end = (near + walk.turn - behind - start * inverse) / speed
     return begin if begin > 0.0 else 0.0, end if end > 0.0 else 0.0
 
 
