@@ -12,7 +12,11 @@ from sandbox.resources import find_scene
 
 if TYPE_CHECKING:
     from sandbox.cli.sat_pair import SatPair
+    from sandbox.engine.world import World
     from sandbox.geometry.sat_table import SatTable
+    from sandbox.render.sat_page import Member
+
+_CROWD = 1000
 
 _SCENE = typer.Argument(help="A scene file, or the name of a shipped scene.")
 _BODIES = typer.Option(show_default=False, metavar="A B", help="The two bodies; needed unless the scene has just two.")
@@ -20,7 +24,7 @@ _STEP = typer.Option(min=0, max=10_000_000, help="Look at the scene after this m
 _ALL = typer.Option("--all", help="Every axis, also those after the first gap, and where each comes from.")
 _JSON = typer.Option("--json", help="Print one JSON document instead.")
 _SVG = typer.Option("--svg", show_default=False, metavar="FILE", help="Also draw it into this SVG file.")
-_FIGURE = typer.Option(metavar="NAME", help="What to draw: whole, edges, perpendiculars, axis, mtv or clipping.")
+_FIGURE = typer.Option(metavar="NAME", help="What to draw: whole, edges, perpendiculars, axis, mtv, clipping or scene.")
 _AXIS = typer.Option(min=1, show_default=False, metavar="N", help="The axis to draw; default: the deciding one.")
 _STEPS = typer.Option("--step-by-step", help="Tell the test step by step, down to the contact points.")
 
@@ -73,8 +77,21 @@ def _draw(pair: SatPair, table: SatTable, svg: Path, figure: str, axis: int | No
 
     if axis is not None and axis > table.axis_count:
         raise SandboxError(f"--axis {axis}: these two shapes have {table.axis_count} axes")
-    rows = sat_table(pair.a, pair.b, all_axes=True).rows
-    FIGURES[figure](SatFigure(table, pair.names, rows[axis - 1] if axis else None)).save(svg)
+    row = sat_table(pair.a, pair.b, all_axes=True).rows[axis - 1] if axis else None
+    crowd = _crowd(pair.world) if figure == "scene" else ()
+    FIGURES[figure](SatFigure(table, pair.names, row, crowd)).save(svg)
+
+
+def _crowd(world: World) -> tuple[Member, ...]:
+    """All shapes of the scene. Raises `SandboxError` if they are too many for a picture."""
+    from sandbox.engine.body_shapes import body_shapes
+    from sandbox.render.sat_page import Member
+
+    count = len(world.state.shapes)
+    if count > _CROWD:
+        raise SandboxError(f"--figure scene: {count} shapes are too many for a picture, at most {_CROWD}")
+    bodies = [(i, world.body(name).type == "dynamic", body_shapes(world, name)) for i, name in enumerate(world.names)]
+    return tuple(Member(shape, i, moves) for i, moves, shapes in bodies for shape in shapes)
 
 
 def _tell(pair: SatPair, table: SatTable, wide: bool, as_json: bool, step_by_step: bool) -> None:

@@ -15,7 +15,7 @@ def document(pair: SatPair, table: SatTable) -> dict[str, Any]:
     bodies = zip(pair.names, pair.numbers, (pair.a, pair.b), strict=True)
     return {
         "version": __version__,
-        "step": pair.step,
+        "step": pair.world.step_count,
         "bodies": [{"id": name, "shape": number, **_shape(shape)} for name, number, shape in bodies],
         **table.to_data(),
     }

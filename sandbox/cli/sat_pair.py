@@ -7,7 +7,7 @@ from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sandbox.errors import SandboxError
+from sandbox.errors import SandboxError, UnknownBodyError
 
 if TYPE_CHECKING:
     from sandbox.engine.world import World
@@ -16,12 +16,12 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class SatPair:
-    """Two shapes and where they come from; `numbers` are those of the shapes in their bodies, from 1."""
+    """Two shapes and where they come from; `world` is at the step asked for; `numbers` count shapes from 1."""
 
     names: tuple[str, str]
     a: Shape
     b: Shape
-    step: int
+    world: World
     numbers: tuple[int, int]
     counts: tuple[int, int]
 
@@ -60,7 +60,7 @@ def chosen_pair(world: World, names: tuple[str, str]) -> SatPair:
     shapes = body_shapes(world, names[0]), body_shapes(world, names[1])
     pairs = list(product(enumerate(shapes[0], 1), enumerate(shapes[1], 1)))
     (i, a), (j, b) = pairs[0] if len(pairs) == 1 else min(pairs, key=lambda pair: _apart(pair[0][1], pair[1][1]))
-    return SatPair(names, a, b, world.step_count, (i, j), (len(shapes[0]), len(shapes[1])))
+    return SatPair(names, a, b, world, (i, j), (len(shapes[0]), len(shapes[1])))
 
 
 def _apart(a: Shape, b: Shape) -> float:
@@ -80,7 +80,14 @@ def _only_two(world: World) -> tuple[str, str]:
 
 
 def _check(world: World, names: tuple[str, str]) -> None:
+    from sandbox.scene.finding import did_you_mean
+
     for name in names:
-        world.body(name)
+        if name not in world.names:
+            hint = (
+                did_you_mean(name, world.names)
+                or f"it has {', '.join(world.names[:5])}{' ...' * (len(world.names) > 5)}"
+            )
+            raise UnknownBodyError(f"--bodies: no body {name!r} in this scene; {hint}")
     if names[0] == names[1]:
         raise SandboxError(f"--bodies {names[0]} {names[1]}: a body does not collide with itself; name two")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from sandbox.render.sat_clipping import draw_clipping
+from sandbox.render.sat_crowd import draw_crowd
 from sandbox.render.sat_page import (
     ALONE,
     EDGE,
@@ -90,5 +91,6 @@ FIGURES: dict[str, Callable[[SatFigure], Svg]] = {
     "axis": draw_axis,
     "mtv": draw_mtv,
     "clipping": draw_clipping,
+    "scene": draw_crowd,
 }
 """Every figure by its name on the command line."""

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from sandbox.geometry.sat_rows import SatRow, Vec
 from sandbox.geometry.sat_table import SatTable
@@ -19,13 +21,25 @@ _DWARFED = 6.0
 """If one shape is so many times larger than the other, only the surroundings of the smaller one are shown."""
 
 
+class Member(NamedTuple):
+    """A shape of the scene, the index of its body, and whether that body can be pushed."""
+
+    shape: Shape
+    body: int
+    moves: bool
+
+
 @dataclass(frozen=True)
 class SatFigure:
-    """What a picture shows: a table, the names of its two bodies, and for some figures one of the rows."""
+    """What a picture shows: a table, the names of its two bodies, one of the rows, all shapes of the scene.
+
+    `row` is for the figure of one axis, `crowd` for that of the scene.
+    """
 
     table: SatTable
     names: tuple[str, str]
     row: SatRow | None = None
+    crowd: tuple[Member, ...] = ()
 
 
 def page(width: float, height: float, figure: SatFigure, subtitle: str = "") -> Svg:
@@ -39,10 +53,10 @@ def page(width: float, height: float, figure: SatFigure, subtitle: str = "") -> 
     return svg
 
 
-def alone(figure: SatFigure, subtitle: str, more: list[Vec] | None = None) -> tuple[Svg, Plane]:
-    """A page with one window on it, which holds the shapes and the points `more`."""
+def alone(figure: SatFigure, subtitle: str, more: Sequence[Vec] = (), crowd: bool = False) -> tuple[Svg, Plane]:
+    """A page with one window on it, which holds both shapes and the points `more`, or all that can move."""
     svg = page(ALONE[0] + 2 * EDGE, HEAD + ALONE[1] + EDGE, figure, subtitle)
-    plane = Plane(svg, (EDGE, HEAD), ALONE, [*extent(figure.table), *(more or [])], 52.0)
+    plane = Plane(svg, (EDGE, HEAD), ALONE, [*more, *(_crowd_extent(figure) if crowd else extent(figure.table))], 52.0)
     return svg, plane
 
 
@@ -69,22 +83,28 @@ def draw_outcome(plane: Plane, table: SatTable) -> None:
 def extent(table: SatTable) -> list[Vec]:
     """Corners of the boxes that the picture has to hold: of both shapes, and of b where the way out leads."""
     dx, dy = table.mtv or (0.0, 0.0)
-    a, b = _box(table.a), _box(table.b)
+    a, b = box_of(table.a), box_of(table.b)
     shapes = in_sight(table)
     if len(shapes) == 1:
-        x0, y0, x1, y1 = small = _box(shapes[0])
+        x0, y0, x1, y1 = small = box_of(shapes[0])
         room = _size(small)
         return [(x0 - room, y0 - room), (x1 + room, y1 + room)]
     return [a[:2], a[2:], b[:2], b[2:], (b[0] + dx, b[1] + dy), (b[2] + dx, b[3] + dy)]
 
 
+def _crowd_extent(figure: SatFigure) -> list[Vec]:
+    boxes = [box_of(member.shape) for member in figure.crowd if member.moves]
+    return [corner for box in boxes for corner in (box[:2], box[2:])] or extent(figure.table)
+
+
 def in_sight(table: SatTable) -> tuple[Shape, ...]:
     """Both shapes, or the smaller one if it is so much smaller that a picture of both would not show it."""
-    small, large = sorted((table.a, table.b), key=lambda shape: _size(_box(shape)))
-    return (small,) if _size(_box(large)) > _DWARFED * _size(_box(small)) else (table.a, table.b)
+    small, large = sorted((table.a, table.b), key=lambda shape: _size(box_of(shape)))
+    return (small,) if _size(box_of(large)) > _DWARFED * _size(box_of(small)) else (table.a, table.b)
 
 
-def _box(shape: Shape) -> tuple[float, float, float, float]:
+def box_of(shape: Shape) -> tuple[float, float, float, float]:
+    """Left, bottom, right and top of a shape (m)."""
     xs, ys, r = [x for x, _ in shape.vertices], [y for _, y in shape.vertices], shape.radius
     return min(xs) - r, min(ys) - r, max(xs) + r, max(ys) + r
 

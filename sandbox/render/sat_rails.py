@@ -115,7 +115,8 @@ def plane_rail(plane: Plane, table: SatTable, row: SatRow) -> None:
         off = outwards * (-7.0 if lane == 1 else 7.0) / plane.scale
         ends = _at(u, least / row.length, side + off), _at(u, most / row.length, side + off)
         svg.line(plane.pixel(ends[0]), plane.pixel(ends[1]), f"{kind} bar")
-        words = outwards * (16.0 + lane * (16.0 if below else 6.0)) / plane.scale
+        # Numbers of a level rail need a line of text each, those of an upright one a column each.
+        words = outwards * (22.0 + (lane - 1) * (16.0 * abs(u[0]) + 40.0 * abs(u[1]))) / plane.scale
         for value, end in ((least, ends[0]), (most, ends[1])):
             svg.line(plane.pixel(_extreme(shape, u, value == most)), plane.pixel(end), f"{kind} drop")
             x, y = plane.pixel(_at(u, value / row.length, side + words))

@@ -48,6 +48,8 @@ def _colors(theme: Theme) -> str:
         f".card {{ fill: {_hex(paper)}; stroke: {_hex(theme.grid_axis)}; }}",
         f".grid {{ stroke: {_hex(theme.grid_major)}; }}",
         f".rail {{ stroke: {_hex(_mix(ink, paper, 0.6))}; }}",
+        f".other {{ stroke: {_hex(_mix(ink, paper, 0.5))}; }}",
+        f".other.shape {{ fill: {_hex(_mix(ink, paper, 0.5))}; stroke-width: 1; }}",
         f".rail.head {{ fill: {_hex(_mix(ink, paper, 0.6))}; }}",
         f".lit {{ fill: {_hex(theme.grid_minor)}; }}",
     ]
