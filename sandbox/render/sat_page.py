@@ -17,7 +17,7 @@ from sandbox.render.svg import Svg
 ALONE = (680, 420)
 HEAD, EDGE = 76.0, 24.0
 """Pixels above and beside what a card shows."""
-_DWARFED = 6.0
+_DWARFED = 12.0
 """If one shape is so many times larger than the other, only the surroundings of the smaller one are shown."""
 
 

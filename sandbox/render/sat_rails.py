@@ -83,6 +83,9 @@ class RailList:
             svg.line((x(low), y), (max(x(high), x(low) + 0.5), y), f"{kind} bar")
             svg.text((x(low) - 8, y + 4.5), plain(low), f"{kind} small number", "end")
             svg.text((x(high) + 8, y + 4.5), plain(high), f"{kind} small number")
+        if row is self.table.mtv_row:
+            near, edge = (row.bmin, row.amax) if row.way > 0 else (row.bmax, row.amin)
+            svg.arrow((x(near), top + 27), (x(edge), top + 27), "mtv axis", 8.0)
 
     def _band(self, row: SatRow, top: float, x: Callable[[float], float]) -> None:
         """What parts the intervals, or what they share."""

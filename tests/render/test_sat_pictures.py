@@ -69,6 +69,15 @@ def test_gap_and_overlap_are_marked_between_the_intervals():
     )
 
 
+def test_the_way_out_runs_from_the_near_end_of_b_to_the_end_of_a():
+    root = draw("whole", (sandbox.Box(8, 6), sandbox.Box(1, 1, at=(2, 0.5))))
+    a, b = spans(root, "a")[1], spans(root, "b")[1]
+    shaft = next(line for line in of_class(root, "line", "mtv axis") if a[2] < float(line.get("y1")) < b[2])
+    head = next(p for p in of_class(root, "polygon", "mtv axis head")).get("points").split()[1].split(",")
+    assert float(shaft.get("x1")) == pytest.approx(b[1], abs=0.02)
+    assert float(head[0]) == pytest.approx(a[0], abs=0.02)
+
+
 def test_the_ghost_lies_one_translation_vector_away():
     root = draw("mtv", TWO)
     (shape,), (ghost,) = of_class(root, "path", "b shape"), of_class(root, "path", "b ghost")
