@@ -54,7 +54,7 @@ def draw_edges(figure: SatFigure) -> Svg:
 
 def draw_perpendiculars(figure: SatFigure) -> Svg:
     """The axis that every edge gives."""
-    svg, plane = alone(figure, "the perpendicular of every edge is an axis to test")
+    svg, plane = alone(figure, "the perpendicular of every edge is an axis to test", margin=76.0)
     with plane:
         for shape, kind in ((figure.table.a, "a"), (figure.table.b, "b")):
             plane.shape(shape, f"{kind} shape")

@@ -53,10 +53,13 @@ def page(width: float, height: float, figure: SatFigure, subtitle: str = "") -> 
     return svg
 
 
-def alone(figure: SatFigure, subtitle: str, more: Sequence[Vec] = (), crowd: bool = False) -> tuple[Svg, Plane]:
-    """A page with one window on it, which holds both shapes and the points `more`, or all that can move."""
+def alone(
+    figure: SatFigure, subtitle: str, more: Sequence[Vec] = (), crowd: bool = False, margin: float = 52.0
+) -> tuple[Svg, Plane]:
+    """A page with one window on it: both shapes and the points `more`, or all that can move, and `margin` pixels."""
     svg = page(ALONE[0] + 2 * EDGE, HEAD + ALONE[1] + EDGE, figure, subtitle)
-    plane = Plane(svg, (EDGE, HEAD), ALONE, [*more, *(_crowd_extent(figure) if crowd else extent(figure.table))], 52.0)
+    seen = [*more, *(_crowd_extent(figure) if crowd else extent(figure.table))]
+    plane = Plane(svg, (EDGE, HEAD), ALONE, seen, margin)
     return svg, plane
 
 
