@@ -6,11 +6,9 @@ themselves and from each other, so that no part of the polygon is thinner than t
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import accumulate, pairwise
-
-import numpy as np
 
 from sandbox.geometry.exact import Point, cross, crossing, distance_squared, gap_below, scaled, span
 from sandbox.geometry.polygon import MIN_EDGE, PolygonError, Vec, corners_of, on_one_line
@@ -110,14 +108,26 @@ def _meeting(k: int, m: int) -> str:
     return "the hole meets another hole" if min(k, m) else "the hole meets the polygon's outline"
 
 
-def _near(vertices: Sequence[Vec], sides: list[Side]) -> Iterator[tuple[int, int]]:
-    """Pairs i < j of sides that are not neighbours, and whose boxes, widened by more than `MIN_EDGE`, overlap."""
-    ends = np.array([(vertices[a], vertices[b]) for _, a, b in sides])
-    low, high = ends.min(axis=1) - 2 * MIN_EDGE, ends.max(axis=1) + 2 * MIN_EDGE
-    overlap = (low[:, None, 0] <= high[None, :, 0]) & (low[:, None, 1] <= high[None, :, 1])
-    for i, j in np.argwhere(np.triu(overlap & overlap.T, 1)).tolist():
-        if sides[i][2] != sides[j][1] and sides[j][2] != sides[i][1]:
-            yield i, j
+def _near(vertices: Sequence[Vec], sides: list[Side]) -> list[tuple[int, int]]:
+    """Pairs i < j of sides that are not neighbours, and whose boxes, widened by more than `MIN_EDGE`, overlap.
+
+    Sorted; found by a sweep over the boxes from left to right.
+    """
+    found: list[tuple[int, int]] = []
+    open_boxes: list[tuple[float, float, float, int]] = []
+    for left, right, low, high, j in sorted(_box(vertices, side, j) for j, side in enumerate(sides)):
+        open_boxes = [box for box in open_boxes if box[0] >= left]
+        for _, other_low, other_high, i in open_boxes:
+            if low <= other_high and other_low <= high and sides[i][2] != sides[j][1] and sides[j][2] != sides[i][1]:
+                found.append((min(i, j), max(i, j)))
+        open_boxes.append((right, low, high, j))
+    return sorted(found)
+
+
+def _box(vertices: Sequence[Vec], side: Side, number: int) -> tuple[float, float, float, float, int]:
+    (ax, ay), (bx, by) = vertices[side[1]], vertices[side[2]]
+    near = 2 * MIN_EDGE
+    return min(ax, bx) - near, max(ax, bx) + near, min(ay, by) - near, max(ay, by) + near, number
 
 
 def _refuse_strays(points: list[Point], rings: Sequence[Sequence[int]], places: _Places) -> None:

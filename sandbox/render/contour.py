@@ -8,6 +8,7 @@ import numpy as np
 
 from sandbox.render.camera import Floats, Vec
 from sandbox.render.geometry import Ints, Mesh
+from sandbox.render.outline import Outline
 
 TOLERANCE_PIXELS, MOST_CHORDS = 0.1, 100_000
 """Largest distance between an arc and the chords that stand for it, and how many chords there can be."""
@@ -73,7 +74,10 @@ def _cut(polygon: Floats, height: Floats) -> Floats:
 
 
 class ContourTable:
-    """Contours of all shapes of a mesh at one scale, in pixels, one after the other: (k, 2) and runs."""
+    """Contours of all shapes of a mesh at one scale, in pixels, one after the other: (k, 2) and runs.
+
+    Those of concave polygons are empty: see `concave_pieces`.
+    """
 
     points: Floats
     start: Ints
@@ -84,6 +88,9 @@ class ContourTable:
         cache: dict[tuple[bytes, float, float], Floats] = {}
         runs = []
         for i in range(len(mesh.body)):
+            if i in mesh.outlines:
+                runs.append(np.zeros((0, 2)))
+                continue
             core, radius = mesh.core(i) * scale, float(mesh.radius[i] * scale + grow[i])
             key = (core.tobytes(), radius, float(shrink[i]))
             if key not in cache:
@@ -92,3 +99,9 @@ class ContourTable:
         self.points = np.vstack(runs) if runs else np.zeros((0, 2))
         self.count = np.array([len(run) for run in runs], dtype=np.int64)
         self.start = np.cumsum(self.count) - self.count
+
+
+def concave_pieces(outline: Outline, scale: float, grow: float, line: float) -> tuple[list[Floats], list[Floats]]:
+    """A concave polygon as convex polygons in pixels: what to fill, and then its outline, `line` pixels wide."""
+    parts = [contour(part * scale, grow) for part in outline.parts]
+    return parts, [strip * scale for strip in outline.strips(line / scale)]

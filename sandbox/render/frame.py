@@ -53,7 +53,7 @@ def capture(state: State, mesh: Mesh | None = None) -> Frame:
     bodies, counters = state.bodies, state.counters[0]
     step_seconds = float(state.settings[0].step_seconds)
     return Frame(
-        mesh=mesh or build_mesh(state.shapes, state.vertices),
+        mesh=mesh or build_mesh(state.shapes, state.vertices, state.outlines),
         center=_read_only(np.column_stack([bodies.center_x, bodies.center_y])),
         angle=_read_only(bodies.angle),
         rotation=_read_only(np.column_stack([bodies.rotation_cos, bodies.rotation_sin])),

@@ -7,13 +7,15 @@ vertices; the half extents of a polygon are those of a box about the shape frame
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.render.camera import Floats
+from sandbox.render.outline import Outline, half_width, read_outline
 from sandbox.tables import Records
 from sandbox.world.records import BOX, CAPSULE, CIRCLE, SEGMENT
 
@@ -22,12 +24,13 @@ Ints = NDArray[np.int64]
 
 @dataclass(frozen=True)
 class Mesh:
-    """All shapes of a world; one row a shape, metres.
+    """All shapes of a world as one sees them; one row a shape, metres. The parts of a concave polygon are one row.
 
     `body` index (m,); `kind` (m,); `offset` (m, 2) origin and `axis` (m, 2) x axis (cos, sin) of the shape
     frame in the body's frame; `half` (m, 2) half extents of the core; `radius` (m,) rounding. Polygon `i` has
-    the core `points[start[i]:start[i] + count[i]]` (p, 2) in its shape frame; `count` is 0 for other kinds.
-    `thickness` (m,) is half the smallest width, rounding included.
+    the core `points[start[i]:start[i] + count[i]]` (p, 2) in its shape frame; `count` is 0 for other kinds. Where it
+    is negative, the row is the concave polygon `outlines[i]`, and from `start[i]` on there are the two ends of each of
+    `-count[i]` sides. `thickness` (m,) is half the smallest width, rounding included.
     """
 
     body: Ints
@@ -40,6 +43,7 @@ class Mesh:
     count: Ints
     points: Floats
     thickness: Floats
+    outlines: Mapping[int, Outline]
 
     @property
     def reach(self) -> Floats:
@@ -54,10 +58,10 @@ class Mesh:
         middle = np.column_stack([np.zeros(len(thick)), 0.45 * thick])
         spoke = np.column_stack([np.zeros(len(thick)), 0.999 * end])
         circle = (self.kind == CIRCLE)[:, None]
-        return np.where(circle, spoke, np.where((self.count > 0)[:, None], middle, edge))
+        return np.where(circle, spoke, np.where((self.count != 0)[:, None], middle, edge))
 
     def core(self, shape: int) -> Floats:
-        """Core vertices of one shape in its frame, counter-clockwise: 1, 2, 4 or n rows."""
+        """Core vertices of one convex shape in its frame, counter-clockwise: 1, 2, 4 or n rows."""
         if self.count[shape]:
             return self.points[self.start[shape] : self.start[shape] + self.count[shape]]
         x, y = self.half[shape]
@@ -68,8 +72,16 @@ class Mesh:
         return np.array([[-x, -y], [x, -y], [x, y], [-x, y]])
 
 
-def build_mesh(shapes: Records, vertices: Records) -> Mesh:
-    """The mesh of a world's shape and vertex records."""
+def build_mesh(shapes: Records, vertices: Records, outlines: Records) -> Mesh:
+    """The mesh of a world's shape, vertex and outline records."""
+    seen = np.flatnonzero(np.asarray(shapes.part) <= 1)
+    concave = {k: read_outline(shapes, vertices, outlines, int(i)) for k, i in enumerate(seen) if shapes[i].part == 1}
+    drawn: Any = shapes[seen]
+    mesh = _convex_mesh(drawn, vertices)
+    return _with_outlines(mesh, concave) if concave else mesh
+
+
+def _convex_mesh(shapes: Records, vertices: Records) -> Mesh:
     count = np.asarray(shapes.vertex_count)
     rows, first = gather(np.asarray(shapes.vertex_start), count)
     owner = np.repeat(np.arange(len(shapes)), count)
@@ -89,18 +101,30 @@ def build_mesh(shapes: Records, vertices: Records) -> Mesh:
     starts = np.concatenate([[0], np.cumsum(counts)])[:-1].astype(np.int64)
     return Mesh(
         np.array(shapes.body), np.array(shapes.kind), _turn(middle, axis), axis, half,
-        np.array(shapes.radius), starts, counts, core, _thickness(half, core, starts, counts) + shapes.radius,
+        np.array(shapes.radius), starts, counts, core, _thickness(half, core, starts, counts) + shapes.radius, {},
     )  # fmt: skip
+
+
+def _with_outlines(mesh: Mesh, concave: Mapping[int, Outline]) -> Mesh:
+    """The mesh with some rows made concave polygons; their sides come after all other points."""
+    points = [mesh.points]
+    end = len(mesh.points)
+    for i, outline in concave.items():
+        mesh.offset[i] = outline.middle
+        sides = outline.centred().sides.reshape(-1, 2)
+        mesh.half[i] = np.abs(sides).max(axis=0)
+        mesh.thickness[i] = outline.thickness
+        mesh.start[i], mesh.count[i] = end, -(len(sides) // 2)
+        points.append(sides)
+        end += len(sides)
+    centred = {i: outline.centred() for i, outline in concave.items()}
+    return replace(mesh, points=np.vstack(points), outlines=centred)
 
 
 def _thickness(half: Floats, points: Floats, start: Ints, count: Ints) -> Floats:
     thickness: Floats = half.min(axis=1)
     for i in np.flatnonzero(count):
-        core = points[start[i] : start[i] + count[i]]
-        edge = np.roll(core, -1, axis=0) - core
-        normal = np.column_stack([-edge[:, 1], edge[:, 0]]) / np.maximum(np.hypot(*edge.T), 1e-300)[:, None]
-        heights = normal @ core.T - (normal * core).sum(axis=1)[:, None]
-        thickness[i] = heights.max(axis=1).min() / 2
+        thickness[i] = half_width(points[start[i] : start[i] + count[i]])
     return thickness
 
 

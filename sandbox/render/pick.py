@@ -40,6 +40,8 @@ def _near(frame: Frame, local: Floats, slack: float) -> Ints:
 
 def shape_distance(frame: Frame, shape: int, point: Floats) -> float:
     """Signed distance (m) of `point` (2,), given in the shape frame, from the shape; negative inside."""
+    if shape in frame.mesh.outlines:
+        return frame.mesh.outlines[shape].distance(point)
     core, radius = frame.mesh.core(shape), float(frame.mesh.radius[shape])
     following = np.roll(core, -1, axis=0)
     along, to = following - core, point - core

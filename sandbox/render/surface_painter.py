@@ -9,7 +9,7 @@ import pygame
 from PIL import Image
 
 from sandbox.render.camera import Floats
-from sandbox.render.contour import ContourTable, clip
+from sandbox.render.contour import ContourTable, clip, concave_pieces
 from sandbox.render.draw_list import DrawList, Line, ShapeItems, stroke_sizes
 from sandbox.render.geometry import Mesh, gather
 
@@ -61,12 +61,35 @@ class SurfacePainter:
         marks = _marks(picture, self.samples)
         fill, edge, mark = _bytes(items.fill), _bytes(items.edge), _bytes(_mark_colors(items))
         for i in range(len(items.index)):
-            _fill(sheet, edge[i], edges[i])
-            _fill(sheet, fill[i], fills[i])
-            if items.hatched[i]:
-                _hatch(sheet, edge[i], np.array(fills[i]), HATCH_PIXELS * self.samples)
+            if items.index[i] in picture.mesh.outlines:
+                self._concave(sheet, picture, i, fill[i], edge[i])
+            else:
+                _fill(sheet, edge[i], edges[i])
+                self._inside(sheet, fill[i], fills[i], edge[i] if items.hatched[i] else None)
             if items.mark_opacity[i] > 0.0:
                 pygame.draw.polygon(sheet, mark[i], marks[i])
+
+    def _inside(self, sheet: Any, color: Any, points: list[Any], hatch: Any) -> None:
+        _fill(sheet, color, points)
+        if hatch is not None and len(points) >= 3:
+            _hatch(sheet, hatch, np.array(points), HATCH_PIXELS * self.samples)
+
+    def _concave(self, sheet: Any, picture: DrawList, i: int, color: Any, edge: Any) -> None:
+        """The parts of a concave polygon, which overlap by their boundary pixels, and its outline over them."""
+        items, mesh, scale = picture.shapes, picture.mesh, picture.camera.scale
+        pieces = concave_pieces(mesh.outlines[items.index[i]], scale, items.grow[i], items.line[i])
+        parts, strips = ([self._placed_piece(picture, i, piece) for piece in group] for group in pieces)
+        for part in parts:
+            self._inside(sheet, color, part, edge if items.hatched[i] else None)
+        for strip in strips:
+            _fill(sheet, edge, strip)
+
+    def _placed_piece(self, picture: DrawList, i: int, piece: Floats) -> list[Any]:
+        margin, (width, height) = 64.0, picture.camera.size
+        placed = _place(piece, picture.shapes, np.full(len(piece), i), self.samples)
+        high = (width * self.samples + margin, height * self.samples + margin)
+        inside: list[Any] = clip(placed, (-margin, -margin), high).tolist()
+        return inside
 
     def _placed(self, table: ContourTable, picture: DrawList) -> list[Any]:
         """The contour of every visible shape in pixels of the large sheet."""
@@ -77,7 +100,8 @@ class SurfacePainter:
         reach = picture.mesh.reach[items.index] * picture.camera.scale
         for i in np.flatnonzero(reach > max(size)):
             # pygame walks through all rows of a polygon, seen or not.
-            runs[i] = clip(np.array(runs[i]), (-margin, -margin), high).tolist()
+            if runs[i]:
+                runs[i] = clip(np.array(runs[i]), (-margin, -margin), high).tolist()
         return runs
 
     def _contours(self, picture: DrawList) -> tuple[ContourTable, ContourTable]:

@@ -19,6 +19,10 @@ class FlatShape:
     `vertices` are metres from the body's origin, counter-clockwise; one for a circle, two for a capsule or a
     segment; `clockwise` remembers that the author numbered them the other way round. `density` in kg/m^2,
     `rolling_resistance` in metres, `surface_speed` in m/s.
+
+    A concave polygon is several shapes in a row: `part` counts them from 1 and is 0 for every other shape, `outline`
+    is the whole polygon's (a counter-clockwise ring, then one for each hole, clockwise), and `inner[i]` is true where
+    the edge from vertex i to the next lies within the polygon.
     """
 
     kind: Literal["circle", "box", "capsule", "segment", "polygon"]
@@ -33,6 +37,9 @@ class FlatShape:
     mask: int = 0xFFFFFFFF
     group: int = 0
     clockwise: bool = False
+    part: int = 0
+    inner: tuple[bool, ...] = ()
+    outline: tuple[tuple[Vec, ...], ...] = ()
 
 
 @dataclass(frozen=True)

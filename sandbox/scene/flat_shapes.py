@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Literal
+from collections.abc import Iterator, Sequence
+from typing import Any, Literal
 
-from sandbox.geometry.polygon import convex_polygon, is_clockwise
+from sandbox.geometry.decompose import decompose
+from sandbox.geometry.polygon import is_clockwise
 from sandbox.geometry.rotation import cos_sin_degrees
 from sandbox.scene.flat import FlatShape, Vec
 from sandbox.scene.material import Material
@@ -16,26 +17,37 @@ Kind = Literal["circle", "box", "capsule", "segment", "polygon"]
 _DEFAULT = Material()
 
 
-def flat_shape(shape: AnyShape, material: Material | None, categories: Sequence[str]) -> FlatShape:
-    """One shape; `material` is the one that holds for it, `categories` the scene's names for bits."""
-    kind, core, radius = _core(shape)
+def flat_shapes(shape: AnyShape, material: Material | None, categories: Sequence[str]) -> Iterator[FlatShape]:
+    """One flat shape, or the parts of a concave polygon; `material` is the one that holds for it, `categories` the
+    scene's names for bits.
+    """
     base = material or _DEFAULT
     given = {name: getattr(shape, name) for name in Material.model_fields}
-    surface = {name: getattr(base, name) if value is None else value for name, value in given.items()}
-    return FlatShape(
-        kind=kind,
-        vertices=_placed(shape, core),
-        radius=float(radius),
-        category=_bits(shape.category, categories),
-        mask=_bits(shape.mask, categories),
-        group=shape.group,
-        clockwise=isinstance(shape, Polygon) and is_clockwise(shape.polygon),
-        **surface,
-    )
+    surface: dict[str, Any] = {name: getattr(base, name) if value is None else value for name, value in given.items()}
+    surface["category"], surface["mask"] = _bits(shape.category, categories), _bits(shape.mask, categories)
+    surface["group"] = shape.group
+    if isinstance(shape, Polygon):
+        yield from _polygon(shape, surface)
+    else:
+        kind, core, radius = _core(shape)
+        yield FlatShape(kind, _placed(shape, core), float(radius), **surface)
+
+
+def _polygon(shape: Polygon, surface: dict[str, Any]) -> Iterator[FlatShape]:
+    """A convex polygon as it is, another one in parts."""
+    rings, parts = decompose(shape.polygon, shape.holes)
+    if len(parts) == 1:
+        surface["clockwise"] = is_clockwise(shape.polygon)
+        yield FlatShape("polygon", _placed(shape, parts[0].vertices), float(shape.radius), **surface)
+        return
+    outline = tuple(_placed(shape, ring) for ring in rings)
+    for number, part in enumerate(parts, 1):
+        core = _placed(shape, part.vertices)
+        yield FlatShape("polygon", core, **surface, part=number, inner=part.inner, outline=outline)
 
 
 def _core(shape: AnyShape) -> tuple[Kind, Sequence[Vec], float]:
-    """Kind, core about the shape's own origin, and radius."""
+    """Kind, core about the shape's own origin, and radius; polygons may be several."""
     match shape:
         case Circle():
             return "circle", [(0.0, 0.0)], shape.circle
@@ -46,8 +58,6 @@ def _core(shape: AnyShape) -> tuple[Kind, Sequence[Vec], float]:
             return "capsule", shape.capsule, shape.radius
         case Segment():
             return "segment", shape.segment, shape.radius
-        case Polygon():
-            return "polygon", convex_polygon(shape.polygon), shape.radius
     raise TypeError(type(shape).__name__)
 
 

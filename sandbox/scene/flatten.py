@@ -6,14 +6,16 @@ from collections.abc import Iterator
 from dataclasses import fields
 from typing import TYPE_CHECKING, Any
 
+from sandbox.geometry.decompose import decompose
 from sandbox.geometry.rotation import RADIANS_PER_DEGREE
 from sandbox.scene.arrange import placings
 from sandbox.scene.body import Body, Prefab
 from sandbox.scene.finding import Finding, Path
 from sandbox.scene.flat import FlatBody, FlatScene, FlatSettings, FlatShape
-from sandbox.scene.flat_shapes import flat_shape
+from sandbox.scene.flat_shapes import flat_shapes
 from sandbox.scene.generators import Generator, body_count, body_names, kind_of
 from sandbox.scene.limits import MAX_SHAPES
+from sandbox.scene.shapes import Polygon
 from sandbox.scene.solidity import faults
 
 if TYPE_CHECKING:
@@ -43,8 +45,8 @@ class Flattener:
         return FlatScene(bodies, self.scene.gravity, FlatSettings(**settings))
 
     def _too_many_shapes(self) -> bool:
-        own = sum(len(self._merged(body)["shapes"]) for body in self.scene.bodies)
-        made = sum(body_count(each) * len(self._prefab(each).shapes) for each in self.scene.generate)
+        own = sum(_part_count(self._merged(body)["shapes"]) for body in self.scene.bodies)
+        made = sum(body_count(each) * _part_count(self._prefab(each).shapes) for each in self.scene.generate)
         if own + made > MAX_SHAPES:
             text = f"the scene has {own + made} shapes; {MAX_SHAPES} is the limit"
             self.findings.append(Finding(("generate",) if made > own else ("bodies",), text))
@@ -100,8 +102,14 @@ class Flattener:
             names = [shape.material or material for shape in shapes]
             materials = [self.scene.materials[name] if name else None for name in names]
             pairs = zip(shapes, materials, strict=True)
-            self._shapes[key] = tuple(flat_shape(s, m, self.scene.categories) for s, m in pairs)
+            self._shapes[key] = tuple(flat for s, m in pairs for flat in flat_shapes(s, m, self.scene.categories))
         return self._shapes[key]
+
+
+def _part_count(shapes: tuple[Any, ...]) -> int:
+    """How many convex shapes these are."""
+    polygons = (shape for shape in shapes if isinstance(shape, Polygon))
+    return len(shapes) + sum(len(decompose(shape.polygon, shape.holes).parts) - 1 for shape in polygons)
 
 
 def _values(pattern: Prefab) -> dict[str, Any]:

@@ -23,7 +23,13 @@ MAX_EXPECTATIONS = 1000
 """Expectations of a scene."""
 
 MAX_VERTICES = polygon.MAX_VERTICES
-"""Vertices of a polygon."""
+"""Vertices of a convex shape."""
+
+MAX_OUTLINE = 1000
+"""Vertices of a polygon that may be concave, those of its holes included."""
+
+MAX_HOLES = 100
+"""Holes of a polygon."""
 
 MAX_CATEGORIES = 31
 """Named collision categories: 32 bits, the lowest of which is "default"."""

@@ -9,7 +9,7 @@ from pydantic import AfterValidator, Field, JsonValue
 from pydantic_core import PydanticCustomError
 
 from sandbox.scene.constraints import Listed, Range
-from sandbox.scene.limits import MAX_VERTICES
+from sandbox.scene.limits import MAX_HOLES, MAX_OUTLINE
 
 _LENGTHS: dict[str, JsonValue] = {"minLength": 1, "maxLength": 100}
 _NAME = re.compile(r"[\w.:-]{1,100}")
@@ -71,7 +71,8 @@ Velocity2 = Annotated[tuple[Velocity, Velocity], Listed("[x, y]", 2, 2)]
 Acceleration2 = Annotated[tuple[Acceleration, Acceleration], Listed("[x, y]", 2, 2)]
 Size2 = Annotated[tuple[Size, Size], Listed("[width, height]", 2, 2)]
 Ends = Annotated[tuple[LocalPoint, LocalPoint], Listed("[[x, y], [x, y]]", 2, 2)]
-Outline = Annotated[tuple[LocalPoint, ...], Listed("[[x, y], [x, y], [x, y], ...]", 3, MAX_VERTICES)]
+Outline = Annotated[tuple[LocalPoint, ...], Listed("[[x, y], [x, y], [x, y], ...]", 3, MAX_OUTLINE)]
+Holes = Annotated[tuple[Outline, ...], Listed("of holes [[[x, y], [x, y], [x, y], ...], ...]", 0, MAX_HOLES)]
 Rectangle = Annotated[
     tuple[Coordinate, Coordinate, Coordinate, Coordinate],
     Listed("[left, bottom, right, top]", 4, 4),

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from pydantic import AfterValidator, Field, Tag
+from pydantic import AfterValidator, Field, Tag, ValidationInfo
 from pydantic_core import PydanticCustomError
 
-from sandbox.geometry.polygon import PolygonError, convex_polygon
+from sandbox.geometry.decompose import decompose
+from sandbox.geometry.polygon import PolygonError
 from sandbox.scene.constraints import Listed, Range
-from sandbox.scene.limits import ALL_BITS
+from sandbox.scene.limits import ALL_BITS, MAX_OUTLINE
 from sandbox.scene.material import Surface
-from sandbox.scene.quantities import Bits, Degrees, Ends, LocalPoint, Name, Outline, Rounding, Size, Size2
+from sandbox.scene.quantities import Bits, Degrees, Ends, Holes, LocalPoint, Name, Outline, Rounding, Size, Size2
 from sandbox.scene.union import TAG, by_key, by_type
 
 Names = Annotated[tuple[Name, ...], Listed('["name", ...]', 0, 32)]
@@ -25,16 +26,43 @@ Categories = Annotated[
 def _check_ends(ends: Ends) -> Ends:
     (ax, ay), (bx, by) = ends
     if max(abs(bx - ax), abs(by - ay)) < 1e-6:
-        raise PydanticCustomError("ends", "the two ends are the same point", {"index": 1})
+        raise PydanticCustomError("ends", "the two ends are the same point", {"place": [1]})
     return ends
 
 
 def _check_polygon(outline: Outline) -> Outline:
     try:
-        convex_polygon(outline)
+        decompose(outline)
     except PolygonError as error:
-        raise PydanticCustomError("polygon", str(error), {"index": error.index}) from None
+        raise PydanticCustomError("polygon", str(error), {"place": _place(error.index)}) from None
     return outline
+
+
+def _check_holes(holes: Holes, info: ValidationInfo) -> Holes:
+    """Nothing is said about the holes of an outline that is refused."""
+    if "polygon" not in info.data:
+        return holes
+    outline = info.data["polygon"]
+    count = len(outline) + sum(map(len, holes))
+    if count > MAX_OUTLINE:
+        text = f"the polygon and its holes have {count} vertices; {MAX_OUTLINE} is the limit"
+        raise PydanticCustomError("polygon", text, {"place": []})
+    try:
+        decompose(outline, holes)
+    except PolygonError as error:
+        raise PydanticCustomError("polygon", str(error), {"place": _place(error.hole, error.index)}) from None
+    return holes
+
+
+def _check_rounding(radius: float, info: ValidationInfo) -> float:
+    known = radius > 0.0 and "polygon" in info.data and "holes" in info.data
+    if known and len(decompose(info.data["polygon"], info.data["holes"]).parts) > 1:
+        raise PydanticCustomError("rounding", "must be 0 for a polygon that is concave or has holes")
+    return radius
+
+
+def _place(*indices: int | None) -> list[int]:
+    return [index for index in indices if index is not None]
 
 
 class AnyShape(Surface):
@@ -87,12 +115,17 @@ class Segment(Turnable):
 
 
 class Polygon(Turnable):
-    """A convex polygon of 3 to 64 vertices, in either winding."""
+    """A polygon of 3 to 1000 vertices, in either winding; it may be concave and have holes."""
 
     polygon: Annotated[Outline, AfterValidator(_check_polygon)] = Field(
         description="Vertices [[x, y], ...], m; repeated vertices and ones on a straight side are dropped."
     )
-    radius: Rounding = Field(default=0.0, description="Rounds the corners outwards, m: the shape grows by it.")
+    holes: Annotated[Holes, AfterValidator(_check_holes)] = Field(
+        default=(), description="Outlines of holes [[[x, y], ...], ...], m: within the polygon, apart from each other."
+    )
+    radius: Annotated[Rounding, AfterValidator(_check_rounding)] = Field(
+        default=0.0, description="Rounds the corners of a convex polygon outwards, m: the shape grows by it."
+    )
 
 
 SHAPES: dict[str, type[AnyShape]] = {

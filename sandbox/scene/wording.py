@@ -47,8 +47,7 @@ def _reworded(item: Mapping[str, Any], root: type[BaseModel] | None) -> list[Fin
         return [Finding(path[:-1], f"the name {quoted(str(path[-2]))} {item['msg']}", on_key=True)]
     message, hint = _message(item)
     if kind in ("polygon", "ends"):
-        index = item["ctx"]["index"]
-        return [Finding(path if index is None else (*path, index), message)]
+        return [Finding((*path, *item["ctx"]["place"]), message)]
     return [Finding(path, f"{_label(path)}{message}", hint)]
 
 

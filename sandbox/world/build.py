@@ -25,11 +25,12 @@ _DRAGS = 8
 
 
 @dataclass(frozen=True)
-class _Outline:
+class _Build:
     """What one tuple of shapes comes to, shared by all bodies of a prefab: rows ready to be copied."""
 
     shape_rows: Records
     vertex_rows: Records
+    side_rows: Records
     mass: float
     inertia: float
     center: Vec
@@ -38,18 +39,19 @@ class _Outline:
 
 def build_state(scene: FlatScene) -> State:
     """A new state at step 0, all bodies awake. Bodies, shapes and vertices keep the order of the scene."""
-    outlines = _outlines(scene)
-    per_body = [outlines[_key(body)] for body in scene.bodies]
+    builds = _builds(scene)
+    per_body = [builds[_key(body)] for body in scene.bodies]
     bodies = records.BODY.zeros(len(scene.bodies))
-    for row, body, outline in zip(bodies, scene.bodies, per_body, strict=True):
-        _fill_body(row, body, outline)
-    shapes, vertices = _place(per_body)
+    for row, body, build in zip(bodies, scene.bodies, per_body, strict=True):
+        _fill_body(row, body, build)
+    shapes, vertices, sides = _place(per_body)
     drags = records.DRAG.zeros(_DRAGS)
     drags.body = -1
     return State(
         bodies=bodies,
         shapes=shapes,
         vertices=vertices,
+        outlines=sides,
         contacts=records.CONTACT.zeros(max(16, 4 * len(shapes))),
         drags=drags,
         settings=_settings(scene),
@@ -62,15 +64,15 @@ def _key(body: FlatBody) -> tuple[int, Vec | None]:
     return id(body.shapes), body.center
 
 
-def _outlines(scene: FlatScene) -> dict[tuple[int, Vec | None], _Outline]:
-    found: dict[tuple[int, Vec | None], _Outline] = {}
+def _builds(scene: FlatScene) -> dict[tuple[int, Vec | None], _Build]:
+    found: dict[tuple[int, Vec | None], _Build] = {}
     for body in scene.bodies:
         if _key(body) not in found:
-            found[_key(body)] = _outline(body.shapes, body.center)
+            found[_key(body)] = _build(body.shapes, body.center)
     return found
 
 
-def _outline(shapes: tuple[FlatShape, ...], center: Vec | None) -> _Outline:
+def _build(shapes: tuple[FlatShape, ...], center: Vec | None) -> _Build:
     total = Moments(0.0, 0.0, 0.0, 0.0)
     for shape in shapes:
         part = moments(shape.vertices, shape.radius)
@@ -80,6 +82,7 @@ def _outline(shapes: tuple[FlatShape, ...], center: Vec | None) -> _Outline:
     shift = middle[0] * (middle[0] * mass - 2.0 * first_x) + middle[1] * (middle[1] * mass - 2.0 * first_y)
     shape_rows = records.SHAPE.zeros(len(shapes))
     vertex_rows = records.VERTEX.zeros(sum(len(shape.vertices) for shape in shapes))
+    side_rows = _sides(shape_rows, shapes, middle)
     start = 0
     extent = 0.0
     for row, shape in zip(shape_rows, shapes, strict=True):
@@ -89,7 +92,7 @@ def _outline(shapes: tuple[FlatShape, ...], center: Vec | None) -> _Outline:
             vertex_rows[start + k] = (x, y, *normal)
             extent = max(extent, math.sqrt(x * x + y * y) + shape.radius)
         start += len(shape.vertices)
-    return _Outline(shape_rows, vertex_rows, mass, second + shift, middle, extent)
+    return _Build(shape_rows, vertex_rows, side_rows, mass, second + shift, middle, extent)
 
 
 def _fill_shape(row: Records, shape: FlatShape, start: int) -> None:
@@ -98,11 +101,32 @@ def _fill_shape(row: Records, shape: FlatShape, start: int) -> None:
     row.friction, row.restitution = shape.friction, shape.restitution
     row.rolling_resistance, row.surface_speed = shape.rolling_resistance, shape.surface_speed
     row.category, row.mask, row.group = shape.category, shape.mask, shape.group
+    row.part = shape.part
+    row.inner = _signed(sum(1 << k for k, inner in enumerate(shape.inner) if inner))
 
 
-def _fill_body(row: Records, body: FlatBody, outline: _Outline) -> None:
+def _signed(bits: int) -> int:
+    """64 bits as the two's complement that a column holds."""
+    return bits - (1 << 64) if bits >= 1 << 63 else bits
+
+
+def _sides(shape_rows: Records, shapes: tuple[FlatShape, ...], middle: Vec) -> Records:
+    """Rows of the outline table for concave polygons; notes in the shape rows where each begins."""
+    sides: list[tuple[float, float, float, float]] = []
+    for row, shape in zip(shape_rows, shapes, strict=True):
+        row.outline_start = len(sides)
+        for ring in shape.outline if shape.part == 1 else ():
+            moved = [(x - middle[0], y - middle[1]) for x, y in ring]
+            sides += [(*a, *b) for a, b in zip(moved, [*moved[1:], moved[0]], strict=True)]
+        row.outline_count = len(sides) - row.outline_start
+    rows = records.OUTLINE.zeros(len(sides))
+    rows[:] = sides
+    return rows
+
+
+def _fill_body(row: Records, body: FlatBody, build: _Build) -> None:
     cosine, sine = _cos_sin(body.angle)
-    cx, cy = outline.center
+    cx, cy = build.center
     row.position_x, row.position_y, row.angle = *body.position, body.angle
     row.velocity_x, row.velocity_y = body.velocity
     row.angular_velocity = body.angular_velocity
@@ -111,37 +135,41 @@ def _fill_body(row: Records, body: FlatBody, outline: _Outline) -> None:
     row.center_y = body.position[1] + (sine * cx + cosine * cy)
     row.rotation_cos, row.rotation_sin = cosine, sine
     row.linear_damping, row.angular_damping = body.linear_damping, body.angular_damping
-    row.gravity_scale, row.extent = body.gravity_scale, outline.extent
+    row.gravity_scale, row.extent = body.gravity_scale, build.extent
     row.type, row.awake, row.frozen_step = _TYPES[body.type], 1, -1
     if body.type == "static":
         row.velocity_x = row.velocity_y = row.angular_velocity = 0.0
     if body.type == "dynamic":
-        _fill_mass(row, body, outline)
+        _fill_mass(row, body, build)
 
 
-def _fill_mass(row: Records, body: FlatBody, outline: _Outline) -> None:
+def _fill_mass(row: Records, body: FlatBody, build: _Build) -> None:
     """Mass and inertia: overrides first; a mass override alone scales the inertia with it."""
-    row.mass = body.mass if body.mass is not None else outline.mass
-    scale = row.mass / outline.mass if outline.mass > 0.0 else 0.0
-    row.inertia = body.inertia if body.inertia is not None else outline.inertia * scale
+    row.mass = body.mass if body.mass is not None else build.mass
+    scale = row.mass / build.mass if build.mass > 0.0 else 0.0
+    row.inertia = body.inertia if body.inertia is not None else build.inertia * scale
     row.inverse_mass = 1.0 / row.mass if row.mass > 0.0 else 0.0
     if body.fixed_rotation or row.inertia <= 0.0:
         row.inertia = 0.0
     row.inverse_inertia = 1.0 / row.inertia if row.inertia > 0.0 else 0.0
 
 
-def _place(outlines: list[_Outline]) -> tuple[Records, Records]:
-    """Shape and vertex tables of the whole world, with body and vertex indices shifted into place."""
-    shape_counts = np.array([len(outline.shape_rows) for outline in outlines], dtype=np.int64)
-    vertex_counts = np.array([len(outline.vertex_rows) for outline in outlines], dtype=np.int64)
+def _place(builds: list[_Build]) -> tuple[Records, Records, Records]:
+    """Shape, vertex and outline tables of the whole world, with indices shifted into place."""
+    shape_counts = np.array([len(build.shape_rows) for build in builds], dtype=np.int64)
+    vertex_counts = np.array([len(build.vertex_rows) for build in builds], dtype=np.int64)
     shapes = records.SHAPE.zeros(int(shape_counts.sum()))
     vertices = records.VERTEX.zeros(int(vertex_counts.sum()))
-    if outlines:
-        np.concatenate([outline.shape_rows for outline in outlines], out=shapes)
-        np.concatenate([outline.vertex_rows for outline in outlines], out=vertices)
-        shapes.body = np.repeat(np.arange(len(outlines)), shape_counts)
+    side_counts = np.array([len(build.side_rows) for build in builds], dtype=np.int64)
+    sides = records.OUTLINE.zeros(int(side_counts.sum()))
+    if builds:
+        np.concatenate([build.shape_rows for build in builds], out=shapes)
+        np.concatenate([build.vertex_rows for build in builds], out=vertices)
+        np.concatenate([build.side_rows for build in builds], out=sides)
+        shapes.body = np.repeat(np.arange(len(builds)), shape_counts)
         shapes.vertex_start += np.repeat(np.cumsum(vertex_counts) - vertex_counts, shape_counts)
-    return shapes, vertices
+        shapes.outline_start += np.repeat(np.cumsum(side_counts) - side_counts, shape_counts)
+    return shapes, vertices, sides
 
 
 def _settings(scene: FlatScene) -> Records:

@@ -16,6 +16,8 @@ def digest(state: State) -> str:
     for table, array in zip(TABLES, state.arrays, strict=True):
         rows = array[: int(state.counters[0].contact_count)] if table.name == "contact" else array
         hashed = table.hashed_fields
+        if not hashed:
+            continue
         if len(hashed) < len(table.fields):
             rows = np.column_stack([rows[name].view("i8") for name in hashed])
         hasher.update(np.ascontiguousarray(rows).astype(rows.dtype.newbyteorder("<"), copy=False).tobytes())

@@ -62,6 +62,10 @@ SHAPE = Table(
         Field("category", "-", "bit set of what the shape is", "i8"),
         Field("mask", "-", "bit set of what it collides with", "i8"),
         Field("group", "-", "same positive group always collides, same negative group never, 0 no group", "i8"),
+        Field("part", "-", "number of the part of a concave polygon, from 1; 0 for a shape of its own", "i8", False),
+        Field("inner", "-", "bit k: the edge from vertex k on lies within the concave polygon", "i8", False),
+        Field("outline_start", "-", "first row of the concave polygon in the outline table", "i8", False),
+        Field("outline_count", "-", "sides of the concave polygon; 0 unless this is its first part", "i8", False),
     ),
 )
 
@@ -74,6 +78,18 @@ VERTEX = Table(
         Field("normal_y", "1", "outward unit normal of the edge from this vertex to the next; 0 for a circle"),
     ),
 )
+
+
+OUTLINE = Table(
+    "outline",
+    (
+        Field("start_x", "m", "where a side of a concave polygon begins, from the centre of mass", hashed=False),
+        Field("start_y", "m", "where a side begins, in the body's frame; the inside is on its left", hashed=False),
+        Field("end_x", "m", "where it ends", hashed=False),
+        Field("end_y", "m", "where it ends", hashed=False),
+    ),
+)
+"""What concave polygons look like; they collide by their convex parts."""
 
 
 def _point_fields() -> tuple[Field, ...]:
@@ -159,5 +175,5 @@ COUNTERS = Table(
     ),
 )
 
-TABLES = (BODY, SHAPE, VERTEX, CONTACT, DRAG, SETTINGS, COUNTERS)
+TABLES = (BODY, SHAPE, VERTEX, OUTLINE, CONTACT, DRAG, SETTINGS, COUNTERS)
 """All stored tables, in the order of the snapshot and the digest."""

@@ -18,6 +18,7 @@ class State:
     bodies: Records
     shapes: Records
     vertices: Records
+    outlines: Records
     contacts: Records
     drags: Records
     settings: Records
@@ -28,5 +29,6 @@ class State:
     def arrays(self) -> tuple[Records, ...]:
         """The record arrays in the order of `records.TABLES`."""
         return (
-            self.bodies, self.shapes, self.vertices, self.contacts, self.drags, self.settings, self.counters,
+            self.bodies, self.shapes, self.vertices, self.outlines, self.contacts, self.drags, self.settings,
+            self.counters,
         )  # fmt: skip

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from sandbox.scene import Scene
 from sandbox.scene.flat import FlatBody, FlatScene, FlatShape
 from sandbox.world.build import build_state
 from sandbox.world.state import State
@@ -73,3 +74,26 @@ def pyramid(rows: int, size: float = 1.0) -> State:
         for k in range(rows - r)
     ]
     return build_state(FlatScene((ground(rows * size * 2 + 10), *crates)))
+
+
+def letters(kind: str = "dynamic") -> State:
+    """Concave polygons, some with holes, turned; one of them frozen."""
+    gear = [[r * math.cos(k * math.pi / 12 + t), r * math.sin(k * math.pi / 12 + t)] for k in range(24) for t, r in
+            ((0.0, 0.8 if k % 2 else 1.1), (math.pi / 24, 0.8 if k % 2 else 1.1))]  # fmt: skip
+    square = [[-0.3, -0.3], [0.3, -0.3], [0.3, 0.3], [-0.3, 0.3]]
+    shapes = {
+        "L": {"polygon": [[0, 0], [1.4, 0], [1.4, 0.5], [0.5, 0.5], [0.5, 2], [0, 2]]},
+        "T": {"polygon": [[-1, 1.5], [-0.3, 1.5], [-0.3, 0], [0.3, 0], [0.3, 1.5], [1, 1.5], [1, 2], [-1, 2]]},
+        "gear": {"polygon": gear, "holes": [square]},
+        "A": {
+            "polygon": [[0, 0], [0.5, 0], [0.7, 0.6], [1.3, 0.6], [1.5, 0], [2, 0], [1.25, 2.2], [0.75, 2.2]],
+            "holes": [[[0.8, 1], [1.2, 1], [1, 1.6]]],
+        },
+    }
+    bodies = [
+        {"id": name, "type": kind, "position": [3 * k - 5, 0.5], "angle": 17 * k, "shapes": [shape]}
+        for k, (name, shape) in enumerate(shapes.items())
+    ]
+    state = build_state(Scene(bodies=bodies).flatten())
+    state.bodies[1].frozen_step = 5
+    return state

@@ -84,9 +84,19 @@ def generate(fields: str) -> str:
         (shape('"polygon": [[0, 0], [1, 1], [2, 2]]'),
          "2:13: the polygon has no area: its vertices lie on one line"),
         (shape('"polygon": [[0, 0], [2, 2], [2, 0], [0, 2]]'), "2:14: the polygon intersects itself"),
-        (shape('"polygon": [[0, 0], [4, 0], [1, 1], [0, 4]]'),
-         "2:30: the polygon is concave; only a shape of a scene can be that"),
-        (shape(f'"polygon": {[[k, k * k] for k in range(65)]}'), "2:13: polygon has 65 entries; 64 is the limit"),
+        (shape(f'"polygon": {[[k, k * k] for k in range(1001)]}'), "2:13: polygon has 1001 entries; 1000 is the limit"),
+        (shape('"polygon": [[0, 0], [4, 0], [1, 1], [0, 4]], "radius": 0.1'),
+         "2:57: radius must be 0 for a polygon that is concave or has holes"),
+        (shape('"polygon": [[0, 0], [4, 0], [4, 4], [0, 4]], "holes": [[[1, 1], [2, 1], [2, 2]]], "radius": 0.1'),
+         "2:94: radius must be 0 for a polygon that is concave or has holes"),
+        (shape('"polygon": [[0, 0], [4, 0], [4, 4], [0, 4]], "holes": [[[1, 1], [2, 1], [2, 5]]]'),
+         "2:66: the hole meets the polygon's outline"),
+        (shape('"polygon": [[0, 0], [4, 0], [4, 4], [0, 4]], "holes": [[[6, 1], [7, 1], [7, 5]]]'),
+         "2:58: the hole lies outside of the polygon"),
+        (shape('"polygon": [[0, 0], [4, 0], [4, 4], [0, 4]], "holes": [[[1, 1], [2, 2], [3, 3]]]'),
+         "2:57: the hole has no area: its vertices lie on one line"),
+        (shape('"polygon": [[0, 0], [4, 0], [4, 4], [0, 4]], "holes": [[1, 1], [2, 2], [3, 3]]'),
+         "2:57: holes[0] needs at least 3 entries and has 2"),
         (shape('"circle": 1, "category": "payer"'), '2:27: no category is named "payer"'),
         (shape('"circle": 1, "mask": 1.5'),
          "2:23: mask must be a category name, a list of names, or a whole number used as bits, not 1.5"),
@@ -119,6 +129,12 @@ def test_one_mistake_is_one_line(text, told):
     lines = [line for line in refused(text).lines() if line.startswith("x.json:")]
     assert lines[0].removeprefix("x.json:") == told
     assert len(lines) == (2 if '"pile"' in text else 1)
+
+
+def test_the_vertices_of_holes_count_as_well():
+    ring = [[k, k * k] for k in range(501)]
+    (line,) = (line for line in refused(shape(f'"polygon": {ring}, "holes": [{ring}]')).lines() if "x.json" in line)
+    assert line.endswith("the polygon and its holes have 1002 vertices; 1000 is the limit")
 
 
 def test_all_mistakes_are_told_at_once_in_the_order_of_the_file():

@@ -19,21 +19,23 @@ from sandbox.render.frame import capture, interesting_bounds
 from sandbox.render.surface_painter import SurfacePainter
 from sandbox.render.theme import DARK
 from sandbox.render.wardrobe import dress
+from sandbox.world.state import State
+from tests.render.stages import letters
 from tests.window.test_instances import zoo
 from tests.window.test_session import SCENE
 
 
-def picture_of_the_zoo(size: tuple[int, int]) -> DrawList:
-    state = zoo()
+def picture_of(state: State, size: tuple[int, int]) -> DrawList:
     camera = fit(interesting_bounds(capture(state)), size)
     rope = Line((100.0, 50.0), (200.0, 90.0), 4.0, DARK.drag)
     return build_draw_list(capture(state), camera, dress(state.names, state.bodies.type, DARK), [rope])
 
 
-def test_opengl_draws_what_the_surface_painter_draws(display: Any, tmp_path: Path) -> None:
+@pytest.mark.parametrize("stage", [zoo, letters])
+def test_opengl_draws_what_the_surface_painter_draws(stage: Any, display: Any, tmp_path: Path) -> None:
     from sandbox.window.gl_painter import GlPainter
 
-    picture = picture_of_the_zoo(display.size)
+    picture = picture_of(stage(), display.size)
     display.begin()
     GlPainter(display.context).paint(picture)
     display.save(tmp_path / "gl.png")

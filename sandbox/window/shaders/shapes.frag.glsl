@@ -35,14 +35,33 @@ float polygon_distance(vec2 p, int first, int count) {
     return deepest > 0.0 ? sqrt(nearest) : -sqrt(nearest);
 }
 
+// Any outline with holes, given as the two ends of each side: inside where a ray crosses it an odd number of times.
+float outline_distance(vec2 p, int first, int count) {
+    float nearest = 1e30;
+    bool inside = false;
+    for (int i = 0; i < count; i++) {
+        vec2 start = vertex(first + 2 * i);
+        vec2 along = vertex(first + 2 * i + 1) - start;
+        vec2 to = p - start;
+        vec2 off = to - along * clamp(dot(to, along) / dot(along, along), 0.0, 1.0);
+        nearest = min(nearest, dot(off, off));
+        bool rises = (to.y >= 0.0) != (to.y >= along.y);
+        if (rises && (along.x * to.y - along.y * to.x > 0.0) == (along.y > 0.0)) inside = !inside;
+    }
+    return inside ? -sqrt(nearest) : sqrt(nearest);
+}
+
+float core_distance(vec2 p, int first, int count) {
+    if (count == 0) return box_distance(p, f_extent.xy);
+    return count > 0 ? polygon_distance(p, first, count) : outline_distance(p, first, -count);
+}
+
 float stroke_distance(vec2 p, float from, float to) {
     return length(p - vec2(clamp(p.x, from, to), 0.0));
 }
 
 void main() {
-    int count = int(f_detail.w);
-    float core = count > 0 ? polygon_distance(place, int(f_detail.z), count) : box_distance(place, f_extent.xy);
-    float distance = core - f_extent.z;
+    float distance = core_distance(place, int(f_detail.z), int(f_detail.w)) - f_extent.z;
     float coverage = clamp(0.5 - distance, 0.0, 1.0);
     if (coverage <= 0.0) discard;
 

@@ -10,7 +10,7 @@ in vec4 extent;    // half extents of the core, rounding radius, outline width
 in vec4 fill;      // sRGB and opacity
 in vec4 edge;      // sRGB and 1 where hatched
 in vec4 mark;      // sRGB and opacity
-in vec4 detail;    // mark from x, mark to x, first polygon vertex, number of polygon vertices
+in vec4 detail;    // mark from x, mark to x, first polygon vertex, number of polygon vertices or minus that of sides
 
 out vec2 place;    // in the shape frame
 flat out vec4 f_extent, f_fill, f_edge, f_mark, f_detail;
