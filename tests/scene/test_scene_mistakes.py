@@ -95,7 +95,7 @@ def generate(fields: str) -> str:
          "2:58: the hole lies outside of the polygon"),
         (shape('"polygon": [[0, 0], [4, 0], [4, 4], [0, 4]], "holes": [[[1, 1], [2, 2], [3, 3]]]'),
          "2:57: the hole has no area: its vertices lie on one line"),
-        (shape('"polygon": [[0, 0], [4, 0], [4, 4], [0, 4]], "holes": [[1, 1], [2, 2], [3, 3]]'),
+        (shape('"polygon": [[0, 0], [4, 0], [4, 4], [0, 4]], "holes": [[[1, 1], [2, 2]]]'),
          "2:57: holes[0] needs at least 3 entries and has 2"),
         (shape('"circle": 1, "category": "payer"'), '2:27: no category is named "payer"'),
         (shape('"circle": 1, "mask": 1.5'),
