@@ -5,15 +5,19 @@ from __future__ import annotations
 from sandbox._jit import kernel
 from sandbox.engine.contact_blocks import LANES, MAX_COLORS, VECTOR
 from sandbox.engine.islands import is_active
+from sandbox.engine.pace import contact_pace
 from sandbox.tables import Integers, Records
 
 
 @kernel
-def color_contacts(bodies: Records, flights: Records, contacts: Records, count: int, colors: Integers) -> int:
-    """Greedy colouring in contact order; write each contact's colour to `colors`, return the number of colours.
+def color_contacts(
+    bodies: Records, flights: Records, contacts: Records, count: int, pace: int, colors: Integers
+) -> int:
+    """Greedy colouring of the contacts of a pace, in order, into `colors`; returns the number of colours.
 
     Only active bodies count: others are read by the solver but not changed. A contact that finds no free colour gets
-    `MAX_COLORS`, the colour of those that are solved one by one; one among sleeping bodies gets -1 and is not solved.
+    `MAX_COLORS`, the colour of those that are solved one by one; one among sleeping bodies or of another pace
+    gets -1 and is not solved.
     """
     for i in range(flights.shape[0]):
         flights[i].colors = 0
@@ -23,7 +27,7 @@ def color_contacts(bodies: Records, flights: Records, contacts: Records, count: 
         b = contacts[i].body_b
         moves_a = is_active(bodies[a])
         moves_b = is_active(bodies[b])
-        if not (moves_a or moves_b):
+        if contact_pace(bodies, flights, contacts[i]) != pace:
             colors[i] = -1
             continue
         taken = (flights[a].colors if moves_a else 0) | (flights[b].colors if moves_b else 0)

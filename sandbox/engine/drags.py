@@ -11,11 +11,11 @@ from sandbox.world.records import DYNAMIC
 
 
 @kernel
-def solve_drags(bodies: Records, motions: Records, drags: Records, seconds: float) -> None:
-    """Warm start and solve every drag in use once."""
+def solve_drags(bodies: Records, motions: Records, flights: Records, drags: Records, pace: int, seconds: float) -> None:
+    """Warm start and solve every drag on bodies of a pace once."""
     for k in range(drags.shape[0]):
         drag = drags[k]
-        if drag.body >= 0 and bodies[drag.body].type == DYNAMIC:
+        if drag.body >= 0 and bodies[drag.body].type == DYNAMIC and flights[drag.body].pace == pace:
             _solve(bodies[drag.body], motions[drag.body], drag, seconds)
 
 

@@ -12,6 +12,7 @@ import math
 
 from sandbox._jit import kernel
 from sandbox.engine.contact_prepare import effective_mass
+from sandbox.engine.pace import contact_pace
 from sandbox.tables import Integers, Records
 
 _SWEEPS = 32
@@ -19,8 +20,10 @@ _SINGULAR = 1e-9
 
 
 @kernel
-def list_bouncy(bodies: Records, contacts: Records, count: int, threshold: float, bouncy: Integers) -> int:
-    """List the contacts with restitution, or none when no body is fast enough for any to matter."""
+def list_bouncy(
+    bodies: Records, flights: Records, contacts: Records, count: int, pace: int, threshold: float, bouncy: Integers
+) -> int:
+    """List the contacts of a pace with restitution, or none when no body is fast enough for any to matter."""
     fastest = 0.0
     for i in range(bodies.shape[0]):
         body = bodies[i]
@@ -30,7 +33,7 @@ def list_bouncy(bodies: Records, contacts: Records, count: int, threshold: float
     used = 0
     if fastest > 0.25 * threshold * threshold:
         for i in range(count):
-            if contacts[i].restitution > 0.0:
+            if contacts[i].restitution > 0.0 and contact_pace(bodies, flights, contacts[i]) == pace:
                 bouncy[used] = i
                 used += 1
     return used

@@ -5,7 +5,7 @@ from __future__ import annotations
 from sandbox._jit import kernel
 from sandbox.geometry.trig import cos_sin
 from sandbox.tables import Records
-from sandbox.world.records import DYNAMIC, STATIC
+from sandbox.world.records import DYNAMIC, KINEMATIC, STATIC
 
 
 @kernel
@@ -30,16 +30,35 @@ def begin_motions(bodies: Records, motions: Records, flights: Records) -> None:
 
 
 @kernel
+def rewind_driven(bodies: Records, motions: Records) -> None:
+    """Put kinematic bodies back to where the step began, for the islands of the next pace."""
+    for i in range(bodies.shape[0]):
+        if bodies[i].type == KINEMATIC:
+            motion = motions[i]
+            motion.delta_x = 0.0
+            motion.delta_y = 0.0
+            motion.delta_cos = 1.0
+            motion.delta_sin = 0.0
+            motion.delta_angle = 0.0
+
+
+@kernel
 def integrate_velocities(
-    bodies: Records, motions: Records, flights: Records, gravity_x: float, gravity_y: float, seconds: float
+    bodies: Records,
+    motions: Records,
+    flights: Records,
+    pace: int,
+    gravity_x: float,
+    gravity_y: float,
+    seconds: float,
 ) -> None:
     """Gravity, forces and damping over one substep: exact terminal velocity, decay to second order, always stable."""
     for i in range(bodies.shape[0]):
         body = bodies[i]
-        if body.type != DYNAMIC or body.awake == 0:
+        flight = flights[i]
+        if body.type != DYNAMIC or body.awake == 0 or flight.pace != pace:
             continue
         motion = motions[i]
-        flight = flights[i]
         flight.start_x = motion.velocity_x
         flight.start_y = motion.velocity_y
         flight.start_w = motion.angular_velocity
@@ -65,7 +84,9 @@ def _decay(x: float) -> float:
 
 
 @kernel
-def integrate_positions(bodies: Records, motions: Records, flights: Records, gravity: float, seconds: float) -> None:
+def integrate_positions(
+    bodies: Records, motions: Records, flights: Records, pace: int, gravity: float, seconds: float
+) -> None:
     """Move by the velocity the solver left; a body that nothing touched moves by the mean of both ends.
 
     The mean is exact under constant acceleration, so free flight follows the parabola to rounding. A body in
@@ -75,10 +96,10 @@ def integrate_positions(bodies: Records, motions: Records, flights: Records, gra
     gentle = 4.0 * seconds * gravity
     for i in range(bodies.shape[0]):
         body = bodies[i]
-        if body.type == STATIC or body.awake == 0:
+        flight = flights[i]
+        if body.type == STATIC or body.awake == 0 or (body.type == DYNAMIC and flight.pace != pace):
             continue
         motion = motions[i]
-        flight = flights[i]
         vx = motion.velocity_x
         vy = motion.velocity_y
         w = motion.angular_velocity

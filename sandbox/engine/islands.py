@@ -128,7 +128,10 @@ def fall_asleep(
     sleeping: bool,
     counters: Records,
 ) -> None:
-    """Count how long bodies have been slow; put islands to sleep in which all have been slow long enough."""
+    """Count how long bodies have been slow; put islands to sleep in which all have been slow long enough.
+
+    `flight.island` is known.
+    """
     _mark_resting(bodies, flights, contacts, count)
     _count_slow_time(bodies, flights, seconds)
     _keep_awake(bodies, contacts, count, drags)
@@ -137,7 +140,6 @@ def fall_asleep(
         if is_active(bodies[i]) and bodies[i].sleep_time >= SLEEP_SECONDS:
             ready = True
     if ready and sleeping:
-        find_islands(bodies, flights, contacts, count)
         _sleep_islands(bodies, flights)
     counters[0].asleep_count = 0
     counters[0].awake_count = 0

@@ -8,6 +8,7 @@ import numpy as np
 
 from sandbox.engine.contact_blocks import BLOCK_SIZE, GATHER_SIZE, LANES, MAX_COLORS
 from sandbox.engine.grid import LEVEL_SPACE
+from sandbox.engine.pace import PILE
 from sandbox.geometry.manifold import MANIFOLD
 from sandbox.tables import Field, Floats, Integers, Records, Table
 from sandbox.world.records import CONTACT, VERTEX
@@ -39,6 +40,7 @@ FLIGHT = Table(
         Field("free_w", "rad/s", "velocity at its end if nothing touches the body"),
         Field("colors", "-", "bit set of the colours its constraints have", "i8"),
         Field("island", "-", "root of its island", "i8"),
+        Field("pace", "-", "its island takes 2**pace times the substeps of the scene", "i8"),
         Field("rests", "-", "1 when something bears it after the step", "i8"),
         Field("hemmed", "-", "1 when something immovable may stop it during the step", "i8"),
         Field("was_awake", "-", "before the step woke anybody", "i8"),
@@ -108,6 +110,7 @@ class Scratch:
 
     motions: Records
     flights: Records
+    piles: Records
     turned: Records
     boxes: Records
     owners: Records
@@ -132,6 +135,7 @@ class Scratch:
         return cls(
             motions=MOTION.zeros(len(state.bodies)),
             flights=FLIGHT.zeros(len(state.bodies)),
+            piles=PILE.zeros(len(state.bodies)),
             turned=VERTEX.zeros(len(state.vertices)),
             boxes=BOX.zeros(shapes),
             owners=OWNER.zeros(shapes),

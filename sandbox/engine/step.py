@@ -16,9 +16,17 @@ from sandbox.engine.contact_solver import solve_contacts, warm_start
 from sandbox.engine.drags import solve_drags
 from sandbox.engine.guard import guard_positions, guard_velocities
 from sandbox.engine.impacts import list_bouncy, resolve_impacts
-from sandbox.engine.integrate import begin_motions, finish_motions, integrate_positions, integrate_velocities
-from sandbox.engine.islands import fall_asleep, undo_waking, wake_touched
+from sandbox.engine.integrate import (
+    begin_motions,
+    finish_motions,
+    integrate_positions,
+    integrate_velocities,
+    rewind_driven,
+)
+from sandbox.engine.islands import fall_asleep, find_islands, undo_waking, wake_touched
 from sandbox.engine.narrow_phase import find_contacts
+from sandbox.engine.pace import MOST, assign_paces
+from sandbox.engine.relax import relax_passes
 from sandbox.engine.softness import soft_coefficients
 from sandbox.tables import Floats, Integers, Records
 
@@ -87,6 +95,7 @@ def move(
     counters: Records,
     motions: Records,
     flights: Records,
+    piles: Records,
     heads: Integers,
     contacts: Records,
     slots: Records,
@@ -102,27 +111,45 @@ def move(
     """
     setting = settings[0]
     counter = counters[0]
-    seconds = setting.step_seconds
     count = counter.found_count
     wake_touched(bodies, flights, contacts, count, counters)
-    color_count = color_contacts(bodies, flights, contacts, count, colors)
-    block_count = fill_blocks(contacts, count, colors, color_count, heads, slots, blocks)
-    if block_count > blocks.shape[0]:
-        undo_waking(bodies, flights, counters)
-        return block_count
-    bouncy_count = list_bouncy(bodies, contacts, count, setting.restitution_threshold, colors)
-    prepare_contacts(bodies, contacts, slots, blocks, block_count, bouncy_count > 0, lanes)
+    find_islands(bodies, flights, contacts, count)
+    paces = assign_paces(
+        bodies, flights, piles, contacts, count, setting.gravity_x, setting.gravity_y, setting.contact_hertz
+    )
+    block_count = 0
+    counter.color_count = 0
+    for pace in range(MOST, -1, -1):
+        if (paces >> pace) & 1:
+            color_count = color_contacts(bodies, flights, contacts, count, pace, colors)
+            counter.color_count = color_count if color_count > counter.color_count else counter.color_count
+            block_count = fill_blocks(contacts, count, colors, color_count, heads, slots, blocks)
+            if block_count > blocks.shape[0]:
+                undo_waking(bodies, flights, counters)
+                return block_count
 
-    _run_substeps(
-        bodies, motions, flights, drags, setting, counters, contacts, colors, bouncy_count, slots, blocks, block_count,
-        lanes, gathered,
-    )  # fmt: skip
-    store_impulses(contacts, slots, blocks, block_count, lanes)
+    begin_motions(bodies, motions, flights)
+    for pace in range(MOST + 1):
+        if (paces >> pace) & 1 == 0:
+            continue
+        if pace > 0:
+            rewind_driven(bodies, motions)
+            color_count = color_contacts(bodies, flights, contacts, count, pace, colors)
+            block_count = fill_blocks(contacts, count, colors, color_count, heads, slots, blocks)
+        bouncy_count = list_bouncy(bodies, flights, contacts, count, pace, setting.restitution_threshold, colors)
+        relaxes = relax_passes(bodies, flights, contacts, count, pace)
+        prepare_contacts(bodies, contacts, slots, blocks, block_count, bouncy_count > 0, lanes)
+        _run_substeps(
+            bodies, motions, flights, drags, setting, counters, contacts, colors, bouncy_count, slots, blocks,
+            block_count, lanes, gathered, pace, relaxes,
+        )  # fmt: skip
+        store_impulses(contacts, slots, blocks, block_count, lanes)
+    guard_positions(bodies, motions, counters)
+    finish_motions(bodies, motions)
 
-    fall_asleep(bodies, flights, contacts, count, drags, seconds, setting.sleeping == 1, counters)
+    fall_asleep(bodies, flights, contacts, count, drags, setting.step_seconds, setting.sleeping == 1, counters)
     counter.step_count += 1
     counter.contact_count = count
-    counter.color_count = color_count
     return 0
 
 
@@ -142,23 +169,26 @@ def _run_substeps(
     block_count: int,
     lanes: Floats,
     gathered: Floats,
+    pace: int,
+    relaxes: int,
 ) -> None:
-    """Integrate, solve and relax `substeps` times, then put the motion into the bodies."""
-    seconds = setting.step_seconds / setting.substeps
+    """Integrate, solve and relax the islands of one pace, in as many substeps as it asks for."""
+    substeps = setting.substeps << pace
+    seconds = setting.step_seconds / substeps
     rate = 1.0 / seconds
-    hertz = setting.contact_hertz if setting.contact_hertz < 0.25 * rate else 0.25 * rate
+    hertz = setting.contact_hertz * (1 << pace)
+    hertz = hertz if hertz < 0.25 * rate else 0.25 * rate
     bias, mass_scale, impulse_scale = soft_coefficients(hertz, setting.contact_damping_ratio, seconds)
     slowest = -setting.push_out_speed
     gravity = math.sqrt(setting.gravity_x * setting.gravity_x + setting.gravity_y * setting.gravity_y)
 
-    begin_motions(bodies, motions, flights)
-    for _substep in range(setting.substeps):
-        integrate_velocities(bodies, motions, flights, setting.gravity_x, setting.gravity_y, seconds)
+    for _substep in range(substeps):
+        integrate_velocities(bodies, motions, flights, pace, setting.gravity_x, setting.gravity_y, seconds)
         guard_velocities(bodies, motions, counters)
         resolve_impacts(
             bodies, motions, flights, contacts, bouncy, bouncy_count, setting.restitution_threshold, seconds
         )
-        solve_drags(bodies, motions, drags, seconds)
+        solve_drags(bodies, motions, flights, drags, pace, seconds)
         warm_start(motions, slots, blocks, block_count, lanes, gathered)
         solve_contacts(
             motions,
@@ -174,7 +204,6 @@ def _run_substeps(
             slowest,
             0.0,
         )
-        integrate_positions(bodies, motions, flights, gravity, seconds)
-        solve_contacts(motions, slots, blocks, block_count, lanes, gathered, rate, 0.0, 1.0, 0.0, 0.0, WAIT)
-    guard_positions(bodies, motions, counters)
-    finish_motions(bodies, motions)
+        integrate_positions(bodies, motions, flights, pace, gravity, seconds)
+        for _pass in range(relaxes):
+            solve_contacts(motions, slots, blocks, block_count, lanes, gathered, rate, 0.0, 1.0, 0.0, 0.0, WAIT)

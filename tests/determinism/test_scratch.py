@@ -43,7 +43,7 @@ def test_scratch_that_has_grown_makes_no_difference(sleeping):
 
 def test_the_crowd_needs_serial_blocks():
     world = World(crowd(False))
-    world.step(3)
+    world.step()
     assert world.state.counters[0].color_count == 63
 
 

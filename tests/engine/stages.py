@@ -135,7 +135,7 @@ class Paused:
     def lay_out(self) -> None:
         """Colours, slots, blocks and lanes."""
         s, m = self.state, self.scratch
-        self.colors = color_contacts(s.bodies, m.flights, m.contacts, self.count, m.colors)
+        self.colors = color_contacts(s.bodies, m.flights, m.contacts, self.count, 0, m.colors)
         self.blocks = fill_blocks(m.contacts, self.count, m.colors, self.colors, m.heads, m.slots, m.blocks)
         assert self.blocks <= len(m.blocks)
         self.prepare()
@@ -160,7 +160,7 @@ class Paused:
         s, m = self.state, self.scratch
         begin_motions(s.bodies, m.motions, m.flights)
         integrate_velocities(
-            s.bodies, m.motions, m.flights, self.setting.gravity_x, self.setting.gravity_y, self.substep
+            s.bodies, m.motions, m.flights, 0, self.setting.gravity_x, self.setting.gravity_y, self.substep
         )
 
     def warm(self) -> None:
@@ -180,7 +180,7 @@ class Paused:
         """Integrate positions over a substep."""
         s, m = self.state, self.scratch
         gravity = float(np.hypot(self.setting.gravity_x, self.setting.gravity_y))
-        integrate_positions(s.bodies, m.motions, m.flights, gravity, self.substep)
+        integrate_positions(s.bodies, m.motions, m.flights, 0, gravity, self.substep)
 
     def store(self) -> None:
         """Impulses back into the contacts."""

@@ -42,7 +42,7 @@ def test_a_grab_off_centre_solves_both_axes_at_once(x, y, spin, arm, limit):
     w.apply(MoveDrag("a", (x, y)))
     p = Paused(w)
     p.begin()
-    solve_drags(p.state.bodies, p.scratch.motions, p.state.drags, p.substep)
+    solve_drags(p.state.bodies, p.scratch.motions, p.scratch.flights, p.state.drags, 0, p.substep)
     b, m, h = p.state.bodies[0], p.scratch.motions[0], p.substep
     rx, ry = grabbed
     k = b.inverse_mass * np.eye(2) + b.inverse_inertia * np.array([[ry * ry, -rx * ry], [-rx * ry, rx * rx]])

@@ -1,0 +1,176 @@
+"""Stage: islands that the usual substeps cannot hold are given more of them.
+
+Soft contacts give way under load, so a slender pile buckles like a column of elastic joints, and one solver pass a
+substep cannot carry a heavy body through a light one. Both get better with the square of the substep rate. A column
+is safe while the sum of weight * height^2 over its bodies is less than 2.5 EI (A. G. Greenhill 1881; a load at the
+top is Euler's case), and contacts with the angular frequency w over a width W have EI of about m w^2 W^3.
+"""
+
+from __future__ import annotations
+
+import math
+
+from sandbox._jit import kernel
+from sandbox.engine.islands import is_active
+from sandbox.geometry.trig import PI
+from sandbox.tables import Field, Records, Table
+
+MOST = 4
+"""Highest pace: an island of pace p takes 2**p times the scene's substeps."""
+STIFFNESS = 0.6
+"""Measured: a stack of 28 unit boxes just stands at 55 Hz."""
+SAFE = 0.35
+"""Largest share of the buckling load that an island bears at its pace."""
+RATIO = 30.0
+"""Largest ratio of a body's mass to that of one below it at pace 0; four times as much at each pace more."""
+SINK = 0.02
+"""Largest depth, as a share of the lower body's extent, to which a body may sink into that."""
+UPRIGHT = 0.5
+"""Smallest cosine between a contact's normal and gravity at which one body counts as lying on the other."""
+
+PILE = Table(
+    "pile",
+    (
+        Field("weight", "N", "of all bodies"),
+        Field("moment", "N m", "weight times height above the root body"),
+        Field("second_moment", "N m^2", "weight times height squared"),
+        Field("bottom", "m", "lowest contact point, above the root body"),
+        Field("left", "m", "first contact point across gravity, from the root body"),
+        Field("right", "m", "last contact point across gravity"),
+        Field("bearer", "kg", "lightest body that another one lies on"),
+        Field("slight", "m", "smallest extent of such a body"),
+        Field("ratio", "1", "largest mass of a body by that of one below it"),
+    ),
+)
+"""What a pile is made of; in the row of its island's root."""
+
+
+@kernel
+def assign_paces(
+    bodies: Records,
+    flights: Records,
+    piles: Records,
+    contacts: Records,
+    count: int,
+    gravity_x: float,
+    gravity_y: float,
+    hertz: float,
+) -> int:
+    """Write every active body's `flight.pace`; `flight.island` is known. Returns the set of paces in use, as bits."""
+    for i in range(bodies.shape[0]):
+        flights[i].pace = 0
+    gravity = math.sqrt(gravity_x * gravity_x + gravity_y * gravity_y)
+    if gravity == 0.0 or not _measure_contacts(bodies, flights, piles, contacts, count, gravity_x, gravity_y, gravity):
+        return 1
+    _measure_weights(bodies, flights, piles, gravity_x, gravity_y, gravity)
+    omega = 2.0 * PI * hertz
+    used = 1
+    for i in range(bodies.shape[0]):
+        root = flights[i].island
+        if is_active(bodies[i]) and piles[root].ratio > 0.0:
+            flights[i].pace = _pace(piles[root], omega, gravity)
+            used |= 1 << flights[i].pace
+    return used
+
+
+@kernel
+def contact_pace(bodies: Records, flights: Records, contact: Records) -> int:
+    """The pace a contact is solved at; -1 among bodies that are not moved."""
+    if is_active(bodies[contact.body_a]):
+        pace: int = flights[contact.body_a].pace
+        return pace
+    if is_active(bodies[contact.body_b]):
+        other: int = flights[contact.body_b].pace
+        return other
+    return -1
+
+
+@kernel
+def _measure_contacts(
+    bodies: Records,
+    flights: Records,
+    piles: Records,
+    contacts: Records,
+    count: int,
+    gravity_x: float,
+    gravity_y: float,
+    gravity: float,
+) -> bool:
+    """Width, foot and bearing bodies of every pile; False when no moving body lies on another."""
+    for i in range(bodies.shape[0]):
+        pile = piles[i]
+        pile.weight = pile.moment = pile.second_moment = pile.ratio = 0.0
+        pile.bottom = pile.left = pile.bearer = pile.slight = 1e300
+        pile.right = -1e300
+    found = False
+    down_x = gravity_x / gravity
+    down_y = gravity_y / gravity
+    for i in range(count):
+        contact = contacts[i]
+        a = bodies[contact.body_a]
+        b = bodies[contact.body_b]
+        if not (is_active(a) or is_active(b)):
+            continue
+        root = flights[contact.body_a].island if is_active(a) else flights[contact.body_b].island
+        pile = piles[root]
+        x = a.center_x - bodies[root].center_x
+        y = a.center_y - bodies[root].center_y
+        _add_point(pile, x + contact.anchor_ax1, y + contact.anchor_ay1, down_x, down_y)
+        if contact.point_count == 2:
+            _add_point(pile, x + contact.anchor_ax2, y + contact.anchor_ay2, down_x, down_y)
+        upright = contact.normal_x * down_x + contact.normal_y * down_y
+        if is_active(a) and is_active(b) and abs(upright) >= UPRIGHT:
+            lower = b if upright > 0.0 else a
+            upper = a if upright > 0.0 else b
+            ratio = upper.mass * lower.inverse_mass
+            pile.ratio = ratio if ratio > pile.ratio else pile.ratio
+            pile.bearer = lower.mass if lower.mass < pile.bearer else pile.bearer
+            pile.slight = lower.extent if lower.extent < pile.slight else pile.slight
+            found = True
+    return found
+
+
+@kernel
+def _add_point(pile: Records, x: float, y: float, down_x: float, down_y: float) -> None:
+    height = -(x * down_x + y * down_y)
+    across = x * down_y - y * down_x
+    pile.bottom = height if height < pile.bottom else pile.bottom
+    pile.left = across if across < pile.left else pile.left
+    pile.right = across if across > pile.right else pile.right
+
+
+@kernel
+def _measure_weights(
+    bodies: Records, flights: Records, piles: Records, gravity_x: float, gravity_y: float, gravity: float
+) -> None:
+    for i in range(bodies.shape[0]):
+        body = bodies[i]
+        if not is_active(body):
+            continue
+        root = flights[i].island
+        pile = piles[root]
+        x = body.center_x - bodies[root].center_x
+        y = body.center_y - bodies[root].center_y
+        height = -(x * gravity_x + y * gravity_y) / gravity
+        weight = body.mass * gravity * (body.gravity_scale if body.gravity_scale > 0.0 else 0.0)
+        pile.weight += weight
+        pile.moment += weight * height
+        pile.second_moment += weight * height * height
+
+
+@kernel
+def _pace(pile: Records, omega: float, gravity: float) -> int:
+    """How many times the substeps have to be doubled for this pile."""
+    width = pile.right - pile.left
+    width = width if width > 0.5 * pile.slight else 0.5 * pile.slight
+    foot = pile.bottom
+    load = pile.second_moment - 2.0 * foot * pile.moment + foot * foot * pile.weight
+    bears = SAFE * STIFFNESS * pile.bearer * omega * omega * width * width * width
+    sinking = SINK * pile.slight * omega * omega / gravity
+    ratio = sinking if sinking < RATIO else RATIO
+    pace = 0
+    while pace < MOST and (load > bears or pile.ratio > ratio):
+        bears = 4.0 * bears
+        ratio = 4.0 * ratio
+        pace += 1
+    return pace
