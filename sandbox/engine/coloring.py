@@ -11,10 +11,11 @@ from sandbox.tables import Integers, Records
 
 @kernel
 def color_contacts(
-    bodies: Records, flights: Records, contacts: Records, count: int, pace: int, colors: Integers
+    bodies: Records, flights: Records, contacts: Records, count: int, pace: int, mixed: bool, colors: Integers
 ) -> int:
     """Greedy colouring of the contacts of a pace, in order, into `colors`; returns the number of colours.
 
+    `mixed` says that there are other paces.
     Only active bodies count: others are read by the solver but not changed. A contact that finds no free colour gets
     `MAX_COLORS`, the colour of those that are solved one by one; one among sleeping bodies or of another pace
     gets -1 and is not solved.
@@ -27,7 +28,7 @@ def color_contacts(
         b = contacts[i].body_b
         moves_a = is_active(bodies[a])
         moves_b = is_active(bodies[b])
-        if contact_pace(bodies, flights, contacts[i]) != pace:
+        if not (moves_a or moves_b) or (mixed and contact_pace(bodies, flights, contacts[i]) != pace):
             colors[i] = -1
             continue
         taken = (flights[a].colors if moves_a else 0) | (flights[b].colors if moves_b else 0)

@@ -10,6 +10,11 @@ BLOCK_SIZE = cb.BLOCK_SIZE
 LANES = cb.LANES
 VECTOR = cb.VECTOR
 
+DEEP = 0.1
+"""Share of the smaller body's extent past which an overlap is deep."""
+_SHALLOW = -1e-3
+"""Separation (m) that spares the question how large the bodies are."""
+
 
 @kernel
 def prepare_contacts(
@@ -20,8 +25,12 @@ def prepare_contacts(
     block_count: int,
     bouncy: bool,
     lanes: Floats,
-) -> None:
-    """Fill the lanes of every block: axes, anchors, effective masses and the impulses to start from."""
+) -> bool:
+    """Fill the lanes of every block: axes, anchors, effective masses and the impulses to start from.
+
+    Returns whether bodies overlap deeply somewhere.
+    """
+    deep = False
     for n in range(block_count):
         block = blocks[n]
         base = n * BLOCK_SIZE
@@ -32,9 +41,18 @@ def prepare_contacts(
             contact = contacts[slot.contact]
             at = base + k * block.stride
             _prepare_lane(bodies[slot.body_a], bodies[slot.body_b], contact, lanes, at)
+            if contact.separation1 < _SHALLOW or contact.separation2 < _SHALLOW:
+                deep = deep or _is_deep(bodies[slot.body_a], bodies[slot.body_b], contact)
             lanes[at + cb.BOUNCY] = 1.0 if bouncy and contact.restitution > 0.0 else 0.0
             if contact.rolling_resistance > 0.0:
                 block.rolling = 1
+    return deep
+
+
+@kernel
+def _is_deep(a: Records, b: Records, contact: Records) -> bool:
+    limit = -DEEP * (a.extent if a.extent < b.extent else b.extent)
+    return bool(contact.separation1 < limit or (contact.point_count == 2 and contact.separation2 < limit))
 
 
 @kernel

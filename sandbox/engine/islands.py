@@ -13,8 +13,6 @@ from sandbox._jit import kernel
 from sandbox.tables import Records
 from sandbox.world.records import DYNAMIC, KINEMATIC
 
-SLEEP_SPEED = 0.05
-"""A body is slow while no point of it moves faster than this, in m/s."""
 STILL_SPEED = 0.001
 """A body that has become faster while it was slow is about to slide or tip, unless it is slower than this, in m/s."""
 SLEEP_SECONDS = 0.5
@@ -141,12 +139,25 @@ def fall_asleep(
             ready = True
     if ready and sleeping:
         _sleep_islands(bodies, flights)
-    counters[0].asleep_count = 0
-    counters[0].awake_count = 0
+    _count_sleepers(bodies, counters[0])
+
+
+@kernel
+def _count_sleepers(bodies: Records, counter: Records) -> None:
+    """Count who is awake; the world is still when nobody is and no driven body moves."""
+    asleep = 0
+    awake = 0
+    driven = False
     for i in range(bodies.shape[0]):
-        if bodies[i].type == DYNAMIC:
-            counters[0].asleep_count += 1 - bodies[i].awake
-            counters[0].awake_count += bodies[i].awake
+        body = bodies[i]
+        if body.type == DYNAMIC:
+            asleep += 1 - body.awake
+            awake += body.awake
+        elif body.type == KINEMATIC and _disturbs(body):
+            driven = True
+    counter.asleep_count = asleep
+    counter.awake_count = awake
+    counter.still = 0 if driven or awake > 0 else 1
 
 
 @kernel
@@ -169,7 +180,7 @@ def _count_slow_time(bodies: Records, flights: Records, seconds: float) -> None:
             continue
         rim = body.angular_velocity * body.extent
         speed = math.sqrt(body.velocity_x * body.velocity_x + body.velocity_y * body.velocity_y + rim * rim)
-        if speed >= SLEEP_SPEED or (flights[i].rests == 0 and speed > 0.0):
+        if speed >= body.sleep_speed or (flights[i].rests == 0 and speed > 0.0):
             body.sleep_time = 0.0
             continue
         if body.sleep_time == 0.0:

@@ -37,6 +37,8 @@ PILE = Table(
         Field("bottom", "m", "lowest contact point, above the root body"),
         Field("left", "m", "first contact point across gravity, from the root body"),
         Field("right", "m", "last contact point across gravity"),
+        Field("bodies", "-", "how many", "i8"),
+        Field("heaviest", "kg", "of its bodies"),
         Field("bearer", "kg", "lightest body that another one lies on"),
         Field("slight", "m", "smallest extent of such a body"),
         Field("ratio", "1", "largest mass of a body by that of one below it"),
@@ -56,19 +58,27 @@ def assign_paces(
     gravity_y: float,
     hertz: float,
 ) -> int:
-    """Write every active body's `flight.pace`; `flight.island` is known. Returns the set of paces in use, as bits."""
+    """Write every active body's `flight.pace`; `flight.island` is known. Returns the set of paces in use, as bits.
+
+    Bodies alone show that most islands are safe; only if one may not be, contacts are looked at too.
+    """
     for i in range(bodies.shape[0]):
         flights[i].pace = 0
     gravity = math.sqrt(gravity_x * gravity_x + gravity_y * gravity_y)
-    if gravity == 0.0 or not _measure_contacts(bodies, flights, piles, contacts, count, gravity_x, gravity_y, gravity):
+    if gravity == 0.0:
         return 1
-    _measure_weights(bodies, flights, piles, gravity_x, gravity_y, gravity)
+    down_x = gravity_x / gravity
+    down_y = gravity_y / gravity
     omega = 2.0 * PI * hertz
+    _measure_bodies(bodies, flights, piles, down_x, down_y, gravity)
+    if not _some_pile_may_fall(bodies, flights, piles, omega, gravity):
+        return 1
+    _measure_contacts(bodies, flights, piles, contacts, count, down_x, down_y)
     used = 1
     for i in range(bodies.shape[0]):
-        root = flights[i].island
-        if is_active(bodies[i]) and piles[root].ratio > 0.0:
-            flights[i].pace = _pace(piles[root], omega, gravity)
+        pile = piles[flights[i].island]
+        if is_active(bodies[i]) and pile.ratio > 0.0:
+            flights[i].pace = _pace(pile, omega, gravity)
             used |= 1 << flights[i].pace
     return used
 
@@ -86,25 +96,70 @@ def contact_pace(bodies: Records, flights: Records, contact: Records) -> int:
 
 
 @kernel
+def _measure_bodies(
+    bodies: Records, flights: Records, piles: Records, down_x: float, down_y: float, gravity: float
+) -> None:
+    """Weight and height of every pile; of its width, foot, bearing body and ratio what is worst for it."""
+    for i in range(bodies.shape[0]):
+        pile = piles[i]
+        pile.bodies = 0
+        pile.weight = pile.moment = pile.second_moment = pile.heaviest = 0.0
+        pile.bottom = pile.left = pile.bearer = pile.slight = 1e300
+        pile.right = -1e300
+    for i in range(bodies.shape[0]):
+        body = bodies[i]
+        if not is_active(body):
+            continue
+        root = flights[i].island
+        pile = piles[root]
+        x = body.center_x - bodies[root].center_x
+        y = body.center_y - bodies[root].center_y
+        height = -(x * down_x + y * down_y)
+        weight = body.mass * gravity * (body.gravity_scale if body.gravity_scale > 0.0 else 0.0)
+        pile.bodies += 1
+        pile.weight += weight
+        pile.moment += weight * height
+        pile.second_moment += weight * height * height
+        _widen(pile, x * down_y - y * down_x)
+        pile.bottom = height - body.extent if height - body.extent < pile.bottom else pile.bottom
+        pile.heaviest = body.mass if body.mass > pile.heaviest else pile.heaviest
+        pile.bearer = body.mass if body.mass < pile.bearer else pile.bearer
+        pile.slight = body.extent if body.extent < pile.slight else pile.slight
+
+
+@kernel
+def _widen(pile: Records, across: float) -> None:
+    pile.left = across if across < pile.left else pile.left
+    pile.right = across if across > pile.right else pile.right
+
+
+@kernel
+def _some_pile_may_fall(bodies: Records, flights: Records, piles: Records, omega: float, gravity: float) -> bool:
+    """Whether some pile of two or more would need a higher pace if it were as bad as its bodies allow."""
+    for i in range(bodies.shape[0]):
+        if flights[i].island == i and piles[i].bodies > 1:
+            piles[i].ratio = piles[i].heaviest / piles[i].bearer
+            if _pace(piles[i], omega, gravity) > 0:
+                return True
+    return False
+
+
+@kernel
 def _measure_contacts(
     bodies: Records,
     flights: Records,
     piles: Records,
     contacts: Records,
     count: int,
-    gravity_x: float,
-    gravity_y: float,
-    gravity: float,
-) -> bool:
-    """Width, foot and bearing bodies of every pile; False when no moving body lies on another."""
+    down_x: float,
+    down_y: float,
+) -> None:
+    """Width, foot, bearing bodies and ratio of every pile, as they are; the ratio stays 0 where nothing is borne."""
     for i in range(bodies.shape[0]):
         pile = piles[i]
-        pile.weight = pile.moment = pile.second_moment = pile.ratio = 0.0
+        pile.ratio = 0.0
         pile.bottom = pile.left = pile.bearer = pile.slight = 1e300
         pile.right = -1e300
-    found = False
-    down_x = gravity_x / gravity
-    down_y = gravity_y / gravity
     for i in range(count):
         contact = contacts[i]
         a = bodies[contact.body_a]
@@ -120,42 +175,22 @@ def _measure_contacts(
             _add_point(pile, x + contact.anchor_ax2, y + contact.anchor_ay2, down_x, down_y)
         upright = contact.normal_x * down_x + contact.normal_y * down_y
         if is_active(a) and is_active(b) and abs(upright) >= UPRIGHT:
-            lower = b if upright > 0.0 else a
-            upper = a if upright > 0.0 else b
-            ratio = upper.mass * lower.inverse_mass
-            pile.ratio = ratio if ratio > pile.ratio else pile.ratio
-            pile.bearer = lower.mass if lower.mass < pile.bearer else pile.bearer
-            pile.slight = lower.extent if lower.extent < pile.slight else pile.slight
-            found = True
-    return found
+            _add_bearer(pile, b if upright > 0.0 else a, a if upright > 0.0 else b)
 
 
 @kernel
 def _add_point(pile: Records, x: float, y: float, down_x: float, down_y: float) -> None:
     height = -(x * down_x + y * down_y)
-    across = x * down_y - y * down_x
     pile.bottom = height if height < pile.bottom else pile.bottom
-    pile.left = across if across < pile.left else pile.left
-    pile.right = across if across > pile.right else pile.right
+    _widen(pile, x * down_y - y * down_x)
 
 
 @kernel
-def _measure_weights(
-    bodies: Records, flights: Records, piles: Records, gravity_x: float, gravity_y: float, gravity: float
-) -> None:
-    for i in range(bodies.shape[0]):
-        body = bodies[i]
-        if not is_active(body):
-            continue
-        root = flights[i].island
-        pile = piles[root]
-        x = body.center_x - bodies[root].center_x
-        y = body.center_y - bodies[root].center_y
-        height = -(x * gravity_x + y * gravity_y) / gravity
-        weight = body.mass * gravity * (body.gravity_scale if body.gravity_scale > 0.0 else 0.0)
-        pile.weight += weight
-        pile.moment += weight * height
-        pile.second_moment += weight * height * height
+def _add_bearer(pile: Records, lower: Records, upper: Records) -> None:
+    ratio = upper.mass * lower.inverse_mass
+    pile.ratio = ratio if ratio > pile.ratio else pile.ratio
+    pile.bearer = lower.mass if lower.mass < pile.bearer else pile.bearer
+    pile.slight = lower.extent if lower.extent < pile.slight else pile.slight
 
 
 @kernel

@@ -6,6 +6,8 @@ import difflib
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from sandbox.engine.binding import bind
 from sandbox.engine.commands import Command, apply_command
 from sandbox.engine.scratch import Scratch
@@ -15,7 +17,7 @@ from sandbox.engine.warm_up import compile_step
 from sandbox.errors import UnknownBodyError
 from sandbox.world.build import build_state
 from sandbox.world.digest import digest
-from sandbox.world.records import CONTACT
+from sandbox.world.records import CONTACT, DYNAMIC
 from sandbox.world.snapshot import restore, snapshot
 from sandbox.world.state import State
 
@@ -48,7 +50,10 @@ class World:
         """Advance by `n` steps of `1 / step_rate` seconds each."""
         compile_step()
         self.changes += 1
-        for _ in range(n):
+        for taken in range(n):
+            if self.state.counters["still"][0]:
+                self.state.counters["step_count"][0] += n - taken  # all asleep: nothing else would change
+                return
             while not self._advance():
                 pass
             # A step reads the contacts of the last one while it writes the new ones.
@@ -59,6 +64,7 @@ class World:
         """Apply a command. Raises `CommandError` or `UnknownBodyError` and changes nothing if it can't be done."""
         self.changes += 1
         apply_command(self.state, self._find(command.body), command)
+        self.state.counters["still"][0] = 0
 
     @property
     def time(self) -> float:
@@ -78,6 +84,12 @@ class World:
     def body(self, name: str) -> Body:
         """The body of that id. Raises `UnknownBodyError` with the nearest name."""
         return Body(name, self.state.bodies[self._find(name)], self.apply)
+
+    @property
+    def awake_count(self) -> int:
+        """How many dynamic bodies are awake now."""
+        bodies = self.state.bodies
+        return int(np.count_nonzero((bodies.type == DYNAMIC) & (bodies.awake == 1)))
 
     @property
     def contacts(self) -> Any:

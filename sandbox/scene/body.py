@@ -19,6 +19,7 @@ from sandbox.scene.quantities import (
     Mass,
     Name,
     Point,
+    Speed,
     Turning,
     Velocity2,
 )
@@ -41,6 +42,9 @@ class Prefab(Model):
     linear_damping: Damping = Field(default=0.0, description="v' = -damping v, 1/s.")
     angular_damping: Damping = Field(default=0.0, description="w' = -damping w, 1/s.")
     gravity_scale: Factor = Field(default=1.0, description="Multiplies the scene's gravity.")
+    sleep_speed: Speed = Field(
+        default=0.05, description="It may sleep while no point of it moves faster, m/s; 0: it never sleeps."
+    )
     fixed_rotation: bool = Field(default=False, description="true: the body never turns.")
     mass: Mass | None = Field(default=None, description="Overrides the mass of the shapes, kg.")
     inertia: Inertia | None = Field(

@@ -61,6 +61,7 @@ class FlatBody:
     angular_damping: float = 0.0
     gravity_scale: float = 1.0
     fixed_rotation: bool = False
+    sleep_speed: float = 0.05
     mass: float | None = None
     inertia: float | None = None
     center: Vec | None = None

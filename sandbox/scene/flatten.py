@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 
 _FARTHEST = 1e9
 _SAME = [
-    "type", "velocity", "linear_damping", "angular_damping", "gravity_scale", "fixed_rotation", "mass",
-    "inertia", "center", "color",
+    "type", "velocity", "linear_damping", "angular_damping", "gravity_scale", "fixed_rotation", "sleep_speed",
+    "mass", "inertia", "center", "color",
 ]  # fmt: skip
 
 

@@ -135,7 +135,7 @@ def _fill_body(row: Records, body: FlatBody, build: _Build) -> None:
     row.center_y = body.position[1] + (sine * cx + cosine * cy)
     row.rotation_cos, row.rotation_sin = cosine, sine
     row.linear_damping, row.angular_damping = body.linear_damping, body.angular_damping
-    row.gravity_scale, row.extent = body.gravity_scale, build.extent
+    row.gravity_scale, row.extent, row.sleep_speed = body.gravity_scale, build.extent, body.sleep_speed
     row.type, row.awake, row.frozen_step = _TYPES[body.type], 1, -1
     if body.type == "static":
         row.velocity_x = row.velocity_y = row.angular_velocity = 0.0

@@ -36,6 +36,7 @@ BODY = Table(
         Field("linear_damping", "1/s", "v' = -damping v"),
         Field("angular_damping", "1/s", "w' = -damping w"),
         Field("gravity_scale", "1", "multiplies the scene's gravity"),
+        Field("sleep_speed", "m/s", "the body is slow while no point of it moves faster"),
         Field("extent", "m", "largest distance of a surface point from the centre of mass", hashed=False),
         Field("type", "-", "0 static, 1 kinematic, 2 dynamic", "i8"),
         Field("awake", "-", "1 while the body is simulated; 0 asleep", "i8"),
@@ -171,6 +172,7 @@ COUNTERS = Table(
         Field("color_count", "-", "colours of the contact graph in the last step", "i8", hashed=False),
         Field("awake_count", "-", "dynamic bodies awake after the last step", "i8", hashed=False),
         Field("asleep_count", "-", "dynamic bodies asleep after the last step", "i8", hashed=False),
+        Field("still", "-", "1 when steps change nothing until a command comes", "i8", hashed=False),
         Field("frozen_count", "-", "bodies frozen so far", "i8"),
     ),
 )

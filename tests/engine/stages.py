@@ -135,7 +135,7 @@ class Paused:
     def lay_out(self) -> None:
         """Colours, slots, blocks and lanes."""
         s, m = self.state, self.scratch
-        self.colors = color_contacts(s.bodies, m.flights, m.contacts, self.count, 0, m.colors)
+        self.colors = color_contacts(s.bodies, m.flights, m.contacts, self.count, 0, False, m.colors)
         self.blocks = fill_blocks(m.contacts, self.count, m.colors, self.colors, m.heads, m.slots, m.blocks)
         assert self.blocks <= len(m.blocks)
         self.prepare()

@@ -153,3 +153,40 @@ def test_a_slow_conveyor_keeps_carrying():
     w = world(ground(surface_speed=0.03), body("crate", box(1, 1), position=(0.0, 0.5)), settings=SLEEPY)
     w.step(600)
     assert w.body("crate").position[0] == pytest.approx(0.3, rel=0.02)
+
+
+def test_a_still_world_steps_as_one_that_takes_every_step():
+    skipping, stepping = tower(), tower()
+    for _ in range(50):
+        skipping.step()
+        stepping.state.counters["still"][0] = 0
+        stepping.step()
+        assert skipping.digest() == stepping.digest()
+    for w in (skipping, stepping):
+        w.apply(ApplyForce("2", (50.0, 0.0)))
+        w.step(20)
+    assert skipping.digest() == stepping.digest()
+    assert skipping.body("2").position[0] > 0.0
+
+
+def test_a_still_world_takes_many_steps_at_once():
+    w = tower()
+    w.step(10**9)
+    assert w.step_count == 10**9 + 240
+    assert w.awake_count == 0
+
+
+def test_a_driven_body_keeps_the_world_going():
+    w = tower(1, body("lift", box(1.0, 1.0), type="kinematic", position=(20.0, 5.0), velocity=(0.0, 0.1)))
+    w.step(60)
+    assert w.body("lift").position[1] == pytest.approx(5.5)
+
+
+def test_each_body_says_how_slow_it_has_to_be_to_sleep():
+    restless = body("restless", box(1.0, 1.0), position=(3.0, 0.5), sleep_speed=0.0)
+    tired = body("tired", box(1.0, 1.0), position=(-3.0, 0.5))
+    w = world(ground(), restless, tired, settings=SLEEPY)
+    w.step(60)
+    assert w.body("restless").awake
+    assert not w.body("tired").awake
+    assert w.awake_count == 1

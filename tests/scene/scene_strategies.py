@@ -66,6 +66,7 @@ pattern = {
     "angular_damping": st.floats(0, 10),
     "gravity_scale": numbers,
     "fixed_rotation": st.booleans(),
+    "sleep_speed": st.floats(0, 10),
     "mass": sizes,
     "inertia": sizes,
     "center": points,
