@@ -126,10 +126,7 @@ def fall_asleep(
     sleeping: bool,
     counters: Records,
 ) -> None:
-    """Count how long bodies have been slow; put islands to sleep in which all have been slow long enough.
-
-    `flight.island` is known.
-    """
+    """Count how long bodies have been slow; put islands to sleep in which all have been slow long enough."""
     _mark_resting(bodies, flights, contacts, count)
     _count_slow_time(bodies, flights, seconds)
     _keep_awake(bodies, contacts, count, drags)
@@ -138,6 +135,7 @@ def fall_asleep(
         if is_active(bodies[i]) and bodies[i].sleep_time >= SLEEP_SECONDS:
             ready = True
     if ready and sleeping:
+        find_islands(bodies, flights, contacts, count)
         _sleep_islands(bodies, flights)
     _count_sleepers(bodies, counters[0])
 

@@ -11,9 +11,10 @@ from __future__ import annotations
 import math
 
 from sandbox._jit import kernel
-from sandbox.engine.islands import is_active
+from sandbox.engine.islands import find_islands, is_active
 from sandbox.geometry.trig import PI
 from sandbox.tables import Field, Records, Table
+from sandbox.world.records import DYNAMIC
 
 MOST = 4
 """Highest pace: an island of pace p takes 2**p times the scene's substeps."""
@@ -25,6 +26,12 @@ RATIO = 30.0
 """Largest ratio of a body's mass to that of one below it at pace 0; four times as much at each pace more."""
 SINK = 0.02
 """Largest depth, as a share of the lower body's extent, to which a body may sink into that."""
+EVERY = 8
+"""Steps from one look at piles to the next, while no pile needs a pace and none can come to bear a heavy body."""
+SELDOM = 1
+"""`counter.pace_watch`: look every so many steps."""
+ALWAYS = 2
+"""`counter.pace_watch`: look at every step."""
 UPRIGHT = 0.5
 """Smallest cosine between a contact's normal and gravity at which one body counts as lying on the other."""
 
@@ -54,22 +61,45 @@ def assign_paces(
     piles: Records,
     contacts: Records,
     count: int,
+    counter: Records,
     gravity_x: float,
     gravity_y: float,
     hertz: float,
 ) -> int:
-    """Write every active body's `flight.pace`; `flight.island` is known. Returns the set of paces in use, as bits.
+    """Write every body's `flight.pace`: that of an island which needs one, or 0. Returns the paces in use, as bits.
 
-    Bodies alone show that most islands are safe; only if one may not be, contacts are looked at too.
+    A look at the piles costs a pass over all contacts, and piles buckle slowly: where masses are alike and no pile
+    needs a pace, every eighth step is enough. `counter.pace_watch` remembers that; commands set it to 0, unknown.
     """
     for i in range(bodies.shape[0]):
         flights[i].pace = 0
-    gravity = math.sqrt(gravity_x * gravity_x + gravity_y * gravity_y)
-    if gravity == 0.0:
+    if counter.pace_watch == SELDOM and counter.step_count % EVERY != 0:
         return 1
-    down_x = gravity_x / gravity
-    down_y = gravity_y / gravity
+    gravity = math.sqrt(gravity_x * gravity_x + gravity_y * gravity_y)
     omega = 2.0 * PI * hertz
+    used = 1
+    if gravity > 0.0:
+        find_islands(bodies, flights, contacts, count)
+        down_x = gravity_x / gravity
+        down_y = gravity_y / gravity
+        used = _look(bodies, flights, piles, contacts, count, down_x, down_y, gravity, omega)
+    counter.pace_watch = ALWAYS if used > 1 or _masses_differ(bodies, gravity, omega) else SELDOM
+    return used
+
+
+@kernel
+def _look(
+    bodies: Records,
+    flights: Records,
+    piles: Records,
+    contacts: Records,
+    count: int,
+    down_x: float,
+    down_y: float,
+    gravity: float,
+    omega: float,
+) -> int:
+    """Bodies alone show that most islands are safe; only if one may not be, contacts are looked at too."""
     _measure_bodies(bodies, flights, piles, down_x, down_y, gravity)
     if not _some_pile_may_fall(bodies, flights, piles, omega, gravity):
         return 1
@@ -81,6 +111,28 @@ def assign_paces(
             flights[i].pace = _pace(pile, omega, gravity)
             used |= 1 << flights[i].pace
     return used
+
+
+@kernel
+def _masses_differ(bodies: Records, gravity: float, omega: float) -> bool:
+    """Whether some dynamic body would be too heavy for some other one at pace 0."""
+    heaviest = 0.0
+    lightest = slight = 1e300
+    for i in range(bodies.shape[0]):
+        body = bodies[i]
+        if body.type == DYNAMIC:
+            heaviest = body.mass if body.mass > heaviest else heaviest
+            lightest = body.mass if body.mass < lightest else lightest
+            slight = body.extent if body.extent < slight else slight
+    return heaviest > lightest * _bearable(slight, gravity, omega)
+
+
+@kernel
+def _bearable(slight: float, gravity: float, omega: float) -> float:
+    """Largest ratio of a body's mass to that of one of that extent below it, at pace 0."""
+    if SINK * slight * omega * omega < RATIO * gravity:
+        return SINK * slight * omega * omega / gravity
+    return RATIO
 
 
 @kernel
@@ -201,8 +253,7 @@ def _pace(pile: Records, omega: float, gravity: float) -> int:
     foot = pile.bottom
     load = pile.second_moment - 2.0 * foot * pile.moment + foot * foot * pile.weight
     bears = SAFE * STIFFNESS * pile.bearer * omega * omega * width * width * width
-    sinking = SINK * pile.slight * omega * omega / gravity
-    ratio = sinking if sinking < RATIO else RATIO
+    ratio = _bearable(pile.slight, gravity, omega)
     pace = 0
     while pace < MOST and (load > bears or pile.ratio > ratio):
         bears = 4.0 * bears

@@ -23,7 +23,7 @@ from sandbox.engine.integrate import (
     integrate_velocities,
     rewind_driven,
 )
-from sandbox.engine.islands import fall_asleep, find_islands, undo_waking, wake_touched
+from sandbox.engine.islands import fall_asleep, undo_waking, wake_touched
 from sandbox.engine.narrow_phase import find_contacts
 from sandbox.engine.pace import MOST, assign_paces
 from sandbox.engine.softness import soft_coefficients
@@ -116,9 +116,8 @@ def move(
     counter = counters[0]
     count = counter.found_count
     wake_touched(bodies, flights, contacts, count, counters)
-    find_islands(bodies, flights, contacts, count)
     paces = assign_paces(
-        bodies, flights, piles, contacts, count, setting.gravity_x, setting.gravity_y, setting.contact_hertz
+        bodies, flights, piles, contacts, count, counter, setting.gravity_x, setting.gravity_y, setting.contact_hertz
     )
     block_count = 0
     counter.color_count = 0

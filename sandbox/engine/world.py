@@ -65,6 +65,7 @@ class World:
         self.changes += 1
         apply_command(self.state, self._find(command.body), command)
         self.state.counters["still"][0] = 0
+        self.state.counters["pace_watch"][0] = 0
 
     @property
     def time(self) -> float:
