@@ -24,8 +24,14 @@ _STEP = typer.Option(min=0, max=10_000_000, help="Look at the scene after this m
 _ALL = typer.Option("--all", help="Every axis, also those after the first gap, and where each comes from.")
 _JSON = typer.Option("--json", help="Print one JSON document instead.")
 _SVG = typer.Option("--svg", show_default=False, metavar="FILE", help="Also draw it into this SVG file.")
-_FIGURE = typer.Option(metavar="NAME", help="What to draw: whole, edges, perpendiculars, axis, mtv, clipping or scene.")
-_AXIS = typer.Option(min=1, show_default=False, metavar="N", help="The axis to draw; default: the deciding one.")
+_FIGURE = typer.Option(
+    show_default=False,
+    metavar="NAME",
+    help="What to draw: whole (the default), edges, perpendiculars, axis, mtv, clipping or scene.",
+)
+_AXIS = typer.Option(
+    min=1, show_default=False, metavar="N", help="The axis that --figure axis draws; default: the deciding one."
+)
 _STEPS = typer.Option("--step-by-step", help="Tell the test step by step, down to the contact points.")
 
 
@@ -36,7 +42,7 @@ def sat(
     all_axes: Annotated[bool, _ALL] = False,
     json: Annotated[bool, _JSON] = False,
     svg: Annotated[Path | None, _SVG] = None,
-    figure: Annotated[str, _FIGURE] = "whole",
+    figure: Annotated[str | None, _FIGURE] = None,
     axis: Annotated[int | None, _AXIS] = None,
     step_by_step: Annotated[bool, _STEPS] = False,
 ) -> None:
@@ -45,27 +51,37 @@ def sat(
     Each row is an axis: how far the two shapes reach along it, and whether that leaves a gap. The first gap ends the
     test.
     """
-    if svg is not None:
-        _check_picture(svg, figure)
+    _check_options(json, svg, figure, axis, step_by_step)
     from sandbox.cli.sat_pair import pair_in
     from sandbox.geometry.sat_table import sat_table
 
     pair = pair_in(find_scene(scene), bodies, step)
     table = sat_table(pair.a, pair.b, all_axes)
     if svg is not None:
-        _draw(pair, table, svg, figure, axis)
+        _draw(pair, table, svg, figure or ("whole" if axis is None else "axis"), axis)
     _tell(pair, table, all_axes, json, step_by_step)
     if svg is not None and not json:
         typer.echo(f"{svg}: {svg.stat().st_size / 1000:.0f} kB")
 
 
-def _check_picture(svg: Path, figure: str) -> None:
+def _check_options(json: bool, svg: Path | None, figure: str | None, axis: int | None, step_by_step: bool) -> None:
+    if json and step_by_step:
+        raise SandboxError("--step-by-step tells it in words, --json gives the data: give one of the two")
+    if svg is None and (figure, axis) != (None, None):
+        raise SandboxError(f"{'--axis' if figure is None else '--figure'} chooses what --svg FILE draws: give both")
+    if axis is not None and figure not in (None, "axis"):
+        raise SandboxError(f"--axis is for --figure axis, not for --figure {figure}")
+    if svg is not None:
+        _check_picture(svg, figure)
+
+
+def _check_picture(svg: Path, figure: str | None) -> None:
     from sandbox.cli.picture_options import writable_picture
     from sandbox.render.sat_figure import FIGURES
     from sandbox.scene.finding import did_you_mean
 
     writable_picture(svg, {".svg"})
-    if figure not in FIGURES:
+    if figure is not None and figure not in FIGURES:
         hint = did_you_mean(figure, FIGURES) or f"there are {', '.join(FIGURES)}"
         raise SandboxError(f"--figure {figure}: no figure of that name; {hint}")
 

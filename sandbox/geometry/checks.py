@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from sandbox.errors import ShapeError
+from sandbox.geometry.shape import Shape
 
 Vec = tuple[float, float]
 
@@ -51,6 +52,13 @@ def checked_points(kind: str, value: Any) -> tuple[Vec, ...]:
     """A list of vertices in metres. Raises `ShapeError`."""
     points = _listed(kind, "the vertices must be a list of pairs (x, y)", value)
     return tuple(checked_point(kind, f"vertex {i}", point) for i, point in enumerate(points))
+
+
+def check_shapes(kind: str, *values: Any) -> None:
+    """Raise `ShapeError` unless all values are shapes; `kind` is the function that was given them."""
+    for value in values:
+        if not isinstance(value, Shape):
+            raise ShapeError(f"{kind}: takes a Circle, Capsule, Segment, Polygon or Box, not {value!r}")
 
 
 def _listed(kind: str, wanted: str, value: Any) -> list[Any]:

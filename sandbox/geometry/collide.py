@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Literal, NamedTuple
 
-from sandbox.geometry.checks import checked_point
+from sandbox.geometry.checks import check_shapes, checked_point
 from sandbox.geometry.exact_axes import Axis, ExactPair
 from sandbox.geometry.pair import Pair, pair_of
 from sandbox.geometry.shapes import Shape
@@ -65,8 +65,9 @@ def collide(a: Shape, b: Shape) -> Contact | None:
     """The contact of two shapes, or None when some axis separates them. Touching is not colliding.
 
     One shape inside another gives the shortest way out. Among equal ways the first is taken: faces of a in order, then
-    faces of b. Concentric discs part along +y.
+    faces of b. Concentric discs part along +y. Raises `ShapeError` if one of them is no shape.
     """
+    check_shapes("collide", a, b)
     pair = pair_of(a, b)
     separation, size, manifold = pair.manifold(_TOUCH)
     if separation > _TOUCH * size:
@@ -86,6 +87,7 @@ def collide(a: Shape, b: Shape) -> Contact | None:
 
 def distance(a: Shape, b: Shape) -> Distance:
     """Distance of two shapes and their closest points; right to rounding, and 0 only if they touch or overlap."""
+    check_shapes("distance", a, b)
     pair = pair_of(a, b)
     separation, size, _row = pair.manifold(_SHALLOW)
     if separation < -_TOUCH * size:
@@ -105,6 +107,7 @@ def distance(a: Shape, b: Shape) -> Distance:
 
 def contains(shape: Shape, point: Sequence[float]) -> bool:
     """Whether a point (x, y) in metres lies in a shape or on its outline; exact for the floats given."""
+    check_shapes("contains", shape)
     spot = _Spot((checked_point("contains", "the point", point),))
     separation, size, _row = pair_of(shape, spot).manifold(_TOUCH)
     if abs(separation) > _TOUCH * size:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
+from sandbox.geometry.checks import check_shapes
 from sandbox.geometry.collide import Contact, collide
 from sandbox.geometry.sat_rows import SatRow, Vec, count_axes, sat_rows
 from sandbox.geometry.shapes import Shape
@@ -81,6 +82,7 @@ def sat_table(a: Shape, b: Shape, all_axes: bool = False) -> SatTable:
     Rows are exact arithmetic over the author's own vertices; verdict, translation vector and points come from
     `sandbox.collide`, hence from the kernels of the engine.
     """
+    check_shapes("sat_table", a, b)
     rows = _up_to_gap(sat_rows(a, b), all_axes)
     return SatTable(a, b, tuple(rows), collide(a, b))
 

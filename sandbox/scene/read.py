@@ -6,6 +6,7 @@ import os
 from pathlib import Path
 
 from sandbox.errors import Problem, SceneError
+from sandbox.resources import SCENE_SUFFIX, shipped_scenes
 from sandbox.scene.finding import nearest
 from sandbox.scene.limits import MAX_BYTES
 from sandbox.scene.report import syntax_error
@@ -37,7 +38,13 @@ def _read_bytes(path: Path) -> bytes:
         raise _error(path, f"the file cannot be read: {reason}") from None
 
 
+def _shipped_names() -> list[str]:
+    return [file.name.removesuffix(SCENE_SUFFIX) for file in shipped_scenes()]
+
+
 def _nearest_file(path: Path) -> str:
+    if path.parent == Path() and not path.suffix and (name := nearest(path.name, _shipped_names())):
+        return f'did you mean "{name}", which comes with the package?'
     try:
         # What all names end in would make all of them look alike.
         stems = {name.split(".")[0]: name for name in os.listdir(path.parent) if name.endswith(".json")}

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from sandbox.reference import comparison
-from sandbox.resources import scenes_dir
+from sandbox.resources import scenes_dir, shipped_scenes
 
 
 @pytest.fixture
@@ -136,6 +136,16 @@ def test_a_twin_of_a_bad_file_is_told(cli: Callable, write_scene: Callable) -> N
     done = cli("compare", "--twin", "--json", write_scene("bad.scene.json", bodies=3))
     assert done.code == json.loads(done.out)["exit_code"] == 2
     assert "bad.scene.json:" in done.err
+
+
+def test_no_shipped_scene_disagrees_or_misses_a_pair(cli: Callable) -> None:
+    """At three steps of the first second; `sandbox compare scenes/` looks at all."""
+    done = cli("compare", scenes_dir(), "--steps", 61, "--every", 30, "--json")
+    assert done.code == 0
+    scenes = json.loads(done.out)["scenes"]
+    assert len(scenes) == len(shipped_scenes()) > 40
+    assert [scene["path"] for scene in scenes if scene["disagreed"] or scene["missed"]] == []
+    assert sum(scene["pairs"] for scene in scenes) > 50_000
 
 
 def test_a_folder_of_shipped_scenes_agrees(cli: Callable) -> None:

@@ -110,6 +110,11 @@ def test_mistakes_are_told_with_their_mend(cli: Callable, write_scene: Callable,
         (("test-one", "--svg", tmp_path / "a.svg", "--figure", "edgs"), 'did you mean "edges"?'),
         (("test-one", "--svg", tmp_path / "a.svg", "--axis", "8"), "these two shapes have 7 axes"),
         (("nowhere.json",), "there is no such file"),
+        (("tset-one",), 'there is no such file: did you mean "test-one", which comes with the package?'),
+        (("test-one", "--axis", "3"), "--axis chooses what --svg FILE draws: give both"),
+        (("test-one", "--figure", "edges"), "--figure chooses what --svg FILE draws: give both"),
+        (("test-one", "--svg", tmp_path / "a.svg", "--figure", "mtv", "--axis", "3"), "--axis is for --figure axis"),
+        (("test-one", "--json", "--step-by-step"), "give one of the two"),
     ]:
         done = cli("sat", *arguments)
         assert (done.code, words in done.err) == (2, True), (arguments, done)

@@ -11,7 +11,20 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sandbox import Box, Capsule, Circle, Polygon, SandboxError, Segment, Shape, ShapeError, collide
+from sandbox import (
+    Box,
+    Capsule,
+    Circle,
+    Polygon,
+    SandboxError,
+    Segment,
+    Shape,
+    ShapeError,
+    collide,
+    contains,
+    distance,
+    sat_table,
+)
 from sandbox.geometry.polygon import PolygonError
 from tests.geometry.shape_families import pairs, randoms
 
@@ -138,6 +151,17 @@ def test_what_is_no_shape_is_refused_with_a_clear_message(make, message) -> None
         make()
     assert isinstance(caught.value, SandboxError)
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("wrong", [None, 1, "disc", (0.0, 0.0), Circle])
+def test_what_is_no_shape_cannot_be_asked_about(wrong) -> None:
+    disc = Circle((0, 0), 1)
+    for ask in (collide, distance, sat_table):
+        for pair in ((disc, wrong), (wrong, disc)):
+            with pytest.raises(ShapeError, match=f"{ask.__name__}: takes a Circle, Capsule, Segment, Polygon or Box"):
+                ask(*pair)
+    with pytest.raises(ShapeError, match="contains: takes"):
+        contains(wrong, (0, 0))
 
 
 extremes = st.floats(allow_nan=True, allow_infinity=True) | st.sampled_from([0.0, 1e-6, 1e7, 1e9, -1e9, 5e-324])
