@@ -56,7 +56,7 @@ def _pairs_on_sparse_levels(
     for k in range(sparse_count):
         other = ordered[sparse[k]]
         if other.level > box.level and boxes_overlap(box, other):
-            count = _propose(owners, box.shape_index, other.shape_index, pairs, count)
+            count = propose(owners, box.shape_index, other.shape_index, pairs, count)
     return count
 
 
@@ -98,12 +98,12 @@ def _pairs_in_cell(
         if not boxes_overlap(box, other):
             continue
         if other.cell_x == x and other.cell_y == y and other.level == level:
-            count = _propose(owners, box.shape_index, other.shape_index, pairs, count)
+            count = propose(owners, box.shape_index, other.shape_index, pairs, count)
     return count
 
 
 @kernel
-def _propose(owners: Records, i: int, j: int, pairs: Records, count: int) -> int:
+def propose(owners: Records, i: int, j: int, pairs: Records, count: int) -> int:
     """Append the pair of shapes i and j, if they may collide and it matters; return the new count.
 
     It matters if one of them is active, or if one sleeps and the other is driven into it.

@@ -6,10 +6,12 @@ import math
 
 from sandbox._jit import ZERO, inlined_kernel, kernel
 from sandbox.engine.bounds import shape_margin
+from sandbox.engine.continuous import allowed_depth
 from sandbox.engine.islands import is_active
 from sandbox.geometry.manifold import collide_cores
 from sandbox.geometry.time_of_touch import time_of_touch
 from sandbox.tables import Records
+from sandbox.world.records import STATIC
 
 FACE_BIAS = 1e-4
 """A face of b has to beat the best face of a by this many metres, so that resting contacts keep their face."""
@@ -21,6 +23,7 @@ _SLOP_SHARE = 0.05
 def find_contacts(
     bodies: Records,
     flights: Records,
+    holds: Records,
     shapes: Records,
     turned: Records,
     pairs: Records,
@@ -38,7 +41,7 @@ def find_contacts(
     shape_b): one walk through both matches them, and impulses of points with the same feature id carry over (warm
     starting). Contacts among sleeping bodies, which the grid does not propose, are kept as they are.
     """
-    _mark_hemmed(bodies, flights, shapes, pairs, pair_count)
+    _mark_hemmed(bodies, flights, holds, shapes, pairs, pair_count)
     count = ZERO
     k = 0
     for i in range(pair_count):
@@ -48,7 +51,7 @@ def find_contacts(
             count = _keep_if_asleep(bodies, old[k], contacts, count)
             k += 1
         contact = contacts[count]
-        if not _meet(bodies, flights, shapes, turned, shape_a, shape_b, fall, seconds, manifold, contact):
+        if not _meet(bodies, flights, holds, shapes, turned, shape_a, shape_b, fall, seconds, manifold, contact):
             continue
         if k < old_count and old[k].shape_a == shape_a and old[k].shape_b == shape_b:
             _match(old[k], contact)
@@ -59,10 +62,13 @@ def find_contacts(
 
 
 @kernel
-def _mark_hemmed(bodies: Records, flights: Records, shapes: Records, pairs: Records, pair_count: int) -> None:
+def _mark_hemmed(
+    bodies: Records, flights: Records, holds: Records, shapes: Records, pairs: Records, pair_count: int
+) -> None:
     """Mark the bodies that something immovable may stop during the step."""
     for i in range(bodies.shape[0]):
         flights[i].hemmed = 0
+        holds[i].deep = 0
     for i in range(pair_count):
         a = shapes[pairs[i].shape_a].body
         b = shapes[pairs[i].shape_b].body
@@ -99,6 +105,7 @@ def _keep_if_asleep(bodies: Records, old: Records, contacts: Records, count: int
 def _meet(
     bodies: Records,
     flights: Records,
+    holds: Records,
     shapes: Records,
     turned: Records,
     i: int,
@@ -111,7 +118,9 @@ def _meet(
     """Fill the contact of a pair, if its shapes touch, or nearly, or will within the step.
 
     A pair that closes in faster than its margin is looked at where it will first touch: the axis there is the one that
-    stops it, while the axis at the start would deflect bodies that only pass by.
+    stops it, while the axis at the start would deflect bodies that only pass by. Where a body spins so fast that its
+    way bends by more than the margin, no axis of now says anything: it is not looked ahead, but caught when it touches
+    (`continuous`).
     """
     a = bodies[shapes[i].body]
     b = bodies[shapes[j].body]
@@ -127,7 +136,10 @@ def _meet(
     swing = seconds * (swing + abs(b.angular_velocity) * (b.extent - shapes[j].radius))
     way = seconds * speed + swing
     t = 0.0
-    if way > margin:
+    bends = way > margin and _is_watched(a, b) and _bend(a, shapes[i], seconds) + _bend(b, shapes[j], seconds) > margin
+    if bends:
+        margin = _SLOP_SHARE * margin
+    elif way > margin:
         slop = _SLOP_SHARE * margin + fall + swing
         t = _touch(bodies, shapes, turned, i, j, vx, vy, seconds, slop, manifold)
         if t < 0.0 and hemmed and is_active(a) and is_active(b):
@@ -143,7 +155,24 @@ def _meet(
     if not _collide(bodies, shapes, turned, i, j, vx * t, vy * t, margin, manifold):
         return False
     _fill(bodies, shapes, i, j, vx * t, vy * t, manifold[0], contact)
+    overlap = -manifold[0].separation
+    if overlap > 0.0 and (a.type == STATIC) != (b.type == STATIC) and overlap > allowed_depth(shapes[i], shapes[j]):
+        holds[shapes[i].body].deep = 1
+        holds[shapes[j].body].deep = 1
     return True
+
+
+@inlined_kernel
+def _is_watched(a: Records, b: Records) -> bool:
+    """Whether `continuous` keeps two bodies from passing through each other."""
+    return bool(a.type == STATIC or b.type == STATIC or a.bullet + b.bullet > 0)
+
+
+@inlined_kernel
+def _bend(body: Records, shape: Records, seconds: float) -> float:
+    """How far the way of a shape's outermost point bends away from its tangent within the step, in metres."""
+    turn = seconds * body.angular_velocity
+    return float(0.5 * turn * turn * (body.extent - shape.thin))
 
 
 @inlined_kernel

@@ -10,6 +10,7 @@ from sandbox.engine.contact_blocks import BLOCK_SIZE, GATHER_SIZE, LANES, MAX_CO
 from sandbox.engine.grid import LEVEL_SPACE
 from sandbox.engine.pace import PILE
 from sandbox.geometry.manifold import MANIFOLD
+from sandbox.geometry.sweep import SWEEP, SWEPT_ROWS
 from sandbox.tables import Field, Floats, Integers, Records, Table
 from sandbox.world.records import CONTACT, VERTEX
 from sandbox.world.state import State
@@ -49,6 +50,17 @@ FLIGHT = Table(
     ),
 )
 """One row a body: where an unhindered body would go, and its place in the constraint graph."""
+
+HOLD = Table(
+    "hold",
+    (
+        Field("thin", "m", "half the smallest width of its thinnest shape"),
+        Field("deep", "-", "1 when it overlaps something immovable more than a little", "i8"),
+        Field("fast", "-", "1 when its way in the step has to be looked at", "i8"),
+        Field("stop", "1", "when it is stopped, as a share of the step; 1 is not at all"),
+    ),
+)
+"""One row a body: what `continuous` knows of it. By itself, as most steps hardly look at it."""
 
 BOX = Table(
     "box",
@@ -111,6 +123,7 @@ class Scratch:
     motions: Records
     flights: Records
     piles: Records
+    holds: Records
     turned: Records
     boxes: Records
     owners: Records
@@ -121,6 +134,8 @@ class Scratch:
     sorted_pairs: Records
     contacts: Records
     manifold: Records
+    sweep: Records
+    swept: Records
     slots: Records
     blocks: Records
     colors: Integers
@@ -136,6 +151,7 @@ class Scratch:
             motions=MOTION.zeros(len(state.bodies)),
             flights=FLIGHT.zeros(len(state.bodies)),
             piles=PILE.zeros(len(state.bodies)),
+            holds=_holds(state),
             turned=VERTEX.zeros(len(state.vertices)),
             boxes=BOX.zeros(shapes),
             owners=OWNER.zeros(shapes),
@@ -146,12 +162,22 @@ class Scratch:
             sorted_pairs=PAIR.zeros(pair_capacity),
             contacts=CONTACT.zeros(pair_capacity),
             manifold=MANIFOLD.zeros(1),
+            sweep=SWEEP.zeros(1),
+            swept=VERTEX.zeros(SWEPT_ROWS),
             slots=SLOT.zeros(pair_capacity),
             blocks=BLOCK.zeros(block_capacity),
             colors=np.zeros(pair_capacity, np.int64),
             lanes=np.zeros(block_capacity * BLOCK_SIZE),
             gathered=np.zeros(GATHER_SIZE),
         )
+
+
+def _holds(state: State) -> Records:
+    holds = HOLD.zeros(len(state.bodies))
+    thin = np.full(len(holds), np.inf)
+    np.minimum.at(thin, state.shapes.body, state.shapes.thin)
+    holds.thin = np.where(thin < np.inf, thin, 0.0)
+    return holds
 
 
 def head_count(shapes: int) -> int:

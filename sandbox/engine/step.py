@@ -13,6 +13,7 @@ from sandbox.engine.broad_phase import find_pairs, sort_pairs
 from sandbox.engine.coloring import color_contacts, fill_blocks
 from sandbox.engine.contact_prepare import prepare_contacts, store_impulses
 from sandbox.engine.contact_solver import solve_contacts, warm_start
+from sandbox.engine.continuous import mark_fast
 from sandbox.engine.drags import solve_drags
 from sandbox.engine.guard import guard_positions, guard_velocities
 from sandbox.engine.impacts import list_bouncy, resolve_impacts
@@ -32,6 +33,9 @@ from sandbox.tables import Floats, Integers, Records
 WAIT = 1e30
 """Speed (m/s) that a relax pass grants contacts which may bounce: the next substep decides on their impact."""
 
+MUST_CATCH = -1
+"""What `move` returns when bodies may have passed through something."""
+
 
 RELAX_DEEP = 8
 """Relax passes where bodies overlap deeply: 40 boxes thrown into one place part at 3 m/s instead of 12."""
@@ -46,6 +50,7 @@ def find_touching(
     settings: Records,
     counters: Records,
     flights: Records,
+    holds: Records,
     turned: Records,
     boxes: Records,
     owners: Records,
@@ -76,6 +81,7 @@ def find_touching(
     counter.found_count = find_contacts(
         bodies,
         flights,
+        holds,
         shapes,
         turned,
         pairs,
@@ -99,6 +105,7 @@ def move(
     motions: Records,
     flights: Records,
     piles: Records,
+    holds: Records,
     heads: Integers,
     contacts: Records,
     slots: Records,
@@ -110,7 +117,7 @@ def move(
     """The second half: solve the contacts found and move everything.
 
     Returns 0, or the number of blocks that scratch memory must have room for; then nothing has changed, and the
-    step begins again with `find_touching`.
+    step begins again with `find_touching`. `MUST_CATCH` if the step ends with `continuous.catch`.
     """
     setting = settings[0]
     counter = counters[0]
@@ -151,7 +158,7 @@ def move(
     fall_asleep(bodies, flights, contacts, count, drags, setting.step_seconds, setting.sleeping == 1, counters)
     counter.step_count += 1
     counter.contact_count = count
-    return 0
+    return MUST_CATCH if mark_fast(bodies, motions, holds) > 0 else 0
 
 
 @kernel

@@ -1,6 +1,6 @@
-"""Fill an empty kernel cache with two processes at once: each compiles one half of the step.
+"""Fill an empty kernel cache with two processes at once: each compiles a part of the step.
 
-`python -m sandbox.engine.warm_up` is the other process; it may fail, for then this one compiles both halves.
+`python -m sandbox.engine.warm_up` is the other process; it may fail, for then this one compiles everything.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from typing import Any
 
 from sandbox._jit import cache_is_cold
 from sandbox.engine.binding import bind
+from sandbox.engine.continuous import catch
 from sandbox.engine.scratch import Scratch
 from sandbox.engine.step import find_touching, move
 from sandbox.scene.flat import FlatBody, FlatScene, FlatShape
@@ -45,12 +46,13 @@ def _start_helper() -> subprocess.Popen[bytes] | None:
         return None
 
 
-def _run_once(half: Any) -> None:
-    """Call one half of the step on the smallest world, for the sake of compiling it."""
+def _run_once(part: Any) -> None:
+    """Call one part of the step on the smallest world, for the sake of compiling it."""
     ball = FlatBody("ball", "dynamic", shapes=(FlatShape("circle", ((0.0, 0.0),), 0.5),))
     state = build_state(FlatScene(bodies=(ball,)))
-    half(*bind(half, state, Scratch.for_state(state, len(state.contacts))))
+    part(*bind(part, state, Scratch.for_state(state, len(state.contacts))))
 
 
 if __name__ == "__main__":
     _run_once(move)
+    _run_once(catch)

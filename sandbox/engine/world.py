@@ -10,8 +10,9 @@ import numpy as np
 
 from sandbox.engine.binding import bind
 from sandbox.engine.commands import Command, apply_command
+from sandbox.engine.continuous import catch
 from sandbox.engine.scratch import Scratch
-from sandbox.engine.step import find_touching, move
+from sandbox.engine.step import MUST_CATCH, find_touching, move
 from sandbox.engine.views import Bodies, Body
 from sandbox.engine.warm_up import compile_step
 from sandbox.errors import UnknownBodyError
@@ -42,7 +43,7 @@ class World:
         self.changes = 0
         """Counts steps, commands and restores: while it stays the same, nothing has moved."""
         self._turn = 0
-        self._arguments: list[tuple[tuple[Any, ...], tuple[Any, ...]]] = []
+        self._arguments: list[tuple[tuple[Any, ...], ...]] = []
         self._use_scratch(Scratch.for_state(self.state, len(self.state.contacts)))
         self.bodies = Bodies(self.state.bodies, self.state.names)
 
@@ -133,10 +134,12 @@ class World:
 
     def _advance(self) -> bool:
         """Take a step; False if it lacked scratch memory, which it has now: then nothing else has changed."""
-        seen, moved = self._arguments[self._turn]
+        seen, moved, caught = self._arguments[self._turn]
         lacking_pairs = find_touching(*seen)
         lacking_blocks = move(*moved) if lacking_pairs == 0 else 0
-        if lacking_pairs or lacking_blocks:
+        if lacking_blocks == MUST_CATCH:
+            catch(*caught)
+        elif lacking_pairs or lacking_blocks:
             self._make_room(lacking_pairs, lacking_blocks)
             return False
         return True
@@ -159,10 +162,9 @@ class World:
         """Argument lists of the step: one for even and one for odd steps, as the contact tables swap places."""
         self._turn = 0
         now, after = self.state.contacts, self._scratch.contacts
-        lists: list[tuple[tuple[Any, ...], tuple[Any, ...]]] = []
+        lists: list[tuple[tuple[Any, ...], ...]] = []
         for self.state.contacts, self._scratch.contacts in ((after, now), (now, after)):
-            halves = [bind(half, self.state, self._scratch) for half in (find_touching, move)]
-            lists.insert(0, (halves[0], halves[1]))
+            lists.insert(0, tuple(bind(part, self.state, self._scratch) for part in (find_touching, move, catch)))
         self._arguments = lists
 
     def _find(self, name: str) -> int:

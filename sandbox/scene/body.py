@@ -46,6 +46,9 @@ class Prefab(Model):
         default=0.05, description="It may sleep while no point of it moves faster, m/s; 0: it never sleeps."
     )
     fixed_rotation: bool = Field(default=False, description="true: the body never turns.")
+    bullet: bool = Field(
+        default=False, description="true: however fast, the body does not pass through moving bodies either."
+    )
     mass: Mass | None = Field(default=None, description="Overrides the mass of the shapes, kg.")
     inertia: Inertia | None = Field(
         default=None,

@@ -62,6 +62,7 @@ class FlatBody:
     gravity_scale: float = 1.0
     fixed_rotation: bool = False
     sleep_speed: float = 0.05
+    bullet: bool = False
     mass: float | None = None
     inertia: float | None = None
     center: Vec | None = None

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 _FARTHEST = 1e9
 _SAME = [
-    "type", "velocity", "linear_damping", "angular_damping", "gravity_scale", "fixed_rotation", "sleep_speed",
+    "type", "velocity", "linear_damping", "angular_damping", "gravity_scale", "fixed_rotation", "sleep_speed", "bullet",
     "mass", "inertia", "center", "color",
 ]  # fmt: skip
 

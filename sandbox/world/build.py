@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sandbox._jit import interpreted
-from sandbox.geometry.mass import Moments, edge_normals, moments
+from sandbox.geometry.mass import Moments, edge_normals, half_width, moments
 from sandbox.geometry.trig import cos_sin
 from sandbox.scene.flat import FlatBody, FlatScene, FlatShape, Vec
 from sandbox.tables import Records
@@ -98,6 +98,7 @@ def _build(shapes: tuple[FlatShape, ...], center: Vec | None) -> _Build:
 def _fill_shape(row: Records, shape: FlatShape, start: int) -> None:
     row.kind = _KINDS[shape.kind]
     row.vertex_start, row.vertex_count, row.radius = start, len(shape.vertices), shape.radius
+    row.thin = half_width(shape.vertices) + shape.radius
     row.friction, row.restitution = shape.friction, shape.restitution
     row.rolling_resistance, row.surface_speed = shape.rolling_resistance, shape.surface_speed
     row.category, row.mask, row.group = shape.category, shape.mask, shape.group
@@ -136,6 +137,7 @@ def _fill_body(row: Records, body: FlatBody, build: _Build) -> None:
     row.rotation_cos, row.rotation_sin = cosine, sine
     row.linear_damping, row.angular_damping = body.linear_damping, body.angular_damping
     row.gravity_scale, row.extent, row.sleep_speed = body.gravity_scale, build.extent, body.sleep_speed
+    row.bullet = int(body.bullet)
     row.type, row.awake, row.frozen_step = _TYPES[body.type], 1, -1
     if body.type == "static":
         row.velocity_x = row.velocity_y = row.angular_velocity = 0.0
