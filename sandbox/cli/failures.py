@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import sys
 import traceback
@@ -10,6 +11,8 @@ from sandbox.errors import SandboxError, SceneError
 
 HOLDS, FAILED, UNUSABLE, BUG = 0, 1, 2, 70
 """Exit codes: all fine; an expectation failed; the input cannot be used; a mistake of this program."""
+
+_NO_ROOM = (errno.ENOSPC, errno.EFBIG)
 
 TRACEBACK_VARIABLE = "SANDBOX_TRACEBACK"
 
@@ -24,6 +27,8 @@ def report(error: Exception) -> int:
         _print_message(str(error))
     elif isinstance(error, OSError) and error.filename is not None:
         _print_message(f"{error.filename}: {error.strerror}")
+    elif isinstance(error, OSError) and error.errno in _NO_ROOM:
+        _print_message(f"the output could not be written: {error.strerror}")
     else:
         _print_message(_bug_text(error))
         return BUG

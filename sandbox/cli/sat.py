@@ -17,6 +17,9 @@ if TYPE_CHECKING:
     from sandbox.render.sat_page import Member
 
 _CROWD = 1000
+"""Most shapes that `--figure scene` draws."""
+_NAME = 17
+"""Letters of a body's name that fit into the headline of a picture."""
 
 _SCENE = typer.Argument(help="A scene file, or the name of a shipped scene.")
 _BODIES = typer.Option(show_default=False, metavar="A B", help="The two bodies; needed unless the scene has just two.")
@@ -90,12 +93,14 @@ def _draw(pair: SatPair, table: SatTable, svg: Path, figure: str, axis: int | No
     from sandbox.geometry.sat_table import sat_table
     from sandbox.render.sat_figure import FIGURES
     from sandbox.render.sat_page import SatFigure
+    from sandbox.render.sat_words import shortened
 
     if axis is not None and axis > table.axis_count:
         raise SandboxError(f"--axis {axis}: these two shapes have {table.axis_count} axes")
     row = sat_table(pair.a, pair.b, all_axes=True).rows[axis - 1] if axis else None
     crowd = _crowd(pair.world) if figure == "scene" else ()
-    FIGURES[figure](SatFigure(table, pair.names, row, crowd)).save(svg)
+    names = shortened(pair.names[0], _NAME), shortened(pair.names[1], _NAME)
+    FIGURES[figure](SatFigure(table, names, row, crowd)).save(svg)
 
 
 def _crowd(world: World) -> tuple[Member, ...]:

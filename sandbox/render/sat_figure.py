@@ -25,6 +25,8 @@ from sandbox.render.words import point
 
 _PLANE = (440, 440)
 _RAILS = 620.0
+_NAME = 11
+"""Letters of a body's name that fit beside a rail."""
 
 
 def draw_whole(figure: SatFigure) -> Svg:
@@ -35,7 +37,7 @@ def draw_whole(figure: SatFigure) -> Svg:
     with Plane(svg, (EDGE, HEAD), _PLANE, extent(table)) as plane:
         draw_shapes(plane, table)
         draw_outcome(plane, table)
-    names = shortened(figure.names[0]), shortened(figure.names[1])
+    names = shortened(figure.names[0], _NAME), shortened(figure.names[1], _NAME)
     left = EDGE * 2 + _PLANE[0] + 6
     RailList(svg, (left, HEAD), _RAILS - 12, table, names).draw(int(height // ROW))
     return svg

@@ -13,7 +13,7 @@ from sandbox.render.sat_page import in_sight
 from sandbox.render.sat_plane import Plane
 from sandbox.render.sat_words import axis_name, way_out
 from sandbox.render.svg import Pixel, Svg
-from sandbox.render.words import plain
+from sandbox.render.words import short
 
 ROW = 54.0
 """Height of one rail in a list, in pixels."""
@@ -58,7 +58,7 @@ class RailList:
         svg.text((left, top + 24), str(row.number), "number strong" if marked else "number soft")
         color = "text" if row.owner == "corners" else row.owner
         svg.text((left + 24, top + 24), axis_name(row, self.names), f"{color} strong small")
-        svg.text((left + 24, top + 41), f"({plain(row.axis[0])}, {plain(row.axis[1])})", "soft small number")
+        svg.text((left + 24, top + 41), f"({short(row.axis[0])}, {short(row.axis[1])})", "soft small number")
         self._rail(row, top)
         kind = "gap" if row.gap else "mtv" if marked else "out"
         right = left + self.width
@@ -81,8 +81,8 @@ class RailList:
         ends = (("a", row.amin, row.amax, top + 19.5), ("b", row.bmin, row.bmax, top + 34.5))
         for kind, low, high, y in ends:
             svg.line((x(low), y), (max(x(high), x(low) + 0.5), y), f"{kind} bar")
-            svg.text((x(low) - 8, y + 4.5), plain(low), f"{kind} small number", "end")
-            svg.text((x(high) + 8, y + 4.5), plain(high), f"{kind} small number")
+            svg.text((x(low) - 8, y + 4.5), short(low), f"{kind} small number", "end")
+            svg.text((x(high) + 8, y + 4.5), short(high), f"{kind} small number")
         if row is self.table.mtv_row:
             near, edge = (row.bmin, row.amax) if row.way > 0 else (row.bmax, row.amin)
             svg.arrow((x(near), top + 27), (x(edge), top + 27), "mtv axis", 8.0)
@@ -124,7 +124,7 @@ def plane_rail(plane: Plane, table: SatTable, row: SatRow) -> None:
             svg.line(plane.pixel(_extreme(shape, u, value == most)), plane.pixel(end), f"{kind} drop")
             x, y = plane.pixel(_at(u, value / row.length, side + words))
             anchor = "middle" if below else "start"
-            svg.text((x, y + 4.5), plain(value), f"{kind} small strong number", anchor)
+            svg.text((x, y + 4.5), short(value), f"{kind} small strong number", anchor)
 
 
 def _plane_band(plane: Plane, row: SatRow, u: Vec, side: float) -> None:

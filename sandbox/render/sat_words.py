@@ -39,6 +39,6 @@ def deciding_row(table: SatTable) -> SatRow:
     return row
 
 
-def shortened(name: str) -> str:
+def shortened(name: str, letters: int) -> str:
     """A body's name that leaves room for the rest of a line."""
-    return name if len(name) <= 14 else name[:12] + "…"
+    return name if len(name) <= letters else name[: letters - 1] + "…"

@@ -1,4 +1,4 @@
-"""Numbers as people write them: whole ones without a point, others with six digits."""
+"""Numbers as people write them: whole ones without a point, others with six digits, or four where room is scarce."""
 
 from __future__ import annotations
 
@@ -8,6 +8,13 @@ def plain(value: float) -> str:
     if value == int(value) and abs(value) < 1e15:
         return str(int(value))
     return f"{value:.6g}"
+
+
+def short(value: float) -> str:
+    """`plain`, but four digits before and after the point together: `-0.3526`, `1338`."""
+    if 1e3 <= abs(value) < 1e6:
+        return plain(round(value))
+    return plain(value) if abs(value) < 1e3 and value == int(value) else f"{value:.4g}"
 
 
 def metres(value: float) -> str:

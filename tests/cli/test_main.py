@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import subprocess
 import sys
@@ -72,6 +73,12 @@ def test_a_sandbox_error_is_one_message_and_exit_2(cli: Callable, monkeypatch: p
     monkeypatch.setattr(app, "_load", _explode(SandboxError("no [bold]such[/bold] thing")))
     done = cli("check")
     assert (done.code, done.out, done.err) == (2, "", "sandbox: no [bold]such[/bold] thing\n")
+
+
+def test_a_full_disk_is_no_bug(cli: Callable, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(app, "_load", _explode(OSError(errno.ENOSPC, "No space left on device")))
+    done = cli("check")
+    assert (done.code, done.err) == (2, "sandbox: the output could not be written: No space left on device\n")
 
 
 def test_an_unexpected_error_is_a_bug_on_one_line(cli: Callable, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -122,6 +122,13 @@ def test_mistakes_are_told_with_their_mend(cli: Callable, write_scene: Callable,
         assert done.out == ""
 
 
+def test_long_names_fit_into_a_picture(cli: Callable, write_scene: Callable, tmp_path: Path) -> None:
+    box = {"shapes": [{"box": [1, 1]}]}
+    path = write_scene("long.scene.json", bodies=[{"id": name * 30, "position": [0, 0], **box} for name in "ab"])
+    assert cli("sat", path, "--svg", tmp_path / "a.svg", "--figure", "edges").code == 0
+    assert f"the edges of {'a' * 16}… and {'b' * 16}…" in (tmp_path / "a.svg").read_text(encoding="utf-8")
+
+
 @pytest.mark.parametrize("figure", ["whole", "edges", "perpendiculars", "axis", "mtv", "clipping", "scene"])
 @pytest.mark.parametrize("scene", ["test-one", "test-two", "round", "inside"])
 def test_every_figure_of_every_case_is_a_picture_with_a_title(

@@ -13,6 +13,7 @@ from sandbox.render.sat_page import Member, SatFigure
 from sandbox.render.sat_plane import Plane
 from sandbox.render.sat_rails import ROW
 from sandbox.render.svg import Svg
+from sandbox.render.words import short
 from tests.geometry.tutorial_cases import SQUARE_ONE, SQUARE_TWO, TRIANGLE_ONE, TRIANGLE_TWO
 
 NAMES = ("square", "triangle")
@@ -119,8 +120,16 @@ def test_a_small_shape_on_a_huge_one_is_seen_large():
 def test_long_names_are_cut_and_markup_is_harmless():
     name = "a<b>&" + "x" * 40
     shown = words(draw("whole", ONE, names=(name, "t")))
-    assert f"edge 1 of {name[:12]}…" in shown
+    assert f"edge 1 of {name[:10]}…" in shown
     assert any(text.startswith(name) for text in shown)
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [(91.0, "91"), (-0.0, "0"), (-0.352644, "-0.3526"), (1338.22, "1338"), (-192532.4, "-192532"), (3e7, "3e+07")],
+)
+def test_numbers_beside_a_rail_are_short(value: float, text: str):
+    assert short(value) == text
 
 
 def test_many_axes_make_a_long_list_but_not_an_endless_one():
