@@ -8,6 +8,7 @@ from sandbox._jit import ZERO, inlined_kernel, kernel
 from sandbox.engine.bounds import shape_margin
 from sandbox.engine.continuous import allowed_depth
 from sandbox.engine.islands import is_active
+from sandbox.engine.seams import mend_contact
 from sandbox.geometry.manifold import collide_cores
 from sandbox.geometry.time_of_touch import time_of_touch
 from sandbox.tables import Records
@@ -26,6 +27,7 @@ def find_contacts(
     holds: Records,
     shapes: Records,
     turned: Records,
+    seams: Records,
     pairs: Records,
     pair_count: int,
     fall: float,
@@ -51,7 +53,7 @@ def find_contacts(
             count = _keep_if_asleep(bodies, old[k], contacts, count)
             k += 1
         contact = contacts[count]
-        if not _meet(bodies, flights, holds, shapes, turned, shape_a, shape_b, fall, seconds, manifold, contact):
+        if not _meet(bodies, flights, holds, shapes, turned, seams, shape_a, shape_b, fall, seconds, manifold, contact):
             continue
         if k < old_count and old[k].shape_a == shape_a and old[k].shape_b == shape_b:
             _match(old[k], contact)
@@ -108,6 +110,7 @@ def _meet(
     holds: Records,
     shapes: Records,
     turned: Records,
+    seams: Records,
     i: int,
     j: int,
     fall: float,
@@ -154,12 +157,51 @@ def _meet(
         margin = way
     if not _collide(bodies, shapes, turned, i, j, vx * t, vy * t, margin, manifold):
         return False
+    if shapes[i].part + shapes[j].part > 0:
+        t = _mend(bodies, shapes, turned, seams, i, j, vx, vy, t, seconds, margin, manifold)
+        if t < 0.0:
+            return False
     _fill(bodies, shapes, i, j, vx * t, vy * t, manifold[0], contact)
     overlap = -manifold[0].separation
     if overlap > 0.0 and (a.type == STATIC) != (b.type == STATIC) and overlap > allowed_depth(shapes[i], shapes[j]):
         holds[shapes[i].body].deep = 1
         holds[shapes[j].body].deep = 1
     return True
+
+
+@kernel
+def _mend(
+    bodies: Records,
+    shapes: Records,
+    turned: Records,
+    seams: Records,
+    i: int,
+    j: int,
+    vx: float,
+    vy: float,
+    t: float,
+    seconds: float,
+    margin: float,
+    manifold: Records,
+) -> float:
+    """Time at which two shapes, one at least a part of a concave polygon, touch on an axis of the whole; -1 if never.
+
+    A fast shape may first touch a part across a seam: then it is looked at where the step will bring it.
+    """
+    dx = bodies[shapes[j].body].center_x - bodies[shapes[i].body].center_x
+    dy = bodies[shapes[j].body].center_y - bodies[shapes[i].body].center_y
+    x = dx + vx * t
+    y = dy + vy * t
+    wx = vx * seconds
+    wy = vy * seconds
+    if mend_contact(bodies, shapes, turned, seams, i, j, x, y, wx, wy, margin, FACE_BIAS, manifold):
+        return t
+    if t == 0.0 or not _collide(bodies, shapes, turned, i, j, wx, wy, margin, manifold):
+        return -1.0
+    x = dx + wx
+    y = dy + wy
+    there = mend_contact(bodies, shapes, turned, seams, i, j, x, y, wx, wy, margin, FACE_BIAS, manifold)
+    return seconds if there else -1.0
 
 
 @inlined_kernel

@@ -5,8 +5,10 @@ The parts are the same for any winding and any first vertex, because points are 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from functools import lru_cache
+from itertools import pairwise
 from typing import NamedTuple
 
 from sandbox.geometry.merge import Ring, Turns, convex_parts, sides
@@ -14,12 +16,18 @@ from sandbox.geometry.polygon import MAX_VERTICES, ConcaveError, Vec, convex_pol
 from sandbox.geometry.rings import Rings, clean_rings
 from sandbox.geometry.triangulate import triangulate
 
+_ALL, _NOTHING = (0.0, 1.0), (1.0, 0.0)
+
 
 class Part(NamedTuple):
-    """A convex polygon (m, counter-clockwise). `inner[i]`: the edge from vertex i to the next lies within the whole."""
+    """A convex polygon (m, counter-clockwise) and what of its edges shows on the outside of the whole.
+
+    `shown[i]` is the stretch of the edge from vertex i to the next on which sides of the whole lie, from the first to
+    the last of them, as shares of its length; (1, 0) where there is none.
+    """
 
     vertices: tuple[Vec, ...]
-    inner: tuple[bool, ...]
+    shown: tuple[tuple[float, float], ...]
 
 
 class Decomposition(NamedTuple):
@@ -47,7 +55,7 @@ def _decompose(outline: tuple[Vec, ...], holes: tuple[tuple[Vec, ...], ...]) -> 
     if not holes and len(outline) <= MAX_VERTICES:
         try:
             core = convex_polygon(outline)
-            return Decomposition((core,), (Part(core, (False,) * len(core)),))
+            return Decomposition((core,), (Part(core, (_ALL,) * len(core)),))
         except ConcaveError:
             pass
     rings = clean_rings(outline, holes)
@@ -66,10 +74,26 @@ def _parts(given: Rings) -> tuple[Part, ...]:
 
 
 def _part(turns: Turns, vertices: Sequence[Vec], face: Ring, outer: set[tuple[int, int]]) -> Part:
-    """The corners of a face. An edge is an inner one if no piece of it is a side of the whole."""
+    """The corners of a face, and where the pieces of its edges that are sides of the whole begin and end."""
     kept = turns.corners(face)
     start = face.index(kept[0])
-    pieces = [side not in outer for side in sides(face[start:] + face[:start])]
-    places = [(face.index(i) - start) % len(face) for i in kept]
-    inner = tuple(all(pieces[a:b]) for a, b in zip(places, [*places[1:], len(face)], strict=True))
-    return Part(tuple(vertices[i] for i in kept), inner)
+    ring = face[start:] + face[: start + 1]
+    places = [*((face.index(i) - start) % len(face) for i in kept), len(face)]
+    edges = [ring[a : b + 1] for a, b in pairwise(places)]
+    shown = tuple(_shown(vertices, edge, [piece in outer for piece in pairwise(edge)]) for edge in edges)
+    return Part(tuple(vertices[i] for i in kept), shown)
+
+
+def _shown(vertices: Sequence[Vec], edge: Ring, is_side: list[bool]) -> tuple[float, float]:
+    """From where to where sides of the whole lie on an edge; `edge` are all points on it."""
+    if not any(is_side):
+        return _NOTHING
+    first, last = is_side.index(True), len(is_side) - is_side[::-1].index(True)
+    return _share(vertices, edge, first), _share(vertices, edge, last)
+
+
+def _share(vertices: Sequence[Vec], edge: Ring, k: int) -> float:
+    """How far along an edge its k-th point lies."""
+    if k in (0, len(edge) - 1):
+        return float(k > 0)
+    return math.dist(vertices[edge[0]], vertices[edge[k]]) / math.dist(vertices[edge[0]], vertices[edge[-1]])

@@ -24,8 +24,9 @@ class Weighed:
     """Masks over the pairs of a step. Every pair is `agreed`, `touching` or neither, that is, open.
 
     `lost` pairs overlap, but the step has no contact for them; the contacts of `askew` ones push along an axis that is
-    worse than the best by more than the step's preference for a face allows. `depth_error` (m) and `normal_error`
-    (rad) are the worst differences among agreed pairs, `other_axis` counts those with another, equally good axis.
+    worse than the best by more than the step's preference for a face allows; parts of concave polygons are neither.
+    `depth_error` (m) and `normal_error` (rad) are the worst differences among agreed pairs, `other_axis` counts those
+    with another, equally good axis.
     """
 
     agreed: Mask
@@ -70,7 +71,8 @@ def _of_the_step(
     poses: Poses, pairs: Integers, separation: Floats, contacts: Records, touch: Floats, error: Floats
 ) -> tuple[Mask, Mask]:
     """(lost, askew): which overlapping pairs the step has no contact for, and which it would push the wrong way."""
-    deep = separation < -touch
+    # Of a concave polygon's parts, the step keeps only the contacts that the whole has (`engine/seams.py`).
+    deep = (separation < -touch) & (poses.shapes.part[pairs] == 0).all(axis=1)
     rows = find_rows(pairs, np.stack([contacts.shape_a, contacts.shape_b], axis=1), len(poses.shapes))
     normals = np.zeros((len(pairs), 2))
     there = rows >= 0

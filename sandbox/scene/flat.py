@@ -21,8 +21,8 @@ class FlatShape:
     `rolling_resistance` in metres, `surface_speed` in m/s.
 
     A concave polygon is several shapes in a row: `part` counts them from 1 and is 0 for every other shape, `outline`
-    is the whole polygon's (a counter-clockwise ring, then one for each hole, clockwise), and `inner[i]` is true where
-    the edge from vertex i to the next lies within the polygon.
+    is the whole polygon's (a counter-clockwise ring, then one for each hole, clockwise), and `shown[i]` is the stretch
+    of the edge from vertex i to the next on which sides of the whole lie, as shares of its length; (1, 0) if none do.
     """
 
     kind: Literal["circle", "box", "capsule", "segment", "polygon"]
@@ -38,7 +38,7 @@ class FlatShape:
     group: int = 0
     clockwise: bool = False
     part: int = 0
-    inner: tuple[bool, ...] = ()
+    shown: tuple[Vec, ...] = ()
     outline: tuple[tuple[Vec, ...], ...] = ()
 
 

@@ -43,7 +43,7 @@ def _polygon(shape: Polygon, surface: dict[str, Any]) -> Iterator[FlatShape]:
     outline = tuple(_placed(shape, ring) for ring in rings)
     for number, part in enumerate(parts, 1):
         core = _placed(shape, part.vertices)
-        yield FlatShape("polygon", core, **surface, part=number, inner=part.inner, outline=outline)
+        yield FlatShape("polygon", core, **surface, part=number, shown=part.shown, outline=outline)
 
 
 def _core(shape: AnyShape) -> tuple[Kind, Sequence[Vec], float]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -11,7 +12,7 @@ from sandbox._jit import interpreted
 from sandbox.geometry.mass import Moments, edge_normals, half_width, moments
 from sandbox.geometry.trig import cos_sin
 from sandbox.scene.flat import FlatBody, FlatScene, FlatShape, Vec
-from sandbox.tables import Records
+from sandbox.tables import Integers, Records, Table
 from sandbox.world import records
 from sandbox.world.state import State
 
@@ -31,6 +32,7 @@ class _Build:
     shape_rows: Records
     vertex_rows: Records
     side_rows: Records
+    seam_rows: Records
     mass: float
     inertia: float
     center: Vec
@@ -44,7 +46,7 @@ def build_state(scene: FlatScene) -> State:
     bodies = records.BODY.zeros(len(scene.bodies))
     for row, body, build in zip(bodies, scene.bodies, per_body, strict=True):
         _fill_body(row, body, build)
-    shapes, vertices, sides = _place(per_body)
+    shapes, vertices, sides, seams = _place(per_body)
     drags = records.DRAG.zeros(_DRAGS)
     drags.body = -1
     return State(
@@ -52,6 +54,7 @@ def build_state(scene: FlatScene) -> State:
         shapes=shapes,
         vertices=vertices,
         outlines=sides,
+        seams=seams,
         contacts=records.CONTACT.zeros(max(16, 4 * len(shapes))),
         drags=drags,
         settings=_settings(scene),
@@ -82,7 +85,7 @@ def _build(shapes: tuple[FlatShape, ...], center: Vec | None) -> _Build:
     shift = middle[0] * (middle[0] * mass - 2.0 * first_x) + middle[1] * (middle[1] * mass - 2.0 * first_y)
     shape_rows = records.SHAPE.zeros(len(shapes))
     vertex_rows = records.VERTEX.zeros(sum(len(shape.vertices) for shape in shapes))
-    side_rows = _sides(shape_rows, shapes, middle)
+    side_rows, seam_rows = _sides(shape_rows, shapes, middle), _seams(shape_rows, shapes)
     start = 0
     extent = 0.0
     for row, shape in zip(shape_rows, shapes, strict=True):
@@ -92,7 +95,7 @@ def _build(shapes: tuple[FlatShape, ...], center: Vec | None) -> _Build:
             vertex_rows[start + k] = (x, y, *normal)
             extent = max(extent, math.sqrt(x * x + y * y) + shape.radius)
         start += len(shape.vertices)
-    return _Build(shape_rows, vertex_rows, side_rows, mass, second + shift, middle, extent)
+    return _Build(shape_rows, vertex_rows, side_rows, seam_rows, mass, second + shift, middle, extent)
 
 
 def _fill_shape(row: Records, shape: FlatShape, start: int) -> None:
@@ -103,12 +106,6 @@ def _fill_shape(row: Records, shape: FlatShape, start: int) -> None:
     row.rolling_resistance, row.surface_speed = shape.rolling_resistance, shape.surface_speed
     row.category, row.mask, row.group = shape.category, shape.mask, shape.group
     row.part = shape.part
-    row.inner = _signed(sum(1 << k for k, inner in enumerate(shape.inner) if inner))
-
-
-def _signed(bits: int) -> int:
-    """64 bits as the two's complement that a column holds."""
-    return bits - (1 << 64) if bits >= 1 << 63 else bits
 
 
 def _sides(shape_rows: Records, shapes: tuple[FlatShape, ...], middle: Vec) -> Records:
@@ -123,6 +120,29 @@ def _sides(shape_rows: Records, shapes: tuple[FlatShape, ...], middle: Vec) -> R
     rows = records.OUTLINE.zeros(len(sides))
     rows[:] = sides
     return rows
+
+
+def _seams(shape_rows: Records, shapes: tuple[FlatShape, ...]) -> Records:
+    """Rows of the seam table for the parts of concave polygons; notes in the shape rows where each begins."""
+    seams: list[tuple[float, ...]] = []
+    for row, shape in zip(shape_rows, shapes, strict=True):
+        row.seam_start = len(seams)
+        if shape.part > 0:
+            normals = _corner_normals(shape.outline)
+            seams += [(*normals[v], *shown) for v, shown in zip(shape.vertices, shape.shown, strict=True)]
+    rows = records.SEAM.zeros(len(seams))
+    rows[:] = seams
+    return rows
+
+
+@lru_cache(maxsize=1)
+def _corner_normals(outline: tuple[tuple[Vec, ...], ...]) -> dict[Vec, tuple[float, ...]]:
+    """The normals of both sides that meet in a corner of a polygon: x, y of the one before, x, y of the one after."""
+    found: dict[Vec, tuple[float, ...]] = {}
+    for ring in outline:
+        normals = edge_normals(ring)
+        found.update({vertex: (*normals[k - 1], *normals[k]) for k, vertex in enumerate(ring)})
+    return found
 
 
 def _fill_body(row: Records, body: FlatBody, build: _Build) -> None:
@@ -156,22 +176,31 @@ def _fill_mass(row: Records, body: FlatBody, build: _Build) -> None:
     row.inverse_inertia = 1.0 / row.inertia if row.inertia > 0.0 else 0.0
 
 
-def _place(builds: list[_Build]) -> tuple[Records, Records, Records]:
-    """Shape, vertex and outline tables of the whole world, with indices shifted into place."""
-    shape_counts = np.array([len(build.shape_rows) for build in builds], dtype=np.int64)
-    vertex_counts = np.array([len(build.vertex_rows) for build in builds], dtype=np.int64)
-    shapes = records.SHAPE.zeros(int(shape_counts.sum()))
-    vertices = records.VERTEX.zeros(int(vertex_counts.sum()))
-    side_counts = np.array([len(build.side_rows) for build in builds], dtype=np.int64)
-    sides = records.OUTLINE.zeros(int(side_counts.sum()))
-    if builds:
-        np.concatenate([build.shape_rows for build in builds], out=shapes)
-        np.concatenate([build.vertex_rows for build in builds], out=vertices)
-        np.concatenate([build.side_rows for build in builds], out=sides)
-        shapes.body = np.repeat(np.arange(len(builds)), shape_counts)
-        shapes.vertex_start += np.repeat(np.cumsum(vertex_counts) - vertex_counts, shape_counts)
-        shapes.outline_start += np.repeat(np.cumsum(side_counts) - side_counts, shape_counts)
-    return shapes, vertices, sides
+def _place(builds: list[_Build]) -> tuple[Records, Records, Records, Records]:
+    """Shape, vertex, outline and seam tables of the whole world, with indices shifted into place."""
+    shapes = _joined(records.SHAPE, [build.shape_rows for build in builds])
+    counts = np.array([len(build.shape_rows) for build in builds], dtype=np.int64)
+    shapes.body = np.repeat(np.arange(len(builds)), counts)
+    shapes.vertex_start += np.repeat(_starts([build.vertex_rows for build in builds]), counts)
+    shapes.outline_start += np.repeat(_starts([build.side_rows for build in builds]), counts)
+    shapes.seam_start += np.repeat(_starts([build.seam_rows for build in builds]), counts)
+    vertices = _joined(records.VERTEX, [build.vertex_rows for build in builds])
+    sides = _joined(records.OUTLINE, [build.side_rows for build in builds])
+    return shapes, vertices, sides, _joined(records.SEAM, [build.seam_rows for build in builds])
+
+
+def _joined(table: Table, rows: list[Records]) -> Records:
+    """One array of all rows."""
+    joined = table.zeros(sum(map(len, rows)))
+    if rows:
+        np.concatenate(rows, out=joined)
+    return joined
+
+
+def _starts(rows: list[Records]) -> Integers:
+    """Where the rows of each begin when all are joined."""
+    counts = np.array([len(each) for each in rows], dtype=np.int64)
+    return np.cumsum(counts) - counts
 
 
 def _settings(scene: FlatScene) -> Records:

@@ -66,7 +66,7 @@ SHAPE = Table(
         Field("mask", "-", "bit set of what it collides with", "i8"),
         Field("group", "-", "same positive group always collides, same negative group never, 0 no group", "i8"),
         Field("part", "-", "number of the part of a concave polygon, from 1; 0 for a shape of its own", "i8", False),
-        Field("inner", "-", "bit k: the edge from vertex k on lies within the concave polygon", "i8", False),
+        Field("seam_start", "-", "first row of the part in the seam table", "i8", False),
         Field("outline_start", "-", "first row of the concave polygon in the outline table", "i8", False),
         Field("outline_count", "-", "sides of the concave polygon; 0 unless this is its first part", "i8", False),
     ),
@@ -93,6 +93,25 @@ OUTLINE = Table(
     ),
 )
 """What concave polygons look like; they collide by their convex parts."""
+
+
+SEAM = Table(
+    "seam",
+    (
+        Field("before_x", "1", "outward unit normal of the polygon's side that ends in this vertex", hashed=False),
+        Field("before_y", "1", "the same, in the body's frame", hashed=False),
+        Field("after_x", "1", "outward unit normal of the polygon's side that begins in this vertex", hashed=False),
+        Field("after_y", "1", "the same, in the body's frame", hashed=False),
+        Field(
+            "shown_from",
+            "1",
+            "share of the part's edge from this vertex on where sides of the polygon begin",
+            hashed=False,
+        ),
+        Field("shown_to", "1", "where they end; 0 if the whole edge lies within the polygon", hashed=False),
+    ),
+)
+"""One row for each vertex of each part of a concave polygon: what the polygon looks like there."""
 
 
 def _point_fields() -> tuple[Field, ...]:
@@ -182,5 +201,5 @@ COUNTERS = Table(
     ),
 )
 
-TABLES = (BODY, SHAPE, VERTEX, OUTLINE, CONTACT, DRAG, SETTINGS, COUNTERS)
+TABLES = (BODY, SHAPE, VERTEX, OUTLINE, SEAM, CONTACT, DRAG, SETTINGS, COUNTERS)
 """All stored tables, in the order of the snapshot and the digest."""

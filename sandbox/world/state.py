@@ -19,6 +19,7 @@ class State:
     shapes: Records
     vertices: Records
     outlines: Records
+    seams: Records
     contacts: Records
     drags: Records
     settings: Records
@@ -29,6 +30,6 @@ class State:
     def arrays(self) -> tuple[Records, ...]:
         """The record arrays in the order of `records.TABLES`."""
         return (
-            self.bodies, self.shapes, self.vertices, self.outlines, self.contacts, self.drags, self.settings,
-            self.counters,
+            self.bodies, self.shapes, self.vertices, self.outlines, self.seams, self.contacts, self.drags,
+            self.settings, self.counters,
         )  # fmt: skip

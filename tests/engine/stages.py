@@ -128,7 +128,8 @@ class Paused:
         sort_pairs(m.pairs, count, m.sorted_pairs, m.heads, len(s.shapes))
         gravity = float(np.hypot(self.setting.gravity_x, self.setting.gravity_y))
         self.count = find_contacts(
-            s.bodies, m.flights, m.holds, s.shapes, m.turned, m.pairs, count, 0.5 * gravity * self.seconds**2,
+            s.bodies, m.flights, m.holds, s.shapes, m.turned, s.seams, m.pairs, count,
+            0.5 * gravity * self.seconds**2,
             self.seconds, m.manifold, s.contacts, int(s.counters[0].contact_count), m.contacts,
         )  # fmt: skip
 

@@ -65,19 +65,22 @@ def test_every_part_is_a_clean_convex_polygon(polygon):
         assert set(part.vertices) <= corners
         assert sorted(convex_corners(part.vertices)) == list(range(len(part.vertices)))
         assert len(part.vertices) <= 64
-        assert len(part.inner) == len(part.vertices)
+        assert len(part.shown) == len(part.vertices)
         assert min(math.dist(a, b) for a, b in pairs(part.vertices)) >= MIN_EDGE
 
 
 @SLOW
 @given(with_holes())
-def test_inner_edges_are_those_on_which_no_side_of_the_polygon_lies(polygon):
+def test_what_shows_of_an_edge_is_where_sides_of_the_polygon_lie(polygon):
     found = decompose(*polygon)
     sides = [[shapely.Point(p) for p in side] for ring in found.rings for side in pairs(ring)]
     for part in found.parts:
-        for inner, ends in zip(part.inner, pairs(part.vertices), strict=True):
+        for shown, ends in zip(part.shown, pairs(part.vertices), strict=True):
             edge = shapely.LineString(ends)
-            assert inner == (not any(edge.distance(p) < 1e-8 and edge.distance(q) < 1e-8 for p, q in sides))
+            on = [end for side in sides if max(map(edge.distance, side)) < 1e-8 for end in side]
+            places = [edge.project(end, normalized=True) for end in on]
+            expected = (min(places), max(places)) if places else (1.0, 0.0)
+            assert shown == pytest.approx(expected, abs=1e-7)
 
 
 @SLOW
@@ -135,7 +138,7 @@ def test_a_t_is_two_boxes():
     bar = [(0, 2), (1, 2), (1, 0), (2, 0), (2, 2), (3, 2), (3, 3), (0, 3)]
     parts = decompose(bar).parts
     assert [len(part.vertices) for part in parts] == [4, 4]
-    assert sorted(part.inner.count(True) for part in parts) == [0, 1]
+    assert sorted(part.shown.count((1.0, 0.0)) for part in parts) == [0, 1]
 
 
 def test_fewer_parts_than_pymunk():
@@ -157,7 +160,7 @@ def wave(k: int) -> list[tuple[float, float]]:
 def test_a_convex_polygon_is_one_part_that_begins_where_the_author_did():
     found = decompose(FRAME[2:] + FRAME[:2])
     corners = ((4, 4), (0, 4), (0, 0), (4, 0))
-    assert found == ((corners,), ((corners, (False,) * 4),))
+    assert found == ((corners,), ((corners, ((0.0, 1.0),) * 4),))
 
 
 def test_a_round_polygon_of_many_vertices_is_cut_into_parts_of_64():

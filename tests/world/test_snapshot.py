@@ -101,7 +101,8 @@ def test_a_well_signed_wrong_number_of_contacts_is_refused(world):
     """The contact table may have any length, so its count must agree with the counters and with the bytes."""
     honest = world.snapshot()[20:]
     state = world.state
-    offset = sum(8 + table.nbytes for table in (state.bodies, state.shapes, state.vertices, state.outlines))
+    before = state.bodies, state.shapes, state.vertices, state.outlines, state.seams
+    offset = sum(8 + table.nbytes for table in before)
     assert struct.unpack_from("<q", honest, offset) == (2,)
     for count in (-1, 0, 1, 3, 2**40):
         refused(world, signed(honest[:offset] + struct.pack("<q", count) + honest[offset + 8 :]))
