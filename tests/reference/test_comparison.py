@@ -20,7 +20,7 @@ from tests import flat
 SUBSET = [
     ("crates-on-a-ramp", 200), ("newtons-cradle", 300), ("far-away", 120), ("filters", 120), ("mixer", 60),
     ("wrecking-shot", 80), ("tetrominoes", 120), ("pile", 100), ("matchboxes", 100), ("pyramid-30", 5), ("dust", 10),
-    ("arch", 60), ("conveyor", 120),
+    ("arch", 60), ("conveyor", 120), ("tumbler", 70),
 ]  # fmt: skip
 
 
