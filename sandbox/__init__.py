@@ -30,6 +30,7 @@ if TYPE_CHECKING:
         ShapeError,
         SnapshotError,
         UnknownBodyError,
+        UnknownJointError,
     )
     from sandbox.geometry.collide import Contact, Distance, collide, contains, distance
     from sandbox.geometry.sat_rows import SatRow
@@ -61,6 +62,7 @@ __all__ = [
     "ShapeError",
     "SnapshotError",
     "UnknownBodyError",
+    "UnknownJointError",
     "Verdict",
     "World",
     "__version__",
@@ -81,6 +83,7 @@ _ERRORS = {
     "ShapeError",
     "SnapshotError",
     "UnknownBodyError",
+    "UnknownJointError",
 }
 _TESTS = {"Contact", "Distance", "collide", "contains", "distance"}
 _SHAPES = {"Box", "Capsule", "Circle", "Polygon", "Segment", "Shape"}

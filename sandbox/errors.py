@@ -65,6 +65,13 @@ class UnknownBodyError(SandboxError, KeyError):
         return str(self.args[0])
 
 
+class UnknownJointError(SandboxError, KeyError):
+    """No joint of that id in the world."""
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
 class SnapshotError(SandboxError):
     """A snapshot cannot be read by this version; the world is unchanged."""
 

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from sandbox._jit import interpreted, kernel_argument
+from sandbox.engine.joints.work import JointWork
 from sandbox.engine.scratch import Scratch
 from sandbox.world.state import State
 
@@ -14,7 +15,14 @@ from sandbox.world.state import State
 def bind(function: Callable[..., Any], state: State, scratch: Scratch) -> tuple[Any, ...]:
     """What to call `function` with: each parameter is named like the array of `state` or `scratch` it takes.
 
-    `contacts` are those of the step under way, `old_contacts` those of the step before.
+    `contacts` are those of the step under way, `old_contacts` those of the step before; `joints` is the scratch memory
+    of the joint solver, which holds the table, or None.
     """
     arrays = {**vars(state), "old_contacts": state.contacts, **vars(scratch)}
-    return tuple(kernel_argument(arrays[name]) for name in inspect.signature(interpreted(function)).parameters)
+    return tuple(_argument(arrays[name]) for name in inspect.signature(interpreted(function)).parameters)
+
+
+def _argument(value: Any) -> Any:
+    if isinstance(value, JointWork):
+        return JointWork(*(kernel_argument(array) for array in value))
+    return kernel_argument(value)

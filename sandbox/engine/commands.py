@@ -6,11 +6,10 @@ import math
 from dataclasses import dataclass, fields
 from typing import Any, TypeAlias
 
-import numpy as np
-
 from sandbox._jit import interpreted
 from sandbox.engine.guard import MAX_COORDINATE
 from sandbox.engine.integrate import place_origin as place_origin_kernel
+from sandbox.engine.wake import wake_body
 from sandbox.errors import CommandError
 from sandbox.geometry.trig import cos_sin
 from sandbox.tables import Records
@@ -102,20 +101,7 @@ def apply_command(state: State, index: int, command: Command) -> None:
             drag.target_x, drag.target_y = command.target
         case EndDrag():
             _drag_of(state, index, command.body).body = -1
-    _wake(state, index)
-
-
-def _wake(state: State, index: int) -> None:
-    """Wake a body with its island, and the islands of all that touch it."""
-    contacts: Any = state.contacts[: int(state.counters[0].contact_count)]
-    touching = np.union1d(contacts.body_b[contacts.body_a == index], contacts.body_a[contacts.body_b == index]).astype(
-        np.int64
-    )
-    bodies = state.bodies
-    islands = bodies.island[np.append(touching, index)]
-    rows = np.isin(bodies.island, islands[islands > 0])
-    rows[index] = True
-    bodies.awake[rows], bodies.sleep_time[rows], bodies.island[rows] = 1, 0.0, 0
+    wake_body(state, index)
 
 
 def _check_numbers(command: Command) -> None:

@@ -14,9 +14,10 @@ from sandbox.engine.broad_phase import propose
 from sandbox.engine.grid import boxes_overlap
 from sandbox.engine.integrate import place_origin
 from sandbox.engine.islands import is_active
+from sandbox.engine.joints.apart import are_joined
 from sandbox.geometry.sweep import time_of_hit
 from sandbox.geometry.trig import cos_sin
-from sandbox.tables import Records
+from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC, KINEMATIC, STATIC
 
 FAST_SHARE = 0.5
@@ -74,6 +75,8 @@ def catch(
     manifold: Records,
     sweep: Records,
     swept: Records,
+    bonds: Records,
+    joined: Integers,
 ) -> None:
     """Take the bodies that `mark_fast` marked back to where they first touch what they may not pass.
 
@@ -90,7 +93,9 @@ def catch(
     for i in range(shapes.shape[0]):
         if holds[shapes[i].body].fast == 1 and _strays(bodies, shapes, motions, turned, boxes, i):
             for j in range(shapes.shape[0]):
-                if boxes_overlap(boxes[i], boxes[j]) and propose(owners, i, j, sorted_pairs, ZERO) == 1:
+                if not boxes_overlap(boxes[i], boxes[j]) or are_joined(bonds, joined, shapes[i].body, shapes[j].body):
+                    continue
+                if propose(owners, i, j, sorted_pairs, ZERO) == 1:
                     _hold(bodies, shapes, motions, holds, turned, sorted_pairs[0], manifold, sweep, swept)
     changed = bullets > 0
     turn = ZERO

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 
 from sandbox._jit import kernel
+from sandbox.engine.joints.work import JointWork
 from sandbox.tables import Records
 from sandbox.world.records import DYNAMIC, KINEMATIC
 
@@ -26,8 +27,10 @@ def is_active(body: Records) -> bool:
 
 
 @kernel
-def wake_touched(bodies: Records, flights: Records, contacts: Records, count: int, counters: Records) -> None:
-    """Wake every island that has a contact with an active or a driven body; `undo_waking` takes it back."""
+def wake_touched(
+    bodies: Records, flights: Records, contacts: Records, count: int, joints: JointWork | None, counters: Records
+) -> None:
+    """Wake every island that has a contact or a joint with an active or a driven body; `undo_waking` takes it back."""
     if counters[0].asleep_count == 0:
         return
     for i in range(bodies.shape[0]):
@@ -44,8 +47,26 @@ def wake_touched(bodies: Records, flights: Records, contacts: Records, count: in
         elif b.awake == 0 and _disturbs(a):
             b.awake = 1
             found = True
+    if joints is not None:
+        found = _wake_joined(bodies, joints) or found
     if found:
         wake_marked_islands(bodies)
+
+
+@kernel
+def _wake_joined(bodies: Records, joints: JointWork) -> bool:
+    """Wake sleeping bodies that a joint ties to active or driven ones."""
+    found = False
+    for i in range(joints.ties.shape[0]):
+        a = bodies[joints.ties[i].low]
+        b = bodies[joints.ties[i].high]
+        if a.awake == 0 and _disturbs(b):
+            a.awake = 1
+            found = True
+        elif b.awake == 0 and _disturbs(a):
+            b.awake = 1
+            found = True
+    return found
 
 
 @kernel
@@ -88,22 +109,32 @@ def wake_marked_islands(bodies: Records) -> None:
 
 
 @kernel
-def find_islands(bodies: Records, flights: Records, contacts: Records, count: int) -> None:
-    """Union-find over contacts that push: `flight.island` of an active body becomes the lowest row of its island."""
+def find_islands(bodies: Records, flights: Records, contacts: Records, count: int, joints: JointWork | None) -> None:
+    """Union-find over contacts and joints: `flight.island` of an active body becomes the lowest row of its island."""
     for i in range(bodies.shape[0]):
         flights[i].island = i
     for i in range(count):
         contact = contacts[i]
         if not (is_active(bodies[contact.body_a]) and is_active(bodies[contact.body_b])):
             continue
-        a = _root(flights, contact.body_a)
-        b = _root(flights, contact.body_b)
-        if a < b:
-            flights[b].island = a
-        elif b < a:
-            flights[a].island = b
+        _unite(flights, contact.body_a, contact.body_b)
+    if joints is not None:
+        for i in range(joints.ties.shape[0]):
+            if is_active(bodies[joints.ties[i].low]) and is_active(bodies[joints.ties[i].high]):
+                _unite(flights, joints.ties[i].low, joints.ties[i].high)
     for i in range(bodies.shape[0]):
         flights[i].island = _root(flights, i)
+
+
+@kernel
+def _unite(flights: Records, i: int, j: int) -> None:
+    """Put two bodies into one island."""
+    a = _root(flights, i)
+    b = _root(flights, j)
+    if a < b:
+        flights[b].island = a
+    elif b < a:
+        flights[a].island = b
 
 
 @kernel
@@ -121,6 +152,7 @@ def fall_asleep(
     flights: Records,
     contacts: Records,
     count: int,
+    joints: JointWork | None,
     drags: Records,
     seconds: float,
     sleeping: bool,
@@ -128,14 +160,18 @@ def fall_asleep(
 ) -> None:
     """Count how long bodies have been slow; put islands to sleep in which all have been slow long enough."""
     _mark_resting(bodies, flights, contacts, count)
+    if joints is not None:
+        _mark_held(flights, joints)
     _count_slow_time(bodies, flights, seconds)
     _keep_awake(bodies, contacts, count, drags)
+    if joints is not None:
+        _keep_driven_awake(bodies, joints)
     ready = False
     for i in range(bodies.shape[0]):
         if is_active(bodies[i]) and bodies[i].sleep_time >= SLEEP_SECONDS:
             ready = True
     if ready and sleeping:
-        find_islands(bodies, flights, contacts, count)
+        find_islands(bodies, flights, contacts, count, joints)
         _sleep_islands(bodies, flights)
     _count_sleepers(bodies, counters[0])
 
@@ -171,6 +207,15 @@ def _mark_resting(bodies: Records, flights: Records, contacts: Records, count: i
 
 
 @kernel
+def _mark_held(flights: Records, joints: JointWork) -> None:
+    """What hangs from something that does not move rests as well, and what hangs together rests together."""
+    for i in range(1, joints.members.shape[0]):
+        member = joints.members[i]
+        if member.part >= 0 and (joints.parts[member.part].anchored == 1 or joints.parts[member.part].borne == 1):
+            flights[member.body].rests = 1
+
+
+@kernel
 def _count_slow_time(bodies: Records, flights: Records, seconds: float) -> None:
     for i in range(bodies.shape[0]):
         body = bodies[i]
@@ -201,6 +246,18 @@ def _keep_awake(bodies: Records, contacts: Records, count: int, drags: Records) 
         if a.awake == 1 and (belt or (b.type == KINEMATIC and _disturbs(b))):
             a.sleep_time = 0.0
         if b.awake == 1 and (belt or (a.type == KINEMATIC and _disturbs(a))):
+            b.sleep_time = 0.0
+
+
+@kernel
+def _keep_driven_awake(bodies: Records, joints: JointWork) -> None:
+    """Bodies that a joint ties to a driven body do not fall asleep."""
+    for i in range(joints.ties.shape[0]):
+        a = bodies[joints.ties[i].low]
+        b = bodies[joints.ties[i].high]
+        if b.type == KINEMATIC and _disturbs(b):
+            a.sleep_time = 0.0
+        if a.type == KINEMATIC and _disturbs(a):
             b.sleep_time = 0.0
 
 

@@ -12,6 +12,7 @@ import math
 
 from sandbox._jit import kernel
 from sandbox.engine.islands import find_islands, is_active
+from sandbox.engine.joints.work import JointWork
 from sandbox.geometry.trig import PI
 from sandbox.tables import Field, Records, Table
 from sandbox.world.records import DYNAMIC
@@ -61,6 +62,7 @@ def assign_paces(
     piles: Records,
     contacts: Records,
     count: int,
+    joints: JointWork | None,
     counter: Records,
     gravity_x: float,
     gravity_y: float,
@@ -79,7 +81,7 @@ def assign_paces(
     omega = 2.0 * PI * hertz
     used = 1
     if gravity > 0.0:
-        find_islands(bodies, flights, contacts, count)
+        find_islands(bodies, flights, contacts, count, joints)
         down_x = gravity_x / gravity
         down_y = gravity_y / gravity
         used = _look(bodies, flights, piles, contacts, count, down_x, down_y, gravity, omega)

@@ -8,6 +8,8 @@ import numpy as np
 
 from sandbox.engine.contact_blocks import BLOCK_SIZE, GATHER_SIZE, LANES, MAX_COLORS
 from sandbox.engine.grid import LEVEL_SPACE
+from sandbox.engine.joints.layout import lay_out
+from sandbox.engine.joints.work import JointWork
 from sandbox.engine.pace import PILE
 from sandbox.geometry.manifold import MANIFOLD
 from sandbox.geometry.sweep import SWEEP, SWEPT_ROWS
@@ -141,6 +143,9 @@ class Scratch:
     colors: Integers
     lanes: Floats
     gathered: Floats
+    bonds: Records
+    joined: Integers
+    joints: JointWork | None
 
     @classmethod
     def for_state(cls, state: State, pair_capacity: int, block_capacity: int = 0) -> Scratch:
@@ -169,6 +174,7 @@ class Scratch:
             colors=np.zeros(pair_capacity, np.int64),
             lanes=np.zeros(block_capacity * BLOCK_SIZE),
             gathered=np.zeros(GATHER_SIZE),
+            **vars(lay_out(state.joints, state.bodies)),
         )
 
 

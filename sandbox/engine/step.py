@@ -25,6 +25,10 @@ from sandbox.engine.integrate import (
     rewind_driven,
 )
 from sandbox.engine.islands import fall_asleep, undo_waking, wake_touched
+from sandbox.engine.joints.apart import drop_joined_pairs
+from sandbox.engine.joints.report import finish_joints
+from sandbox.engine.joints.solve import begin_joints, let_members_move, relax_joints, select_parts, solve_joints
+from sandbox.engine.joints.work import JointWork
 from sandbox.engine.narrow_phase import find_contacts
 from sandbox.engine.pace import MOST, assign_paces
 from sandbox.engine.softness import soft_coefficients
@@ -62,6 +66,8 @@ def find_touching(
     sorted_pairs: Records,
     contacts: Records,
     manifold: Records,
+    bonds: Records,
+    joined: Integers,
 ) -> int:
     """The first half: grid and SAT at the poses of now. `contacts` and `counters.found_count` have the answer.
 
@@ -77,6 +83,8 @@ def find_touching(
     if pair_count + kept > pairs.shape[0]:
         return pair_count + kept
     sort_pairs(pairs, pair_count, sorted_pairs, heads, shapes.shape[0])
+    if bonds.shape[0] > 0:
+        pair_count = drop_joined_pairs(bonds, joined, shapes, pairs, pair_count)
     gravity = math.sqrt(setting.gravity_x * setting.gravity_x + setting.gravity_y * setting.gravity_y)
     counter.pair_count = pair_count
     counter.found_count = find_contacts(
@@ -115,6 +123,7 @@ def move(
     colors: Integers,
     lanes: Floats,
     gathered: Floats,
+    joints: JointWork | None,
 ) -> int:
     """The second half: solve the contacts found and move everything.
 
@@ -124,10 +133,11 @@ def move(
     setting = settings[0]
     counter = counters[0]
     count = counter.found_count
-    wake_touched(bodies, flights, contacts, count, counters)
+    wake_touched(bodies, flights, contacts, count, joints, counters)
     paces = assign_paces(
-        bodies, flights, piles, contacts, count, counter, setting.gravity_x, setting.gravity_y, setting.contact_hertz
-    )
+        bodies, flights, piles, contacts, count, joints, counter, setting.gravity_x, setting.gravity_y,
+        setting.contact_hertz,
+    )  # fmt: skip
     block_count = 0
     counter.color_count = 0
     for pace in range(MOST, -1, -1):
@@ -140,6 +150,8 @@ def move(
                 return block_count
 
     begin_motions(bodies, motions, flights)
+    if joints is not None:
+        begin_joints(joints, bodies, contacts, count)
     for pace in range(MOST + 1):
         if (paces >> pace) & 1 == 0:
             continue
@@ -151,13 +163,15 @@ def move(
         deep = prepare_contacts(bodies, contacts, slots, blocks, block_count, bouncy_count > 0, lanes)
         _run_substeps(
             bodies, motions, flights, drags, setting, counters, contacts, colors, bouncy_count, slots, blocks,
-            block_count, lanes, gathered, pace, RELAX_DEEP if deep else 1,
+            block_count, lanes, gathered, pace, RELAX_DEEP if deep else 1, joints,
         )  # fmt: skip
         store_impulses(contacts, slots, blocks, block_count, lanes)
+    if joints is not None:
+        finish_joints(joints, setting.step_seconds, counter)
     guard_positions(bodies, motions, counters)
     finish_motions(bodies, motions)
 
-    fall_asleep(bodies, flights, contacts, count, drags, setting.step_seconds, setting.sleeping == 1, counters)
+    fall_asleep(bodies, flights, contacts, count, joints, drags, setting.step_seconds, setting.sleeping == 1, counters)
     counter.step_count += 1
     counter.contact_count = count
     return MUST_CATCH if mark_fast(bodies, motions, holds) > 0 else 0
@@ -181,6 +195,7 @@ def _run_substeps(
     gathered: Floats,
     pace: int,
     relaxes: int,
+    joints: JointWork | None,
 ) -> None:
     """Integrate, solve and relax the islands of one pace, in as many substeps as it asks for."""
     substeps = setting.substeps << pace
@@ -192,6 +207,8 @@ def _run_substeps(
     slowest = -setting.push_out_speed
     gravity = math.sqrt(setting.gravity_x * setting.gravity_x + setting.gravity_y * setting.gravity_y)
 
+    if joints is not None:
+        select_parts(joints, flights, pace)
     for _substep in range(substeps):
         integrate_velocities(bodies, motions, flights, pace, setting.gravity_x, setting.gravity_y, seconds)
         guard_velocities(bodies, motions, counters)
@@ -200,6 +217,8 @@ def _run_substeps(
         )
         solve_drags(bodies, motions, flights, drags, pace, seconds)
         warm_start(motions, slots, blocks, block_count, lanes, gathered)
+        if joints is not None:
+            solve_joints(joints, bodies, motions, flights, seconds)
         solve_contacts(
             motions,
             slots,
@@ -214,6 +233,10 @@ def _run_substeps(
             slowest,
             0.0,
         )
+        if joints is not None:
+            let_members_move(joints, motions, flights)
         integrate_positions(bodies, motions, flights, pace, gravity, seconds)
+        if joints is not None:
+            relax_joints(joints, bodies, motions, flights, seconds)
         for _pass in range(relaxes):
             solve_contacts(motions, slots, blocks, block_count, lanes, gathered, rate, 0.0, 1.0, 0.0, 0.0, WAIT)

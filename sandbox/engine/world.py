@@ -11,11 +11,14 @@ import numpy as np
 from sandbox.engine.binding import bind
 from sandbox.engine.commands import Command, apply_command
 from sandbox.engine.continuous import catch
+from sandbox.engine.joint_commands import JointCommand, apply_joint_command
+from sandbox.engine.joint_view import Joint
+from sandbox.engine.joints.layout import lay_out
 from sandbox.engine.scratch import Scratch
 from sandbox.engine.step import MUST_CATCH, find_touching, move
 from sandbox.engine.views import Bodies, Body
 from sandbox.engine.warm_up import compile_step
-from sandbox.errors import UnknownBodyError
+from sandbox.errors import UnknownBodyError, UnknownJointError
 from sandbox.world.build import build_state
 from sandbox.world.digest import digest
 from sandbox.world.records import CONTACT, DYNAMIC
@@ -23,6 +26,8 @@ from sandbox.world.snapshot import restore, snapshot
 from sandbox.world.state import State
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from sandbox.engine.queries.queries import Queries
     from sandbox.scene import Scene
     from sandbox.scene.flat import FlatScene
@@ -42,6 +47,7 @@ class World:
         self._index = {name: i for i, name in enumerate(self.state.names)}
         self.changes = 0
         """Counts steps, commands and restores: while it stays the same, nothing has moved."""
+        self._joint_index = {name: i for i, name in enumerate(self.state.joint_names)}
         self._turn = 0
         self._arguments: list[tuple[tuple[Any, ...], ...]] = []
         self._use_scratch(Scratch.for_state(self.state, len(self.state.contacts)))
@@ -60,11 +66,20 @@ class World:
             # A step reads the contacts of the last one while it writes the new ones.
             self._turn = 1 - self._turn
             self.state.contacts, self._scratch.contacts = self._scratch.contacts, self.state.contacts
+            if self.state.counters[0].broken_count != self._broken:
+                self._lay_out_joints()
 
-    def apply(self, command: Command) -> None:
-        """Apply a command. Raises `CommandError` or `UnknownBodyError` and changes nothing if it can't be done."""
+    def apply(self, command: Command | JointCommand) -> None:
+        """Apply a command.
+
+        Raises `CommandError`, `UnknownBodyError` or `UnknownJointError` and changes nothing if it can't be done.
+        """
         self.changes += 1
-        apply_command(self.state, self._find(command.body), command)
+        if isinstance(command, JointCommand):
+            if apply_joint_command(self.state, self._find_joint(command.joint), command):
+                self._lay_out_joints()
+        else:
+            apply_command(self.state, self._find(command.body), command)
         self.state.counters["still"][0] = 0
         self.state.counters["pace_watch"][0] = 0
 
@@ -82,6 +97,15 @@ class World:
     def names(self) -> tuple[str, ...]:
         """Body ids in the order of `bodies`."""
         return self.state.names
+
+    @property
+    def joint_names(self) -> tuple[str, ...]:
+        """Joint ids in the order of the scene."""
+        return self.state.joint_names
+
+    def joint(self, name: str) -> Joint:
+        """The joint of that id. Raises `UnknownJointError` with the nearest name."""
+        return Joint(name, self.state, self._find_joint(name), self.apply)
 
     def body(self, name: str) -> Body:
         """The body of that id. Raises `UnknownBodyError` with the nearest name."""
@@ -130,7 +154,7 @@ class World:
         restore(self.state, data)
         if len(self.state.contacts) != len(self._scratch.contacts):
             self._use_scratch(Scratch.for_state(self.state, len(self.state.contacts)))
-        self._prepare_arguments()
+        self._lay_out_joints()
 
     def _advance(self) -> bool:
         """Take a step; False if it lacked scratch memory, which it has now: then nothing else has changed."""
@@ -158,9 +182,15 @@ class World:
         self._scratch = scratch
         self._prepare_arguments()
 
+    def _lay_out_joints(self) -> None:
+        """Find out anew what hangs together by joints, after one of them broke or was switched."""
+        vars(self._scratch).update(vars(lay_out(self.state.joints, self.state.bodies)))
+        self._prepare_arguments()
+
     def _prepare_arguments(self) -> None:
         """Argument lists of the step: one for even and one for odd steps, as the contact tables swap places."""
         self._turn = 0
+        self._broken = int(self.state.counters[0].broken_count)
         now, after = self.state.contacts, self._scratch.contacts
         lists: list[tuple[tuple[Any, ...], ...]] = []
         for self.state.contacts, self._scratch.contacts in ((after, now), (now, after)):
@@ -170,9 +200,19 @@ class World:
     def _find(self, name: str) -> int:
         index = self._index.get(name)
         if index is None:
-            near = difflib.get_close_matches(name, self.names, 1)
-            raise UnknownBodyError(f"no body {name!r} in this world" + (f"; did you mean {near[0]!r}?" if near else ""))
+            raise UnknownBodyError(_unknown("body", name, self.names))
+        return index
+
+    def _find_joint(self, name: str) -> int:
+        index = self._joint_index.get(name)
+        if index is None:
+            raise UnknownJointError(_unknown("joint", name, self.joint_names))
         return index
 
     def __repr__(self) -> str:
         return f"<World of {len(self.names)} bodies at step {self.step_count}>"
+
+
+def _unknown(what: str, name: str, known: Sequence[str]) -> str:
+    near = difflib.get_close_matches(name, known, 1)
+    return f"no {what} {name!r} in this world" + (f"; did you mean {near[0]!r}?" if near else "")

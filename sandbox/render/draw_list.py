@@ -8,11 +8,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from sandbox.render.camera import Camera, Floats, Vec
+from sandbox.render.camera import Camera, Floats
 from sandbox.render.frame import Frame
 from sandbox.render.geometry import Ints, Mesh
 from sandbox.render.grid import grid_lines
-from sandbox.render.theme import Color, Theme
+from sandbox.render.joint_strokes import joint_strokes
+from sandbox.render.line import Line
+from sandbox.render.theme import Theme
 from sandbox.render.wardrobe import Tints, Wardrobe, tints
 from sandbox.world.records import DYNAMIC, SEGMENT, STATIC
 
@@ -22,17 +24,6 @@ SEGMENT_HALF_PIXELS = 1.0
 """Half the least width of a segment, which is drawn in the outline's colour throughout."""
 MARK_FROM_PIXELS, MARK_FULL_PIXELS = 3.0, 8.0
 """Half thickness at which orientation marks begin to show, and at which they show fully."""
-
-
-@dataclass(frozen=True)
-class Line:
-    """A stroke with round ends: pixels, pixel width, sRGB and opacity 0..1."""
-
-    start: Vec
-    end: Vec
-    width: float
-    color: Color
-    opacity: float = 1.0
 
 
 @dataclass(frozen=True)
@@ -72,7 +63,9 @@ class DrawList:
 def build_draw_list(frame: Frame, camera: Camera, wardrobe: Wardrobe, above: Sequence[Line] = ()) -> DrawList:
     """The draw list of a frame seen through a camera; `above` are strokes of tools, such as the drag line."""
     theme = wardrobe.theme
-    return DrawList(camera, theme, frame.mesh, grid_strokes(camera, theme), _shapes(frame, camera, wardrobe), above)
+    shapes = _shapes(frame, camera, wardrobe)
+    strokes = [*joint_strokes(frame.joints, camera, theme), *above]
+    return DrawList(camera, theme, frame.mesh, grid_strokes(camera, theme), shapes, strokes)
 
 
 def grid_strokes(camera: Camera, theme: Theme) -> list[Line]:

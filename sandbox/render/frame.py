@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from sandbox.render.camera import Bounds, Floats
 from sandbox.render.geometry import Ints, Mesh, build_mesh
+from sandbox.render.joint_frame import JointMarks, blend_joints, capture_joints
 from sandbox.world.records import STATIC
 from sandbox.world.state import State
 
@@ -19,10 +20,11 @@ class Frame:
     """Poses and conditions of all bodies at `time` seconds.
 
     `center` (n, 2) in metres, `angle` (n,) in radians, `rotation` (n, 2) as (cos, sin), `type`, `awake`,
-    `frozen` (n,); `mesh` says what hangs on the bodies.
+    `frozen` (n,); `mesh` says what hangs on the bodies, `joints` what holds them together.
     """
 
     mesh: Mesh
+    joints: JointMarks
     center: Floats
     angle: Floats
     rotation: Floats
@@ -54,6 +56,7 @@ def capture(state: State, mesh: Mesh | None = None) -> Frame:
     step_seconds = float(state.settings[0].step_seconds)
     return Frame(
         mesh=mesh or build_mesh(state.shapes, state.vertices, state.outlines),
+        joints=capture_joints(state),
         center=_read_only(np.column_stack([bodies.center_x, bodies.center_y])),
         angle=_read_only(bodies.angle),
         rotation=_read_only(np.column_stack([bodies.rotation_cos, bodies.rotation_sin])),
@@ -74,7 +77,8 @@ def blend(previous: Frame, current: Frame, alpha: float) -> Frame:
     turned = current.angle != previous.angle
     rotation = np.where(turned[:, None], np.column_stack([np.cos(angle), np.sin(angle)]), current.rotation)
     time = previous.time + (current.time - previous.time) * alpha
-    return replace(current, center=center, angle=angle, rotation=rotation, time=time)
+    joints = blend_joints(previous.joints, current.joints, alpha)
+    return replace(current, joints=joints, center=center, angle=angle, rotation=rotation, time=time)
 
 
 def shape_bounds(frame: Frame) -> Floats:

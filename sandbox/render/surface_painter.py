@@ -10,8 +10,9 @@ from PIL import Image
 
 from sandbox.render.camera import Floats
 from sandbox.render.contour import ContourTable, clip, concave_pieces
-from sandbox.render.draw_list import DrawList, Line, ShapeItems, stroke_sizes
+from sandbox.render.draw_list import DrawList, ShapeItems, stroke_sizes
 from sandbox.render.geometry import Mesh, gather
+from sandbox.render.line import Line
 
 HATCH_PIXELS = 7.0
 """Distance of the stripes on frozen bodies."""
@@ -45,7 +46,10 @@ class SurfacePainter:
         color = _rgb(_over(line, background))
         start, end = np.array([line.start, line.end]) * self.samples
         half = max(line.width * self.samples, 1.0) / 2
-        if (start == end).any():  # level, upright or a dot: exact as a rectangle
+        if (start == end).all():
+            pygame.draw.circle(sheet, color, np.floor(start).tolist(), half)
+            return
+        if (start == end).any():  # level, or upright: exact as a rectangle
             low, high = np.minimum(start, end) - half, np.maximum(start, end) + half
             sheet.fill(color, (*np.rint(low), *np.rint(high - low)))
             return

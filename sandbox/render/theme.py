@@ -36,6 +36,7 @@ class Theme:
     light: Color
     ink: Color
     drag: Color
+    joint: Color
     hues: tuple[float, ...] = (28.0, 62.0, 92.0, 140.0, 178.0, 215.0, 250.0, 288.0, 325.0, 358.0)
     sweep: float = 75.0
     jitter: float = 26.0
@@ -57,6 +58,7 @@ DARK = Theme(
     light=hex_color("#ffffff"),
     ink=hex_color("#0d0f13"),
     drag=hex_color("#ffd479"),
+    joint=hex_color("#dfe5ee"),
 )
 
 LIGHT = Theme(
@@ -70,6 +72,7 @@ LIGHT = Theme(
     light=hex_color("#12151b"),
     ink=hex_color("#ffffff"),
     drag=hex_color("#b06a00"),
+    joint=hex_color("#3a4352"),
     lightness=0.6,
     chroma=0.13,
 )

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from sandbox.geometry.rotation import cos_sin_degrees
+from sandbox.geometry.rotation import RADIANS_PER_DEGREE, cos_sin_degrees
 from sandbox.scene.flat import FlatShape, Vec
-from sandbox.scene.generators import Generator, Grid, Pyramid, Row, Scatter, Stack
+from sandbox.scene.generators import Chain, Generator, Grid, Pyramid, Row, Scatter, Stack
 from sandbox.scene.scatter import scatter
 from sandbox.scene.splitmix import SplitMix64
 
@@ -33,6 +33,8 @@ def placings(generator: Generator, shapes: Sequence[FlatShape], degrees: float) 
     """A placing for each body, in the order of `body_names`; fewer if a scatter found no room for more."""
     if isinstance(generator, Scatter):
         return _scattered(generator, reach(shapes))
+    if isinstance(generator, Chain):
+        return _chained(generator, chain_step(generator, shapes))
     width, height = outer_size(shapes, degrees)
     points: list[Vec]
     match generator:
@@ -49,6 +51,20 @@ def placings(generator: Generator, shapes: Sequence[FlatShape], degrees: float) 
             raise TypeError(type(generator).__name__)
     left, up = generator.at
     return [(left + x, up + y, None) for x, y in points]
+
+
+def chain_step(chain: Chain, shapes: Sequence[FlatShape]) -> Vec:
+    """From one hinge of a chain to the next, m."""
+    return chain.step or (outer_size(shapes, 0.0)[0], 0.0)
+
+
+def _chained(chain: Chain, step: Vec) -> list[Placing]:
+    from sandbox._jit import interpreted
+    from sandbox.geometry.trig import arctan2  # kernels are heavy to import, and few scenes have chains
+
+    (x, y), (dx, dy) = chain.at, step
+    angle = interpreted(arctan2)(dy, dx) / RADIANS_PER_DEGREE
+    return [(x + (k + 0.5) * dx, y + (k + 0.5) * dy, angle) for k in range(chain.count)]
 
 
 def _grid(grid: Grid, spacing: Vec) -> list[Vec]:

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 Vec = tuple[float, float]
+INFINITE = float("inf")
 
 
 @dataclass(frozen=True)
@@ -70,6 +71,51 @@ class FlatBody:
     pointer: str = ""
 
 
+JointKind = Literal[
+    "distance", "revolute", "prismatic", "weld", "wheel", "gear", "pulley", "motor", "target", "friction"
+]
+
+
+@dataclass(frozen=True)
+class FlatJoint:
+    """One joint. `body_a` and `body_b` are ids, None for the world; anchors and the unit `axis` are in world axes.
+
+    Lengths in metres, angles in radians, measured from the pose that the scene starts with. A spring is there if
+    `hertz` is not None, a limit if `lower` or `upper` is not infinite, a motor if `motor_speed` is not None.
+    `angular_hertz` 0 is rigid. `joints` are the two that a gear couples. `points`: the wheels of a pulley, the target
+    of a target joint, the wanted place of a motor's anchor b.
+    """
+
+    id: str
+    kind: JointKind
+    body_a: str | None
+    body_b: str | None
+    anchor_a: Vec = (0.0, 0.0)
+    anchor_b: Vec = (0.0, 0.0)
+    axis: Vec = (1.0, 0.0)
+    joints: tuple[str, str] | None = None
+    ratio: float = 1.0
+    points: tuple[Vec, ...] = ()
+    length: float | None = None
+    hertz: float | None = None
+    damping_ratio: float = 0.0
+    rest: float = 0.0
+    angular_hertz: float = 0.0
+    angular_damping_ratio: float = 0.0
+    angle: float = 0.0
+    lower: float = -INFINITE
+    upper: float = INFINITE
+    motor_speed: float | None = None
+    max_motor: float = INFINITE
+    max_force: float = INFINITE
+    max_torque: float = INFINITE
+    break_force: float = INFINITE
+    break_torque: float = INFINITE
+    collide: bool = False
+    enabled: bool = True
+    pointer: str = ""
+
+
 @dataclass(frozen=True)
 class FlatSettings:
     """Simulation settings; the defaults are the ones a scene gets when it says nothing."""
@@ -90,3 +136,4 @@ class FlatScene:
     bodies: tuple[FlatBody, ...]
     gravity: Vec = (0.0, -9.81)
     settings: FlatSettings = field(default_factory=FlatSettings)
+    joints: tuple[FlatJoint, ...] = ()

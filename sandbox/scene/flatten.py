@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING, Any
 
 from sandbox.geometry.decompose import decompose
 from sandbox.geometry.rotation import RADIANS_PER_DEGREE
-from sandbox.scene.arrange import placings
+from sandbox.scene.arrange import chain_step, placings
 from sandbox.scene.body import Body, Prefab
 from sandbox.scene.finding import Finding, Path
-from sandbox.scene.flat import FlatBody, FlatScene, FlatSettings, FlatShape
+from sandbox.scene.flat import FlatBody, FlatJoint, FlatScene, FlatSettings, FlatShape
+from sandbox.scene.flat_joints import chain_joints, flat_joint, joint_faults
 from sandbox.scene.flat_shapes import flat_shapes
-from sandbox.scene.generators import Generator, body_count, body_names, kind_of
+from sandbox.scene.generators import Chain, Generator, body_count, body_names, kind_of
 from sandbox.scene.limits import MAX_SHAPES
 from sandbox.scene.shapes import Polygon
 from sandbox.scene.solidity import faults
@@ -42,7 +43,9 @@ class Flattener:
             return FlatScene(())
         settings = {field.name: getattr(self.scene.settings, field.name) for field in fields(FlatSettings)}
         bodies = (*self._written(), *self._generated())
-        return FlatScene(bodies, self.scene.gravity, FlatSettings(**settings))
+        joints = (*self._written_joints(), *self._chained())
+        self.findings += joint_faults(joints, bodies)
+        return FlatScene(bodies, self.scene.gravity, FlatSettings(**settings), joints)
 
     def _too_many_shapes(self) -> bool:
         own = sum(_part_count(self._merged(body)["shapes"]) for body in self.scene.bodies)
@@ -67,6 +70,16 @@ class Flattener:
                 if degrees is not None:
                     traits["angle"] = degrees * RADIANS_PER_DEGREE
                 yield FlatBody(id=name, position=(x, y), **traits)
+
+    def _written_joints(self) -> Iterator[FlatJoint]:
+        return (flat_joint(joint, i) for i, joint in enumerate(self.scene.joints))
+
+    def _chained(self) -> Iterator[FlatJoint]:
+        for i, generator in enumerate(self.scene.generate):
+            if isinstance(generator, Chain):
+                prefab = self._prefab(generator)
+                shapes = self._flat_shapes(prefab.shapes, prefab.material)
+                yield from chain_joints(generator, chain_step(generator, shapes), i)
 
     def _check_places(self, generator: Generator, places: list[Any], path: Path) -> None:
         wanted = body_count(generator)

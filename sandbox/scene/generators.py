@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import Field, Tag
 
 from sandbox.scene.base import Model
 from sandbox.scene.constraints import Range
 from sandbox.scene.limits import MAX_BODIES
-from sandbox.scene.quantities import Angles, Displacement, Distance, Name, Point, Rectangle, Size, Size2
+from sandbox.scene.quantities import Angles, Displacement, Distance, Force, Name, Point, Rectangle, Size, Size2
 from sandbox.scene.union import TAG, by_key
 
 Count = Annotated[int, Range(1, MAX_BODIES)]
@@ -82,12 +82,29 @@ class Scatter(Generator):
     )
 
 
+class Chain(Generator):
+    """`count` bodies along a line, each hinged to the next: ID-1, ID-2, ...; the hinges are ID-joint-1, ..."""
+
+    chain: Name = Field(description="The prefab to repeat; its x axis is turned along the chain.")
+    count: Count = Field(description="How many.")
+    at: Point = Field(default=(0.0, 0.0), description="Where the chain begins: the outer end of the first body, m.")
+    step: Displacement | None = Field(
+        default=None, description="From one hinge to the next [x, y], m; default: one prefab width to the right."
+    )
+    pin: Literal["none", "start", "end", "both"] = Field(
+        default="none", description="Which ends are hinged to the world; they are ID-joint-0 and the last one."
+    )
+    collide: bool = Field(default=False, description="true: neighbours collide with each other.")
+    break_force: Force | None = Field(default=None, description="Hinges break under more than this, N; default: never.")
+
+
 GENERATORS: dict[str, type[Generator]] = {
     "row": Row,
     "stack": Stack,
     "grid": Grid,
     "pyramid": Pyramid,
     "scatter": Scatter,
+    "chain": Chain,
 }
 """Every kind of generator by its key."""
 
@@ -96,7 +113,8 @@ AnyGenerator = Annotated[
     | Annotated[Stack, Tag(TAG + "stack")]
     | Annotated[Grid, Tag(TAG + "grid")]
     | Annotated[Pyramid, Tag(TAG + "pyramid")]
-    | Annotated[Scatter, Tag(TAG + "scatter")],
+    | Annotated[Scatter, Tag(TAG + "scatter")]
+    | Annotated[Chain, Tag(TAG + "chain")],
     by_key("generator", GENERATORS),
 ]
 """Any generator; exactly one of the keys of `GENERATORS` tells which and names the prefab."""
@@ -110,7 +128,7 @@ def kind_of(generator: Generator) -> str:
 def body_count(generator: Generator) -> int:
     """How many bodies a generator makes; nothing is made for the answer."""
     match generator:
-        case Row() | Stack() | Scatter():
+        case Row() | Stack() | Scatter() | Chain():
             return generator.count
         case Grid():
             return generator.columns * generator.rows

@@ -19,6 +19,9 @@ MAX_SHAPES = 200_000
 MAX_GENERATORS = 10_000
 """Generators of a scene."""
 
+MAX_JOINTS = 100_000
+"""Joints of a scene, generated ones included."""
+
 MAX_EXPECTATIONS = 1000
 """Expectations of a scene."""
 

@@ -10,6 +10,7 @@ from sandbox.scene import plain
 from sandbox.scene.body_refs import is_pattern, matches_any
 from sandbox.scene.finding import Finding, Path, did_you_mean, quoted
 from sandbox.scene.generators import GENERATORS
+from sandbox.scene.joint_references import joint_references
 from sandbox.scene.limits import MAX_EXPECTATIONS
 from sandbox.scene.names import BodyNames
 
@@ -24,6 +25,7 @@ def unknown_names(data: dict[str, Any], ids: BodyNames) -> Iterator[Finding]:
     yield from _prefabs(data)
     yield from _categories(data)
     yield from _bodies(data, ids)
+    yield from joint_references(data, ids)
 
 
 def _unknown(node: dict[str, Any], path: Path, field: str, what: str, known: Collection[str]) -> Iterator[Finding]:

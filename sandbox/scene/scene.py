@@ -16,7 +16,8 @@ from sandbox.scene.finding import path_of
 from sandbox.scene.flat import FlatScene
 from sandbox.scene.flatten import Flattener
 from sandbox.scene.generators import AnyGenerator
-from sandbox.scene.limits import MAX_BODIES, MAX_CATEGORIES, MAX_EXPECTATIONS, MAX_GENERATORS
+from sandbox.scene.joints import AnyJoint
+from sandbox.scene.limits import MAX_BODIES, MAX_CATEGORIES, MAX_EXPECTATIONS, MAX_GENERATORS, MAX_JOINTS
 from sandbox.scene.locate import locate
 from sandbox.scene.material import Material
 from sandbox.scene.pretty import kinds_first, pretty
@@ -44,6 +45,9 @@ class Scene(Model):
     )
     generate: Annotated[tuple[AnyGenerator, ...], Listed("of generators", 0, MAX_GENERATORS)] = Field(
         default=(), description="Bodies made by rule, after the written ones."
+    )
+    joints: Annotated[tuple[AnyJoint, ...], Listed("of joints", 0, MAX_JOINTS)] = Field(
+        default=(), description="What holds bodies together."
     )
     settings: Settings = Field(default=Settings(), description="How the scene is simulated.")
     view: View | None = Field(default=None, description="What the camera shows; default: the whole scene.")

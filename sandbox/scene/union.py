@@ -32,3 +32,13 @@ def by_type(what: str) -> Discriminator:
         return next((TAG + tag for kind, tag in tags if isinstance(value, kind)), None)
 
     return Discriminator(tag_of, custom_error_type="choice", custom_error_message=what)
+
+
+def by_value(what: str, field: str, kinds: Mapping[str, type[BaseModel]]) -> Discriminator:
+    """A discriminator by the value of `field`, a key of `kinds`; its error has type `kind_value`."""
+
+    def tag_of(value: Any) -> str | None:
+        given = value.get(field) if isinstance(value, dict) else getattr(value, field, None)
+        return TAG + given if isinstance(given, str) and given in kinds else None
+
+    return Discriminator(tag_of, custom_error_type="kind_value", custom_error_message=what)

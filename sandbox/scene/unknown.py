@@ -13,6 +13,7 @@ from sandbox.scene.constraints import describe
 from sandbox.scene.expect import CONDITIONS
 from sandbox.scene.finding import Finding, Path, did_you_mean, quoted
 from sandbox.scene.generators import GENERATORS
+from sandbox.scene.joints import JOINTS
 from sandbox.scene.limits import MAX_FINDINGS
 from sandbox.scene.material import Material
 from sandbox.scene.settings import Settings, View
@@ -24,7 +25,7 @@ _UNIONS: dict[str, Mapping[str, type[BaseModel]]] = {
     "generator": GENERATORS,
     "expectation": CONDITIONS,
 }
-_KINDS: dict[str, type[BaseModel]] = {**SHAPES, **GENERATORS, **CONDITIONS}
+_KINDS: dict[str, type[BaseModel]] = {**SHAPES, **GENERATORS, **CONDITIONS, **JOINTS}
 _FIELDS: dict[str, type[BaseModel]] = {
     "bodies": Body,
     "prefabs": Prefab,
@@ -76,6 +77,24 @@ def no_kind(path: Path, item: Mapping[str, Any]) -> list[Finding]:
         return unknown
     listed = ", ".join(f'"{key}"' for key in kinds)
     return [Finding(path, f"{article} {what} needs one of {listed}"), *unknown]
+
+
+def no_type(path: Path, item: Mapping[str, Any]) -> list[Finding]:
+    """A joint whose `type` is missing or unknown."""
+    value, what = item["input"], item["msg"]
+    if not isinstance(value, dict):
+        return [Finding(path, f'a {what} must be an object such as {{"type": "revolute", ...}}, not {describe(value)}')]
+    kinds = [*JOINTS]
+    given = value.get("type")
+    listed = ", ".join(f'"{key}"' for key in kinds)
+    if isinstance(given, str):
+        return [Finding((*path, "type"), f"type must be one of {listed}", did_you_mean(given, kinds))]
+    if "type" in value:
+        return [Finding((*path, "type"), f"type must be text, not {describe(given)}")]
+    near = [key for key in islice(value, MAX_FINDINGS) if did_you_mean(key, ["type"])]
+    if near:
+        return [unknown_field((*path, near[0]), ["type"])]
+    return [Finding(path, f'a {what} needs a "type", one of {listed}')]
 
 
 def model_at(loc: Path, root: type[BaseModel] | None) -> type[BaseModel] | None:

@@ -11,7 +11,7 @@ from pydantic import BaseModel, ValidationError
 from sandbox.scene.constraints import describe
 from sandbox.scene.finding import Finding, Path, did_you_mean, quoted
 from sandbox.scene.limits import MAX_FINDINGS
-from sandbox.scene.unknown import TAGS, model_at, names, no_kind, unknown_field
+from sandbox.scene.unknown import TAGS, model_at, names, no_kind, no_type, unknown_field
 
 _WANTED = {
     "float_type": "must be a number",
@@ -43,6 +43,8 @@ def _reworded(item: Mapping[str, Any], root: type[BaseModel] | None) -> list[Fin
         return [Finding(path[:-1], f'"{path[-1]}" is missing')]
     if kind == "kind":
         return no_kind(path, item)
+    if kind == "kind_value":
+        return no_type(path, item)
     if path and path[-1] == "[key]":
         return [Finding(path[:-1], f"the name {quoted(str(path[-2]))} {item['msg']}", on_key=True)]
     message, hint = _message(item)

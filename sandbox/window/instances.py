@@ -8,7 +8,8 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from sandbox.render.draw_list import DrawList, Line
+from sandbox.render.draw_list import DrawList
+from sandbox.render.line import Line
 
 Instances: TypeAlias = NDArray[np.void]
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import pygame
 
 from sandbox.render.camera import Camera, Vec
-from sandbox.render.draw_list import Line
 from sandbox.render.frame import Frame
+from sandbox.render.line import Line
 from sandbox.render.theme import Theme
 from sandbox.window.session import Session
 

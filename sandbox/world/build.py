@@ -14,6 +14,7 @@ from sandbox.geometry.trig import cos_sin
 from sandbox.scene.flat import FlatBody, FlatScene, FlatShape, Vec
 from sandbox.tables import Integers, Records, Table
 from sandbox.world import records
+from sandbox.world.build_joints import build_joints
 from sandbox.world.state import State
 
 _cos_sin = interpreted(cos_sin)
@@ -49,6 +50,7 @@ def build_state(scene: FlatScene) -> State:
     shapes, vertices, sides, seams = _place(per_body)
     drags = records.DRAG.zeros(_DRAGS)
     drags.body = -1
+    names = tuple(body.id for body in scene.bodies)
     return State(
         bodies=bodies,
         shapes=shapes,
@@ -56,10 +58,12 @@ def build_state(scene: FlatScene) -> State:
         outlines=sides,
         seams=seams,
         contacts=records.CONTACT.zeros(max(16, 4 * len(shapes))),
+        joints=build_joints(scene.joints, bodies, names),
         drags=drags,
         settings=_settings(scene),
         counters=records.COUNTERS.zeros(1),
-        names=tuple(body.id for body in scene.bodies),
+        names=names,
+        joint_names=tuple(joint.id for joint in scene.joints),
     )
 
 

@@ -7,6 +7,7 @@ or 1; an index of -1 means none.
 from __future__ import annotations
 
 from sandbox.tables import Field, Table
+from sandbox.world.joint_records import JOINT
 
 STATIC, KINEMATIC, DYNAMIC = 0, 1, 2
 CIRCLE, BOX, CAPSULE, SEGMENT, POLYGON = 0, 1, 2, 3, 4
@@ -197,9 +198,10 @@ COUNTERS = Table(
         Field(
             "pace_watch", "-", "how often piles are looked at: 0 unknown, 1 every eighth step, 2 at every step", "i8"
         ),
+        Field("broken_count", "-", "joints broken so far", "i8", hashed=False),
         Field("frozen_count", "-", "bodies frozen so far", "i8"),
     ),
 )
 
-TABLES = (BODY, SHAPE, VERTEX, OUTLINE, SEAM, CONTACT, DRAG, SETTINGS, COUNTERS)
+TABLES = (BODY, SHAPE, VERTEX, OUTLINE, SEAM, CONTACT, JOINT, DRAG, SETTINGS, COUNTERS)
 """All stored tables, in the order of the snapshot and the digest."""

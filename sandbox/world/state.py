@@ -12,7 +12,7 @@ class State:
     """Everything that a step reads and writes, and nothing else. Scratch memory lives in the engine.
 
     `contacts` has spare rows; the first `counters[0].contact_count` are in use. `settings` and `counters` have one
-    row each. `names[i]` is the scene id of body `i`.
+    row each. `names[i]` is the scene id of body `i`, `joint_names[i]` that of joint `i`.
     """
 
     bodies: Records
@@ -21,15 +21,17 @@ class State:
     outlines: Records
     seams: Records
     contacts: Records
+    joints: Records
     drags: Records
     settings: Records
     counters: Records
     names: tuple[str, ...]
+    joint_names: tuple[str, ...] = ()
 
     @property
     def arrays(self) -> tuple[Records, ...]:
         """The record arrays in the order of `records.TABLES`."""
         return (
-            self.bodies, self.shapes, self.vertices, self.outlines, self.seams, self.contacts, self.drags,
+            self.bodies, self.shapes, self.vertices, self.outlines, self.seams, self.contacts, self.joints, self.drags,
             self.settings, self.counters,
         )  # fmt: skip

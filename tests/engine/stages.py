@@ -196,5 +196,5 @@ def island_roots(count: int, links: Sequence[tuple[int, int]], active: Sequence[
         row.type, row.awake = DYNAMIC, int(awake)
     for row, (a, b) in zip(contacts, links, strict=False):
         row.body_a, row.body_b = a, b
-    find_islands(bodies, flights, contacts, len(links))
+    find_islands(bodies, flights, contacts, len(links), None)
     return [int(i) for i in flights.island]

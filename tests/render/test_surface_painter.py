@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from sandbox.render.camera import Camera, fit
-from sandbox.render.draw_list import Line, build_draw_list
+from sandbox.render.draw_list import build_draw_list
 from sandbox.render.frame import capture, interesting_bounds
+from sandbox.render.line import Line
 from sandbox.render.surface_painter import SurfacePainter
 from sandbox.render.theme import DARK
 from sandbox.render.wardrobe import dress

@@ -122,7 +122,7 @@ def generate(fields: str) -> str:
         (generate('"row": "crte", "count": 2'), '2:20: no prefab is named "crte": did you mean "crate"?'),
         (generate('"row": "crate", "count": 0'), "2:38: count must not be below 1"),
         (generate('"pile": "crate", "count": 2'),
-         '2:1: a generator needs one of "row", "stack", "grid", "pyramid", "scatter"'),
+         '2:1: a generator needs one of "row", "stack", "grid", "pyramid", "scatter", "chain"'),
     ],
 )  # fmt: skip
 def test_one_mistake_is_one_line(text, told):

@@ -14,8 +14,9 @@ from PIL import Image
 
 import sandbox
 from sandbox.render.camera import fit
-from sandbox.render.draw_list import DrawList, Line, build_draw_list
+from sandbox.render.draw_list import DrawList, build_draw_list
 from sandbox.render.frame import capture, interesting_bounds
+from sandbox.render.line import Line
 from sandbox.render.surface_painter import SurfacePainter
 from sandbox.render.theme import DARK
 from sandbox.render.wardrobe import dress

@@ -1,0 +1,166 @@
+"""Commands that change joints: plain data, checked as a whole before it is applied."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, fields
+from typing import Any, TypeAlias
+
+from sandbox.engine.wake import wake_body
+from sandbox.errors import CommandError
+from sandbox.world import joint_records as kinds
+from sandbox.world.state import State
+
+SPEED_LIMIT = 1e6
+"""Highest speed a motor may be given, in m/s or rad/s."""
+_MOTORS = (kinds.REVOLUTE, kinds.PRISMATIC, kinds.WHEEL)
+_SPRINGS = (kinds.DISTANCE, kinds.REVOLUTE, kinds.PRISMATIC, kinds.WHEEL)
+_LIMITED = (kinds.DISTANCE, kinds.REVOLUTE, kinds.PRISMATIC, kinds.WHEEL)
+
+
+@dataclass(frozen=True)
+class SetMotor:
+    """Run the motor of a revolute, prismatic or wheel joint at `speed` (rad/s or m/s); None switches it off.
+
+    `strongest` (N m or N) is the most it gives; None leaves that as it is.
+    """
+
+    joint: str
+    speed: float | None
+    strongest: float | None = None
+
+
+@dataclass(frozen=True)
+class SetLimits:
+    """Give a revolute, prismatic, wheel or distance joint limits (rad or m); None on a side: no limit there."""
+
+    joint: str
+    lower: float | None
+    upper: float | None
+
+
+@dataclass(frozen=True)
+class SetSpring:
+    """Give a joint a spring toward `rest` (rad or m; of a distance joint its length); None as `hertz`: no spring."""
+
+    joint: str
+    hertz: float | None
+    damping_ratio: float = 0.0
+    rest: float | None = None
+
+
+@dataclass(frozen=True)
+class SetTarget:
+    """Move the target of a target joint, in the world (m)."""
+
+    joint: str
+    target: tuple[float, float]
+
+
+@dataclass(frozen=True)
+class SetJoint:
+    """Switch a joint on or off. One that is broken stays broken."""
+
+    joint: str
+    enabled: bool
+
+
+@dataclass(frozen=True)
+class BreakJoint:
+    """Break a joint for good."""
+
+    joint: str
+
+
+JointCommand: TypeAlias = SetMotor | SetLimits | SetSpring | SetTarget | SetJoint | BreakJoint
+
+
+def apply_joint_command(state: State, index: int, command: JointCommand) -> bool:
+    """Apply a command to joint `index`; True if that changes what hangs together or which rows the joint has.
+
+    Raises `CommandError`, and changes nothing, if it cannot be done.
+    """
+    _check_numbers(command)
+    joint = state.joints[index]
+    before = (int(joint.spring), int(joint.limit), int(joint.motor), int(joint.enabled), int(joint.broken_step))
+    match command:
+        case SetMotor():
+            _set_motor(joint, command)
+        case SetLimits():
+            _set_limits(joint, command)
+        case SetSpring():
+            _set_spring(joint, command)
+        case SetTarget():
+            _require(joint, (kinds.TARGET,), command, "target")
+            joint.point_ax, joint.point_ay = command.target
+        case SetJoint():
+            joint.enabled = int(command.enabled)
+        case BreakJoint():
+            _break(state, joint)
+    for body in _bodies(state, joint):
+        wake_body(state, body)
+    return before != (joint.spring, joint.limit, joint.motor, joint.enabled, joint.broken_step)
+
+
+def _bodies(state: State, joint: Any) -> list[int]:
+    parts = [joint] if joint.joint_1 < 0 else [state.joints[joint.joint_1], state.joints[joint.joint_2]]
+    return [int(body) for part in parts for body in (part.body_a, part.body_b) if body >= 0]
+
+
+def _check_numbers(command: JointCommand) -> None:
+    for item in fields(command):
+        value = getattr(command, item.name)
+        for number in value if isinstance(value, tuple) else (value,):
+            if isinstance(number, (str, bool)) or number is None:
+                continue
+            if not math.isfinite(number):
+                raise CommandError(f"{_name(command)}: {item.name} must be a finite number, not {number}")
+            if item.name in ("hertz", "damping_ratio", "strongest") and number < 0:
+                raise CommandError(f"{_name(command)}: {item.name} must not be negative")
+            if item.name == "speed" and abs(number) > SPEED_LIMIT:
+                raise CommandError(f"{_name(command)}: speed of {number:g} is past the limit of {SPEED_LIMIT:g}")
+
+
+def _name(command: JointCommand) -> str:
+    return f"{type(command).__name__} of {command.joint!r}"
+
+
+def _require(joint: Any, allowed: tuple[int, ...], command: JointCommand, what: str) -> None:
+    if int(joint.kind) not in allowed:
+        raise CommandError(f"{_name(command)}: this kind of joint has no {what}")
+
+
+def _set_motor(joint: Any, command: SetMotor) -> None:
+    _require(joint, _MOTORS, command, "motor")
+    joint.motor = int(command.speed is not None)
+    joint.motor_speed = command.speed or 0.0
+    if command.strongest is not None:
+        joint.max_motor = command.strongest
+
+
+def _set_limits(joint: Any, command: SetLimits) -> None:
+    _require(joint, _LIMITED, command, "limits")
+    lower = -math.inf if command.lower is None else command.lower
+    upper = math.inf if command.upper is None else command.upper
+    if lower > upper:
+        raise CommandError(f"{_name(command)}: lower must not be greater than upper")
+    joint.lower, joint.upper = lower, upper
+    joint.limit = int(command.lower is not None or command.upper is not None)
+
+
+def _set_spring(joint: Any, command: SetSpring) -> None:
+    _require(joint, _SPRINGS, command, "spring")
+    joint.spring = int(command.hertz is not None)
+    joint.hertz, joint.damping_ratio = command.hertz or 0.0, command.damping_ratio
+    if command.rest is None:
+        return
+    if int(joint.kind) == kinds.DISTANCE:
+        joint.length = command.rest
+    else:
+        joint.rest = command.rest
+
+
+def _break(state: State, joint: Any) -> None:
+    if joint.broken_step < 0:
+        joint.broken_step = state.counters[0].step_count
+        state.counters[0].broken_count += 1

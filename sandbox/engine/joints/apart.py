@@ -1,0 +1,44 @@
+"""Stage: bodies that are joined do not collide, unless their joint says so."""
+
+from __future__ import annotations
+
+from sandbox._jit import kernel
+from sandbox.tables import Integers, Records
+
+
+@kernel
+def drop_joined_pairs(bonds: Records, joined: Integers, shapes: Records, pairs: Records, count: int) -> int:
+    """Take out of `pairs[:count]` those whose bodies a joint keeps from colliding; return how many are left."""
+    kept = 0
+    for i in range(count):
+        pair = pairs[i]
+        if not are_joined(bonds, joined, shapes[pair.shape_a].body, shapes[pair.shape_b].body):
+            pairs[kept] = pair
+            kept += 1
+    return kept
+
+
+@kernel
+def are_joined(bonds: Records, joined: Integers, a: int, b: int) -> bool:
+    """Whether a joint keeps two bodies from colliding. `bonds` are sorted by (low body, high body)."""
+    if joined[a] == 0 or joined[b] == 0:
+        return False
+    low = a if a < b else b
+    high = b if a < b else a
+    k = _first_bond(bonds, low, high)
+    return bool(k < bonds.shape[0] and bonds[k].low == low and bonds[k].high == high)
+
+
+@kernel
+def _first_bond(bonds: Records, low: int, high: int) -> int:
+    """Where the bonds of a pair of bodies begin, by bisection."""
+    start = 0
+    end = bonds.shape[0]
+    while start < end:
+        middle = (start + end) // 2
+        bond = bonds[middle]
+        if bond.low < low or (bond.low == low and bond.high < high):
+            start = middle + 1
+        else:
+            end = middle
+    return start

@@ -1,0 +1,82 @@
+"""Which rows are part of the linear system: those whose impulse is within its bounds, or on its way back into them.
+
+The bounds of motors, limits, ropes and brakes make this a complementarity problem. It is solved by block pivoting
+(J. Judice, F. Pires, 1994): guess which rows are at a bound, solve the others at once, and look again.
+"""
+
+from __future__ import annotations
+
+import math
+
+from sandbox._jit import kernel
+from sandbox.engine.joints.direct import change_impulse
+from sandbox.engine.joints.jacobian import row_error, row_speed
+from sandbox.engine.joints.laws import INFINITE, aim_to_move, aim_to_relax, pair_strength
+from sandbox.engine.joints.work import JointWork
+from sandbox.tables import Records
+
+
+@kernel
+def choose_rows(work: JointWork, part: Records, seconds: float, acting: float, relaxing: bool) -> bool:
+    """Set the law of every row at the present velocities and mark the active ones; whether any mark has changed."""
+    changed = False
+    for r in range(part.first_row, part.row_end):
+        row = work.rows[r]
+        seat = work.seats[row.seat]
+        joint = work.joints[seat.joint]
+        before = row.active
+        row.active = 0
+        if row.stiffness > 0.0 and row.capped == 0:
+            speed = row_speed(work.members, row)
+            if relaxing:
+                aim_to_relax(row, joint, speed, seconds)
+            else:
+                aim_to_move(row, joint, row_error(row, seat), speed, seconds, acting)
+            row.active = _is_active(work, row, relaxing)
+        changed = changed or row.active != before
+    return changed
+
+
+@kernel
+def _is_active(work: JointWork, row: Records, relaxing: bool) -> int:
+    """1 unless the impulse is at a bound and would be pressed further against it. Puts it within its bounds first."""
+    clamp(work, row, relaxing)
+    current = row.relaxing if relaxing else row.impulse
+    if row.low >= row.high:
+        return 0
+    wanted = row_speed(work.members, row) + row.bias + row.softness * current
+    if (current <= row.low and wanted >= 0.0) or (current >= row.high and wanted <= 0.0):
+        return 0
+    return 1
+
+
+@kernel
+def clamp(work: JointWork, row: Records, relaxing: bool) -> None:
+    """Put a row's impulse within its bounds."""
+    current = row.relaxing if relaxing else row.impulse
+    within = current if current < row.high else row.high
+    within = within if within > row.low else row.low
+    if within != current:
+        change_impulse(work, row, within - current, relaxing)
+
+
+@kernel
+def cap_pairs(work: JointWork, part: Records, seconds: float, acting: float, relaxing: bool) -> None:
+    """Shorten forces of two rows that are together past their limit; such a pair has reached it for this pass."""
+    for r in range(part.first_row, part.row_end):
+        row = work.rows[r]
+        joint = work.joints[work.seats[row.seat].joint]
+        most = pair_strength(row, joint) if row.slot == 0 and row.stiffness > 0.0 else INFINITE
+        if most >= INFINITE:
+            continue
+        other = work.rows[r + 1]
+        limit = most * (seconds if relaxing else acting)
+        x = row.impulse + row.relaxing if relaxing else row.impulse
+        y = other.impulse + other.relaxing if relaxing else other.impulse
+        size = math.sqrt(x * x + y * y)
+        if size > limit:
+            share = limit / size - 1.0
+            change_impulse(work, row, share * x, relaxing)
+            change_impulse(work, other, share * y, relaxing)
+            row.capped = 1
+            other.capped = 1

@@ -1,0 +1,191 @@
+"""The rows of every joint: in which direction each pushes its members, and how easily they give way."""
+
+from __future__ import annotations
+
+from sandbox._jit import kernel
+from sandbox.engine.joints.laws import row_hertz
+from sandbox.engine.joints.work import JointWork
+from sandbox.tables import Records
+from sandbox.world.joint_records import (
+    DISTANCE,
+    GEAR,
+    PRISMATIC,
+    PULLEY,
+    REVOLUTE,
+    WHEEL,
+)
+
+
+@kernel
+def fill_rows(work: JointWork, part: Records) -> None:
+    """Jacobian, stiffness and present error of all rows of a part."""
+    for r in range(part.first_row, part.row_end):
+        row = work.rows[r]
+        seat = work.seats[row.seat]
+        joint = work.joints[seat.joint]
+        _fill(work, row, seat, joint)
+        row.stiffness = _stiffness(work.members, row)
+        row.error = row_error(row, seat)
+        row.soft = 1 if row.slot == 3 or row_hertz(row, joint) > 0.0 else 0
+
+
+@kernel
+def row_error(row: Records, seat: Records) -> float:
+    """Error of a row at the pose its joint was measured at; for springs, limits and motors the place."""
+    if row.slot >= 3:
+        return float(seat.place)
+    return float(seat.error_0 if row.slot == 0 else (seat.error_1 if row.slot == 1 else seat.error_2))
+
+
+@kernel
+def _fill(work: JointWork, row: Records, seat: Records, joint: Records) -> None:
+    kind = joint.kind
+    if kind == GEAR:
+        _fill_gear(work, row, seat, joint.ratio)
+    elif kind == PULLEY:
+        _fill_pulley(row, seat, joint.ratio)
+    elif kind == DISTANCE:
+        _along(row, seat, seat.axis_x, seat.axis_y)
+    elif kind in (PRISMATIC, WHEEL):
+        if row.slot == 0:
+            _along(row, seat, -seat.axis_y, seat.axis_x)
+        elif row.slot >= 3:
+            _along(row, seat, seat.axis_x, seat.axis_y)
+        else:
+            _about(row)
+    elif row.slot == 2 or (kind == REVOLUTE and row.slot >= 3):
+        _about(row)
+    elif row.slot == 0:
+        _set(row, -1.0, 0.0, seat.arm_ay, 1.0, 0.0, -seat.arm_by)
+    else:
+        _set(row, 0.0, -1.0, -seat.arm_ax, 0.0, 1.0, seat.arm_bx)
+
+
+@kernel
+def _set(row: Records, x1: float, y1: float, w1: float, x2: float, y2: float, w2: float) -> None:
+    row.x1 = x1
+    row.y1 = y1
+    row.w1 = w1
+    row.x2 = x2
+    row.y2 = y2
+    row.w2 = w2
+
+
+@kernel
+def _about(row: Records) -> None:
+    """Angle between the bodies."""
+    _set(row, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0)
+
+
+@kernel
+def _along(row: Records, seat: Records, x: float, y: float) -> None:
+    """Way of anchor b along an axis (x, y) that turns with a."""
+    turn_a = (seat.arm_ax + seat.gap_x) * y - (seat.arm_ay + seat.gap_y) * x
+    _set(row, -x, -y, -turn_a, x, y, seat.arm_bx * y - seat.arm_by * x)
+
+
+@kernel
+def _fill_pulley(row: Records, seat: Records, ratio: float) -> None:
+    ax = seat.axis_x
+    ay = seat.axis_y
+    bx = ratio * seat.gap_x
+    by = ratio * seat.gap_y
+    _set(row, ax, ay, seat.arm_ax * ay - seat.arm_ay * ax, bx, by, seat.arm_bx * by - seat.arm_by * bx)
+
+
+@kernel
+def _fill_gear(work: JointWork, row: Records, seat: Records, ratio: float) -> None:
+    """The second joint's coordinate goes to sides 3 and 4, the first one's to sides 1 and 2."""
+    second = work.seats[seat.seat_2]
+    _fill_coordinate(work, row, second)
+    row.x3 = ratio * row.x1
+    row.y3 = ratio * row.y1
+    row.w3 = ratio * row.w1
+    row.x4 = ratio * row.x2
+    row.y4 = ratio * row.y2
+    row.w4 = ratio * row.w2
+    first = work.seats[seat.seat_1]
+    _fill_coordinate(work, row, first)
+
+
+@kernel
+def _fill_coordinate(work: JointWork, row: Records, seat: Records) -> None:
+    if work.joints[seat.joint].kind == PRISMATIC:
+        _along(row, seat, seat.axis_x, seat.axis_y)
+    else:
+        _about(row)
+
+
+@kernel
+def _stiffness(members: Records, row: Records) -> float:
+    """J M^-1 J^T; a gear's sides may be the same member twice."""
+    m1 = members[row.member_1]
+    m2 = members[row.member_2]
+    found = m1.inverse_mass * (row.x1 * row.x1 + row.y1 * row.y1) + m1.inverse_inertia * row.w1 * row.w1
+    found = found + m2.inverse_mass * (row.x2 * row.x2 + row.y2 * row.y2) + m2.inverse_inertia * row.w2 * row.w2
+    if row.sides == 4:
+        for k in range(1, 5):
+            for m in range(1, 5):
+                if (k > 2 or m > 2) and side_member(row, k) == side_member(row, m):
+                    found = found + side_product(members, row, k, row, m)
+    return float(found)
+
+
+@kernel
+def side_member(row: Records, k: int) -> int:
+    """Member on side k (1 to 4) of a row."""
+    if k <= 2:
+        return int(row.member_1 if k == 1 else row.member_2)
+    return int(row.member_3 if k == 3 else row.member_4)
+
+
+@kernel
+def _side(row: Records, k: int) -> tuple[float, float, float]:
+    if k == 1:
+        return row.x1, row.y1, row.w1
+    if k == 2:
+        return row.x2, row.y2, row.w2
+    if k == 3:
+        return row.x3, row.y3, row.w3
+    return row.x4, row.y4, row.w4
+
+
+@kernel
+def side_product(members: Records, row: Records, k: int, other: Records, m: int) -> float:
+    """What one member, on side k of a row and on side m of another, adds to their J M^-1 J^T."""
+    x, y, w = _side(row, k)
+    ox, oy, ow = _side(other, m)
+    member = members[side_member(row, k)]
+    return float(member.inverse_mass * (x * ox + y * oy) + member.inverse_inertia * (w * ow))
+
+
+@kernel
+def row_speed(members: Records, row: Records) -> float:
+    """Speed of the members along a row, J v."""
+    a = members[row.member_1]
+    b = members[row.member_2]
+    speed = row.x1 * a.velocity_x + row.y1 * a.velocity_y + row.w1 * a.angular_velocity
+    speed = speed + row.x2 * b.velocity_x + row.y2 * b.velocity_y + row.w2 * b.angular_velocity
+    if row.sides == 4:
+        a = members[row.member_3]
+        b = members[row.member_4]
+        speed = speed + row.x3 * a.velocity_x + row.y3 * a.velocity_y + row.w3 * a.angular_velocity
+        speed = speed + row.x4 * b.velocity_x + row.y4 * b.velocity_y + row.w4 * b.angular_velocity
+    return float(speed)
+
+
+@kernel
+def push_row(members: Records, row: Records, impulse: float) -> None:
+    """Apply an impulse along a row to its members."""
+    _push(members[row.member_1], row.x1, row.y1, row.w1, impulse)
+    _push(members[row.member_2], row.x2, row.y2, row.w2, impulse)
+    if row.sides == 4:
+        _push(members[row.member_3], row.x3, row.y3, row.w3, impulse)
+        _push(members[row.member_4], row.x4, row.y4, row.w4, impulse)
+
+
+@kernel
+def _push(member: Records, x: float, y: float, w: float, impulse: float) -> None:
+    member.velocity_x += member.inverse_mass * (x * impulse)
+    member.velocity_y += member.inverse_mass * (y * impulse)
+    member.angular_velocity += member.inverse_inertia * (w * impulse)

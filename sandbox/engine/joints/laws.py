@@ -1,0 +1,169 @@
+"""What each row strives for, and with how much strength: rigid, soft, or up to a bound.
+
+A row's impulse p makes `speed + bias + softness * p` zero, unless p would leave `low..high`.
+"""
+
+from __future__ import annotations
+
+from sandbox._jit import kernel
+from sandbox.geometry.trig import PI
+from sandbox.tables import Records
+from sandbox.world.joint_records import FRICTION, MOTOR, PRISMATIC, REVOLUTE, TARGET, WELD, WHEEL
+
+INFINITE = 1e300
+COMPLIANCE = 1e-4
+"""How far rigid rows give way, as a share of how far their members do: ropes that are drawn straight stay solvable."""
+CORRECTION_SPEED = 4.0
+"""Fastest recovery of what a joint keeps, after something else has pulled it apart, in m/s or rad/s."""
+
+
+@kernel
+def aim_to_move(row: Records, joint: Records, ahead: float, speed: float, seconds: float, acting: float) -> None:
+    """The law of a row while positions are solved.
+
+    `ahead` is its error where the members will be at their present `speed` after `seconds`; forces act for `acting`
+    seconds of the substep, which is half of it where the other half follows after the move.
+    """
+    row.softness = 0.0
+    row.low = -INFINITE
+    row.high = INFINITE
+    if row.slot == 4:
+        _drive_to_move(row, joint, ahead, speed, seconds, acting)
+    elif row.slot == 3 or row_hertz(row, joint) > 0.0:
+        rest = row.error - (_rest(joint) if row.slot == 3 else 0.0)
+        hertz = joint.hertz if row.slot == 3 else row_hertz(row, joint)
+        ratio = joint.angular_damping_ratio if row.slot == 2 else joint.damping_ratio
+        omega = 2.0 * PI * hertz
+        lag = 2.0 * ratio + acting * omega
+        row.bias = omega * rest / lag if lag > 0.0 else 0.0
+        row.softness = row.stiffness / (acting * omega * lag) if lag > 0.0 and omega > 0.0 else INFINITE
+        _bound(row, acting * strength(row, joint))
+    elif is_brake(row, joint):
+        row.bias = -joint.motor_speed if joint.kind == WHEEL else 0.0
+        _bound(row, acting * strength(row, joint))
+    else:
+        row.bias = (ahead - kept(row.error, seconds)) / seconds - speed
+        row.softness = COMPLIANCE * row.stiffness
+        _bound(row, acting * strength(row, joint))
+
+
+@kernel
+def aim_to_relax(row: Records, joint: Records, speed: float, seconds: float) -> None:
+    """The law of a row once its members have moved: only velocities count. Springs have had their say."""
+    row.softness = 0.0
+    row.low = -INFINITE
+    row.high = INFINITE
+    row.bias = 0.0
+    if row.slot == 4:
+        _drive_to_relax(row, joint, speed, seconds)
+    elif row.slot == 3 or row_hertz(row, joint) > 0.0:
+        row.low = row.high = row.relaxing
+    else:
+        row.bias = -joint.motor_speed if is_brake(row, joint) and joint.kind == WHEEL else 0.0
+        row.softness = COMPLIANCE * row.stiffness
+        limit = seconds * strength(row, joint)
+        row.low = -limit - row.impulse
+        row.high = limit - row.impulse
+
+
+@kernel
+def kept(error: float, seconds: float) -> float:
+    """What is left of an error after one substep: nothing, unless it is large."""
+    most = CORRECTION_SPEED * seconds
+    return error - most if error > most else (error + most if error < -most else 0.0)
+
+
+@kernel
+def row_hertz(row: Records, joint: Records) -> float:
+    """Stiffness of a row that the kind itself keeps; 0 is rigid."""
+    if row.slot > 2 or not (joint.kind == WELD or joint.kind == MOTOR or joint.kind == TARGET):
+        return 0.0
+    return float(joint.angular_hertz if row.slot == 2 else joint.hertz)
+
+
+@kernel
+def is_brake(row: Records, joint: Records) -> bool:
+    """Whether a row of slots 0 to 2 keeps a speed rather than a place."""
+    return bool(joint.kind == FRICTION or (joint.kind == WHEEL and row.slot == 2))
+
+
+@kernel
+def strength(row: Records, joint: Records) -> float:
+    """Most force (N) or torque (N m) of a row of slots 0 to 3."""
+    if joint.kind == WHEEL and row.slot == 2:
+        return float(joint.max_motor)
+    if row.slot > 2 or not (joint.kind == MOTOR or joint.kind == TARGET or joint.kind == FRICTION):
+        return INFINITE
+    return float(joint.max_torque if row.slot == 2 else joint.max_force)
+
+
+@kernel
+def _bound(row: Records, limit: float) -> None:
+    row.low = -limit
+    row.high = limit
+
+
+@kernel
+def _rest(joint: Records) -> float:
+    turns = joint.kind == REVOLUTE or joint.kind == PRISMATIC or joint.kind == WHEEL
+    return float(joint.rest if turns else joint.length)
+
+
+@kernel
+def _drive_to_move(row: Records, joint: Records, ahead: float, speed: float, seconds: float, acting: float) -> None:
+    slowest = -INFINITE
+    fastest = INFINITE
+    if joint.limit == 1:
+        over = kept(row.error - joint.upper, seconds)
+        under = kept(row.error - joint.lower, seconds)
+        slowest = speed - (ahead - joint.lower - (under if under < 0.0 else 0.0)) / seconds
+        fastest = speed - (ahead - joint.upper - (over if over > 0.0 else 0.0)) / seconds
+    _drive(row, joint, speed, slowest, fastest, acting, row.impulse)
+
+
+@kernel
+def _drive_to_relax(row: Records, joint: Records, speed: float, seconds: float) -> None:
+    slowest = -INFINITE
+    fastest = INFINITE
+    if joint.limit == 1:
+        slowest = (joint.lower - row.error) / seconds
+        fastest = (joint.upper - row.error) / seconds
+        slowest = slowest if slowest < 0.0 else 0.0
+        fastest = fastest if fastest > 0.0 else 0.0
+    _drive(row, joint, speed, slowest, fastest, seconds, row.impulse + row.relaxing)
+    row.low = row.low - row.impulse
+    row.high = row.high - row.impulse
+
+
+@kernel
+def _drive(
+    row: Records, joint: Records, speed: float, slowest: float, fastest: float, acting: float, total: float
+) -> None:
+    """A motor with limits: it strives for its speed as far as its strength goes; a limit adds what is lacking.
+
+    `slowest` and `fastest` are the speeds that just reach the lower and the upper limit, `total` the impulse so far.
+    """
+    runs = joint.motor == 1 and joint.kind != WHEEL
+    most = acting * joint.max_motor if runs else 0.0
+    aim = joint.motor_speed if runs else speed
+    row.low = -most
+    row.high = most
+    if joint.limit == 1 and joint.lower >= joint.upper:
+        aim = slowest
+        row.low = -INFINITE
+        row.high = INFINITE
+    elif aim < slowest or (speed < slowest and total >= most) or total > most:
+        row.low = -most if aim < slowest else most
+        row.high = INFINITE
+        aim = slowest
+    elif aim > fastest or (speed > fastest and total <= -most) or total < -most:
+        row.high = most if aim > fastest else -most
+        row.low = -INFINITE
+        aim = fastest
+    row.bias = -aim
+
+
+@kernel
+def pair_strength(row: Records, joint: Records) -> float:
+    """Most force (N) of rows 0 and 1 together, where they share a limit in all directions."""
+    return strength(row, joint) if joint.kind == MOTOR or joint.kind == TARGET or joint.kind == FRICTION else INFINITE

@@ -1,0 +1,142 @@
+"""The stages of the joint solver, in the order in which the step calls them.
+
+Positions are solved by RATTLE (H. Andersen, 1983), the constrained form of velocity Verlet: impulses along the rows
+of now bring the members to where every joint is kept *after* the move, and after it the velocities are relaxed along
+the rows of then. It is of second order and symplectic, so that a pendulum keeps its energy. Springs follow the
+implicit midpoint rule. Parts that something else bears take the whole force before the move, as contacts do.
+"""
+
+from __future__ import annotations
+
+from sandbox._jit import kernel
+from sandbox.engine.joints.choose import cap_pairs, choose_rows, clamp
+from sandbox.engine.joints.direct import change_impulse, factorize, solve_directly
+from sandbox.engine.joints.jacobian import fill_rows
+from sandbox.engine.joints.measure import measure
+from sandbox.engine.joints.members import gather_members, go_straight, load_members, look, scatter_members
+from sandbox.engine.joints.report import accumulate, read_impulses
+from sandbox.engine.joints.sweeps import solve_by_sweeps
+from sandbox.engine.joints.tension import tame_tension
+from sandbox.engine.joints.work import JointWork
+from sandbox.tables import Records
+
+_TURNS = 8
+"""Most guesses at which rows are at their bounds, in one pass."""
+
+
+@kernel
+def begin_joints(work: JointWork, bodies: Records, contacts: Records, count: int) -> None:
+    """Load members, find out which parts something bears, and take over the impulses of the last step."""
+    load_members(work, bodies)
+    for p in range(work.parts.shape[0]):
+        work.parts[p].borne = 0
+    for i in range(count):
+        contact = contacts[i]
+        if contact.normal_impulse1 > 0.0 or contact.normal_impulse2 > 0.0:
+            for k in range(2):
+                part = work.part_of[contact.body_a if k == 0 else contact.body_b]
+                if part >= 0:
+                    work.parts[part].borne = 1
+    read_impulses(work)
+
+
+@kernel
+def select_parts(work: JointWork, flights: Records, pace: int) -> None:
+    """Choose the parts whose islands take their substeps now."""
+    for p in range(work.parts.shape[0]):
+        part = work.parts[p]
+        same = part.awake == 1 and flights[work.members[part.first_member].body].pace == pace
+        part.current = 1 if same else 0
+
+
+@kernel
+def solve_joints(work: JointWork, bodies: Records, motions: Records, flights: Records, seconds: float) -> None:
+    """Before the move: change velocities so that joints will be kept after it."""
+    gather_members(work, motions, flights, True)
+    for p in range(work.parts.shape[0]):
+        part = work.parts[p]
+        if part.current == 1:
+            acting = seconds if part.borne == 1 else 0.5 * seconds
+            look(work, part, bodies, motions, 0.0)
+            measure(work, part)
+            fill_rows(work, part)
+            tame_tension(work, part, seconds, acting)
+            fill_rows(work, part)
+            _start_warm(work, part, False)
+            _solve(work, part, bodies, motions, seconds, acting, False)
+    scatter_members(work, motions)
+
+
+@kernel
+def let_members_move(work: JointWork, motions: Records, flights: Records) -> None:
+    """Make `integrate_positions` move members by the velocities that the joints count on."""
+    go_straight(work, motions, flights)
+
+
+@kernel
+def relax_joints(work: JointWork, bodies: Records, motions: Records, flights: Records, seconds: float) -> None:
+    """After the move: change velocities so that they keep the joints, too."""
+    gather_members(work, motions, flights, False)
+    for p in range(work.parts.shape[0]):
+        part = work.parts[p]
+        if part.current == 1:
+            look(work, part, bodies, motions, 0.0)
+            measure(work, part)
+            fill_rows(work, part)
+            _start_warm(work, part, True)
+            _solve(work, part, bodies, motions, seconds, seconds, True)
+            accumulate(work, part)
+    scatter_members(work, motions)
+
+
+@kernel
+def _start_warm(work: JointWork, part: Records, relaxing: bool) -> None:
+    """Apply the impulses of the substep before; springs give the other half of theirs where they act in halves."""
+    for r in range(part.first_row, part.row_end):
+        row = work.rows[r]
+        row.capped = 0
+        row.active = -1
+        if row.stiffness == 0.0:
+            row.impulse = 0.0
+            row.relaxing = 0.0
+            row.active = 0
+        current = row.relaxing if relaxing else row.impulse
+        if relaxing and row.soft == 1:
+            current = 0.0 if part.borne == 1 else row.impulse
+        if relaxing:
+            row.relaxing = 0.0
+        else:
+            row.impulse = 0.0
+        change_impulse(work, row, current, relaxing)
+
+
+@kernel
+def _solve(
+    work: JointWork,
+    part: Records,
+    bodies: Records,
+    motions: Records,
+    seconds: float,
+    acting: float,
+    relaxing: bool,
+) -> None:
+    for turn in range(_TURNS):
+        if not relaxing:
+            look(work, part, bodies, motions, seconds)
+            measure(work, part)
+        changed = choose_rows(work, part, seconds, acting, relaxing)
+        if turn > 0 and not changed:
+            break
+        if part.direct == 1:
+            if changed:
+                factorize(work, part)
+            solve_directly(work, part, relaxing)
+        else:
+            solve_by_sweeps(work, part, relaxing)
+        cap_pairs(work, part, seconds, acting, relaxing)
+        if part.bounded == 0:
+            break
+    for r in range(part.first_row, part.row_end):
+        row = work.rows[r]
+        if row.stiffness > 0.0 and row.capped == 0:
+            clamp(work, row, relaxing)

@@ -1,0 +1,148 @@
+"""Scratch memory of the joint solver: never hashed, never saved; a pure function of the joint and body tables.
+
+Jointed bodies are gathered into *members*, joints into *seats*, and every scalar constraint is a *row*. What hangs
+together by joints is a *part*; it is solved as one linear system.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from sandbox.tables import Field, Floats, Integers, Records, Table
+
+MEMBER = Table(
+    "member",
+    (
+        Field("body", "-", "index of the body; -1 for the world, which is member 0", "i8"),
+        Field("part", "-", "part it belongs to; -1 for what joints cannot move", "i8"),
+        Field("inverse_mass", "1/kg", ""),
+        Field("inverse_inertia", "1/(kg m^2)", "of the pass; less than the body's own under high tension"),
+        Field("inertia", "kg m^2", "the body's own; 0 where it cannot turn"),
+        Field("tension", "N m", "what turns it back, for each radian, when joints pull at its anchors"),
+        Field("velocity_x", "m/s", "what the joint solver works on"),
+        Field("velocity_y", "m/s", "what the joint solver works on"),
+        Field("angular_velocity", "rad/s", "what the joint solver works on"),
+        Field("kick_x", "m/s", "half of what forces add in this substep, held back while it moves"),
+        Field("kick_y", "m/s", "half of what forces add in this substep, held back while it moves"),
+        Field("kick_w", "rad/s", "half of what forces add in this substep, held back while it moves"),
+        Field("center_x", "m", "centre of mass when the step began"),
+        Field("center_y", "m", "centre of mass when the step began"),
+        Field("way_x", "m", "way of the centre since then, at the pose looked at"),
+        Field("way_y", "m", "way of the centre since then, at the pose looked at"),
+        Field("cos", "1", "rotation at the pose looked at"),
+        Field("sin", "1", "rotation at the pose looked at"),
+        Field("angle", "rad", "angle at the pose looked at"),
+    ),
+)
+
+SEAT = Table(
+    "seat",
+    (
+        Field("joint", "-", "row in the joint table", "i8"),
+        Field("part", "-", "", "i8"),
+        Field("member_a", "-", "", "i8"),
+        Field("member_b", "-", "", "i8"),
+        Field("seat_1", "-", "gear: seats of the joints it couples", "i8"),
+        Field("seat_2", "-", "", "i8"),
+        Field("first_row", "-", "", "i8"),
+        Field("row_count", "-", "", "i8"),
+        Field("arm_ax", "m", "anchor from the centre of a, world axes, at the pose looked at"),
+        Field("arm_ay", "m", ""),
+        Field("arm_bx", "m", ""),
+        Field("arm_by", "m", ""),
+        Field("gap_x", "m", "from anchor a to anchor b"),
+        Field("gap_y", "m", ""),
+        Field("turn", "rad", "angle of b less angle of a, less the reference angle"),
+        Field("axis_x", "1", "unit axis of the slide, or from anchor a to anchor b"),
+        Field("axis_y", "1", ""),
+        Field("error_0", "m or rad", "how far rows 0 to 2 are from being kept"),
+        Field("error_1", "m or rad", ""),
+        Field("error_2", "rad", ""),
+        Field("place", "m or rad", "length, slide or angle: what spring, limit and motor act on"),
+    ),
+)
+
+ROW = Table(
+    "row",
+    (
+        Field("seat", "-", "the joint it belongs to", "i8"),
+        Field("slot", "-", "0 to 2: what the kind keeps; 3: its spring; 4: its limit and motor", "i8"),
+        Field("sides", "-", "members it acts on: 2, or 4 for a gear", "i8"),
+        *(Field(f"member_{k}", "-", "", "i8") for k in (1, 2, 3, 4)),
+        *(Field(f"{axis}{k}", "1 or m", "Jacobian") for k in (1, 2, 3, 4) for axis in "xyw"),
+        Field("stiffness", "1/kg", "J M^-1 J^T: speed that a unit impulse gives; 0 while it has no say"),
+        Field("error", "m or rad", "when the substep began"),
+        Field("bias", "m/s or rad/s", "the row strives for speed + bias + softness * impulse = 0"),
+        Field("softness", "1/kg", "compliance over one impulse"),
+        Field("low", "N s", "bounds of the impulse"),
+        Field("high", "N s", ""),
+        Field("impulse", "N s", "while positions are solved"),
+        Field("relaxing", "N s", "while velocities are relaxed"),
+        Field("total", "N s", "over the step so far"),
+        Field("soft", "-", "1 for springs, which have no say once the members have moved", "i8"),
+        Field("active", "-", "1 while it is part of the linear system", "i8"),
+        Field("capped", "-", "1 once its pair has reached the limit of the force", "i8"),
+        Field("change", "N s", "solution of the linear system"),
+    ),
+)
+
+PART = Table(
+    "part",
+    (
+        Field("first_row", "-", "", "i8"),
+        Field("row_end", "-", "", "i8"),
+        Field("first_seat", "-", "", "i8"),
+        Field("seat_end", "-", "", "i8"),
+        Field("first_member", "-", "", "i8"),
+        Field("member_end", "-", "", "i8"),
+        Field("first_link", "-", "", "i8"),
+        Field("link_end", "-", "", "i8"),
+        Field("first_target", "-", "", "i8"),
+        Field("bounded", "-", "1 when some row may have bounds", "i8"),
+        Field("direct", "-", "1: factorised; 0: too dense for that, solved by sweeps", "i8"),
+        Field("awake", "-", "", "i8"),
+        Field("anchored", "-", "1 when it is joined to something that does not move", "i8"),
+        Field("current", "-", "1 while it is solved: awake, and its island has the pace under way", "i8"),
+        Field("borne", "-", "1 when something that is not joined to it bears it", "i8"),
+    ),
+)
+
+LINK = Table(
+    "link",
+    (
+        Field("row", "-", "two rows that share a member", "i8"),
+        Field("other", "-", "", "i8"),
+        Field("side", "-", "which of the row's members it is, 1 to 4", "i8"),
+        Field("other_side", "-", "", "i8"),
+        Field("entry", "-", "place of the pair in the matrix", "i8"),
+    ),
+)
+
+
+BOND = Table(
+    "bond",
+    (
+        Field("low", "-", "lower index of two joined bodies", "i8"),
+        Field("high", "-", "higher index", "i8"),
+    ),
+)
+
+
+class JointWork(NamedTuple):
+    """The arrays of the joint solver; `entries` is the lower triangle, column by column, `starts` its columns.
+
+    `ties` are the pairs of bodies with a joint. `part_of` names the part of every body, -1 where it has none.
+    """
+
+    joints: Records
+    ties: Records
+    part_of: Integers
+    members: Records
+    seats: Records
+    rows: Records
+    parts: Records
+    links: Records
+    starts: Integers
+    row_of: Integers
+    targets: Integers
+    entries: Floats

@@ -1,0 +1,64 @@
+"""What joints refer to: bodies and other joints; and that no two joints have the same id."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import islice
+from typing import Any
+
+from sandbox.scene import plain
+from sandbox.scene.finding import Finding, Path, did_you_mean, quoted
+from sandbox.scene.limits import MAX_FINDINGS, MAX_JOINTS
+from sandbox.scene.names import BodyNames
+
+
+def joint_references(data: dict[str, Any], ids: BodyNames) -> Iterator[Finding]:
+    """A finding for every name in a joint that refers to nothing, and for every id that is taken."""
+    joints = list(islice(plain.children(data.get("joints"), ("joints",)), MAX_JOINTS))
+    known = _chain_ids(data)
+    for path, joint in joints:
+        name = joint.get("id")
+        if isinstance(name, str):
+            if name in known:
+                yield Finding((*path, "id"), f"the id {quoted(name)} is taken by another joint")
+            known.setdefault(name, path)
+    for path, joint in joints:
+        yield from _bodies(path, joint, ids)
+        for place, name in plain.texts(joint.get("joints"), (*path, "joints")):
+            if name not in known:
+                yield Finding(place, f"no joint has the id {quoted(name)}", did_you_mean(name, known))
+
+
+def _chain_ids(data: dict[str, Any]) -> dict[str, Path]:
+    """The ids of the hinges that chains make, as far as they can be read."""
+    known: dict[str, Path] = {}
+    for path, generator in plain.children(data.get("generate"), ("generate",)):
+        name, count = generator.get("id"), generator.get("count")
+        if "chain" in generator and isinstance(name, str) and isinstance(count, int) and 0 < count <= MAX_JOINTS:
+            pin = generator.get("pin", "none")
+            first = 0 if pin in ("start", "both") else 1
+            last = count if pin in ("end", "both") else count - 1
+            known.update((f"{name}-joint-{k}", path) for k in range(first, last + 1))
+    return known
+
+
+def _bodies(path: Path, joint: dict[str, Any], ids: BodyNames) -> Iterator[Finding]:
+    names = list(plain.texts(joint.get("bodies"), (*path, "bodies")))
+    for place, name in names:
+        if ids.counted and name not in ids.origins and not name.startswith(ids.unread):
+            yield Finding(place, f"no body has the id {quoted(name)}", did_you_mean(name, ids.origins))
+    if len(names) == 2 and names[0][1] == names[1][1]:
+        yield Finding(names[1][0], f"{quoted(names[1][1])} cannot be joined to itself")
+    listed = joint.get("bodies")
+    if isinstance(listed, (list, tuple)) and listed and all(entry is None for entry in islice(listed, MAX_FINDINGS)):
+        yield Finding((*path, "bodies"), "a joint needs at least one body")
+    if joint.get("type") == "target" and isinstance(listed, (list, tuple)) and len(listed) == 2:
+        yield Finding((*path, "bodies"), 'a target joint pulls one body: "bodies": ["id"]')
+    yield from _ranges(path, joint)
+
+
+def _ranges(path: Path, joint: dict[str, Any]) -> Iterator[Finding]:
+    for low, high in (("lower", "upper"), ("min", "max")):
+        least, most = joint.get(low), joint.get(high)
+        if plain.is_number(least) and plain.is_number(most) and least > most:
+            yield Finding((*path, low), f'"{low}" must not be greater than "{high}"')

@@ -1,0 +1,35 @@
+"""Where a joint's anchors, axis and angle are at the pose of now."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sandbox.world.state import State
+
+Vec = tuple[float, float]
+
+
+def anchor(state: State, joint: Any, side: str) -> Vec:
+    """Anchor on body "a" or "b" in the world, m."""
+    index, x, y = joint[f"body_{side}"], float(joint[f"anchor_{side}x"]), float(joint[f"anchor_{side}y"])
+    if index < 0:
+        return x, y
+    body: Any = state.bodies[index]
+    c, s = float(body.rotation_cos), float(body.rotation_sin)
+    return float(body.center_x) + (c * x - s * y), float(body.center_y) + (s * x + c * y)
+
+
+def joint_axis(state: State, joint: Any) -> Vec:
+    """Unit axis of a prismatic or wheel joint in the world."""
+    x, y = float(joint.axis_x), float(joint.axis_y)
+    if joint.body_a < 0:
+        return x, y
+    body: Any = state.bodies[joint.body_a]
+    c, s = float(body.rotation_cos), float(body.rotation_sin)
+    return c * x - s * y, s * x + c * y
+
+
+def angle_between(state: State, joint: Any) -> float:
+    """Angle of body b less that of body a, less the reference angle, rad."""
+    angles = [float(state.bodies[i].angle) if i >= 0 else 0.0 for i in (joint.body_a, joint.body_b)]
+    return angles[1] - angles[0] - float(joint.reference_angle)

@@ -1,0 +1,54 @@
+"""The record of a joint: one table for all kinds; a field that a kind has no use for stays zero."""
+
+from __future__ import annotations
+
+from sandbox.tables import Field, Table
+
+DISTANCE, REVOLUTE, PRISMATIC, WELD, WHEEL, GEAR, PULLEY, MOTOR, TARGET, FRICTION = range(10)
+
+JOINT = Table(
+    "joint",
+    (
+        Field("kind", "-", "one of the ten above", "i8"),
+        Field("body_a", "-", "index of the first body; -1 for the world", "i8"),
+        Field("body_b", "-", "index of the second body; -1 for the world", "i8"),
+        Field("joint_1", "-", "gear: the first joint it couples, else -1", "i8"),
+        Field("joint_2", "-", "gear: the second joint it couples, else -1", "i8"),
+        Field("anchor_ax", "m", "anchor on a from its centre, in its frame; in the world where a is the world"),
+        Field("anchor_ay", "m", "anchor on a from its centre, in its frame; in the world where a is the world"),
+        Field("anchor_bx", "m", "anchor on b from its centre, in its frame; in the world where b is the world"),
+        Field("anchor_by", "m", "anchor on b from its centre, in its frame; in the world where b is the world"),
+        Field("axis_x", "1", "prismatic, wheel: unit axis in the frame of a"),
+        Field("axis_y", "1", "prismatic, wheel: unit axis in the frame of a"),
+        Field("reference_angle", "rad", "angle of b less angle of a that counts as zero"),
+        Field("length", "m", "distance: rest length; pulley, gear: what the weighted sum stays at (gear: m or rad)"),
+        Field("ratio", "1", "pulley, gear: weight of the second side"),
+        Field("point_ax", "m", "pulley: wheel above a; target: the target; motor: offset of b in the frame of a"),
+        Field("point_ay", "m", "pulley: wheel above a; target: the target; motor: offset of b in the frame of a"),
+        Field("point_bx", "m", "pulley: wheel above b"),
+        Field("point_by", "m", "pulley: wheel above b"),
+        Field("spring", "-", "1 while its spring acts", "i8"),
+        Field("hertz", "1/s", "of the spring; weld, motor, target: of the position; 0 is rigid"),
+        Field("damping_ratio", "1", "of the same; 1 is critical"),
+        Field("angular_hertz", "1/s", "weld, motor: of the angle; 0 is rigid"),
+        Field("angular_damping_ratio", "1", "of the same; 1 is critical"),
+        Field("rest", "m or rad", "where the spring pulls the slide or angle to"),
+        Field("limit", "-", "1 while the limits hold", "i8"),
+        Field("lower", "m or rad", "least length, slide or angle"),
+        Field("upper", "m or rad", "greatest length, slide or angle"),
+        Field("motor", "-", "1 while its motor runs", "i8"),
+        Field("motor_speed", "m/s or rad/s", "what the motor strives for"),
+        Field("max_motor", "N or N m", "most that the motor gives"),
+        Field("max_force", "N", "motor, target, friction: limit of the force"),
+        Field("max_torque", "N m", "motor, friction: limit of the torque"),
+        Field("break_force", "N", "breaks above this; infinite if never"),
+        Field("break_torque", "N m", "breaks above this; infinite if never"),
+        Field("collide", "-", "1 if the two bodies collide with each other", "i8"),
+        Field("enabled", "-", "0 while the joint is switched off", "i8"),
+        Field("broken_step", "-", "step at which it broke; -1 while it holds", "i8"),
+        *(Field(f"impulse_{k}", "N s or N m s", f"of row {k} over the last substep") for k in range(5)),
+        Field("force_x", "N", "that the joint exerts on b, mean of the last step"),
+        Field("force_y", "N", "that the joint exerts on b, mean of the last step"),
+        Field("torque", "N m", "that the joint exerts on b about its anchor, mean of the last step"),
+    ),
+)
