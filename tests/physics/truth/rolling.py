@@ -1,0 +1,45 @@
+"""A disc on a slope and on the flat."""
+
+from __future__ import annotations
+
+import math
+
+from tests.flat import circle, scene
+from tests.physics.truth.experiment import RATE, Engine, G, experiment, off
+from tests.physics.truth.slopes import rider, slope, up_the_slope, way_up
+
+
+@experiment("disc rolls down a slope", "way and spin after 3 s", bound=1e-4)
+def rolling(start: Engine) -> float:
+    """a = 2/3 g sin: a third of the pull goes into the spin."""
+    worst = 0.0
+    for degrees in (5.0, 20.0):
+        angle = math.radians(degrees)
+        run = start(scene(slope(angle, friction=1.0), rider(angle, circle(0.5, friction=1.0), 0.5)))
+        run.step(3 * RATE)
+        a = 2.0 / 3.0 * G * math.sin(angle)
+        worst = max(worst, off(-way_up(run, angle), 0.5 * a * 3.0**2), off(run.spin("rider"), a * 3.0 / 0.5))
+    return worst
+
+
+@experiment("disc slips down a slope", "way and spin after 2 s", bound=1e-4)
+def slipping(start: Engine) -> float:
+    """Friction gives all that it has: a = g (sin - mu cos), and the spin grows by 2 mu g cos / r."""
+    angle, mu = math.radians(50.0), 0.1
+    run = start(scene(slope(angle, friction=mu), rider(angle, circle(0.5, friction=mu), 0.5)))
+    run.step(2 * RATE)
+    way = 0.5 * G * (math.sin(angle) - mu * math.cos(angle)) * 2.0**2
+    return max(off(-way_up(run, angle), way), off(run.spin("rider"), 2.0 * mu * G * math.cos(angle) / 0.5 * 2.0))
+
+
+@experiment("sliding disc begins to roll", "way, speed and spin after 3 s", bound=1e-4)
+def begins_to_roll(start: Engine) -> float:
+    """It slows at mu g until it rolls, after v / (3 mu g), and goes on at two thirds of its speed."""
+    mu, speed = 0.4, 6.0
+    run = start(scene(slope(0.0, friction=mu), rider(0.0, circle(0.5, friction=mu), 0.5, speed)))
+    run.step(3 * RATE)
+    slips = speed / (3.0 * mu * G)
+    way = speed * slips - 0.5 * mu * G * slips**2 + 2.0 / 3.0 * speed * (3.0 - slips)
+    rolls = up_the_slope(0.0, run.velocity("rider"))
+    speeds = max(off(rolls, 2.0 / 3.0 * speed), off(run.spin("rider"), -2.0 / 3.0 * speed / 0.5))
+    return max(off(way_up(run, 0.0), way), speeds)

@@ -1,0 +1,84 @@
+"""All experiments with all engines that are installed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from importlib.util import find_spec
+
+from tests.physics.truth import bouncing, colliding, falling, ours, rolling, sliding, tipping, with_pymunk
+from tests.physics.truth.experiment import Engine, Experiment
+
+EXPERIMENTS: tuple[Experiment, ...] = (
+    falling.free_fall,
+    falling.projectile,
+    falling.spinning_body,
+    *sliding.INCLINES,
+    sliding.settling,
+    sliding.creeping,
+    sliding.up_and_stay,
+    sliding.stopping,
+    sliding.conveyor,
+    rolling.rolling,
+    rolling.slipping,
+    rolling.begins_to_roll,
+    tipping.tipping,
+    bouncing.series,
+    bouncing.perfect,
+    colliding.head_on,
+    colliding.oblique,
+    colliding.rough,
+    colliding.rod_end,
+)
+"""Rows of the table, in its order."""
+
+ROUNDING = 1e-12
+"""Errors that differ by less than this are called equal."""
+
+Row = dict[str, float]
+"""Relative error by the name of the engine."""
+
+
+def engines() -> dict[str, Engine]:
+    """Engines by name, ours first; Box2D only where pyb2d3 is installed (the `bench` extra)."""
+    found: dict[str, Engine] = {ours.NAME: ours.OurRun, with_pymunk.NAME: with_pymunk.PymunkRun}
+    if find_spec("pyb2d3") is not None:
+        from tests.physics.truth import with_box2d
+
+        found[with_box2d.NAME] = with_box2d.Box2dRun
+    return found
+
+
+def measure(experiments: Iterable[Experiment] = EXPERIMENTS) -> dict[str, Row]:
+    """The error of every engine in every experiment."""
+    return {each.name: measure_one(each) for each in experiments}
+
+
+def measure_one(experiment: Experiment) -> Row:
+    """The error of every engine in one experiment."""
+    return {name: experiment.measure(engine) for name, engine in engines().items()}
+
+
+def is_best(error: float, row: Row) -> bool:
+    """Whether nobody in the row is better by more than rounding."""
+    return error <= min(row.values()) + ROUNDING
+
+
+def head(each: Experiment) -> str:
+    """The first two cells of an experiment's row."""
+    return f"| {each.name} | {each.against} |"
+
+
+def as_markdown(rows: dict[str, Row], experiments: Iterable[Experiment] = EXPERIMENTS) -> str:
+    """The table for `sandbox/ARCHITECTURE.md`, the best of each row in bold."""
+    names = list(engines())
+    lines = ["| experiment | error of | " + " | ".join(names) + " |", "|---|---|" + "---|" * len(names)]
+    for each in experiments:
+        row = rows[each.name]
+        cells = [_cell(row[name], is_best(row[name], row)) for name in names]
+        lines.append(f"{head(each)} " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
+def _cell(error: float, best: bool) -> str:
+    text = "0" if error < ROUNDING else f"{error:.1e}".replace("e-0", "e-").replace("e+00", "")
+    return f"**{text}**" if best else text
