@@ -15,10 +15,11 @@ from sandbox.engine.grid import boxes_overlap
 from sandbox.engine.integrate import place_origin
 from sandbox.engine.islands import is_active
 from sandbox.engine.joints.apart import are_joined
+from sandbox.engine.one_way import comes_from_front
 from sandbox.geometry.sweep import time_of_hit
 from sandbox.geometry.trig import cos_sin
 from sandbox.tables import Integers, Records
-from sandbox.world.records import DYNAMIC, KINEMATIC, STATIC
+from sandbox.world.records import DYNAMIC, KINEMATIC, ONE_WAY, STATIC
 
 FAST_SHARE = 0.5
 """A body that moves or swings farther in a step than this share of its half width is swept."""
@@ -168,6 +169,10 @@ def _hold(
         return int(bodies[a].bullet + bodies[b].bullet > 0)
     mover = b if bodies[a].type == STATIC else a
     _lay_way(bodies, motions, a, b, 0.0, 0.0, 1.0, 1.0, sweep[0])
+    if (shapes[pair.shape_a].traits | shapes[pair.shape_b].traits) & ONE_WAY:
+        slop = allowed_depth(shapes[pair.shape_a], shapes[pair.shape_b])
+        if not comes_from_front(bodies, shapes, turned, pair.shape_a, pair.shape_b, sweep[0].x, sweep[0].y, slop):
+            return 0
     t = _hit(shapes, turned, pair.shape_a, pair.shape_b, manifold, sweep, swept)
     if t >= 0.0 and t < holds[mover].stop:
         holds[mover].stop = t

@@ -8,11 +8,12 @@ from sandbox._jit import ZERO, inlined_kernel, kernel
 from sandbox.engine.bounds import shape_margin
 from sandbox.engine.continuous import allowed_depth
 from sandbox.engine.islands import is_active
+from sandbox.engine.one_way import comes_from_front, leads_on
 from sandbox.engine.seams import mend_contact
 from sandbox.geometry.manifold import collide_cores
 from sandbox.geometry.time_of_touch import time_of_touch
 from sandbox.tables import Records
-from sandbox.world.records import STATIC
+from sandbox.world.records import ONE_WAY, SEAMED, STATIC
 
 FACE_BIAS = 1e-4
 """A face of b has to beat the best face of a by this many metres, so that resting contacts keep their face."""
@@ -55,12 +56,29 @@ def find_contacts(
         contact = contacts[count]
         if not _meet(bodies, flights, holds, shapes, turned, seams, shape_a, shape_b, fall, seconds, manifold, contact):
             continue
-        if k < old_count and old[k].shape_a == shape_a and old[k].shape_b == shape_b:
+        known = k < old_count and old[k].shape_a == shape_a and old[k].shape_b == shape_b
+        one_way = (shapes[shape_a].traits | shapes[shape_b].traits) & ONE_WAY
+        if one_way and not _lands(bodies, shapes, turned, shape_a, shape_b, known, contact):
+            continue
+        if known:
             _match(old[k], contact)
         count += 1
     for i in range(k, old_count):
         count = _keep_if_asleep(bodies, old[i], contacts, count)
     return count
+
+
+@kernel
+def _lands(bodies: Records, shapes: Records, turned: Records, i: int, j: int, known: bool, contact: Records) -> bool:
+    """Whether the contact of a pair, one of them one-way, is one that holds; `known` if it did so in the last step."""
+    if not leads_on(bodies, shapes, i, j, contact.normal_x, contact.normal_y):
+        return False
+    a = bodies[shapes[i].body]
+    b = bodies[shapes[j].body]
+    slop = allowed_depth(shapes[i], shapes[j])
+    return known or comes_from_front(
+        bodies, shapes, turned, i, j, b.center_x - a.center_x, b.center_y - a.center_y, slop
+    )
 
 
 @kernel
@@ -157,7 +175,7 @@ def _meet(
         margin = way
     if not _collide(bodies, shapes, turned, i, j, vx * t, vy * t, margin, manifold):
         return False
-    if shapes[i].part + shapes[j].part > 0:
+    if (shapes[i].traits | shapes[j].traits) & SEAMED:
         t = _mend(bodies, shapes, turned, seams, i, j, vx, vy, t, seconds, margin, manifold)
         if t < 0.0:
             return False
@@ -194,13 +212,13 @@ def _mend(
     y = dy + vy * t
     wx = vx * seconds
     wy = vy * seconds
-    if mend_contact(bodies, shapes, turned, seams, i, j, x, y, wx, wy, margin, FACE_BIAS, manifold):
+    if mend_contact(bodies, shapes, turned, seams, i, j, x, y, wx, wy, margin, FACE_BIAS, t == 0.0, manifold):
         return t
     if t == 0.0 or not _collide(bodies, shapes, turned, i, j, wx, wy, margin, manifold):
         return -1.0
     x = dx + wx
     y = dy + wy
-    there = mend_contact(bodies, shapes, turned, seams, i, j, x, y, wx, wy, margin, FACE_BIAS, manifold)
+    there = mend_contact(bodies, shapes, turned, seams, i, j, x, y, wx, wy, margin, FACE_BIAS, False, manifold)
     return seconds if there else -1.0
 
 

@@ -13,6 +13,7 @@ from sandbox.engine.bounds import shape_margin
 from sandbox.geometry.manifold import collide_cores, face_manifold
 from sandbox.geometry.sat import FAR, support_vertex
 from sandbox.tables import Records
+from sandbox.world.records import SEAMED
 
 _SLANT = 1e-3
 """Sine of the angle by which an axis may lie outside of the normals of a corner."""
@@ -38,12 +39,14 @@ def mend_contact(
     way_y: float,
     margin: float,
     face_bias: float,
+    now: bool,
     manifold: Records,
 ) -> bool:
     """Whether two shapes, of which one at least is a part, touch on an axis of the whole; `manifold` is put right.
 
     (dx, dy) leads from the centre of shape i's body to that of j's, the way (m) is that of j against i in the step,
-    `margin` as for `collide_cores`. Bodies that overlap by more than they look ahead are pushed out by any axis.
+    `margin` as for `collide_cores`. Bodies that overlap by more than they look ahead are pushed out by any axis,
+    if they do so `now` and not only on the way that they would go unhindered.
     """
     m = manifold[0]
     near = _reach(bodies[shapes[i].body], bodies[shapes[j].body])
@@ -64,7 +67,7 @@ def mend_contact(
         m.separation = separation - radii
         if _touch_face(bodies, shapes, turned, seams, i, j, dx, dy, margin, flip, face, manifold):
             return True
-    if across >= -near:
+    if across >= -near or not now:
         return False
     return (
         collide_cores(
@@ -98,13 +101,13 @@ def _is_whole(
     """Whether the axis of a manifold is one of both whole polygons."""
     a = shapes[i]
     b = shapes[j]
-    if a.part > 0:
+    if a.traits & SEAMED:
         if m.axis_owner == 0:
             if not _shows(turned, seams, a, m.axis_edge, 0.0, 0.0, m):
                 return False
         elif not _faces_out(bodies, turned, seams, a, 0.0, 0.0, m.normal_x, m.normal_y, m):
             return False
-    if b.part > 0:
+    if b.traits & SEAMED:
         if m.axis_owner == 1:
             return _shows(turned, seams, b, m.axis_edge, dx, dy, m)
         return _faces_out(bodies, turned, seams, b, dx, dy, -m.normal_x, -m.normal_y, m)
@@ -140,12 +143,15 @@ def _faces_out(
 def _is_between(body: Records, corner: Records, nx: float, ny: float) -> bool:
     """Whether the direction n lies between the normals of the sides that meet in a corner of the whole polygon.
 
-    At a dent there is no way between: only the two normals themselves lead out.
+    At a dent there is no way between: only the two normals themselves lead out. At the free end of a line they are
+    opposite, and all directions that lead away from it lie between.
     """
     x = body.rotation_cos * nx + body.rotation_sin * ny
     y = body.rotation_cos * ny - body.rotation_sin * nx
     past = corner.before_x * y - corner.before_y * x
     short = x * corner.after_y - y * corner.after_x
+    if corner.before_x == -corner.after_x and corner.before_y == -corner.after_y:
+        return bool(past >= -_SLANT and corner.before_x * corner.before_x + corner.before_y * corner.before_y > 0.0)
     if corner.before_x * corner.after_y - corner.before_y * corner.after_x > 0.0:
         ahead = x * (corner.before_x + corner.after_x) + y * (corner.before_y + corner.after_y)
         return bool(past >= -_SLANT and short >= -_SLANT and ahead > 0.0)
@@ -230,13 +236,15 @@ def _best_face_of(
     face = -1
     for k in range(a.vertex_count if a.vertex_count > 1 else 0):
         row = turned[a.vertex_start + k]
-        hidden = a.part > 0 and seams[a.seam_start + k].shown_to < seams[a.seam_start + k].shown_from
+        hidden = a.traits & SEAMED > 0 and seams[a.seam_start + k].shown_to < seams[a.seam_start + k].shown_from
         if hidden or row.normal_x * way_x + row.normal_y * way_y < -graze:
             continue
         v = support_vertex(turned, b.vertex_start, b.vertex_count, row.normal_x, row.normal_y)
         near = turned[b.vertex_start + v]
         separation = row.normal_x * (near.x + dx - row.x) + row.normal_y * (near.y + dy - row.y)
-        if separation > best and (b.part == 0 or _may_meet(bodies, turned, seams, b, v, row.normal_x, row.normal_y)):
+        if separation > best and (
+            b.traits & SEAMED == 0 or _may_meet(bodies, turned, seams, b, v, row.normal_x, row.normal_y)
+        ):
             best = separation
             face = k
     return face, best

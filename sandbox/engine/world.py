@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from sandbox.engine.binding import bind
-from sandbox.engine.commands import Command, apply_command
+from sandbox.engine.commands import Command, SetPose, apply_command
 from sandbox.engine.continuous import catch
 from sandbox.engine.joint_commands import JointCommand, apply_joint_command
 from sandbox.engine.joint_view import Joint
@@ -21,7 +21,8 @@ from sandbox.engine.warm_up import compile_step
 from sandbox.errors import UnknownBodyError, UnknownJointError
 from sandbox.world.build import build_state
 from sandbox.world.digest import digest
-from sandbox.world.records import CONTACT, DYNAMIC
+from sandbox.world.flush import join_tiles
+from sandbox.world.records import CONTACT, DYNAMIC, STATIC
 from sandbox.world.snapshot import restore, snapshot
 from sandbox.world.state import State
 
@@ -79,7 +80,10 @@ class World:
             if apply_joint_command(self.state, self._find_joint(command.joint), command):
                 self._lay_out_joints()
         else:
-            apply_command(self.state, self._find(command.body), command)
+            index = self._find(command.body)
+            apply_command(self.state, index, command)
+            if isinstance(command, SetPose) and self.state.bodies[index].type == STATIC:
+                join_tiles(self.state.bodies, self.state.shapes, self.state.vertices, self.state.seams)
         self.state.counters["still"][0] = 0
         self.state.counters["pace_watch"][0] = 0
 

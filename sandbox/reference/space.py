@@ -49,7 +49,7 @@ def _build_body(space: pymunk.Space, flat: FlatBody) -> pymunk.Body:
         body.velocity, body.angular_velocity = flat.velocity, flat.angular_velocity
     if flat.gravity_scale != 1.0 or flat.linear_damping or flat.angular_damping:
         body.velocity_func = _own_motion(flat)
-    space.add(body, *(_build_shape(body, shape) for shape in flat.shapes))
+    space.add(body, *(_build_shape(body, shape) for shape in flat.shapes if not any(shape.one_way)))
     return body
 
 
@@ -77,6 +77,8 @@ def left_out(scene: FlatScene) -> tuple[str, ...]:
     found += [text for text, field in notes.items() if any(getattr(shape, field) for shape in shapes)]
     if any(shape.group > 0 for shape in shapes):
         found.append("pymunk has no groups that always collide")
+    if any(any(shape.one_way) for shape in shapes):
+        found.append("one-way shapes and one-sided chains are left out of pymunk's world: there they would be solid")
     return tuple(found)
 
 

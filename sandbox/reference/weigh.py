@@ -71,8 +71,9 @@ def _of_the_step(
     poses: Poses, pairs: Integers, separation: Floats, contacts: Records, touch: Floats, error: Floats
 ) -> tuple[Mask, Mask]:
     """(lost, askew): which overlapping pairs the step has no contact for, and which it would push the wrong way."""
-    # Of a concave polygon's parts, the step keeps only the contacts that the whole has (`engine/seams.py`).
-    deep = (separation < -touch) & (poses.shapes.part[pairs] == 0).all(axis=1)
+    # Of the parts of something larger, the step keeps only the contacts that the whole has (`engine/seams.py`), and of
+    # what is solid from one side only, those that come from there.
+    deep = (separation < -touch) & (poses.shapes.traits[pairs] == 0).all(axis=1)
     rows = find_rows(pairs, np.stack([contacts.shape_a, contacts.shape_b], axis=1), len(poses.shapes))
     normals = np.zeros((len(pairs), 2))
     there = rows >= 0

@@ -11,6 +11,8 @@ from typing import Literal
 
 Vec = tuple[float, float]
 INFINITE = float("inf")
+SeamRow = tuple[float, float, float, float, float, float]
+"""What the whole looks like at a vertex of a part of it: the columns of `records.SEAM`."""
 
 
 @dataclass(frozen=True)
@@ -24,6 +26,9 @@ class FlatShape:
     A concave polygon is several shapes in a row: `part` counts them from 1 and is 0 for every other shape, `outline`
     is the whole polygon's (a counter-clockwise ring, then one for each hole, clockwise), and `shown[i]` is the stretch
     of the edge from vertex i to the next on which sides of the whole lie, as shares of its length; (1, 0) if none do.
+
+    A link of a chain says in `seam`, a row for each vertex, what joins it. `one_way` is the unit direction in which
+    bodies pass through; (0, 0) for what is solid.
     """
 
     kind: Literal["circle", "box", "capsule", "segment", "polygon"]
@@ -41,6 +46,8 @@ class FlatShape:
     part: int = 0
     shown: tuple[Vec, ...] = ()
     outline: tuple[tuple[Vec, ...], ...] = ()
+    seam: tuple[SeamRow, ...] = ()
+    one_way: Vec = (0.0, 0.0)
 
 
 @dataclass(frozen=True)

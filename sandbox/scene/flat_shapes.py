@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from typing import Any, Literal
 
@@ -9,8 +10,9 @@ from sandbox.geometry.decompose import decompose
 from sandbox.geometry.polygon import is_clockwise
 from sandbox.geometry.rotation import cos_sin_degrees
 from sandbox.scene.flat import FlatShape, Vec
+from sandbox.scene.flat_chain import left_of, links, seams
 from sandbox.scene.material import Material
-from sandbox.scene.shapes import AnyShape, Box, Capsule, Circle, Polygon, Segment, Turnable
+from sandbox.scene.shapes import AnyShape, Box, Capsule, Chain, Circle, Polygon, Segment, Turnable
 
 Kind = Literal["circle", "box", "capsule", "segment", "polygon"]
 
@@ -26,8 +28,12 @@ def flat_shapes(shape: AnyShape, material: Material | None, categories: Sequence
     surface: dict[str, Any] = {name: getattr(base, name) if value is None else value for name, value in given.items()}
     surface["category"], surface["mask"] = _bits(shape.category, categories), _bits(shape.mask, categories)
     surface["group"] = shape.group
+    if shape.one_way is not None:
+        surface["one_way"] = _direction(shape, shape.one_way)
     if isinstance(shape, Polygon):
         yield from _polygon(shape, surface)
+    elif isinstance(shape, Chain):
+        yield from _chain(shape, surface)
     else:
         kind, core, radius = _core(shape)
         yield FlatShape(kind, _placed(shape, core), float(radius), **surface)
@@ -44,6 +50,25 @@ def _polygon(shape: Polygon, surface: dict[str, Any]) -> Iterator[FlatShape]:
     for number, part in enumerate(parts, 1):
         core = _placed(shape, part.vertices)
         yield FlatShape("polygon", core, **surface, part=number, shown=part.shown, outline=outline)
+
+
+def _chain(shape: Chain, surface: dict[str, Any]) -> Iterator[FlatShape]:
+    """Its links: segments that are smooth at their joints."""
+    points = _placed(shape, shape.chain)
+    ghosts = _placed(shape, shape.ghosts) if shape.ghosts else None
+    rows = seams(points, shape.closed, shape.one_sided, ghosts)
+    for link, seam in zip(links(points, shape.closed), rows, strict=True):
+        if shape.one_sided:
+            surface["one_way"] = left_of(link)
+        yield FlatShape("segment", link, float(shape.radius), **surface, seam=tuple(seam))
+
+
+def _direction(shape: AnyShape, way: Vec) -> Vec:
+    """A unit direction, turned with the shape."""
+    cos, sin = cos_sin_degrees(shape.angle) if isinstance(shape, Turnable) else (1.0, 0.0)
+    length = math.hypot(*way)
+    x, y = way[0] / length, way[1] / length
+    return cos * x - sin * y + 0.0, sin * x + cos * y + 0.0
 
 
 def _core(shape: AnyShape) -> tuple[Kind, Sequence[Vec], float]:

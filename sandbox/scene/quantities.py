@@ -75,6 +75,7 @@ Acceleration2 = Annotated[tuple[Acceleration, Acceleration], Listed("[x, y]", 2,
 Size2 = Annotated[tuple[Size, Size], Listed("[width, height]", 2, 2)]
 Ends = Annotated[tuple[LocalPoint, LocalPoint], Listed("[[x, y], [x, y]]", 2, 2)]
 Outline = Annotated[tuple[LocalPoint, ...], Listed("[[x, y], [x, y], [x, y], ...]", 3, MAX_OUTLINE)]
+ChainPoints = Annotated[tuple[LocalPoint, ...], Listed("[[x, y], [x, y], ...]", 2, MAX_OUTLINE)]
 Holes = Annotated[tuple[Outline, ...], Listed("of holes [[[x, y], [x, y], [x, y], ...], ...]", 0, MAX_HOLES)]
 Rectangle = Annotated[
     tuple[Coordinate, Coordinate, Coordinate, Coordinate],

@@ -2,17 +2,30 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated
 
 from pydantic import AfterValidator, Field, Tag, ValidationInfo
 from pydantic_core import PydanticCustomError
 
 from sandbox.geometry.decompose import decompose
-from sandbox.geometry.polygon import PolygonError
+from sandbox.geometry.polygon import MIN_EDGE, PolygonError
 from sandbox.scene.constraints import Listed, Range
 from sandbox.scene.limits import ALL_BITS, MAX_OUTLINE
 from sandbox.scene.material import Surface
-from sandbox.scene.quantities import Bits, Degrees, Ends, Holes, LocalPoint, Name, Outline, Rounding, Size, Size2
+from sandbox.scene.quantities import (
+    Bits,
+    ChainPoints,
+    Degrees,
+    Ends,
+    Holes,
+    LocalPoint,
+    Name,
+    Outline,
+    Rounding,
+    Size,
+    Size2,
+)
 from sandbox.scene.union import TAG, by_key, by_type
 
 Names = Annotated[tuple[Name, ...], Listed('["name", ...]', 0, 32)]
@@ -61,6 +74,43 @@ def _check_rounding(radius: float, info: ValidationInfo) -> float:
     return radius
 
 
+def _check_chain(points: ChainPoints) -> ChainPoints:
+    for k in range(1, len(points)):
+        if math.dist(points[k - 1], points[k]) < MIN_EDGE:
+            raise PydanticCustomError("chain", "this point is the same as the one before it", {"place": [k]})
+    return points
+
+
+def _check_closed(closed: bool, info: ValidationInfo) -> bool:
+    if not closed or "chain" not in info.data:
+        return closed
+    points = info.data["chain"]
+    if len(points) < 3:
+        raise PydanticCustomError("chain", "a closed chain needs 3 points")
+    if math.dist(points[0], points[-1]) < MIN_EDGE:
+        text = "a closed chain leads back to its first point by itself: leave out the last one, which is the same"
+        raise PydanticCustomError("chain", text)
+    return closed
+
+
+def _check_ghosts(ghosts: Ends | None, info: ValidationInfo) -> Ends | None:
+    if ghosts is None or "chain" not in info.data:
+        return ghosts
+    if info.data.get("closed"):
+        raise PydanticCustomError("ghosts", "a closed chain has no ends: leave out the ghosts")
+    points = info.data["chain"]
+    for k, end in enumerate((points[0], points[-1])):
+        if math.dist(ghosts[k], end) < MIN_EDGE:
+            raise PydanticCustomError("ghosts", "this ghost is the end of the chain itself", {"place": [k]})
+    return ghosts
+
+
+def _check_one_way(way: LocalPoint | None) -> LocalPoint | None:
+    if way is not None and math.hypot(*way) < MIN_EDGE:
+        raise PydanticCustomError("one_way", "must be a direction such as [0, 1], not zero")
+    return way
+
+
 def _place(*indices: int | None) -> list[int]:
     return [index for index in indices if index is not None]
 
@@ -75,6 +125,10 @@ class AnyShape(Surface):
     group: Annotated[int, Range(-(2**31), 2**31 - 1)] = Field(
         default=0,
         description="Shapes of the same positive group always collide, of the same negative group never.",
+    )
+    one_way: Annotated[LocalPoint | None, AfterValidator(_check_one_way)] = Field(
+        default=None,
+        description="Direction [x, y] in which everything passes; what comes against it lands. Turns with the shape.",
     )
 
 
@@ -128,12 +182,31 @@ class Polygon(Turnable):
     )
 
 
+class Chain(Turnable):
+    """Lines from point to point, smooth at the joints; they have no mass unless they have a radius."""
+
+    chain: Annotated[ChainPoints, AfterValidator(_check_chain)] = Field(description="The points [[x, y], ...], m.")
+    closed: Annotated[bool, AfterValidator(_check_closed)] = Field(
+        default=False, description="true: a last line leads from the last point to the first."
+    )
+    one_sided: bool = Field(
+        default=False, description="true: solid only from the left of its direction; what comes from the right passes."
+    )
+    ghosts: Annotated[Ends | None, AfterValidator(_check_ghosts)] = Field(
+        default=None,
+        description="The point before the first and the one after the last, m: the ends are smooth as if there were "
+        "lines to them.",
+    )
+    radius: Rounding = Field(default=0.0, description="Thickness to each side, m.")
+
+
 SHAPES: dict[str, type[AnyShape]] = {
     "circle": Circle,
     "box": Box,
     "capsule": Capsule,
     "segment": Segment,
     "polygon": Polygon,
+    "chain": Chain,
 }
 """Every kind of shape by its key."""
 
@@ -142,7 +215,8 @@ Shape = Annotated[
     | Annotated[Box, Tag(TAG + "box")]
     | Annotated[Capsule, Tag(TAG + "capsule")]
     | Annotated[Segment, Tag(TAG + "segment")]
-    | Annotated[Polygon, Tag(TAG + "polygon")],
+    | Annotated[Polygon, Tag(TAG + "polygon")]
+    | Annotated[Chain, Tag(TAG + "chain")],
     by_key("shape", SHAPES),
 ]
 """Any shape; exactly one of the keys of `SHAPES` tells which."""

@@ -15,6 +15,7 @@ from sandbox.scene.flat import FlatBody, FlatScene, FlatShape, Vec
 from sandbox.tables import Integers, Records, Table
 from sandbox.world import records
 from sandbox.world.build_joints import build_joints
+from sandbox.world.flush import join_tiles, with_room_for_tiles
 from sandbox.world.state import State
 
 _cos_sin = interpreted(cos_sin)
@@ -48,6 +49,8 @@ def build_state(scene: FlatScene) -> State:
     for row, body, build in zip(bodies, scene.bodies, per_body, strict=True):
         _fill_body(row, body, build)
     shapes, vertices, sides, seams = _place(per_body)
+    seams = with_room_for_tiles(bodies, shapes, seams)
+    join_tiles(bodies, shapes, vertices, seams)
     drags = records.DRAG.zeros(_DRAGS)
     drags.body = -1
     names = tuple(body.id for body in scene.bodies)
@@ -110,6 +113,8 @@ def _fill_shape(row: Records, shape: FlatShape, start: int) -> None:
     row.rolling_resistance, row.surface_speed = shape.rolling_resistance, shape.surface_speed
     row.category, row.mask, row.group = shape.category, shape.mask, shape.group
     row.part = shape.part
+    row.one_way_x, row.one_way_y = shape.one_way
+    row.traits |= records.ONE_WAY if any(shape.one_way) else 0
 
 
 def _sides(shape_rows: Records, shapes: tuple[FlatShape, ...], middle: Vec) -> Records:
@@ -127,13 +132,15 @@ def _sides(shape_rows: Records, shapes: tuple[FlatShape, ...], middle: Vec) -> R
 
 
 def _seams(shape_rows: Records, shapes: tuple[FlatShape, ...]) -> Records:
-    """Rows of the seam table for the parts of concave polygons; notes in the shape rows where each begins."""
+    """Rows of the seam table for parts of concave polygons and chains; notes in the shape rows where each begins."""
     seams: list[tuple[float, ...]] = []
     for row, shape in zip(shape_rows, shapes, strict=True):
         row.seam_start = len(seams)
         if shape.part > 0:
             normals = _corner_normals(shape.outline)
             seams += [(*normals[v], *shown) for v, shown in zip(shape.vertices, shape.shown, strict=True)]
+        seams += shape.seam
+        row.traits = records.SEAMED if shape.part > 0 or shape.seam else 0
     rows = records.SEAM.zeros(len(seams))
     rows[:] = seams
     return rows

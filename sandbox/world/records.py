@@ -11,6 +11,7 @@ from sandbox.world.joint_records import JOINT
 
 STATIC, KINEMATIC, DYNAMIC = 0, 1, 2
 CIRCLE, BOX, CAPSULE, SEGMENT, POLYGON = 0, 1, 2, 3, 4
+SEAMED, ONE_WAY = 1, 2
 
 BODY = Table(
     "body",
@@ -67,7 +68,10 @@ SHAPE = Table(
         Field("mask", "-", "bit set of what it collides with", "i8"),
         Field("group", "-", "same positive group always collides, same negative group never, 0 no group", "i8"),
         Field("part", "-", "number of the part of a concave polygon, from 1; 0 for a shape of its own", "i8", False),
-        Field("seam_start", "-", "first row of the part in the seam table", "i8", False),
+        Field("one_way_x", "1", "unit direction in which bodies pass, in the body's frame; 0, 0 if none do"),
+        Field("one_way_y", "1", "unit direction in which bodies pass, in the body's frame; 0, 0 if none do"),
+        Field("traits", "-", "bit 0: its rows in the seam table hold; bit 1: it is one-way", "i8", False),
+        Field("seam_start", "-", "first row in the seam table, if it has any", "i8", False),
         Field("outline_start", "-", "first row of the concave polygon in the outline table", "i8", False),
         Field("outline_count", "-", "sides of the concave polygon; 0 unless this is its first part", "i8", False),
     ),
@@ -112,7 +116,7 @@ SEAM = Table(
         Field("shown_to", "1", "where they end; 0 if the whole edge lies within the polygon", hashed=False),
     ),
 )
-"""One row for each vertex of each part of a concave polygon: what the polygon looks like there."""
+"""One row for each vertex of a part: of a concave polygon, of a chain, of abutting tiles. What the whole is there."""
 
 
 def _point_fields() -> tuple[Field, ...]:

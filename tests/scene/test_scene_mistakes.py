@@ -70,7 +70,7 @@ def generate(fields: str) -> str:
         (body('"shapes": [{"segment": [[0, 0], [1, 0]]}]'),
          "2:1: a dynamic body without mass: give its shapes a density and an area, or give it a mass"),
         (shape('"cirlce": 1'), '2:2: unknown field "cirlce": did you mean "circle"?'),
-        (shape('"at": [0, 0]'), '2:1: a shape needs one of "circle", "box", "capsule", "segment", "polygon"'),
+        (shape('"at": [0, 0]'), '2:1: a shape needs one of "circle", "box", "capsule", "segment", "polygon", "chain"'),
         (shape('"circle": 1, "box": [1, 1]'), '2:15: a shape has one kind, and this one has "circle" and "box"'),
         (shape('"circle": 0'), "2:12: circle must not be below 1e-06 m"),
         (shape('"circle": true'), "2:12: circle must be a number, not true or false"),
