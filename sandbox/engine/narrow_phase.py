@@ -173,53 +173,25 @@ def _meet(
         if t < 0.0:
             return False
         margin = way
-    if not _collide(bodies, shapes, turned, i, j, vx * t, vy * t, margin, manifold):
-        return False
-    if (shapes[i].traits | shapes[j].traits) & SEAMED:
-        t = _mend(bodies, shapes, turned, seams, i, j, vx, vy, t, seconds, margin, manifold)
-        if t < 0.0:
+    now = t == 0.0
+    while True:
+        if not _collide(bodies, shapes, turned, i, j, vx * t, vy * t, margin, manifold):
             return False
+        if (shapes[i].traits | shapes[j].traits) & SEAMED == 0 or mend_contact(
+            bodies, shapes, turned, seams, i, j, b.center_x - a.center_x + vx * t, b.center_y - a.center_y + vy * t,
+            vx * seconds, vy * seconds, margin, FACE_BIAS, now, manifold,
+        ):  # fmt: skip
+            break
+        if now or t == seconds:
+            return False
+        # What is fast may first touch a part across a seam: it is looked at where the step will bring it.
+        t = seconds
     _fill(bodies, shapes, i, j, vx * t, vy * t, manifold[0], contact)
     overlap = -manifold[0].separation
     if overlap > 0.0 and (a.type == STATIC) != (b.type == STATIC) and overlap > allowed_depth(shapes[i], shapes[j]):
         holds[shapes[i].body].deep = 1
         holds[shapes[j].body].deep = 1
     return True
-
-
-@kernel
-def _mend(
-    bodies: Records,
-    shapes: Records,
-    turned: Records,
-    seams: Records,
-    i: int,
-    j: int,
-    vx: float,
-    vy: float,
-    t: float,
-    seconds: float,
-    margin: float,
-    manifold: Records,
-) -> float:
-    """Time at which two shapes, one at least a part of a concave polygon, touch on an axis of the whole; -1 if never.
-
-    A fast shape may first touch a part across a seam: then it is looked at where the step will bring it.
-    """
-    dx = bodies[shapes[j].body].center_x - bodies[shapes[i].body].center_x
-    dy = bodies[shapes[j].body].center_y - bodies[shapes[i].body].center_y
-    x = dx + vx * t
-    y = dy + vy * t
-    wx = vx * seconds
-    wy = vy * seconds
-    if mend_contact(bodies, shapes, turned, seams, i, j, x, y, wx, wy, margin, FACE_BIAS, t == 0.0, manifold):
-        return t
-    if t == 0.0 or not _collide(bodies, shapes, turned, i, j, wx, wy, margin, manifold):
-        return -1.0
-    x = dx + wx
-    y = dy + wy
-    there = mend_contact(bodies, shapes, turned, seams, i, j, x, y, wx, wy, margin, FACE_BIAS, False, manifold)
-    return seconds if there else -1.0
 
 
 @inlined_kernel

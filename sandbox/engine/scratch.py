@@ -166,7 +166,7 @@ class Scratch:
             pairs=PAIR.zeros(pair_capacity),
             sorted_pairs=PAIR.zeros(pair_capacity),
             contacts=CONTACT.zeros(pair_capacity),
-            manifold=MANIFOLD.zeros(1),
+            manifold=MANIFOLD.zeros(2),
             sweep=SWEEP.zeros(1),
             swept=VERTEX.zeros(SWEPT_ROWS),
             slots=SLOT.zeros(pair_capacity),

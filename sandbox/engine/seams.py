@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from sandbox._jit import kernel
 from sandbox.engine.bounds import shape_margin
-from sandbox.geometry.manifold import collide_cores, face_manifold
+from sandbox.geometry.manifold import face_manifold
 from sandbox.geometry.sat import FAR, support_vertex
 from sandbox.tables import Records
 from sandbox.world.records import SEAMED
@@ -42,11 +42,11 @@ def mend_contact(
     now: bool,
     manifold: Records,
 ) -> bool:
-    """Whether two shapes, of which one at least is a part, touch on an axis of the whole; `manifold` is put right.
+    """Whether two shapes, of which one at least is a part, touch on an axis of the whole; `manifold[0]` is put right.
 
     (dx, dy) leads from the centre of shape i's body to that of j's, the way (m) is that of j against i in the step,
     `margin` as for `collide_cores`. Bodies that overlap by more than they look ahead are pushed out by any axis,
-    if they do so `now` and not only on the way that they would go unhindered.
+    if they do so `now` and not only on the way that they would go unhindered. `manifold[1]` is scratch.
     """
     m = manifold[0]
     near = _reach(bodies[shapes[i].body], bodies[shapes[j].body])
@@ -54,28 +54,37 @@ def mend_contact(
     radii = shapes[i].radius + shapes[j].radius
     across = m.separation
     whole = _is_whole(bodies, shapes, turned, seams, i, j, dx, dy, m)
-    if not whole or way_x * m.normal_x + way_y * m.normal_y < -graze:
-        # What slides over a corner has sunk in a little: an axis along which they do not close in has the say.
-        flip, face, separation = _best_face(bodies, shapes, turned, seams, i, j, dx, dy, way_x, way_y, graze, face_bias)
-        if face >= 0 and separation - radii >= -graze:
-            m.separation = separation - radii
-            return _touch_face(bodies, shapes, turned, seams, i, j, dx, dy, margin, flip, face, manifold)
-    if whole:
+    if whole and way_x * m.normal_x + way_y * m.normal_y >= -graze:
         return True
-    flip, face, separation = _best_face(bodies, shapes, turned, seams, i, j, dx, dy, 0.0, 0.0, graze, face_bias)
-    if face >= 0 and separation - radii >= (_DEEPER * across if across < 0.0 else 0.0) - near:
-        m.separation = separation - radii
-        if _touch_face(bodies, shapes, turned, seams, i, j, dx, dy, margin, flip, face, manifold):
-            return True
-    if across >= -near or not now:
-        return False
-    return (
-        collide_cores(
-            turned, shapes[i].vertex_start, shapes[i].vertex_count, shapes[i].radius,
-            shapes[j].vertex_start, shapes[j].vertex_count, shapes[j].radius, dx, dy, margin, face_bias, manifold,
+    for turn in range(1 if whole else 2):
+        # What slides over a corner has sunk in a little: an axis along which they do not close in has the say.
+        share = 1.0 - turn
+        manifold[1].point_count = 0
+        flip, face, separation = _best_face(
+            bodies,
+            shapes,
+            turned,
+            seams,
+            i,
+            j,
+            dx,
+            dy,
+            share * way_x,
+            share * way_y,
+            graze,
+            face_bias,
+            manifold[1],
         )
-        > 0
-    )  # fmt: skip
+        depth = graze if turn == 0 else (near - _DEEPER * across if across < 0.0 else near)
+        if face < 0 or separation - radii < -depth:
+            continue
+        manifold[1].separation = separation - radii
+        if _touch_face(bodies, shapes, turned, seams, i, j, dx, dy, margin, flip, face, manifold[1]):
+            manifold[0] = manifold[1]
+            return True
+        if turn == 0:
+            return False
+    return bool(whole or (now and across < -near))
 
 
 @kernel
@@ -99,18 +108,18 @@ def _is_whole(
     m: Records,
 ) -> bool:
     """Whether the axis of a manifold is one of both whole polygons."""
-    a = shapes[i]
-    b = shapes[j]
-    if a.traits & SEAMED:
-        if m.axis_owner == 0:
-            if not _shows(turned, seams, a, m.axis_edge, 0.0, 0.0, m):
+    for side in range(2):
+        part = shapes[j if side == 1 else i]
+        if part.traits & SEAMED == 0:
+            continue
+        x = dx if side == 1 else 0.0
+        y = dy if side == 1 else 0.0
+        sign = 1.0 - 2.0 * side
+        if m.axis_owner == side:
+            if not _shows(turned, seams, part, m.axis_edge, x, y, m):
                 return False
-        elif not _faces_out(bodies, turned, seams, a, 0.0, 0.0, m.normal_x, m.normal_y, m):
+        elif not _faces_out(bodies, turned, seams, part, x, y, sign * m.normal_x, sign * m.normal_y, m):
             return False
-    if b.traits & SEAMED:
-        if m.axis_owner == 1:
-            return _shows(turned, seams, b, m.axis_edge, dx, dy, m)
-        return _faces_out(bodies, turned, seams, b, dx, dy, -m.normal_x, -m.normal_y, m)
     return True
 
 
@@ -163,11 +172,12 @@ def _is_between(body: Records, corner: Records, nx: float, ny: float) -> bool:
 def _shows(turned: Records, seams: Records, part: Records, edge: int, x: float, y: float, m: Records) -> bool:
     """Whether a point of the manifold lies where an edge of a part is the surface of the whole polygon.
 
-    (x, y) leads from the centre of the manifold's shape a to that of the part's body.
+    (x, y) leads from the centre of the manifold's shape a to that of the part's body. Without points, whether it is the
+    surface anywhere.
     """
     seam = seams[part.seam_start + edge]
-    if seam.shown_to < seam.shown_from:
-        return False
+    if seam.shown_to < seam.shown_from or m.point_count == 0:
+        return bool(seam.shown_from <= seam.shown_to)
     low = seam.shown_from - _BEYOND
     high = seam.shown_to + _BEYOND
     first = _along(turned, part, edge, m.x1 - x, m.y1 - y)
@@ -203,66 +213,37 @@ def _best_face(
     way_y: float,
     graze: float,
     face_bias: float,
+    nowhere: Records,
 ) -> tuple[bool, int, float]:
     """(whether it is a face of j, face, separation of the cores): the axis of least overlap that both wholes have.
 
     Axes along which the way closes in by more than `graze` metres do not count. The face is -1 if there is none.
     """
-    face_a, separation_a = _best_face_of(bodies, shapes, turned, seams, i, j, dx, dy, way_x, way_y, graze)
-    face_b, separation_b = _best_face_of(bodies, shapes, turned, seams, j, i, -dx, -dy, -way_x, -way_y, graze)
-    if face_a < 0 or (face_b >= 0 and separation_b > separation_a + face_bias):
-        return True, face_b, separation_b
-    return False, face_a, separation_a
-
-
-@kernel
-def _best_face_of(
-    bodies: Records,
-    shapes: Records,
-    turned: Records,
-    seams: Records,
-    i: int,
-    j: int,
-    dx: float,
-    dy: float,
-    way_x: float,
-    way_y: float,
-    graze: float,
-) -> tuple[int, float]:
-    """(face of shape i, separation) of least overlap with shape j, among the axes that both wholes have."""
-    a = shapes[i]
-    b = shapes[j]
     best = -FAR
-    face = -1
-    for k in range(a.vertex_count if a.vertex_count > 1 else 0):
-        row = turned[a.vertex_start + k]
-        hidden = a.traits & SEAMED > 0 and seams[a.seam_start + k].shown_to < seams[a.seam_start + k].shown_from
-        if hidden or row.normal_x * way_x + row.normal_y * way_y < -graze:
-            continue
-        v = support_vertex(turned, b.vertex_start, b.vertex_count, row.normal_x, row.normal_y)
-        near = turned[b.vertex_start + v]
-        separation = row.normal_x * (near.x + dx - row.x) + row.normal_y * (near.y + dy - row.y)
-        if separation > best and (
-            b.traits & SEAMED == 0 or _may_meet(bodies, turned, seams, b, v, row.normal_x, row.normal_y)
-        ):
-            best = separation
-            face = k
-    return face, best
-
-
-@kernel
-def _may_meet(bodies: Records, turned: Records, seams: Records, part: Records, k: int, nx: float, ny: float) -> bool:
-    """Whether a face with normal n may push against vertex k of a part, or against an edge there that shows."""
-    if _is_between(bodies[part.body], seams[part.seam_start + k], -nx, -ny):
-        return True
-    before = k - 1 if k > 0 else part.vertex_count - 1
-    for edge in (before, k):
-        row = turned[part.vertex_start + edge]
-        seam = seams[part.seam_start + edge]
-        flat = abs(row.normal_x * ny - row.normal_y * nx) <= _SLANT and row.normal_x * nx + row.normal_y * ny < 0.0
-        if flat and seam.shown_from <= seam.shown_to:
-            return True
-    return False
+    best_face = -1
+    flip = False
+    for side in range(2):
+        sign = 1.0 - 2.0 * side
+        a = shapes[j if side == 1 else i]
+        b = shapes[i if side == 1 else j]
+        least = best + face_bias if best_face >= 0 else -FAR
+        for k in range(a.vertex_count if a.vertex_count > 1 else 0):
+            row = turned[a.vertex_start + k]
+            nx = row.normal_x
+            ny = row.normal_y
+            hidden = a.traits & SEAMED > 0 and seams[a.seam_start + k].shown_to < seams[a.seam_start + k].shown_from
+            if hidden or sign * (nx * way_x + ny * way_y) < -graze:
+                continue
+            near = turned[b.vertex_start + support_vertex(turned, b.vertex_start, b.vertex_count, nx, ny)]
+            separation = nx * (near.x + sign * dx - row.x) + ny * (near.y + sign * dy - row.y)
+            if separation > least and (
+                b.traits & SEAMED == 0 or _faces_out(bodies, turned, seams, b, 0.0, 0.0, -nx, -ny, nowhere)
+            ):
+                least = separation
+                best = separation
+                best_face = k
+                flip = side == 1
+    return flip, best_face, best
 
 
 @kernel
@@ -278,12 +259,11 @@ def _touch_face(
     margin: float,
     flip: bool,
     face: int,
-    manifold: Records,
+    m: Records,
 ) -> bool:
     """Fill in the manifold on a face, of shape j if `flip`; whether its points lie on that face, where it shows."""
     a = shapes[i]
     b = shapes[j]
-    m = manifold[0]
     count = face_manifold(
         turned, a.vertex_start, a.vertex_count, a.radius, b.vertex_start, b.vertex_count, b.radius, dx, dy, margin,
         flip, face, m,
@@ -291,13 +271,8 @@ def _touch_face(
     owner = shapes[j] if flip else shapes[i]
     x = dx if flip else 0.0
     y = dy if flip else 0.0
-    if count == 0 or not _is_on(_along(turned, owner, face, m.x1 - x, m.y1 - y)):
-        return False
-    if count == 2 and not _is_on(_along(turned, owner, face, m.x2 - x, m.y2 - y)):
-        return False
-    return _is_whole(bodies, shapes, turned, seams, i, j, dx, dy, m)
-
-
-@kernel
-def _is_on(along: float) -> bool:
-    return -_BEYOND <= along <= 1.0 + _BEYOND
+    for k in range(count):
+        along = _along(turned, owner, face, (m.x2 if k == 1 else m.x1) - x, (m.y2 if k == 1 else m.y1) - y)
+        if along < -_BEYOND or along > 1.0 + _BEYOND:
+            return False
+    return count > 0 and _is_whole(bodies, shapes, turned, seams, i, j, dx, dy, m)
