@@ -19,22 +19,31 @@ from sandbox.tables import Records
 @kernel
 def choose_rows(work: JointWork, part: Records, seconds: float, acting: float, relaxing: bool) -> bool:
     """Set the law of every row at the present velocities and mark the active ones; whether any mark has changed."""
+    _aim(work, part, seconds, acting, relaxing)
     changed = False
+    for r in range(part.first_row, part.row_end):
+        row = work.rows[r]
+        before = row.active
+        row.active = 0
+        if row.stiffness > 0.0 and row.capped == 0:
+            row.active = _is_active(work, row, relaxing)
+        changed = changed or row.active != before
+    return changed
+
+
+@kernel
+def _aim(work: JointWork, part: Records, seconds: float, acting: float, relaxing: bool) -> None:
+    """Set all laws before any impulse changes: errors ahead belong to the velocities they were looked at with."""
     for r in range(part.first_row, part.row_end):
         row = work.rows[r]
         seat = work.seats[row.seat]
         joint = work.joints[seat.joint]
-        before = row.active
-        row.active = 0
         if row.stiffness > 0.0 and row.capped == 0:
             speed = row_speed(work.members, row)
             if relaxing:
                 aim_to_relax(row, joint, speed, seconds)
             else:
                 aim_to_move(row, joint, row_error(row, seat), speed, seconds, acting)
-            row.active = _is_active(work, row, relaxing)
-        changed = changed or row.active != before
-    return changed
 
 
 @kernel
@@ -56,8 +65,13 @@ def clamp(work: JointWork, row: Records, relaxing: bool) -> None:
     current = row.relaxing if relaxing else row.impulse
     within = current if current < row.high else row.high
     within = within if within > row.low else row.low
-    if within != current:
-        change_impulse(work, row, within - current, relaxing)
+    if within == current:
+        return
+    change_impulse(work, row, within - current, relaxing)
+    if relaxing:  # to the bit, for whoever asks whether it is at its bound
+        row.relaxing = within
+    else:
+        row.impulse = within
 
 
 @kernel

@@ -152,15 +152,31 @@ def _drive(
         aim = slowest
         row.low = -INFINITE
         row.high = INFINITE
-    elif aim < slowest or (speed < slowest and total >= most) or total > most:
-        row.low = -most if aim < slowest else most
-        row.high = INFINITE
-        aim = slowest
-    elif aim > fastest or (speed > fastest and total <= -most) or total < -most:
-        row.high = most if aim > fastest else -most
-        row.low = -INFINITE
-        aim = fastest
+    elif joint.limit == 1:
+        row.stop = _find_stop(row.stop, aim, most, speed, slowest, fastest, total)
+        if row.stop > 0:
+            row.low = -most if aim < slowest else most
+            row.high = INFINITE
+            aim = slowest
+        elif row.stop < 0:
+            row.high = most if aim > fastest else -most
+            row.low = -INFINITE
+            aim = fastest
     row.bias = -aim
+
+
+@kernel
+def _find_stop(stop: int, aim: float, most: float, speed: float, slowest: float, fastest: float, total: float) -> int:
+    """Which limit has a say: 1 the lower, -1 the upper, 0 none. One lets go once the motor alone would do."""
+    if stop > 0 and total > (-most if aim < slowest else most):
+        return 1
+    if stop < 0 and total < (most if aim > fastest else -most):
+        return -1
+    if aim < slowest or (speed < slowest and total >= most):
+        return 1
+    if aim > fastest or (speed > fastest and total <= -most):
+        return -1
+    return 0
 
 
 @kernel

@@ -107,6 +107,7 @@ def _start_warm(work: JointWork, part: Records, relaxing: bool) -> None:
             row.relaxing = 0.0
         else:
             row.impulse = 0.0
+            row.stop = 1 if current > 0.0 else (-1 if current < 0.0 else 0)
         change_impulse(work, row, current, relaxing)
 
 
@@ -120,13 +121,15 @@ def _solve(
     acting: float,
     relaxing: bool,
 ) -> None:
+    again = False
     for turn in range(_TURNS):
         if not relaxing:
             look(work, part, bodies, motions, seconds)
             measure(work, part)
         changed = choose_rows(work, part, seconds, acting, relaxing)
-        if turn > 0 and not changed:
+        if turn > 0 and not (changed or again):
             break
+        again = changed and turn > 0  # then the pose looked at was that of a wrong guess
         if part.direct == 1:
             if changed:
                 factorize(work, part)

@@ -80,6 +80,7 @@ ROW = Table(
         Field("relaxing", "N s", "while velocities are relaxed"),
         Field("total", "N s", "over the step so far"),
         Field("soft", "-", "1 for springs, which have no say once the members have moved", "i8"),
+        Field("stop", "-", "1 while the lower limit has a say, -1 for the upper one", "i8"),
         Field("active", "-", "1 while it is part of the linear system", "i8"),
         Field("capped", "-", "1 once its pair has reached the limit of the force", "i8"),
         Field("change", "N s", "solution of the linear system"),

@@ -1,0 +1,111 @@
+"""Pendulums against the elliptic integral, and a double one against its energy."""
+
+from __future__ import annotations
+
+import math
+
+import mpmath
+import pytest
+
+from sandbox.engine.world import World
+from tests.flat import body, box, circle
+from tests.joints.jointed import G, energy, gap, joint, jointed
+
+
+def pendulum(angle: float, kind: str = "revolute") -> World:
+    """A disc of 0.1 m, 1 m below its pivot when it hangs, let go at `angle` (rad)."""
+    at = (math.sin(angle), -math.cos(angle))
+    if kind == "revolute":
+        tie = joint("pin", kind, None, "bob", (0.0, 0.0))
+    else:
+        tie = joint("pin", kind, None, "bob", anchor_a=(0.0, 0.0), anchor_b=at)
+    return jointed((body("bob", circle(0.1), position=at, fixed_rotation=kind == "distance"),), (tie,))
+
+
+def swings(world: World, steps: int) -> tuple[list[float], list[float]]:
+    """Amplitudes (rad) and the times (s) at which it goes through the lowest point to the right.
+
+    Both lie between steps: the amplitude follows from the energy, the crossing from a cubic through both ends.
+    """
+    bob = world.body("bob")
+    amplitudes, crossings = [], []
+
+    def now() -> tuple[float, float]:
+        x, y = bob.position
+        vx, vy = bob.velocity
+        return math.atan2(x, -y), (vy * x - vx * y) / (x * x + y * y)
+
+    inertia_by_mass = 1.0 + (0.5 * 0.01 if bob.angular_velocity or world.joint("pin").type == "revolute" else 0.0)
+    for step in range(steps):
+        before, speed_before = now()
+        world.step()
+        after, speed = now()
+        if speed_before * speed < 0.0:
+            amplitudes.append(math.acos(math.cos(after) - 0.5 * inertia_by_mass * speed * speed / G))
+        if before < 0.0 <= after:
+            crossings.append((step + crossing(before, speed_before / 60, after, speed / 60)) / 60)
+    return amplitudes, crossings
+
+
+def crossing(x0: float, v0: float, x1: float, v1: float) -> float:
+    """Root in 0..1 of the cubic with these values and slopes at 0 and 1."""
+    low, high = 0.0, 1.0
+    for _ in range(60):
+        s = 0.5 * (low + high)
+        value = (
+            (1 + 2 * s) * (1 - s) ** 2 * x0 + s * (1 - s) ** 2 * v0 + s * s * (3 - 2 * s) * x1 + s * s * (s - 1) * v1
+        )
+        low, high = (s, high) if value < 0.0 else (low, s)
+    return low
+
+
+@pytest.mark.parametrize("kind", ["revolute", "distance"])
+@pytest.mark.parametrize("angle", [0.2, 1.0, 2.5])
+def test_a_pendulum_keeps_amplitude_and_period_for_30_seconds(angle, kind):
+    world = pendulum(angle, kind)
+    amplitudes, crossings = swings(world, 1800)
+    assert amplitudes == pytest.approx([angle] * len(amplitudes), rel=1e-3)
+    inertia = 1.005 if kind == "revolute" else 1.0
+    period = float(4 * mpmath.sqrt(inertia / G) * mpmath.ellipk(mpmath.sin(angle / 2) ** 2))
+    assert len(crossings) == int(30.0 / period + 0.25)
+    found = (crossings[-1] - crossings[0]) / (len(crossings) - 1)
+    assert found == pytest.approx(period, abs=1e-3)
+    assert gap(world) < 1e-4 or kind == "distance"
+
+
+def test_its_pin_reports_the_force_of_statics():
+    world = pendulum(0.0)
+    world.step(10)
+    weight = float(world.state.bodies.mass[0]) * G
+    assert world.joint("pin").force == pytest.approx((0.0, weight), abs=1e-6 * weight)
+    assert world.joint("pin").torque == pytest.approx(0.0, abs=1e-6 * weight)
+
+
+def test_a_swinging_pin_carries_weight_and_centripetal_force():
+    """At the lowest point after release at 1 rad: m g (1 + 2 (1 - cos 1) / 1.005)."""
+    world = pendulum(1.0)
+    strongest = 0.0
+    for _ in range(120):
+        world.step()
+        strongest = max(strongest, world.joint("pin").force[1])
+    weight = float(world.state.bodies.mass[0]) * G
+    assert strongest == pytest.approx(weight * (1 + 2 * (1 - math.cos(1.0)) / 1.005), rel=2e-3)
+
+
+@pytest.mark.parametrize("shape", ["discs", "rods"])
+@pytest.mark.parametrize("lift", [0.1, 1.0, 1.9])
+def test_a_double_pendulum_keeps_its_energy(lift, shape):
+    """Less than 1 % in 10 s, of the energy between hanging down and where it starts."""
+    part = circle(0.1) if shape == "discs" else box(1.0, 0.1, at=(-0.5, 0.0))
+    first = body("a", part, position=(1.0, 0.0))
+    second = body("b", part, position=(1.0 + math.cos(lift), math.sin(lift)), angle=lift)
+    pins = (joint("p", "revolute", None, "a", (0.0, 0.0)), joint("q", "revolute", "a", "b", (1.0, 0.0)))
+    world = jointed((first, second), pins)
+    b = world.state.bodies
+    start = energy(world)
+    arms = (1.0, 2.0) if shape == "discs" else (0.5, 1.5)
+    lowest = -sum(float(m) * G * arm for m, arm in zip(b.mass, arms, strict=True))
+    for _ in range(60):
+        world.step(10)
+        assert energy(world) == pytest.approx(start, abs=0.01 * (start - lowest))
+    assert gap(world) < 2e-3
