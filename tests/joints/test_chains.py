@@ -42,7 +42,7 @@ def test_a_slack_bridge_hangs_as_a_catenary():
     assert gap(world) < 1e-5
     weight = float(world.state.bodies.mass.sum()) * G
     (ax, ay), (bx, by) = world.joint("j0").force, world.joint("j40").force
-    assert ay - by == pytest.approx(weight, rel=1e-2)  # dampers take a little of what still swings
+    assert ay - by == pytest.approx(weight, rel=1e-2)  # damping acts on what gravity gives within a substep
     # A rope of length L over a span S: L = 2 a sinh(S / 2 a), its sag a (cosh(S / 2 a) - 1), its pull w a.
     a = float(mpmath.findroot(lambda x: 2 * x * mpmath.sinh(18 / x) - 40, 22))
     assert (ax, bx) == pytest.approx((-weight / 40 * a, -weight / 40 * a), rel=5e-3)

@@ -41,7 +41,7 @@ def _aim(work: JointWork, part: Records, seconds: float, acting: float, relaxing
         if row.stiffness > 0.0 and row.capped == 0:
             speed = row_speed(work.members, row)
             if relaxing:
-                aim_to_relax(row, joint, speed, seconds)
+                aim_to_relax(row, joint, speed, seconds, part.borne == 0)
             else:
                 aim_to_move(row, joint, row_error(row, seat), speed, seconds, acting)
 

@@ -48,8 +48,11 @@ def aim_to_move(row: Records, joint: Records, ahead: float, speed: float, second
 
 
 @kernel
-def aim_to_relax(row: Records, joint: Records, speed: float, seconds: float) -> None:
-    """The law of a row once its members have moved: only velocities count. Springs have had their say."""
+def aim_to_relax(row: Records, joint: Records, speed: float, seconds: float, halves: bool) -> None:
+    """The law of a row once its members have moved: only velocities count. Springs have had their say.
+
+    Where forces act in `halves`, a row at rest gives the other half here: softness counts from that.
+    """
     row.softness = 0.0
     row.low = -INFINITE
     row.high = INFINITE
@@ -61,6 +64,8 @@ def aim_to_relax(row: Records, joint: Records, speed: float, seconds: float) -> 
     else:
         row.bias = -joint.motor_speed if is_brake(row, joint) and joint.kind == WHEEL else 0.0
         row.softness = COMPLIANCE * row.stiffness
+        if halves:
+            row.bias = row.bias - row.softness * row.impulse
         limit = seconds * strength(row, joint)
         row.low = -limit - row.impulse
         row.high = limit - row.impulse
