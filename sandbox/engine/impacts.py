@@ -215,7 +215,10 @@ def _push(
     a: Records, b: Records, motions: Records, flights: Records, contact: Records, impulse: float, point: int
 ) -> None:
     """Apply a normal impulse at a point."""
-    _apply(a, b, motions, flights, contact, impulse * contact.normal_x, impulse * contact.normal_y, point)
+    ax, ay, bx, by = _where_it_strikes(a, b, contact, point)
+    px = impulse * contact.normal_x
+    py = impulse * contact.normal_y
+    _apply(a, b, motions, flights, contact, px, py, ax, ay, bx, by)
 
 
 @kernel
@@ -225,11 +228,7 @@ def _rub(
     """Coulomb friction of the impact: stop the sliding at a point, as far as its normal impulse allows."""
     if contact.friction <= 0.0:
         return
-    first = point == 1
-    ax = contact.anchor_ax1 if first else contact.anchor_ax2
-    ay = contact.anchor_ay1 if first else contact.anchor_ay2
-    bx = contact.anchor_bx1 if first else contact.anchor_bx2
-    by = contact.anchor_by1 if first else contact.anchor_by2
+    ax, ay, bx, by = _where_it_strikes(a, b, contact, point)
     tx = contact.normal_y
     ty = -contact.normal_x
     fa = flights[contact.body_a]
@@ -241,7 +240,30 @@ def _rub(
     stop = -effective_mass(a, b, ax, ay, bx, by, tx, ty) * speed
     stop = stop if stop < limit else limit
     stop = stop if stop > -limit else -limit
-    _apply(a, b, motions, flights, contact, stop * tx, stop * ty, point)
+    _apply(a, b, motions, flights, contact, stop * tx, stop * ty, ax, ay, bx, by)
+
+
+@kernel
+def _where_it_strikes(a: Records, b: Records, contact: Records, point: int) -> tuple[float, float, float, float]:
+    """Anchors (m) of a point on both surfaces, from the centres of a and b.
+
+    The contact has them half way between the surfaces, which were apart still when it was found; but the blow falls
+    when they have met, and half a gap would be a longer arm for its friction.
+    """
+    first = point == 1
+    ax = contact.anchor_ax1 if first else contact.anchor_ax2
+    ay = contact.anchor_ay1 if first else contact.anchor_ay2
+    bx = contact.anchor_bx1 if first else contact.anchor_bx2
+    by = contact.anchor_by1 if first else contact.anchor_by2
+    separation = contact.separation1 if first else contact.separation2
+    # The contact was found where b had come nearer by this: the gap is what was left there.
+    nearer = (b.center_x + bx - a.center_x - ax) * contact.normal_x
+    nearer = nearer + (b.center_y + by - a.center_y - ay) * contact.normal_y
+    half = 0.5 * (separation - nearer)
+    half = half if half > 0.0 else 0.0
+    x = half * contact.normal_x
+    y = half * contact.normal_y
+    return ax - x, ay - y, bx + x, by + y
 
 
 @kernel
@@ -253,14 +275,12 @@ def _apply(
     contact: Records,
     px: float,
     py: float,
-    point: int,
+    ax: float,
+    ay: float,
+    bx: float,
+    by: float,
 ) -> None:
-    """Apply the impulse (px, py) N s to b and its opposite to a."""
-    first = point == 1
-    ax = contact.anchor_ax1 if first else contact.anchor_ax2
-    ay = contact.anchor_ay1 if first else contact.anchor_ay2
-    bx = contact.anchor_bx1 if first else contact.anchor_bx2
-    by = contact.anchor_by1 if first else contact.anchor_by2
+    """Apply the impulse (px, py) N s to b at its anchor and the opposite to a at its own."""
     ia = contact.body_a
     ib = contact.body_b
     turn_a = -a.inverse_inertia * (ax * py - ay * px)

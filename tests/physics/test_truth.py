@@ -17,7 +17,7 @@ from tests.physics.truth.table import EXPERIMENTS, Row, head, is_best, measure_o
 NAMES = [each.name for each in EXPERIMENTS]
 BEHIND = {
     "box put on a slope: slip until it holds": "contacts against the ground are softer than Box2D's",
-    "oblique bounce of a rough disc": "friction of a blow takes hold half a gap outside the surface",
+    "pendulum at 0.2 rad": "two errors of Box2D cancel at 0.19 rad: it is worse below 0.05 and above 0.3",
 }
 """Experiments in which another engine is better, and why."""
 

@@ -54,7 +54,7 @@ def oblique(start: Engine) -> float:
     return worst
 
 
-@experiment("oblique bounce of a rough disc", "velocity and spin; it slips, it grips", bound=1e-3)
+@experiment("oblique bounce of a rough disc", "velocity and spin; it slips, it grips", bound=1e-12)
 def rough(start: Engine) -> float:
     """The blow's friction is mu times the blow, or as much as stops the sliding: a third of it, for a disc."""
     worst = 0.0

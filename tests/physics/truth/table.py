@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from importlib.util import find_spec
 
-from tests.physics.truth import bouncing, colliding, falling, ours, rolling, sliding, tipping, with_pymunk
+from tests.physics.truth import bouncing, colliding, falling, ours, rolling, sliding, swinging, tipping, with_pymunk
 from tests.physics.truth.experiment import Engine, Experiment
 
 EXPERIMENTS: tuple[Experiment, ...] = (
@@ -28,6 +28,9 @@ EXPERIMENTS: tuple[Experiment, ...] = (
     colliding.oblique,
     colliding.rough,
     colliding.rod_end,
+    *swinging.PERIODS,
+    swinging.amplitude_kept,
+    swinging.dumbbell,
 )
 """Rows of the table, in its order."""
 

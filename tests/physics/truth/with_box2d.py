@@ -10,7 +10,7 @@ from typing import Any
 
 import pyb2d3 as box2d
 
-from sandbox.scene.flat import FlatBody, FlatScene, FlatShape, Vec
+from sandbox.scene.flat import FlatBody, FlatJoint, FlatScene, FlatShape, Vec
 from tests.physics.truth.experiment import RATE
 
 NAME = f"Box2D (pyb2d3 {version('pyb2d3')})"
@@ -29,6 +29,9 @@ class Box2dRun:
         )  # fmt: skip
         self._world.sleeping_enabled = scene.settings.sleeping
         self._bodies = {flat.id: _build_body(self._world, flat) for flat in scene.bodies}
+        self._ground = self._world.create_body(type=_TYPES["static"])
+        for joint in scene.joints:
+            self._build_joint(joint)
 
     def step(self, steps: int = 1) -> None:
         for _ in range(steps):
@@ -47,6 +50,19 @@ class Box2dRun:
 
     def spin(self, name: str) -> float:
         return float(self._bodies[name].angular_velocity)
+
+    def _build_joint(self, flat: FlatJoint) -> None:
+        a, b = (self._ground if name is None else self._bodies[name] for name in (flat.body_a, flat.body_b))
+        fields: dict[str, Any] = {
+            "local_anchor_a": a.local_point(flat.anchor_a), "local_anchor_b": b.local_point(flat.anchor_b),
+            "collide_connected": flat.collide,
+        }  # fmt: skip
+        if flat.kind == "revolute":
+            self._world.create_revolute_joint(a, b, **fields)
+        elif flat.kind == "distance":
+            self._world.create_distance_joint(a, b, length=flat.length, **fields)
+        else:
+            raise ValueError(f"{flat.id}: no experiment has needed a {flat.kind} joint yet")
 
 
 def _build_body(world: Any, flat: FlatBody) -> Any:

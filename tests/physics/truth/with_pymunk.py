@@ -11,7 +11,7 @@ import math
 import pymunk
 
 from sandbox.reference.space import build_space
-from sandbox.scene.flat import FlatScene, FlatShape, Vec
+from sandbox.scene.flat import FlatJoint, FlatScene, FlatShape, Vec
 from tests.physics.truth.experiment import RATE
 
 NAME = f"pymunk {pymunk.version}"
@@ -31,6 +31,7 @@ class PymunkRun:
             own = [shape for shape in self._space.shapes if shape.body is self._bodies[flat.id]]
             for shape, described in zip(own, flat.shapes, strict=True):
                 _give_surface(shape, described)
+        self._space.add(*(self._build_joint(flat) for flat in scene.joints))
 
     def step(self, steps: int = 1) -> None:
         for _ in range(steps * self._substeps):
@@ -50,6 +51,19 @@ class PymunkRun:
 
     def spin(self, name: str) -> float:
         return self._bodies[name].angular_velocity
+
+    def _build_joint(self, flat: FlatJoint) -> pymunk.Constraint:
+        ground = self._space.static_body
+        a, b = (ground if name is None else self._bodies[name] for name in (flat.body_a, flat.body_b))
+        joint: pymunk.Constraint
+        if flat.kind == "revolute":
+            joint = pymunk.PivotJoint(a, b, flat.anchor_a)
+        elif flat.kind == "distance":
+            joint = pymunk.PinJoint(a, b, a.world_to_local(flat.anchor_a), b.world_to_local(flat.anchor_b))
+        else:
+            raise ValueError(f"{flat.id}: no experiment has needed a {flat.kind} joint yet")
+        joint.collide_bodies = flat.collide
+        return joint
 
 
 def _give_surface(shape: pymunk.Shape, described: FlatShape) -> None:
