@@ -8,7 +8,7 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
-COMMANDS = ("run", "check", "render", "sat", "compare")
+COMMANDS = ("run", "check", "render", "sat", "compare", "events")
 """Command names in the order of the help text; `name` is the function `name` in `sandbox/cli/name.py`."""
 
 

@@ -83,6 +83,7 @@ def bound_shapes(
         owner = owners[i]
         owner.body = shape.body
         owner.moves = _how_it_moves(body)
-        owner.category = shape.category
+        # Nothing is in category 0, so that the grid proposes no pairs of a sensor.
+        owner.category = shape.category if shape.sensor == 0 else 0
         owner.mask = shape.mask
-        owner.group = shape.group
+        owner.group = shape.group if shape.sensor == 0 else 0

@@ -45,7 +45,10 @@ TANGENT_MASS = 6 * LANES
 NORMAL_IMPULSE = 7 * LANES
 TANGENT_IMPULSE = 8 * LANES
 
-BLOCK_SIZE = 32 * LANES
+TOTAL_IMPULSE = 32 * LANES
+"""Normal impulses of both points, summed over the substeps so far."""
+
+BLOCK_SIZE = 33 * LANES
 
 # Bodies of a block, gathered before the arithmetic and scattered after it.
 VELOCITY_AX = 0 * LANES

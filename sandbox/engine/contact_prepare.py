@@ -81,6 +81,8 @@ def _prepare_lane(a: Records, b: Records, contact: Records, lanes: Floats, at: i
     turning = a.inverse_inertia + b.inverse_inertia
     lanes[at + cb.ROLLING_MASS] = 1.0 / turning if turning > 0.0 else 0.0
     lanes[at + cb.ROLLING_IMPULSE] = contact.rolling_impulse
+    # The first warm start applies what the last step accumulated; that belongs to no substep of this one.
+    lanes[at + cb.TOTAL_IMPULSE] = -(contact.normal_impulse1 + contact.normal_impulse2)
     _prepare_point(
         a,
         b,
@@ -157,15 +159,56 @@ def effective_mass(a: Records, b: Records, ax: float, ay: float, bx: float, by: 
 
 
 @kernel
-def store_impulses(contacts: Records, slots: Records, blocks: Records, block_count: int, lanes: Floats) -> None:
-    """Copy the accumulated impulses back into the contacts, to warm start the next step."""
+def store_impulses(
+    bodies: Records, contacts: Records, slots: Records, blocks: Records, block_count: int, lanes: Floats
+) -> None:
+    """Copy the accumulated impulses back into the contacts, to warm start the next step; notice who has touched whom.
+
+    The bodies still have the velocities with which the step began: a point that begins to push has closed in at them.
+    """
     for n in range(block_count):
         for k in range(blocks[n].count):
             contact = contacts[slots[blocks[n].first + k].contact]
             at = n * BLOCK_SIZE + k * blocks[n].stride
+            normal1 = lanes[at + cb.POINT_1 + cb.NORMAL_IMPULSE]
+            normal2 = lanes[at + cb.POINT_2 + cb.NORMAL_IMPULSE]
+            total = lanes[at + cb.TOTAL_IMPULSE] + normal1 + normal2
+            contact.total_impulse = contact.impact_impulse + (total if total > 0.0 else 0.0)
+            if contact.total_impulse > 0.0:
+                contact.touching = 1
+                if contact.impact_impulse > 0.0 or contact.normal_impulse1 == 0.0 or contact.normal_impulse2 == 0.0:
+                    contact.hit_speed = _hit_speed(bodies[contact.body_a], bodies[contact.body_b], contact)
+            elif contact.separation1 < 0.0 or contact.separation2 < 0.0:
+                contact.touching = 1
             contact.rolling_impulse = lanes[at + cb.ROLLING_IMPULSE]
-            contact.normal_impulse1 = lanes[at + cb.POINT_1 + cb.NORMAL_IMPULSE]
+            contact.normal_impulse1 = normal1
             contact.tangent_impulse1 = lanes[at + cb.POINT_1 + cb.TANGENT_IMPULSE]
             if contact.point_count == 2:
-                contact.normal_impulse2 = lanes[at + cb.POINT_2 + cb.NORMAL_IMPULSE]
+                contact.normal_impulse2 = normal2
                 contact.tangent_impulse2 = lanes[at + cb.POINT_2 + cb.TANGENT_IMPULSE]
+
+
+@kernel
+def _hit_speed(a: Records, b: Records, contact: Records) -> float:
+    """Speed (m/s) at which the points that did not push before have closed in; 0 if they did not."""
+    struck = contact.impact_impulse > 0.0
+    speed = 0.0
+    if struck or contact.normal_impulse1 == 0.0:
+        speed = _closing_speed(
+            a, b, contact, contact.anchor_ax1, contact.anchor_ay1, contact.anchor_bx1, contact.anchor_by1
+        )
+    if contact.point_count == 2 and (struck or contact.normal_impulse2 == 0.0):
+        other = _closing_speed(
+            a, b, contact, contact.anchor_ax2, contact.anchor_ay2, contact.anchor_bx2, contact.anchor_by2
+        )
+        speed = other if other > speed else speed
+    return speed if speed > 0.0 else 0.0
+
+
+@kernel
+def _closing_speed(a: Records, b: Records, contact: Records, ax: float, ay: float, bx: float, by: float) -> float:
+    """Speed (m/s) at which two points of the bodies approach along the normal."""
+    x = b.velocity_x - b.angular_velocity * by - a.velocity_x + a.angular_velocity * ay
+    y = b.velocity_y + b.angular_velocity * bx - a.velocity_y - a.angular_velocity * ax
+    closing: float = -(x * contact.normal_x + y * contact.normal_y)
+    return closing

@@ -129,6 +129,7 @@ def _warm_start_lanes(v: Floats, g: Floats) -> None:
         bx = g[cb.VELOCITY_BX + k]
         by = g[cb.VELOCITY_BY + k]
         bw = g[cb.ANGULAR_B + k] + v[cb.INVERSE_INERTIA_B + k] * v[cb.ROLLING_IMPULSE + k]
+        v[cb.TOTAL_IMPULSE + k] += v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] + v[cb.POINT_2 + cb.NORMAL_IMPULSE + k]
         for point in (cb.POINT_1, cb.POINT_2):
             normal = v[point + cb.NORMAL_IMPULSE + k]
             tangent = v[point + cb.TANGENT_IMPULSE + k]

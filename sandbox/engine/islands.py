@@ -178,7 +178,10 @@ def fall_asleep(
 
 @kernel
 def _count_sleepers(bodies: Records, counter: Records) -> None:
-    """Count who is awake; the world is still when nobody is and no driven body moves."""
+    """Count who is awake, and note who has just fallen asleep or woken.
+
+    The world is still when nobody is awake and no driven body moves.
+    """
     asleep = 0
     awake = 0
     driven = False
@@ -187,6 +190,8 @@ def _count_sleepers(bodies: Records, counter: Records) -> None:
         if body.type == DYNAMIC:
             asleep += 1 - body.awake
             awake += body.awake
+            body.stirred = body.awake - 1 + body.was_asleep
+            body.was_asleep = 1 - body.awake
         elif body.type == KINEMATIC and _disturbs(body):
             driven = True
     counter.asleep_count = asleep

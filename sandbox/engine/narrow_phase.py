@@ -118,6 +118,8 @@ def _keep_if_asleep(bodies: Records, old: Records, contacts: Records, count: int
     if is_active(a) or is_active(b) or a.awake + b.awake == 2:
         return count
     contacts[count] = old
+    contacts[count].hit_speed = 0.0
+    contacts[count].total_impulse = 0.0
     return count + 1
 
 
@@ -318,6 +320,9 @@ def _fill(
     contact.radius_b = b.radius
     contact.rolling_impulse = 0.0
     contact.impact_impulse = 0.0
+    contact.total_impulse = 0.0
+    contact.hit_speed = 0.0
+    contact.touching = 0
     contact.point_count = m.point_count
     contact.anchor_ax1 = m.x1
     contact.anchor_ay1 = m.y1
@@ -341,6 +346,7 @@ def _fill(
 @inlined_kernel
 def _match(old: Records, contact: Records) -> None:
     """Carry impulses over from the points of the last step with the same feature ids."""
+    contact.touching = old.touching
     contact.rolling_impulse = old.rolling_impulse
     if contact.feature1 == old.feature1:
         contact.normal_impulse1 = old.normal_impulse1

@@ -165,7 +165,7 @@ def move(
             bodies, motions, flights, drags, setting, counters, contacts, colors, bouncy_count, slots, blocks,
             block_count, lanes, gathered, pace, RELAX_DEEP if deep else 1, joints,
         )  # fmt: skip
-        store_impulses(contacts, slots, blocks, block_count, lanes)
+        store_impulses(bodies, contacts, slots, blocks, block_count, lanes)
     if joints is not None:
         finish_joints(joints, setting.step_seconds, counter)
     guard_positions(bodies, motions, counters)
@@ -173,6 +173,7 @@ def move(
 
     fall_asleep(bodies, flights, contacts, count, joints, drags, setting.step_seconds, setting.sleeping == 1, counters)
     counter.step_count += 1
+    counter.old_contact_count = counter.contact_count
     counter.contact_count = count
     return MUST_CATCH if mark_fast(bodies, motions, holds) > 0 else 0
 

@@ -14,6 +14,7 @@ from sandbox.engine.continuous import catch
 from sandbox.engine.joint_commands import JointCommand, apply_joint_command
 from sandbox.engine.joint_view import Joint
 from sandbox.engine.joints.layout import lay_out
+from sandbox.engine.events import SENSOR_EVENT, Events, differences, happened, nothing
 from sandbox.engine.scratch import Scratch
 from sandbox.engine.step import MUST_CATCH, find_touching, move
 from sandbox.engine.views import Bodies, Body
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from sandbox.engine.queries.queries import Queries
+    from sandbox.engine.sensors import Sensing
     from sandbox.scene import Scene
     from sandbox.scene.flat import FlatScene
 
@@ -49,6 +51,8 @@ class World:
         self.changes = 0
         """Counts steps, commands and restores: while it stays the same, nothing has moved."""
         self._joint_index = {name: i for i, name in enumerate(self.state.joint_names)}
+        self._events: Events | None = nothing(0, self.state.names)
+        self._sensing = self._make_sensing()
         self._turn = 0
         self._arguments: list[tuple[tuple[Any, ...], ...]] = []
         self._use_scratch(Scratch.for_state(self.state, len(self.state.contacts)))
@@ -61,6 +65,7 @@ class World:
         for taken in range(n):
             if self.state.counters["still"][0]:
                 self.state.counters["step_count"][0] += n - taken  # all asleep: nothing else would change
+                self._events = nothing(self.step_count, self.names)
                 return
             while not self._advance():
                 pass
@@ -69,6 +74,9 @@ class World:
             self.state.contacts, self._scratch.contacts = self._scratch.contacts, self.state.contacts
             if self.state.counters[0].broken_count != self._broken:
                 self._lay_out_joints()
+            self._events = None
+            if self._sensing is not None:
+                self._sensing.look()
 
     def apply(self, command: Command | JointCommand) -> None:
         """Apply a command.
@@ -127,6 +135,24 @@ class World:
         return self.state.contacts[: int(self.state.counters[0].contact_count)]
 
     @property
+    def events(self) -> Events:
+        """What happened during the last step: contacts that began, ended or struck, sensors, sleep. Ask every step."""
+        if self._events is None:
+            sensing = self._sensing
+            enter, leave = differences(sensing.before, sensing.now) if sensing else (SENSOR_EVENT.zeros(0),) * 2
+            self._events = happened(self.state, self._scratch.contacts, enter, leave)
+        return self._events
+
+    @property
+    def sensed(self) -> tuple[tuple[str, str], ...]:
+        """(sensor's body, other body) for everything that a sensor has in it now, each pair once, in scene order."""
+        if self._sensing is None:
+            return ()
+        rows = self._sensing.now
+        pairs = sorted(set(zip(rows.sensor_body.tolist(), rows.body.tolist(), strict=True)))
+        return tuple((self.names[a], self.names[b]) for a, b in pairs)
+
+    @property
     def scratch(self) -> Scratch:
         """What the last step left in its memory (boxes, proposed pairs), for tools that look into it; read only."""
         return self._scratch
@@ -159,6 +185,16 @@ class World:
         if len(self.state.contacts) != len(self._scratch.contacts):
             self._use_scratch(Scratch.for_state(self.state, len(self.state.contacts)))
         self._lay_out_joints()
+        self._events = nothing(self.step_count, self.names)
+        if self._sensing is not None:
+            self._sensing.forget()
+
+    def _make_sensing(self) -> Sensing | None:
+        if not self.state.shapes.sensor.any():
+            return None
+        from sandbox.engine.sensors import Sensing  # worlds without sensors pay nothing
+
+        return Sensing(self.state)
 
     def _advance(self) -> bool:
         """Take a step; False if it lacked scratch memory, which it has now: then nothing else has changed."""

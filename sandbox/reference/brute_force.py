@@ -58,7 +58,8 @@ def that_matter(pairs: Integers, bodies: Records, shapes: Records) -> Integers:
     moves = _how_bodies_move(bodies)
     both = moves[a.body] | moves[b.body]
     alive = ((both & ACTIVE) != 0) | (both == SLEEPS | DRIVEN)
-    matter: Integers = pairs[(a.body != b.body) & alive & _filters_agree(a, b)]
+    solid = (a.sensor | b.sensor) == 0
+    matter: Integers = pairs[(a.body != b.body) & solid & alive & _filters_agree(a, b)]
     return matter
 
 

@@ -31,7 +31,8 @@ def build_space(scene: FlatScene) -> tuple[pymunk.Space, list[pymunk.Body]]:
 def _build_body(space: pymunk.Space, flat: FlatBody) -> pymunk.Body:
     total = Moments(0.0, 0.0, 0.0, 0.0)
     for shape in flat.shapes:
-        total = total.plus(Moments(*(shape.density * value for value in moments(shape.vertices, shape.radius))))
+        density = 0.0 if shape.sensor else shape.density
+        total = total.plus(Moments(*(density * value for value in moments(shape.vertices, shape.radius))))
     body = pymunk.Body(body_type=_TYPES[flat.type])
     if flat.type == "dynamic":
         center = flat.center or (total.first_x / total.area, total.first_y / total.area)
@@ -92,4 +93,5 @@ def _build_shape(body: pymunk.Body, flat: FlatShape) -> Any:
         shape = pymunk.Poly(body, flat.vertices, radius=flat.radius)
     shape.friction, shape.elasticity = math.sqrt(flat.friction), flat.restitution
     shape.filter = pymunk.ShapeFilter(max(0, -flat.group), flat.category, flat.mask)
+    shape.sensor = flat.sensor
     return shape

@@ -42,6 +42,7 @@ class FlatShape:
     category: int = 1
     mask: int = 0xFFFFFFFF
     group: int = 0
+    sensor: bool = False
     clockwise: bool = False
     part: int = 0
     shown: tuple[Vec, ...] = ()

@@ -27,7 +27,7 @@ def flat_shapes(shape: AnyShape, material: Material | None, categories: Sequence
     given = {name: getattr(shape, name) for name in Material.model_fields}
     surface: dict[str, Any] = {name: getattr(base, name) if value is None else value for name, value in given.items()}
     surface["category"], surface["mask"] = _bits(shape.category, categories), _bits(shape.mask, categories)
-    surface["group"] = shape.group
+    surface["group"], surface["sensor"] = shape.group, shape.sensor
     if shape.one_way is not None:
         surface["one_way"] = _direction(shape, shape.one_way)
     if isinstance(shape, Polygon):

@@ -122,6 +122,9 @@ class AnyShape(Surface):
     material: Name | None = Field(default=None, description="Name of a material; default: the body's.")
     category: Categories = Field(default=1, description='What the shape is, for filters; default "default".')
     mask: Categories = Field(default=ALL_BITS, description="What the shape collides with; default: everything.")
+    sensor: Annotated[bool, Field(description="true: reports what overlaps it, pushes nothing, weighs nothing.")] = (
+        False
+    )
     group: Annotated[int, Range(-(2**31), 2**31 - 1)] = Field(
         default=0,
         description="Shapes of the same positive group always collide, of the same negative group never.",

@@ -19,4 +19,4 @@ def faults(traits: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
 
 
 def _has_mass(shape: Any) -> bool:
-    return bool(shape.density > 0.0 and (shape.kind != "segment" or shape.radius > 0.0))
+    return bool(shape.density > 0.0 and not shape.sensor and (shape.kind != "segment" or shape.radius > 0.0))

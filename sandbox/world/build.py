@@ -85,6 +85,8 @@ def _builds(scene: FlatScene) -> dict[tuple[int, Vec | None], _Build]:
 def _build(shapes: tuple[FlatShape, ...], center: Vec | None) -> _Build:
     total = Moments(0.0, 0.0, 0.0, 0.0)
     for shape in shapes:
+        if shape.sensor:
+            continue
         part = moments(shape.vertices, shape.radius)
         total = total.plus(Moments(*(shape.density * value for value in part)))
     mass, first_x, first_y, second = total
@@ -95,12 +97,14 @@ def _build(shapes: tuple[FlatShape, ...], center: Vec | None) -> _Build:
     side_rows, seam_rows = _sides(shape_rows, shapes, middle), _seams(shape_rows, shapes)
     start = 0
     extent = 0.0
+    solid = not all(shape.sensor for shape in shapes)
     for row, shape in zip(shape_rows, shapes, strict=True):
         _fill_shape(row, shape, start)
         for k, (vertex, normal) in enumerate(zip(shape.vertices, edge_normals(shape.vertices), strict=True)):
             x, y = vertex[0] - middle[0], vertex[1] - middle[1]
             vertex_rows[start + k] = (x, y, *normal)
-            extent = max(extent, math.sqrt(x * x + y * y) + shape.radius)
+            if not (shape.sensor and solid):
+                extent = max(extent, math.sqrt(x * x + y * y) + shape.radius)
         start += len(shape.vertices)
     return _Build(shape_rows, vertex_rows, side_rows, seam_rows, mass, second + shift, middle, extent)
 
@@ -112,7 +116,7 @@ def _fill_shape(row: Records, shape: FlatShape, start: int) -> None:
     row.friction, row.restitution = shape.friction, shape.restitution
     row.rolling_resistance, row.surface_speed = shape.rolling_resistance, shape.surface_speed
     row.category, row.mask, row.group = shape.category, shape.mask, shape.group
-    row.part = shape.part
+    row.sensor, row.part = int(shape.sensor), shape.part
     row.one_way_x, row.one_way_y = shape.one_way
     row.traits |= records.ONE_WAY if any(shape.one_way) else 0
 

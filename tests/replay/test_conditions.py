@@ -154,7 +154,7 @@ def test_every_kind_of_expectation_can_be_judged(kind: str, state: State) -> Non
         "below": 0,
     }
     pair = ("crate-1", "ground")
-    value = values.get(kind, pair if kind in ("touches", "apart") else "crate-1")
+    value = values.get(kind, pair if kind in ("touches", "apart", "senses") else "crate-1")
     subject = {"of": "crate-1"} if kind in values else {}
     model = expect.CONDITIONS[kind](at=0, **{kind: value}, **subject)
     assert all(condition.expected for condition in conditions(model, state))  # type: ignore[arg-type]

@@ -105,6 +105,7 @@ def expectations(draw: st.DrawFn, ids: list[str]) -> list[dict[str, Any]]:
         record({"below": numbers}, {"of": many}),
         record({"touches": st.tuples(name, name).map(list)}, {}),
         record({"apart": st.tuples(name, name).map(list)}, {}),
+        record({"senses": st.tuples(name, name).map(list)}, {}),
         record({"asleep": many}, {}),
         record({"near": points, "of": many}, {"tolerance": st.floats(0, 1)}),
         record({"speed": st.just([0, 2.5]), "of": many}, {}),

@@ -40,6 +40,7 @@ QUESTION = Table(
         Field("category", "-", "what the query counts as to the masks of shapes; 0 passes over their masks", "i8"),
         Field("group", "-", "as for shapes", "i8"),
         Field("types", "-", "bit set of the body types that are seen", "i8"),
+        Field("sensors", "-", "1: sensors are seen too", "i8"),
         Field("count", "-", "vertices of the mirrored core", "i8"),
         Field("radius", "m", "rounding of the query shape"),
         Field("extent", "m", "farthest point of the query shape from its reference point"),

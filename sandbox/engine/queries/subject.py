@@ -17,7 +17,7 @@ from sandbox.tables import Records
 
 Vec = tuple[float, float]
 _SHAPE_FIELDS = ["count", "radius", "extent", "lower_x", "lower_y", "upper_x", "upper_y"]
-_FILTER_FIELDS = ["mask", "category", "group", "types"]
+_FILTER_FIELDS = ["mask", "category", "group", "types", "sensors"]
 _TYPES = {"static": 1, "kinematic": 2, "dynamic": 4}
 
 
@@ -77,4 +77,4 @@ def write_filter(memory: Memory, seen: Filter, find: Callable[[str], int]) -> No
     memory.hidden[:] = 0
     memory.hidden[np.array(hidden, dtype=np.int64)] = 1
     types = sum({_TYPES[name] for name in seen.types})
-    plain(memory.question)[_FILTER_FIELDS] = (seen.mask, seen.category or 0, seen.group, types)
+    plain(memory.question)[_FILTER_FIELDS] = (seen.mask, seen.category or 0, seen.group, types, int(seen.sensors))

@@ -1,0 +1,116 @@
+"""`sandbox events`: what happens in a scene, step by step: contacts, sensors, sleep."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fnmatch import fnmatchcase
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from sandbox.errors import SandboxError
+from sandbox.resources import find_scene
+
+if TYPE_CHECKING:
+    from sandbox.scene import Scene
+
+_SCENE = typer.Argument(metavar="SCENE", help="A scene file, or the name of one that comes with the package.")
+_STEPS = typer.Option(
+    min=1, max=10_000_000, metavar="N", show_default=False, help="Steps to run instead of the scene's own number."
+)
+_KIND = typer.Option(
+    "--kind", metavar="KIND", show_default=False,
+    help="Only events of this kind (may be repeated): begin, end, hit, enter, leave, sleep, wake or freeze.",
+)  # fmt: skip
+_BODY = typer.Option("--body", metavar="ID", show_default=False, help='Only of bodies with this id, or "crate-*".')
+_JSON = typer.Option("--json", help="Print one JSON document instead of lines.")
+
+
+def events(
+    scene: Annotated[Path, _SCENE],
+    steps: Annotated[int | None, _STEPS] = None,
+    kind: Annotated[list[str] | None, _KIND] = None,
+    body: Annotated[str | None, _BODY] = None,
+    json: Annotated[bool, _JSON] = False,
+) -> None:
+    """Run a scene without a window and tell what happens in it.
+
+    begin, end: two shapes touch, or have come apart. hit: they strike at 1 m/s or more. enter, leave: a sensor has, or
+    no longer has, a body in it. sleep, wake: a body. freeze: bad numbers stopped a body.
+
+    Exit code 0: it ran.
+    Exit code 2: the scene, or an option, could not be used.
+    """
+    kinds = _checked(kind or [])
+    from sandbox.cli.compiling import announce_compilation
+    from sandbox.scene import load_scene
+
+    file = find_scene(scene)
+    loaded = load_scene(file)
+    announce_compilation()
+    rows = (row for row in _happenings(loaded, file.name, steps) if _is_wanted(row, kinds, body))
+    _print_document(file, rows) if json else _print_lines(rows, loaded.settings.step_rate)
+
+
+def _checked(kinds: list[str]) -> list[str]:
+    from sandbox.engine.events import KINDS
+
+    for kind in kinds:
+        if kind not in KINDS:
+            raise SandboxError(f"there are no events of kind {kind!r}; there are {', '.join(KINDS)}")
+    return kinds
+
+
+def _is_wanted(row: dict[str, Any], kinds: list[str], body: str | None) -> bool:
+    ids = [row[key] for key in ("a", "b", "sensor", "body") if key in row]
+    return (not kinds or row["event"] in kinds) and (body is None or any(fnmatchcase(name, body) for name in ids))
+
+
+def _happenings(scene: Scene, name: str, steps: int | None) -> Iterator[dict[str, Any]]:
+    from rich.console import Console
+
+    from sandbox.cli.progress import SceneProgress
+    from sandbox.engine.world import World
+    from sandbox.replay.trial import planned_steps
+
+    total = planned_steps(scene, steps)
+    world = World(scene)
+    with SceneProgress(Console(stderr=True), 1) as progress:
+        progress.begin(name, total)
+        for step in range(1, total + 1):
+            world.step()
+            yield from world.events
+            if step % 16 == 0:
+                progress.done(step)
+
+
+def _print_lines(rows: Iterator[dict[str, Any]], rate: float) -> None:
+    count = 0
+    for row in rows:
+        print(f"{row['step']:>6} {row['step'] / rate:>8.3f} s  {row['event']:<6} {_words(row)}")
+        count += 1
+    print(f"{count} events" if count != 1 else "1 event")
+
+
+def _words(row: dict[str, Any]) -> str:
+    if "sensor" in row:
+        return (
+            f"{row['body']} in {row['sensor']}" if row["event"] == "enter" else f"{row['body']} out of {row['sensor']}"
+        )
+    if "body" in row:
+        return str(row["body"])
+    text = f"{row['a']} and {row['b']}"
+    if row["event"] == "end":
+        return text
+    x, y = row["point"]
+    return f"{text} at ({x:.3f}, {y:.3f}), {row['speed']:.3g} m/s, {row['impulse']:.3g} N s"
+
+
+def _print_document(file: Path, rows: Iterator[dict[str, Any]]) -> None:
+    import json
+    from collections import Counter
+
+    found = list(rows)
+    counts = Counter(row["event"] for row in found)
+    print(json.dumps({"scene": file.as_posix(), "counts": counts, "events": found}, indent=2, ensure_ascii=False))
