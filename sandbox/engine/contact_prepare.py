@@ -159,25 +159,40 @@ def effective_mass(a: Records, b: Records, ax: float, ay: float, bx: float, by: 
 
 
 @kernel
+def clear_reports(reports: Records, count: int) -> None:
+    """Contacts that are not solved, such as those among sleepers, have nothing to report."""
+    for i in range(count):
+        reports[i].total_impulse = 0.0
+        reports[i].hit_speed = 0.0
+
+
+@kernel
 def store_impulses(
-    bodies: Records, contacts: Records, slots: Records, blocks: Records, block_count: int, lanes: Floats
+    bodies: Records,
+    contacts: Records,
+    slots: Records,
+    blocks: Records,
+    block_count: int,
+    lanes: Floats,
+    reports: Records,
 ) -> None:
-    """Copy the accumulated impulses back into the contacts, to warm start the next step; notice who has touched whom.
+    """Copy the accumulated impulses back into the contacts, to warm start the next step, and report on this one.
 
     The bodies still have the velocities with which the step began: a point that begins to push has closed in at them.
     """
     for n in range(block_count):
         for k in range(blocks[n].count):
             contact = contacts[slots[blocks[n].first + k].contact]
+            report = reports[slots[blocks[n].first + k].contact]
             at = n * BLOCK_SIZE + k * blocks[n].stride
             normal1 = lanes[at + cb.POINT_1 + cb.NORMAL_IMPULSE]
             normal2 = lanes[at + cb.POINT_2 + cb.NORMAL_IMPULSE]
             total = lanes[at + cb.TOTAL_IMPULSE] + normal1 + normal2
-            contact.total_impulse = contact.impact_impulse + (total if total > 0.0 else 0.0)
-            if contact.total_impulse > 0.0:
+            report.total_impulse = contact.impact_impulse + (total if total > 0.0 else 0.0)
+            if report.total_impulse > 0.0:
                 contact.touching = 1
                 if contact.impact_impulse > 0.0 or contact.normal_impulse1 == 0.0 or contact.normal_impulse2 == 0.0:
-                    contact.hit_speed = _hit_speed(bodies[contact.body_a], bodies[contact.body_b], contact)
+                    report.hit_speed = _hit_speed(bodies[contact.body_a], bodies[contact.body_b], contact)
             elif contact.separation1 < 0.0 or contact.separation2 < 0.0:
                 contact.touching = 1
             contact.rolling_impulse = lanes[at + cb.ROLLING_IMPULSE]

@@ -46,7 +46,7 @@ class Events:
 
     `begin` and `end`: shapes began to push or overlap, or came apart by more than the contact margin (2 cm, less for
     small bodies). `hit`: points that did not push before struck at `HIT_SPEED` or more. All three are `CONTACT_EVENT`
-    rows; an `end` has the figures of the step before. `enter` and `leave`: a sensor has, or no longer has, a shape in
+    rows; an `end` has neither impulse nor speed. `enter` and `leave`: a sensor has, or no longer has, a shape in
     it (`SENSOR_EVENT` rows). `sleep`, `wake` and `freeze` are body indices.
     """
 
@@ -101,22 +101,23 @@ def nothing(step: int, names: tuple[str, ...]) -> Events:
     return Events(step, names, contact, contact, contact, sensor, sensor, body, body, body)
 
 
-def happened(state: State, before: Any, enter: Records, leave: Records) -> Events:
-    """The events of the step that led to `state`; `before` are the contacts of the step before."""
+def happened(state: State, before: Any, reports: Any, enter: Records, leave: Records) -> Events:
+    """The events of the step that led to `state`: its `reports`, and `before`, the contacts of the step before."""
     counter, bodies = state.counters[0], state.bodies
     now: Any = np.asarray(state.contacts[: int(counter.contact_count)])
     old: Any = np.asarray(before)[: int(counter.old_contact_count)]
     touched, touches = old["touching"] == 1, now["touching"] == 1
     old_keys, keys = _keys(old[touched]), _keys(now[touches])
-    begin = now[touches][~_among(keys, old_keys)]
-    end = old[touched][~_among(old_keys, keys)]
-    hit = now[now["hit_speed"] >= HIT_SPEED]
+    did: Any = np.asarray(reports)[: len(now)]
+    struck = did["hit_speed"] >= HIT_SPEED
+    fresh = np.flatnonzero(touches)[~_among(keys, old_keys)]
+    ended = np.flatnonzero(touched)[~_among(old_keys, keys)]
     return Events(
         int(counter.step_count),
         state.names,
-        _contact_rows(begin, bodies),
-        _contact_rows(end, bodies),
-        _contact_rows(hit, bodies),
+        _contact_rows(now[fresh], did[fresh], bodies),
+        _contact_rows(old[ended], None, bodies),
+        _contact_rows(now[struck], did[struck], bodies),
         enter,
         leave,
         np.flatnonzero(bodies.stirred == -1),
@@ -131,7 +132,7 @@ def differences(before: Any, after: Any) -> tuple[Records, Records]:
     return after[~_among(new, old)], before[~_among(old, new)]
 
 
-def _contact_rows(contacts: Any, bodies: Records) -> Records:
+def _contact_rows(contacts: Any, did: Any, bodies: Records) -> Records:
     rows: Any = CONTACT_EVENT.zeros(len(contacts))
     for name in ("body_a", "body_b", "shape_a", "shape_b", "normal_x", "normal_y"):
         rows[name] = contacts[name]
@@ -139,7 +140,8 @@ def _contact_rows(contacts: Any, bodies: Records) -> Records:
     for axis in "xy":
         first, second = contacts[f"anchor_a{axis}1"], contacts[f"anchor_a{axis}2"]
         rows[axis] = bodies[f"center_{axis}"][contacts["body_a"]] + np.where(two, 0.5 * (first + second), first)
-    rows["impulse"], rows["speed"] = contacts["total_impulse"], contacts["hit_speed"]
+    if did is not None:
+        rows["impulse"], rows["speed"] = did["total_impulse"], did["hit_speed"]
     return rows  # type: ignore[no-any-return]
 
 

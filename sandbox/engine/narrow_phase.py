@@ -118,8 +118,6 @@ def _keep_if_asleep(bodies: Records, old: Records, contacts: Records, count: int
     if is_active(a) or is_active(b) or a.awake + b.awake == 2:
         return count
     contacts[count] = old
-    contacts[count].hit_speed = 0.0
-    contacts[count].total_impulse = 0.0
     return count + 1
 
 
@@ -320,8 +318,6 @@ def _fill(
     contact.radius_b = b.radius
     contact.rolling_impulse = 0.0
     contact.impact_impulse = 0.0
-    contact.total_impulse = 0.0
-    contact.hit_speed = 0.0
     contact.touching = 0
     contact.point_count = m.point_count
     contact.anchor_ax1 = m.x1

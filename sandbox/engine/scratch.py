@@ -118,6 +118,16 @@ BLOCK = Table(
 )
 
 
+REPORT = Table(
+    "report",
+    (
+        Field("total_impulse", "N s", "normal impulse over the whole step, impacts included, both points"),
+        Field("hit_speed", "m/s", "at which points that did not push before closed in during the step; 0 if none"),
+    ),
+)
+"""What a contact did during the step; same row as the contact."""
+
+
 @dataclass
 class Scratch:
     """The arrays of one world's step. `pairs` decides the capacity of everything that grows with contacts."""
@@ -135,6 +145,7 @@ class Scratch:
     pairs: Records
     sorted_pairs: Records
     contacts: Records
+    reports: Records
     manifold: Records
     sweep: Records
     swept: Records
@@ -166,6 +177,7 @@ class Scratch:
             pairs=PAIR.zeros(pair_capacity),
             sorted_pairs=PAIR.zeros(pair_capacity),
             contacts=CONTACT.zeros(pair_capacity),
+            reports=REPORT.zeros(pair_capacity),
             manifold=MANIFOLD.zeros(2),
             sweep=SWEEP.zeros(1),
             swept=VERTEX.zeros(SWEPT_ROWS),

@@ -11,7 +11,7 @@ from sandbox._jit import entry_point, kernel
 from sandbox.engine.bounds import bound_shapes, turn_cores
 from sandbox.engine.broad_phase import find_pairs, sort_pairs
 from sandbox.engine.coloring import color_contacts, fill_blocks
-from sandbox.engine.contact_prepare import prepare_contacts, store_impulses
+from sandbox.engine.contact_prepare import clear_reports, prepare_contacts, store_impulses
 from sandbox.engine.contact_solver import solve_contacts, warm_start
 from sandbox.engine.continuous import mark_fast
 from sandbox.engine.drags import solve_drags
@@ -124,6 +124,7 @@ def move(
     lanes: Floats,
     gathered: Floats,
     joints: JointWork | None,
+    reports: Records,
 ) -> int:
     """The second half: solve the contacts found and move everything.
 
@@ -152,6 +153,7 @@ def move(
     begin_motions(bodies, motions, flights)
     if joints is not None:
         begin_joints(joints, bodies, contacts, count)
+    clear_reports(reports, count)
     for pace in range(MOST + 1):
         if (paces >> pace) & 1 == 0:
             continue
@@ -165,7 +167,7 @@ def move(
             bodies, motions, flights, drags, setting, counters, contacts, colors, bouncy_count, slots, blocks,
             block_count, lanes, gathered, pace, RELAX_DEEP if deep else 1, joints,
         )  # fmt: skip
-        store_impulses(bodies, contacts, slots, blocks, block_count, lanes)
+        store_impulses(bodies, contacts, slots, blocks, block_count, lanes, reports)
     if joints is not None:
         finish_joints(joints, setting.step_seconds, counter)
     guard_positions(bodies, motions, counters)

@@ -20,6 +20,7 @@ from sandbox.engine.step import MUST_CATCH, find_touching, move
 from sandbox.engine.views import Bodies, Body
 from sandbox.engine.warm_up import compile_step
 from sandbox.errors import UnknownBodyError, UnknownJointError
+from sandbox.tables import Floats
 from sandbox.world.build import build_state
 from sandbox.world.digest import digest
 from sandbox.world.flush import join_tiles
@@ -135,12 +136,18 @@ class World:
         return self.state.contacts[: int(self.state.counters[0].contact_count)]
 
     @property
+    def contact_impulses(self) -> Floats:
+        """Normal impulse (N s) of each of `contacts` over the whole last step, impacts included. A copy."""
+        impulses: Floats = self._scratch.reports.total_impulse[: len(self.contacts)].copy()
+        return impulses
+
+    @property
     def events(self) -> Events:
         """What happened during the last step: contacts that began, ended or struck, sensors, sleep. Ask every step."""
         if self._events is None:
             sensing = self._sensing
             enter, leave = differences(sensing.before, sensing.now) if sensing else (SENSOR_EVENT.zeros(0),) * 2
-            self._events = happened(self.state, self._scratch.contacts, enter, leave)
+            self._events = happened(self.state, self._scratch.contacts, self._scratch.reports, enter, leave)
         return self._events
 
     @property
@@ -186,6 +193,7 @@ class World:
             self._use_scratch(Scratch.for_state(self.state, len(self.state.contacts)))
         self._lay_out_joints()
         self._events = nothing(self.step_count, self.names)
+        self._scratch.reports.total_impulse = 0.0
         if self._sensing is not None:
             self._sensing.forget()
 

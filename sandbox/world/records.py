@@ -155,8 +155,6 @@ CONTACT = Table(
         Field("radius_b", "m", "rounding of shape b"),
         Field("rolling_impulse", "N m s", "accumulated over the last substep"),
         Field("impact_impulse", "N s", "normal impulse of the impacts during the step, both points"),
-        Field("total_impulse", "N s", "normal impulse over the whole step, impacts included, both points"),
-        Field("hit_speed", "m/s", "at which points that did not push before closed in during the step; 0 if none"),
         Field("touching", "-", "1 once the shapes have pushed or overlapped, until they are well apart", "i8"),
         Field("point_count", "-", "1 or 2", "i8"),
         *_point_fields(),

@@ -186,7 +186,7 @@ class Paused:
     def store(self) -> None:
         """Impulses back into the contacts."""
         m = self.scratch
-        store_impulses(m.bodies, m.contacts, m.slots, m.blocks, self.blocks, m.lanes)
+        store_impulses(self.state.bodies, m.contacts, m.slots, m.blocks, self.blocks, m.lanes, m.reports)
 
 
 def island_roots(count: int, links: Sequence[tuple[int, int]], active: Sequence[bool]) -> list[int]:

@@ -30,7 +30,7 @@ def test_the_impulse_of_a_contact_is_the_change_of_momentum(shape, restitution):
         before = float(w.bodies.velocity[1][1])
         w.step()
         gained = mass * (float(w.bodies.velocity[1][1]) - before + G * DT)
-        assert sum(w.contacts.total_impulse) == pytest.approx(gained, rel=1e-9, abs=1e-9)
+        assert sum(w.contact_impulses) == pytest.approx(gained, rel=1e-9, abs=1e-9)
 
 
 def test_a_fall_begins_hits_and_stays():
