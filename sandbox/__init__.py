@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING
 __version__ = "0.1.0"
 
 if TYPE_CHECKING:
+    from sandbox.engine.events import Events
     from sandbox.engine.queries.filter import Filter
     from sandbox.engine.world import World
     from sandbox.errors import (
@@ -46,6 +47,7 @@ __all__ = [
     "CommandError",
     "Contact",
     "Distance",
+    "Events",
     "Filter",
     "Judge",
     "MissingDependencyError",
@@ -98,6 +100,7 @@ _HOMES = {
     "sat_table": "sandbox.geometry.sat_table",
     "Scene": "sandbox.scene",
     "load_scene": "sandbox.scene",
+    "Events": "sandbox.engine.events",
     "Filter": "sandbox.engine.queries.filter",
     "World": "sandbox.engine.world",
 }

@@ -15,13 +15,15 @@ from sandbox.render.grid import grid_lines
 from sandbox.render.joint_strokes import joint_strokes
 from sandbox.render.line import Line
 from sandbox.render.theme import Theme
-from sandbox.render.wardrobe import Tints, Wardrobe, tints
+from sandbox.render.wardrobe import Tints, Wardrobe, mix, tints
 from sandbox.world.records import DYNAMIC, SEGMENT, STATIC
 
 MIN_HALF_PIXELS = 0.6
 """Smaller shapes are drawn this large, so that dust stays visible from afar."""
 SEGMENT_HALF_PIXELS = 1.0
 """Half the least width of a segment, which is drawn in the outline's colour throughout."""
+SENSOR_FILL, SENSOR_EDGE = 0.85, 0.3
+"""How far the colours of sensors move towards the background."""
 MARK_FROM_PIXELS, MARK_FULL_PIXELS = 3.0, 8.0
 """Half thickness at which orientation marks begin to show, and at which they show fully."""
 
@@ -33,7 +35,7 @@ class ShapeItems:
     `index` row in the mesh; `origin` (k, 2) pixels of the shape frame's origin; `axis` (k, 2) its x axis on
     screen (cos, sin with y down); `grow` (k,) pixels added to the radius of what is too small to see; `line`
     (k,) outline width in pixels; `fill`, `edge`, `mark` (k, 3) sRGB; `mark_opacity` (k,); `hatched` (k,) 1
-    for frozen bodies.
+    for frozen bodies and for sensors.
     """
 
     index: Ints
@@ -94,6 +96,7 @@ def _shapes(frame: Frame, camera: Camera, wardrobe: Wardrobe) -> ShapeItems:
     origin = camera.to_screen(world)
     index = _in_order(frame, _visible(origin, mesh.reach * camera.scale, camera))
     body = mesh.body[index]
+    sensor = mesh.sensor[index]
     half = mesh.thickness[index] * camera.scale
     grow, line = stroke_sizes(mesh, camera.scale)
     return ShapeItems(
@@ -102,11 +105,11 @@ def _shapes(frame: Frame, camera: Camera, wardrobe: Wardrobe) -> ShapeItems:
         axis=axis.take(index, axis=0) * (1.0, -1.0),
         grow=grow[index],
         line=line[index],
-        fill=_fills(colors, body, mesh.kind[index] == SEGMENT),
-        edge=colors.edge.take(body, axis=0),
+        fill=_faded(_fills(colors, body, mesh.kind[index] == SEGMENT), sensor, wardrobe.theme, SENSOR_FILL),
+        edge=_faded(colors.edge.take(body, axis=0), sensor, wardrobe.theme, SENSOR_EDGE),
         mark=colors.mark.take(body, axis=0),
-        mark_opacity=_mark_opacity(half, frame.type[body]),
-        hatched=colors.hatched[body],
+        mark_opacity=np.where(sensor, 0.0, _mark_opacity(half, frame.type[body])),
+        hatched=np.where(sensor, 1.0, colors.hatched[body]),
     )
 
 
@@ -116,14 +119,21 @@ def _fills(colors: Tints, body: Ints, segment: NDArray[np.bool_]) -> Floats:
     return fill
 
 
+def _faded(colors: Floats, sensor: NDArray[np.bool_], theme: Theme, amount: float) -> Floats:
+    """Sensors are hardly more than their stripes: one sees what they are, and what is in them."""
+    colors[sensor] = mix(colors[sensor], theme.background, amount)
+    return colors
+
+
 def _visible(origin: Floats, reach: Floats, camera: Camera) -> Ints:
     outside = np.maximum(np.abs(origin - np.asarray(camera.size) / 2) - np.asarray(camera.size) / 2, 0.0)
     return np.flatnonzero(np.hypot(outside[:, 0], outside[:, 1]) <= reach + 2.0)
 
 
 def _in_order(frame: Frame, index: Ints) -> Ints:
-    """Static bodies first, so that what moves is never hidden by the ground."""
-    return index[np.argsort(frame.type[frame.mesh.body[index]] != STATIC, kind="stable")]
+    """Sensors first, then static bodies, so that what moves is never hidden."""
+    rank = np.where(frame.mesh.sensor, 0, np.where(frame.type[frame.mesh.body] == STATIC, 1, 2))
+    return index[np.argsort(rank[index], kind="stable")]
 
 
 def _mark_opacity(half: Floats, types: Ints) -> Floats:

@@ -30,7 +30,7 @@ class Mesh:
     frame in the body's frame; `half` (m, 2) half extents of the core; `radius` (m,) rounding. Polygon `i` has
     the core `points[start[i]:start[i] + count[i]]` (p, 2) in its shape frame; `count` is 0 for other kinds. Where it
     is negative, the row is the concave polygon `outlines[i]`, and from `start[i]` on there are the two ends of each of
-    `-count[i]` sides. `thickness` (m,) is half the smallest width, rounding included.
+    `-count[i]` sides. `thickness` (m,) is half the smallest width, rounding included; `sensor` (m,).
     """
 
     body: Ints
@@ -44,6 +44,7 @@ class Mesh:
     points: Floats
     thickness: Floats
     outlines: Mapping[int, Outline]
+    sensor: NDArray[np.bool_]
 
     @property
     def reach(self) -> Floats:
@@ -102,6 +103,7 @@ def _convex_mesh(shapes: Records, vertices: Records) -> Mesh:
     return Mesh(
         np.array(shapes.body), np.array(shapes.kind), _turn(middle, axis), axis, half,
         np.array(shapes.radius), starts, counts, core, _thickness(half, core, starts, counts) + shapes.radius, {},
+        np.array(shapes.sensor) == 1,
     )  # fmt: skip
 
 

@@ -101,6 +101,12 @@ def _contact(first: str, second: str, start: State, expected: str, got: str, **l
     return Condition([f"{first}, {second}"], measure, expected, got, **limits)
 
 
+def _senses(wanted: expect.Senses, start: State) -> list[Condition]:
+    carrier, other = wanted.senses
+    measure = measures.sensed_count(_bodies(carrier, start).rows, _bodies(other, start).rows)
+    return [Condition([f"{carrier}, {other}"], measure, f"{carrier} senses {other}", "it does not", low=1.0)]
+
+
 def _asleep(wanted: expect.Asleep, start: State) -> list[Condition]:
     them = _bodies(wanted.asleep, start)
     return [Condition(them.labels, measures.awake(them.rows), "asleep", "{name} is awake", high=0.0)]
@@ -134,6 +140,7 @@ _DEMANDS: dict[type[expect.Expectation], Callable[[Any, State], list[Condition]]
     expect.Below: _below,
     expect.Touches: _touches,
     expect.Apart: _apart,
+    expect.Senses: _senses,
     expect.Asleep: _asleep,
     expect.Near: _near,
     expect.Speeding: _speed,

@@ -86,6 +86,21 @@ def touch_count(first: Rows, second: Rows) -> Measure:
     return measure
 
 
+def sensed_count(carriers: Rows, others: Rows) -> Measure:
+    """One value: how many shapes of `others` are in sensors of `carriers`."""
+
+    def measure(state: State) -> Values:
+        from sandbox.engine.sensors import Sensing
+
+        sensing = Sensing(state)
+        sensing.look()
+        rows = sensing.now
+        inside = np.isin(rows.sensor_body, carriers) & np.isin(rows.body, others)
+        return np.array([np.count_nonzero(inside)], dtype=np.float64)
+
+    return measure
+
+
 def _touching(contacts: Any) -> NDArray[np.bool_]:
     """Contacts that overlap or have pushed; the table also holds pairs that are merely near."""
     one = (contacts.separation1 <= 0.0) | (contacts.normal_impulse1 > 0.0)

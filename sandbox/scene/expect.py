@@ -33,6 +33,7 @@ __all__ = [
     "Near",
     "Pair",
     "Rests",
+    "Senses",
     "Speeding",
     "Stands",
     "Touches",
@@ -92,6 +93,12 @@ class Apart(Expectation):
     apart: Pair = Field(description="The two bodies.")
 
 
+class Senses(Expectation):
+    """A sensor has a body in it (with patterns: some sensor has some body in it)."""
+
+    senses: Pair = Field(description="The body that carries the sensor, and the body in it.")
+
+
 class Asleep(Expectation):
     """The bodies are asleep."""
 
@@ -128,6 +135,7 @@ CONDITIONS: dict[str, type[Expectation]] = {
     "below": Below,
     "touches": Touches,
     "apart": Apart,
+    "senses": Senses,
     "asleep": Asleep,
     "near": Near,
     "speed": Speeding,
@@ -143,6 +151,7 @@ AnyExpectation = Annotated[
     | Annotated[Below, Tag(TAG + "below")]
     | Annotated[Touches, Tag(TAG + "touches")]
     | Annotated[Apart, Tag(TAG + "apart")]
+    | Annotated[Senses, Tag(TAG + "senses")]
     | Annotated[Asleep, Tag(TAG + "asleep")]
     | Annotated[Near, Tag(TAG + "near")]
     | Annotated[Speeding, Tag(TAG + "speed")]

@@ -14,7 +14,7 @@ from sandbox.scene.joint_references import joint_references
 from sandbox.scene.limits import MAX_EXPECTATIONS
 from sandbox.scene.names import BodyNames
 
-_BODY_FIELDS = ("rests", "stands", "asleep", "touches", "apart", "of")
+_BODY_FIELDS = ("rests", "stands", "asleep", "touches", "apart", "senses", "of")
 
 
 def unknown_names(data: dict[str, Any], ids: BodyNames) -> Iterator[Finding]:
