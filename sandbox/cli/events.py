@@ -21,9 +21,11 @@ _STEPS = typer.Option(
 )
 _KIND = typer.Option(
     "--kind", metavar="KIND", show_default=False,
-    help="Only events of this kind (may be repeated): begin, end, hit, enter, leave, sleep, wake or freeze.",
+    help="Only this kind (may be repeated): begin, end, hit, enter, leave, sleep, wake, freeze or joint_break.",
 )  # fmt: skip
-_BODY = typer.Option("--body", metavar="ID", show_default=False, help='Only of bodies with this id, or "crate-*".')
+_BODY = typer.Option(
+    "--body", metavar="ID", show_default=False, help='Only of bodies (or joints) with this id, or "crate-*".'
+)
 _JSON = typer.Option("--json", help="Print one JSON document instead of lines.")
 
 
@@ -37,7 +39,7 @@ def events(
     """Run a scene without a window and tell what happens in it.
 
     begin, end: two shapes touch, or have come apart. hit: they strike at 1 m/s or more. enter, leave: a sensor has, or
-    no longer has, a body in it. sleep, wake: a body. freeze: bad numbers stopped a body.
+    no longer has, a body in it. sleep, wake: a body. freeze: bad numbers stopped a body. joint_break: a joint.
 
     Exit code 0: it ran.
     Exit code 2: the scene, or an option, could not be used.
@@ -63,7 +65,7 @@ def _checked(kinds: list[str]) -> list[str]:
 
 
 def _is_wanted(row: dict[str, Any], kinds: list[str], body: str | None) -> bool:
-    ids = [row[key] for key in ("a", "b", "sensor", "body") if key in row]
+    ids = [row[key] for key in ("a", "b", "sensor", "body", "joint") if key in row]
     return (not kinds or row["event"] in kinds) and (body is None or any(fnmatchcase(name, body) for name in ids))
 
 
@@ -88,7 +90,7 @@ def _happenings(scene: Scene, name: str, steps: int | None) -> Iterator[dict[str
 def _print_lines(rows: Iterator[dict[str, Any]], rate: float) -> None:
     count = 0
     for row in rows:
-        print(f"{row['step']:>6} {row['step'] / rate:>8.3f} s  {row['event']:<6} {_words(row)}")
+        print(f"{row['step']:>6} {row['step'] / rate:>8.3f} s  {row['event']:<11} {_words(row)}")
         count += 1
     print(f"{count} events" if count != 1 else "1 event")
 
@@ -98,8 +100,8 @@ def _words(row: dict[str, Any]) -> str:
         return (
             f"{row['body']} in {row['sensor']}" if row["event"] == "enter" else f"{row['body']} out of {row['sensor']}"
         )
-    if "body" in row:
-        return str(row["body"])
+    if "body" in row or "joint" in row:
+        return str(row.get("body") or row["joint"])
     text = f"{row['a']} and {row['b']}"
     if row["event"] == "end":
         return text

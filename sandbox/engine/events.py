@@ -47,7 +47,8 @@ class Events:
     `begin` and `end`: shapes began to push or overlap, or came apart by more than the contact margin (2 cm, less for
     small bodies). `hit`: points that did not push before struck at `HIT_SPEED` or more. All three are `CONTACT_EVENT`
     rows; an `end` has neither impulse nor speed. `enter` and `leave`: a sensor has, or no longer has, a shape in
-    it (`SENSOR_EVENT` rows). `sleep`, `wake` and `freeze` are body indices.
+    it (`SENSOR_EVENT` rows). `sleep`, `wake` and `freeze` are body indices,
+    `joint_break` are rows of joints: `joint_names[row]`.
     """
 
     step: int
@@ -60,6 +61,8 @@ class Events:
     sleep: Integers
     wake: Integers
     freeze: Integers
+    joint_break: Integers
+    joint_names: tuple[str, ...] = ()
 
     @property
     def counts(self) -> dict[str, int]:
@@ -73,10 +76,11 @@ class Events:
         """Every event as plain data: its `event` kind, its `step`, body ids and figures."""
         for kind in KINDS:
             for row in getattr(self, kind):
-                yield {"event": kind, "step": self.step, **_plain(row, self.names)}
+                plain = {"joint": self.joint_names[row]} if kind == "joint_break" else _plain(row, self.names)
+                yield {"event": kind, "step": self.step, **plain}
 
 
-KINDS = tuple(field.name for field in fields(Events))[2:]
+KINDS = tuple(field.name for field in fields(Events))[2:-1]
 """The kinds of events, in the order in which they are told."""
 
 
@@ -98,7 +102,7 @@ def _plain(row: Any, names: tuple[str, ...]) -> dict[str, Any]:
 def nothing(step: int, names: tuple[str, ...]) -> Events:
     """The events of a step in which nothing happened."""
     contact, sensor, body = CONTACT_EVENT.zeros(0), SENSOR_EVENT.zeros(0), np.zeros(0, np.int64)
-    return Events(step, names, contact, contact, contact, sensor, sensor, body, body, body)
+    return Events(step, names, contact, contact, contact, sensor, sensor, body, body, body, body)
 
 
 def happened(state: State, before: Any, reports: Any, enter: Records, leave: Records) -> Events:
@@ -123,6 +127,8 @@ def happened(state: State, before: Any, reports: Any, enter: Records, leave: Rec
         np.flatnonzero(bodies.stirred == -1),
         np.flatnonzero(bodies.stirred == 1),
         np.flatnonzero(bodies.frozen_step == counter.step_count - 1),
+        np.flatnonzero(state.joints.broken_step == counter.step_count - 1),
+        state.joint_names,
     )
 
 

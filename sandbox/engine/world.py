@@ -11,10 +11,10 @@ import numpy as np
 from sandbox.engine.binding import bind
 from sandbox.engine.commands import Command, SetPose, apply_command
 from sandbox.engine.continuous import catch
+from sandbox.engine.events import SENSOR_EVENT, Events, differences, happened, nothing
 from sandbox.engine.joint_commands import JointCommand, apply_joint_command
 from sandbox.engine.joint_view import Joint
 from sandbox.engine.joints.layout import lay_out
-from sandbox.engine.events import SENSOR_EVENT, Events, differences, happened, nothing
 from sandbox.engine.scratch import Scratch
 from sandbox.engine.step import MUST_CATCH, find_touching, move
 from sandbox.engine.views import Bodies, Body

@@ -7,8 +7,11 @@ import math
 import numpy as np
 import pytest
 
+import sandbox
 from sandbox.engine.commands import SetPose, SetVelocity
 from sandbox.engine.events import HIT_SPEED, KINDS
+from sandbox.engine.joint_commands import BreakJoint
+from sandbox.scene import loads_scene
 from sandbox.scene.flat import FlatSettings
 from sandbox.world.records import DYNAMIC
 from tests.determinism.busy import STEPS, digests
@@ -163,3 +166,23 @@ def test_a_frozen_body_is_told_once():
 def test_no_events_before_the_first_step():
     assert not np.any(list(world(ground()).events.counts.values()))
     assert scene(ground()).bodies
+
+
+def test_a_joint_that_breaks_is_told_once():
+    text = """{"format": 1,
+      "bodies": [{"id": "lamp", "position": [0, -1], "shapes": [{"circle": 0.3}]},
+                 {"id": "bell", "position": [5, -1], "shapes": [{"circle": 0.3}]}],
+      "joints": [
+        {"id": "thread", "type": "distance", "bodies": ["lamp"], "anchors": [[0, -1], [0, 0]], "break_force": 1},
+        {"id": "rope", "type": "distance", "bodies": ["bell"], "anchors": [[5, -1], [5, 0]]}
+      ]}"""
+    w = sandbox.World(loads_scene(text))
+    told = []
+    for step in range(30):
+        if step == 20:
+            w.apply(BreakJoint("rope"))
+        w.step()
+        told += list(w.events)
+    assert [(event["event"], event["joint"]) for event in told] == [("joint_break", "thread"), ("joint_break", "rope")]
+    assert told[1]["step"] == 21
+    assert w.joint("thread").broken_step == told[0]["step"] - 1
