@@ -9,6 +9,8 @@ from typing import Any, TypeAlias
 from sandbox._jit import interpreted
 from sandbox.engine.guard import MAX_COORDINATE
 from sandbox.engine.integrate import place_origin as place_origin_kernel
+from sandbox.engine.pushes import SPEED_LIMIT, ApplyForce, ApplyImpulse, apply_force, apply_impulse
+from sandbox.engine.surfaces import SetSurface, set_surface
 from sandbox.engine.wake import wake_body
 from sandbox.errors import CommandError
 from sandbox.geometry.trig import cos_sin
@@ -20,8 +22,20 @@ _place_origin = interpreted(place_origin_kernel)
 _cos_sin = interpreted(cos_sin)
 Vec = tuple[float, float]
 
-SPEED_LIMIT = 1e6
-"""Highest velocity a command may set, in m/s or rad/s."""
+__all__ = [
+    "ApplyForce",
+    "ApplyImpulse",
+    "Command",
+    "EndDrag",
+    "MoveDrag",
+    "SetPose",
+    "SetSurface",
+    "SetVelocity",
+    "StartDrag",
+    "apply_command",
+]
+
+_UNLIMITED = ("force", "max_force", "torque", "impulse", "angular_impulse", "shape")
 DRAG_HERTZ = 5.0
 DRAG_DAMPING_RATIO = 0.7
 
@@ -42,15 +56,6 @@ class SetVelocity:
     body: str
     velocity: Vec
     angular_velocity: float
-
-
-@dataclass(frozen=True)
-class ApplyForce:
-    """Push a dynamic body during the next step: force (N) at its centre of mass and torque (N m). Adds up."""
-
-    body: str
-    force: Vec
-    torque: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -80,7 +85,7 @@ class EndDrag:
     body: str
 
 
-Command: TypeAlias = SetPose | SetVelocity | ApplyForce | StartDrag | MoveDrag | EndDrag
+Command: TypeAlias = SetPose | SetVelocity | SetSurface | ApplyForce | ApplyImpulse | StartDrag | MoveDrag | EndDrag
 
 
 def apply_command(state: State, index: int, command: Command) -> None:
@@ -92,8 +97,14 @@ def apply_command(state: State, index: int, command: Command) -> None:
             _set_pose(body, command)
         case SetVelocity():
             _set_velocity(body, command)
+        case SetSurface():
+            set_surface(state, index, command)
         case ApplyForce():
-            _apply_force(body, command)
+            _needs_dynamic(body, command)
+            apply_force(body, command)
+        case ApplyImpulse():
+            _needs_dynamic(body, command)
+            apply_impulse(body, command)
         case StartDrag():
             _start_drag(state, index, command)
         case MoveDrag():
@@ -114,7 +125,7 @@ def _check_numbers(command: Command) -> None:
             if not math.isfinite(number):
                 raise CommandError(f"{_name(command)}: {item.name} must be a finite number, not {number}")
             limit = SPEED_LIMIT if "velocity" in item.name else MAX_COORDINATE
-            if "force" not in item.name and item.name != "torque" and abs(number) > limit:
+            if item.name not in _UNLIMITED and abs(number) > limit:
                 raise CommandError(f"{_name(command)}: {item.name} of {number:g} is past the limit of {limit:g}")
 
 
@@ -137,16 +148,6 @@ def _set_velocity(body: Records, command: SetVelocity) -> None:
         raise CommandError(f"{_name(command)}: a static body has no velocity; make it kinematic in the scene")
     body.velocity_x, body.velocity_y = command.velocity
     body.angular_velocity = command.angular_velocity
-
-
-def _apply_force(body: Records, command: ApplyForce) -> None:
-    _needs_dynamic(body, command)
-    force = (float(body.force_x) + command.force[0], float(body.force_y) + command.force[1])
-    torque = float(body.torque) + command.torque
-    if not all(math.isfinite(value) for value in (*force, torque)):
-        raise CommandError(f"{_name(command)}: the forces on the body add up to infinity")
-    body.force_x, body.force_y = force
-    body.torque = torque
 
 
 def _start_drag(state: State, index: int, command: StartDrag) -> None:

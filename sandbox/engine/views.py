@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from sandbox.engine.commands import Command, SetPose, SetVelocity
+from sandbox.engine.commands import ApplyForce, ApplyImpulse, Command, SetPose, SetVelocity
 from sandbox.tables import Floats, Records
 from sandbox.world.records import BODY
 
@@ -104,6 +104,18 @@ class Body:
     @angular_velocity.setter
     def angular_velocity(self, value: float) -> None:
         self._apply(SetVelocity(self.id, self.velocity, float(value)))
+
+    def apply_force(
+        self, force: tuple[float, float], torque: float = 0.0, point: tuple[float, float] | None = None
+    ) -> None:
+        """Push during the next step: N and N m, at a `point` of the world (m) or at the centre of mass."""
+        self._apply(ApplyForce(self.id, _pair(force), float(torque), _pair(point) if point else None))
+
+    def apply_impulse(
+        self, impulse: tuple[float, float], angular_impulse: float = 0.0, point: tuple[float, float] | None = None
+    ) -> None:
+        """Strike at once: N s and N m s, at a `point` of the world (m) or at the centre of mass."""
+        self._apply(ApplyImpulse(self.id, _pair(impulse), float(angular_impulse), _pair(point) if point else None))
 
     @property
     def center(self) -> tuple[float, float]:

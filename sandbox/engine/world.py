@@ -19,6 +19,7 @@ from sandbox.engine.scratch import Scratch
 from sandbox.engine.step import MUST_CATCH, find_touching, move
 from sandbox.engine.views import Bodies, Body
 from sandbox.engine.warm_up import compile_step
+from sandbox.engine.world_commands import WorldCommand, apply_world_command
 from sandbox.errors import UnknownBodyError, UnknownJointError
 from sandbox.tables import Floats
 from sandbox.world.build import build_state
@@ -79,7 +80,7 @@ class World:
             if self._sensing is not None:
                 self._sensing.look()
 
-    def apply(self, command: Command | JointCommand) -> None:
+    def apply(self, command: Command | JointCommand | WorldCommand) -> None:
         """Apply a command.
 
         Raises `CommandError`, `UnknownBodyError` or `UnknownJointError` and changes nothing if it can't be done.
@@ -88,6 +89,8 @@ class World:
         if isinstance(command, JointCommand):
             if apply_joint_command(self.state, self._find_joint(command.joint), command):
                 self._lay_out_joints()
+        elif isinstance(command, WorldCommand):
+            apply_world_command(self, command)
         else:
             index = self._find(command.body)
             apply_command(self.state, index, command)

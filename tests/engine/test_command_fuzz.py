@@ -8,8 +8,18 @@ import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sandbox.engine.commands import ApplyForce, EndDrag, MoveDrag, SetPose, SetVelocity, StartDrag
+from sandbox.engine.commands import (
+    ApplyForce,
+    ApplyImpulse,
+    EndDrag,
+    MoveDrag,
+    SetPose,
+    SetSurface,
+    SetVelocity,
+    StartDrag,
+)
 from sandbox.engine.world import World
+from sandbox.engine.world_commands import Explode, SetGravity
 from sandbox.errors import SandboxError
 from sandbox.scene.flat import FlatSettings
 from tests.flat import body, box, capsule, circle, ground, scene
@@ -25,7 +35,11 @@ pairs = st.tuples(numbers, numbers)
 commands = st.one_of(
     st.builds(SetPose, names, pairs, numbers),
     st.builds(SetVelocity, names, pairs, numbers),
-    st.builds(ApplyForce, names, pairs, numbers),
+    st.builds(ApplyForce, names, pairs, numbers, st.none() | pairs),
+    st.builds(ApplyImpulse, names, pairs, numbers, st.none() | pairs),
+    st.builds(SetSurface, names, *[st.none() | numbers] * 4, st.none() | st.integers(-2, 3)),
+    st.builds(SetGravity, pairs),
+    st.builds(Explode, pairs, numbers, numbers),
     st.builds(StartDrag, names, pairs, st.none() | numbers),
     st.builds(MoveDrag, names, pairs),
     st.builds(EndDrag, names),
