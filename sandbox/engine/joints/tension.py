@@ -2,7 +2,8 @@
 
 A force f that pulls at the arm r of a body turns it back with r . f for each radian: the geometric stiffness of
 M. Tournier et al., "Stable Constrained Dynamics", 2015, which in the plane is a number for each body. The substep can
-follow as long as its square times that is less than four times the inertia.
+follow as long as its square times that is less than four times the inertia. Thrust, which makes links buckle, is
+tamed alike.
 """
 
 from __future__ import annotations
@@ -26,6 +27,6 @@ def tame_tension(work: JointWork, part: Records, seconds: float, acting: float) 
             work.members[row.member_2].tension += force * (seat.arm_bx * row.x2 + seat.arm_by * row.y2)
     for i in range(part.first_member, part.member_end):
         member = work.members[i]
-        least = 0.5 * seconds * seconds * member.tension
+        least = 0.5 * seconds * seconds * abs(member.tension)
         if member.inertia > 0.0:
             member.inverse_inertia = 1.0 / (member.inertia if member.inertia > least else least)
