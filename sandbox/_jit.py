@@ -29,7 +29,15 @@ config: Any = _config
 
 F = TypeVar("F", bound=Callable[..., Any])
 
-_ROOMS = ("_jit.py", "tables.py", "geometry", "world/records.py", "world/joint_records.py", "engine")
+_ROOMS = (
+    "_jit.py",
+    "tables.py",
+    "geometry",
+    "world/records.py",
+    "world/joint_records.py",
+    "world/field_records.py",
+    "engine",
+)
 _FLAGS: dict[str, Any] = {"error_model": "numpy", "boundscheck": False, "_nrt": False}
 # Kernels allocate nothing, so numba's reference counting is off: its atomic counters around every call that takes an
 # array cost more than the arithmetic (the grid ran 7 times slower with them).

@@ -15,10 +15,10 @@ from sandbox.world.state import State
 def bind(function: Callable[..., Any], state: State, scratch: Scratch) -> tuple[Any, ...]:
     """What to call `function` with: each parameter is named like the array of `state` or `scratch` it takes.
 
-    `contacts` are those of the step under way, `old_contacts` those of the step before; `joints` is the scratch memory
-    of the joint solver, which holds the table, or None.
+    `contacts` are those of the step under way, `old_contacts` those of the step before; `joint_table` is that of the
+    state, `joints` the scratch memory of the joint solver, which holds the table, or None.
     """
-    arrays = {**vars(state), "old_contacts": state.contacts, **vars(scratch)}
+    arrays = {**vars(state), "old_contacts": state.contacts, "joint_table": state.joints, **vars(scratch)}
     return tuple(_argument(arrays[name]) for name in inspect.signature(interpreted(function)).parameters)
 
 

@@ -203,7 +203,7 @@ def _count_sleepers(bodies: Records, counter: Records) -> None:
 def _mark_resting(bodies: Records, flights: Records, contacts: Records, count: int) -> None:
     """Mark the bodies that lie on or against something: a body in free flight may be slow, but it does not rest."""
     for i in range(bodies.shape[0]):
-        flights[i].rests = 0
+        flights[i].rests = flights[i].buoyed
     for i in range(count):
         contact = contacts[i]
         if contact.normal_impulse1 > 0.0 or contact.normal_impulse2 > 0.0:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sandbox.engine.contact_blocks import BLOCK_SIZE, GATHER_SIZE, LANES, MAX_COLORS
+from sandbox.engine.fields.work import field_memory
 from sandbox.engine.grid import LEVEL_SPACE
 from sandbox.engine.joints.layout import lay_out
 from sandbox.engine.joints.work import JointWork
@@ -45,6 +46,7 @@ FLIGHT = Table(
         Field("island", "-", "root of its island", "i8"),
         Field("pace", "-", "its island takes 2**pace times the substeps of the scene", "i8"),
         Field("rests", "-", "1 when something bears it after the step", "i8"),
+        Field("buoyed", "-", "1 when it floats at rest", "i8"),
         Field("hemmed", "-", "1 when something immovable may stop it during the step", "i8"),
         Field("was_awake", "-", "before the step woke anybody", "i8"),
         Field("was_island", "-", "before the step woke anybody", "i8"),
@@ -157,6 +159,9 @@ class Scratch:
     bonds: Records
     joined: Integers
     joints: JointWork | None
+    pushes: Records
+    pieces: Records
+    spare_pieces: Records
 
     @classmethod
     def for_state(cls, state: State, pair_capacity: int, block_capacity: int = 0) -> Scratch:
@@ -187,6 +192,7 @@ class Scratch:
             lanes=np.zeros(block_capacity * BLOCK_SIZE),
             gathered=np.zeros(GATHER_SIZE),
             **vars(lay_out(state.joints, state.bodies)),
+            **field_memory(state),
         )
 
 

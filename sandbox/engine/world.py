@@ -12,6 +12,8 @@ from sandbox.engine.binding import bind
 from sandbox.engine.commands import Command, SetPose, apply_command
 from sandbox.engine.continuous import catch
 from sandbox.engine.events import SENSOR_EVENT, Events, differences, happened, nothing
+from sandbox.engine.fields.apply import apply_fields
+from sandbox.engine.fields.work import has_fields, last_switch
 from sandbox.engine.joint_commands import JointCommand, apply_joint_command
 from sandbox.engine.joint_view import Joint
 from sandbox.engine.joints.layout import lay_out
@@ -57,6 +59,8 @@ class World:
         self._sensing = self._make_sensing()
         self._turn = 0
         self._arguments: list[tuple[tuple[Any, ...], ...]] = []
+        self._fields: list[tuple[Any, ...]] = []
+        self._last_switch = last_switch(self.state)
         self._use_scratch(Scratch.for_state(self.state, len(self.state.contacts)))
         self.bodies = Bodies(self.state.bodies, self.state.names)
 
@@ -65,10 +69,12 @@ class World:
         compile_step()
         self.changes += 1
         for taken in range(n):
-            if self.state.counters["still"][0]:
+            if self.state.counters["still"][0] and self.step_count > self._last_switch:
                 self.state.counters["step_count"][0] += n - taken  # all asleep: nothing else would change
                 self._events = nothing(self.step_count, self.names)
                 return
+            if self._fields:
+                apply_fields(*self._fields[self._turn])
             while not self._advance():
                 pass
             # A step reads the contacts of the last one while it writes the new ones.
@@ -228,6 +234,7 @@ class World:
         self.state.contacts = CONTACT.zeros(pairs)
         self.state.contacts[: len(old)] = old
         self._use_scratch(Scratch.for_state(self.state, pairs, blocks))
+        self._scratch.flights.buoyed = scratch.flights.buoyed  # the fields of this step have been applied
 
     def _use_scratch(self, scratch: Scratch) -> None:
         self._scratch = scratch
@@ -244,9 +251,12 @@ class World:
         self._broken = int(self.state.counters[0].broken_count)
         now, after = self.state.contacts, self._scratch.contacts
         lists: list[tuple[tuple[Any, ...], ...]] = []
+        fields: list[tuple[Any, ...]] = []
         for self.state.contacts, self._scratch.contacts in ((after, now), (now, after)):
             lists.insert(0, tuple(bind(part, self.state, self._scratch) for part in (find_touching, move, catch)))
-        self._arguments = lists
+            if has_fields(self.state):
+                fields.insert(0, bind(apply_fields, self.state, self._scratch))
+        self._arguments, self._fields = lists, fields
 
     def _find(self, name: str) -> int:
         index = self._index.get(name)

@@ -8,7 +8,7 @@ from pydantic import Field
 
 from sandbox.scene.base import Model
 from sandbox.scene.constraints import Listed
-from sandbox.scene.limits import MAX_SHAPES
+from sandbox.scene.limits import MAX_SHAPES, MAX_THRUSTERS
 from sandbox.scene.quantities import (
     Color,
     Damping,
@@ -24,6 +24,7 @@ from sandbox.scene.quantities import (
     Velocity2,
 )
 from sandbox.scene.shapes import Shape
+from sandbox.scene.thruster import Thruster
 
 Shapes = Annotated[tuple[Shape, ...], Listed("of shapes", 1, MAX_SHAPES)]
 
@@ -55,6 +56,9 @@ class Prefab(Model):
         description="Overrides the inertia about the centre of mass, kg m^2; default: scaled with mass.",
     )
     center: LocalPoint | None = Field(default=None, description="Overrides the centre of mass, in the body's frame, m.")
+    thrusters: Annotated[tuple[Thruster, ...], Listed("of thrusters", 0, MAX_THRUSTERS)] = Field(
+        default=(), description="Forces fixed to the body, with a schedule."
+    )
     material: Name | None = Field(default=None, description="Material of all shapes that do not name their own.")
     color: Color | None = Field(default=None, description='Such as "#3a7bd5"; default: chosen by the theme.')
 

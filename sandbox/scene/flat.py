@@ -51,6 +51,47 @@ class FlatShape:
     one_way: Vec = (0.0, 0.0)
 
 
+RegionKind = Literal["water", "gravity", "gravity_scale", "attraction", "wind"]
+
+
+@dataclass(frozen=True)
+class FlatRegion:
+    """A force field. It lies within all half-planes `edges` (unit normal x, y and offset: n . p <= offset) and within
+    the `disc` (x, y, radius) if there is one; without either it is everywhere.
+
+    `start` and `end` in seconds; `density` in kg/m^2, `flow` in m/s; `drag` and `angular_drag` in 1/s for water, the
+    pressure coefficient for wind; `gravity` in m/s^2; an attraction of `strength` m/s^2 at 1 m from `center` falls with
+    the power `falloff` of the distance, to nothing within `core` m and beyond `range` m.
+    """
+
+    kind: RegionKind
+    edges: tuple[tuple[float, float, float], ...] = ()
+    disc: tuple[float, float, float] | None = None
+    start: float = 0.0
+    end: float = INFINITE
+    density: float = 0.0
+    flow: Vec = (0.0, 0.0)
+    drag: float = 0.0
+    angular_drag: float = 0.0
+    gravity: Vec = (0.0, 0.0)
+    scale: float = 1.0
+    center: Vec = (0.0, 0.0)
+    strength: float = 0.0
+    falloff: int = 2
+    core: float = 0.1
+    range: float = INFINITE
+
+
+@dataclass(frozen=True)
+class FlatThruster:
+    """A force (N) at a point (m), both in the frame of its body, from `start` to `end` seconds."""
+
+    force: Vec
+    at: Vec = (0.0, 0.0)
+    start: float = 0.0
+    end: float = INFINITE
+
+
 @dataclass(frozen=True)
 class FlatBody:
     """One body. Angles in radians; `mass`, `inertia` and `center` override what the shapes give when not None.
@@ -76,6 +117,7 @@ class FlatBody:
     inertia: float | None = None
     center: Vec | None = None
     color: str | None = None
+    thrusters: tuple[FlatThruster, ...] = ()
     pointer: str = ""
 
 
@@ -145,3 +187,4 @@ class FlatScene:
     gravity: Vec = (0.0, -9.81)
     settings: FlatSettings = field(default_factory=FlatSettings)
     joints: tuple[FlatJoint, ...] = ()
+    regions: tuple[FlatRegion, ...] = ()

@@ -44,8 +44,9 @@ class Flattener:
         settings = {field.name: getattr(self.scene.settings, field.name) for field in fields(FlatSettings)}
         bodies = (*self._written(), *self._generated())
         joints = (*self._written_joints(), *self._chained())
+        regions = tuple(region.flat() for region in self.scene.regions)
         self.findings += joint_faults(joints, bodies)
-        return FlatScene(bodies, self.scene.gravity, FlatSettings(**settings), joints)
+        return FlatScene(bodies, self.scene.gravity, FlatSettings(**settings), joints, regions)
 
     def _too_many_shapes(self) -> bool:
         own = sum(_part_count(self._merged(body)["shapes"]) for body in self.scene.bodies)
@@ -104,6 +105,7 @@ class Flattener:
         traits["shapes"] = self._flat_shapes(values["shapes"], values["material"])
         traits["angle"] = values["angle"] * RADIANS_PER_DEGREE
         traits["angular_velocity"] = values["angular_velocity"] * RADIANS_PER_DEGREE
+        traits["thrusters"] = tuple(thruster.flat() for thruster in values["thrusters"])
         traits["pointer"] = "".join(f"/{part}" for part in path)
         self.findings += [Finding(path, message, hint) for message, hint in faults(traits)]
         return traits

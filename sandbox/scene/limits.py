@@ -22,6 +22,12 @@ MAX_GENERATORS = 10_000
 MAX_JOINTS = 100_000
 """Joints of a scene, generated ones included."""
 
+MAX_REGIONS = 1000
+"""Regions of a scene."""
+
+MAX_THRUSTERS = 100
+"""Thrusters of a body."""
+
 MAX_EXPECTATIONS = 1000
 """Expectations of a scene."""
 

@@ -61,6 +61,7 @@ Fraction = Annotated[float, Range(0, 1)]
 Force = Annotated[float, Range(0, 1e15, "N")]
 Torque = Annotated[float, Range(0, 1e15, "N m")]
 Frequency = Annotated[float, Range(0, 1e4, "Hz")]
+Seconds = Annotated[float, Range(0, 1e6, "s")]
 Step = Annotated[int, Range(0, 1_000_000)]
 Bits = Annotated[int, Range(0, 0xFFFFFFFF)]
 

@@ -8,6 +8,7 @@ from typing import Any
 
 from sandbox.scene import plain
 from sandbox.scene.body import Body
+from sandbox.scene.field_rules import field_rules
 from sandbox.scene.finding import Finding, did_you_mean, quoted
 from sandbox.scene.generators import GENERATORS
 from sandbox.scene.limits import MAX_FINDINGS
@@ -28,6 +29,7 @@ def cross_checks(data: object) -> list[Finding]:
         _without_shapes(data),
         _overrounded(data),
         _times(data),
+        field_rules(data),
         _repeated_categories(data),
     ]
     return [finding for rule in rules for finding in islice(rule, MAX_FINDINGS)]

@@ -17,11 +17,12 @@ from sandbox.scene.flat import FlatScene
 from sandbox.scene.flatten import Flattener
 from sandbox.scene.generators import AnyGenerator
 from sandbox.scene.joints import AnyJoint
-from sandbox.scene.limits import MAX_BODIES, MAX_CATEGORIES, MAX_EXPECTATIONS, MAX_GENERATORS, MAX_JOINTS
+from sandbox.scene.limits import MAX_BODIES, MAX_CATEGORIES, MAX_EXPECTATIONS, MAX_GENERATORS, MAX_JOINTS, MAX_REGIONS
 from sandbox.scene.locate import locate
 from sandbox.scene.material import Material
 from sandbox.scene.pretty import kinds_first, pretty
 from sandbox.scene.quantities import Acceleration2, Name
+from sandbox.scene.regions import AnyRegion
 from sandbox.scene.report import scene_error
 from sandbox.scene.rules import cross_checks
 from sandbox.scene.settings import Settings, View
@@ -48,6 +49,9 @@ class Scene(Model):
     )
     joints: Annotated[tuple[AnyJoint, ...], Listed("of joints", 0, MAX_JOINTS)] = Field(
         default=(), description="What holds bodies together."
+    )
+    regions: Annotated[tuple[AnyRegion, ...], Listed("of regions", 0, MAX_REGIONS)] = Field(
+        default=(), description="Areas in which a field pushes: water, gravity, wind."
     )
     settings: Settings = Field(default=Settings(), description="How the scene is simulated.")
     view: View | None = Field(default=None, description="What the camera shows; default: the whole scene.")

@@ -16,16 +16,19 @@ from sandbox.scene.generators import GENERATORS
 from sandbox.scene.joints import JOINTS
 from sandbox.scene.limits import MAX_FINDINGS
 from sandbox.scene.material import Material
+from sandbox.scene.regions import REGIONS
 from sandbox.scene.settings import Settings, View
 from sandbox.scene.shapes import SHAPES
+from sandbox.scene.thruster import Thruster
 from sandbox.scene.union import TAG
 
 _UNIONS: dict[str, Mapping[str, type[BaseModel]]] = {
     "shape": SHAPES,
     "generator": GENERATORS,
     "expectation": CONDITIONS,
+    "region": REGIONS,
 }
-_KINDS: dict[str, type[BaseModel]] = {**SHAPES, **GENERATORS, **CONDITIONS, **JOINTS}
+_KINDS: dict[str, type[BaseModel]] = {**SHAPES, **GENERATORS, **CONDITIONS, **JOINTS, **REGIONS}
 _FIELDS: dict[str, type[BaseModel]] = {
     "bodies": Body,
     "prefabs": Prefab,
@@ -105,6 +108,8 @@ def model_at(loc: Path, root: type[BaseModel] | None) -> type[BaseModel] | None:
             model = _KINDS.get(str(part)[len(TAG) :], model)
         elif place == 0 and part in _FIELDS:
             model = _FIELDS[part]
+        elif part == "thrusters":
+            model = Thruster
     return model
 
 

@@ -14,6 +14,7 @@ from sandbox.geometry.trig import cos_sin
 from sandbox.scene.flat import FlatBody, FlatScene, FlatShape, Vec
 from sandbox.tables import Integers, Records, Table
 from sandbox.world import records
+from sandbox.world.build_fields import build_regions, build_thrusters
 from sandbox.world.build_joints import build_joints
 from sandbox.world.flush import join_tiles, with_room_for_tiles
 from sandbox.world.state import State
@@ -53,6 +54,7 @@ def build_state(scene: FlatScene) -> State:
     join_tiles(bodies, shapes, vertices, seams)
     drags = records.DRAG.zeros(_DRAGS)
     drags.body = -1
+    regions, edges = build_regions(scene.regions, scene.settings.step_rate)
     names = tuple(body.id for body in scene.bodies)
     return State(
         bodies=bodies,
@@ -63,6 +65,9 @@ def build_state(scene: FlatScene) -> State:
         contacts=records.CONTACT.zeros(max(16, 4 * len(shapes))),
         joints=build_joints(scene.joints, bodies, names),
         drags=drags,
+        regions=regions,
+        edges=edges,
+        thrusters=build_thrusters(scene.bodies, bodies, scene.settings.step_rate),
         settings=_settings(scene),
         counters=records.COUNTERS.zeros(1),
         names=names,

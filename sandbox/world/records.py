@@ -7,6 +7,7 @@ or 1; an index of -1 means none.
 from __future__ import annotations
 
 from sandbox.tables import Field, Table
+from sandbox.world.field_records import EDGE, REGION, THRUSTER
 from sandbox.world.joint_records import JOINT
 
 STATIC, KINEMATIC, DYNAMIC = 0, 1, 2
@@ -212,5 +213,5 @@ COUNTERS = Table(
     ),
 )
 
-TABLES = (BODY, SHAPE, VERTEX, OUTLINE, SEAM, CONTACT, JOINT, DRAG, SETTINGS, COUNTERS)
+TABLES = (BODY, SHAPE, VERTEX, OUTLINE, SEAM, CONTACT, JOINT, DRAG, REGION, EDGE, THRUSTER, SETTINGS, COUNTERS)
 """All stored tables, in the order of the snapshot and the digest."""

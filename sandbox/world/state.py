@@ -23,6 +23,9 @@ class State:
     contacts: Records
     joints: Records
     drags: Records
+    regions: Records
+    edges: Records
+    thrusters: Records
     settings: Records
     counters: Records
     names: tuple[str, ...]
@@ -33,5 +36,5 @@ class State:
         """The record arrays in the order of `records.TABLES`."""
         return (
             self.bodies, self.shapes, self.vertices, self.outlines, self.seams, self.contacts, self.joints, self.drags,
-            self.settings, self.counters,
+            self.regions, self.edges, self.thrusters, self.settings, self.counters,
         )  # fmt: skip

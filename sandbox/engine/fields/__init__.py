@@ -1,0 +1,1 @@
+"""Force fields: what pushes bodies without touching them. Only worlds that have any compile or run this."""

@@ -1,0 +1,76 @@
+"""Scratch memory of the fields: never hashed, never saved."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sandbox.tables import Field, Table
+from sandbox.world.field_records import NEVER
+from sandbox.world.state import State
+
+MAX_PIECES = 1024
+"""More than a rounded core of 64 corners has after it is cut by a disc and 65 half-planes."""
+
+PIECE = Table(
+    "piece",
+    (
+        Field("start_x", "m", "from the body's centre, world axes"),
+        Field("start_y", "m", ""),
+        Field("end_x", "m", ""),
+        Field("end_y", "m", ""),
+        Field("center_x", "m", "of an arc"),
+        Field("center_y", "m", ""),
+        Field("radius", "m", "of an arc; 0 is straight"),
+        Field("own", "-", "1 on the shape's own boundary, 0 where the region's cuts through it", "i8"),
+    ),
+)
+"""A piece of the boundary of a shape, counter-clockwise: a straight one, or an arc of less than half a circle."""
+
+PUSH = Table(
+    "push",
+    (
+        Field("active", "-", "1 for dynamic bodies that are awake", "i8"),
+        Field("held", "-", "1 when something touches it or is joined to it", "i8"),
+        Field("wet", "-", "1 when it lies in water that stands", "i8"),
+        Field("x", "m", "where its centre is in mid-step if nothing hinders it"),
+        Field("y", "m", ""),
+        Field("cos", "1", "its rotation in mid-step"),
+        Field("sin", "1", ""),
+        Field("gravity_x", "m/s^2", "where it is"),
+        Field("gravity_y", "m/s^2", ""),
+        Field("force_x", "N", "of all fields but drag"),
+        Field("force_y", "N", ""),
+        Field("torque", "N m", ""),
+        Field("drag_xx", "kg/s", "drag is -D (q - medium), with q = (velocity, angular velocity)"),
+        Field("drag_xy", "kg/s", ""),
+        Field("drag_yy", "kg/s", ""),
+        Field("drag_xw", "kg m/s", ""),
+        Field("drag_yw", "kg m/s", ""),
+        Field("drag_ww", "kg m^2/s", ""),
+        Field("carry_x", "N", "D times the velocity of the medium"),
+        Field("carry_y", "N", ""),
+        Field("carry_w", "N m", ""),
+    ),
+)
+"""One row a body: what the fields of this step do to it."""
+
+
+def has_fields(state: State) -> bool:
+    """Whether a world has regions or thrusters."""
+    return len(state.regions) > 0 or len(state.thrusters) > 0
+
+
+def field_memory(state: State) -> dict[str, Any]:
+    """The tables that the fields of a world need: empty in a world without any."""
+    pieces = MAX_PIECES if len(state.regions) else 0
+    return {
+        "pushes": PUSH.zeros(len(state.bodies) if has_fields(state) else 0),
+        "pieces": PIECE.zeros(pieces),
+        "spare_pieces": PIECE.zeros(pieces),
+    }
+
+
+def last_switch(state: State) -> int:
+    """The last step in which a region or a thruster begins or ceases to act; -1 if none ever does."""
+    steps = [int(step) for table in (state.regions, state.thrusters) for step in (*table.start_step, *table.end_step)]
+    return max((step for step in steps if 0 < step < NEVER), default=-1)
