@@ -23,7 +23,7 @@ def float_bodies(
     for k in range(shapes.shape[0]):
         shape = shapes[k]
         push = pushes[shape.body]
-        if push.active == 0:
+        if push.active == 0 or shape.sensor == 1:
             continue
         where = place(region, edges, push.x, push.y, bodies[shape.body].extent)
         if where == OUTSIDE:
