@@ -23,15 +23,18 @@ def schema_text() -> str:
     return pretty(schema()) + "\n"
 
 
-def _tidy(node: Any) -> Any:
-    """Without what says nothing to an author: titles made from names, and null as a way to say nothing."""
+def _tidy(node: Any, in_list: bool = False) -> Any:
+    """Without what says nothing to an author: titles made from names, and null as a way to leave a field out.
+
+    Within a list, null is an entry of its own.
+    """
     if isinstance(node, list):
         return [_tidy(entry) for entry in node]
     if not isinstance(node, dict):
         return node
-    kept = {key: _tidy(value) for key, value in node.items() if not _is_noise(key, value)}
+    kept = {key: _tidy(value, key == "items") for key, value in node.items() if not _is_noise(key, value)}
     choices = [entry for entry in kept.get("anyOf", ()) if entry != {"type": "null"}]
-    if len(choices) == 1:
+    if len(choices) == 1 and not in_list:
         kept = {**choices[0], **{key: value for key, value in kept.items() if key != "anyOf"}}
     return kept
 
