@@ -56,12 +56,12 @@ def shape_contour(core: Floats, radius: float, shrink: float) -> Floats:
 def clip(polygon: Floats, low: Vec, high: Vec) -> Floats:
     """The part of a convex polygon (k, 2) inside a rectangle (Sutherland and Hodgman 1974); maybe no rows."""
     for axis in (0, 1):
-        polygon = _cut(polygon, polygon[:, axis] - low[axis])
-        polygon = _cut(polygon, high[axis] - polygon[:, axis])
+        polygon = cut_polygon(polygon, polygon[:, axis] - low[axis])
+        polygon = cut_polygon(polygon, high[axis] - polygon[:, axis])
     return polygon
 
 
-def _cut(polygon: Floats, height: Floats) -> Floats:
+def cut_polygon(polygon: Floats, height: Floats) -> Floats:
     """What of a polygon has `height` (k,) >= 0, where the height varies linearly along the edges."""
     points = []
     for i in range(len(polygon)):

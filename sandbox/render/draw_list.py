@@ -16,6 +16,7 @@ from sandbox.render.joint_strokes import joint_strokes
 from sandbox.render.line import Line
 from sandbox.render.theme import Theme
 from sandbox.render.wardrobe import Tints, Wardrobe, mix, tints
+from sandbox.render.washes import Wash, field_strokes, washes
 from sandbox.world.records import DYNAMIC, SEGMENT, STATIC
 
 MIN_HALF_PIXELS = 0.6
@@ -52,7 +53,7 @@ class ShapeItems:
 
 @dataclass(frozen=True)
 class DrawList:
-    """One picture: strokes below, shapes, strokes above. `camera.scale` turns the mesh into pixels."""
+    """One picture: washes, strokes below, shapes, strokes above. `camera.scale` turns the mesh into pixels."""
 
     camera: Camera
     theme: Theme
@@ -60,6 +61,7 @@ class DrawList:
     below: Sequence[Line]
     shapes: ShapeItems
     above: Sequence[Line]
+    washes: Sequence[Wash] = ()
 
 
 def build_draw_list(frame: Frame, camera: Camera, wardrobe: Wardrobe, above: Sequence[Line] = ()) -> DrawList:
@@ -67,7 +69,8 @@ def build_draw_list(frame: Frame, camera: Camera, wardrobe: Wardrobe, above: Seq
     theme = wardrobe.theme
     shapes = _shapes(frame, camera, wardrobe)
     strokes = [*joint_strokes(frame.joints, camera, theme), *above]
-    return DrawList(camera, theme, frame.mesh, grid_strokes(camera, theme), shapes, strokes)
+    below = [*grid_strokes(camera, theme), *field_strokes(frame.fields, camera, theme)]
+    return DrawList(camera, theme, frame.mesh, below, shapes, strokes, washes(frame.fields, camera, theme))
 
 
 def grid_strokes(camera: Camera, theme: Theme) -> list[Line]:

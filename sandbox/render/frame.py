@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.render.camera import Bounds, Floats
+from sandbox.render.field_frame import FieldMarks, capture_fields
 from sandbox.render.geometry import Ints, Mesh, build_mesh
 from sandbox.render.joint_frame import JointMarks, blend_joints, capture_joints
 from sandbox.world.records import STATIC
@@ -20,7 +21,7 @@ class Frame:
     """Poses and conditions of all bodies at `time` seconds.
 
     `center` (n, 2) in metres, `angle` (n,) in radians, `rotation` (n, 2) as (cos, sin), `type`, `awake`,
-    `frozen` (n,); `mesh` says what hangs on the bodies, `joints` what holds them together.
+    `frozen` (n,); `mesh` says what hangs on the bodies, `joints` what holds them together, `fields` what pushes them.
     """
 
     mesh: Mesh
@@ -31,6 +32,7 @@ class Frame:
     type: Ints
     awake: NDArray[np.bool_]
     frozen: NDArray[np.bool_]
+    fields: FieldMarks = field(default_factory=FieldMarks)
     step: int = 0
     time: float = 0.0
 
@@ -63,6 +65,7 @@ def capture(state: State, mesh: Mesh | None = None) -> Frame:
         type=_read_only(bodies.type),
         awake=_read_only(bodies.awake != 0),
         frozen=_read_only(bodies.frozen_step >= 0),
+        fields=capture_fields(state),
         step=int(counters.step_count),
         time=int(counters.step_count) * step_seconds,
     )

@@ -13,6 +13,7 @@ from sandbox.render.contour import ContourTable, clip, concave_pieces
 from sandbox.render.draw_list import DrawList, ShapeItems, stroke_sizes
 from sandbox.render.geometry import Mesh, gather
 from sandbox.render.line import Line
+from sandbox.render.washes import Wash
 
 HATCH_PIXELS = 7.0
 """Distance of the stripes on frozen bodies."""
@@ -33,6 +34,8 @@ class SurfacePainter:
         width, height = picture.camera.size
         sheet = pygame.Surface((width * self.samples, height * self.samples), depth=24)
         sheet.fill(_rgb(picture.theme.background))
+        for wash in picture.washes:
+            self._wash(sheet, wash)
         for line in picture.below:
             self._stroke(sheet, line, picture.theme.background)
         self._shapes(sheet, picture)
@@ -41,6 +44,13 @@ class SurfacePainter:
         # Pillow's average is exact; pygame's smoothscale darkens colours by about two levels.
         large = Image.frombytes("RGB", sheet.get_size(), pygame.image.tobytes(sheet, "RGB"))
         return large.reduce(self.samples)
+
+    def _wash(self, sheet: Any, wash: Wash) -> None:
+        points = np.rint(wash.points * self.samples)
+        low = points.min(axis=0)
+        glaze = pygame.Surface((np.ptp(points, axis=0) + 1).tolist(), pygame.SRCALPHA)
+        pygame.draw.polygon(glaze, (*_rgb(wash.color), round(255 * wash.opacity)), (points - low).tolist())
+        sheet.blit(glaze, low.tolist())
 
     def _stroke(self, sheet: Any, line: Line, background: tuple[float, ...]) -> None:
         color = _rgb(_over(line, background))
@@ -141,7 +151,7 @@ def _place(points: Floats, items: ShapeItems, owner: Any, samples: int) -> Float
 
 def _runs(points: Floats, first: Any) -> list[Any]:
     values = points.tolist()
-    ends = [*first[1:].tolist(), len(values)]
+    ends = [*first.tolist(), len(values)][1:]  # none where nothing is in sight
     return [values[a:b] for a, b in zip(first.tolist(), ends, strict=True)]
 
 

@@ -37,6 +37,10 @@ class Theme:
     ink: Color
     drag: Color
     joint: Color
+    water: Color
+    wind: Color
+    gravity: Color
+    flame: Color
     hues: tuple[float, ...] = (28.0, 62.0, 92.0, 140.0, 178.0, 215.0, 250.0, 288.0, 325.0, 358.0)
     sweep: float = 75.0
     jitter: float = 26.0
@@ -59,6 +63,10 @@ DARK = Theme(
     ink=hex_color("#0d0f13"),
     drag=hex_color("#ffd479"),
     joint=hex_color("#dfe5ee"),
+    water=hex_color("#4aa3e0"),
+    wind=hex_color("#a9c4d6"),
+    gravity=hex_color("#a58be0"),
+    flame=hex_color("#ff9a3d"),
 )
 
 LIGHT = Theme(
@@ -73,6 +81,10 @@ LIGHT = Theme(
     ink=hex_color("#ffffff"),
     drag=hex_color("#b06a00"),
     joint=hex_color("#3a4352"),
+    water=hex_color("#2878b8"),
+    wind=hex_color("#6b8496"),
+    gravity=hex_color("#7a5cc0"),
+    flame=hex_color("#e06a10"),
     lightness=0.6,
     chroma=0.13,
 )

@@ -10,6 +10,7 @@ import numpy as np
 
 from sandbox.render.draw_list import DrawList
 from sandbox.render.geometry import Mesh
+from sandbox.render.washes import Wash
 from sandbox.window.instances import INSTANCE, pack
 
 TEXTURE_WIDTH = 1024
@@ -31,6 +32,7 @@ class GlPainter:
         self._mesh: Mesh | None = None
         self._vertices: Any = None
         self._reserve(1024)
+        self._glaze = context.program(shader("wash.vert.glsl"), shader("wash.frag.glsl"))
 
     def paint(self, picture: DrawList) -> None:
         """Clear the framebuffer and draw the picture; the viewport has to be the size of its camera."""
@@ -43,8 +45,21 @@ class GlPainter:
         self.context.clear(*picture.theme.background)
         self.context.enable_only(moderngl.BLEND)
         self.context.blend_func = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA
+        self._wash(picture)
         self._vertices.use(0)
         self._quads.render(moderngl.TRIANGLE_STRIP, instances=len(instances))
+
+    def _wash(self, picture: DrawList) -> None:
+        """The washes, as triangles; few, so that their buffer is made anew for each picture."""
+        if not picture.washes:
+            return
+        corners = np.vstack([_triangles(wash) for wash in picture.washes])
+        buffer = self.context.buffer(corners.astype("f4").tobytes())
+        triangles = self.context.vertex_array(self._glaze, [(buffer, "2f 4f", "pixel", "paint")])
+        self._glaze["screen"].value = picture.camera.size
+        triangles.render(moderngl.TRIANGLES)
+        triangles.release()
+        buffer.release()
 
     def _reserve(self, count: int) -> None:
         """Room for `count` instances."""
@@ -68,3 +83,10 @@ class GlPainter:
         self._vertices = self.context.texture((TEXTURE_WIDTH, rows), 2, texels.tobytes(), dtype="f4")
         self._vertices.filter = moderngl.NEAREST, moderngl.NEAREST
         self._mesh = mesh
+
+
+def _triangles(wash: Wash) -> Any:
+    """A convex polygon as a fan (k, 6): x, y in pixels, sRGB, opacity."""
+    points = wash.points
+    fan = np.stack([np.broadcast_to(points[0], points[2:].shape), points[1:-1], points[2:]], axis=1).reshape(-1, 2)
+    return np.hstack([fan, np.tile([*wash.color, wash.opacity], (len(fan), 1))])
