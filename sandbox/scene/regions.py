@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Any
 
 from pydantic import AfterValidator, Field, Tag
 from pydantic_core import PydanticCustomError
 
 from sandbox.geometry.decompose import decompose
-from sandbox.geometry.mass import edge_normals
 from sandbox.geometry.polygon import MAX_VERTICES, PolygonError
 from sandbox.scene.base import Model
 from sandbox.scene.constraints import Listed, Range
-from sandbox.scene.flat import INFINITE, FlatRegion
+from sandbox.scene.flat import INFINITE, FlatRegion, Vec
 from sandbox.scene.quantities import (
     Acceleration2,
     Coordinate,
@@ -30,6 +30,14 @@ from sandbox.scene.quantities import (
 from sandbox.scene.union import TAG, by_key
 
 Edge = tuple[float, float, float]
+
+
+def _side(start: Vec, end: Vec) -> Edge:
+    """The half-plane on the left of a side."""
+    dx, dy = end[0] - start[0], end[1] - start[1]
+    length = math.sqrt(dx * dx + dy * dy)
+    nx, ny = dy / length, -dx / length
+    return nx, ny, nx * start[0] + ny * start[1]
 
 
 def _check_convex(outline: tuple[Any, ...]) -> tuple[Any, ...]:
@@ -76,8 +84,7 @@ class Region(Model):
         if self.outline is None:
             return ()
         corners = decompose(self.outline).parts[0].vertices
-        normals = edge_normals(corners)
-        return tuple((nx, ny, nx * x + ny * y) for (nx, ny), (x, y) in zip(normals, corners, strict=True))
+        return tuple(_side(*ends) for ends in zip(corners, [*corners[1:], corners[0]], strict=True))
 
 
 class Water(Region):

@@ -72,9 +72,18 @@ pattern = {
     "center": points,
     "material": st.sampled_from(MATERIALS),
     "color": colors,
+    "thrusters": st.lists(record({"force": points}, {"at": points, "start": st.integers(0, 9)}), max_size=2),
 }
+
+
+def _pushable(made: dict[str, Any]) -> dict[str, Any]:
+    """Only dynamic bodies may have thrusters."""
+    return {key: made[key] for key in made if key != "thrusters" or made.get("type", "dynamic") == "dynamic"}
+
+
 materials = st.fixed_dictionaries({name: record({}, surface) for name in MATERIALS})
-prefabs = st.fixed_dictionaries({"crate": record({"shapes": st.lists(shapes, min_size=1, max_size=2)}, pattern)})
+crates = record({"shapes": st.lists(shapes, min_size=1, max_size=2)}, pattern).map(_pushable)
+prefabs = st.fixed_dictionaries({"crate": crates})
 
 
 @st.composite
@@ -82,7 +91,7 @@ def bodies(draw: st.DrawFn) -> list[dict[str, Any]]:
     ids = draw(st.lists(names, min_size=1, max_size=4, unique=True))
     own = record({"shapes": st.lists(shapes, min_size=1, max_size=2)}, {**pattern, "position": points})
     copied = record({"prefab": st.just("crate")}, {**pattern, "position": points})
-    return [{"id": name, **draw(st.one_of(own, copied))} for name in ids]
+    return [{"id": name, **draw(st.one_of(own, copied).map(_pushable))} for name in ids]
 
 
 times = st.one_of(
@@ -130,6 +139,16 @@ def generators(draw: st.DrawFn) -> list[dict[str, Any]]:
     return [{"id": f"made{k}", **draw(kinds)} for k in range(draw(st.integers(0, 2)))]
 
 
+area = {"inside": st.just([-10, -10, 10, 10.5]), "start": st.integers(0, 5), "end": st.integers(6, 9)}
+regions = st.one_of(
+    record({"water": sizes}, {**area, "surface": numbers, "drag": st.floats(0, 10), "flow": points}),
+    record({"gravity": points}, area),
+    record({"gravity_scale": numbers}, {"disc": st.just([0, 1, 2.5])}),
+    record({"attraction": numbers}, {"at": points, "falloff": st.integers(0, 3), "core": sizes, "range": sizes}),
+    record({"wind": points}, {"outline": triangles, "density": sizes, "drag": st.floats(0, 10)}),
+)
+
+
 @st.composite
 def scenes(draw: st.DrawFn) -> dict[str, Any]:
     """A whole valid scene."""
@@ -143,6 +162,7 @@ def scenes(draw: st.DrawFn) -> dict[str, Any]:
             "about": st.text(max_size=20),
             "gravity": points,
             "generate": generators(),
+            "regions": st.lists(regions, max_size=3),
             "settings": record(
                 {},
                 {

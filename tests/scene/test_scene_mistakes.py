@@ -20,6 +20,10 @@ def shape(fields: str) -> str:
     return f'{{"bodies": [{{"id": "it", "type": "static", "shapes": [\n{{{fields}}}\n]}}]}}'
 
 
+def region(fields: str) -> str:
+    return f'{{"regions": [\n{{{fields}}}\n]}}'
+
+
 def expect(fields: str) -> str:
     return f'{{"bodies": [{BALL}], "expect": [\n{{{fields}}}\n]}}'
 
@@ -122,6 +126,21 @@ def generate(fields: str) -> str:
          "2:21: inside must be [left, bottom, right, top] with left < right and bottom < top"),
         (expect('"at": 1, "rest": "ball"'), '2:11: unknown field "rest": did you mean "rests"?'),
         (expect('"at": 1, "near": [0, 0]'), '2:1: "of" is missing'),
+        (region('"watr": 1'), '2:2: unknown field "watr": did you mean "water"?'),
+        (region('"water": 1, "surfce": 0'), '2:14: unknown field "surfce": did you mean "surface"?'),
+        (region('"inside": [0, 0, 1, 1]'),
+         '2:1: a region needs one of "water", "gravity", "gravity_scale", "attraction", "wind"'),
+        (region('"water": 1, "wind": [0, 0]'), '2:14: a region has one kind, and this one has "water" and "wind"'),
+        (region('"wind": [5, 0], "inside": [0, 0, 1, 1], "disc": [0, 0, 1]'),
+         '2:42: a region has one area, and this one has "inside" and "disc"'),
+        (region('"wind": [5, 0], "outline": [[0, 0], [2, 0], [1, 0.5], [0, 2]]'),
+         "2:29: the area is not convex; use several regions"),
+        (region('"attraction": 5, "falloff": 4'), "2:30: falloff must not be above 3"),
+        (region('"water": 1, "start": 3, "end": 3'), '2:33: "end" must be later than "start" (3 s)'),
+        (body('"shapes": [{"circle": 1}], "thrusters": [{"forc": [1, 0], "force": [1, 0]}]'),
+         '2:56: unknown field "forc": did you mean "force"?'),
+        (body('"type": "static", "shapes": [{"circle": 1}], "thrusters": [{"force": [1, 0]}]'),
+         "2:72: a static body cannot be pushed: make it dynamic"),
         (generate('"row": "crate"'), '2:1: "count" is missing'),
         (generate('"row": "crte", "count": 2'), '2:20: no prefab is named "crte": did you mean "crate"?'),
         (generate('"row": "crate", "count": 0'), "2:38: count must not be below 1"),

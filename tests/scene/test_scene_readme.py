@@ -13,8 +13,10 @@ from sandbox.errors import SceneError
 from sandbox.scene import Body, Material, Prefab, Scene, Settings, load_scene, loads_scene, schema
 from sandbox.scene.expect import CONDITIONS
 from sandbox.scene.generators import GENERATORS
+from sandbox.scene.regions import REGIONS
 from sandbox.scene.schema import schema_text
 from sandbox.scene.shapes import SHAPES
+from sandbox.scene.thruster import Thruster
 
 SCENES = Path(__file__).parents[2] / "scenes"
 README = (SCENES / "README.md").read_text(encoding="utf-8")
@@ -50,14 +52,17 @@ def test_the_error_example_is_real():
     assert str(caught.value) == told.rstrip("\n")
 
 
-@pytest.mark.parametrize("model", [Scene, Body, Prefab, Material, Settings, *SHAPES.values(), *GENERATORS.values()])
+MODELS = [Scene, Body, Prefab, Material, Settings, Thruster]
+
+
+@pytest.mark.parametrize("model", [*MODELS, *SHAPES.values(), *GENERATORS.values(), *REGIONS.values()])
 def test_every_field_is_explained(model):
     for name, field in model.model_fields.items():
         assert field.description, name
         assert f"`{field.alias or name}`" in README or f'`"{name}":' in README, name
 
 
-@pytest.mark.parametrize("kind", [*SHAPES, *GENERATORS, *CONDITIONS])
+@pytest.mark.parametrize("kind", [*SHAPES, *GENERATORS, *CONDITIONS, *REGIONS])
 def test_every_kind_is_explained(kind):
     assert f'`"{kind}":' in README
 
