@@ -15,7 +15,7 @@ Data = dict[str, Any]
 Change = Callable[[Data], None]
 
 FILES = {file.name.removesuffix(SCENE_SUFFIX): file for file in shipped_scenes()}
-WEIGHTLESS = {"billiards"} | {name for name, file in FILES.items() if file.parent.name == "sat"}
+WEIGHTLESS = {"billiards", "bullets"} | {name for name, file in FILES.items() if file.parent.name == "sat"}
 WITH_GRAVITY = sorted(FILES.keys() - WEIGHTLESS)
 
 

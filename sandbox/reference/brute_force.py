@@ -63,6 +63,16 @@ def that_matter(pairs: Integers, bodies: Records, shapes: Records) -> Integers:
     return matter
 
 
+def not_joined(pairs: Integers, bonds: Records, shapes: Records) -> Integers:
+    """Those `pairs` of shapes whose bodies no joint keeps from colliding; `bonds` are rows (low body, high body)."""
+    if not len(bonds):
+        return pairs
+    bodies = np.sort(np.asarray(shapes.body)[pairs], axis=1)
+    span = int(np.asarray(shapes.body).max()) + 1
+    free: Integers = pairs[~np.isin(bodies[:, 0] * span + bodies[:, 1], bonds.low * span + bonds.high)]
+    return free
+
+
 def _how_bodies_move(bodies: Records) -> Integers:
     driven = (bodies.velocity_x != 0.0) | (bodies.velocity_y != 0.0) | (bodies.angular_velocity != 0.0)
     driven |= bodies.posed == 1

@@ -10,7 +10,7 @@ import numpy as np
 from sandbox.engine.world import World
 from sandbox.reference.answer import Answer
 from sandbox.reference.ask_pymunk import Answers, Probe
-from sandbox.reference.brute_force import overlapping_pairs, that_matter
+from sandbox.reference.brute_force import not_joined, overlapping_pairs, that_matter
 from sandbox.reference.decide import decide
 from sandbox.reference.poses import Poses
 from sandbox.reference.settle import settle
@@ -59,9 +59,11 @@ class Observer:
     def step(self) -> None:
         """One step of the world, compared."""
         poses = self._poses()
+        bonds = self.world.scratch.bonds.copy()  # a joint that breaks in the step still keeps its bodies apart in it
         self.world.step()
         self.tally.steps += 1
         candidates = that_matter(overlapping_pairs(self._search_boxes(poses)), poses.bodies, poses.shapes)
+        candidates = not_joined(candidates, bonds, poses.shapes)
         self._note_misses(candidates)
         pairs = candidates[_overlap(poses.boxes[candidates[:, 0]], poses.boxes[candidates[:, 1]])]
         if len(pairs):
