@@ -173,25 +173,52 @@ def _meet(
         if t < 0.0:
             return False
         margin = way
-    now = t == 0.0
-    while True:
-        if not _collide(bodies, shapes, turned, i, j, vx * t, vy * t, margin, manifold):
+    if not _collide(bodies, shapes, turned, i, j, vx * t, vy * t, margin, manifold):
+        return False
+    if (shapes[i].traits | shapes[j].traits) & SEAMED:
+        t = _mend(bodies, shapes, turned, seams, i, j, vx, vy, t, seconds, margin, manifold)
+        if t < 0.0:
             return False
-        if (shapes[i].traits | shapes[j].traits) & SEAMED == 0 or mend_contact(
-            bodies, shapes, turned, seams, i, j, b.center_x - a.center_x + vx * t, b.center_y - a.center_y + vy * t,
-            vx * seconds, vy * seconds, margin, FACE_BIAS, now, manifold,
-        ):  # fmt: skip
-            break
-        if now or t == seconds:
-            return False
-        # What is fast may first touch a part across a seam: it is looked at where the step will bring it.
-        t = seconds
     _fill(bodies, shapes, i, j, vx * t, vy * t, manifold[0], contact)
     overlap = -manifold[0].separation
     if overlap > 0.0 and (a.type == STATIC) != (b.type == STATIC) and overlap > allowed_depth(shapes[i], shapes[j]):
         holds[shapes[i].body].deep = 1
         holds[shapes[j].body].deep = 1
     return True
+
+
+@kernel
+def _mend(
+    bodies: Records,
+    shapes: Records,
+    turned: Records,
+    seams: Records,
+    i: int,
+    j: int,
+    vx: float,
+    vy: float,
+    t: float,
+    seconds: float,
+    margin: float,
+    manifold: Records,
+) -> float:
+    """Make the manifold of a pair with seams one that its wholes have; the time it is of, -1 if there is none.
+
+    What is fast may first touch a part across a seam: it is looked at where the step will bring it.
+    """
+    x = bodies[shapes[j].body].center_x - bodies[shapes[i].body].center_x
+    y = bodies[shapes[j].body].center_y - bodies[shapes[i].body].center_y
+    now = t == 0.0
+    while not mend_contact(
+        bodies, shapes, turned, seams, i, j, x + vx * t, y + vy * t, vx * seconds, vy * seconds, margin, FACE_BIAS,
+        now, manifold,
+    ):  # fmt: skip
+        if now or t == seconds:
+            return -1.0
+        t = seconds
+        if not _collide(bodies, shapes, turned, i, j, vx * t, vy * t, margin, manifold):
+            return -1.0
+    return t
 
 
 @inlined_kernel
