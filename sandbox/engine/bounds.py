@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.tables import Records
 from sandbox.world.records import DYNAMIC
 
@@ -20,6 +20,14 @@ def shape_margin(extent: float) -> float:
     """Half of what a pair of bodies looks ahead at low speed, in metres, given the body's extent."""
     share = MARGIN_SHARE * extent
     return 0.5 * (share if share < MARGIN else MARGIN)
+
+
+@inlined_kernel
+def pair_margin(a: Records, b: Records) -> float:
+    """How far a pair of slow bodies looks ahead, in metres."""
+    margin_a = shape_margin(a.extent)
+    margin_b = shape_margin(b.extent)
+    return 2.0 * (margin_a if margin_a < margin_b else margin_b)
 
 
 @kernel

@@ -6,13 +6,12 @@ import math
 from dataclasses import dataclass, fields
 from typing import Any, TypeAlias
 
+from sandbox.engine.pushes import SPEED_LIMIT
 from sandbox.engine.wake import wake_body
 from sandbox.errors import CommandError
 from sandbox.world import joint_records as kinds
 from sandbox.world.state import State
 
-SPEED_LIMIT = 1e6
-"""Highest speed a motor may be given, in m/s or rad/s."""
 _MOTORS = (kinds.REVOLUTE, kinds.PRISMATIC, kinds.WHEEL)
 _SPRINGS = (kinds.DISTANCE, kinds.REVOLUTE, kinds.PRISMATIC, kinds.WHEEL)
 _LIMITED = (kinds.DISTANCE, kinds.REVOLUTE, kinds.PRISMATIC, kinds.WHEEL)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from sandbox._jit import ZERO, inlined_kernel, kernel
-from sandbox.engine.bounds import shape_margin
+from sandbox.engine.bounds import pair_margin
 from sandbox.engine.continuous import allowed_depth
 from sandbox.engine.islands import is_active
 from sandbox.engine.one_way import comes_from_front, leads_on
@@ -145,7 +145,7 @@ def _meet(
     """
     a = bodies[shapes[i].body]
     b = bodies[shapes[j].body]
-    margin = _slow_margin(a, b)
+    margin = pair_margin(a, b)
     vx = b.velocity_x - a.velocity_x
     vy = b.velocity_y - a.velocity_y
     hemmed = _is_hemmed(flights, shapes[i].body, shapes[j].body)
@@ -232,14 +232,6 @@ def _bend(body: Records, shape: Records, seconds: float) -> float:
     """How far the way of a shape's outermost point bends away from its tangent within the step, in metres."""
     turn = seconds * body.angular_velocity
     return float(0.5 * turn * turn * (body.extent - shape.thin))
-
-
-@inlined_kernel
-def _slow_margin(a: Records, b: Records) -> float:
-    """How far a pair of slow bodies looks ahead, in metres."""
-    margin_a = shape_margin(a.extent)
-    margin_b = shape_margin(b.extent)
-    return 2.0 * (margin_a if margin_a < margin_b else margin_b)
 
 
 @kernel

@@ -9,7 +9,7 @@ its place; where none is left, another part has the contact.
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox.engine.bounds import shape_margin
+from sandbox.engine.bounds import pair_margin
 from sandbox.geometry.manifold import face_manifold
 from sandbox.geometry.sat import FAR, support_vertex
 from sandbox.tables import Records
@@ -49,7 +49,7 @@ def mend_contact(
     if they do so `now` and not only on the way that they would go unhindered. `manifold[1]` is scratch.
     """
     m = manifold[0]
-    near = _reach(bodies[shapes[i].body], bodies[shapes[j].body])
+    near = pair_margin(bodies[shapes[i].body], bodies[shapes[j].body])
     graze = _GRAZE * near
     radii = shapes[i].radius + shapes[j].radius
     across = m.separation
@@ -85,14 +85,6 @@ def mend_contact(
         if turn == 0:
             return False
     return bool(whole or (now and across < -near))
-
-
-@kernel
-def _reach(a: Records, b: Records) -> float:
-    """How far a pair of slow bodies looks ahead, in metres."""
-    margin_a = shape_margin(a.extent)
-    margin_b = shape_margin(b.extent)
-    return 2.0 * (margin_a if margin_a < margin_b else margin_b)
 
 
 @kernel

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from abc import abstractmethod
 from typing import Annotated, Any
 
 from pydantic import AfterValidator, Field, Tag
@@ -68,9 +69,9 @@ class Region(Model):
     start: Seconds = Field(default=0.0, description="When it begins to act, s.")
     end: Seconds | None = Field(default=None, description="When it ceases to act, s; default: never.")
 
+    @abstractmethod
     def flat(self) -> FlatRegion:
         """The region in SI units."""
-        raise NotImplementedError
 
     def shared(self) -> dict[str, Any]:
         """The fields of a flat region that all kinds have."""

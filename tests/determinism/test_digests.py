@@ -2,34 +2,18 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 from sandbox.engine.world import World
 from tests.determinism.busy import STEPS, digests, scene
-
-ROOT = Path(__file__).parents[2]
+from tests.determinism.processes import other_process
 
 
 @pytest.fixture(scope="module")
 def expected() -> list[str]:
     """The digests of one run."""
     return digests(World(scene()))
-
-
-def other_process(**environment: str) -> list[str]:
-    """The digests of a run in a new process, with the kernels as users have them: not callable from Python."""
-    user = {name: value for name, value in os.environ.items() if name != "SANDBOX_CALLABLE_KERNELS"}
-    done = subprocess.run(
-        [sys.executable, "-m", "tests.determinism.busy"],
-        cwd=ROOT, env={**user, **environment}, capture_output=True, text=True, check=True,
-    )  # fmt: skip
-    return done.stdout.split()
 
 
 def test_the_scene_is_busy():
@@ -54,11 +38,11 @@ def test_two_runs(expected):
 
 
 def test_a_fresh_process(expected):
-    assert other_process(PYTHONHASHSEED="77") == expected
+    assert other_process("tests.determinism.busy", PYTHONHASHSEED="77") == expected
 
 
 def test_without_the_compiler(expected):
-    assert other_process(NUMBA_DISABLE_JIT="1") == expected
+    assert other_process("tests.determinism.busy", NUMBA_DISABLE_JIT="1") == expected
 
 
 def test_snapshot_and_restore_into_the_same_world_at_every_step(expected):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from typing import Annotated, Any
 
 from pydantic import Field
@@ -25,9 +26,9 @@ class Joint(Model):
     collide: bool = Field(default=False, description="true: the two bodies collide with each other.")
     enabled: bool = Field(default=True, description="false: has no effect until a command switches it on.")
 
+    @abstractmethod
     def flat(self) -> FlatJoint:
         """The joint in SI units and radians."""
-        raise NotImplementedError
 
     def shared(self) -> dict[str, Any]:
         """The fields of a flat joint that all kinds have."""
