@@ -23,9 +23,11 @@ if TYPE_CHECKING:
     from sandbox.engine.world import World
     from sandbox.errors import (
         CommandError,
+        FileError,
         MissingDependencyError,
         Problem,
         QueryError,
+        RecordingError,
         SandboxError,
         SceneError,
         ShapeError,
@@ -38,6 +40,14 @@ if TYPE_CHECKING:
     from sandbox.geometry.sat_table import SatTable, sat_table
     from sandbox.geometry.shapes import Box, Capsule, Circle, Polygon, Segment, Shape
     from sandbox.replay.expectations import Judge, Verdict
+    from sandbox.replay.golden.divergence import Difference, Divergence, Drift, Growth
+    from sandbox.replay.golden.rerun import Outcome, rerun
+    from sandbox.replay.golden.run import Run
+    from sandbox.replay.golden.side_by_side import find_divergence
+    from sandbox.replay.golden.tolerance import Tolerance
+    from sandbox.replay.player import Player
+    from sandbox.replay.recording.recorder import Recorder, record
+    from sandbox.replay.recording.recording import Recording
     from sandbox.scene import Scene, load_scene
 
 __all__ = [
@@ -46,14 +56,25 @@ __all__ = [
     "Circle",
     "CommandError",
     "Contact",
+    "Difference",
     "Distance",
+    "Divergence",
+    "Drift",
     "Events",
+    "FileError",
     "Filter",
+    "Growth",
     "Judge",
     "MissingDependencyError",
+    "Outcome",
+    "Player",
     "Polygon",
     "Problem",
     "QueryError",
+    "Recorder",
+    "Recording",
+    "RecordingError",
+    "Run",
     "SandboxError",
     "SatRow",
     "SatTable",
@@ -63,6 +84,7 @@ __all__ = [
     "Shape",
     "ShapeError",
     "SnapshotError",
+    "Tolerance",
     "UnknownBodyError",
     "UnknownJointError",
     "Verdict",
@@ -71,15 +93,20 @@ __all__ = [
     "collide",
     "contains",
     "distance",
+    "find_divergence",
     "load_scene",
+    "record",
+    "rerun",
     "sat_table",
 ]
 
 _ERRORS = {
     "CommandError",
+    "FileError",
     "MissingDependencyError",
     "Problem",
     "QueryError",
+    "RecordingError",
     "SandboxError",
     "SceneError",
     "ShapeError",
@@ -88,11 +115,22 @@ _ERRORS = {
     "UnknownJointError",
 }
 _TESTS = {"Contact", "Distance", "collide", "contains", "distance"}
+_DIVERGENCE = {"Difference", "Divergence", "Drift", "Growth"}
 _SHAPES = {"Box", "Capsule", "Circle", "Polygon", "Segment", "Shape"}
 _HOMES = {
     **dict.fromkeys(_TESTS, "sandbox.geometry.collide"),
     **dict.fromkeys(_SHAPES, "sandbox.geometry.shapes"),
     **dict.fromkeys(_ERRORS, "sandbox.errors"),
+    **dict.fromkeys(_DIVERGENCE, "sandbox.replay.golden.divergence"),
+    "Outcome": "sandbox.replay.golden.rerun",
+    "rerun": "sandbox.replay.golden.rerun",
+    "Run": "sandbox.replay.golden.run",
+    "find_divergence": "sandbox.replay.golden.side_by_side",
+    "Tolerance": "sandbox.replay.golden.tolerance",
+    "Player": "sandbox.replay.player",
+    "Recorder": "sandbox.replay.recording.recorder",
+    "record": "sandbox.replay.recording.recorder",
+    "Recording": "sandbox.replay.recording.recording",
     "Judge": "sandbox.replay.expectations",
     "Verdict": "sandbox.replay.expectations",
     "SatRow": "sandbox.geometry.sat_rows",

@@ -11,10 +11,10 @@ class SandboxError(Exception):
 
 @dataclass(frozen=True)
 class Problem:
-    """One mistake in a scene file.
+    """One mistake in a scene or recording.
 
     `pointer` is a JSON pointer (RFC 6901) such as `/bodies/3/shapes/0`; `line` and `column` count from 1 and are
-    0 where the scene did not come from a file; `hint` is the mend, if one is known.
+    0 where it did not come from a file; `hint` is the mend, if one is known.
     """
 
     message: str
@@ -25,8 +25,8 @@ class Problem:
     excerpt: str = ""
 
 
-class SceneError(SandboxError):
-    """A scene cannot be used. Carries every problem found, in the order of the file."""
+class FileError(SandboxError):
+    """A file cannot be used. Carries every problem found, in the order of the file."""
 
     def __init__(self, source: str, problems: list[Problem]) -> None:
         self.source = source
@@ -44,6 +44,14 @@ class SceneError(SandboxError):
             if problem.excerpt:
                 out.append(problem.excerpt)
         return out
+
+
+class SceneError(FileError):
+    """A scene cannot be used."""
+
+
+class RecordingError(FileError):
+    """A recording cannot be used, made or written."""
 
 
 class ShapeError(SandboxError, ValueError):

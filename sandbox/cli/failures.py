@@ -7,7 +7,7 @@ import os
 import sys
 import traceback
 
-from sandbox.errors import SandboxError, SceneError
+from sandbox.errors import FileError, SandboxError
 
 HOLDS, FAILED, UNUSABLE, BUG = 0, 1, 2, 70
 """Exit codes: all fine; an expectation failed; the input cannot be used; a mistake of this program."""
@@ -21,7 +21,7 @@ def report(error: Exception) -> int:
     """Tell the user on stderr what went wrong; the exit code to end with."""
     if os.environ.get(TRACEBACK_VARIABLE):
         traceback.print_exception(error)
-    if isinstance(error, SceneError):
+    if isinstance(error, FileError):
         _print_problems(error)
     elif isinstance(error, SandboxError):
         _print_message(str(error))
@@ -51,11 +51,11 @@ def _print_message(message: str) -> None:
     _print(Text.assemble(("sandbox: ", "bold red"), message))
 
 
-def _print_problems(error: SceneError) -> None:
+def _print_problems(error: FileError) -> None:
     from rich.text import Text
 
     for problem in error.problems:
-        head, *excerpt = SceneError(error.source, [problem]).lines()
+        head, *excerpt = FileError(error.source, [problem]).lines()
         text = Text(head)
         text.stylize("bold", 0, len(head) - len(head.partition(": ")[2]))
         for line in excerpt:

@@ -12,28 +12,28 @@ from sandbox.scene.limits import MAX_BYTES
 from sandbox.scene.report import syntax_error
 
 
-def read_text(path: Path) -> str:
-    """The text of a UTF-8 file of at most `MAX_BYTES`. Raises `SceneError`."""
-    data = _read_bytes(path)
-    if len(data) > MAX_BYTES:
-        raise _error(path, f"the file is larger than {MAX_BYTES // 2**20} MiB, the limit of a scene")
+def read_text(path: Path, what: str = "scene", limit: int = MAX_BYTES) -> str:
+    """The text of a UTF-8 file of at most `limit` bytes; `what` it should hold. Raises `SceneError`."""
+    data = _read_bytes(path, what, limit)
+    if len(data) > limit:
+        raise _error(path, f"the file is larger than {limit // 2**20} MiB, the limit of a {what}")
     try:
         return data.decode("utf-8")
     except UnicodeDecodeError as error:
         raise _not_utf8(path, data, error.start) from None
 
 
-def _read_bytes(path: Path) -> bytes:
+def _read_bytes(path: Path, what: str, limit: int) -> bytes:
     try:
         with path.open("rb") as file:
-            return file.read(MAX_BYTES + 1)
+            return file.read(limit + 1)
     except FileNotFoundError:
         raise _error(path, "there is no such file", _nearest_file(path)) from None
     except IsADirectoryError:
-        raise _error(path, "this is a folder, not a scene file") from None
+        raise _error(path, f"this is a folder, not a {what} file") from None
     except (OSError, ValueError) as error:
         if path.is_dir():  # some systems answer "permission denied" for a folder
-            raise _error(path, "this is a folder, not a scene file") from None
+            raise _error(path, f"this is a folder, not a {what} file") from None
         reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
         raise _error(path, f"the file cannot be read: {reason}") from None
 

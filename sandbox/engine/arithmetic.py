@@ -1,0 +1,16 @@
+"""The number of the engine's arithmetic: raised when a change gives other bits on purpose, with a line of why."""
+
+from __future__ import annotations
+
+NOTES: dict[int, str] = {
+    1: "the first that recordings carry",
+}
+"""For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
+
+ARITHMETIC = max(NOTES)
+"""The number of this version. Recordings carry it, so that a divergence on purpose can say its reason."""
+
+
+def changes_since(number: int) -> list[str]:
+    """What changed the bits after arithmetic `number`, oldest first; nothing if that is this version's or later."""
+    return [f"arithmetic {at}: {why}" for at, why in sorted(NOTES.items()) if at > number]

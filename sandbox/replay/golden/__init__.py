@@ -1,0 +1,1 @@
+"""Golden recordings: running them again, comparing, and saying where two runs part."""

@@ -1,0 +1,77 @@
+"""A run as data, and the world that takes it step by step."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from sandbox.engine.world import World
+from sandbox.replay.recording.command_words import TimedCommand
+from sandbox.replay.recording.recording import Recording
+from sandbox.replay.trial import planned_steps
+from sandbox.scene import Scene
+from sandbox.scene.flat import FlatScene
+
+
+@dataclass(frozen=True)
+class Run:
+    """A scene, the commands with the steps they come after, and how many steps to take."""
+
+    scene: Scene | FlatScene
+    steps: int
+    commands: tuple[TimedCommand, ...] = ()
+
+
+def run_of(what: Run | Recording | Scene) -> Run:
+    """What a recording did, or a scene by itself. Raises `SceneError` if the recording's scene cannot be used."""
+    if isinstance(what, Run):
+        return what
+    if isinstance(what, Scene):
+        return Run(what, planned_steps(what))
+    return Run(what.load_scene(), what.steps, what.commands)
+
+
+class Stage:
+    """A world that takes a run; `world` is at `step`, its commands of that step not yet applied."""
+
+    def __init__(self, scene: Scene | FlatScene, commands: Iterable[TimedCommand]) -> None:
+        self.world = World(scene)
+        self.commands = list(commands)
+        self._applied = 0
+
+    @property
+    def step(self) -> int:
+        """Steps taken since the start."""
+        return self.world.step_count
+
+    def apply_due(self) -> None:
+        """Apply the commands of this step that have not been. Raises what `World.apply` raises."""
+        while self._applied < len(self.commands) and self.commands[self._applied][0] <= self.step:
+            self.world.apply(self.commands[self._applied][1])
+            self._applied += 1
+
+    def advance(self) -> None:
+        """Apply what is due and take a step."""
+        self.apply_due()
+        self.world.step()
+
+    def add(self, command: Any) -> None:
+        """Apply a command now and know it from now on. Raises what `World.apply` raises."""
+        self.world.apply(command)
+        self.commands.insert(self._applied, (self.step, command))
+        self._applied += 1
+
+    def commands_done_at(self, step: int) -> list[TimedCommand]:
+        """The commands of `step` that have been applied."""
+        return [row for row in self.commands[: self._applied] if row[0] == step]
+
+    def restore(self, snapshot: bytes, applied: int) -> None:
+        """Go to a snapshot, taken when `applied` commands had been applied. Raises `SnapshotError`."""
+        self.world.restore(snapshot)
+        self._applied = applied
+
+    @property
+    def applied(self) -> int:
+        """How many commands have been applied."""
+        return self._applied

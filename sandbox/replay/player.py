@@ -1,0 +1,93 @@
+"""A player: any step of a run at will, forwards and backwards, and other futures from there."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sandbox.engine.world import World
+from sandbox.errors import CommandError
+from sandbox.replay.golden.run import Run, Stage, run_of
+from sandbox.replay.keyframes import Keyframe, Keyframes
+from sandbox.replay.recording.command_words import plain_command
+from sandbox.replay.recording.recording import Recording
+from sandbox.scene import Scene
+
+BUDGET = 64 * 1024 * 1024
+"""Bytes of keyframes that a player keeps if it is not told otherwise."""
+
+
+class Player:
+    """Plays a run in a `world` of its own; `seek` gives the bits of a straight run, whatever came before.
+
+    `length` is the last step known; `step` goes on past it, `apply` adds a command at the end, and `branch` begins
+    another future in the middle. Keyframes take at most `budget` bytes: with a longer run they stand farther apart.
+    """
+
+    def __init__(self, run: Run | Recording | Scene, budget: int = BUDGET) -> None:
+        known = run_of(run)
+        self._begin(known, Keyframes(budget))
+        self.length = known.steps
+
+    @property
+    def world(self) -> World:
+        """The world as it is at this step: look at it, but step and change it through the player."""
+        return self._stage.world
+
+    @property
+    def step_count(self) -> int:
+        """The step at which the player stands."""
+        return self._stage.step
+
+    @property
+    def run(self) -> Run:
+        """What has been played and is known, as data."""
+        return Run(self._run.scene, self.length, tuple(self._stage.commands))
+
+    def step(self, n: int = 1) -> None:
+        """Go on by `n` steps, past the end if need be. Raises what a command raises that cannot be applied."""
+        for _ in range(n):
+            self._keep()
+            self._stage.advance()
+        self.length = max(self.length, self.step_count)
+
+    def seek(self, step: int) -> None:
+        """Go to a step from 0 to `length`. Its own step is taken, so that its events are known as well.
+
+        The commands that come after `step` steps have not been applied then.
+        """
+        if not 0 <= step <= self.length:
+            raise ValueError(f"step {step} is not one of 0 to {self.length}")
+        here = self.step_count
+        frame = self._frames.before(max(step, 1))
+        # Forwards from here, unless a keyframe lies between or the way leads back.
+        if step <= here or frame.step > here:
+            self._stage.restore(frame.snapshot, frame.applied)
+        if step > self.step_count:
+            self.step(step - self.step_count)
+
+    def apply(self, command: Any) -> None:
+        """Apply a command at the end of what is known; elsewhere `branch` first. Raises what `World.apply` does."""
+        if self.step_count != self.length:
+            raise CommandError(f"the run is known up to step {self.length}: branch() begins another one here")
+        self._stage.apply_due()
+        self._stage.add(plain_command(command))
+
+    def branch(self) -> Player:
+        """Another player that stands where this one does and knows nothing of what came later."""
+        player = Player.__new__(Player)
+        here = self.step_count
+        commands = [row for row in self._stage.commands if row[0] < here] + self._stage.commands_done_at(here)
+        player._begin(Run(self._run.scene, here, tuple(commands)), self._frames.up_to(here))
+        player.length = here
+        player._stage.restore(self.world.snapshot(), self._stage.applied)
+        return player
+
+    def _begin(self, run: Run, frames: Keyframes) -> None:
+        self._run, self._frames = run, frames
+        self._stage = Stage(run.scene, run.commands)
+        self._keep()
+
+    def _keep(self) -> None:
+        """Keep a keyframe of this step if one is due."""
+        if self._frames.wants(self.step_count):
+            self._frames.add(Keyframe(self.step_count, self._stage.applied, self.world.snapshot()))

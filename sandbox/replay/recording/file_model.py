@@ -1,0 +1,82 @@
+"""The members of a recording's file, as models that check them."""
+
+from __future__ import annotations
+
+import re
+from functools import partial
+from typing import Annotated, Any
+
+from pydantic import AfterValidator, Field
+from pydantic_core import PydanticCustomError
+
+from sandbox.replay.recording.limits import MAX_COMMANDS, MAX_STEPS
+from sandbox.scene.base import Model
+from sandbox.scene.constraints import Listed, Range
+from sandbox.scene.quantities import Hertz, Name
+
+_FINGERPRINT = re.compile(r"[0-9a-f]{4}( [0-9a-f]{4}){3}")
+_PATH = re.compile(r"(?![/\\])(?!.*[:\\]).{1,1000}\.json")
+
+
+def _check_fingerprint(value: str) -> str:
+    if not _FINGERPRINT.fullmatch(value):
+        raise PydanticCustomError("fingerprint", 'must be four times four hex digits: "1a2b 3c4d 5e6f 7081"')
+    return value
+
+
+def _check_path(value: str) -> str:
+    if not _PATH.fullmatch(value):
+        raise PydanticCustomError("path", "must be the way to a .json file from here, with / between folders")
+    return value
+
+
+def _check_hex(digits: int, value: str) -> str:
+    if not re.fullmatch(f"[0-9a-f]{{{digits}}}", value):
+        raise PydanticCustomError("hex", f"must be {digits} hex digits")
+    return value
+
+
+Fingerprint = Annotated[str, AfterValidator(_check_fingerprint)]
+RelativePath = Annotated[str, AfterValidator(_check_path)]
+Hex4 = Annotated[str, AfterValidator(partial(_check_hex, 4))]
+Hex16 = Annotated[str, AfterValidator(partial(_check_hex, 16))]
+Words = Annotated[str, Field(max_length=200)]
+PoseRow = Annotated[tuple[float, float, float], Listed("[x, y, angle]", 3, 3)]
+
+
+class SceneEntry(Model):
+    """Which scene: by `path` from the recording's folder or by `content`, and what it came down to."""
+
+    path: RelativePath | None = None
+    content: dict[str, Any] | None = None
+    hash: Hex16
+    world: Hex4
+    bodies: dict[Name, Hex4]
+    joints: dict[Name, Hex4] = Field(default={})
+
+
+class CheckpointEntry(Model):
+    """Figures of one step."""
+
+    step: Annotated[int, Range(1, MAX_STEPS)]
+    energy: float
+    contacts: Annotated[int, Range(0, 1e9)]
+    awake: Annotated[int, Range(0, 1e9)]
+    deepest: float
+
+
+class FileModel(Model):
+    """The whole file."""
+
+    format: int
+    sandbox: Words
+    arithmetic: Annotated[int, Range(1, 1e6)]
+    environment: Words = ""
+    scene: SceneEntry
+    steps: Annotated[int, Range(1, MAX_STEPS)]
+    step_rate: Hertz
+    commands: Annotated[tuple[Any, ...], Listed("of commands", 0, MAX_COMMANDS)] = ()
+    checkpoints: Annotated[tuple[CheckpointEntry, ...], Listed("of checkpoints", 0, MAX_STEPS)]
+    digests: Annotated[tuple[Fingerprint, ...], Listed("of fingerprints", 1, MAX_STEPS)]
+    final: dict[Name, PoseRow]
+    digest: Hex16

@@ -1,0 +1,114 @@
+"""Recording while a world runs."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+from sandbox.engine.world import World
+from sandbox.errors import Problem, RecordingError
+from sandbox.replay.recording.checkpoint import EVERY, Checkpoint, checkpoint
+from sandbox.replay.recording.command_words import TimedCommand, plain_command
+from sandbox.replay.recording.fingerprint import fingerprint
+from sandbox.replay.recording.meaning import meaning_of
+from sandbox.replay.recording.recording import Recording, SceneSource
+from sandbox.replay.trial import planned_steps
+from sandbox.scene import Scene, load_scene
+
+_REPORT_EVERY = 16
+
+
+class Recorder:
+    """Stands between a user and a fresh `world`: what goes through `apply` and `step` can be replayed."""
+
+    def __init__(self, world: World) -> None:
+        if world.changes or world.step_count:
+            raise RecordingError("the world", [Problem("has been stepped or changed: record it from its start")])
+        if not isinstance(world.scene, Scene):
+            raise RecordingError("the world", [Problem("was made of a flat scene: only a Scene can be recorded")])
+        self.world = world
+        self.scene: Scene = world.scene
+        self._commands: list[TimedCommand] = []
+        self._digests: list[str] = []
+        self._checkpoints: list[Checkpoint] = []
+
+    def apply(self, command: Any) -> None:
+        """Apply a command to the world, and note it if the world takes it."""
+        command = plain_command(command)
+        self.world.apply(command)
+        self._commands.append((self.world.step_count, command))
+
+    def step(self, n: int = 1) -> None:
+        """Advance the world by `n` steps."""
+        for _ in range(n):
+            self.world.step()
+            self._digests.append(fingerprint(self.world.state))
+            if self.world.step_count % EVERY == 0:
+                self._checkpoints.append(checkpoint(self.world))
+
+    def recording(self) -> Recording:
+        """What was recorded up to now. Raises `RecordingError` if the world was changed past the recorder."""
+        world, steps = self.world, len(self._digests)
+        if world.step_count != steps or steps == 0:
+            missed = "has not taken a step yet" if steps == 0 else f"was stepped past the recorder after step {steps}"
+            raise RecordingError("the world", [Problem(missed)])
+        last = [] if steps % EVERY == 0 else [checkpoint(world)]
+        return Recording(
+            scene=_source_of(self.scene),
+            steps=steps,
+            step_rate=self.scene.settings.step_rate,
+            commands=tuple(self._commands),
+            digests=tuple(self._digests),
+            checkpoints=(*self._checkpoints, *last),
+            final=final_poses(world),
+            digest=world.digest(),
+        )
+
+
+def final_poses(world: World) -> dict[str, tuple[float, float, float]]:
+    """(x, y, angle) of every body, by id."""
+    bodies = world.state.bodies
+    rows = zip(bodies.position_x.tolist(), bodies.position_y.tolist(), bodies.angle.tolist(), strict=True)
+    return dict(zip(world.names, rows, strict=True))
+
+
+def record(
+    scene: Scene | str | os.PathLike[str],
+    steps: int | None = None,
+    commands: Iterable[TimedCommand] = (),
+    on_steps: Callable[[int], None] | None = None,
+) -> Recording:
+    """Run a scene (or the file of one) and record it.
+
+    `commands` are (step, command): each comes after that many steps, those of one step in the given order. Without
+    `steps`, the scene's own number. `on_steps` hears now and then how many are done. Raises `RecordingError` for steps
+    out of range, and what `World.apply` raises.
+    """
+    loaded = scene if isinstance(scene, Scene) else load_scene(Path(scene))
+    total = planned_steps(loaded) if steps is None else steps
+    script = sorted(commands, key=lambda row: row[0])
+    if script and (script[0][0] < 0 or script[-1][0] > total):
+        raise RecordingError("the commands", [Problem(f"have steps that do not lie in 0 to {total}")])
+    recorder = Recorder(World(loaded))
+    done = 0
+    for step in range(total + 1):
+        done = _apply_due(recorder, script, done)
+        if step < total:
+            recorder.step()
+        if on_steps is not None and step % _REPORT_EVERY == 0:
+            on_steps(step)
+    return recorder.recording()
+
+
+def _apply_due(recorder: Recorder, script: Sequence[TimedCommand], done: int) -> int:
+    while done < len(script) and script[done][0] == recorder.world.step_count:
+        recorder.apply(script[done][1])
+        done += 1
+    return done
+
+
+def _source_of(scene: Scene) -> SceneSource:
+    path = Path(scene.source) if scene.text is not None and Path(scene.source).is_file() else None
+    return SceneSource(meaning_of(scene.flatten()), path.resolve() if path else None, scene)

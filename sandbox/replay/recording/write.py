@@ -1,0 +1,125 @@
+"""From a recording to text: one line for each step, command, checkpoint and body, so that a diff is readable."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable, Iterator
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+from sandbox.errors import Problem, RecordingError
+from sandbox.replay.recording.command_words import encode
+from sandbox.replay.recording.limits import MAX_COMMANDS, MAX_STEPS
+from sandbox.replay.recording.migrate import FORMAT
+from sandbox.replay.recording.recording import Recording, SceneSource
+from sandbox.resources import scenes_dir
+from sandbox.scene.pretty import kinds_first
+
+_WIDTH = 100
+
+
+def write_recording(recording: Recording, path: Path, embed: bool | None) -> None:
+    """Write `recording` to `path`. Raises `RecordingError`, or `OSError` if the file cannot be written."""
+    if not 1 <= recording.steps <= MAX_STEPS or len(recording.commands) > MAX_COMMANDS:
+        limits = f"a recording has 1 to {MAX_STEPS:,} steps and at most {MAX_COMMANDS:,} commands"
+        raise RecordingError(str(path), [Problem(f"{limits}; this one has {recording.steps:,}")])
+    text = recording_text(recording, path, embed)
+    # Another name first: a reader never finds half a file, and an old one is kept if the disk is full.
+    partial = path.with_name(path.name + ".part")
+    try:
+        partial.write_text(text, encoding="utf-8", newline="\n")
+        os.replace(partial, path)
+    except OSError:
+        partial.unlink(missing_ok=True)
+        raise
+
+
+def recording_text(recording: Recording, path: Path, embed: bool | None = None) -> str:
+    """The text of the file that is to stand at `path`."""
+    return "{\n" + ",\n".join(_members(recording, path, embed)) + "\n}\n"
+
+
+def _members(recording: Recording, path: Path, embed: bool | None) -> Iterator[str]:
+    yield _member("format", _json(FORMAT))
+    yield _member("sandbox", _json(recording.version))
+    yield _member("arithmetic", _json(recording.arithmetic))
+    yield _member("environment", _json(recording.environment))
+    yield _member("scene", _scene(recording.scene, path, embed))
+    yield _member("steps", _json(recording.steps))
+    yield _member("step_rate", _json(recording.step_rate))
+    yield _member("commands", _lines("[]", (_json([step, *encode(command)]) for step, command in recording.commands)))
+    yield _member("checkpoints", _lines("[]", (_json(asdict(row)) for row in recording.checkpoints)))
+    yield _member("digests", _lines("[]", (f'"{digest}"' for digest in recording.digests)))
+    poses = (f"{_json(name)}: {_json(list(pose))}" for name, pose in recording.final.items())
+    yield _member("final", _lines("{}", poses))
+    yield _member("digest", _json(recording.digest))
+
+
+def _scene(scene: SceneSource, path: Path, embed: bool | None) -> str:
+    members = []
+    way = None if embed else _way(scene, path, embed)
+    if way is not None:
+        members.append(f'"path": {_json(way)}')
+    elif scene.content is None and scene.path is None:
+        raise RecordingError(str(path), [Problem("the recording has no scene")])
+    meaning = scene.meaning
+    members += [f'"hash": "{meaning.whole}"', f'"world": "{meaning.world}"']
+    members.append(f'"bodies": {_filled(meaning.bodies.items())}')
+    members += [f'"joints": {_filled(meaning.joints.items())}'] if meaning.joints else []
+    if way is None:
+        entries = kinds_first({"format": 1, **scene.load().to_data()}).items()
+        members.append(f'"content": {{{_deep(entries)}\n    }}')
+    return "{" + ",".join(f"\n    {member}" for member in members) + "\n  }"
+
+
+def _way(scene: SceneSource, path: Path, embed: bool | None) -> str | None:
+    """The way from the recording's folder to the scene's file; None if the scene is to be in the recording."""
+    if scene.path is None:
+        return None
+    here, there = path.parent.resolve(), scene.path.resolve()
+    shipped = scenes_dir().resolve()
+    if embed is None and there.is_relative_to(shipped) and not here.is_relative_to(shipped):
+        return None
+    try:
+        return Path(os.path.relpath(there, here)).as_posix()
+    except ValueError:  # on another drive
+        return None
+
+
+def _deep(entries: Iterable[tuple[str, Any]]) -> str:
+    """Members of the scene: lists of objects have a line for each."""
+    return ",".join(f"\n      {_json(key)}: {_listed(value)}" for key, value in entries)
+
+
+def _listed(value: Any) -> str:
+    if not isinstance(value, list) or not value or not isinstance(value[0], dict):
+        return _json(value)
+    return "[" + ",".join(f"\n        {_json(entry)}" for entry in value) + "\n      ]"
+
+
+def _filled(pairs: Iterable[tuple[str, str]]) -> str:
+    """An object with as many members a line as fit."""
+    rows, used = [[]], 0  # type: list[list[str]], int
+    for key, value in pairs:
+        member = f'{_json(key)}: "{value}"'
+        if rows[-1] and used + len(member) > _WIDTH:
+            rows.append([])
+            used = 0
+        rows[-1].append(member)
+        used += len(member) + 2
+    return "{" + ",".join("\n      " + ", ".join(row) for row in rows if row) + "\n    }"
+
+
+def _member(key: str, text: str) -> str:
+    return f"  {_json(key)}: {text}"
+
+
+def _lines(brackets: str, entries: Iterable[str]) -> str:
+    lines = ",".join(f"\n    {entry}" for entry in entries)
+    return f"{brackets[0]}{lines}\n  {brackets[1]}" if lines else brackets
+
+
+def _json(value: Any) -> str:
+    return json.dumps(value, ensure_ascii=False, allow_nan=False)
