@@ -8,7 +8,7 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
-COMMANDS = ("run", "check", "render", "sat", "compare", "events")
+COMMANDS = ("run", "check", "record", "replay", "diff", "render", "sat", "compare", "events")
 """Command names in the order of the help text; `name` is the function `name` in `sandbox/cli/name.py`."""
 
 
@@ -36,9 +36,9 @@ def build() -> Any:
 
 
 def _load(name: str) -> Any:
-    function = getattr(importlib.import_module(f"sandbox.cli.{name}"), name)
+    module = importlib.import_module(f"sandbox.cli.{name}")
     app = typer.Typer(add_completion=False)
-    app.command(name)(function)
+    app.command(name, cls=getattr(module, "CommandClass", None))(getattr(module, name))
     return typer.main.get_command(app)
 
 

@@ -9,8 +9,8 @@ import traceback
 
 from sandbox.errors import FileError, SandboxError
 
-HOLDS, FAILED, UNUSABLE, BUG = 0, 1, 2, 70
-"""Exit codes: all fine; an expectation failed; the input cannot be used; a mistake of this program."""
+HOLDS, FAILED, UNUSABLE, NOTHING, BUG = 0, 1, 2, 5, 70
+"""Exit codes: all fine; something failed; the input cannot be used; nothing was found; a mistake of this program."""
 
 _NO_ROOM = (errno.ENOSPC, errno.EFBIG)
 

@@ -11,12 +11,15 @@ if TYPE_CHECKING:
 
 
 class SceneProgress:
-    """One bar that shows the scene being run; a context manager that leaves nothing behind on the screen."""
+    """One bar that shows the scene being run; a context manager that leaves nothing behind on the screen.
 
-    def __init__(self, console: Console, count: int) -> None:
+    `count` scenes are to come, and the bar counts `unit`.
+    """
+
+    def __init__(self, console: Console, count: int, unit: str = "steps") -> None:
         from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
 
-        columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TextColumn("steps"))
+        columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TextColumn(unit))
         self._bar = Progress(
             *columns,
             console=console,
@@ -30,8 +33,8 @@ class SceneProgress:
         self._count = count
         self._begun = 0
 
-    def begin(self, name: str, steps: int) -> None:
-        """The next scene starts; it will take `steps` steps."""
+    def begin(self, name: str, steps: int | None) -> None:
+        """The next scene starts; it will take `steps` steps, if that is known."""
         self._begun += 1
         self._bar.reset(self._task, total=steps, description=f"{self._begun}/{self._count} {name}")
 

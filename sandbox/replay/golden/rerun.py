@@ -65,12 +65,13 @@ def rerun(
     edits = _edits(recording, scene)
     trial = _Trial(recording, scene, tolerance, heavy)
     trial.run(on_steps)
-    drifts = tuple(drifts_of(recording.final, final_poses(trial.stage.world)))[:_WORST] if trial.ended else ()
+    drifts = () if trial.refused else tuple(drifts_of(recording.final, final_poses(trial.stage.world)))[:_WORST]
     parted = trial.parted or trial.judge_the_end(drifts)
+    notes = ((trial.refused,) if trial.refused else ()) + _notes(recording, parted)
     word: Verdict = "stale" if edits else "diverged" if parted else "passed"
     seconds = time.perf_counter() - begin
     shown = drifts if parted else ()
-    return Outcome(word, trial.stage.step, seconds, parted, shown, edits, _notes(recording, parted))
+    return Outcome(word, trial.stage.step, seconds, parted, shown, edits, notes)
 
 
 @dataclass
@@ -82,7 +83,7 @@ class _Trial:
     tolerance: Tolerance | None
     heavy: bool
     parted: Divergence | None = None
-    ended: bool = False
+    refused: str = ""
     figures: list[Checkpoint] = field(default_factory=list)
 
     def __post_init__(self) -> None:
@@ -100,8 +101,8 @@ class _Trial:
                 if on_steps is not None and step % _REPORT_EVERY == 0:
                     on_steps(step)
             self.stage.apply_due()
-            self.ended = True
         except SandboxError as error:
+            self.refused = f"the run ended after step {self.stage.step}, for a command was refused: {error}"
             self._part("command", "a command that can be applied", str(error))
 
     def judge_the_end(self, drifts: tuple[Drift, ...]) -> Divergence | None:

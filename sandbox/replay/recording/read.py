@@ -11,12 +11,13 @@ from sandbox.errors import Problem, RecordingError, SceneError
 from sandbox.replay.recording.checkpoint import Checkpoint
 from sandbox.replay.recording.command_words import TimedCommand, decode
 from sandbox.replay.recording.file_model import FileModel, SceneEntry
-from sandbox.replay.recording.limits import MAX_BYTES
+from sandbox.replay.recording.limits import MAX_BYTES, MAX_STEPS
 from sandbox.replay.recording.meaning import Meaning
 from sandbox.replay.recording.migrate import migrated
 from sandbox.replay.recording.recording import Recording, SceneSource
 from sandbox.scene import Scene
 from sandbox.scene.finding import Finding, path_of
+from sandbox.scene.finding import Path as Way
 from sandbox.scene.limits import MAX_FINDINGS
 from sandbox.scene.parse import parse
 from sandbox.scene.read import read_text
@@ -31,6 +32,28 @@ def read_recording(path: Path) -> Recording:
         return loads_recording(text, path)
     except SceneError as error:
         raise RecordingError(error.source, error.problems) from None
+
+
+def read_commands(path: Path) -> tuple[TimedCommand, ...]:
+    """The commands in a file: a JSON list of `[step, "NAME", {...}]`, or a recording. Raises `RecordingError`."""
+    try:
+        text = read_text(path, "list of commands", MAX_BYTES).removeprefix("\ufeff")
+        return _loads_commands(text, path)
+    except SceneError as error:
+        raise RecordingError(error.source, error.problems) from None
+
+
+def _loads_commands(text: str, path: Path) -> tuple[TimedCommand, ...]:
+    data = parse(text, str(path)).data
+    if isinstance(data, dict) and "commands" in data:
+        return loads_recording(text, path).commands
+    if not isinstance(data, list):
+        raise scene_error(str(path), [Finding((), 'commands are a list [[step, "NAME", {...}], ...]')], text)
+    commands: list[TimedCommand] = []
+    found = _decode_all(tuple(data), MAX_STEPS, commands, ())
+    if found:
+        raise scene_error(str(path), found, text)
+    return tuple(commands)
 
 
 def loads_recording(text: str, path: Path) -> Recording:
@@ -76,18 +99,20 @@ def _cross_checks(model: FileModel) -> list[Finding]:
     return found
 
 
-def _decode_all(entries: tuple[Any, ...], steps: int, commands: list[TimedCommand]) -> list[Finding]:
+def _decode_all(
+    entries: tuple[Any, ...], steps: int, commands: list[TimedCommand], home: Way = ("commands",)
+) -> list[Finding]:
     """Put all commands into `commands`; findings for those that are none, or stand out of order."""
     found: list[Finding] = []
     last = 0
     for place, entry in enumerate(entries):
-        command, wrong = decode(entry, ("commands", place))
+        command, wrong = decode(entry, (*home, place))
         found += wrong
         if command is not None:
             commands.append(command)
             if not last <= command[0] <= steps:
                 text = f"the steps of commands rise from 0 up to {steps}, and {command[0]} comes after {last}"
-                found.append(Finding(("commands", place, 0), text))
+                found.append(Finding((*home, place, 0), text))
             last = max(last, command[0])
         if len(found) > MAX_FINDINGS:
             break

@@ -1,0 +1,76 @@
+"""`sandbox record`: run a scene and keep what it did, for `sandbox replay`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from sandbox.resources import find_scene
+
+if TYPE_CHECKING:
+    from sandbox.replay.recording.recording import Recording
+
+_SCENE = typer.Argument(metavar="SCENE", help="A scene file, or the name of one that comes with the package.")
+_OUTPUT = typer.Option("-o", "--output", metavar="FILE", show_default=False, help="Where to write: NAME.replay.json.")
+_STEPS = typer.Option(
+    min=1, max=1_000_000, metavar="N", show_default=False, help="Steps to run instead of the scene's own number."
+)
+_COMMANDS = typer.Option(
+    metavar="FILE", show_default=False, help='What to do to it: a JSON list of [step, "NAME", {...}], or a recording.'
+)
+_EMBED = typer.Option("--embed", help="Put the whole scene into the file instead of its path and hash.")
+_JSON = typer.Option("--json", help="Print one JSON document instead of a line.")
+
+
+def record(
+    scene: Annotated[Path, _SCENE],
+    output: Annotated[Path, _OUTPUT],
+    steps: Annotated[int | None, _STEPS] = None,
+    commands: Annotated[Path | None, _COMMANDS] = None,
+    embed: Annotated[bool, _EMBED] = False,
+    json: Annotated[bool, _JSON] = False,
+) -> None:
+    """Run a scene without a window and write down what it did: a test that `sandbox replay` runs again.
+
+    Exit code 0: it was written.
+    Exit code 2: a file could not be used.
+    """
+    from sandbox.cli.compiling import announce_compilation
+    from sandbox.replay.recording.read import read_commands
+    from sandbox.replay.recording.recorder import record as run
+    from sandbox.replay.trial import planned_steps
+    from sandbox.scene import load_scene
+
+    file = find_scene(scene)
+    loaded = load_scene(file)
+    script = read_commands(commands) if commands is not None else ()
+    announce_compilation()
+    total = planned_steps(loaded) if steps is None else steps
+    recording = _with_progress(file.name, total, lambda done: run(loaded, total, script, done))
+    recording.save(output, embed=True if embed else None)
+    _tell(output, recording, json)
+
+
+def _with_progress(name: str, total: int, run: Any) -> Recording:
+    from rich.console import Console
+
+    from sandbox.cli.progress import SceneProgress
+
+    with SceneProgress(Console(stderr=True), 1) as progress:
+        progress.begin(name, total)
+        recording: Recording = run(progress.done)
+    return recording
+
+
+def _tell(output: Path, recording: Recording, as_json: bool) -> None:
+    import json
+
+    count = len(recording.commands)
+    facts = {"path": output.as_posix(), "steps": recording.steps, "commands": count, "digest": recording.digest}
+    if as_json:
+        print(json.dumps(facts, indent=2, ensure_ascii=False))
+    else:
+        plural = "" if count == 1 else "s"
+        print(f"{output}: {recording.steps} steps, {count} command{plural}, digest {recording.digest}")

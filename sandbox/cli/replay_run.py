@@ -1,0 +1,118 @@
+"""The work behind `sandbox replay`: find, run over processes, tell."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from rich.console import Console
+
+from sandbox.cli.failures import FAILED, HOLDS, NOTHING, UNUSABLE
+from sandbox.replay.golden.cases import Case, find_cases, shard
+from sandbox.replay.golden.examine import Demands, Report
+
+
+@dataclass(frozen=True)
+class Work:
+    """What the command line asked for."""
+
+    paths: tuple[Path, ...]
+    demands: Demands
+    jobs: int = 1
+    no_jit: bool = False
+    json: bool = False
+    junit: Path | None = None
+    last_failed: bool = False
+    part: tuple[int, int] = (1, 1)
+    only: str = ""
+
+
+def run(work: Work) -> int:
+    """Do it; the exit code."""
+    cases = _chosen(work)
+    if not cases:
+        Console(stderr=True, soft_wrap=True, highlight=False).print(_nothing(work))
+        return NOTHING
+    start = time.perf_counter()
+    reports = _run_for_machines(work, cases) if work.json else _run_for_people(work, cases)
+    _tell_others(work, reports, time.perf_counter() - start)
+    return exit_code(reports)
+
+
+def exit_code(reports: Sequence[Report]) -> int:
+    """2 if a file could not be used, else 1 if something is left to be looked at, else 0."""
+    if any(report.word == "unusable" for report in reports):
+        return UNUSABLE
+    return HOLDS if all(report.fine for report in reports) else FAILED
+
+
+def _chosen(work: Work) -> list[Case]:
+    from sandbox.cli.last_failed import only_failed
+
+    cases = shard(find_cases(work.paths, work.only), *work.part)
+    return only_failed(cases) if work.last_failed else cases
+
+
+def _nothing(work: Work) -> str:
+    where = ", ".join(path.as_posix() for path in work.paths)
+    if work.only:
+        where += f" with {work.only!r} in the path"
+    return f"sandbox: nothing to replay: no recording, and no scene that expects something, in {where}"
+
+
+def _run_for_people(work: Work, cases: Sequence[Case]) -> list[Report]:
+    from sandbox.cli.replay_table import Table
+
+    out = Console(soft_wrap=True, highlight=False)
+    table = Table(out, cases)
+    table.head()
+    start = time.perf_counter()
+    # On one terminal the bar and the lines must share a console, or they would overwrite each other.
+    reports = _run_all(work, cases, out if out.is_terminal else Console(stderr=True), table.show)
+    table.summary(reports, time.perf_counter() - start)
+    return reports
+
+
+def _run_for_machines(work: Work, cases: Sequence[Case]) -> list[Report]:
+    import json
+
+    from sandbox.cli.replay_result import document
+
+    start = time.perf_counter()
+    reports = _run_all(work, cases, Console(stderr=True), _report_problems)
+    found = document(reports, exit_code(reports), time.perf_counter() - start)
+    print(json.dumps(found, indent=2, ensure_ascii=False, allow_nan=False))
+    return reports
+
+
+def _report_problems(report: Report) -> None:
+    from sandbox.cli.replay_table import report_problems
+
+    report_problems(report)
+
+
+def _run_all(work: Work, cases: Sequence[Case], console: Console, show: Callable[[Report], None]) -> list[Report]:
+    from sandbox.cli.compiling import announce_compilation
+    from sandbox.cli.replay_pool import reports_of
+
+    if not work.no_jit:
+        announce_compilation()
+    reports = []
+    for report in reports_of(cases, work.demands, work.jobs, work.no_jit, console):
+        show(report)
+        reports.append(report)
+    return reports
+
+
+def _tell_others(work: Work, reports: Sequence[Report], seconds: float) -> None:
+    """The report for a CI server, notes for GitHub, and the list for `--last-failed`."""
+    from sandbox.cli.annotations import annotate
+    from sandbox.cli.junit import write_junit
+    from sandbox.cli.last_failed import remember
+
+    remember(reports)
+    annotate(reports, to_stderr=work.json)
+    if work.junit is not None:
+        write_junit(work.junit, reports, seconds)

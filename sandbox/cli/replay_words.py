@@ -1,0 +1,49 @@
+"""What a report says, in lines of text: the same on a terminal, in a JUnit file and in an annotation."""
+
+from __future__ import annotations
+
+from sandbox.replay.golden.examine import Report
+
+SHOWN_DRIFTS = 3
+
+
+def reasons(report: Report) -> list[str]:
+    """Why a case did not pass, the most important first; empty if it did."""
+    if report.word == "missing":
+        return [f"no recording of {report.scene}"]
+    if report.word == "orphaned":
+        return [f"its scene {report.scene} is gone"]
+    if report.word == "unusable":
+        return [problem.message for problem in report.problems]
+    outcome = report.outcome
+    if outcome is None or report.word == "passed":
+        return []
+    told = [f"since it was recorded, {_some(outcome.edits, 5)}"] if outcome.edits else []
+    if outcome.divergence is not None:
+        told += outcome.divergence.lines()
+    elif outcome.edits:
+        told.append("all steps came out the same nevertheless")
+    if outcome.drifts:
+        ends = [f"{drift.body} by {drift.distance:.3g} m" for drift in outcome.drifts[:SHOWN_DRIFTS]]
+        told.append(f"ended elsewhere: {', '.join(ends)}")
+    return [*told, *outcome.notes]
+
+
+def advice(report: Report) -> list[str]:
+    """The commands that show the trouble and that accept it."""
+    path, outcome = report.case.replay.as_posix(), report.outcome
+    if report.fine or report.word == "unusable":
+        return []
+    if report.word == "missing":
+        return [f"record it:  sandbox replay --update=missing {path}"]
+    if report.word == "orphaned":
+        return [f"remove it:  sandbox replay --prune {path}"]
+    told = []
+    if report.scene and not report.commands and outcome is not None and outcome.divergence is not None:
+        told.append(f"look at it: sandbox run {report.scene} --step {max(outcome.divergence.step - 1, 0)}")
+    return [*told, f"accept it:  sandbox replay --update {path}"]
+
+
+def _some(texts: tuple[str, ...], most: int) -> str:
+    more = f" and {len(texts) - most} more" if len(texts) > most else ""
+    return "; ".join(texts[:most]) + more

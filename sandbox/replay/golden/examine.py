@@ -1,0 +1,107 @@
+"""One case of a whole set: run it, judge it, and renew its recording where that is asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from sandbox.errors import FileError, Problem, SandboxError
+from sandbox.replay.golden.cases import Case
+from sandbox.replay.golden.rerun import Outcome, rerun
+from sandbox.replay.golden.tolerance import Tolerance
+from sandbox.replay.recording.recorder import record
+from sandbox.replay.recording.recording import Recording
+from sandbox.scene import Scene, load_scene
+
+Word = Literal["passed", "diverged", "missing", "stale", "orphaned", "unusable"]
+Update = Literal["", "missing", "changed", "all"]
+
+
+@dataclass(frozen=True)
+class Demands:
+    """How to compare, and what may be written: `update` recordings that are missing, or have changed too, or all;
+    `prune` away those whose scene is gone.
+    """
+
+    tolerance: Tolerance | None = None
+    heavy: bool = False
+    update: Update = ""
+    prune: bool = False
+
+
+@dataclass(frozen=True)
+class Report:
+    """What became of a case, in one `word`, and what was done about it: "", "written" or "removed".
+
+    `outcome` is there if it ran, `problems` if it could not be used; `scene` is its scene's file, if known, `commands`
+    how many the recording has.
+    """
+
+    case: Case
+    word: Word
+    outcome: Outcome | None = None
+    action: Literal["", "written", "removed"] = ""
+    source: str = ""
+    problems: tuple[Problem, ...] = ()
+    scene: str = ""
+    commands: int = 0
+
+    @property
+    def fine(self) -> bool:
+        """Whether nothing is left to be looked at."""
+        return self.word == "passed" or bool(self.action)
+
+
+def examine(case: Case, demands: Demands, on_steps: Callable[[int], None] | None = None) -> Report:
+    """Run and judge one case. What is wrong with its files comes back in the report, never as an exception."""
+    try:
+        return _missing(case, demands) if case.scene is not None else _recorded(case, demands, on_steps)
+    except FileError as error:
+        return Report(case, "unusable", source=error.source, problems=tuple(error.problems))
+    except OSError as error:
+        return _unusable(case, error.strerror or str(error), str(error.filename or case.replay))
+    except SandboxError as error:
+        return _unusable(case, str(error), str(case.replay))
+
+
+def _unusable(case: Case, text: str, source: str) -> Report:
+    return Report(case, "unusable", source=source, problems=(Problem(text),))
+
+
+def _missing(case: Case, demands: Demands) -> Report:
+    assert case.scene is not None
+    scene = load_scene(case.scene)
+    report = Report(case, "missing", scene=str(case.scene))
+    if not demands.update:
+        return report
+    record(scene).save(case.replay)
+    return replace(report, action="written")
+
+
+def _recorded(case: Case, demands: Demands, on_steps: Callable[[int], None] | None) -> Report:
+    recording = Recording.load(case.replay)
+    if recording.scene.gone:
+        return _orphaned(case, recording, demands)
+    outcome = rerun(recording, tolerance=demands.tolerance, heavy=demands.heavy, on_steps=on_steps)
+    report = Report(
+        case, outcome.word, outcome, scene=str(recording.scene.path or ""), commands=len(recording.commands)
+    )
+    if demands.update == "all" or (demands.update == "changed" and not outcome.passed):
+        _renew(recording, recording.load_scene(), case)
+        return replace(report, action="written")
+    return report
+
+
+def _orphaned(case: Case, recording: Recording, demands: Demands) -> Report:
+    report = Report(case, "orphaned", scene=str(recording.scene.path))
+    if not demands.prune:
+        return report
+    case.replay.unlink()
+    return replace(report, action="removed")
+
+
+def _renew(recording: Recording, scene: Scene, case: Case) -> None:
+    """Record the same commands anew."""
+    embed = recording.scene.content is not None
+    record(scene, recording.steps, recording.commands).save(case.replay, embed=embed)
