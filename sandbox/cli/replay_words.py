@@ -39,8 +39,8 @@ def advice(report: Report) -> list[str]:
     if report.word == "orphaned":
         return [f"remove it:  sandbox replay --prune {path}"]
     told = []
-    if report.scene and not report.commands and outcome is not None and outcome.divergence is not None:
-        told.append(f"look at it: sandbox run {report.scene} --step {max(outcome.divergence.step - 1, 0)}")
+    if outcome is not None and outcome.divergence is not None:
+        told.append(f"look at it: sandbox run {path} --step {max(outcome.divergence.step - 1, 0)}")
     return [*told, f"accept it:  sandbox replay --update {path}"]
 
 

@@ -9,7 +9,7 @@ import typer
 
 from sandbox.resources import find_scene
 
-_SCENE = typer.Argument(show_default=False, help="A scene file, or the name of a shipped scene.")
+_SCENE = typer.Argument(show_default=False, help="A scene file, the name of a shipped scene, or a recording.")
 _SIZE = typer.Option(metavar="WxH", help="Size of the window in pixels.")
 _STEP = typer.Option(min=0, max=10_000_000, help="Start after this many steps.")
 _FRAMES = typer.Option(min=1, show_default=False, help="Quit after this many pictures, with one physics step for each.")
@@ -26,7 +26,7 @@ def run(
     """Open a scene in a window; without a scene, choose one from a list.
 
     Space pauses, . takes one step, - and + change the speed, R restarts, F fits the view, H shows all keys.
-    Drag bodies with the mouse.
+    Drag bodies with the mouse. S saves all that was done since the start as a recording in this folder.
     """
     from sandbox.cli.picture_options import parse_size, writable_picture
 

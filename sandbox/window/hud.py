@@ -89,6 +89,17 @@ def draw_help(pen: Pen, size: Size, opacity: float) -> None:
             x += width + GAP
 
 
+def draw_note(pen: Pen, size: Size, text: str, opacity: float) -> None:
+    """A line in the middle of the picture's upper half, for what just happened."""
+    shown = shorten(pen, text, size[0] - 2 * (MARGIN + PAD_X))
+    width = pen.width(shown)
+    x, y = (size[0] - width) / 2, size[1] / 4
+    pen.panel(
+        (x - PAD_X, y - PAD_Y, x + width + PAD_X, y + TEXT_SIZE + PAD_Y + 2.0), PANEL, PANEL_OPACITY * opacity, 10.0
+    )
+    pen.text(x, y, shown, WARM, opacity)
+
+
 def draw_title(pen: Pen, size: Size, title: str, about: str, opacity: float) -> None:
     """The scene's title and what to watch for, below the figures."""
     top = MARGIN + 2 * PAD_Y + TEXT_SIZE + 10.0

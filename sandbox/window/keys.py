@@ -23,6 +23,7 @@ BINDINGS = (
     Binding((pygame.K_MINUS, pygame.K_KP_MINUS), "slower", "− +", "slow motion"),
     Binding((pygame.K_PLUS, pygame.K_EQUALS, pygame.K_KP_PLUS), "faster"),
     Binding((pygame.K_r,), "restart", "R", "restart"),
+    Binding((pygame.K_s,), "save", "S", "save a replay"),
     Binding((pygame.K_f,), "fit", "F", "fit view"),
     Binding((pygame.K_h, pygame.K_F1), "help", "H", "help"),
     Binding((pygame.K_ESCAPE,), "leave", "Esc", "leave"),

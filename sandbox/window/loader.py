@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import threading
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from sandbox.errors import SandboxError
 from sandbox.window.session import Session
 
+if TYPE_CHECKING:
+    from sandbox.replay.recording.command_words import TimedCommand
+    from sandbox.scene import Scene
+
 
 class Loader:
-    """Loads a scene file and warms up the engine; look at `done`, then take `result`."""
+    """Loads a scene file or a recording and warms up the engine; look at `done`, then take `result`."""
 
     def __init__(self, path: Path, start_step: int = 0) -> None:
         self.path = path
@@ -27,7 +32,7 @@ class Loader:
         return not self._thread.is_alive()
 
     def result(self) -> Session:
-        """The session. Raises what went wrong: `SceneError` for a bad file, `OSError` for a missing one."""
+        """The session. Raises what went wrong: `FileError` for a bad file, `OSError` for a missing one."""
         self._thread.join()
         if self._error is not None:
             raise self._error
@@ -43,15 +48,25 @@ class Loader:
 
     def _load(self) -> Session:
         from sandbox.engine.world import World
-        from sandbox.scene import load_scene
 
-        scene = load_scene(self.path)
+        scene, script = self._read()
         self.message = "Preparing the engine"
         # The first step of a process compiles or loads kernels. It is taken here in a world of its own, so
         # that the first step a person sees does not wait.
         World(scene).step()
-        session = Session(scene, World(scene))
+        session = Session(scene, World(scene), script)
         if self.start_step:
             self.message = f"Simulating the first {self.start_step:,} steps"
             session.skip(self.start_step)
         return session
+
+    def _read(self) -> tuple[Scene, tuple[TimedCommand, ...]]:
+        """A scene, and what a recording did to it."""
+        from sandbox.replay.recording.limits import SUFFIX
+        from sandbox.replay.recording.recording import Recording
+        from sandbox.scene import load_scene
+
+        if not self.path.name.endswith(SUFFIX):
+            return load_scene(self.path), ()
+        recording = Recording.load(self.path)
+        return recording.load_scene(), recording.commands

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 import pygame
 
+from sandbox.errors import SandboxError
 from sandbox.render.camera import Camera, Size, fit, scene_camera
 from sandbox.render.draw_list import build_draw_list
 from sandbox.render.wardrobe import wardrobe_of
@@ -16,7 +18,7 @@ from sandbox.window.screen import Screen, Stage
 from sandbox.window.session import Session
 from sandbox.window.tools import Mouse
 
-TITLE_SECONDS, HELP_SECONDS, FADE_SECONDS = 5.0, 9.0, 0.8
+TITLE_SECONDS, HELP_SECONDS, NOTE_SECONDS, FADE_SECONDS = 5.0, 9.0, 5.0, 0.8
 
 
 class PlayScreen:
@@ -34,12 +36,16 @@ class PlayScreen:
         self._leaving = False
         self._age = 0.0
         self._help_until = HELP_SECONDS
+        self.note = ""
+        """What there is to tell the user now."""
+        self._note_until = 0.0
         self._actions: dict[str, Callable[[], object]] = {
             "pause": self._pause,
             "step": self._step,
             "slower": lambda: session.clock.change_speed(-1),
             "faster": lambda: session.clock.change_speed(1),
             "restart": session.restart,
+            "save": self._save,
             "fit": self._fit,
             "help": self._toggle_help,
             "leave": self._leave,
@@ -61,6 +67,9 @@ class PlayScreen:
             self.session.update(elapsed)
         elif not self.session.clock.paused:
             self.session.step_once()
+        if self.session.trouble:
+            self._say(f"{self.session.trouble}; the recording's other commands are left out")
+            self.session.trouble = ""
         return self
 
     def draw(self, stage: Stage) -> None:
@@ -78,6 +87,9 @@ class PlayScreen:
         title = _fade(TITLE_SECONDS - self._age)
         if title > 0.0:
             hud.draw_title(pen, size, scene.title, scene.about, title)
+        noted = _fade(self._note_until - self._age)
+        if noted > 0.0:
+            hud.draw_note(pen, size, self.note, noted)
         shown = _fade(self._help_until - self._age)
         if shown > 0.0:
             hud.draw_help(pen, size, shown)
@@ -107,6 +119,17 @@ class PlayScreen:
     def _step(self) -> None:
         self.session.clock.paused = True
         self.session.step_once()
+
+    def _save(self) -> None:
+        """Write the session into the folder that the program was started in."""
+        try:
+            path = self.session.save_recording(Path.cwd())
+            self._say(f"saved {path.name}: {self.session.world.step_count:,} steps; run it again with sandbox replay")
+        except (SandboxError, OSError) as error:
+            self._say(f"not saved: {error}")
+
+    def _say(self, text: str) -> None:
+        self.note, self._note_until = text, self._age + NOTE_SECONDS
 
     def _fit(self) -> None:
         self.mouse.camera = fit(self.session.bounds(), self.mouse.camera.size)

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
-import time
+from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sandbox.engine.commands import EndDrag, MoveDrag, StartDrag
 from sandbox.engine.world import World
-from sandbox.errors import CommandError
+from sandbox.errors import CommandError, SandboxError
 from sandbox.render.camera import Bounds, Vec
 from sandbox.render.frame import Frame, blend, capture, interesting_bounds
 from sandbox.render.pick import pick
 from sandbox.window.clock import StepClock
+from sandbox.window.tape import Tape
 
 if TYPE_CHECKING:
+    from sandbox.replay.recording.command_words import TimedCommand
     from sandbox.scene import Scene
 
 MOST_STEPS = 8
@@ -25,11 +28,15 @@ DRAG_ACCELERATION = 500.0
 
 
 class Session:
-    """One scene from its start; `restart` begins again."""
+    """One scene from its start; `restart` begins again. `script` is what a recording did to it."""
 
-    def __init__(self, scene: Scene, world: World) -> None:
+    def __init__(self, scene: Scene, world: World, script: Sequence[TimedCommand] = ()) -> None:
         self.scene = scene
         self.world = world
+        self._script = script
+        self._tape = Tape(world, script)
+        self.trouble = ""
+        """What went wrong last, for the user."""
         self.clock = StepClock(float(world.state.settings[0].step_seconds))
         self.step_cost = 0.0
         self.grabbed: int | None = None
@@ -54,14 +61,23 @@ class Session:
 
     def skip(self, steps: int) -> None:
         """Take many steps unseen."""
-        self.world.step(steps)
+        for _ in range(steps):
+            self._tape.step()
         self.previous = self.current = capture(self.world.state, self.current.mesh)
 
     def restart(self) -> None:
         """Begin again from the scene as it was written."""
         self.grabbed = None
         self.world = World(self.scene)
+        self._tape = Tape(self.world, self._script)
         self.previous = self.current = capture(self.world.state, self.current.mesh)
+
+    def save_recording(self, folder: Path) -> Path:
+        """Write all steps and commands since the start into a new file in `folder`, for `sandbox replay`.
+
+        Raises `RecordingError` if there is nothing to write, `OSError` if it cannot be written.
+        """
+        return self._tape.save(folder)
 
     def frame(self) -> Frame:
         """What is to be seen now: between the last two steps, as far as the clock says."""
@@ -88,13 +104,13 @@ class Session:
     def drag(self, point: Vec) -> None:
         """Pull the grabbed body towards `point`."""
         if self.grabbed is not None and point != self.target:
-            self.world.apply(MoveDrag(self.world.names[self.grabbed], point))
+            self._tape.apply(MoveDrag(self.world.names[self.grabbed], point))
             self.target = point
 
     def release(self) -> None:
         """Let go."""
         if self.grabbed is not None:
-            self.world.apply(EndDrag(self.world.names[self.grabbed]))
+            self._tape.apply(EndDrag(self.world.names[self.grabbed]))
             self.grabbed = None
 
     def grip(self, frame: Frame) -> Vec:
@@ -105,16 +121,17 @@ class Session:
     def _send_grab(self, body: int, point: Vec) -> bool:
         force = DRAG_ACCELERATION * float(self.world.state.bodies[body].mass)
         try:
-            self.world.apply(StartDrag(self.world.names[body], point, force))
+            self._tape.apply(StartDrag(self.world.names[body], point, force))
         except CommandError:
             return False
         self.target = point
         return True
 
     def _step(self) -> None:
-        begin = time.perf_counter()
-        self.world.step()
-        cost = time.perf_counter() - begin
+        try:
+            cost = self._tape.step()
+        except SandboxError as error:
+            self.trouble, cost = str(error), self._tape.step()
         self.step_cost = cost if self.step_cost == 0.0 else 0.9 * self.step_cost + 0.1 * cost
         self.previous, self.current = self.current, capture(self.world.state, self.current.mesh)
 

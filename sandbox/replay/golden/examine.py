@@ -34,8 +34,7 @@ class Demands:
 class Report:
     """What became of a case, in one `word`, and what was done about it: "", "written" or "removed".
 
-    `outcome` is there if it ran, `problems` if it could not be used; `scene` is its scene's file, if known, `commands`
-    how many the recording has.
+    `outcome` is there if it ran, `problems` if it could not be used; `scene` is its scene's file, if known.
     """
 
     case: Case
@@ -45,7 +44,6 @@ class Report:
     source: str = ""
     problems: tuple[Problem, ...] = ()
     scene: str = ""
-    commands: int = 0
 
     @property
     def fine(self) -> bool:
@@ -84,9 +82,7 @@ def _recorded(case: Case, demands: Demands, on_steps: Callable[[int], None] | No
     if recording.scene.gone:
         return _orphaned(case, recording, demands)
     outcome = rerun(recording, tolerance=demands.tolerance, heavy=demands.heavy, on_steps=on_steps)
-    report = Report(
-        case, outcome.word, outcome, scene=str(recording.scene.path or ""), commands=len(recording.commands)
-    )
+    report = Report(case, outcome.word, outcome, scene=str(recording.scene.path or ""))
     if demands.update == "all" or (demands.update == "changed" and not outcome.passed):
         _renew(recording, recording.load_scene(), case)
         return replace(report, action="written")

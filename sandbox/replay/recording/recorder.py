@@ -44,9 +44,13 @@ class Recorder:
         """Advance the world by `n` steps."""
         for _ in range(n):
             self.world.step()
-            self._digests.append(fingerprint(self.world.state))
-            if self.world.step_count % EVERY == 0:
-                self._checkpoints.append(checkpoint(self.world))
+            self.note_step()
+
+    def note_step(self) -> None:
+        """Note the step that the world has just taken, for who steps it himself."""
+        self._digests.append(fingerprint(self.world.state))
+        if self.world.step_count % EVERY == 0:
+            self._checkpoints.append(checkpoint(self.world))
 
     def recording(self) -> Recording:
         """What was recorded up to now. Raises `RecordingError` if the world was changed past the recorder."""
