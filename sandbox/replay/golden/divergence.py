@@ -62,8 +62,10 @@ class Divergence:
         if self.detail is not None:
             more = f" (and {self.others} more numbers)" if self.others else ""
             told.append(f"first: {self.detail}{more}")
-        if self.growth:
-            steps = ", ".join(f"{one.distance:.3g} m at step {one.step} ({one.body})" for one in self.growth)
+        rows = [one for one in self.growth if one.distance > 0.0]
+        if rows:
+            shown = [*rows[: -1 : max(1, len(rows) // 3)], rows[-1]]
+            steps = ", ".join(f"{one.distance:.3g} m at step {one.step} ({one.body})" for one in shown)
             told.append(f"farthest off: {steps}")
         return told
 
