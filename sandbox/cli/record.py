@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from sandbox.errors import SandboxError
 from sandbox.resources import find_scene
 
 if TYPE_CHECKING:
@@ -43,6 +44,7 @@ def record(
     from sandbox.replay.trial import planned_steps
     from sandbox.scene import load_scene
 
+    _check_name(output)
     file = find_scene(scene)
     loaded = load_scene(file)
     script = read_commands(commands) if commands is not None else ()
@@ -51,6 +53,13 @@ def record(
     recording = _with_progress(file.name, total, lambda done: run(loaded, total, script, done))
     recording.save(output, embed=True if embed else None)
     _tell(output, recording, json)
+
+
+def _check_name(output: Path) -> None:
+    from sandbox.replay.recording.limits import SUFFIX
+
+    if not output.name.endswith(SUFFIX):
+        raise SandboxError(f"{output}: recordings are named NAME{SUFFIX}, so that sandbox replay finds them")
 
 
 def _with_progress(name: str, total: int, run: Any) -> Recording:

@@ -46,12 +46,14 @@ def _here(cases: Sequence[Case], demands: Demands, console: Console) -> Iterator
 
 def _elsewhere(cases: Sequence[Case], demands: Demands, workers: int) -> Iterator[Report]:
     # Fresh processes: a fork would copy locks of threads that it has not got.
-    with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as pool:
-        try:
-            yield from pool.map(partial(examine, demands=demands), cases)
-        except BrokenProcessPool:
-            text = "a process was killed from outside, as a system does that is short of memory; try fewer with -j"
-            raise SandboxError(text) from None
+    pool = ProcessPoolExecutor(workers, mp_context=get_context("spawn"))
+    try:
+        yield from pool.map(partial(examine, demands=demands), cases)
+    except BrokenProcessPool:
+        text = "a process was killed from outside, as a system does that is short of memory; try fewer with -j"
+        raise SandboxError(text) from None
+    finally:
+        pool.shutdown(cancel_futures=True)  # whoever interrupts does not wait for the rest
 
 
 def _compile_first() -> None:

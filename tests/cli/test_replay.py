@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 from xml.etree import ElementTree
 
 import pytest
 
+from sandbox.cli import replay_pool
+from sandbox.errors import SandboxError
+from sandbox.replay.golden.cases import Case
+from sandbox.replay.golden.examine import Demands
 from tests.cli.conftest import CRATE, GROUND
 
 HOLDS = {"at": 20, "rests": "crate"}
@@ -30,6 +36,13 @@ def golden(cli: Callable, write_scene: Callable, tmp_path: Path) -> Path:
     scene = write_scene("a.scene.json", HOLDS)
     assert cli("record", scene, "-o", tmp_path / "a.replay.json").code == 0
     return tmp_path / "a.replay.json"
+
+
+class Deadly(Demands):
+    """Ends the process that unpacks it."""
+
+    def __reduce__(self) -> Any:
+        return os._exit, (3,)
 
 
 def words(out: str) -> dict[str, str]:
@@ -84,6 +97,11 @@ class TestRecord:
         done = cli("record", write_scene("a.scene.json"), "-o", "a.replay.json", "--commands", "bad.json")
         assert done.code == 2
         assert "not being dragged" in done.err
+
+    def test_another_ending_is_refused(self, cli: Callable, write_scene: Callable) -> None:
+        done = cli("record", write_scene("a.scene.json"), "-o", "a.json")
+        assert done.code == 2
+        assert "named NAME.replay.json" in done.err
 
     def test_a_folder_that_is_not_there(self, cli: Callable, write_scene: Callable) -> None:
         done = cli("record", write_scene("a.scene.json"), "-o", "nowhere/a.replay.json")
@@ -253,6 +271,10 @@ class TestHowItRuns:
         done = cli("replay", "--tolerance", golden)
         assert done.code == 1
         assert "step 20 (0.333 s): energy: expected " in done.out
+
+    def test_a_process_that_is_killed_is_told(self, golden: Path) -> None:
+        with pytest.raises(SandboxError, match="killed from outside"):
+            list(replay_pool._elsewhere([Case(golden)], Deadly(), 1))
 
     def test_shards_share_all_files(self, cli: Callable, write_scene: Callable, tmp_path: Path) -> None:
         for name in "abcde":

@@ -87,7 +87,8 @@ def _named(table: Table, world: World) -> Iterator[tuple[tuple[Any, ...], str, A
         yield from _contacts(world)
     elif table is JOINT:
         for name, row in zip(world.joint_names, state.joints, strict=True):
-            yield (name,), names[max(row.body_a, row.body_b)], row
+            body = int(max(row.body_a, row.body_b))  # a gear has none of its own
+            yield (name,), names[body] if body >= 0 else "", row
     elif table in (SHAPE, DRAG, THRUSTER):
         rows: Records = {SHAPE: state.shapes, DRAG: state.drags, THRUSTER: state.thrusters}[table]
         yield from (((names[row.body],), names[row.body], row) for row in rows if row.body >= 0)
