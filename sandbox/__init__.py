@@ -34,6 +34,7 @@ if TYPE_CHECKING:
         SnapshotError,
         UnknownBodyError,
         UnknownJointError,
+        UnknownRegionError,
     )
     from sandbox.geometry.collide import Contact, Distance, collide, contains, distance
     from sandbox.geometry.sat_rows import SatRow
@@ -87,6 +88,7 @@ __all__ = [
     "Tolerance",
     "UnknownBodyError",
     "UnknownJointError",
+    "UnknownRegionError",
     "Verdict",
     "World",
     "__version__",
@@ -113,6 +115,7 @@ _ERRORS = {
     "SnapshotError",
     "UnknownBodyError",
     "UnknownJointError",
+    "UnknownRegionError",
 }
 _TESTS = {"Contact", "Distance", "collide", "contains", "distance"}
 _DIVERGENCE = {"Difference", "Divergence", "Drift", "Growth"}

@@ -80,6 +80,13 @@ class UnknownJointError(SandboxError, KeyError):
         return str(self.args[0])
 
 
+class UnknownRegionError(SandboxError, KeyError):
+    """No region of that id in the world."""
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
 class SnapshotError(SandboxError):
     """A snapshot cannot be read by this version; the world is unchanged."""
 

@@ -49,3 +49,9 @@ class Table:
     def zeros(self, count: int) -> Records:
         """A new array of `count` rows, all zero."""
         return np.zeros(count, self.dtype).view(np.recarray)
+
+
+def taken(rows: Records, index: Any) -> Records:
+    """Some rows of a table, by numbers or by flags, as a table of its own."""
+    table: Records = np.asarray(rows)[index].view(np.recarray)
+    return table

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import math
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 from sandbox._jit import interpreted
-from sandbox.engine.guard import MAX_COORDINATE
+from sandbox.engine.command_checks import check_numbers, title
 from sandbox.engine.integrate import place_origin as place_origin_kernel
-from sandbox.engine.pushes import SPEED_LIMIT, ApplyForce, ApplyImpulse, apply_force, apply_impulse
+from sandbox.engine.pushes import ApplyForce, ApplyImpulse, apply_force, apply_impulse
 from sandbox.engine.surfaces import SetSurface, set_surface
 from sandbox.engine.wake import wake_body
 from sandbox.errors import CommandError
@@ -35,7 +34,6 @@ __all__ = [
     "apply_command",
 ]
 
-_UNLIMITED = ("force", "max_force", "torque", "impulse", "angular_impulse", "shape")
 DRAG_HERTZ = 5.0
 DRAG_DAMPING_RATIO = 0.7
 
@@ -90,7 +88,7 @@ Command: TypeAlias = SetPose | SetVelocity | SetSurface | ApplyForce | ApplyImpu
 
 def apply_command(state: State, index: int, command: Command) -> None:
     """Apply a command to body `index`. Raises `CommandError`, and changes nothing, if it cannot be done."""
-    _check_numbers(command)
+    check_numbers(command)
     body = state.bodies[index]
     match command:
         case SetPose():
@@ -115,24 +113,6 @@ def apply_command(state: State, index: int, command: Command) -> None:
     wake_body(state, index)
 
 
-def _check_numbers(command: Command) -> None:
-    """Every number of a command must be finite and within its limit."""
-    for item in fields(command):
-        value = getattr(command, item.name)
-        for number in value if isinstance(value, tuple) else (value,):
-            if isinstance(number, str) or number is None:
-                continue
-            if not math.isfinite(number):
-                raise CommandError(f"{_name(command)}: {item.name} must be a finite number, not {number}")
-            limit = SPEED_LIMIT if "velocity" in item.name else MAX_COORDINATE
-            if item.name not in _UNLIMITED and abs(number) > limit:
-                raise CommandError(f"{_name(command)}: {item.name} of {number:g} is past the limit of {limit:g}")
-
-
-def _name(command: Command) -> str:
-    return f"{type(command).__name__} of {command.body!r}"
-
-
 def _set_pose(body: Records, command: SetPose) -> None:
     body.posed = 1
     body.angle = command.angle
@@ -145,7 +125,7 @@ def _set_pose(body: Records, command: SetPose) -> None:
 
 def _set_velocity(body: Records, command: SetVelocity) -> None:
     if body.type == STATIC:
-        raise CommandError(f"{_name(command)}: a static body has no velocity; make it kinematic in the scene")
+        raise CommandError(f"{title(command)}: a static body has no velocity; make it kinematic in the scene")
     body.velocity_x, body.velocity_y = command.velocity
     body.angular_velocity = command.angular_velocity
 
@@ -155,7 +135,7 @@ def _start_drag(state: State, index: int, command: StartDrag) -> None:
     _needs_dynamic(body, command)
     rows = [row for row in state.drags if row.body == index] or [row for row in state.drags if row.body < 0]
     if not rows:
-        raise CommandError(f"{_name(command)}: {len(state.drags)} bodies are dragged already; end one first")
+        raise CommandError(f"{title(command)}: {len(state.drags)} bodies are dragged already; end one first")
     drag = rows[0]
     dx, dy = command.point[0] - body.center_x, command.point[1] - body.center_y
     drag.body = index
@@ -169,7 +149,7 @@ def _start_drag(state: State, index: int, command: StartDrag) -> None:
 
 def _needs_dynamic(body: Records, command: Command) -> None:
     if body.type != DYNAMIC:
-        raise CommandError(f"{_name(command)}: only a dynamic body can be pushed or dragged")
+        raise CommandError(f"{title(command)}: only a dynamic body can be pushed or dragged")
 
 
 def _drag_of(state: State, index: int, name: str) -> Any:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from typing import Any, TypeAlias
 
-from sandbox.engine.pushes import SPEED_LIMIT
-from sandbox.engine.wake import wake_body
+from sandbox.engine.command_checks import check_numbers, title
+from sandbox.engine.wake import wake_bodies
 from sandbox.errors import CommandError
 from sandbox.world import joint_records as kinds
 from sandbox.world.state import State
@@ -79,7 +79,7 @@ def apply_joint_command(state: State, index: int, command: JointCommand) -> bool
 
     Raises `CommandError`, and changes nothing, if it cannot be done.
     """
-    _check_numbers(command)
+    check_numbers(command)
     joint = state.joints[index]
     before = (int(joint.spring), int(joint.limit), int(joint.motor), int(joint.enabled), int(joint.broken_step))
     match command:
@@ -96,37 +96,19 @@ def apply_joint_command(state: State, index: int, command: JointCommand) -> bool
             joint.enabled = int(command.enabled)
         case BreakJoint():
             _break(state, joint)
-    for body in _bodies(state, joint):
-        wake_body(state, body)
+    wake_bodies(state, joint_bodies(state, joint))
     return before != (joint.spring, joint.limit, joint.motor, joint.enabled, joint.broken_step)
 
 
-def _bodies(state: State, joint: Any) -> list[int]:
+def joint_bodies(state: State, joint: Any) -> list[int]:
+    """The rows of the bodies that a joint holds; of a gear, those of the joints it couples."""
     parts = [joint] if joint.joint_1 < 0 else [state.joints[joint.joint_1], state.joints[joint.joint_2]]
     return [int(body) for part in parts for body in (part.body_a, part.body_b) if body >= 0]
 
 
-def _check_numbers(command: JointCommand) -> None:
-    for item in fields(command):
-        value = getattr(command, item.name)
-        for number in value if isinstance(value, tuple) else (value,):
-            if isinstance(number, (str, bool)) or number is None:
-                continue
-            if not math.isfinite(number):
-                raise CommandError(f"{_name(command)}: {item.name} must be a finite number, not {number}")
-            if item.name in ("hertz", "damping_ratio", "strongest") and number < 0:
-                raise CommandError(f"{_name(command)}: {item.name} must not be negative")
-            if item.name == "speed" and abs(number) > SPEED_LIMIT:
-                raise CommandError(f"{_name(command)}: speed of {number:g} is past the limit of {SPEED_LIMIT:g}")
-
-
-def _name(command: JointCommand) -> str:
-    return f"{type(command).__name__} of {command.joint!r}"
-
-
 def _require(joint: Any, allowed: tuple[int, ...], command: JointCommand, what: str) -> None:
     if int(joint.kind) not in allowed:
-        raise CommandError(f"{_name(command)}: this kind of joint has no {what}")
+        raise CommandError(f"{title(command)}: this kind of joint has no {what}")
 
 
 def _set_motor(joint: Any, command: SetMotor) -> None:
@@ -142,7 +124,7 @@ def _set_limits(joint: Any, command: SetLimits) -> None:
     lower = -math.inf if command.lower is None else command.lower
     upper = math.inf if command.upper is None else command.upper
     if lower > upper:
-        raise CommandError(f"{_name(command)}: lower must not be greater than upper")
+        raise CommandError(f"{title(command)}: lower must not be greater than upper")
     joint.lower, joint.upper = lower, upper
     joint.limit = int(command.lower is not None or command.upper is not None)
 

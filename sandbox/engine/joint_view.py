@@ -3,26 +3,45 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from sandbox.engine.joint_commands import BreakJoint, JointCommand, SetJoint, SetMotor
+from sandbox.errors import UnknownJointError
 from sandbox.world import joint_records as kinds
 from sandbox.world.build_joints import KINDS
-from sandbox.world.joint_pose import anchor, angle_between, joint_axis
-from sandbox.world.state import State
+from sandbox.world.joint_pose import anchor, angle_between, slide
+
+if TYPE_CHECKING:
+    from sandbox.engine.world import World
 
 _NAMES = {number: name for name, number in KINDS.items()}
 
 
 class Joint:
-    """One joint of a world. Setting a property applies a command, so that it can be recorded and refused."""
+    """One joint of a world. Setting a property applies a command, so that it can be recorded and refused.
 
-    def __init__(self, name: str, state: State, index: int, apply: Callable[[JointCommand], None]) -> None:
-        self.id = name
-        self._state = state
-        self._row: Any = state.joints[index]
-        self._apply = apply
+    It stays the same joint whatever else comes and goes. Once that joint has been deleted, asking for anything but its
+    `id` raises `UnknownJointError`.
+    """
+
+    def __init__(self, world: World, row: int) -> None:
+        self.id = world.joint_names[row]
+        self._world, self._state = world, world.state
+        self._serial = world.state.roster.joints.serials[row]
+        self._layout, self._record = world.layout, world.state.joints[row]
+
+    @property
+    def _row(self) -> Any:
+        if self._layout != self._state.layout:
+            row = self._state.roster.joints.row_of(self._serial)
+            if row is None:
+                raise UnknownJointError(f"the joint {self.id!r} has been deleted")
+            self._layout, self._record = self._state.layout, self._state.joints[row]
+        return self._record
+
+    def _apply(self, command: JointCommand) -> None:
+        _ = self._row
+        self._world.apply(command)
 
     @property
     def type(self) -> str:
@@ -59,10 +78,9 @@ class Joint:
     @property
     def translation(self) -> float:
         """Slide along the axis (prismatic, wheel), else the distance of the anchors, m."""
-        (ax, ay), (bx, by) = self.anchors
         if int(self._row.kind) in (kinds.PRISMATIC, kinds.WHEEL):
-            x, y = joint_axis(self._state, self._row)
-            return (bx - ax) * x + (by - ay) * y
+            return slide(self._state, self._row)
+        (ax, ay), (bx, by) = self.anchors
         return math.sqrt((bx - ax) * (bx - ax) + (by - ay) * (by - ay))
 
     @property

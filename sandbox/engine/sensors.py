@@ -14,8 +14,9 @@ from sandbox.engine.queries.lay_out import lay_out
 from sandbox.engine.queries.memory import Memory
 from sandbox.engine.queries.walk import begin_walk, next_box
 from sandbox.geometry.manifold import MANIFOLD, collide_cores
-from sandbox.tables import Integers, Records
+from sandbox.tables import Integers, Records, taken
 from sandbox.world.records import STATIC
+from sandbox.world.rows import Moved
 from sandbox.world.state import State
 
 
@@ -48,6 +49,17 @@ class Sensing:
             ask(*self._asking, self._sensors, self._manifold, self._found)
         found = np.asarray(self._found)[:count]
         self.before, self.now = self.now, found[np.lexsort((found["shape_index"], found["sensor"]))].view(np.recarray)
+
+    def follow(self, earlier: Sensing, moved: Moved) -> None:
+        """Take over what sensors overlapped before rows came or went."""
+        rows = earlier.now
+        left = (moved.shapes[rows.sensor] >= 0) & (moved.shapes[rows.shape_index] >= 0)
+        self.now = taken(rows, left)
+        for name in ("sensor", "shape_index"):
+            self.now[name] = moved.shapes[self.now[name]]
+        for name in ("sensor_body", "body"):
+            self.now[name] = moved.bodies[self.now[name]]
+        self.before = self.now
 
     def forget(self) -> None:
         """Begin anew at the poses of now: after a restore, nothing enters or leaves that has not moved."""

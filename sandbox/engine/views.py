@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from sandbox.engine.commands import ApplyForce, ApplyImpulse, Command, SetPose, SetVelocity
-from sandbox.tables import Floats, Records
+from sandbox.errors import UnknownBodyError
+from sandbox.tables import Floats, Integers, Records
 from sandbox.world.records import BODY
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from sandbox.engine.world import World
 
 _NAMES = {0: "static", 1: "kinematic", 2: "dynamic"}
 
@@ -33,36 +34,100 @@ def _column(records: Records, name: str) -> Any:
 
 
 class Bodies:
-    """All bodies as columns. The arrays are read-only views that follow the world; copy what you keep."""
+    """All bodies as columns. The arrays are read-only views that follow the world; copy what you keep.
 
-    def __init__(self, records: Records, names: Sequence[str]) -> None:
-        self.ids: tuple[str, ...] = tuple(names)
-        self.position = _vectors(records, "position_x")
+    After a body has come or gone, ask for the arrays again: earlier ones no longer change.
+    """
+
+    def __init__(self, world: World) -> None:
+        self._world = world
+        self._layout = -1
+        self._seen: dict[str, Any] = {}
+
+    def _view(self, name: str, make: Callable[[Records, str], Any]) -> Any:
+        """A view of a column, made once for each layout."""
+        if self._layout != self._world.layout:
+            self._layout, self._seen = self._world.layout, {}
+        if name not in self._seen:
+            self._seen[name] = make(self._world.state.bodies, name)
+        return self._seen[name]
+
+    @property
+    def ids(self) -> tuple[str, ...]:
+        """The bodies' ids, row by row."""
+        return self._world.names
+
+    @property
+    def position(self) -> Floats:
         """(n, 2) m, the bodies' origins."""
-        self.angle: Floats = _column(records, "angle")
+        view: Floats = self._view("position_x", _vectors)
+        return view
+
+    @property
+    def angle(self) -> Floats:
         """(n,) rad, not wrapped."""
-        self.velocity = _vectors(records, "velocity_x")
+        view: Floats = self._view("angle", _column)
+        return view
+
+    @property
+    def velocity(self) -> Floats:
         """(n, 2) m/s, of the centres of mass."""
-        self.angular_velocity: Floats = _column(records, "angular_velocity")
+        view: Floats = self._view("velocity_x", _vectors)
+        return view
+
+    @property
+    def angular_velocity(self) -> Floats:
         """(n,) rad/s."""
-        self.center = _vectors(records, "center_x")
+        view: Floats = self._view("angular_velocity", _column)
+        return view
+
+    @property
+    def center(self) -> Floats:
         """(n, 2) m, the centres of mass."""
-        self.mass: Floats = _column(records, "mass")
+        view: Floats = self._view("center_x", _vectors)
+        return view
+
+    @property
+    def mass(self) -> Floats:
         """(n,) kg; 0 for static and kinematic bodies."""
-        self.awake = _column(records, "awake")
+        view: Floats = self._view("mass", _column)
+        return view
+
+    @property
+    def awake(self) -> Integers:
         """(n,) 1 while simulated, 0 asleep."""
+        view: Integers = self._view("awake", _column)
+        return view
 
     def __len__(self) -> int:
         return len(self.ids)
 
 
 class Body:
-    """One body of a world. Setting a property applies a command, so that it can be recorded and refused."""
+    """One body of a world. Setting a property applies a command, so that it can be recorded and refused.
 
-    def __init__(self, name: str, record: Records, apply: Callable[[Command], None]) -> None:
-        self.id = name
-        self._record = record
-        self._apply = apply
+    It stays the same body whatever else comes and goes. Once that body has been deleted, asking for anything but its
+    `id` raises `UnknownBodyError`, even if another one has its id.
+    """
+
+    def __init__(self, world: World, row: int) -> None:
+        self.id = world.names[row]
+        self._world = world
+        self._serial = world.state.roster.bodies.serials[row]
+        self._layout, self._row = world.layout, world.state.bodies[row]
+
+    @property
+    def _record(self) -> Any:
+        if self._layout != self._world.layout:
+            row = self._world.state.roster.bodies.row_of(self._serial)
+            if row is None:
+                raise UnknownBodyError(f"the body {self.id!r} has been deleted")
+            self._layout, self._row = self._world.layout, self._world.state.bodies[row]
+        return self._row
+
+    def _apply(self, command: Command) -> None:
+        _ = self._record
+        self._world.apply(command)
 
     @property
     def type(self) -> str:

@@ -12,22 +12,27 @@ from sandbox.engine.binding import bind
 from sandbox.engine.commands import Command, SetPose, apply_command
 from sandbox.engine.continuous import catch
 from sandbox.engine.events import SENSOR_EVENT, Events, differences, happened, nothing
+from sandbox.engine.field_commands import FieldCommand, apply_field_command
 from sandbox.engine.fields.apply import apply_fields
 from sandbox.engine.fields.work import has_fields, last_switch
 from sandbox.engine.joint_commands import JointCommand, apply_joint_command
 from sandbox.engine.joint_view import Joint
 from sandbox.engine.joints.layout import lay_out
+from sandbox.engine.row_commands import RowCommand, apply_row_command
 from sandbox.engine.scratch import Scratch
 from sandbox.engine.step import MUST_CATCH, find_touching, move
 from sandbox.engine.views import Bodies, Body
 from sandbox.engine.warm_up import compile_step
 from sandbox.engine.world_commands import WorldCommand, apply_world_command
-from sandbox.errors import UnknownBodyError, UnknownJointError
+from sandbox.errors import UnknownBodyError, UnknownJointError, UnknownRegionError
+from sandbox.scene.known import Known
 from sandbox.tables import Floats
 from sandbox.world.build import build_state
 from sandbox.world.digest import digest
 from sandbox.world.flush import join_tiles
 from sandbox.world.records import CONTACT, DYNAMIC, STATIC
+from sandbox.world.roster import Roster
+from sandbox.world.rows import Moved
 from sandbox.world.snapshot import restore, snapshot
 from sandbox.world.state import State
 
@@ -38,6 +43,7 @@ if TYPE_CHECKING:
     from sandbox.engine.sensors import Sensing
     from sandbox.scene import Scene
     from sandbox.scene.flat import FlatScene
+    from sandbox.scene.spawned import Spawning
 
 
 class World:
@@ -49,20 +55,17 @@ class World:
 
     def __init__(self, scene: Scene | FlatScene) -> None:
         self.scene = scene
-        self.flat: FlatScene = scene.flatten() if hasattr(scene, "flatten") else scene
-        self.state: State = build_state(self.flat)
-        self._index = {name: i for i, name in enumerate(self.state.names)}
+        self.state: State = build_state(scene.flatten() if hasattr(scene, "flatten") else scene)
         self.changes = 0
         """Counts steps, commands and restores: while it stays the same, nothing has moved."""
-        self._joint_index = {name: i for i, name in enumerate(self.state.joint_names)}
         self._events: Events | None = nothing(0, self.state.names)
         self._sensing = self._make_sensing()
         self._turn = 0
         self._arguments: list[tuple[tuple[Any, ...], ...]] = []
         self._fields: list[tuple[Any, ...]] = []
-        self._last_switch = last_switch(self.state)
+        self._know_rows()
         self._use_scratch(Scratch.for_state(self.state, len(self.state.contacts)))
-        self.bodies = Bodies(self.state.bodies, self.state.names)
+        self.bodies = Bodies(self)
 
     def step(self, n: int = 1) -> None:
         """Advance by `n` steps of `1 / step_rate` seconds each."""
@@ -86,19 +89,26 @@ class World:
             if self._sensing is not None:
                 self._sensing.look()
 
-    def apply(self, command: Command | JointCommand | WorldCommand) -> None:
+    def apply(self, command: Command | JointCommand | WorldCommand | RowCommand | FieldCommand) -> None:
         """Apply a command.
 
-        Raises `CommandError`, `UnknownBodyError` or `UnknownJointError` and changes nothing if it can't be done.
+        Raises `CommandError`, `UnknownBodyError`, `UnknownJointError` or `UnknownRegionError` and changes nothing if it
+        can't be done.
         """
         self.changes += 1
-        if isinstance(command, JointCommand):
-            if apply_joint_command(self.state, self._find_joint(command.joint), command):
+        if isinstance(command, RowCommand):
+            self._events = self.events  # it speaks of the rows that were
+            self._follow(apply_row_command(self, command))
+        elif isinstance(command, JointCommand):
+            if apply_joint_command(self.state, self.joint_row(command.joint), command):
                 self._lay_out_joints()
         elif isinstance(command, WorldCommand):
             apply_world_command(self, command)
+        elif isinstance(command, FieldCommand):
+            apply_field_command(self, command)
+            self._last_switch = last_switch(self.state)
         else:
-            index = self._find(command.body)
+            index = self.body_row(command.body)
             apply_command(self.state, index, command)
             if isinstance(command, SetPose) and self.state.bodies[index].type == STATIC:
                 join_tiles(self.state.bodies, self.state.shapes, self.state.vertices, self.state.seams)
@@ -122,16 +132,40 @@ class World:
 
     @property
     def joint_names(self) -> tuple[str, ...]:
-        """Joint ids in the order of the scene."""
+        """Joint ids in the order of the scene, then those that were spawned."""
         return self.state.joint_names
+
+    @property
+    def flat(self) -> FlatScene:
+        """The scene with the bodies and joints that are there now, row by row, as they came into the world."""
+        return self.state.roster.flat
+
+    @property
+    def layout(self) -> int:
+        """Counts how often rows have moved: while it stays the same, row `i` of `bodies` is the same body."""
+        return self.state.layout
+
+    def known(self) -> Known:
+        """What a joint or a body that comes may refer to."""
+        bodies, joints = self.state.roster.bodies.items, self.state.roster.joints.items
+        types, kinds = {body.id: body.type for body in bodies}, {joint.id: joint.kind for joint in joints}
+        return Known(types, kinds, len(self.state.shapes))
+
+    @cached_property
+    def spawning(self) -> Spawning:
+        """Reads what is spawned."""
+        from sandbox.scene.flat import FlatScene
+        from sandbox.scene.spawned import Spawning  # worlds in which nothing is spawned pay nothing
+
+        return Spawning(self.scene if not isinstance(self.scene, FlatScene) else None)
 
     def joint(self, name: str) -> Joint:
         """The joint of that id. Raises `UnknownJointError` with the nearest name."""
-        return Joint(name, self.state, self._find_joint(name), self.apply)
+        return Joint(self, self.joint_row(name))
 
     def body(self, name: str) -> Body:
         """The body of that id. Raises `UnknownBodyError` with the nearest name."""
-        return Body(name, self.state.bodies[self._find(name)], self.apply)
+        return Body(self, self.body_row(name))
 
     @property
     def awake_count(self) -> int:
@@ -184,7 +218,7 @@ class World:
         """Rays, casts, overlaps and distances: read-only questions about where things are."""
         from sandbox.engine.queries.queries import Queries  # worlds that are asked nothing pay nothing
 
-        return Queries(self, self._find)
+        return Queries(self, self.body_row)
 
     def digest(self) -> str:
         """Fingerprint of the whole state, 16 hex digits: equal bits, equal digest."""
@@ -197,14 +231,40 @@ class World:
     def restore(self, data: bytes) -> None:
         """Go back to a snapshot of this scene. Raises `SnapshotError` and changes nothing if it can't."""
         self.changes += 1
-        restore(self.state, data)
-        if len(self.state.contacts) != len(self._scratch.contacts):
+        layout = self.layout
+        restore(self.state, data, self._read_roster)
+        self._know_rows()
+        if self.layout != layout or len(self.state.contacts) != len(self._scratch.contacts):
             self._use_scratch(Scratch.for_state(self.state, len(self.state.contacts)))
-        self._lay_out_joints()
+        else:
+            self._lay_out_joints()
         self._events = nothing(self.step_count, self.names)
         self._scratch.reports.total_impulse = 0.0
+        if self.layout != layout:
+            self._sensing = self._make_sensing()
         if self._sensing is not None:
             self._sensing.forget()
+
+    def _read_roster(self, text: bytes) -> Roster:
+        from sandbox.world.roster_reading import read_roster
+
+        return read_roster(text, self.state.roster.scene, self.spawning.read)
+
+    def _know_rows(self) -> None:
+        """Note where everybody is now, and when fields begin and end."""
+        self._index = {name: i for i, name in enumerate(self.state.names)}
+        self._joint_index = {name: i for i, name in enumerate(self.state.joint_names)}
+        self._last_switch = last_switch(self.state)
+
+    def _follow(self, moved: Moved) -> None:
+        """Bring everything that knows of rows up to date after rows have come or gone."""
+        self._know_rows()
+        old, blocks = self._scratch.reports, len(self._scratch.blocks)
+        self._use_scratch(Scratch.for_state(self.state, len(self.state.contacts), blocks))
+        self._scratch.reports[: len(moved.contacts)] = old[moved.contacts]
+        before, self._sensing = self._sensing, self._make_sensing()
+        if self._sensing is not None and before is not None:
+            self._sensing.follow(before, moved)
 
     def _make_sensing(self) -> Sensing | None:
         if not self.state.shapes.sensor.any():
@@ -258,17 +318,26 @@ class World:
                 fields.insert(0, bind(apply_fields, self.state, self._scratch))
         self._arguments, self._fields = lists, fields
 
-    def _find(self, name: str) -> int:
+    def body_row(self, name: str) -> int:
+        """The row of a body. Raises `UnknownBodyError` with the nearest name."""
         index = self._index.get(name)
         if index is None:
             raise UnknownBodyError(_unknown("body", name, self.names))
         return index
 
-    def _find_joint(self, name: str) -> int:
+    def joint_row(self, name: str) -> int:
+        """The row of a joint. Raises `UnknownJointError` with the nearest name."""
         index = self._joint_index.get(name)
         if index is None:
             raise UnknownJointError(_unknown("joint", name, self.joint_names))
         return index
+
+    def region_row(self, name: str) -> int:
+        """The row of a region that has an id. Raises `UnknownRegionError` with the nearest name."""
+        names = [region.id for region in self.flat.regions]
+        if not name or name not in names:
+            raise UnknownRegionError(_unknown("region", name, list(filter(None, names))))
+        return names.index(name)
 
     def __repr__(self) -> str:
         return f"<World of {len(self.names)} bodies at step {self.step_count}>"

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from itertools import compress
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
+from sandbox.engine.command_checks import check_numbers
 from sandbox.engine.commands import apply_command
-from sandbox.engine.guard import MAX_COORDINATE
 from sandbox.engine.pushes import ApplyImpulse
 from sandbox.errors import CommandError
 from sandbox.world.records import DYNAMIC
@@ -21,9 +21,6 @@ if TYPE_CHECKING:
     from sandbox.geometry.shapes import Shape
 
 Vec = tuple[float, float]
-
-GRAVITY_LIMIT = 1e6
-"""Strongest gravity a command may set along an axis, in m/s^2."""
 
 
 @dataclass(frozen=True)
@@ -51,25 +48,11 @@ WorldCommand: TypeAlias = SetGravity | Explode
 
 def apply_world_command(world: World, command: WorldCommand) -> None:
     """Apply a command. Raises `CommandError`, and changes nothing, if it cannot be done."""
-    _check_numbers(command)
+    check_numbers(command)
     if isinstance(command, SetGravity):
         _set_gravity(world, command)
     else:
         _explode(world, command)
-
-
-def _check_numbers(command: WorldCommand) -> None:
-    name = type(command).__name__
-    for item in fields(command):
-        value = getattr(command, item.name)
-        for number in value if isinstance(value, tuple) else (value,):
-            if not math.isfinite(number):
-                raise CommandError(f"{name}: {item.name} must be a finite number, not {number}")
-            limit = GRAVITY_LIMIT if item.name == "gravity" else MAX_COORDINATE
-            if item.name != "impulse" and abs(number) > limit:
-                raise CommandError(f"{name}: {item.name} of {number:g} is past the limit of {limit:g}")
-    if isinstance(command, Explode) and command.radius <= 0.0:
-        raise CommandError(f"{name}: radius must be greater than 0 m, not {command.radius:g}")
 
 
 def _set_gravity(world: World, command: SetGravity) -> None:
@@ -82,6 +65,8 @@ def _set_gravity(world: World, command: SetGravity) -> None:
 
 def _explode(world: World, command: Explode) -> None:
     """Push all or none: bodies that cannot take their push keep the others from theirs."""
+    if command.radius <= 0.0:
+        raise CommandError(f"Explode: radius must be greater than 0 m, not {command.radius:g}")
     before = world.state.bodies.copy()
     try:
         for push in _blasts(world, command):
@@ -98,8 +83,9 @@ def _blasts(world: World, command: Explode) -> Iterator[ApplyImpulse]:
     from sandbox.geometry.shapes import Circle
 
     seen = world.query.overlap_shape(Circle(command.point, command.radius), Filter(types=("dynamic",)))
+    shapes = world.state.shapes
     for name in sorted({hit.body for hit in seen}, key=world.names.index):
-        solid = [not flat.sensor for flat in world.flat.bodies[world.names.index(name)].shapes]
+        solid = (shapes.sensor[shapes.body == world.names.index(name)] == 0).tolist()
         for shape in compress(body_shapes(world, name), solid):
             push = _blast(name, shape, world.body(name).center, command)
             if push is not None:

@@ -66,7 +66,7 @@ class DrawList:
 
 def build_draw_list(frame: Frame, camera: Camera, wardrobe: Wardrobe, above: Sequence[Line] = ()) -> DrawList:
     """The draw list of a frame seen through a camera; `above` are strokes of tools, such as the drag line."""
-    theme = wardrobe.theme
+    theme, wardrobe = wardrobe.theme, wardrobe.fitting(frame)
     shapes = _shapes(frame, camera, wardrobe)
     strokes = [*joint_strokes(frame.joints, camera, theme), *above]
     below = [*grid_strokes(camera, theme), *field_strokes(frame.fields, camera, theme)]

@@ -12,7 +12,9 @@ from sandbox.render.camera import Bounds, Floats
 from sandbox.render.field_frame import FieldMarks, capture_fields
 from sandbox.render.geometry import Ints, Mesh, build_mesh
 from sandbox.render.joint_frame import JointMarks, blend_joints, capture_joints
+from sandbox.scene.flat import FlatBody
 from sandbox.world.records import STATIC
+from sandbox.world.roster import Register
 from sandbox.world.state import State
 
 
@@ -21,7 +23,8 @@ class Frame:
     """Poses and conditions of all bodies at `time` seconds.
 
     `center` (n, 2) in metres, `angle` (n,) in radians, `rotation` (n, 2) as (cos, sin), `type`, `awake`,
-    `frozen` (n,); `mesh` says what hangs on the bodies, `joints` what holds them together, `fields` what pushes them.
+    `frozen` (n,); `mesh` says what hangs on the bodies, `joints` what holds them together, `fields` what pushes them,
+    `roster` who they are.
     """
 
     mesh: Mesh
@@ -32,6 +35,7 @@ class Frame:
     type: Ints
     awake: NDArray[np.bool_]
     frozen: NDArray[np.bool_]
+    roster: Register[FlatBody]
     fields: FieldMarks = field(default_factory=FieldMarks)
     step: int = 0
     time: float = 0.0
@@ -53,11 +57,14 @@ def _read_only(array: Any) -> Any:
 
 
 def capture(state: State, mesh: Mesh | None = None) -> Frame:
-    """The frame of a world as it stands. Pass the `mesh` of an earlier frame to build it only once."""
+    """The frame of a world as it stands. The `mesh` of an earlier frame is used again unless bodies came or went."""
     bodies, counters = state.bodies, state.counters[0]
+    if mesh is None or mesh.layout != state.layout:
+        mesh = build_mesh(state.shapes, state.vertices, state.outlines, state.layout)
     step_seconds = float(state.settings[0].step_seconds)
     return Frame(
-        mesh=mesh or build_mesh(state.shapes, state.vertices, state.outlines),
+        mesh=mesh,
+        roster=state.roster.bodies,
         joints=capture_joints(state),
         center=_read_only(np.column_stack([bodies.center_x, bodies.center_y])),
         angle=_read_only(bodies.angle),
@@ -72,8 +79,11 @@ def capture(state: State, mesh: Mesh | None = None) -> Frame:
 
 
 def blend(previous: Frame, current: Frame, alpha: float) -> Frame:
-    """The frame between two: 0 is `previous`, 1 is `current`. Angles are not wrapped: spins stay whole."""
-    if alpha >= 1.0:
+    """The frame between two: 0 is `previous`, 1 is `current`. Angles are not wrapped: spins stay whole.
+
+    If bodies came or went in between, it is the later one.
+    """
+    if alpha >= 1.0 or previous.mesh.layout != current.mesh.layout:
         return current
     center = previous.center + (current.center - previous.center) * alpha
     angle = previous.angle + (current.angle - previous.angle) * alpha

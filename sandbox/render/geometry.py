@@ -1,4 +1,5 @@
-"""The drawing mesh: what the shapes look like in their own frames. Built once a world; frames only move it.
+"""The drawing mesh: what the shapes look like in their own frames. Built once, and anew when bodies come or
+go; frames only move it.
 
 Each shape has a *shape frame* fixed in its body, in which it is symmetric where it can be: circles, boxes,
 capsules and segments are all rounded boxes there (half extents plus a radius), and only polygons need their
@@ -30,7 +31,8 @@ class Mesh:
     frame in the body's frame; `half` (m, 2) half extents of the core; `radius` (m,) rounding. Polygon `i` has
     the core `points[start[i]:start[i] + count[i]]` (p, 2) in its shape frame; `count` is 0 for other kinds. Where it
     is negative, the row is the concave polygon `outlines[i]`, and from `start[i]` on there are the two ends of each of
-    `-count[i]` sides. `thickness` (m,) is half the smallest width, rounding included; `sensor` (m,).
+    `-count[i]` sides. `thickness` (m,) is half the smallest width, rounding included; `sensor` (m,). `layout` is that
+    of the state it was built for: once it differs, rows have moved.
     """
 
     body: Ints
@@ -45,6 +47,7 @@ class Mesh:
     thickness: Floats
     outlines: Mapping[int, Outline]
     sensor: NDArray[np.bool_]
+    layout: int = 0
 
     @property
     def reach(self) -> Floats:
@@ -73,12 +76,12 @@ class Mesh:
         return np.array([[-x, -y], [x, -y], [x, y], [-x, y]])
 
 
-def build_mesh(shapes: Records, vertices: Records, outlines: Records) -> Mesh:
+def build_mesh(shapes: Records, vertices: Records, outlines: Records, layout: int = 0) -> Mesh:
     """The mesh of a world's shape, vertex and outline records."""
     seen = np.flatnonzero(np.asarray(shapes.part) <= 1)
     concave = {k: read_outline(shapes, vertices, outlines, int(i)) for k, i in enumerate(seen) if shapes[i].part == 1}
     drawn: Any = shapes[seen]
-    mesh = _convex_mesh(drawn, vertices)
+    mesh = replace(_convex_mesh(drawn, vertices), layout=layout)
     return _with_outlines(mesh, concave) if concave else mesh
 
 

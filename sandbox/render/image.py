@@ -14,7 +14,6 @@ from sandbox.render.draw_list import build_draw_list
 from sandbox.render.frame import Frame, capture, interesting_bounds
 from sandbox.render.surface_painter import SurfacePainter
 from sandbox.render.wardrobe import Wardrobe, wardrobe_of
-from sandbox.scene.flat import FlatScene
 
 PALETTE_COLORS = 160
 """Colours of a film: fewer make the file smaller, more make antialiased edges smoother."""
@@ -32,6 +31,7 @@ class Studio:
 
     def picture(self, frame: Frame) -> Any:
         """The frame as a `PIL.Image.Image` in RGB."""
+        self.wardrobe = self.wardrobe.fitting(frame)
         return self._painter.paint(build_draw_list(frame, self.camera, self.wardrobe))
 
     def save_png(self, frame: Frame, path: Path) -> None:
@@ -56,10 +56,8 @@ class Studio:
 
 def studio_of(world: World, size: Size) -> Studio:
     """The studio for a world at its start: the view and the colours that its scene asks for."""
-    scene = world.scene
-    flat = scene if isinstance(scene, FlatScene) else scene.flatten()
-    camera = scene_camera(getattr(scene, "view", None), interesting_bounds(capture(world.state)), size)
-    return Studio(camera, wardrobe_of(flat, world.state))
+    camera = scene_camera(getattr(world.scene, "view", None), interesting_bounds(capture(world.state)), size)
+    return Studio(camera, wardrobe_of(world.state))
 
 
 def save_gif(images: Iterable[Any], path: Path, seconds_a_frame: float) -> None:

@@ -1,4 +1,4 @@
-"""Which body wears which colour: chosen once a world, then dimmed or marked frame by frame."""
+"""Which body wears which colour: chosen once, then dimmed or marked frame by frame."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import re
 import zlib
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -14,8 +14,9 @@ from sandbox.render.camera import Floats
 from sandbox.render.frame import Frame
 from sandbox.render.oklab import oklch_to_srgb
 from sandbox.render.theme import DARK, Color, Theme, hex_color
-from sandbox.scene.flat import FlatScene
+from sandbox.scene.flat import FlatBody
 from sandbox.world.records import DYNAMIC, KINEMATIC, STATIC
+from sandbox.world.roster import Register
 from sandbox.world.state import State
 
 
@@ -31,10 +32,23 @@ class Tints:
 
 @dataclass(frozen=True)
 class Wardrobe:
-    """The awake colour of each body (n, 3), chosen once a world."""
+    """The awake colour of each body (n, 3), chosen when it comes into the world; `roster` says who they are."""
 
     theme: Theme
     base: Floats = field(repr=False)
+    roster: Register[FlatBody] | None = field(default=None, repr=False)
+
+    def fitting(self, frame: Frame) -> Wardrobe:
+        """The wardrobe for a frame: itself, or if bodies came or went, one in which those that stayed keep theirs."""
+        if self.roster is None or self.roster is frame.roster:
+            return self
+        fresh = _dressed(frame.roster, frame.type.tolist(), self.theme)
+        rows = {serial: row for row, serial in enumerate(self.roster.serials)}
+        for new, (serial, body) in enumerate(zip(frame.roster.serials, frame.roster.items, strict=True)):
+            old = rows.get(serial)
+            if old is not None and self.roster.items[old] == body:
+                fresh.base[new] = self.base[old]
+        return fresh
 
 
 def family(name: str) -> str:
@@ -42,10 +56,14 @@ def family(name: str) -> str:
     return re.sub(r"[\W_]*\d+([\W_]+\d+)*$", "", name) or name
 
 
-def wardrobe_of(scene: FlatScene, state: State, theme: Theme = DARK) -> Wardrobe:
+def wardrobe_of(state: State, theme: Theme = DARK) -> Wardrobe:
     """The colours of a world's bodies; `color` in the scene overrules."""
-    colors = {body.id: body.color for body in scene.bodies if body.color}
-    return dress(state.names, state.bodies.type, theme, colors)
+    return _dressed(state.roster.bodies, state.bodies.type, theme)
+
+
+def _dressed(roster: Register[FlatBody], types: Sequence[int], theme: Theme) -> Wardrobe:
+    colors = {body.id: body.color for body in roster.items if body.color}
+    return replace(dress(roster.names, types, theme, colors), roster=roster)
 
 
 def dress(

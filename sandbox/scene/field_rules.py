@@ -7,15 +7,21 @@ from itertools import islice
 from typing import Any
 
 from sandbox.scene import plain
-from sandbox.scene.finding import Finding, Path
+from sandbox.scene.finding import Finding, Path, quoted
 from sandbox.scene.limits import MAX_FINDINGS, MAX_REGIONS
 
 _AREAS = ("inside", "disc", "outline")
 
 
 def field_rules(data: dict[str, Any]) -> Iterator[Finding]:
-    """A finding for every region with two areas, and for all that ends before it begins."""
+    """A finding for every region with two areas or an id that is taken, and for all that ends before it begins."""
+    seen: set[str] = set()
     for path, region in islice(plain.children(data.get("regions"), ("regions",)), MAX_REGIONS):
+        name = region.get("id")
+        if isinstance(name, str):
+            if name in seen:
+                yield Finding((*path, "id"), f"the id {quoted(name)} is taken by another region")
+            seen.add(name)
         given = [key for key in _AREAS if region.get(key) is not None]
         if len(given) > 1:
             listed = " and ".join(f'"{key}"' for key in given)

@@ -42,9 +42,9 @@ def path_of(pointer: str) -> tuple[str, ...]:
 
 
 def nearest(name: str, known: Iterable[str]) -> str | None:
-    """The one of the `known` names that is most like `name`, if any is."""
+    """The one of the `known` names that is most like `name`, if any is. In Python, a key may be anything."""
     by_folded = {candidate.casefold(): candidate for candidate in islice(known, _CONSIDERED)}
-    near = difflib.get_close_matches(name[:200].casefold(), by_folded, n=1, cutoff=0.6)
+    near = difflib.get_close_matches(str(name)[:200].casefold(), by_folded, n=1, cutoff=0.6)
     return by_folded[near[0]] if near else None
 
 

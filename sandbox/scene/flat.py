@@ -61,7 +61,8 @@ class FlatRegion:
 
     `start` and `end` in seconds; `density` in kg/m^2, `flow` in m/s; `drag` and `angular_drag` in 1/s for water, the
     pressure coefficient for wind; `gravity` in m/s^2; an attraction of `strength` m/s^2 at 1 m from `center` falls with
-    the power `falloff` of the distance, to nothing within `core` m and beyond `range` m.
+    the power `falloff` of the distance, to nothing within `core` m and beyond `range` m. The last edge of water that is
+    `surfaced` is its surface. `id` is empty for a region without one.
     """
 
     kind: RegionKind
@@ -80,6 +81,8 @@ class FlatRegion:
     falloff: int = 2
     core: float = 0.1
     range: float = INFINITE
+    surfaced: bool = False
+    id: str = ""
 
 
 @dataclass(frozen=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import ChainMap
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -9,6 +10,7 @@ from typing import TYPE_CHECKING
 from sandbox.scene.finding import Finding, quoted
 from sandbox.scene.flat import INFINITE, FlatBody, FlatJoint, Vec
 from sandbox.scene.generators import Chain
+from sandbox.scene.known import NOTHING, Known
 
 if TYPE_CHECKING:
     from sandbox.scene.joints import Joint
@@ -40,10 +42,10 @@ def chain_joints(chain: Chain, step: Vec, number: int) -> Iterator[FlatJoint]:
         )
 
 
-def joint_faults(joints: Sequence[FlatJoint], bodies: Sequence[FlatBody]) -> Iterator[Finding]:
-    """Mistakes of joints whose bodies and joints are all known."""
-    types = {body.id: body.type for body in bodies}
-    kinds = {joint.id: joint.kind for joint in joints}
+def joint_faults(joints: Sequence[FlatJoint], bodies: Sequence[FlatBody], known: Known = NOTHING) -> Iterator[Finding]:
+    """Mistakes of joints whose bodies and joints are all there, in the scene or among the `known`."""
+    types = ChainMap({body.id: str(body.type) for body in bodies}, known.types)  # type: ignore[arg-type]
+    kinds = ChainMap({joint.id: str(joint.kind) for joint in joints}, known.kinds)  # type: ignore[arg-type]
     for joint in joints:
         path = tuple(int(part) if part.isdigit() else part for part in joint.pointer.split("/")[1:])
         if joint.joints is not None:

@@ -15,6 +15,7 @@ from sandbox.scene.flat import FlatBody, FlatJoint, FlatScene, FlatSettings, Fla
 from sandbox.scene.flat_joints import chain_joints, flat_joint, joint_faults
 from sandbox.scene.flat_shapes import flat_shapes
 from sandbox.scene.generators import Chain, Generator, body_count, body_names, kind_of
+from sandbox.scene.known import NOTHING, Known
 from sandbox.scene.limits import MAX_SHAPES
 from sandbox.scene.shapes import Polygon
 from sandbox.scene.solidity import faults
@@ -30,10 +31,11 @@ _SAME = [
 
 
 class Flattener:
-    """Expands one scene; `findings` collects mistakes that show only now."""
+    """Expands one scene, which may refer to what is `known`; `findings` collects mistakes that show only now."""
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: Scene, known: Known = NOTHING) -> None:
         self.scene = scene
+        self._known = known
         self.findings: list[Finding] = []
         self._shapes: dict[tuple[int, str | None], tuple[FlatShape, ...]] = {}
 
@@ -45,11 +47,11 @@ class Flattener:
         bodies = (*self._written(), *self._generated())
         joints = (*self._written_joints(), *self._chained())
         regions = tuple(region.flat() for region in self.scene.regions)
-        self.findings += joint_faults(joints, bodies)
+        self.findings += joint_faults(joints, bodies, self._known)
         return FlatScene(bodies, self.scene.gravity, FlatSettings(**settings), joints, regions)
 
     def _too_many_shapes(self) -> bool:
-        own = sum(_part_count(self._merged(body)["shapes"]) for body in self.scene.bodies)
+        own = self._known.shapes + sum(_part_count(self._merged(body)["shapes"]) for body in self.scene.bodies)
         made = sum(body_count(each) * _part_count(self._prefab(each).shapes) for each in self.scene.generate)
         if own + made > MAX_SHAPES:
             text = f"the scene has {own + made} shapes; {MAX_SHAPES} is the limit"

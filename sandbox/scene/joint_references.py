@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from itertools import islice
+from collections.abc import Collection, Iterator
+from itertools import chain, islice
 from typing import Any
 
 from sandbox.scene import plain
@@ -12,21 +12,24 @@ from sandbox.scene.limits import MAX_FINDINGS, MAX_JOINTS
 from sandbox.scene.names import BodyNames
 
 
-def joint_references(data: dict[str, Any], ids: BodyNames) -> Iterator[Finding]:
-    """A finding for every name in a joint that refers to nothing, and for every id that is taken."""
+def joint_references(data: dict[str, Any], ids: BodyNames, others: Collection[str] = ()) -> Iterator[Finding]:
+    """A finding for every name in a joint that refers to nothing, and for every id that is taken.
+
+    `others` are ids of joints that a world has besides.
+    """
     joints = list(islice(plain.children(data.get("joints"), ("joints",)), MAX_JOINTS))
     known = _chain_ids(data)
     for path, joint in joints:
         name = joint.get("id")
         if isinstance(name, str):
-            if name in known:
+            if name in known or name in others:
                 yield Finding((*path, "id"), f"the id {quoted(name)} is taken by another joint")
             known.setdefault(name, path)
     for path, joint in joints:
         yield from _bodies(path, joint, ids)
         for place, name in plain.texts(joint.get("joints"), (*path, "joints")):
-            if name not in known:
-                yield Finding(place, f"no joint has the id {quoted(name)}", did_you_mean(name, known))
+            if name not in known and name not in others:
+                yield Finding(place, f"no joint has the id {quoted(name)}", did_you_mean(name, chain(known, others)))
 
 
 def _chain_ids(data: dict[str, Any]) -> dict[str, Path]:
@@ -45,8 +48,8 @@ def _chain_ids(data: dict[str, Any]) -> dict[str, Path]:
 def _bodies(path: Path, joint: dict[str, Any], ids: BodyNames) -> Iterator[Finding]:
     names = list(plain.texts(joint.get("bodies"), (*path, "bodies")))
     for place, name in names:
-        if ids.counted and name not in ids.origins and not name.startswith(ids.unread):
-            yield Finding(place, f"no body has the id {quoted(name)}", did_you_mean(name, ids.origins))
+        if ids.counted and name not in ids and not name.startswith(ids.unread):
+            yield Finding(place, f"no body has the id {quoted(name)}", did_you_mean(name, ids))
     if len(names) == 2 and names[0][1] == names[1][1]:
         yield Finding(names[1][0], f"{quoted(names[1][1])} cannot be joined to itself")
     listed = joint.get("bodies")

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field
+from itertools import chain
 from typing import Any
 
 from pydantic import TypeAdapter, ValidationError
 
 from sandbox.scene.finding import Finding, Path, quoted
 from sandbox.scene.generators import AnyGenerator, Generator, body_count, body_names
+from sandbox.scene.known import NOTHING, Known
 from sandbox.scene.limits import MAX_BODIES
 from sandbox.scene.plain import children
 
@@ -21,34 +23,44 @@ class BodyNames:
     """The path of the body or generator behind each id.
 
     `unread` begins the ids that may come from generators with mistakes of their own; `counted` is False
-    where the scene is too large to name its bodies.
+    where the scene is too large to name its bodies. `known` are the ids that a world has besides.
     """
 
     origins: dict[str, Path] = field(default_factory=dict)
     unread: tuple[str, ...] = ()
     counted: bool = True
     findings: list[Finding] = field(default_factory=list)
+    known: Collection[str] = ()
+
+    def __contains__(self, name: str) -> bool:
+        return name in self.origins or name in self.known
+
+    def __iter__(self) -> Iterator[str]:
+        return chain(self.origins, self.known)
 
     def add(self, name: str, path: Path, place: Path) -> None:
         """Note an id, or the mistake that it is taken. `place` is where to point."""
-        if name in self.origins:
+        if name in self.known:
+            self.findings.append(Finding(place, f"the id {quoted(name)} is taken by a body of the world"))
+        elif name in self.origins:
             first = "".join(f"[{part}]" if isinstance(part, int) else part for part in self.origins[name])
             self.findings.append(Finding(place, f"the id {quoted(name)} is taken by {first}"))
         else:
             self.origins[name] = path
 
 
-def body_ids(data: dict[str, Any]) -> BodyNames:
-    """All ids of the bodies of a scene's plain data, or the mistakes that stand against them."""
+def body_ids(data: dict[str, Any], known: Known = NOTHING) -> BodyNames:
+    """All ids of the bodies of a scene's plain data and of `known`, or the mistakes that stand against them."""
     generators = list(_generators(data))
-    found = BodyNames(unread=_unread(data, generators))
+    found = BodyNames(unread=_unread(data, generators), known=known.types)
     bodies = data.get("bodies")
     written = len(bodies) if isinstance(bodies, (list, tuple)) else 0
-    total = written + sum(body_count(generator) for _, generator in generators if generator)
+    total = len(known.types) + written + sum(body_count(generator) for _, generator in generators if generator)
     if total > MAX_BODIES:
         text = f"the scene has {total} bodies; {MAX_BODIES} is the limit"
         # A list of bodies that is too long by itself is told by its own model.
-        told = [Finding(("generate",), text)] if written <= MAX_BODIES else []
+        place = "generate" if generators else "bodies"
+        told = [Finding((place,), text)] if written <= MAX_BODIES else []
         return BodyNames(counted=False, findings=told)
     for path, body in children(bodies, ("bodies",)):
         if isinstance(body.get("id"), str):

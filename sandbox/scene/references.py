@@ -11,13 +11,14 @@ from sandbox.scene.body_refs import is_pattern, matches_any
 from sandbox.scene.finding import Finding, Path, did_you_mean, quoted
 from sandbox.scene.generators import GENERATORS
 from sandbox.scene.joint_references import joint_references
+from sandbox.scene.known import Known
 from sandbox.scene.limits import MAX_EXPECTATIONS
 from sandbox.scene.names import BodyNames
 
 _BODY_FIELDS = ("rests", "stands", "asleep", "touches", "apart", "senses", "of")
 
 
-def unknown_names(data: dict[str, Any], ids: BodyNames) -> Iterator[Finding]:
+def unknown_names(data: dict[str, Any], ids: BodyNames, known: Known) -> Iterator[Finding]:
     """A finding for every name that refers to nothing."""
     materials = plain.mapping(data.get("materials"))
     for path, node in [*plain.patterns(data), *plain.shapes(data)]:
@@ -25,7 +26,7 @@ def unknown_names(data: dict[str, Any], ids: BodyNames) -> Iterator[Finding]:
     yield from _prefabs(data)
     yield from _categories(data)
     yield from _bodies(data, ids)
-    yield from joint_references(data, ids)
+    yield from joint_references(data, ids, known.kinds)
 
 
 def _unknown(node: dict[str, Any], path: Path, field: str, what: str, known: Collection[str]) -> Iterator[Finding]:
@@ -69,11 +70,11 @@ def _is_known(name: str, ids: BodyNames) -> bool:
     if name.startswith(ids.unread):
         return True
     if is_pattern(name):
-        return bool(ids.unread) or matches_any(name, ids.origins)
-    return name in ids.origins
+        return bool(ids.unread) or matches_any(name, ids)
+    return name in ids
 
 
 def _unknown_body(name: str, place: Path, ids: BodyNames) -> Finding:
     if is_pattern(name):
         return Finding(place, f"no body's id matches {quoted(name)}")
-    return Finding(place, f"no body has the id {quoted(name)}", did_you_mean(name, ids.origins))
+    return Finding(place, f"no body has the id {quoted(name)}", did_you_mean(name, ids))

@@ -21,6 +21,7 @@ from sandbox.scene.quantities import (
     Density,
     Distance,
     Factor,
+    Name,
     Point,
     Ratio,
     Rectangle,
@@ -61,8 +62,9 @@ Falloff = Annotated[int, Range(0, 3)]
 
 
 class Region(Model):
-    """What all regions have: an area and a schedule."""
+    """What all regions have: an id, an area and a schedule."""
 
+    id: Name | None = Field(default=None, description="A name that no other region has, for commands.")
     inside: Rectangle | None = Field(default=None, description="Its area [left, bottom, right, top], m.")
     disc: Disc | None = Field(default=None, description="Its area is a disc [x, y, radius], m.")
     outline: Convex | None = Field(default=None, description="Its area is a convex polygon [[x, y], ...], m.")
@@ -76,7 +78,7 @@ class Region(Model):
     def shared(self) -> dict[str, Any]:
         """The fields of a flat region that all kinds have."""
         end = INFINITE if self.end is None else self.end
-        return {"edges": self._edges(), "disc": self.disc, "start": self.start, "end": end}
+        return {"id": self.id or "", "edges": self._edges(), "disc": self.disc, "start": self.start, "end": end}
 
     def _edges(self) -> tuple[Edge, ...]:
         if self.inside is not None:
@@ -102,6 +104,7 @@ class Water(Region):
         shared = self.shared()
         if self.surface is not None:
             shared["edges"] = (*shared["edges"], (0.0, 1.0, self.surface))
+            shared["surfaced"] = True
         turning = self.drag if self.angular_drag is None else self.angular_drag
         return FlatRegion(
             "water", **shared, density=self.water, drag=self.drag, angular_drag=turning, flow=self.flow

@@ -11,6 +11,7 @@ from sandbox.scene.body import Body
 from sandbox.scene.field_rules import field_rules
 from sandbox.scene.finding import Finding, did_you_mean, quoted
 from sandbox.scene.generators import GENERATORS
+from sandbox.scene.known import NOTHING, Known
 from sandbox.scene.limits import MAX_FINDINGS
 from sandbox.scene.names import body_ids
 from sandbox.scene.references import unknown_names
@@ -18,14 +19,17 @@ from sandbox.scene.references import unknown_names
 _TIMES = ("at", "always", "within")
 
 
-def cross_checks(data: object) -> list[Finding]:
-    """All mistakes between fields of a scene's plain data; single values are the models' business."""
+def cross_checks(data: object, known: Known = NOTHING) -> list[Finding]:
+    """All mistakes between fields of a scene's plain data; single values are the models' business.
+
+    The data may refer to what is `known` besides.
+    """
     if not isinstance(data, dict):
         return []
-    ids = body_ids(data)
+    ids = body_ids(data, known)
     rules: list[Iterable[Finding]] = [
         ids.findings,
-        unknown_names(data, ids),
+        unknown_names(data, ids, known),
         _without_shapes(data),
         _overrounded(data),
         _times(data),

@@ -31,7 +31,7 @@ class PlayScreen:
         self.lockstep = lockstep
         self.mouse = Mouse(session, self._fitted(size))
         self.fps = 0.0
-        self._wardrobe = wardrobe_of(session.scene.flatten(), session.world.state)
+        self._wardrobe = wardrobe_of(session.world.state)
         self._back = back
         self._leaving = False
         self._age = 0.0
@@ -76,6 +76,7 @@ class PlayScreen:
         """The bodies, then the HUD."""
         self._follow_window(stage.display.size)
         frame = self.session.frame()
+        self._wardrobe = self._wardrobe.fitting(frame)
         strokes = self.mouse.strokes(frame, stage.theme)
         stage.painter.paint(build_draw_list(frame, self.mouse.camera, self._wardrobe, strokes))
         self._draw_hud(Pen(stage.gui), stage.display.size)

@@ -39,7 +39,7 @@ class Session:
         """What went wrong last, for the user."""
         self.clock = StepClock(float(world.state.settings[0].step_seconds))
         self.step_cost = 0.0
-        self.grabbed: int | None = None
+        self._held: int | None = None
         self.target: Vec = (0.0, 0.0)
         self._grip: Vec = (0.0, 0.0)
         self.previous = self.current = capture(world.state)
@@ -67,7 +67,7 @@ class Session:
 
     def restart(self) -> None:
         """Begin again from the scene as it was written."""
-        self.grabbed = None
+        self._held = None
         self.world = World(self.scene)
         self._tape = Tape(self.world, self._script)
         self.previous = self.current = capture(self.world.state, self.current.mesh)
@@ -81,11 +81,18 @@ class Session:
 
     def frame(self) -> Frame:
         """What is to be seen now: between the last two steps, as far as the clock says."""
+        if self.current.mesh.layout != self.world.layout:  # bodies came or went between two steps
+            self.previous = self.current = capture(self.world.state)
         return blend(self.previous, self.current, self.clock.alpha)
 
     def bounds(self) -> Bounds:
         """What is worth looking at now, in metres."""
         return interesting_bounds(self.current)
+
+    @property
+    def grabbed(self) -> int | None:
+        """The row of the body that is held; None if there is none, or no more."""
+        return None if self._held is None else self.world.state.roster.bodies.row_of(self._held)
 
     def grab(self, point: Vec, slack: float) -> bool:
         """Take hold of the dynamic body at `point` (metres); False if there is none within `slack` metres."""
@@ -95,9 +102,11 @@ class Session:
             return False
         grip = _to_body(frame, body, point)
         # The picture lags behind the world by up to a step: catch the point that was seen, where it is now.
-        if not self._send_grab(body, _to_world(self.current, body, grip)):
+        held, seen = frame.roster.serials[body], _to_world(self.current, body, grip)
+        row = self.world.state.roster.bodies.row_of(held)
+        if row is None or not self._send_grab(row, seen):
             return False
-        self.grabbed, self._grip = body, grip
+        self._held, self._grip = held, grip
         self.drag(point)
         return True
 
@@ -111,12 +120,14 @@ class Session:
         """Let go."""
         if self.grabbed is not None:
             self._tape.apply(EndDrag(self.world.names[self.grabbed]))
-            self.grabbed = None
+        self._held = None
 
     def grip(self, frame: Frame) -> Vec:
         """Where the grabbed point of the body is in `frame`, in metres."""
-        assert self.grabbed is not None
-        return _to_world(frame, self.grabbed, self._grip)
+        assert self._held is not None
+        row = frame.roster.row_of(self._held)
+        assert row is not None
+        return _to_world(frame, row, self._grip)
 
     def _send_grab(self, body: int, point: Vec) -> bool:
         force = DRAG_ACCELERATION * float(self.world.state.bodies[body].mass)

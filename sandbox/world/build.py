@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -17,6 +18,7 @@ from sandbox.world import records
 from sandbox.world.build_fields import build_regions, build_thrusters
 from sandbox.world.build_joints import build_joints
 from sandbox.world.flush import join_tiles, with_room_for_tiles
+from sandbox.world.roster import Roster
 from sandbox.world.state import State
 
 _cos_sin = interpreted(cos_sin)
@@ -44,18 +46,13 @@ class _Build:
 
 def build_state(scene: FlatScene) -> State:
     """A new state at step 0, all bodies awake. Bodies, shapes and vertices keep the order of the scene."""
-    builds = _builds(scene)
-    per_body = [builds[_key(body)] for body in scene.bodies]
-    bodies = records.BODY.zeros(len(scene.bodies))
-    for row, body, build in zip(bodies, scene.bodies, per_body, strict=True):
-        _fill_body(row, body, build)
-    shapes, vertices, sides, seams = _place(per_body)
+    bodies, shapes, vertices, sides, seams = body_tables(scene.bodies)
     seams = with_room_for_tiles(bodies, shapes, seams)
     join_tiles(bodies, shapes, vertices, seams)
     drags = records.DRAG.zeros(_DRAGS)
     drags.body = -1
     regions, edges = build_regions(scene.regions, scene.settings.step_rate)
-    names = tuple(body.id for body in scene.bodies)
+    roster = Roster.of(scene)
     return State(
         bodies=bodies,
         shapes=shapes,
@@ -63,25 +60,34 @@ def build_state(scene: FlatScene) -> State:
         outlines=sides,
         seams=seams,
         contacts=records.CONTACT.zeros(max(16, 4 * len(shapes))),
-        joints=build_joints(scene.joints, bodies, names),
+        joints=build_joints(scene.joints, bodies, roster.bodies.names),
         drags=drags,
         regions=regions,
         edges=edges,
         thrusters=build_thrusters(scene.bodies, bodies, scene.settings.step_rate),
         settings=_settings(scene),
         counters=records.COUNTERS.zeros(1),
-        names=names,
-        joint_names=tuple(joint.id for joint in scene.joints),
+        roster=roster,
     )
+
+
+def body_tables(scene_bodies: Sequence[FlatBody]) -> tuple[Records, Records, Records, Records, Records]:
+    """Tables of bodies, shapes, vertices, outlines and seams; what one row says of others counts from 0."""
+    builds = _builds(scene_bodies)
+    per_body = [builds[_key(body)] for body in scene_bodies]
+    bodies = records.BODY.zeros(len(scene_bodies))
+    for row, body, build in zip(bodies, scene_bodies, per_body, strict=True):
+        _fill_body(row, body, build)
+    return bodies, *_place(per_body)
 
 
 def _key(body: FlatBody) -> tuple[int, Vec | None]:
     return id(body.shapes), body.center
 
 
-def _builds(scene: FlatScene) -> dict[tuple[int, Vec | None], _Build]:
+def _builds(bodies: Sequence[FlatBody]) -> dict[tuple[int, Vec | None], _Build]:
     found: dict[tuple[int, Vec | None], _Build] = {}
-    for body in scene.bodies:
+    for body in bodies:
         if _key(body) not in found:
             found[_key(body)] = _build(body.shapes, body.center)
     return found

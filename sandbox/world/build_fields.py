@@ -39,8 +39,11 @@ def build_regions(regions: Sequence[FlatRegion], step_rate: float) -> tuple[Reco
     return table, edges
 
 
-def build_thrusters(scene_bodies: Sequence[FlatBody], bodies: Records, step_rate: float) -> Records:
-    """The thrusters of all bodies that can be pushed. `bodies` know where their centres of mass are."""
+def build_thrusters(scene_bodies: Sequence[FlatBody], bodies: Records, step_rate: float, now: int = 0) -> Records:
+    """The thrusters of all bodies that can be pushed. `bodies` know where their centres of mass are.
+
+    Their times count from the step `now` on.
+    """
     found = [
         (index, thruster)
         for index, body in enumerate(scene_bodies)
@@ -52,7 +55,8 @@ def build_thrusters(scene_bodies: Sequence[FlatBody], bodies: Records, step_rate
         row.force_x, row.force_y = thruster.force
         row.local_x = thruster.at[0] - float(bodies[index].local_center_x)
         row.local_y = thruster.at[1] - float(bodies[index].local_center_y)
-        row.start_step, row.end_step = step_at(thruster.start, step_rate), step_at(thruster.end, step_rate)
+        steps = step_at(thruster.start, step_rate), step_at(thruster.end, step_rate)
+        row.start_step, row.end_step = (step if step == NEVER else now + step for step in steps)
     return table
 
 

@@ -19,11 +19,16 @@ KINDS = {
 """The number of each kind of joint."""
 
 
-def build_joints(joints: Sequence[FlatJoint], bodies: Records, names: Sequence[str]) -> Records:
-    """The joint table, in the order of the scene. `bodies` are in their first pose; `names` are their ids."""
+def build_joints(
+    joints: Sequence[FlatJoint], bodies: Records, names: Sequence[str], earlier: Sequence[str] = ()
+) -> Records:
+    """The joint table, in the order given, measured at the pose of now. `names` are the ids of `bodies`.
+
+    The rows come after those of the `earlier` joints, given by their ids.
+    """
     table = JOINT.zeros(len(joints))
     body_index = {name: i for i, name in enumerate(names)}
-    joint_index = {joint.id: i for i, joint in enumerate(joints)}
+    joint_index = {name: i for i, name in enumerate([*earlier, *(joint.id for joint in joints)])}
     for row, joint in zip(table, joints, strict=True):
         row.kind, row.joint_1, row.joint_2, row.broken_step = KINDS[joint.kind], -1, -1, -1
         row.body_a, row.body_b = _index(joint.body_a, body_index), _index(joint.body_b, body_index)

@@ -25,7 +25,7 @@ _FIELDS = ("before_x", "before_y", "after_x", "after_y")
 
 def with_room_for_tiles(bodies: Records, shapes: Records, seams: Records) -> Records:
     """The seam table with further rows for every static polygon that may come to abut another one."""
-    tiles = _tiles(bodies, shapes)
+    tiles = find_tiles(bodies, shapes)
     tiles = tiles[(shapes.traits[tiles] & SEAMED) == 0]
     if len(tiles) < 2:
         return seams
@@ -38,7 +38,7 @@ def with_room_for_tiles(bodies: Records, shapes: Records, seams: Records) -> Rec
 
 def join_tiles(bodies: Records, shapes: Records, vertices: Records, seams: Records) -> None:
     """Find out anew which static polygons abut, and write it into the seam table and the traits of the shapes."""
-    tiles = _tiles(bodies, shapes)
+    tiles = find_tiles(bodies, shapes)
     own = tiles[shapes.part[tiles] == 0]
     shapes.traits[own] &= ~SEAMED
     if len(own) < 2:
@@ -55,7 +55,7 @@ def join_tiles(bodies: Records, shapes: Records, vertices: Records, seams: Recor
         _join(world, seams, tile, others.tolist())
 
 
-def _tiles(bodies: Records, shapes: Records) -> Integers:
+def find_tiles(bodies: Records, shapes: Records) -> Integers:
     """Static polygons with sharp corners that are solid from all sides."""
     static = (bodies.type[shapes.body] == STATIC) & (bodies.frozen_step[shapes.body] < 0)
     sharp = (shapes.vertex_count >= 3) & (shapes.radius == 0.0) & ((shapes.traits & ONE_WAY) == 0)

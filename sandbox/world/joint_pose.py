@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from sandbox.world.joint_records import PRISMATIC
 from sandbox.world.state import State
 
 Vec = tuple[float, float]
@@ -27,6 +28,18 @@ def joint_axis(state: State, joint: Any) -> Vec:
     body: Any = state.bodies[joint.body_a]
     c, s = float(body.rotation_cos), float(body.rotation_sin)
     return c * x - s * y, s * x + c * y
+
+
+def slide(state: State, joint: Any) -> float:
+    """Slide of a prismatic or wheel joint along its axis, m."""
+    (ax, ay), (bx, by) = anchor(state, joint, "a"), anchor(state, joint, "b")
+    x, y = joint_axis(state, joint)
+    return (bx - ax) * x + (by - ay) * y
+
+
+def coordinate(state: State, joint: Any) -> float:
+    """What a gear couples: the slide of a prismatic joint (m), the angle of another (rad)."""
+    return slide(state, joint) if int(joint.kind) == PRISMATIC else angle_between(state, joint)
 
 
 def angle_between(state: State, joint: Any) -> float:

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import hashlib
 import struct
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
 from sandbox.errors import SnapshotError
-from sandbox.tables import Table
 from sandbox.world.records import TABLES
-from sandbox.world.state import State
+from sandbox.world.roster import Roster
+from sandbox.world.state import ARRAYS, State
 
-_MAGIC = b"SBX1"
+_MAGIC = b"SBX2"
 
 
 def layout_hash() -> bytes:
@@ -21,51 +23,94 @@ def layout_hash() -> bytes:
     return hashlib.blake2b(text.encode(), digest_size=8).digest()
 
 
+_LAYOUT = layout_hash()
+
+
 def snapshot(state: State) -> bytes:
-    """Bytes of all records: magic, layout hash, checksum, then for each table its row count and its rows."""
+    """Bytes of all records: magic, layout hash, checksum, then for each table its row count and its rows, and the
+    roster: its length and its text, which is empty while nothing has been spawned or deleted."""
     parts: list[bytes] = []
     for table, array in zip(TABLES, state.arrays, strict=True):
         rows = array[: int(state.counters[0].contact_count)] if table.name == "contact" else array
         parts += [struct.pack("<q", len(rows)), rows.tobytes()]
+    text = state.roster.text
+    parts += [struct.pack("<q", len(text)), text]
     body = b"".join(parts)
-    return _MAGIC + layout_hash() + hashlib.blake2b(body, digest_size=8).digest() + body
+    return _MAGIC + _LAYOUT + hashlib.blake2b(body, digest_size=8).digest() + body
 
 
-def restore(state: State, data: bytes) -> None:
-    """Put a snapshot back into a state of the same scene. Raises `SnapshotError` and changes nothing if it can't."""
-    body = _checked_body(data)
-    rows = []
-    offset = 0
-    for table, array in zip(TABLES, state.arrays, strict=True):
-        count = _row_count(body, offset, table)
-        if table.name != "contact" and count != len(array):
-            raise SnapshotError(f"the snapshot holds {count} {table.name} rows, this world {len(array)}")
-        rows.append(np.frombuffer(body, table.dtype, count, offset + 8))
-        offset += 8 + count * table.dtype.itemsize
-    names = [table.name for table in TABLES]
-    contact_count = rows[names.index("counters")]["contact_count"][0]
-    if offset != len(body) or contact_count != len(rows[names.index("contact")]):
-        raise SnapshotError("the snapshot is damaged: its tables do not fit together")
-    for table, array, values in zip(TABLES, state.arrays, rows, strict=True):
-        if len(values) > len(array):
-            state.contacts = array = table.zeros(len(values))
+def restore(state: State, data: bytes, read: Callable[[bytes], Roster]) -> None:
+    """Put a snapshot back into a state that began with the same scene; `read` makes a roster of its text.
+
+    Raises `SnapshotError`, and changes nothing, if it can't be done.
+    """
+    rows, text = _parts(_checked_body(data))
+    roster = state.roster if text == state.roster.text else read(text)
+    _check(state, roster, rows)
+    if roster is not state.roster:
+        state.roster = roster
+        state.layout += 1
+    for table, name in zip(TABLES, ARRAYS, strict=True):
+        array, values = getattr(state, name), rows[table.name]
+        if len(values) > len(array) or (len(values) < len(array) and table.name != "contact"):
+            array = table.zeros(len(values))
+            setattr(state, name, array)
         array[: len(values)] = values
 
 
-def _row_count(body: bytes, offset: int, table: Table) -> int:
-    """Number of rows of the table at `offset`, checked against the bytes that are there."""
+def _parts(body: bytes) -> tuple[dict[str, Any], bytes]:
+    """The rows of every table, and the text of the roster."""
+    rows = {}
+    offset = 0
+    for table in TABLES:
+        count = _count(body, offset, table.dtype.itemsize, f"{table.name} table")
+        rows[table.name] = np.frombuffer(body, table.dtype, count, offset + 8)
+        offset += 8 + count * table.dtype.itemsize
+    length = _count(body, offset, 1, "roster")
+    fits = len(rows["counters"]) == 1 and rows["counters"]["contact_count"][0] == len(rows["contact"])
+    if offset + 8 + length != len(body) or not fits:
+        raise SnapshotError("the snapshot is damaged: its tables do not fit together")
+    return rows, body[offset + 8 :]
+
+
+def _check(state: State, roster: Roster, rows: dict[str, Any]) -> None:
+    """Whether the tables are as long as the world and the roster want them."""
+    wanted = {table.name: len(array) for table, array in zip(TABLES, state.arrays, strict=True)}
+    if roster is not state.roster:
+        wanted |= _lengths(roster) | {name: len(rows[name]) for name in ("outline", "seam")}
+    for name, count in wanted.items():
+        if name != "contact" and len(rows[name]) != count:
+            raise SnapshotError(f"the snapshot holds {len(rows[name])} {name} rows, this world {count}")
+
+
+def _lengths(roster: Roster) -> dict[str, int]:
+    bodies = roster.bodies.items
+    shapes = [shape for body in bodies for shape in body.shapes]
+    return {
+        "body": len(bodies),
+        "joint": len(roster.joints.items),
+        "shape": len(shapes),
+        "vertex": sum(len(shape.vertices) for shape in shapes),
+        "thruster": sum(len(body.thrusters) for body in bodies if body.type == "dynamic"),
+    }
+
+
+def _count(body: bytes, offset: int, size: int, what: str) -> int:
+    """How many rows of `size` bytes there are at `offset`, checked against the bytes that are there."""
     room = len(body) - offset - 8
     count = int(struct.unpack_from("<q", body, offset)[0]) if room >= 0 else -1
-    if count < 0 or count * table.dtype.itemsize > room:
-        raise SnapshotError(f"the snapshot is damaged: its {table.name} table is cut off")
+    if count < 0 or count * size > room:
+        raise SnapshotError(f"the snapshot is damaged: its {what} is cut off")
     return count
 
 
 def _checked_body(data: bytes) -> bytes:
     header = len(_MAGIC) + 16
-    if len(data) < header or data[: len(_MAGIC)] != _MAGIC:
+    if len(data) < header or data[:3] != _MAGIC[:3]:
         raise SnapshotError("this is not a snapshot of a sandbox world")
-    if data[len(_MAGIC) : len(_MAGIC) + 8] != layout_hash():
+    if data[: len(_MAGIC)] != _MAGIC:
+        raise SnapshotError("the snapshot was taken by a version with another snapshot format")
+    if data[len(_MAGIC) : len(_MAGIC) + 8] != _LAYOUT:
         raise SnapshotError("the snapshot was taken by a version with another record layout")
     body = data[header:]
     if hashlib.blake2b(body, digest_size=8).digest() != data[header - 8 : header]:

@@ -1,10 +1,17 @@
-"""The state of a world: a handful of record arrays and the names of its bodies."""
+"""The state of a world: a handful of record arrays and who is behind their rows."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 from sandbox.tables import Records
+from sandbox.world.roster import Roster
+
+ARRAYS = (
+    "bodies", "shapes", "vertices", "outlines", "seams", "contacts", "joints", "drags", "regions", "edges", "thrusters",
+    "settings", "counters",
+)  # fmt: skip
+"""The record arrays of a state in the order of `records.TABLES`."""
 
 
 @dataclass
@@ -12,7 +19,8 @@ class State:
     """Everything that a step reads and writes, and nothing else. Scratch memory lives in the engine.
 
     `contacts` has spare rows; the first `counters[0].contact_count` are in use. `settings` and `counters` have one
-    row each. `names[i]` is the scene id of body `i`, `joint_names[i]` that of joint `i`.
+    row each. `roster` says who is behind the rows, and `layout` counts how often they have moved: while it stays the
+    same, row `i` is the same body.
     """
 
     bodies: Records
@@ -28,13 +36,20 @@ class State:
     thrusters: Records
     settings: Records
     counters: Records
-    names: tuple[str, ...]
-    joint_names: tuple[str, ...] = ()
+    roster: Roster
+    layout: int = 0
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The ids of the bodies, row by row."""
+        return self.roster.bodies.names
+
+    @property
+    def joint_names(self) -> tuple[str, ...]:
+        """The ids of the joints, row by row."""
+        return self.roster.joints.names
 
     @property
     def arrays(self) -> tuple[Records, ...]:
         """The record arrays in the order of `records.TABLES`."""
-        return (
-            self.bodies, self.shapes, self.vertices, self.outlines, self.seams, self.contacts, self.joints, self.drags,
-            self.regions, self.edges, self.thrusters, self.settings, self.counters,
-        )  # fmt: skip
+        return tuple(getattr(self, name) for name in ARRAYS)

@@ -71,7 +71,7 @@ def test_a_flame_points_away_from_the_force():
 
 def test_the_painter_lays_the_wash_under_everything():
     scene = made(FlatRegion("gravity", inside(-2.0, -1.0, 3.0, 4.0)))
-    picture = build_draw_list(capture(scene.state), CAMERA, wardrobe_of(scene.flat, scene.state))
+    picture = build_draw_list(capture(scene.state), CAMERA, wardrobe_of(scene.state))
     image = np.asarray(SurfacePainter().paint(picture), float) / 255.0
     expected = (1.0 - OPACITY) * np.array(DARK.background) + OPACITY * np.array(DARK.gravity)
     assert image[112, 233] == pytest.approx(expected, abs=0.01)

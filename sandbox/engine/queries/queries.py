@@ -186,7 +186,7 @@ class Queries:
     def _refresh(self) -> None:
         """Put all shapes into the grid as they lie now."""
         state = self._world.state
-        if self._tables != (id(state.bodies), id(state.shapes), id(state.vertices)):
+        if self._layout != state.layout:
             self._use(Memory.for_state(state))
         lay_out(*self._laying)
         self._laid_out = self._world.changes
@@ -196,7 +196,7 @@ class Queries:
         state, m = self._world.state, memory
         self._memory = memory
         self._asked = None
-        self._tables = (id(state.bodies), id(state.shapes), id(state.vertices))
+        self._layout = state.layout
         grid = (m.ordered, m.heads, m.levels, m.regions, m.question)
         laying = (state.bodies, state.shapes, state.vertices, m.turned, m.boxes, *grid)
         asking = (state.bodies, state.shapes, m.turned, *grid, m.walk, m.hidden)

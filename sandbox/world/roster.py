@@ -1,0 +1,103 @@
+"""Who is behind the rows: the bodies and joints of the scene that are still there, then what was spawned since.
+
+Everything has a *serial number* that nothing else ever gets: its place in the scene, or the next free number. Rows are
+in the order of serial numbers. A snapshot holds the numbers, and the words of what the scene does not know.
+"""
+
+from __future__ import annotations
+
+import json
+from bisect import bisect_left
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any, Generic, TypeVar
+
+from sandbox.scene.flat import FlatBody, FlatJoint, FlatScene
+
+T = TypeVar("T", bound=FlatBody | FlatJoint)
+
+
+@dataclass(frozen=True)
+class Register(Generic[T]):
+    """One table's part of a roster: what is behind each row, its serial number, and the words of what was spawned."""
+
+    items: tuple[T, ...]
+    serials: tuple[int, ...]
+    words: Mapping[int, str]
+    next: int
+
+    @classmethod
+    def of(cls, items: Sequence[T]) -> Register[T]:
+        """That of a scene."""
+        return cls(tuple(items), tuple(range(len(items))), {}, len(items))
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """The ids, row by row."""
+        return tuple(item.id for item in self.items)
+
+    def row_of(self, serial: int) -> int | None:
+        """The row of what has that serial number; None if it is gone."""
+        row = bisect_left(self.serials, serial)
+        return row if row < len(self.serials) and self.serials[row] == serial else None
+
+    def plus(self, items: Sequence[T], words: Sequence[str]) -> Register[T]:
+        """With further rows at the end."""
+        fresh = range(self.next, self.next + len(items))
+        known = {**self.words, **dict(zip(fresh, words, strict=True))}
+        return Register((*self.items, *items), (*self.serials, *fresh), known, self.next + len(items))
+
+    def only(self, rows: Sequence[int]) -> Register[T]:
+        """With only those rows."""
+        serials = tuple(self.serials[row] for row in rows)
+        words = {serial: self.words[serial] for serial in serials if serial in self.words}
+        return replace(self, items=tuple(self.items[row] for row in rows), serials=serials, words=words)
+
+    def plain(self, of_scene: int) -> dict[str, Any]:
+        """As plain data: runs of rows of the scene that are left, and the words of the others."""
+        runs: list[list[int]] = []
+        for serial in (serial for serial in self.serials if serial < of_scene):
+            if runs and runs[-1][1] == serial:
+                runs[-1][1] += 1
+            else:
+                runs.append([serial, serial + 1])
+        spawned = [[serial, json.loads(self.words[serial])] for serial in self.serials if serial >= of_scene]
+        return {"left": runs, "spawned": spawned, "next": self.next}
+
+
+@dataclass(frozen=True)
+class Roster:
+    """Everybody in a world that began as `scene`."""
+
+    scene: FlatScene
+    bodies: Register[FlatBody]
+    joints: Register[FlatJoint]
+
+    @classmethod
+    def of(cls, scene: FlatScene) -> Roster:
+        """The roster of a world in which nothing has been spawned or deleted."""
+        return cls(scene, Register.of(scene.bodies), Register.of(scene.joints))
+
+    @cached_property
+    def flat(self) -> FlatScene:
+        """The scene with the bodies and joints of now, row by row."""
+        return replace(self.scene, bodies=self.bodies.items, joints=self.joints.items)
+
+    @cached_property
+    def changed(self) -> bool:
+        """Whether anything has ever been spawned or deleted."""
+        bodies, joints = self.bodies, self.joints
+        counts = (len(bodies.items), bodies.next, len(joints.items), joints.next)
+        first = (len(self.scene.bodies), len(self.scene.joints))
+        return counts != (first[0], first[0], first[1], first[1])
+
+    @cached_property
+    def text(self) -> bytes:
+        """What a snapshot keeps of it: JSON, or nothing while it is that of the scene."""
+        if not self.changed:
+            return b""
+        plain = {
+            "bodies": self.bodies.plain(len(self.scene.bodies)), "joints": self.joints.plain(len(self.scene.joints))
+        }  # fmt: skip
+        return json.dumps(plain, separators=(",", ":")).encode()
