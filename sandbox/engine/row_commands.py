@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -18,7 +18,7 @@ from sandbox.world.state import State
 if TYPE_CHECKING:
     from sandbox.engine.world import World
 
-Words: TypeAlias = Mapping[str, Any]
+Words: TypeAlias = dict[str, Any]
 Flags = NDArray[np.bool_]
 
 
@@ -34,6 +34,10 @@ class Spawn:
     bodies: Words | Sequence[Words] = ()
     joints: Words | Sequence[Words] = ()
 
+    def __post_init__(self) -> None:
+        _tidy(self, "bodies")
+        _tidy(self, "joints")
+
 
 @dataclass(frozen=True)
 class Delete:
@@ -44,12 +48,24 @@ class Delete:
 
     bodies: str | Sequence[str]
 
+    def __post_init__(self) -> None:
+        _tidy(self, "bodies")
+
 
 @dataclass(frozen=True)
 class DeleteJoint:
     """Take joints out of the world, given by one id or several, with all gears on them."""
 
     joints: str | Sequence[str]
+
+    def __post_init__(self) -> None:
+        _tidy(self, "joints")
+
+
+def _tidy(command: Any, field: str) -> None:
+    """Keep a list as a tuple, so that a command is equal to the same one read from a file."""
+    if isinstance(getattr(command, field), list):
+        object.__setattr__(command, field, tuple(getattr(command, field)))
 
 
 RowCommand: TypeAlias = Spawn | Delete | DeleteJoint
@@ -74,7 +90,7 @@ def apply_row_command(world: World, command: RowCommand) -> Moved:
 
 
 def _spawn(world: World, command: Spawn) -> Moved:
-    bodies, joints = ([part] if isinstance(part, Mapping) else part for part in (command.bodies, command.joints))
+    bodies, joints = ([part] if isinstance(part, dict) else part for part in (command.bodies, command.joints))
     if len(bodies) + len(joints) == 0:
         raise CommandError("Spawn: there is nothing to spawn; give bodies or joints")
     try:
