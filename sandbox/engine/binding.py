@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable
+from functools import cache
 from typing import Any
 
 from sandbox._jit import interpreted, kernel_argument
@@ -19,7 +20,12 @@ def bind(function: Callable[..., Any], state: State, scratch: Scratch) -> tuple[
     state, `joints` the scratch memory of the joint solver, which holds the table, or None.
     """
     arrays = {**vars(state), "old_contacts": state.contacts, "joint_table": state.joints, **vars(scratch)}
-    return tuple(_argument(arrays[name]) for name in inspect.signature(interpreted(function)).parameters)
+    return tuple(_argument(arrays[name]) for name in _parameters(function))
+
+
+@cache
+def _parameters(function: Callable[..., Any]) -> tuple[str, ...]:
+    return tuple(inspect.signature(interpreted(function)).parameters)
 
 
 def _argument(value: Any) -> Any:

@@ -233,10 +233,12 @@ class World:
         self.changes += 1
         layout = self.layout
         restore(self.state, data, self._read_roster)
-        self._know_rows()
+        if self.layout != layout:
+            self._know_rows()
+        self._last_switch = last_switch(self.state)
         if self.layout != layout or len(self.state.contacts) != len(self._scratch.contacts):
             self._use_scratch(Scratch.for_state(self.state, len(self.state.contacts)))
-        else:
+        elif len(self.state.joints):
             self._lay_out_joints()
         self._events = nothing(self.step_count, self.names)
         self._scratch.reports.total_impulse = 0.0

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from sandbox.replay.conditions import Condition
@@ -31,10 +31,15 @@ class Verdict:
 
 
 class Judge:
-    """Judges `scene.expect` on `world`: make it at the start, `observe` after each step, read `verdicts`."""
+    """Judges `scene.expect` on `world`: make it at the start, `observe` after each step, read `verdicts`.
+
+    An expectation speaks of the bodies that are there when it is looked at; those that come count as having started
+    where they are first seen.
+    """
 
     def __init__(self, scene: Scene, world: World) -> None:
         self._world = world
+        self._start = _kept(world.state)
         self._watches = [_Watch(k, wanted, world.state) for k, wanted in enumerate(scene.expect)]
         self._open = self._watches
         self.last_step = max((wanted.last_step for wanted in scene.expect), default=0)
@@ -44,6 +49,10 @@ class Judge:
     def observe(self) -> None:
         """Look at the world as it is now. An expectation that is decided costs nothing any more."""
         step, state = self._world.step_count, self._world.state
+        if state.layout != self._start.layout:
+            self._start = _followed(self._start, state)
+            for watch in self._open:
+                watch.aim(self._start)
         for watch in self._open:
             watch.observe(step, state)
         self._open = [watch for watch in self._open if watch.verdict is None]
@@ -53,14 +62,33 @@ class Judge:
         return tuple(watch.conclude(self._world.step_count) for watch in self._watches)
 
 
+def _kept(state: State) -> State:
+    """A state whose bodies stay as they are now."""
+    return replace(state, bodies=state.bodies.copy())
+
+
+def _followed(start: State, now: State) -> State:
+    """The bodies of now, where they started."""
+    found = _kept(now)
+    for row, serial in enumerate(now.roster.bodies.serials):
+        before = start.roster.bodies.row_of(serial)
+        if before is not None:
+            found.bodies[row] = start.bodies[before]
+    return found
+
+
 class _Watch:
     """One expectation being watched; `verdict` is None until it is decided."""
 
     def __init__(self, index: int, wanted: Expectation, start: State) -> None:
         self._index = index
         self._wanted = wanted
-        self._conditions = conditions(wanted, start)
         self.verdict: Verdict | None = None
+        self.aim(start)
+
+    def aim(self, start: State) -> None:
+        """Find the bodies it speaks of, among those of `start`."""
+        self._conditions = conditions(self._wanted, start)
 
     def observe(self, step: int, state: State) -> None:
         """Decide if `step` is one that can decide."""

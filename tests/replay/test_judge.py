@@ -9,8 +9,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from sandbox.engine.commands import SetPose
+from sandbox.engine.row_commands import Delete, Spawn
+from sandbox.engine.world import World
 from sandbox.replay.expectations import Judge, Verdict
-from sandbox.scene import expect
+from sandbox.scene import Scene, expect
 from sandbox.scene.flat import FlatBody, FlatScene, FlatShape
 from sandbox.world.build import build_state
 
@@ -97,3 +100,25 @@ def test_the_times_agree_with_their_naive_twins(heights: list[float], a: int, b:
     assert at.holds == good[a]
     assert always.holds == all(good)
     assert within.holds == any(good[first : last + 1])
+
+
+def test_an_expectation_follows_the_bodies_that_come_and_go():
+    bodies = [{"id": f"b{k}", "shapes": [{"circle": 0.5}], "position": [3 * k, k]} for k in range(3)]
+    wanted = [{"at": 3, "stands": "b*", "moved": 0.1}, {"at": 3, "above": 1.5, "of": "b2"}]
+    scene = Scene(gravity=(0, 0), bodies=bodies, expect=wanted)
+    world = World(scene)
+    judge = Judge(scene, world)
+    world.apply(Delete("b1"))
+    world.apply(Spawn({"id": "b9", "shapes": [{"circle": 0.5}], "position": [50, 50]}))
+    for _ in range(3):
+        world.step()
+        judge.observe()
+    assert all(verdict.holds for verdict in judge.verdicts())
+    world = World(scene)
+    judge = Judge(scene, world)
+    world.apply(Delete("b0"))
+    world.apply(SetPose("b2", (6.0, 1.0), 0.0))
+    for _ in range(3):
+        world.step()
+        judge.observe()
+    assert [verdict.got for verdict in judge.verdicts()] == ["b2 moved 1 m", "b2 is at y = 1 m"]

@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 
 import sandbox
+from sandbox.engine.row_commands import Delete, Spawn
+from sandbox.render.wardrobe import wardrobe_of
 from sandbox.window.session import MOST_STEPS, Session
 
 SCENE = sandbox.Scene(
@@ -98,3 +100,36 @@ def test_nothing_is_grabbed_where_nothing_moves(session: Session) -> None:
     session.drag((1.0, 1.0))
     session.release()
     assert session.grabbed is None
+
+
+def test_bodies_that_come_and_go_are_seen_at_once(session: Session) -> None:
+    wardrobe = wardrobe_of(session.world.state)
+    before = session.frame()
+    session.step_once()
+    session.world.apply(Spawn({"id": "ball", "shapes": [{"circle": 0.5}], "position": [9, 9], "color": "#ff0000"}))
+    frame = session.frame()
+    assert len(frame.center) == len(frame.mesh.body) == 4
+    assert tuple(frame.center[3]) == (9.0, 9.0)
+    dressed = wardrobe.fitting(frame)
+    assert dressed.base[3].tolist() == [1.0, 0.0, 0.0]
+    assert (dressed.base[:3] == wardrobe.base).all()
+    session.world.apply(Delete("crate"))
+    after = session.frame()
+    assert after.roster.names == ("ground", "other", "ball")
+    assert dressed.fitting(after).base.tolist() == dressed.base[[0, 2, 3]].tolist()
+    assert dressed.fitting(after).fitting(before).base.shape == (3, 3)
+    session.update(0.1)
+    assert session.frame().mesh is after.mesh
+
+
+def test_the_hand_keeps_its_body_and_lets_go_of_one_that_is_gone(session: Session) -> None:
+    assert session.grab((4.0, 3.0), 0.1)
+    session.world.apply(Delete("crate"))
+    assert session.grabbed == 1
+    assert session.grip(session.frame()) == pytest.approx((4.0, 3.0), abs=1e-9)
+    session.drag((5.0, 5.0))
+    session.world.apply(Delete("other"))
+    assert session.grabbed is None
+    session.drag((6.0, 6.0))
+    session.release()
+    session.step_once()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import struct
 
 import pytest
@@ -13,7 +12,7 @@ from sandbox.engine.world import World
 from sandbox.errors import SandboxError, SnapshotError
 from sandbox.world.build import build_state
 from sandbox.world.digest import digest
-from sandbox.world.snapshot import layout_hash, restore, snapshot
+from sandbox.world.snapshot import checksum, layout_hash, restore, snapshot
 from tests.flat import body, box, circle, ground, scene
 
 
@@ -83,7 +82,7 @@ def test_foreign_bytes_are_refused(world, junk):
 
 def signed(payload: bytes) -> bytes:
     """A payload with the header of an honest snapshot: what a checksum alone cannot catch."""
-    return b"SBX2" + layout_hash() + hashlib.blake2b(payload, digest_size=8).digest() + payload
+    return b"SBX2" + layout_hash() + checksum(payload) + payload
 
 
 @given(st.binary(max_size=200))
