@@ -1,18 +1,21 @@
-"""Stage: turn every shape into world axes and bound it."""
+"""Stage: turn every shape into world axes, bound it, and lay side by side what its pairs will ask of it."""
 
 from __future__ import annotations
 
+import math
+
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.tables import Records
-from sandbox.world.records import DYNAMIC
+from sandbox.world.records import DYNAMIC, STATIC
 
 MARGIN = 0.02
 """Most that contacts look ahead at low speed, in metres; four times the usual slop of 5 mm."""
 MARGIN_SHARE = 0.1
 """The same for small bodies, as a share of their extent."""
 
-ACTIVE, SLEEPS, DRIVEN = 1, 2, 4
-"""How the body of a shape moves; bits, so that a pair can be judged by one `or`."""
+ACTIVE, SLEEPS, DRIVEN, FIXED, BULLET, HEMMED = 4, 8, 16, 32, 64, 128
+"""How the body of a shape moves, and what it is: bits next to a shape's `SEAMED` and `ONE_WAY`, so that a pair can be
+judged by one `or`."""
 
 
 @kernel
@@ -58,9 +61,12 @@ def _how_it_moves(body: Records) -> int:
 
 @kernel
 def bound_shapes(
-    bodies: Records, shapes: Records, turned: Records, seconds: float, boxes: Records, owners: Records
+    bodies: Records, shapes: Records, turned: Records, seconds: float, boxes: Records, owners: Records, proxies: Records
 ) -> None:
-    """Box of every shape: core, radius, margin, and the way it can go in `seconds` at its present velocity."""
+    """Box of every shape: core, radius, margin, and the way it can go in `seconds` at its present velocity.
+
+    Its `OWNER` and `PROXY` rows are filled in too, for the grid and for the narrow phase.
+    """
     for i in range(shapes.shape[0]):
         shape = shapes[i]
         body = bodies[shape.body]
@@ -88,10 +94,35 @@ def bound_shapes(
         box.upper_x = body.center_x + upper_x + grow + (way_x if way_x > 0.0 else 0.0)
         box.upper_y = body.center_y + upper_y + grow + (way_y if way_y > 0.0 else 0.0)
         box.shape_index = i
+        moves = _how_it_moves(body)
         owner = owners[i]
         owner.body = shape.body
-        owner.moves = _how_it_moves(body)
+        owner.moves = moves
+        owner.hemmed = 0
         # Nothing is in category 0, so that the grid proposes no pairs of a sensor.
         owner.category = shape.category if shape.sensor == 0 else 0
         owner.mask = shape.mask
         owner.group = shape.group if shape.sensor == 0 else 0
+        _fill_proxy(body, shape, moves, spin, proxies[i])
+
+
+@inlined_kernel
+def _fill_proxy(body: Records, shape: Records, moves: int, spin: float, proxy: Records) -> None:
+    """What the narrow phase asks of a shape and its body, in two cache lines instead of six."""
+    proxy.center_x = body.center_x
+    proxy.center_y = body.center_y
+    proxy.velocity_x = body.velocity_x
+    proxy.velocity_y = body.velocity_y
+    proxy.speed = math.sqrt(body.velocity_x * body.velocity_x + body.velocity_y * body.velocity_y)
+    proxy.swing = spin * (body.extent - shape.radius)
+    proxy.margin = shape_margin(body.extent)
+    fixed = FIXED if body.type == STATIC else 0
+    proxy.traits = shape.traits | moves | fixed | (BULLET if body.bullet == 1 else 0)
+    proxy.vertex_start = shape.vertex_start
+    proxy.vertex_count = shape.vertex_count
+    proxy.radius = shape.radius
+    proxy.body = shape.body
+    proxy.friction = shape.friction
+    proxy.restitution = shape.restitution
+    proxy.rolling_resistance = shape.rolling_resistance
+    proxy.surface_speed = shape.surface_speed

@@ -118,6 +118,9 @@ def propose(owners: Records, i: int, j: int, pairs: Records, count: int) -> int:
     if count < pairs.shape[0]:
         pairs[count].shape_a = i if i < j else j
         pairs[count].shape_b = j if i < j else i
+    if a.moves & b.moves & ACTIVE == 0:
+        a.hemmed = 1
+        b.hemmed = 1
     return count + 1
 
 

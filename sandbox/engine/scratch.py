@@ -14,7 +14,7 @@ from sandbox.engine.joints.work import JointWork
 from sandbox.engine.pace import PILE
 from sandbox.geometry.manifold import MANIFOLD
 from sandbox.geometry.sweep import SWEEP, SWEPT_ROWS
-from sandbox.tables import Field, Floats, Integers, Records, Table
+from sandbox.tables import Field, Floats, Integers, Records, Table, aligned_zeros
 from sandbox.world.records import CONTACT, VERTEX
 from sandbox.world.state import State
 
@@ -47,7 +47,6 @@ FLIGHT = Table(
         Field("pace", "-", "its island takes 2**pace times the substeps of the scene", "i8"),
         Field("rests", "-", "1 when something bears it after the step", "i8"),
         Field("buoyed", "-", "1 when it floats at rest", "i8"),
-        Field("hemmed", "-", "1 when something immovable may stop it during the step", "i8"),
         Field("was_awake", "-", "before the step woke anybody", "i8"),
         Field("was_island", "-", "before the step woke anybody", "i8"),
         Field("was_slow", "s", "sleep time before the step woke anybody"),
@@ -62,6 +61,7 @@ HOLD = Table(
         Field("deep", "-", "1 when it overlaps something immovable more than a little", "i8"),
         Field("fast", "-", "1 when its way in the step has to be looked at", "i8"),
         Field("stop", "1", "when it is stopped, as a share of the step; 1 is not at all"),
+        Field("hemmed", "-", "1 when something immovable may stop it during the step", "i8"),
     ),
 )
 """One row a body: what `continuous` knows of it. By itself, as most steps hardly look at it."""
@@ -89,8 +89,32 @@ OWNER = Table(
         Field("category", "-", "", "i8"),
         Field("mask", "-", "", "i8"),
         Field("group", "-", "", "i8"),
+        Field("hemmed", "-", "1 when it may meet something immovable during the step", "i8"),
     ),
 )
+
+PROXY = Table(
+    "proxy",
+    (
+        Field("center_x", "m", "centre of mass of its body"),
+        Field("center_y", "m", "centre of mass of its body"),
+        Field("velocity_x", "m/s", "of its body"),
+        Field("velocity_y", "m/s", "of its body"),
+        Field("speed", "m/s", "of its body"),
+        Field("swing", "m/s", "fastest that its core can turn"),
+        Field("margin", "m", "half of what its pairs look ahead at low speed"),
+        Field("traits", "-", "bits of the shape and of how it moves, see `bounds`", "i8"),
+        Field("vertex_start", "-", "", "i8"),
+        Field("vertex_count", "-", "", "i8"),
+        Field("radius", "m", ""),
+        Field("body", "-", "index of the body", "i8"),
+        Field("friction", "1", ""),
+        Field("restitution", "1", ""),
+        Field("rolling_resistance", "m", ""),
+        Field("surface_speed", "m/s", ""),
+    ),
+)
+"""One row a shape, two cache lines: all that the narrow phase asks of the shapes of a slow pair and their bodies."""
 
 PAIR = Table("pair", (Field("shape_a", "-", "", "i8"), Field("shape_b", "-", "", "i8")))
 
@@ -141,6 +165,7 @@ class Scratch:
     turned: Records
     boxes: Records
     owners: Records
+    proxies: Records
     sorted_boxes: Records
     heads: Integers
     levels: Integers
@@ -176,6 +201,7 @@ class Scratch:
             turned=VERTEX.zeros(len(state.vertices)),
             boxes=BOX.zeros(shapes),
             owners=OWNER.zeros(shapes),
+            proxies=PROXY.zeros(shapes),
             sorted_boxes=BOX.zeros(shapes),
             heads=np.zeros(head_count(shapes), np.int64),
             levels=np.zeros(LEVEL_SPACE, np.int64),
@@ -189,8 +215,8 @@ class Scratch:
             slots=SLOT.zeros(pair_capacity),
             blocks=BLOCK.zeros(block_capacity),
             colors=np.zeros(pair_capacity, np.int64),
-            lanes=np.zeros(block_capacity * BLOCK_SIZE),
-            gathered=np.zeros(GATHER_SIZE),
+            lanes=aligned_zeros(block_capacity * BLOCK_SIZE, np.float64),
+            gathered=aligned_zeros(GATHER_SIZE, np.float64),
             **vars(lay_out(state.joints, state.bodies)),
             **field_memory(state),
         )

@@ -29,6 +29,7 @@ from sandbox.engine.joints.apart import drop_joined_pairs
 from sandbox.engine.joints.report import finish_joints
 from sandbox.engine.joints.solve import begin_joints, let_members_move, relax_joints, select_parts, solve_joints
 from sandbox.engine.joints.work import JointWork
+from sandbox.engine.look_ahead import mark_hemmed
 from sandbox.engine.narrow_phase import find_contacts
 from sandbox.engine.pace import MOST, assign_paces
 from sandbox.engine.softness import soft_coefficients
@@ -54,11 +55,11 @@ def find_touching(
     old_contacts: Records,
     settings: Records,
     counters: Records,
-    flights: Records,
     holds: Records,
     turned: Records,
     boxes: Records,
     owners: Records,
+    proxies: Records,
     sorted_boxes: Records,
     heads: Integers,
     levels: Integers,
@@ -77,7 +78,7 @@ def find_touching(
     counter = counters[0]
     seconds = setting.step_seconds
     turn_cores(bodies, shapes, vertices, turned)
-    bound_shapes(bodies, shapes, turned, seconds, boxes, owners)
+    bound_shapes(bodies, shapes, turned, seconds, boxes, owners, proxies)
     pair_count = find_pairs(boxes, owners, sorted_boxes, heads, levels, pairs)
     kept = counter.contact_count if counter.asleep_count > 0 else 0
     if pair_count + kept > pairs.shape[0]:
@@ -85,13 +86,14 @@ def find_touching(
     sort_pairs(pairs, pair_count, sorted_pairs, heads, shapes.shape[0])
     if bonds.shape[0] > 0:
         pair_count = drop_joined_pairs(bonds, joined, shapes, pairs, pair_count)
+    mark_hemmed(owners, holds, proxies)
     gravity = math.sqrt(setting.gravity_x * setting.gravity_x + setting.gravity_y * setting.gravity_y)
     counter.pair_count = pair_count
     counter.found_count = find_contacts(
         bodies,
-        flights,
         holds,
         shapes,
+        proxies,
         turned,
         seams,
         pairs,

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-from sandbox._jit import ZERO, kernel
+from sandbox._jit import ZERO, inlined_kernel, kernel
 from sandbox.geometry.closest import closest_vertices
 from sandbox.geometry.sat import face_separation, facing_edge, pair_size, support_vertex
 from sandbox.tables import Field, Records, Table
@@ -38,7 +38,7 @@ _ROUNDING = 4e-15
 """How far a computed separation may be off, as a share of the pair's size."""
 
 
-@kernel
+@inlined_kernel
 def collide_cores(
     cores: Records,
     a: int,
@@ -88,7 +88,7 @@ def collide_cores(
     return face_manifold(cores, a, a_count, a_radius, b, b_count, b_radius, dx, dy, margin, flip, face, m)
 
 
-@kernel
+@inlined_kernel
 def face_manifold(
     cores: Records,
     a: int,
@@ -181,7 +181,7 @@ def corner_manifold(
     return 1
 
 
-@kernel
+@inlined_kernel
 def _clip(
     cores: Records,
     reference: int,
@@ -251,7 +251,7 @@ def _clip(
         _add_point(m, x, y, nx, ny, gap, incident_radius, dx, dy, face, deepest, flip)
 
 
-@kernel
+@inlined_kernel
 def _add_point(
     m: Records,
     x: float,

@@ -7,13 +7,13 @@ with differences keeps the full precision far from the world's origin.
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.tables import Records
 
 FAR = 1e300
 
 
-@kernel
+@inlined_kernel
 def face_separation(
     cores: Records, a: int, a_count: int, b: int, b_count: int, dx: float, dy: float, stop: float
 ) -> tuple[float, int]:
@@ -45,7 +45,7 @@ def face_separation(
     return best, face
 
 
-@kernel
+@inlined_kernel
 def facing_edge(cores: Records, start: int, count: int, nx: float, ny: float) -> int:
     """Edge of a core that faces most against the direction (nx, ny): the incident edge."""
     lowest = FAR

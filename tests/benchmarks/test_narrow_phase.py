@@ -27,7 +27,10 @@ def nanoseconds_a_pair(world: sandbox.World, turns: int = TURNS) -> tuple[float,
     """
     state, scratch = world.state, world._scratch
     count, kept = int(state.counters[0].pair_count), int(state.counters[0].contact_count)
-    tables = state.bodies, scratch.flights, scratch.holds, state.shapes, scratch.turned, state.seams, scratch.pairs
+    tables = (
+        state.bodies, scratch.holds, state.shapes, scratch.proxies, scratch.turned, state.seams,
+        scratch.pairs,
+    )  # fmt: skip
     head = [kernel_argument(table) for table in tables]
     tail = [kernel_argument(table) for table in (scratch.manifold, state.contacts)]
     found = kernel_argument(scratch.contacts)

@@ -22,6 +22,7 @@ from sandbox.engine import (
     impacts,
     integrate,
     islands,
+    look_ahead,
     narrow_phase,
 )
 from sandbox.engine.scratch import BOX, FLIGHT, OWNER, PAIR, Scratch
@@ -54,6 +55,7 @@ turn_cores = stage(bounds.turn_cores)
 bound_shapes = stage(bounds.bound_shapes)
 find_pairs = stage(broad_phase.find_pairs)
 sort_pairs = stage(broad_phase.sort_pairs)
+mark_hemmed = stage(look_ahead.mark_hemmed)
 find_contacts = stage(narrow_phase.find_contacts)
 color_contacts = stage(coloring.color_contacts)
 fill_blocks = stage(coloring.fill_blocks)
@@ -88,7 +90,7 @@ class Grid:
             row.lower_x, row.lower_y = box.lower
             row.upper_x, row.upper_y = box.upper
             row.shape_index = i
-            owner.body, owner.moves = box.body, int(box.moves)
+            owner.body, owner.moves = box.body, bounds.ACTIVE if box.moves else 0
             owner.category, owner.mask, owner.group = box.category, box.mask, box.group
 
     def find(self) -> int:
@@ -122,13 +124,14 @@ class Paused:
         """Bounds, grid, contacts."""
         s, m = self.state, self.scratch
         turn_cores(s.bodies, s.shapes, s.vertices, m.turned)
-        bound_shapes(s.bodies, s.shapes, m.turned, self.seconds, m.boxes, m.owners)
+        bound_shapes(s.bodies, s.shapes, m.turned, self.seconds, m.boxes, m.owners, m.proxies)
         count = find_pairs(m.boxes, m.owners, m.sorted_boxes, m.heads, m.levels, m.pairs)
         assert count <= len(m.pairs)
         sort_pairs(m.pairs, count, m.sorted_pairs, m.heads, len(s.shapes))
+        mark_hemmed(m.owners, m.holds, m.proxies)
         gravity = float(np.hypot(self.setting.gravity_x, self.setting.gravity_y))
         self.count = find_contacts(
-            s.bodies, m.flights, m.holds, s.shapes, m.turned, s.seams, m.pairs, count,
+            s.bodies, m.holds, s.shapes, m.proxies, m.turned, s.seams, m.pairs, count,
             0.5 * gravity * self.seconds**2,
             self.seconds, m.manifold, s.contacts, int(s.counters[0].contact_count), m.contacts,
         )  # fmt: skip

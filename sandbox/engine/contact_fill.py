@@ -1,0 +1,77 @@
+"""A contact from a manifold, and what it keeps of the same contact in the last step."""
+
+from __future__ import annotations
+
+import math
+
+from sandbox._jit import inlined_kernel
+from sandbox.tables import Records
+
+
+@inlined_kernel
+def fill_contact(
+    proxies: Records, i: int, j: int, shift_x: float, shift_y: float, m: Records, contact: Records
+) -> None:
+    """Copy a manifold into a fresh contact and mix the surfaces of its shapes.
+
+    The manifold is of the moment when b has moved against a by (shift_x, shift_y) metres: gaps are taken back to now.
+    """
+    a = proxies[i]
+    b = proxies[j]
+    dx = b.center_x - a.center_x + shift_x
+    dy = b.center_y - a.center_y + shift_y
+    ahead = -(shift_x * m.normal_x + shift_y * m.normal_y)
+    contact.shape_a = i
+    contact.shape_b = j
+    contact.body_a = a.body
+    contact.body_b = b.body
+    contact.normal_x = m.normal_x
+    contact.normal_y = m.normal_y
+    contact.friction = math.sqrt(a.friction * b.friction)
+    contact.restitution = a.restitution if a.restitution > b.restitution else b.restitution
+    rolling = a.rolling_resistance if a.rolling_resistance > b.rolling_resistance else b.rolling_resistance
+    contact.rolling_resistance = rolling
+    contact.surface_speed = a.surface_speed + b.surface_speed
+    contact.radius_a = a.radius
+    contact.radius_b = b.radius
+    contact.rolling_impulse = 0.0
+    contact.impact_impulse = 0.0
+    contact.touching = 0
+    contact.point_count = m.point_count
+    contact.anchor_ax1 = m.x1
+    contact.anchor_ay1 = m.y1
+    contact.anchor_bx1 = m.x1 - dx
+    contact.anchor_by1 = m.y1 - dy
+    contact.separation1 = m.separation1 + ahead
+    contact.feature1 = m.feature1
+    contact.normal_impulse1 = 0.0
+    contact.tangent_impulse1 = 0.0
+    two = m.point_count == 2
+    contact.anchor_ax2 = m.x2 if two else 0.0
+    contact.anchor_ay2 = m.y2 if two else 0.0
+    contact.anchor_bx2 = m.x2 - dx if two else 0.0
+    contact.anchor_by2 = m.y2 - dy if two else 0.0
+    contact.separation2 = m.separation2 + ahead if two else 0.0
+    contact.feature2 = m.feature2 if two else -1
+    contact.normal_impulse2 = 0.0
+    contact.tangent_impulse2 = 0.0
+
+
+@inlined_kernel
+def match_contact(old: Records, contact: Records) -> None:
+    """Carry impulses over from the points of the last step with the same feature ids: warm starting."""
+    contact.touching = old.touching
+    contact.rolling_impulse = old.rolling_impulse
+    if contact.feature1 == old.feature1:
+        contact.normal_impulse1 = old.normal_impulse1
+        contact.tangent_impulse1 = old.tangent_impulse1
+    elif contact.feature1 == old.feature2 and old.point_count == 2:
+        contact.normal_impulse1 = old.normal_impulse2
+        contact.tangent_impulse1 = old.tangent_impulse2
+    if contact.point_count == 2:
+        if contact.feature2 == old.feature2 and old.point_count == 2:
+            contact.normal_impulse2 = old.normal_impulse2
+            contact.tangent_impulse2 = old.tangent_impulse2
+        elif contact.feature2 == old.feature1:
+            contact.normal_impulse2 = old.normal_impulse1
+            contact.tangent_impulse2 = old.tangent_impulse1
