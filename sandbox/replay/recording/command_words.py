@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Mapping
 from functools import cache
 from types import UnionType
 from typing import Annotated, Any, TypeAlias, Union, get_args, get_origin, get_type_hints
@@ -109,8 +110,13 @@ def _plain(value: Any, place: str) -> Any:
         return value.item()
     if isinstance(value, (int, float)):
         return value
-    if isinstance(value, dict):
-        return {str(key): _plain(entry, place) for key, entry in value.items()}
+    if isinstance(value, Mapping):
+        return {str(key): _listed(_plain(entry, place)) for key, entry in value.items()}
     if isinstance(value, (tuple, list, np.ndarray)):
         return (list if isinstance(value, list) else tuple)(_plain(entry, place) for entry in value)
     raise CommandError(f"{place} must be a number, text, list or dict, not {type(value).__name__}")
+
+
+def _listed(value: Any) -> Any:
+    """In the words of a scene file, rows of values are lists."""
+    return [_listed(entry) for entry in value] if isinstance(value, (tuple, list)) else value
