@@ -91,11 +91,11 @@ def apply_field_command(world: World, command: FieldCommand) -> None:
     if isinstance(command, SetRegion):
         _set_region(world, command)
     else:
-        _set_thruster(world.state, world.body_row(command.body), command)
+        _set_thruster(world.state, world.directory.body(command.body), command)
 
 
 def _set_region(world: World, command: SetRegion) -> None:
-    index = world.region_row(command.region)
+    index = world.directory.region(command.region)
     state, flat = world.state, world.flat.regions[index]
     row = state.regions[index]
     given = {field.name: value for field in fields(command)[2:] if (value := getattr(command, field.name)) is not None}

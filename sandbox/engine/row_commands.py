@@ -81,9 +81,9 @@ def apply_row_command(world: World, command: RowCommand) -> Moved:
     state = world.state
     bodies, joints = np.zeros(len(state.bodies), np.bool_), np.zeros(len(state.joints), np.bool_)
     if isinstance(command, Delete):
-        bodies[[world.body_row(name) for name in _several(command, command.bodies)]] = True
+        bodies[[world.directory.body(name) for name in _several(command, command.bodies)]] = True
     else:
-        joints[[world.joint_row(name) for name in _several(command, command.joints)]] = True
+        joints[[world.directory.joint(name) for name in _several(command, command.joints)]] = True
     joints |= _hanging_on(state, bodies, joints)
     _wake(state, np.flatnonzero(joints), np.flatnonzero(bodies).tolist())
     return remove_rows(state, bodies, joints)
@@ -94,7 +94,7 @@ def _spawn(world: World, command: Spawn) -> Moved:
     if len(bodies) + len(joints) == 0:
         raise CommandError("Spawn: there is nothing to spawn; give bodies or joints")
     try:
-        found = world.spawning.read(bodies, joints, world.known(), "Spawn")
+        found = world.spawning.read(bodies, joints, world.directory.known(), "Spawn")
     except SceneError as error:
         raise CommandError(str(error)) from None
     first = len(world.state.joints)
@@ -104,7 +104,9 @@ def _spawn(world: World, command: Spawn) -> Moved:
 
 
 def _several(command: RowCommand, ids: str | Sequence[str]) -> Sequence[str]:
-    names = [ids] if isinstance(ids, str) else list(ids)
+    names = [ids] if isinstance(ids, str) else ids
+    if not isinstance(names, (list, tuple)) or not all(isinstance(name, str) for name in names):
+        raise CommandError(f"{type(command).__name__}: what to delete is one id or a list of ids, not {ids!r}")
     if not names:
         raise CommandError(f"{type(command).__name__}: there is nothing to delete; give an id")
     return names

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +11,7 @@ from sandbox._jit import kernel_argument
 from sandbox.engine.binding import bind
 from sandbox.engine.commands import Command, SetPose, apply_command
 from sandbox.engine.continuous import catch
+from sandbox.engine.directory import Directory
 from sandbox.engine.events import SENSOR_EVENT, Events, differences, happened, nothing
 from sandbox.engine.field_commands import FieldCommand, apply_field_command
 from sandbox.engine.fields.apply import apply_fields
@@ -25,8 +25,6 @@ from sandbox.engine.step import MUST_CATCH, find_touching, move
 from sandbox.engine.views import Bodies, Body
 from sandbox.engine.warm_up import compile_step
 from sandbox.engine.world_commands import WorldCommand, apply_world_command
-from sandbox.errors import UnknownBodyError, UnknownJointError, UnknownRegionError
-from sandbox.scene.known import Known
 from sandbox.tables import Floats
 from sandbox.world.build import build_state
 from sandbox.world.digest import digest
@@ -38,8 +36,6 @@ from sandbox.world.snapshot import restore, snapshot
 from sandbox.world.state import State
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from sandbox.engine.queries.queries import Queries
     from sandbox.engine.sensors import Sensing
     from sandbox.scene import Scene
@@ -102,7 +98,7 @@ class World:
             self._events = self.events  # it speaks of the rows that were
             self._follow(apply_row_command(self, command))
         elif isinstance(command, JointCommand):
-            if apply_joint_command(self.state, self.joint_row(command.joint), command):
+            if apply_joint_command(self.state, self.directory.joint(command.joint), command):
                 self._lay_out_joints()
         elif isinstance(command, WorldCommand):
             apply_world_command(self, command)
@@ -110,7 +106,7 @@ class World:
             apply_field_command(self, command)
             self._last_switch = last_switch(self.state)
         else:
-            index = self.body_row(command.body)
+            index = self.directory.body(command.body)
             apply_command(self.state, index, command)
             if isinstance(command, SetPose) and self.state.bodies[index].type == STATIC:
                 join_tiles(self.state.bodies, self.state.shapes, self.state.vertices, self.state.seams)
@@ -147,12 +143,6 @@ class World:
         """Counts how often rows have moved: while it stays the same, row `i` of `bodies` is the same body."""
         return self.state.layout
 
-    def known(self) -> Known:
-        """What a joint or a body that comes may refer to."""
-        bodies, joints = self.state.roster.bodies.items, self.state.roster.joints.items
-        types, kinds = {body.id: body.type for body in bodies}, {joint.id: joint.kind for joint in joints}
-        return Known(types, kinds, len(self.state.shapes))
-
     @cached_property
     def spawning(self) -> Spawning:
         """Reads what is spawned."""
@@ -163,11 +153,11 @@ class World:
 
     def joint(self, name: str) -> Joint:
         """The joint of that id. Raises `UnknownJointError` with the nearest name."""
-        return Joint(self, self.joint_row(name))
+        return Joint(self, self.directory.joint(name))
 
     def body(self, name: str) -> Body:
         """The body of that id. Raises `UnknownBodyError` with the nearest name."""
-        return Body(self, self.body_row(name))
+        return Body(self, self.directory.body(name))
 
     @property
     def awake_count(self) -> int:
@@ -220,7 +210,7 @@ class World:
         """Rays, casts, overlaps and distances: read-only questions about where things are."""
         from sandbox.engine.queries.queries import Queries  # worlds that are asked nothing pay nothing
 
-        return Queries(self, self.body_row)
+        return Queries(self)
 
     def digest(self) -> str:
         """Fingerprint of the whole state, 16 hex digits: equal bits, equal digest."""
@@ -256,8 +246,7 @@ class World:
 
     def _know_rows(self) -> None:
         """Note where everybody is now, and when fields begin and end."""
-        self._index = {name: i for i, name in enumerate(self.state.names)}
-        self._joint_index = {name: i for i, name in enumerate(self.state.joint_names)}
+        self.directory = Directory(self.state)
         self._last_switch = last_switch(self.state)
 
     def _follow(self, moved: Moved) -> None:
@@ -323,31 +312,5 @@ class World:
                 fields.insert(0, bind(apply_fields, self.state, self._scratch))
         self._arguments, self._fields = lists, fields
 
-    def body_row(self, name: str) -> int:
-        """The row of a body. Raises `UnknownBodyError` with the nearest name."""
-        index = self._index.get(name)
-        if index is None:
-            raise UnknownBodyError(_unknown("body", name, self.names))
-        return index
-
-    def joint_row(self, name: str) -> int:
-        """The row of a joint. Raises `UnknownJointError` with the nearest name."""
-        index = self._joint_index.get(name)
-        if index is None:
-            raise UnknownJointError(_unknown("joint", name, self.joint_names))
-        return index
-
-    def region_row(self, name: str) -> int:
-        """The row of a region that has an id. Raises `UnknownRegionError` with the nearest name."""
-        names = [region.id for region in self.flat.regions]
-        if not name or name not in names:
-            raise UnknownRegionError(_unknown("region", name, list(filter(None, names))))
-        return names.index(name)
-
     def __repr__(self) -> str:
         return f"<World of {len(self.names)} bodies at step {self.step_count}>"
-
-
-def _unknown(what: str, name: str, known: Sequence[str]) -> str:
-    near = difflib.get_close_matches(name, known, 1)
-    return f"no {what} {name!r} in this world" + (f"; did you mean {near[0]!r}?" if near else "")

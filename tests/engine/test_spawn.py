@@ -343,6 +343,8 @@ REFUSED = [
     (Delete("crat"), "did you mean 'crate'?"),
     (Delete(["crate", "nobody"]), "no body 'nobody'"),
     (Delete([]), "there is nothing to delete"),
+    (Delete(5), "one id or a list of ids, not 5"),
+    (Delete([["crate"]]), "one id or a list of ids"),
     (DeleteJoint("hing"), "did you mean 'hinge'?"),
 ]
 

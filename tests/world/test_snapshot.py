@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
 import struct
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from sandbox.engine.row_commands import Delete, Spawn
 from sandbox.engine.world import World
 from sandbox.errors import SandboxError, SnapshotError
 from sandbox.world.build import build_state
@@ -137,3 +139,76 @@ def test_equal_states_have_equal_digests_and_spare_rows_do_not_count(world):
     assert digest(build_state(small())) == first
     assert len(first) == 16
     assert int(first, 16) >= 0
+
+
+BALL = {"id": "late", "shapes": [{"circle": 0.5}], "position": [5, 0.5]}
+
+
+def changed() -> World:
+    """The small world without its box and with a ball more."""
+    world = World(small())
+    world.apply(Delete("box"))
+    world.apply(Spawn(BALL))
+    world.step(7)
+    return world
+
+
+def with_roster(world: World, text: bytes) -> bytes:
+    """A well-signed snapshot whose roster says something else."""
+    payload = world.snapshot()[20:]
+    own = world.state.roster.text
+    return signed(payload[: -8 - len(own)] + struct.pack("<q", len(text)) + text)
+
+
+def test_a_roster_goes_with_the_snapshot():
+    world, fresh = changed(), World(small())
+    fresh.restore(with_roster(world, world.state.roster.text))
+    assert fresh.names == ("ground", "ball", "late")
+    assert fresh.snapshot() == world.snapshot()
+    fresh.restore(World(small()).snapshot())
+    assert fresh.names == ("ground", "ball", "box")
+
+
+def says(left: object, spawned: object, following: object) -> str:
+    """The text of a roster of bodies without joints."""
+    bodies = {"left": left, "spawned": spawned, "next": following}
+    return json.dumps({"bodies": bodies, "joints": {"left": [], "spawned": [], "next": 0}})
+
+
+DISC = [{"circle": 0.5}]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        *("", "{", "[]", "3", "null", "{}", "\xff", "[" * 100_000, '{"bodies": 3, "joints": 4}'),
+        says([[0, 9]], [], 3),
+        says([[1, 2], [0, 1]], [], 3),
+        says([[-1, 2]], [], 3),
+        says([["a", "b"]], [], 3),
+        says([[0, 2]], [[3, {"id": "late"}]], 4),
+        says([[0, 2]], [[3, {"id": "ball", "shapes": DISC}]], 4),
+        says([[0, 2]], [[2, {"id": "late", "shapes": DISC}]], 4),
+        says([[0, 2]], [[3, {"id": "late", "shapes": DISC}]], 3),
+        says([[0, 2]], [[True, {"id": "late", "shapes": DISC}]], 9),
+        says([[0, 2]], [[3, {"id": "late", "shapes": [{"box": [1, 1]}]}]], 4),
+    ],
+    ids=range(19),
+)
+def test_a_well_signed_wrong_roster_is_refused(text):
+    source, world = changed(), World(small())
+    layout = world.layout
+    data = with_roster(source, text.encode("latin-1"))
+    with pytest.raises(SnapshotError):
+        source.restore(data)
+    if text:
+        refused(world, data)
+        assert world.layout == layout
+        assert world.names == ("ground", "ball", "box")
+
+
+@given(st.binary(max_size=60))
+def test_a_well_signed_roster_of_junk_is_refused(junk):
+    source = changed()
+    if junk:
+        refused(source, with_roster(source, junk))

@@ -38,9 +38,8 @@ class Queries:
     The first question after a step, a command or a restore puts all shapes into a grid; those that follow use it.
     """
 
-    def __init__(self, world: World, find: Callable[[str], int]) -> None:
+    def __init__(self, world: World) -> None:
         self._world = world
-        self._find = find
         self._way = np.zeros((1, 4))
         self._one: Any = kernel_argument(HIT.zeros(2))
         self._many: Any = kernel_argument(HIT.zeros(64))
@@ -124,7 +123,7 @@ class Queries:
 
     def distance(self, body_a: str, body_b: str) -> BodyDistance:
         """The closest points of two bodies. Raises `UnknownBodyError`, and `QueryError` for one and the same body."""
-        a, b = self._find(body_a), self._find(body_b)
+        a, b = self._world.directory.body(body_a), self._world.directory.body(body_b)
         if a == b:
             raise QueryError(f"distance: {body_a!r} is given twice")
         self._ask(POINT, None)
@@ -180,7 +179,7 @@ class Queries:
             write_subject(self._memory, subject)
         if self._asked is None or self._asked[1] != seen:
             self._asked = None
-            write_filter(self._memory, seen, self._find)
+            write_filter(self._memory, seen, self._world.directory.body)
         self._asked = (subject, seen)
 
     def _refresh(self) -> None:
