@@ -37,7 +37,7 @@ def columns(table: Table, group: str) -> list[str]:
 
 def fingerprint(state: State) -> str:
     """Four times four hex digits, in the order of `GROUPS`: `1a2b 3c4d 5e6f 7081`."""
-    contacts = _words(state.contacts)[: int(state.counters[0].contact_count)]
+    contacts = _words(state.contacts)[: int(state.counters["contact_count"][0])]
     joints_and_drags = _crc(_words(state.drags), _DRAGS, _crc(_words(state.joints), _JOINTS))
     codes = (
         _crc(contacts, _CONTACT_PAIRS),
@@ -63,15 +63,14 @@ def _places(table: Table, group: str) -> Integers:
 
 def _words(rows: Records) -> Any:
     """The bits of a table as whole numbers, a row a record."""
-    return np.asarray(rows).view(np.int64).reshape(len(rows), rows.dtype.itemsize // 8)
+    return rows.view(np.ndarray).view(np.int64).reshape(len(rows), rows.itemsize // 8)
 
 
 def _crc(words: Any, places: Integers, start: int = 0) -> int:
     """CRC-32 of some columns, continued from `start`."""
     if not len(words):
         return start
-    chosen: Any = np.ascontiguousarray(words[:, places])
-    return crc32(chosen.astype("<i8", copy=False), start)
+    return crc32(words.take(places, 1).astype("<i8", copy=False), start)
 
 
 _CONTACT_PAIRS, _MANIFOLDS, _IMPULSES = (_places(CONTACT, group) for group in GROUPS[:3])
