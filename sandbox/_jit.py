@@ -73,6 +73,32 @@ def entry_point(function: F) -> F:
         config.CACHE_DIR = before
 
 
+class Call:
+    """An entry point with arguments for many calls.
+
+    numba asks at every call which version of the machine code fits the arguments: 0.15 us an array, a tenth of the
+    step of a small scene. Here it is asked at the first call only, and compiled then if need be.
+    """
+
+    __slots__ = ("_arguments", "_code", "_entry")
+
+    def __init__(self, entry: Callable[..., Any], arguments: tuple[Any, ...]) -> None:
+        self._entry: Any = entry
+        self._arguments = arguments
+        self._code: Callable[..., Any] | None = None
+
+    def __call__(self) -> Any:
+        if self._code is None:
+            self._code = self._version()
+        return self._code(*self._arguments)
+
+    def _version(self) -> Callable[..., Any]:
+        if config.DISABLE_JIT:
+            return cast(Callable[..., Any], self._entry)
+        kinds = tuple(self._entry.typeof_pyval(argument) for argument in self._arguments)
+        return cast(Callable[..., Any], self._entry.compile(kinds))
+
+
 def interpreted(function: F) -> F:
     """The Python body of a kernel, for callers in Python: calling the kernel itself would compile it for them alone.
 

@@ -5,8 +5,10 @@ from __future__ import annotations
 from sandbox._jit import kernel
 from sandbox.engine.contact_blocks import LANES, MAX_COLORS, VECTOR
 from sandbox.engine.islands import is_active
-from sandbox.engine.pace import contact_pace
 from sandbox.tables import Integers, Records
+
+_NOT_MOVED = -1
+"""In the place of a body's colours. No set of colours is that: there are less than 63."""
 
 
 @kernel
@@ -21,17 +23,17 @@ def color_contacts(
     gets -1 and is not solved.
     """
     for i in range(flights.shape[0]):
-        flights[i].colors = 0
+        flights[i].colors = 0 if is_active(bodies[i]) else _NOT_MOVED
     highest = -1
     for i in range(count):
-        a = contacts[i].body_a
-        b = contacts[i].body_b
-        moves_a = is_active(bodies[a])
-        moves_b = is_active(bodies[b])
-        if not (moves_a or moves_b) or (mixed and contact_pace(bodies, flights, contacts[i]) != pace):
+        a = flights[contacts[i].body_a]
+        b = flights[contacts[i].body_b]
+        moves_a = a.colors != _NOT_MOVED
+        moves_b = b.colors != _NOT_MOVED
+        if not (moves_a or moves_b) or (mixed and (a.pace if moves_a else b.pace) != pace):
             colors[i] = -1
             continue
-        taken = (flights[a].colors if moves_a else 0) | (flights[b].colors if moves_b else 0)
+        taken = (a.colors if moves_a else 0) | (b.colors if moves_b else 0)
         color = 0
         while color < MAX_COLORS and (taken >> color) & 1:
             color += 1
@@ -39,9 +41,9 @@ def color_contacts(
         highest = color if color > highest else highest
         if color < MAX_COLORS:
             if moves_a:
-                flights[a].colors |= 1 << color
+                a.colors |= 1 << color
             if moves_b:
-                flights[b].colors |= 1 << color
+                b.colors |= 1 << color
     return highest + 1
 
 

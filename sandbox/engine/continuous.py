@@ -85,30 +85,43 @@ def catch(
     """
     for i in range(bodies.shape[0]):
         holds[i].stop = 1.0
-    pair_count = counters[0].pair_count
-    for k in range(pair_count):
-        _ride(bodies, shapes, motions, holds, turned, pairs[k], manifold, sweep, swept)
+    count = _list_fast(holds, owners, pairs, counters[0].pair_count, sorted_pairs)
+    fast: Records = sorted_pairs[:count]
+    spare: Records = sorted_pairs[count:]
+    for k in range(count):
+        _ride(bodies, shapes, motions, holds, turned, fast[k], manifold, sweep, swept)
     bullets = ZERO
-    for k in range(pair_count):
-        bullets += _hold(bodies, shapes, motions, holds, turned, pairs[k], manifold, sweep, swept)
+    for k in range(count):
+        bullets += _hold(bodies, shapes, motions, holds, turned, fast[k], manifold, sweep, swept)
     for i in range(shapes.shape[0]):
-        if holds[shapes[i].body].fast == 1 and _strays(bodies, shapes, motions, turned, boxes, i):
+        if holds[owners[i].body].fast == 1 and _strays(bodies, shapes, motions, turned, boxes, i):
             for j in range(shapes.shape[0]):
-                if not boxes_overlap(boxes[i], boxes[j]) or are_joined(bonds, joined, shapes[i].body, shapes[j].body):
+                if not boxes_overlap(boxes[i], boxes[j]) or are_joined(bonds, joined, owners[i].body, owners[j].body):
                     continue
-                if propose(owners, i, j, sorted_pairs, ZERO) == 1:
-                    _hold(bodies, shapes, motions, holds, turned, sorted_pairs[0], manifold, sweep, swept)
+                if propose(owners, i, j, spare, ZERO) == 1:
+                    _hold(bodies, shapes, motions, holds, turned, spare[0], manifold, sweep, swept)
     changed = bullets > 0
     turn = ZERO
     while changed:
         changed = False
-        for k in range(pair_count):
-            if _hold_bullet(bodies, shapes, motions, holds, turned, pairs[k], turn, manifold, sweep, swept):
+        for k in range(count):
+            if _hold_bullet(bodies, shapes, motions, holds, turned, fast[k], turn, manifold, sweep, swept):
                 changed = True
         turn += 1
     for i in range(bodies.shape[0]):
         if holds[i].stop < 1.0:
             _take_back(bodies[i], motions[i], 1.0 - holds[i].stop)
+
+
+@kernel
+def _list_fast(holds: Records, owners: Records, pairs: Records, pair_count: int, fast: Records) -> int:
+    """List the pairs of which a body is fast, in order; return how many. The rest of the table stays free for one."""
+    count = ZERO
+    for k in range(pair_count):
+        if holds[owners[pairs[k].shape_a].body].fast + holds[owners[pairs[k].shape_b].body].fast > 0:
+            fast[count] = pairs[k]
+            count += 1
+    return count
 
 
 @kernel

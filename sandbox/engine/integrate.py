@@ -9,8 +9,12 @@ from sandbox.world.records import DYNAMIC, KINEMATIC, STATIC
 
 
 @kernel
-def begin_motions(bodies: Records, motions: Records, flights: Records) -> None:
-    """Load the velocities; nothing has moved yet, and nothing is known to hinder anybody."""
+def begin_motions(bodies: Records, motions: Records, flights: Records) -> float:
+    """Load the velocities; nothing has moved yet, and nothing is known to hinder anybody.
+
+    Returns the square of the highest speed (m/s) of a point of any body.
+    """
+    fastest = 0.0
     for i in range(bodies.shape[0]):
         body = bodies[i]
         motion = motions[i]
@@ -27,6 +31,10 @@ def begin_motions(bodies: Records, motions: Records, flights: Records) -> None:
         flight.start_x = flight.free_x = body.velocity_x
         flight.start_y = flight.free_y = body.velocity_y
         flight.start_w = flight.free_w = body.angular_velocity
+        rim = body.angular_velocity * body.extent
+        square = body.velocity_x * body.velocity_x + body.velocity_y * body.velocity_y + rim * rim
+        fastest = square if square > fastest else fastest
+    return fastest
 
 
 @kernel

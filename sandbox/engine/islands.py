@@ -159,13 +159,11 @@ def fall_asleep(
     counters: Records,
 ) -> None:
     """Count how long bodies have been slow; put islands to sleep in which all have been slow long enough."""
-    _mark_resting(bodies, flights, contacts, count)
+    _mark_resting(bodies, flights, contacts, count, drags)
     if joints is not None:
         _mark_held(flights, joints)
+        _keep_driven_awake(flights, joints)
     _count_slow_time(bodies, flights, seconds)
-    _keep_awake(bodies, contacts, count, drags)
-    if joints is not None:
-        _keep_driven_awake(bodies, joints)
     ready = False
     for i in range(bodies.shape[0]):
         if is_active(bodies[i]) and bodies[i].sleep_time >= SLEEP_SECONDS:
@@ -200,15 +198,28 @@ def _count_sleepers(bodies: Records, counter: Records) -> None:
 
 
 @kernel
-def _mark_resting(bodies: Records, flights: Records, contacts: Records, count: int) -> None:
-    """Mark the bodies that lie on or against something: a body in free flight may be slow, but it does not rest."""
+def _mark_resting(bodies: Records, flights: Records, contacts: Records, count: int, drags: Records) -> None:
+    """Mark the bodies that lie on or against something: a body in free flight may be slow, but it does not rest.
+
+    And those that are kept awake: dragged bodies and those on a driven body or a running belt.
+    """
     for i in range(bodies.shape[0]):
         flights[i].rests = flights[i].buoyed
+        flights[i].drives = 1 if bodies[i].type == KINEMATIC and _disturbs(bodies[i]) else 0
+        flights[i].kept = 0
+    for k in range(drags.shape[0]):
+        if drags[k].body >= 0:
+            flights[drags[k].body].kept = 1
     for i in range(count):
         contact = contacts[i]
+        a = flights[contact.body_a]
+        b = flights[contact.body_b]
         if contact.normal_impulse1 > 0.0 or contact.normal_impulse2 > 0.0:
-            flights[contact.body_a].rests = 1
-            flights[contact.body_b].rests = 1
+            a.rests = 1
+            b.rests = 1
+        if contact.surface_speed != 0.0 or a.drives + b.drives > 0:
+            a.kept = 1
+            b.kept = 1
 
 
 @kernel
@@ -234,36 +245,20 @@ def _count_slow_time(bodies: Records, flights: Records, seconds: float) -> None:
         if body.sleep_time == 0.0:
             body.slow_speed = speed
         body.sleep_time += seconds
-        if body.sleep_time >= SLEEP_SECONDS and speed > STILL_SPEED and speed > body.slow_speed:
+        nudged = body.sleep_time >= SLEEP_SECONDS and speed > STILL_SPEED and speed > body.slow_speed
+        if nudged or flights[i].kept == 1:
             body.sleep_time = 0.0
 
 
 @kernel
-def _keep_awake(bodies: Records, contacts: Records, count: int, drags: Records) -> None:
-    """Dragged bodies and those on a driven body or a running belt do not fall asleep."""
-    for k in range(drags.shape[0]):
-        if drags[k].body >= 0:
-            bodies[drags[k].body].sleep_time = 0.0
-    for i in range(count):
-        a = bodies[contacts[i].body_a]
-        b = bodies[contacts[i].body_b]
-        belt = contacts[i].surface_speed != 0.0
-        if a.awake == 1 and (belt or (b.type == KINEMATIC and _disturbs(b))):
-            a.sleep_time = 0.0
-        if b.awake == 1 and (belt or (a.type == KINEMATIC and _disturbs(a))):
-            b.sleep_time = 0.0
-
-
-@kernel
-def _keep_driven_awake(bodies: Records, joints: JointWork) -> None:
+def _keep_driven_awake(flights: Records, joints: JointWork) -> None:
     """Bodies that a joint ties to a driven body do not fall asleep."""
     for i in range(joints.ties.shape[0]):
-        a = bodies[joints.ties[i].low]
-        b = bodies[joints.ties[i].high]
-        if b.type == KINEMATIC and _disturbs(b):
-            a.sleep_time = 0.0
-        if a.type == KINEMATIC and _disturbs(a):
-            b.sleep_time = 0.0
+        a = flights[joints.ties[i].low]
+        b = flights[joints.ties[i].high]
+        if a.drives + b.drives > 0:
+            a.kept = 1
+            b.kept = 1
 
 
 @kernel

@@ -47,6 +47,8 @@ FLIGHT = Table(
         Field("pace", "-", "its island takes 2**pace times the substeps of the scene", "i8"),
         Field("rests", "-", "1 when something bears it after the step", "i8"),
         Field("buoyed", "-", "1 when it floats at rest", "i8"),
+        Field("drives", "-", "1 for a kinematic body that moves", "i8"),
+        Field("kept", "-", "1 when it must not fall asleep", "i8"),
         Field("was_awake", "-", "before the step woke anybody", "i8"),
         Field("was_island", "-", "before the step woke anybody", "i8"),
         Field("was_slow", "s", "sleep time before the step woke anybody"),
@@ -206,7 +208,7 @@ class Scratch:
             heads=np.zeros(head_count(shapes), np.int64),
             levels=np.zeros(LEVEL_SPACE, np.int64),
             pairs=PAIR.zeros(pair_capacity),
-            sorted_pairs=PAIR.zeros(pair_capacity),
+            sorted_pairs=PAIR.zeros(pair_capacity + 1),  # `catch` keeps one pair apart
             contacts=CONTACT.zeros(pair_capacity),
             reports=REPORT.zeros(pair_capacity),
             manifold=MANIFOLD.zeros(2),

@@ -152,7 +152,7 @@ def move(
                 undo_waking(bodies, flights, counters)
                 return block_count
 
-    begin_motions(bodies, motions, flights)
+    fastest = begin_motions(bodies, motions, flights)
     if joints is not None:
         begin_joints(joints, bodies, contacts, count)
     clear_reports(reports, count)
@@ -163,7 +163,9 @@ def move(
             rewind_driven(bodies, motions)
             color_count = color_contacts(bodies, flights, contacts, count, pace, paces > 1, colors)
             block_count = fill_blocks(contacts, count, colors, color_count, heads, slots, blocks)
-        bouncy_count = list_bouncy(bodies, flights, contacts, count, pace, setting.restitution_threshold, colors)
+        bouncy_count = list_bouncy(
+            bodies, flights, contacts, count, pace, fastest, setting.restitution_threshold, colors
+        )
         deep = prepare_contacts(bodies, contacts, slots, blocks, block_count, bouncy_count > 0, lanes)
         _run_substeps(
             bodies, motions, flights, drags, setting, counters, contacts, colors, bouncy_count, slots, blocks,

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from sandbox._jit import kernel_argument
+from sandbox._jit import Call, kernel_argument
 from sandbox.engine.binding import bind
 from sandbox.engine.commands import Command, SetPose, apply_command
 from sandbox.engine.continuous import catch
@@ -58,8 +58,8 @@ class World:
         self._events: Events | None = nothing(0, self.state.names)
         self._sensing = self._make_sensing()
         self._turn = 0
-        self._arguments: list[tuple[tuple[Any, ...], ...]] = []
-        self._fields: list[tuple[Any, ...]] = []
+        self._parts: list[tuple[Call, ...]] = []
+        self._fields: list[Call] = []
         self._know_rows()
         self._use_scratch(Scratch.for_state(self.state, len(self.state.contacts)))
         self.bodies = Bodies(self)
@@ -75,7 +75,7 @@ class World:
                 self._events = nothing(self.step_count, self.names)
                 return
             if self._fields:
-                apply_fields(*self._fields[self._turn])
+                self._fields[self._turn]()
             while not self._advance():
                 pass
             # A step reads the contacts of the last one while it writes the new ones.
@@ -268,11 +268,11 @@ class World:
 
     def _advance(self) -> bool:
         """Take a step; False if it lacked scratch memory, which it has now: then nothing else has changed."""
-        seen, moved, caught = self._arguments[self._turn]
-        lacking_pairs = find_touching(*seen)
-        lacking_blocks = move(*moved) if lacking_pairs == 0 else 0
+        see, go, take_back = self._parts[self._turn]
+        lacking_pairs = see()
+        lacking_blocks = go() if lacking_pairs == 0 else 0
         if lacking_blocks == MUST_CATCH:
-            catch(*caught)
+            take_back()
         elif lacking_pairs or lacking_blocks:
             self._make_room(lacking_pairs, lacking_blocks)
             return False
@@ -291,26 +291,29 @@ class World:
 
     def _use_scratch(self, scratch: Scratch) -> None:
         self._scratch = scratch
-        self._prepare_arguments()
+        self._prepare_calls()
 
     def _lay_out_joints(self) -> None:
         """Find out anew what hangs together by joints, after one of them broke or was switched."""
         vars(self._scratch).update(vars(lay_out(self.state.joints, self.state.bodies)))
-        self._prepare_arguments()
+        self._prepare_calls()
 
-    def _prepare_arguments(self) -> None:
-        """Argument lists of the step: one for even and one for odd steps, as the contact tables swap places."""
+    def _prepare_calls(self) -> None:
+        """The calls of a step: some for even and some for odd steps, as the contact tables swap places."""
         self._turn = 0
         self._counters = kernel_argument(self.state.counters)  # a plain array is ten times faster to ask
         self._broken = int(self._counters["broken_count"][0])
         now, after = self.state.contacts, self._scratch.contacts
-        lists: list[tuple[tuple[Any, ...], ...]] = []
-        fields: list[tuple[Any, ...]] = []
+        parts: list[tuple[Call, ...]] = []
+        fields: list[Call] = []
         for self.state.contacts, self._scratch.contacts in ((after, now), (now, after)):
-            lists.insert(0, tuple(bind(part, self.state, self._scratch) for part in (find_touching, move, catch)))
+            parts.insert(0, tuple(self._call(part) for part in (find_touching, move, catch)))
             if has_fields(self.state):
-                fields.insert(0, bind(apply_fields, self.state, self._scratch))
-        self._arguments, self._fields = lists, fields
+                fields.insert(0, self._call(apply_fields))
+        self._parts, self._fields = parts, fields
+
+    def _call(self, part: Any) -> Call:
+        return Call(part, bind(part, self.state, self._scratch))
 
     def __repr__(self) -> str:
         return f"<World of {len(self.names)} bodies at step {self.step_count}>"
