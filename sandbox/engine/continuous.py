@@ -86,26 +86,24 @@ def catch(
     for i in range(bodies.shape[0]):
         holds[i].stop = 1.0
     count = _list_fast(holds, owners, pairs, counters[0].pair_count, sorted_pairs)
-    fast: Records = sorted_pairs[:count]
-    spare: Records = sorted_pairs[count:]
     for k in range(count):
-        _ride(bodies, shapes, motions, holds, turned, fast[k], manifold, sweep, swept)
+        _ride(bodies, shapes, motions, holds, turned, sorted_pairs[k], manifold, sweep, swept)
     bullets = ZERO
     for k in range(count):
-        bullets += _hold(bodies, shapes, motions, holds, turned, fast[k], manifold, sweep, swept)
+        bullets += _hold(bodies, shapes, motions, holds, turned, sorted_pairs[k], manifold, sweep, swept)
     for i in range(shapes.shape[0]):
         if holds[owners[i].body].fast == 1 and _strays(bodies, shapes, motions, turned, boxes, i):
             for j in range(shapes.shape[0]):
                 if not boxes_overlap(boxes[i], boxes[j]) or are_joined(bonds, joined, owners[i].body, owners[j].body):
                     continue
-                if propose(owners, i, j, spare, ZERO) == 1:
-                    _hold(bodies, shapes, motions, holds, turned, spare[0], manifold, sweep, swept)
+                if propose(owners, i, j, sorted_pairs, count) > count:
+                    _hold(bodies, shapes, motions, holds, turned, sorted_pairs[count], manifold, sweep, swept)
     changed = bullets > 0
     turn = ZERO
     while changed:
         changed = False
         for k in range(count):
-            if _hold_bullet(bodies, shapes, motions, holds, turned, fast[k], turn, manifold, sweep, swept):
+            if _hold_bullet(bodies, shapes, motions, holds, turned, sorted_pairs[k], turn, manifold, sweep, swept):
                 changed = True
         turn += 1
     for i in range(bodies.shape[0]):
