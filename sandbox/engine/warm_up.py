@@ -1,6 +1,7 @@
 """Fill an empty kernel cache with two processes at once: each compiles a part of the step.
 
-`python -m sandbox.engine.warm_up` is the other process; it may fail, for then this one compiles everything.
+`python -m sandbox.engine.warm_up` is the other process; it says when `move` is there, and goes on to `catch`, which few
+steps need: who needs it before waits then. It may fail, for then this process compiles everything.
 """
 
 from __future__ import annotations
@@ -28,8 +29,18 @@ def compile_step() -> None:
         return
     helper = _start_helper()
     _run_once(find_touching)
-    if helper is not None:
-        helper.wait()
+    if helper is not None and helper.stdout is not None:
+        helper.stdout.readline()
+        _helpers.append(helper)
+
+
+def compile_catch() -> None:
+    """Wait until the other process has compiled `catch`, if there is one at it."""
+    while _helpers:
+        _helpers.pop().communicate()
+
+
+_helpers: list[subprocess.Popen[bytes]] = []
 
 
 def _start_helper() -> subprocess.Popen[bytes] | None:
@@ -39,9 +50,9 @@ def _start_helper() -> subprocess.Popen[bytes] | None:
     paths = [home, os.environ.get("PYTHONPATH", "")]
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, paths))}
     command = [sys.executable, "-m", "sandbox.engine.warm_up"]
-    quiet: dict[str, Any] = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.DEVNULL)
+    quiet: dict[str, Any] = dict.fromkeys(("stdin", "stderr"), subprocess.DEVNULL)
     try:
-        return subprocess.Popen(command, env=environment, **quiet)
+        return subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, **quiet)
     except OSError:
         return None
 
@@ -55,4 +66,5 @@ def _run_once(part: Any) -> None:
 
 if __name__ == "__main__":
     _run_once(move)
+    print("move", flush=True)
     _run_once(catch)

@@ -23,7 +23,7 @@ from sandbox.engine.row_commands import RowCommand, apply_row_command
 from sandbox.engine.scratch import Scratch
 from sandbox.engine.step import MUST_CATCH, find_touching, move
 from sandbox.engine.views import Bodies, Body
-from sandbox.engine.warm_up import compile_step
+from sandbox.engine.warm_up import compile_catch, compile_step
 from sandbox.engine.world_commands import WorldCommand, apply_world_command
 from sandbox.tables import Floats
 from sandbox.world.build import build_state
@@ -272,6 +272,7 @@ class World:
         lacking_pairs = see()
         lacking_blocks = go() if lacking_pairs == 0 else 0
         if lacking_blocks == MUST_CATCH:
+            compile_catch()
             take_back()
         elif lacking_pairs or lacking_blocks:
             self._make_room(lacking_pairs, lacking_blocks)
