@@ -63,7 +63,8 @@ def restore(state: State, data: bytes, read: Callable[[bytes], Roster]) -> None:
         if len(values) > len(array) or (len(values) < len(array) and table.name != "contact"):
             array = table.zeros(len(values))
             setattr(state, name, array)
-        array[: len(values)] = values
+        # As bytes: numpy copies records field by field, which takes six times as long.
+        np.asarray(array)[: len(values)].view(np.uint8)[:] = values.view(np.uint8)
 
 
 def _parts(body: memoryview) -> tuple[dict[str, Any], bytes]:
