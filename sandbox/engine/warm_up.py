@@ -1,7 +1,7 @@
 """Fill an empty kernel cache with two processes at once: each compiles a part of the step.
 
-`python -m sandbox.engine.warm_up` is the other process; it says when `move` is there, and goes on to `catch`, which few
-steps need: who needs it before waits then. It may fail, for then this process compiles everything.
+`python -m sandbox.engine.warm_up [joints]` is the other process; it says when `move` is there, and goes on to `catch`,
+which few steps need: who needs it before waits then. It may fail, for then this process compiles everything.
 """
 
 from __future__ import annotations
@@ -18,16 +18,19 @@ from sandbox.engine.binding import bind
 from sandbox.engine.continuous import catch
 from sandbox.engine.scratch import Scratch
 from sandbox.engine.step import find_touching, move
-from sandbox.scene.flat import FlatBody, FlatScene, FlatShape
+from sandbox.scene.flat import FlatBody, FlatJoint, FlatScene, FlatShape
 from sandbox.world.build import build_state
 
 
 @cache
-def compile_step() -> None:
-    """Compile the step on a cold cache, in half the time if there are two processors. At once on a warm one."""
+def compile_step(joints: bool) -> None:
+    """Compile the step on a cold cache, in half the time if there are two processors. At once on a warm one.
+
+    With `joints` it is the step of worlds that have some: another version of the machine code.
+    """
     if not cache_is_cold() or (os.cpu_count() or 1) < 2:
         return
-    helper = _start_helper()
+    helper = _start_helper(joints)
     _run_once(find_touching)
     if helper is not None and helper.stdout is not None:
         helper.stdout.readline()
@@ -43,13 +46,13 @@ def compile_catch() -> None:
 _helpers: list[subprocess.Popen[bytes]] = []
 
 
-def _start_helper() -> subprocess.Popen[bytes] | None:
+def _start_helper(joints: bool) -> subprocess.Popen[bytes] | None:
     if not sys.executable:  # an embedded Python
         return None
     home = str(Path(__file__).parents[2])
     paths = [home, os.environ.get("PYTHONPATH", "")]
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, paths))}
-    command = [sys.executable, "-m", "sandbox.engine.warm_up"]
+    command = [sys.executable, "-m", "sandbox.engine.warm_up", *(["joints"] if joints else [])]
     quiet: dict[str, Any] = dict.fromkeys(("stdin", "stderr"), subprocess.DEVNULL)
     try:
         return subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, **quiet)
@@ -57,14 +60,15 @@ def _start_helper() -> subprocess.Popen[bytes] | None:
         return None
 
 
-def _run_once(part: Any) -> None:
+def _run_once(part: Any, joints: bool = False) -> None:
     """Call one part of the step on the smallest world, for the sake of compiling it."""
     ball = FlatBody("ball", "dynamic", shapes=(FlatShape("circle", ((0.0, 0.0),), 0.5),))
-    state = build_state(FlatScene(bodies=(ball,)))
+    pin = FlatJoint("pin", "revolute", None, "ball")
+    state = build_state(FlatScene(bodies=(ball,), joints=(pin,) if joints else ()))
     part(*bind(part, state, Scratch.for_state(state, len(state.contacts))))
 
 
 if __name__ == "__main__":
-    _run_once(move)
+    _run_once(move, "joints" in sys.argv[1:])
     print("move", flush=True)
     _run_once(catch)

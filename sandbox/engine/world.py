@@ -66,7 +66,7 @@ class World:
 
     def step(self, n: int = 1) -> None:
         """Advance by `n` steps of `1 / step_rate` seconds each."""
-        compile_step()
+        compile_step(self._scratch.joints is not None)
         self.changes += 1
         counters = self._counters
         for taken in range(n):
