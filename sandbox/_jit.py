@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import hashlib
 import os
+import platform
 import shutil
 import time
 from collections.abc import Callable
@@ -129,13 +130,27 @@ def cache_is_cold() -> bool:
 
 @cache
 def cache_folder() -> Path:
-    """Where compiled kernels are kept: `SANDBOX_CACHE_DIR`, or the user's cache folder; named by the sources."""
-    root = os.environ.get("SANDBOX_CACHE_DIR")
-    base = (Path(root) if root else user_cache_path("sandbox2d")) / "kernels"
+    """Where compiled kernels are kept: in `cache_root()`, named by the sources."""
+    base = cache_root() / "kernels"
     folder = base / f"{sources_hash()}-numba{numba.__version__}"
     folder.mkdir(parents=True, exist_ok=True)
     _forget_old_folders(base, folder)
     return folder
+
+
+def cache_root() -> Path:
+    """The folder for all that this package keeps: `SANDBOX_CACHE_DIR`, or the user's cache folder."""
+    root = os.environ.get("SANDBOX_CACHE_DIR")
+    return Path(root) if root else user_cache_path("sandbox2d")
+
+
+def cache_key() -> str:
+    """What machine code depends on: sources, numba, Python, the processor that it is for, and where it lies."""
+    from numba.core.registry import cpu_target
+
+    target = str(cpu_target.target_context.codegen().magic_tuple())  # what numba itself files machine code under
+    processor = hashlib.blake2b(f"{target} {Path(__file__)}".encode(), digest_size=4).hexdigest()
+    return f"{sources_hash()}-numba{numba.__version__}-py{platform.python_version()}-{processor}"
 
 
 @cache

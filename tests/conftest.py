@@ -6,6 +6,8 @@ import os
 
 from hypothesis import HealthCheck, settings
 
+pytest_plugins = ["pytester"]
+
 # Tests call single kernels; has to be said before the first of them is imported.
 os.environ["SANDBOX_CALLABLE_KERNELS"] = "1"
 

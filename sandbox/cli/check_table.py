@@ -38,7 +38,7 @@ class Table:
         cells = (str(trial.steps), f"{trial.milliseconds:.3f}", trial.digest) if trial else ("-", "-", "-")
         line = Text(self._row(result.path.as_posix(), *cells))
         self._console.print(line.append(self._word(result), _STYLES[result.word]))
-        for reason in _reasons(result):
+        for reason in reasons(result):
             self._console.print(Text(reason))
         if result.error is not None:
             sys.stdout.flush()
@@ -64,12 +64,13 @@ class Table:
         return result.word
 
 
-def _reasons(result: Result) -> list[str]:
+def reasons(result: Result) -> list[str]:
+    """Why a scene failed, in lines; empty if it did not."""
     trial = result.trial
     if trial is None:
         return []
-    reasons = [_reason(result, verdict) for verdict in trial.verdicts if not verdict.holds]
-    return reasons + [f"  {body} was frozen at step {step}: its numbers went bad" for body, step in trial.frozen]
+    told = [_reason(result, verdict) for verdict in trial.verdicts if not verdict.holds]
+    return told + [f"  {body} was frozen at step {step}: its numbers went bad" for body, step in trial.frozen]
 
 
 def _reason(result: Result, verdict: Verdict) -> str:

@@ -29,6 +29,7 @@ def _entry(report: Report) -> dict[str, Any]:
         "scene": report.scene or None,
         "verdict": report.word,
         "action": report.action or None,
+        "where": report.where or None,
         "reasons": reasons(report),
         "advice": advice(report),
     }

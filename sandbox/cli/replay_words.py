@@ -26,6 +26,7 @@ def reasons(report: Report) -> list[str]:
     if outcome.drifts:
         ends = [f"{drift.body} by {drift.distance:.3g} m" for drift in outcome.drifts[:SHOWN_DRIFTS]]
         told.append(f"ended elsewhere: {', '.join(ends)}")
+    told += [report.where] if report.where else []
     return [*told, *outcome.notes]
 
 

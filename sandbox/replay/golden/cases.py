@@ -44,7 +44,7 @@ def _cases_of(path: Path) -> Iterator[Case]:
         return
     replays = [Case(file) for file in path.rglob("*" + SUFFIX)]
     scenes = (_of_scene(file) for file in path.rglob("*" + SCENE_SUFFIX))
-    missing = [case for case in scenes if case.scene is not None and _expects(case.scene)]
+    missing = [case for case in scenes if case.scene is not None and expects(case.scene)]
     yield from sorted([*replays, *missing], key=lambda case: case.replay)
 
 
@@ -58,7 +58,7 @@ def _of_scene(scene: Path) -> Case:
     return Case(replay) if replay.is_file() else Case(replay, scene)
 
 
-def _expects(scene: Path) -> bool:
+def expects(scene: Path) -> bool:
     """Whether a scene says what must hold; one that cannot be read counts, so that its mistakes come to light."""
     try:
         data = json.loads(scene.read_bytes())

@@ -10,6 +10,7 @@ from sandbox.errors import FileError, Problem, SandboxError
 from sandbox.replay.golden.cases import Case
 from sandbox.replay.golden.rerun import Outcome, rerun
 from sandbox.replay.golden.tolerance import Tolerance
+from sandbox.replay.golden.whereabouts import whereabouts
 from sandbox.replay.recording.recorder import record
 from sandbox.replay.recording.recording import Recording
 from sandbox.scene import Scene, load_scene
@@ -34,7 +35,8 @@ class Demands:
 class Report:
     """What became of a case, in one `word`, and what was done about it: "", "written" or "removed".
 
-    `outcome` is there if it ran, `problems` if it could not be used; `scene` is its scene's file, if known.
+    `outcome` is there if it ran, `problems` if it could not be used; `scene` is its scene's file, if known; `where`
+    says where the body stands that parted.
     """
 
     case: Case
@@ -44,6 +46,7 @@ class Report:
     source: str = ""
     problems: tuple[Problem, ...] = ()
     scene: str = ""
+    where: str = ""
 
     @property
     def fine(self) -> bool:
@@ -83,6 +86,7 @@ def _recorded(case: Case, demands: Demands, on_steps: Callable[[int], None] | No
         return _orphaned(case, recording, demands)
     outcome = rerun(recording, tolerance=demands.tolerance, heavy=demands.heavy, on_steps=on_steps)
     report = Report(case, outcome.word, outcome, scene=str(recording.scene.path or ""))
+    report = replace(report, where=whereabouts(recording, outcome))
     if demands.update == "all" or (demands.update == "changed" and not outcome.passed):
         _renew(recording, recording.load_scene(), case)
         return replace(report, action="written")

@@ -1,0 +1,67 @@
+"""Where the body that a divergence is about was written: file, line and column."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from sandbox.errors import SandboxError
+from sandbox.replay.golden.rerun import Outcome
+from sandbox.replay.recording.recording import Recording
+from sandbox.scene import Scene
+from sandbox.scene.excerpt import line_column
+from sandbox.scene.finding import path_of
+from sandbox.scene.locate import locate
+
+
+def whereabouts(recording: Recording, outcome: Outcome) -> str:
+    """In words, where the body stands by which `outcome` is best explained; "" if there is none, or it has no place.
+
+    That is the body of the first number that differs, else one that was edited, else the one that ended farthest off.
+    """
+    if outcome.divergence is None:
+        return ""
+    return next((text for body in _suspects(recording, outcome) if (text := place_of(recording, body))), "")
+
+
+def place_of(recording: Recording, body: str) -> str:
+    """`body NAME: FILE:LINE:COLUMN` of what made the body of that id; "" where that was no scene in a file."""
+    try:
+        scene = recording.load_scene()
+        if recording.scene.content is not None and recording.source is not None and scene.text is None:
+            return _in_recording(recording.source, scene, body)
+    except (SandboxError, OSError):
+        return ""
+    return place_in_scene(scene, body)
+
+
+def place_in_scene(scene: Scene, body: str) -> str:
+    """The same for a scene by itself."""
+    pointer = _pointer(scene, body)
+    found = scene.locate(pointer) if pointer else None
+    return _words(body, scene.source, *found) if found else ""
+
+
+def _suspects(recording: Recording, outcome: Outcome) -> list[str]:
+    assert outcome.divergence is not None
+    detail = outcome.divergence.detail
+    first = [detail.body] if detail is not None else []
+    edited = [name for name in recording.scene.meaning.bodies if f"body {name} was edited" in outcome.edits]
+    return [*first, *edited, *(drift.body for drift in outcome.drifts)]
+
+
+def _pointer(scene: Scene, body: str) -> str:
+    return next((one.pointer for one in scene.flatten().bodies if one.id == body), "")
+
+
+def _in_recording(file: Path, scene: Scene, body: str) -> str:
+    pointer = _pointer(scene, body)
+    if not pointer:
+        return ""
+    text = file.read_text(encoding="utf-8")
+    path = ("scene", "content", *path_of(pointer))
+    return _words(body, str(file), *line_column(text, locate(text, [path])[path].value_span[0]))
+
+
+def _words(body: str, file: str, line: int, column: int) -> str:
+    return f"body {body}: {Path(os.path.normpath(file)).as_posix()}:{line}:{column}"

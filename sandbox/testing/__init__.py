@@ -1,0 +1,1 @@
+"""What stands behind the pytest plugin: collected files, and fixtures for tests written in Python."""

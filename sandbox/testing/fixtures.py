@@ -1,0 +1,122 @@
+"""Fixtures for tests written in Python."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Protocol
+
+import pytest
+
+from sandbox.testing.summary import note_written
+
+if TYPE_CHECKING:
+    from sandbox.engine.world import World
+    from sandbox.scene import Scene
+
+_SUFFIXES = ("", ".scene.json")
+
+
+class ReplayCheck(Protocol):
+    """What the fixture `replay_check` is."""
+
+    def __call__(
+        self, what: Any, steps: int | None = None, commands: Iterable[tuple[int, Any]] = (), name: str = ""
+    ) -> None:
+        """Compare a run with its recording; fails the test if they differ."""
+
+
+@pytest.fixture
+def world(request: pytest.FixtureRequest) -> Callable[[Any], World]:
+    """Makes worlds: `world("pile")`, `world("scenes/pile.scene.json")`, `world({"bodies": [...]})`, `world(scene)`.
+
+    A name is looked for beside the test file, then in each folder above it up to the root of the session, there and in
+    its `scenes`, and at last among the scenes of the package. Raises `SceneError` if it cannot be used.
+    """
+
+    def make(what: Any) -> World:
+        __tracebackhide__ = True
+        from sandbox.engine.world import World
+        from sandbox.errors import SandboxError
+
+        try:
+            return World(scene_of(what, request))
+        except SandboxError as error:
+            raise error.with_traceback(None) from None
+
+    return make
+
+
+@pytest.fixture
+def replay_check(request: pytest.FixtureRequest) -> ReplayCheck:
+    """Records a run in the test and compares it with the recording beside the test file.
+
+    `replay_check(what, steps, commands)` takes what `world` takes, or a `Recorder` whose world the test has stepped, or
+    a `Recording`. In `test_x.py`, `test_falls` has `test_x.test_falls.replay.json`; a further one in the same test
+    needs a `name`. `pytest --replay-update` writes it.
+    """
+    given: set[Path] = set()
+
+    def check(what: Any, steps: int | None = None, commands: Iterable[tuple[int, Any]] = (), name: str = "") -> None:
+        __tracebackhide__ = True
+        from sandbox.errors import SandboxError
+        from sandbox.testing.own_replay import compare
+        from sandbox.testing.verdict import verdict
+
+        path = golden_path(request, name)
+        if path in given:
+            pytest.fail(f"{path.name}: the second recording of a test needs another name=", pytrace=False)
+        given.add(path)
+        try:
+            made = _recording_of(what, steps, commands, request)
+            report = compare(made, path, request.config.getoption("replay_update") or "")
+        except SandboxError as error:
+            raise error.with_traceback(None) from None
+        if report.action:
+            note_written(request.node, path.as_posix())
+        if not report.fine:
+            accept = f"accept it:  pytest --replay-update=changed {request.node.nodeid!r}"
+            pytest.fail(verdict(report, accept), pytrace=False)
+
+    return check
+
+
+def golden_path(request: pytest.FixtureRequest, name: str = "") -> Path:
+    """Where the recording of a test stands."""
+    parts = [*request.node.nodeid.split("::")[1:], *([name] if name else [])]
+    stem = re.sub(r"[^\w\-\[\].=+]", "_", ".".join(parts))
+    return Path(request.path).with_name(f"{request.path.stem}.{stem}.replay.json")
+
+
+def scene_of(what: Any, request: pytest.FixtureRequest) -> Scene:
+    """The scene that a test means. Raises `SceneError`, or fails the test if there is none of that name."""
+    from sandbox.scene import Scene, load_scene
+
+    if isinstance(what, Scene):
+        return what
+    return Scene(**what) if isinstance(what, Mapping) else load_scene(_file_of(Path(what), request))
+
+
+def _file_of(wanted: Path, request: pytest.FixtureRequest) -> Path:
+    from sandbox.resources import find_scene
+
+    home, root = request.path.parent, request.config.rootpath
+    above = [folder for folder in (home, *home.parents) if folder.is_relative_to(root)] or [home]
+    places = [place for folder in above for place in (folder, folder / "scenes")]
+    found = [place / (str(wanted) + suffix) for place in places for suffix in _SUFFIXES]
+    shipped = find_scene(wanted) if wanted.name == str(wanted) else wanted
+    file = next((path for path in (*found, shipped) if path.is_file()), None)
+    if file is None:
+        folders = ", ".join(place.as_posix() for place in places if place.is_dir())
+        pytest.fail(f"no scene {str(wanted)!r} in {folders}, nor among those of the package", pytrace=False)
+    return file
+
+
+def _recording_of(what: Any, steps: int | None, commands: Iterable[Any], request: pytest.FixtureRequest) -> Any:
+    from sandbox.replay.recording.recorder import Recorder, record
+    from sandbox.replay.recording.recording import Recording
+
+    if isinstance(what, Recorder):
+        return what.recording()
+    return what if isinstance(what, Recording) else record(scene_of(what, request), steps, commands)

@@ -1,0 +1,17 @@
+"""A report of a recording as the text of a failed test."""
+
+from __future__ import annotations
+
+from sandbox.cli.replay_words import advice, reasons
+from sandbox.errors import FileError
+from sandbox.replay.golden.examine import Report
+
+
+def verdict(report: Report, accept: str = "") -> str:
+    """The word, the reasons, and the commands that show it and accept it; `accept` says how, if it is another way."""
+    if report.problems:
+        return "\n".join(FileError(report.source, list(report.problems)).lines())
+    mend = [line for line in advice(report) if not (accept and line.startswith(("accept it", "record it")))]
+    mend += [accept] if accept else []
+    lines = [*reasons(report), *mend]
+    return "\n".join([f"{report.case.replay.as_posix()}: {report.word}", *(f"  {line}" for line in lines)])
