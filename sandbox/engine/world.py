@@ -7,29 +7,23 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from sandbox._jit import Call, kernel_argument
-from sandbox.engine.binding import bind
 from sandbox.engine.commands import Command, SetPose, apply_command
-from sandbox.engine.continuous import catch
 from sandbox.engine.directory import Directory
 from sandbox.engine.events import SENSOR_EVENT, Events, differences, happened, nothing
 from sandbox.engine.field_commands import FieldCommand, apply_field_command
-from sandbox.engine.fields.apply import apply_fields
-from sandbox.engine.fields.work import has_fields, last_switch
+from sandbox.engine.fields.work import last_switch
 from sandbox.engine.joint_commands import JointCommand, apply_joint_command
 from sandbox.engine.joint_view import Joint
-from sandbox.engine.joints.layout import lay_out
 from sandbox.engine.row_commands import RowCommand, apply_row_command
 from sandbox.engine.scratch import Scratch
-from sandbox.engine.step import MUST_CATCH, find_touching, move
+from sandbox.engine.stepper import Stepper
 from sandbox.engine.views import Bodies, Body
-from sandbox.engine.warm_up import compile_catch, compile_step
 from sandbox.engine.world_commands import WorldCommand, apply_world_command
 from sandbox.tables import Floats
 from sandbox.world.build import build_state
 from sandbox.world.digest import digest
 from sandbox.world.flush import join_tiles
-from sandbox.world.records import CONTACT, DYNAMIC, STATIC
+from sandbox.world.records import DYNAMIC, STATIC
 from sandbox.world.roster import Roster
 from sandbox.world.rows import Moved
 from sandbox.world.snapshot import restore, snapshot
@@ -57,32 +51,21 @@ class World:
         """Counts steps, commands and restores: while it stays the same, nothing has moved."""
         self._events: Events | None = nothing(0, self.state.names)
         self._sensing = self._make_sensing()
-        self._turn = 0
-        self._parts: list[tuple[Call, ...]] = []
-        self._fields: list[Call] = []
+        self._stepper = Stepper(self.state)
         self._know_rows()
-        self._use_scratch(Scratch.for_state(self.state, len(self.state.contacts)))
         self.bodies = Bodies(self)
 
     def step(self, n: int = 1) -> None:
         """Advance by `n` steps of `1 / step_rate` seconds each."""
-        compile_step(self._scratch.joints is not None)
+        self._stepper.compile()
         self.changes += 1
-        counters = self._counters
+        stepper, counters = self._stepper, self._stepper.counters
         for taken in range(n):
             if counters["still"][0] and counters["step_count"][0] > self._last_switch:
                 counters["step_count"][0] += n - taken  # all asleep: nothing else would change
                 self._events = nothing(self.step_count, self.names)
                 return
-            if self._fields:
-                self._fields[self._turn]()
-            while not self._advance():
-                pass
-            # A step reads the contacts of the last one while it writes the new ones.
-            self._turn = 1 - self._turn
-            self.state.contacts, self._scratch.contacts = self._scratch.contacts, self.state.contacts
-            if counters["broken_count"][0] != self._broken:
-                self._lay_out_joints()
+            stepper.step()
             self._events = None
             if self._sensing is not None:
                 self._sensing.look()
@@ -99,7 +82,7 @@ class World:
             self._follow(apply_row_command(self, command))
         elif isinstance(command, JointCommand):
             if apply_joint_command(self.state, self.directory.joint(command.joint), command):
-                self._lay_out_joints()
+                self._stepper.lay_out_joints()
         elif isinstance(command, WorldCommand):
             apply_world_command(self, command)
         elif isinstance(command, FieldCommand):
@@ -110,8 +93,8 @@ class World:
             apply_command(self.state, index, command)
             if isinstance(command, SetPose) and self.state.bodies[index].type == STATIC:
                 join_tiles(self.state.bodies, self.state.shapes, self.state.vertices, self.state.seams)
-        self._counters["still"][0] = 0
-        self._counters["pace_watch"][0] = 0
+        self._stepper.counters["still"][0] = 0
+        self._stepper.counters["pace_watch"][0] = 0
 
     @property
     def time(self) -> float:
@@ -121,7 +104,7 @@ class World:
     @property
     def step_count(self) -> int:
         """Steps taken since the start."""
-        return int(self._counters["step_count"][0])
+        return int(self._stepper.counters["step_count"][0])
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -173,7 +156,7 @@ class World:
     @property
     def contact_impulses(self) -> Floats:
         """Normal impulse (N s) of each of `contacts` over the whole last step, impacts included. A copy."""
-        impulses: Floats = self._scratch.reports.total_impulse[: len(self.contacts)].copy()
+        impulses: Floats = self.scratch.reports.total_impulse[: len(self.contacts)].copy()
         return impulses
 
     @property
@@ -182,7 +165,7 @@ class World:
         if self._events is None:
             sensing = self._sensing
             enter, leave = differences(sensing.before, sensing.now) if sensing else (SENSOR_EVENT.zeros(0),) * 2
-            self._events = happened(self.state, self._scratch.contacts, self._scratch.reports, enter, leave)
+            self._events = happened(self.state, self.scratch.contacts, self.scratch.reports, enter, leave)
         return self._events
 
     @property
@@ -197,7 +180,7 @@ class World:
     @property
     def scratch(self) -> Scratch:
         """What the last step left in its memory (boxes, proposed pairs), for tools that look into it; read only."""
-        return self._scratch
+        return self._stepper.scratch
 
     @property
     def frozen(self) -> list[tuple[str, int]]:
@@ -228,12 +211,12 @@ class World:
         if self.layout != layout:
             self._know_rows()
         self._last_switch = last_switch(self.state)
-        if self.layout != layout or len(self.state.contacts) != len(self._scratch.contacts):
-            self._use_scratch(Scratch.for_state(self.state, len(self.state.contacts)))
+        if self.layout != layout or len(self.state.contacts) != len(self.scratch.contacts):
+            self._stepper.renew()
         elif len(self.state.joints):
-            self._lay_out_joints()
+            self._stepper.lay_out_joints()
         self._events = nothing(self.step_count, self.names)
-        self._scratch.reports.total_impulse = 0.0
+        self.scratch.reports.total_impulse = 0.0
         if self.layout != layout:
             self._sensing = self._make_sensing()
         if self._sensing is not None:
@@ -252,9 +235,9 @@ class World:
     def _follow(self, moved: Moved) -> None:
         """Bring everything that knows of rows up to date after rows have come or gone."""
         self._know_rows()
-        old, blocks = self._scratch.reports, len(self._scratch.blocks)
-        self._use_scratch(Scratch.for_state(self.state, len(self.state.contacts), blocks))
-        self._scratch.reports[: len(moved.contacts)] = old[moved.contacts]
+        old, blocks = self.scratch.reports, len(self.scratch.blocks)
+        self._stepper.renew(blocks=blocks)
+        self.scratch.reports[: len(moved.contacts)] = old[moved.contacts]
         before, self._sensing = self._sensing, self._make_sensing()
         if self._sensing is not None and before is not None:
             self._sensing.follow(before, moved)
@@ -265,56 +248,6 @@ class World:
         from sandbox.engine.sensors import Sensing  # worlds without sensors pay nothing
 
         return Sensing(self.state)
-
-    def _advance(self) -> bool:
-        """Take a step; False if it lacked scratch memory, which it has now: then nothing else has changed."""
-        see, go, take_back = self._parts[self._turn]
-        lacking_pairs = see()
-        lacking_blocks = go() if lacking_pairs == 0 else 0
-        if lacking_blocks == MUST_CATCH:
-            compile_catch()
-            take_back()
-        elif lacking_pairs or lacking_blocks:
-            self._make_room(lacking_pairs, lacking_blocks)
-            return False
-        return True
-
-    def _make_room(self, pairs: int, blocks: int) -> None:
-        """Grow scratch memory to that many pairs and blocks, and half as many more."""
-        scratch = self._scratch
-        pairs = max(len(scratch.pairs), pairs + pairs // 2)
-        blocks = max(len(scratch.blocks), blocks + blocks // 2)
-        old = self.contacts
-        self.state.contacts = CONTACT.zeros(pairs)
-        self.state.contacts[: len(old)] = old
-        self._use_scratch(Scratch.for_state(self.state, pairs, blocks))
-        self._scratch.flights.buoyed = scratch.flights.buoyed  # the fields of this step have been applied
-
-    def _use_scratch(self, scratch: Scratch) -> None:
-        self._scratch = scratch
-        self._prepare_calls()
-
-    def _lay_out_joints(self) -> None:
-        """Find out anew what hangs together by joints, after one of them broke or was switched."""
-        vars(self._scratch).update(vars(lay_out(self.state.joints, self.state.bodies)))
-        self._prepare_calls()
-
-    def _prepare_calls(self) -> None:
-        """The calls of a step: some for even and some for odd steps, as the contact tables swap places."""
-        self._turn = 0
-        self._counters = kernel_argument(self.state.counters)  # a plain array is ten times faster to ask
-        self._broken = int(self._counters["broken_count"][0])
-        now, after = self.state.contacts, self._scratch.contacts
-        parts: list[tuple[Call, ...]] = []
-        fields: list[Call] = []
-        for self.state.contacts, self._scratch.contacts in ((after, now), (now, after)):
-            parts.insert(0, tuple(self._call(part) for part in (find_touching, move, catch)))
-            if has_fields(self.state):
-                fields.insert(0, self._call(apply_fields))
-        self._parts, self._fields = parts, fields
-
-    def _call(self, part: Any) -> Call:
-        return Call(part, bind(part, self.state, self._scratch))
 
     def __repr__(self) -> str:
         return f"<World of {len(self.names)} bodies at step {self.step_count}>"

@@ -25,7 +25,7 @@ def nanoseconds_a_pair(world: sandbox.World, turns: int = TURNS) -> tuple[float,
 
     The lowest tenth of the turns: what else runs on the machine only ever adds.
     """
-    state, scratch = world.state, world._scratch
+    state, scratch = world.state, world.scratch
     count, kept = int(state.counters[0].pair_count), int(state.counters[0].contact_count)
     tables = (
         state.bodies, scratch.holds, state.shapes, scratch.proxies, scratch.turned, state.seams,

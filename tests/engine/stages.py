@@ -114,7 +114,7 @@ class Paused:
 
     def __init__(self, world: World) -> None:
         self.state: State = world.state
-        self.scratch: Scratch = world._scratch
+        self.scratch: Scratch = world.scratch
         self.count = self.colors = self.blocks = self.bouncy = 0
         self.setting = world.state.settings[0]
         self.seconds = float(self.setting.step_seconds)
