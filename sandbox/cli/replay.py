@@ -29,6 +29,9 @@ _HEAVY = typer.Option("--heavy", help="Take every step from a restored snapshot 
 _NO_JIT = typer.Option("--no-jit", help="Run the kernels as plain Python: slow, and the same bits.")
 _JSON = typer.Option("--json", help="Print one JSON document instead of the table.")
 _JUNIT = typer.Option(metavar="FILE", show_default=False, help="Write a JUnit report as well.")
+_REPORT = typer.Option(
+    metavar="FILE.html", show_default=False, help="Write a page that shows what did not pass; it needs no server."
+)
 _LAST = typer.Option("--last-failed", help="Only those that failed the last time, here; all if none did.")
 _SHARD = typer.Option(metavar="I/N", show_default=False, help="Only part I of N: every N-th file.")
 _ONLY = typer.Option("-k", "--only", metavar="TEXT", show_default=False, help="Only files whose path contains TEXT.")
@@ -54,6 +57,7 @@ def replay(
     no_jit: Annotated[bool, _NO_JIT] = False,
     json: Annotated[bool, _JSON] = False,
     junit: Annotated[Path | None, _JUNIT] = None,
+    report: Annotated[Path | None, _REPORT] = None,
     last_failed: Annotated[bool, _LAST] = False,
     shard: Annotated[str, _SHARD] = "",
     only: Annotated[str, _ONLY] = "",
@@ -70,9 +74,10 @@ def replay(
     """
     demands = _demands(tolerance, heavy, update, prune)
     part = _part(shard)
+    _check_report(report)
     from sandbox.cli.replay_run import Work, run
 
-    raise typer.Exit(run(Work(tuple(paths), demands, jobs, no_jit, json, junit, last_failed, part, only)))
+    raise typer.Exit(run(Work(tuple(paths), demands, jobs, no_jit, json, junit, last_failed, part, only, report)))
 
 
 def _demands(tolerance: bool, heavy: bool, update: str, prune: bool) -> Demands:
@@ -85,6 +90,15 @@ def _demands(tolerance: bool, heavy: bool, update: str, prune: bool) -> Demands:
     from sandbox.replay.golden.tolerance import Tolerance
 
     return Demands(Tolerance() if tolerance else None, heavy, update, prune)  # type: ignore[arg-type]
+
+
+def _check_report(path: Path | None) -> None:
+    if path is None:
+        return
+    if path.suffix.lower() not in (".html", ".htm"):
+        raise SandboxError(f"--report {path}: the name must end in .html")
+    if not path.resolve().parent.is_dir():
+        raise SandboxError(f"--report {path}: the folder {path.resolve().parent} does not exist")
 
 
 def _part(text: str) -> tuple[int, int]:

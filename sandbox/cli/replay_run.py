@@ -27,6 +27,7 @@ class Work:
     last_failed: bool = False
     part: tuple[int, int] = (1, 1)
     only: str = ""
+    report: Path | None = None
 
 
 def run(work: Work) -> int:
@@ -116,3 +117,17 @@ def _tell_others(work: Work, reports: Sequence[Report], seconds: float) -> None:
     annotate(reports, to_stderr=work.json)
     if work.junit is not None:
         write_junit(work.junit, reports, seconds)
+    if work.report is not None:
+        _write_page(work.report, reports, seconds)
+
+
+def _write_page(path: Path, reports: Sequence[Report], seconds: float) -> None:
+    from sandbox.cli.progress import SceneProgress
+    from sandbox.cli.replay_words import advice, reasons
+    from sandbox.report.report_page import write_report
+    from sandbox.report.section import Entry
+
+    entries = [Entry(report, reasons(report), advice(report)) for report in reports]
+    failed = sum(not report.fine for report in reports)
+    with SceneProgress(Console(stderr=True), failed) as progress:
+        write_report(path, entries, seconds, lambda name: progress.begin(f"report: {name}", None))

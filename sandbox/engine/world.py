@@ -19,6 +19,7 @@ from sandbox.engine.scratch import Scratch
 from sandbox.engine.stepper import Stepper
 from sandbox.engine.views import Bodies, Body
 from sandbox.engine.world_commands import WorldCommand, apply_world_command
+from sandbox.notebook import Shown
 from sandbox.tables import Floats
 from sandbox.world.build import build_state
 from sandbox.world.digest import digest
@@ -37,7 +38,7 @@ if TYPE_CHECKING:
     from sandbox.scene.spawned import Spawning
 
 
-class World:
+class World(Shown):
     """A simulation of one scene.
 
     The same scene and the same commands give the same bits on every machine. `step` advances, `apply` is the only

@@ -7,6 +7,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, PrivateAttr
 
+from sandbox.notebook import Shown
 from sandbox.scene.base import Model
 from sandbox.scene.body import Body, Prefab
 from sandbox.scene.constraints import Exactly, Listed
@@ -28,7 +29,7 @@ from sandbox.scene.rules import cross_checks
 from sandbox.scene.settings import Settings, View
 
 
-class Scene(Model):
+class Scene(Shown, Model):
     """A scene; it never changes. `Scene(title=..., bodies=[...])` raises `SceneError` with every mistake."""
 
     schema_uri: str | None = Field(default=None, alias="$schema", description="For editors; not read.")

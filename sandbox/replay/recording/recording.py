@@ -10,6 +10,7 @@ from typing import TypeAlias
 
 from sandbox import __version__
 from sandbox.engine.arithmetic import ARITHMETIC
+from sandbox.notebook import Shown
 from sandbox.replay.recording.checkpoint import Checkpoint
 from sandbox.replay.recording.command_words import TimedCommand
 from sandbox.replay.recording.environment import environment
@@ -42,7 +43,7 @@ class SceneSource:
 
 
 @dataclass(frozen=True)
-class Recording:
+class Recording(Shown):
     """What a run did, step for step.
 
     `commands` are (step, command) in order: the command comes after that many steps. `digests[k]` is the fingerprint

@@ -1,0 +1,93 @@
+"""One case that did not pass, with all that a report shows of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from sandbox.engine.world import World
+from sandbox.replay.golden.divergence import Divergence
+from sandbox.replay.golden.examine import Report
+from sandbox.replay.golden.run import Run, run_of
+from sandbox.replay.golden.side_by_side import find_divergence
+from sandbox.replay.recording.fingerprint import GROUPS
+from sandbox.replay.recording.recording import Recording
+from sandbox.report.expected import Expected, expected_run
+from sandbox.report.film import Film
+from sandbox.report.pairs import Pair, first_pair, pair_at
+from sandbox.report.shoot import MOST_POSES, film_run
+
+
+@dataclass(frozen=True)
+class Failure:
+    """A run that is not as recorded: its film `got`, and the `expected` one if that run could be had again.
+
+    `origin` says where it was found, and `cause` the first number that differs. Without it, `ends` are the recorded
+    places at the end. `parted` is the first step that differs. `pair` is the first that differs after it, or else the
+    deepest contact of the body that ended farthest off.
+    """
+
+    recording: Recording
+    parted: int
+    got: Film
+    expected: Film | None = None
+    origin: str = ""
+    cause: Divergence | None = None
+    ends: Film | None = None
+    pair: Pair | None = None
+
+
+def failure_of(report: Report, most: int = MOST_POSES) -> Failure | None:
+    """The failure behind a report; None if the run did not part from its recording. Raises `SandboxError`."""
+    outcome = report.outcome
+    if report.fine or outcome is None or outcome.divergence is None:
+        return None
+    recording = Recording.load(report.case.replay)
+    got = run_of(recording)
+    parted = outcome.divergence
+    film = film_run(got, most=most)
+    expected = expected_run(recording, parted.step)
+    if expected is None:
+        subject = outcome.drifts[0].body if outcome.drifts else ""
+        pair = pair_at(got, min(parted.step, film.end), subject)
+        return Failure(recording, parted.step, film, ends=_ends(film, recording, got), pair=pair)
+    return _compared(recording, parted, film, expected, got, most)
+
+
+def _compared(recording: Recording, parted: Divergence, film: Film, expected: Expected, got: Run, most: int) -> Failure:
+    cause = find_divergence(expected.run, got)
+    # A value that was edited differs from the start on, and shows in what bodies do only later.
+    step = cause.step if cause is not None and cause.group in GROUPS else parted.step
+    pair = first_pair(got, expected.run, step)
+    return Failure(recording, step, film, film_run(expected.run, most=most), expected.origin, cause, pair=pair)
+
+
+def _ends(film: Film, recording: Recording, run: Run) -> Film | None:
+    """A film of one moment, the last of the recording; bodies of the scene only."""
+    world = World(run.scene)
+    local = {body.id: _center(world, row) for row, body in enumerate(world.flat.bodies)}
+    known = [k for k, actor in enumerate(film.cast) if actor.id in recording.final and actor.id in local]
+    if not known:
+        return None
+    poses = np.array([[_moved(recording.final[film.cast[k].id], local[film.cast[k].id])] for k in known])
+    there = np.ones(poses.shape[:2], bool)
+    return replace(
+        film, start=film.end, end=film.end, cast=tuple(film.cast[k] for k in known), poses=poses, awake=there,
+        frozen=~there, figures=film.figures[-1:], bonds=(), held=np.zeros((0, 1), bool), scenery=((0, [[], []]),),
+        commands=(), cut="",
+    )  # fmt: skip
+
+
+def _center(world: World, row: int) -> tuple[float, float]:
+    """A body's centre in its own frame."""
+    body = world.state.bodies[row]
+    x, y = float(body.center_x - body.position_x), float(body.center_y - body.position_y)
+    c, s = float(body.rotation_cos), float(body.rotation_sin)
+    return c * x + s * y, c * y - s * x
+
+
+def _moved(pose: tuple[float, float, float], center: tuple[float, float]) -> tuple[float, float, float]:
+    x, y, angle = pose
+    c, s = np.cos(angle), np.sin(angle)
+    return x + c * center[0] - s * center[1], y + s * center[0] + c * center[1], angle

@@ -1,0 +1,69 @@
+"""HTML as a tree: text can never become markup."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from pathlib import Path
+from typing import Any, TypeAlias
+from xml.etree import ElementTree
+
+from sandbox.render.theme import DARK
+from sandbox.report.cast import hex_of
+
+Node: TypeAlias = ElementTree.Element
+_FOLDER = Path(__file__).parent / "page"
+_SCRIPTS = ("codec.js", "shapes.js", "joints.js", "stage.js", "plot.js", "player.js", "start.js")
+
+
+def node(tag: str, kind: str = "", *inside: Node | str, **attributes: str) -> Node:
+    """An element of class `kind` with text and elements inside."""
+    made = ElementTree.Element(tag, {**({"class": kind} if kind else {}), **attributes})
+    for part in inside:
+        if not isinstance(part, str):
+            made.append(part)
+        elif len(made):
+            made[-1].tail = (made[-1].tail or "") + part
+        else:
+            made.text = (made.text or "") + part
+    return made
+
+
+def text_of(tree: Node) -> str:
+    """The HTML of an element."""
+    return ElementTree.tostring(tree, encoding="unicode", method="html")
+
+
+def data_script(name: str, data: Any) -> str:
+    """Data inside a page, under an id. Nothing in it can end the script."""
+    text = json.dumps(data, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
+    safe = text.replace("<", "\\u003c").replace("\u2028", "\\u2028").replace("\u2029", "\\u2029")
+    return f'<script type="application/json" id="{name}">{safe}</script>'
+
+
+def whole_page(title: str, body: list[str], kind: str) -> str:
+    """A page that needs nothing but itself; `kind` is the class of its body."""
+    frame = _resource("frame.html")
+    parts = {
+        "title": text_of(node("title", "", title)),
+        "style": _palette() + _resource("page.css"),
+        "kind": kind,
+        "body": "\n".join(body),
+        "script": "\n".join(_resource(name) for name in _SCRIPTS),
+    }
+    for name, text in parts.items():
+        head, mark, tail = frame.partition(f"<!--{name}-->")
+        assert mark, name
+        frame = head + text + tail
+    return frame
+
+
+def _palette() -> str:
+    """The colours of the window as variables of CSS."""
+    colors = {f.name: getattr(DARK, f.name) for f in dataclasses.fields(DARK) if f.type == "Color"}
+    rules = (f"--{name.replace('_', '-')}: {hex_of(color)};" for name, color in colors.items())
+    return ":root { " + " ".join(rules) + " }\n"
+
+
+def _resource(name: str) -> str:
+    return (_FOLDER / name).read_text(encoding="utf-8")

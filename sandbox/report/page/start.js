@@ -1,0 +1,20 @@
+// Players are set up when they come into sight.
+
+async function open(root) {
+  try {
+    const { got, expected } = root.dataset;
+    root.player = new Player(root, await Reel.open(got), expected ? await Reel.open(expected) : undefined);
+  } catch (error) {
+    root.textContent = `This film cannot be shown here: ${error.message}`;
+    root.classList.add("broken");
+    throw error;
+  }
+}
+
+const watcher = new IntersectionObserver((entries) => {
+  for (const entry of entries.filter((one) => one.isIntersecting)) {
+    watcher.unobserve(entry.target);
+    open(entry.target);
+  }
+}, { rootMargin: "200px" });
+document.querySelectorAll(".player").forEach((root) => watcher.observe(root));

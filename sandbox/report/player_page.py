@@ -1,0 +1,24 @@
+"""One player as a page of its own, and as a frame inside another page."""
+
+from __future__ import annotations
+
+import html
+
+from sandbox.report.film import Film
+from sandbox.report.markup import data_script, node, text_of, whole_page
+from sandbox.report.reel import reel
+
+
+def player_page(title: str, film: Film, small: bool = False) -> str:
+    """The HTML of a page that plays a film; `small` leaves out the headline."""
+    head = [] if small else [text_of(node("h1", "", title))]
+    body = [*head, text_of(node("div", "player", **{"data-got": "film"})), data_script("film", reel(film))]
+    return whole_page(title, body, "alone small" if small else "alone")
+
+
+def player_frame(title: str, film: Film, height: int = 470) -> str:
+    """An `iframe` that holds such a page: for notebooks, whose own page it cannot touch."""
+    page = html.escape(player_page(title, film, small=True), quote=True)
+    style = f"width:100%;max-width:860px;height:{height}px;border:0;border-radius:10px"
+    name = html.escape(title, quote=True)
+    return f'<iframe srcdoc="{page}" sandbox="allow-scripts" title="{name}" style="{style}"></iframe>'

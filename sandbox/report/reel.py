@@ -1,0 +1,57 @@
+"""A film as the data of a page, and what a page is to show of it."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from sandbox.report.film import Film
+from sandbox.report.pack import pack
+from sandbox.report.toggles import toggles
+from sandbox.tables import Floats
+
+
+def reel(film: Film) -> dict[str, Any]:
+    """Everything that the player needs of a film, as plain data."""
+    there = ~np.isnan(film.poses[:, :, 0])
+    poses = _filled(film.poses, there)
+    quanta = np.array([[actor.quantum, actor.quantum, actor.turn] for actor in film.cast]).reshape(-1, 3)
+    bodies = [
+        {**actor.data, "from": poses[k, 0].tolist(), "quantum": [actor.quantum, actor.turn], "there": toggles(there[k]),
+         "awake": toggles(film.awake[k])} | ({"frozen": toggles(film.frozen[k])} if film.frozen[k].any() else {})
+        for k, actor in enumerate(film.cast)
+    ]  # fmt: skip
+    return {
+        "start": film.start,
+        "end": film.end,
+        "every": film.every,
+        "rate": film.step_rate,
+        "view": list(film.view),
+        "bodies": bodies,
+        "joints": [{**bond, "held": toggles(film.held[k])} for k, bond in enumerate(film.bonds)],
+        "scenery": [list(entry) for entry in film.scenery],
+        "commands": [list(entry) for entry in film.commands],
+        "cut": film.cut,
+        "energy": [_finite(row.energy) for row in film.figures],
+        "deepest": [_finite(row.deepest) for row in film.figures],
+        "contacts": [row.contacts for row in film.figures],
+        "awake": [row.awake for row in film.figures],
+        "poses": pack(poses, quanta) if len(poses) else "",
+    }
+
+
+def _finite(value: float) -> float | None:
+    return value if math.isfinite(value) else None
+
+
+def _filled(poses: Floats, there: Any) -> Floats:
+    """Poses of bodies that are not there: where they come first, or were last; numbers beyond measure are cut."""
+    filled = np.nan_to_num(poses, nan=0.0, posinf=1e15, neginf=-1e15)
+    samples = np.arange(poses.shape[1])
+    for k in np.flatnonzero(~there.all(axis=1)):
+        known = samples[there[k]]
+        nearest = known[np.clip(np.searchsorted(known, samples, side="right") - 1, 0, None)]
+        filled[k] = filled[k, nearest]
+    return filled

@@ -1,0 +1,68 @@
+"""Filming: a run from its scene, or what a world will do next."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from sandbox.engine.world import World
+from sandbox.errors import SandboxError
+from sandbox.replay.golden.run import Run, Stage, run_of
+from sandbox.replay.recording.command_words import TimedCommand, encode
+from sandbox.replay.recording.recording import Recording
+from sandbox.report.film import Film
+from sandbox.report.lens import Lens
+from sandbox.scene import Scene
+
+MOST_POSES = 400_000
+"""Poses of moving bodies in a film; of a longer one only every second step is kept, or every third, ..."""
+_REPORT_EVERY = 16
+
+
+def film_run(
+    run: Run | Recording | Scene,
+    *,
+    skip: int = 0,
+    most: int = MOST_POSES,
+    on_steps: Callable[[int], None] | None = None,
+) -> Film:
+    """Take a run and film it from step `skip` on; a command that is refused ends it.
+
+    `on_steps` hears now and then how many steps are done. Raises `SceneError` if the scene cannot be used.
+    """
+    known = run_of(run)
+    stage = Stage(known.scene, known.commands)
+    while stage.step < min(skip, known.steps):
+        stage.advance()
+    camera = Lens(stage.world, known.steps, most)
+    cut = ""
+    try:
+        while stage.step < known.steps:
+            stage.advance()
+            camera.look()
+            if on_steps is not None and stage.step % _REPORT_EVERY == 0:
+                on_steps(stage.step)
+    except SandboxError as error:
+        cut = f"ended after step {stage.step}: {error}"
+    return camera.film(_told(known.commands), cut)
+
+
+def film_ahead(world: World, steps: int, most: int = MOST_POSES) -> Film:
+    """What the next steps of a world will be; they are taken by a copy."""
+    copy = World(world.scene)
+    copy.restore(world.snapshot())
+    camera = Lens(copy, copy.step_count + steps, most)
+    for _ in range(steps):
+        copy.step()
+        camera.look()
+    return camera.film((), "")
+
+
+def _told(commands: Sequence[TimedCommand]) -> tuple[tuple[int, str], ...]:
+    return tuple((step, _words(command)) for step, command in commands)
+
+
+def _words(command: Any) -> str:
+    name, fields = encode(command)
+    target = next((str(fields[key]) for key in ("body", "joint", "region", "thruster") if key in fields), "")
+    return f"{name} {target}".rstrip()

@@ -1,0 +1,88 @@
+"""Films show what worlds do."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import sandbox
+from sandbox.engine.commands import ApplyImpulse
+from sandbox.engine.row_commands import Delete, Spawn
+from sandbox.replay.golden.run import Run
+from sandbox.report.reel import reel
+from sandbox.report.shoot import film_ahead, film_run
+from tests.replay import played
+
+
+def centers(world: sandbox.World) -> np.ndarray:
+    return np.column_stack([world.state.bodies.center_x, world.state.bodies.center_y, world.state.bodies.angle])
+
+
+def test_every_step_of_a_recording() -> None:
+    recording = played.recording()
+    film = film_run(recording)
+    assert film.poses.shape == (8, played.STEPS + 1, 3)
+    player = sandbox.Player(recording)
+    for step in (0, 1, 40, 90, played.STEPS):
+        player.seek(step)
+        np.testing.assert_array_equal(film.poses[:, step], centers(player.world))
+    by_step = {row.step: row for row in film.figures}
+    assert [by_step[row.step] for row in recording.checkpoints] == list(recording.checkpoints)
+    assert film.commands[1] == (10, "StartDrag crate")
+
+
+def test_it_begins_where_it_is_told_to() -> None:
+    whole, late = film_run(played.recording()), film_run(played.recording(), skip=37)
+    assert (late.start, late.end) == (37, played.STEPS)
+    np.testing.assert_array_equal(late.poses[:, 1:], whole.poses[:, 38:])
+
+
+def test_a_long_run_is_thinned_and_keeps_its_end() -> None:
+    whole, thin = film_run(played.recording()), film_run(played.recording(), most=200)
+    assert thin.every == 6
+    assert [row.step for row in thin.figures] == [*range(0, 150, 6), 150]
+    np.testing.assert_array_equal(thin.poses, whole.poses[:, ::6])
+
+
+def test_bodies_that_come_and_go() -> None:
+    ball = {"id": "late", "shapes": [{"circle": 0.3}], "position": [8, 5]}
+    commands = ((5, Spawn(ball)), (9, Delete("stone")))
+    film = film_run(Run(played.scene(), 20, commands))
+    data = {body["id"]: body for body in reel(film)["bodies"]}
+    assert data["late"]["there"] == [6]
+    assert data["late"]["from"][0] == 8.0
+    assert data["stone"]["there"] == [0, 10]
+    assert data["crate"]["there"] == [0]
+
+
+def test_a_refused_command_ends_it() -> None:
+    film = film_run(Run(played.scene(), 20, ((7, ApplyImpulse("nobody", (1.0, 0.0))),)))
+    assert film.end == 7
+    assert "after step 7" in film.cut
+    assert "nobody" in film.cut
+
+
+def test_looking_ahead_leaves_the_world_alone() -> None:
+    world = sandbox.World(played.scene())
+    world.step(10)
+    world.apply(Delete("pill"))
+    digest = world.digest()
+    film = film_ahead(world, 25)
+    assert (world.digest(), world.step_count) == (digest, 10)
+    world.step(25)
+    np.testing.assert_array_equal(film.poses[:, -1], centers(world))
+
+
+@pytest.mark.parametrize("make", [played.scene, played.recording, lambda: sandbox.World(played.scene())])
+def test_a_notebook_shows_a_player(make) -> None:
+    text = make()._repr_html_()
+    assert text.startswith("<iframe srcdoc=")
+    assert len(text) < 200_000
+
+
+def test_a_notebook_shows_an_error_as_text(tmp_path) -> None:
+    played.scene().save(tmp_path / "a.scene.json")
+    recording = sandbox.record(tmp_path / "a.scene.json", 5)
+    recording.save(tmp_path / "a.replay.json")
+    (tmp_path / "a.scene.json").unlink()
+    assert sandbox.Recording.load(tmp_path / "a.replay.json")._repr_html_().startswith("<pre>")

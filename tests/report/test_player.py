@@ -1,0 +1,105 @@
+"""The player in a real browser."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import sandbox
+from sandbox.engine.commands import ApplyImpulse
+from sandbox.replay.golden.run import Run
+from sandbox.report.player_page import player_frame, player_page
+from sandbox.report.shoot import film_run
+from sandbox.resources import find_scene
+from tests.replay import played
+from tests.report.browser import Browser
+
+PLAYER = "document.querySelector('.player')"
+EVIL = "</script><script>document.title = 'caught'</script><!-- \u2028 & \" '"
+
+
+def opened(show: Browser, folder: Path, page: str) -> None:
+    path = folder / "page.html"
+    path.write_text(page, encoding="utf-8")
+    show.open(path)
+    show.until(f"{PLAYER}.dataset.ready")
+
+
+def test_it_plays_by_itself(show: Browser, tmp_path: Path) -> None:
+    opened(show, tmp_path, player_page("A box of things", film_run(played.recording())))
+    assert show.value("document.title") == "A box of things"
+    assert show.value(f"{PLAYER}.dataset.step") == "0"
+    show.value("document.querySelector('button').click()")
+    show.until(f"{PLAYER}.dataset.step > 5")
+    show.until(f"{PLAYER}.dataset.step == {played.STEPS}")
+    show.until(f"!{PLAYER}.player.playing")
+
+
+def test_keys_and_the_slider_choose_the_step(show: Browser, tmp_path: Path) -> None:
+    opened(show, tmp_path, player_page("", film_run(played.recording())))
+    key = "{0}.dispatchEvent(new KeyboardEvent('keydown', {{key: '{1}', shiftKey: {2}}}))"
+    for name, shift, step in (("ArrowRight", "false", 1), ("ArrowRight", "true", 11), ("ArrowLeft", "false", 10),
+                              ("End", "false", 150), ("Home", "false", 0)):  # fmt: skip
+        show.value(key.format(PLAYER, name, shift))
+        assert show.value(f"{PLAYER}.dataset.step") == str(step)
+    show.value("(s => { s.value = 77; s.dispatchEvent(new Event('input')); })(document.querySelector('.slider'))")
+    assert show.value("document.querySelector('.count').textContent") == "step 77 / 150"
+
+
+def test_its_poses_are_those_of_the_world(show: Browser, tmp_path: Path) -> None:
+    film = film_run(played.recording())
+    opened(show, tmp_path, player_page("", film))
+    quanta = np.array([[actor.quantum, actor.quantum, actor.turn] for actor in film.cast])
+    for step in (0, 1, 50, 150):
+        script = f"(r => r.bodies.map((_, row) => r.pose(row, {step})))({PLAYER}.player.reel)"
+        assert (np.abs(np.array(show.value(script)) - film.poses[:, step]) <= 0.51 * quanta).all()
+
+
+def test_between_kept_samples_it_goes_straight(show: Browser, tmp_path: Path) -> None:
+    film = film_run(played.recording(), most=200)
+    opened(show, tmp_path, player_page("", film))
+    script = f"(r => [6, 9, 12].map(step => r.pose(r.rows.get('ball'), step)[1]))({PLAYER}.player.reel)"
+    before, middle, after = show.value(script)
+    assert middle == pytest.approx((before + after) / 2, abs=1e-12)
+
+
+def test_the_wheel_zooms_about_the_pointer(show: Browser, tmp_path: Path) -> None:
+    opened(show, tmp_path, player_page("", film_run(played.recording())))
+    stage = f"{PLAYER}.player.stage"
+    before = show.value(f"[{stage}.scale, ...{stage}.metres(200, 100)]")
+    wheel = "new WheelEvent('wheel', {deltaY: -400, clientX: r.left + 200, clientY: r.top + 100})"
+    show.value(f"(c => {{ const r = c.getBoundingClientRect(); c.dispatchEvent({wheel}); }})({stage}.canvas)")
+    after = show.value(f"[{stage}.scale, ...{stage}.metres(200, 100)]")
+    assert after[0] > 1.5 * before[0]
+    assert after[1:] == pytest.approx(before[1:], abs=1.5 / before[0])
+
+
+@pytest.mark.parametrize("name", ["ragdolls", "harbour", "rocket", "tetrominoes", "gears-and-pulley", "zigzag", "cart"])
+def test_shipped_scenes_of_every_kind(show: Browser, tmp_path: Path, name: str) -> None:
+    scene = sandbox.load_scene(find_scene(Path(name)))
+    opened(show, tmp_path, player_page(name, film_run(Run(scene, 61))))
+    show.value(f"{PLAYER}.player.seek(60)")
+    colors = f"""(c => {{
+      const data = c.getContext('2d').getImageData(0, 0, c.width, c.height).data, seen = new Set();
+      for (let i = 0; i < data.length; i += 4) seen.add(data[i] << 16 | data[i + 1] << 8 | data[i + 2]);
+      return seen.size;
+    }})({PLAYER}.player.canvas)"""
+    assert show.value(colors) > 20
+
+
+def test_no_text_becomes_markup(show: Browser, tmp_path: Path) -> None:
+    scene = played.scene(title=EVIL)
+    recording = sandbox.record(scene, 20, [(3, ApplyImpulse("ball", (0.0, 1.0)))])
+    opened(show, tmp_path, player_page(EVIL, film_run(recording)))
+    assert show.value("document.title.includes('caught') && document.title.startsWith('</script>')")
+    (tmp_path / "book.html").write_text(f"<!doctype html><title>book</title>{player_frame(EVIL, film_run(recording))}")
+    show.open(tmp_path / "book.html")
+    show.until("window.frames.length === 1")
+    assert show.value("document.title") == "book"
+
+
+def test_an_empty_world(show: Browser, tmp_path: Path) -> None:
+    opened(show, tmp_path, player_page("", film_run(sandbox.Scene(settings={"steps": 5}))))
+    assert show.value(f"{PLAYER}.dataset.ready") == "1"
