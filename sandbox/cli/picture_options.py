@@ -27,7 +27,8 @@ def writable_picture(path: Path, suffixes: Collection[str]) -> str:
     """The lower-case suffix of a picture to write. Raises `SandboxError` if it or the folder is no good."""
     suffix = path.suffix.lower()
     if suffix not in suffixes:
-        known = " or ".join(sorted(suffixes))
+        *others, last = sorted(suffixes)
+        known = " or ".join([", ".join(others), last] if others else [last])
         raise SandboxError(f"{path}: the name of a picture must end in {known}")
     if not path.resolve().parent.is_dir():
         raise SandboxError(f"{path}: the folder {path.resolve().parent} does not exist")

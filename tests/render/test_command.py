@@ -79,10 +79,12 @@ def test_a_film_and_what_json_says_of_it(scene: str, tmp_path: Path, capsys: pyt
 @pytest.mark.parametrize(
     ("output", "options", "words"),
     [
-        ("a.jpg", (), ".gif or .png"),
-        ("a", (), ".gif or .png"),
+        ("a.jpg", (), ".gif, .html or .png"),
+        ("a", (), ".gif, .html or .png"),
         ("nowhere/a.png", (), "does not exist"),
         ("a.png", ("--size", "12"), "1280x800"),
+        ("a.html", ("--size", "640x400"), "fits itself"),
+        ("a.html", ("--step", "1200"), "the run has"),
         ("a.png", ("--size", "100000x2"), "8192"),
     ],
 )
@@ -99,6 +101,18 @@ def test_bad_options_are_told_with_the_mend(
     assert words in captured.err
     assert captured.out == ""
     assert [path.name for path in tmp_path.iterdir()] == ["fall.scene.json"]
+
+
+def test_a_page_of_a_scene_and_of_a_recording(scene: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    replay, page = tmp_path / "fall.replay.json", tmp_path / "fall.html"
+    sandbox.record(scene, 30).save(replay)
+    for source, last in ((scene, 25), (replay, 25)):
+        assert call(str(source), "-o", str(page), "--step", "5", "--steps", "20", "--json") == 0
+        facts = json.loads(capsys.readouterr().out)
+        assert (facts["first_step"], facts["last_step"], facts["bodies"]) == (5, last, 2)
+        assert facts["bytes"] == page.stat().st_size
+    assert call(str(replay), "-o", str(page)) == 0
+    assert "steps 0 to 30" in capsys.readouterr().out
 
 
 def test_a_scene_that_is_not_there(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
