@@ -42,7 +42,7 @@ def _runs(a: Path, b: Path) -> tuple[Run, Run]:
     from sandbox.replay.golden.run import Run, run_of
     from sandbox.scene import Scene
 
-    one, two = _load(a), _load(b)
+    one, two = load(a), load(b)
     if isinstance(one, Scene) and not isinstance(two, Scene):
         return Run(one, two.steps, two.commands), run_of(two)
     if isinstance(two, Scene) and not isinstance(one, Scene):
@@ -50,7 +50,8 @@ def _runs(a: Path, b: Path) -> tuple[Run, Run]:
     return run_of(one), run_of(two)
 
 
-def _load(path: Path) -> Any:
+def load(path: Path) -> Any:
+    """The recording or scene in a file. Raises `FileError`."""
     from sandbox.replay.recording.limits import SUFFIX
     from sandbox.replay.recording.recording import Recording
     from sandbox.scene import load_scene

@@ -35,6 +35,12 @@ _REPORT = typer.Option(
 _LAST = typer.Option("--last-failed", help="Only those that failed the last time, here; all if none did.")
 _SHARD = typer.Option(metavar="I/N", show_default=False, help="Only part I of N: every N-th file.")
 _ONLY = typer.Option("-k", "--only", metavar="TEXT", show_default=False, help="Only files whose path contains TEXT.")
+_AGAINST = typer.Option(
+    metavar="REV", show_default=False, help="Hold them against what the engine did at a git revision, side by side."
+)
+_ENGINE = typer.Option(
+    metavar="FOLDER", show_default=False, help="For --against: a git checkout of the engine, if it is not running."
+)
 
 UPDATES = ("missing", "changed", "all")
 
@@ -61,6 +67,8 @@ def replay(
     last_failed: Annotated[bool, _LAST] = False,
     shard: Annotated[str, _SHARD] = "",
     only: Annotated[str, _ONLY] = "",
+    against: Annotated[str, _AGAINST] = "",
+    engine: Annotated[Path | None, _ENGINE] = None,
 ) -> None:
     """Run recordings again without a window and compare every step with what was recorded.
 
@@ -75,9 +83,12 @@ def replay(
     demands = _demands(tolerance, heavy, update, prune)
     part = _part(shard)
     _check_report(report)
+    if against and (tolerance or heavy or update or prune or report):
+        raise SandboxError("--against: two revisions are compared bit for bit, as text, and nothing is renewed")
     from sandbox.cli.replay_run import Work, run
 
-    raise typer.Exit(run(Work(tuple(paths), demands, jobs, no_jit, json, junit, last_failed, part, only, report)))
+    work = Work(tuple(paths), demands, jobs, no_jit, json, junit, last_failed, part, only, report, against, engine)
+    raise typer.Exit(run(work))
 
 
 def _demands(tolerance: bool, heavy: bool, update: str, prune: bool) -> Demands:

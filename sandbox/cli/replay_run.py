@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -28,6 +28,8 @@ class Work:
     part: tuple[int, int] = (1, 1)
     only: str = ""
     report: Path | None = None
+    against: str = ""
+    engine: Path | None = None
 
 
 def run(work: Work) -> int:
@@ -96,15 +98,24 @@ def _report_problems(report: Report) -> None:
 
 def _run_all(work: Work, cases: Sequence[Case], console: Console, show: Callable[[Report], None]) -> list[Report]:
     from sandbox.cli.compiling import announce_compilation
-    from sandbox.cli.replay_pool import reports_of
 
     if not work.no_jit:
         announce_compilation()
     reports = []
-    for report in reports_of(cases, work.demands, work.jobs, work.no_jit, console):
+    for report in _reports(work, cases, console):
         show(report)
         reports.append(report)
     return reports
+
+
+def _reports(work: Work, cases: Sequence[Case], console: Console) -> Iterator[Report]:
+    if work.against:
+        from sandbox.cli.against import reports_against
+
+        return reports_against(cases, work.against, work.engine, work.no_jit, console)
+    from sandbox.cli.replay_pool import reports_of
+
+    return reports_of(cases, work.demands, work.jobs, work.no_jit, console)
 
 
 def _tell_others(work: Work, reports: Sequence[Report], seconds: float) -> None:

@@ -16,7 +16,7 @@ from sandbox.world.records import BODY, CONTACT, DRAG, DYNAMIC, SETTINGS, SHAPE
 Row: TypeAlias = tuple[str, Any]
 """The body that a record is about, and the record."""
 
-_INDICES = {"body", "body_a", "body_b", "shape_a", "shape_b", "vertex_start", "joint_1", "joint_2", "first_edge"}
+INDICES = {"body", "body_a", "body_b", "shape_a", "shape_b", "vertex_start", "joint_1", "joint_2", "first_edge"}
 """Columns that hold row numbers: bodies added before would change them, though nothing else did."""
 
 
@@ -56,7 +56,7 @@ def _columns(table: Table, names: list[str], old: dict[Any, Row], new: dict[Any,
             continue
         for name in names:
             a, b = row[name].item(), other[1][name].item()
-            ulps = 0 if name in _INDICES else _distance(a, b)
+            ulps = 0 if name in INDICES else _distance(a, b)
             if ulps:
                 yield Difference(table.name, _title(key), body, name, units[name], a, b, ulps)
     for key in new:

@@ -7,6 +7,7 @@ from itertools import islice
 
 import numpy as np
 
+from sandbox.engine.world import World
 from sandbox.errors import CommandError, SandboxError
 from sandbox.replay.golden.differences import differences, first_group
 from sandbox.replay.golden.divergence import Divergence, Growth
@@ -15,7 +16,7 @@ from sandbox.replay.recording.fingerprint import fingerprint, first_difference
 from sandbox.replay.recording.recording import Recording
 from sandbox.scene import Scene
 
-_COUNTED = 10_000
+COUNTED = 10_000
 """Differing numbers counted at most."""
 
 
@@ -47,7 +48,7 @@ def find_divergence(
 
 
 def _divergence(group: str, a: Stage, b: Stage, steps: int) -> Divergence:
-    found = list(islice(differences(group, a.world, b.world), _COUNTED))
+    found = list(islice(differences(group, a.world, b.world), COUNTED))
     step, time, detail = a.step, a.world.time, found[0]
     expected, got = (fingerprint(stage.world.state) for stage in (a, b))
     parts = first_difference(expected, got)
@@ -58,7 +59,7 @@ def _divergence(group: str, a: Stage, b: Stage, steps: int) -> Divergence:
 def _growth(a: Stage, b: Stage, steps: int) -> tuple[Growth, ...]:
     start, ahead, rows = a.step, 0, []
     while True:
-        rows.append(_farthest(a, b))
+        rows.append(Growth(a.step, *farthest(a.world, b.world)))
         if a.step >= steps:
             return tuple(rows)
         ahead = 2 * ahead or 1
@@ -67,17 +68,17 @@ def _growth(a: Stage, b: Stage, steps: int) -> tuple[Growth, ...]:
                 return tuple(rows)
 
 
-def _farthest(a: Stage, b: Stage) -> Growth:
-    """The body whose positions are farthest apart, of those that both worlds have."""
-    rows = {name: row for row, name in enumerate(b.world.names)}
-    both = [(i, rows[name]) for i, name in enumerate(a.world.names) if name in rows]
+def farthest(a: World, b: World) -> tuple[str, float]:
+    """The body whose positions are farthest apart, of those that both worlds have, and that distance (m)."""
+    rows = {name: row for row, name in enumerate(b.names)}
+    both = [(i, rows[name]) for i, name in enumerate(a.names) if name in rows]
     if not both:
-        return Growth(a.step, "", 0.0)
+        return "", 0.0
     ours, theirs = (np.array(column) for column in zip(*both, strict=True))
-    one, two = a.world.state.bodies, b.world.state.bodies
+    one, two = a.state.bodies, b.state.bodies
     away = np.hypot(one.position_x[ours] - two.position_x[theirs], one.position_y[ours] - two.position_y[theirs])
     worst = int(np.argmax(away))
-    return Growth(a.step, a.world.names[ours[worst]], float(away[worst]))
+    return a.names[ours[worst]], float(away[worst])
 
 
 def _advance(a: Stage, b: Stage) -> Divergence | None:

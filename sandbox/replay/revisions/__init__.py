@@ -1,0 +1,1 @@
+"""The same run with the code of other git revisions."""

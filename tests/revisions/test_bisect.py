@@ -1,0 +1,58 @@
+"""`sandbox bisect`: the commit from which on a run goes another way."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+from tests.revisions.conftest import SOFTER, History
+
+
+def test_it_finds_the_line_of_the_solver(cli: Callable, history: History, golden: Path) -> None:
+    first, last = history.commits[0], history.commits[-1]
+    done = cli("bisect", golden, "--good", first, "--bad", last, "--engine", history.root, "--no-jit")
+    assert done.code == 0, done.out + done.err
+    assert f"  {history.commits[4][:12]} pushes softer\n" in done.out
+    assert "crate" in done.out
+    assert f"show it: git show {history.commits[4][:12]}" in done.out
+    assert history.worktrees() == 1
+
+
+def test_a_revision_that_cannot_run_is_skipped_and_named(cli: Callable, history: History, golden: Path) -> None:
+    first, broken, bad = history.commits[0], history.commits[2], history.commits[4]
+    done = cli("bisect", golden, "--good", first, "--bad", bad, "--engine", history.root, "--no-jit", "--json")
+    found = json.loads(done.out)
+    assert done.code == 0
+    assert [one["hash"] for one in found["suspects"]] == [bad]
+    assert [one["commit"]["hash"] for one in found["skipped"]] == [broken]
+    assert "SyntaxError" in found["skipped"][0]["reason"]
+    assert found["divergence"]["detail"]["body"] == "crate"
+
+
+def test_where_some_cannot_run_it_is_one_of_several(cli: Callable, history: History, golden: Path) -> None:
+    history.git("checkout", "--quiet", "-b", "side", history.commits[2])
+    history.commit("pushes softer, but nothing runs", *SOFTER)
+    history.commit("runs again", "sandbox/tables.py", "import numpy as np !", "import numpy as np")
+    side, history.commits[6:] = history.commits[6:], []
+    history.git("checkout", "--quiet", "-")
+    done = cli("bisect", golden, "--good", history.commits[1], "--bad", "side", "--engine", history.root, "--no-jit")
+    assert done.code == 1, done.err
+    assert "one of these is the first:" in done.out
+    assert all(commit[:12] in done.out for commit in [history.commits[2], *side])
+
+
+def test_ends_that_cannot_be(cli: Callable, history: History, golden: Path) -> None:
+    def call(good: str, bad: str) -> tuple[int, str]:
+        done = cli("bisect", golden, "--good", good, "--bad", bad, "--engine", history.root, "--no-jit")
+        return done.code, done.out + done.err
+
+    commits = history.commits
+    code, text = call(commits[4], commits[1])
+    assert (code, "is no ancestor of the bad one" in text) == (2, True)
+    code, text = call(commits[0], commits[2])
+    assert (code, "cannot run it" in text) == (2, True)
+    code, text = call(commits[0], commits[1])
+    assert (code, "no difference" in text) == (5, True)
+    code, text = call("nowhere", commits[1])
+    assert (code, "there is no revision" in text) == (2, True)
