@@ -15,7 +15,7 @@ import pytest
 
 from sandbox.testing.collected import Replays, Scenes, expects_something, is_asked_by_a_test
 from sandbox.testing.fixtures import replay_check, world
-from sandbox.testing.summary import WRITTEN, written_files
+from sandbox.testing.summary import WRITTEN, judged_files, write_page, written_files
 
 __all__ = ["replay_check", "world"]
 
@@ -34,6 +34,12 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         type=_update,
         metavar="missing|changed|all",
         help="record what is missing, or has changed as well (the default), or everything anew; never where CI is set",
+    )
+    group.addoption(
+        "--replay-report",
+        metavar="FILE",
+        default=None,
+        help="write one HTML page on the collected recordings, with a player for each that failed",
     )
     parser.addini("sandbox_recordings_required", _REQUIRED, type="bool", default=False)
 
@@ -55,12 +61,26 @@ def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Col
     return None
 
 
-def pytest_terminal_summary(terminalreporter: Any) -> None:
-    """Name the recordings that were written."""
+def pytest_terminal_summary(terminalreporter: Any, config: pytest.Config) -> None:
+    """Name the recordings that were written; write the page that was asked for."""
     files = written_files(terminalreporter)
     if files:
         terminalreporter.section(WRITTEN)
         terminalreporter.write_line("\n".join(files))
+    page = config.getoption("replay_report")
+    if page:
+        terminalreporter.write_line(_write_page(Path(page), judged_files(terminalreporter)))
+
+
+def _write_page(page: Path, judged: dict[str, bool]) -> str:
+    """Write the page; a line that says so."""
+    if not judged:
+        return "no recording was judged: no page is written"
+    try:
+        write_page(page, judged)
+    except OSError as error:
+        return f"{page}: {error.strerror}"
+    return f"page on recordings: {page}"
 
 
 def _update(text: str) -> str:

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from sandbox.testing.summary import note_written
+from sandbox.testing.summary import note_judged, note_written
 
 
 class UnmetError(Exception):
@@ -97,6 +97,7 @@ class ReplayItem(_Item):
 
         scene = shown(self._scene, self.config) if self._scene else None
         case = Case(shown(self._replay, self.config), scene)
+        note_judged(self, case.replay.as_posix())
         report = examine(case, Demands(update=self.config.getoption("replay_update") or ""))
         if report.action:
             note_written(self, case.replay.as_posix())

@@ -11,6 +11,7 @@ import pytest
 
 import sandbox
 import sandbox.cli.check_table
+import sandbox.report.report_page
 import sandbox.testing.own_replay
 import sandbox.testing.verdict
 from sandbox._jit import cache_folder

@@ -162,6 +162,27 @@ class TestUpdate:
         done.stderr.fnmatch_lines(["*before a path write --replay-update=changed*"])
 
 
+class TestPage:
+    def test_it_has_a_player_for_what_failed(self, home: pytest.Pytester, put: Callable, keep: Callable) -> None:
+        keep(put("a.scene.json"))
+        keep(put("b.scene.json"))
+        put("b.scene.json", bodies=HIGHER)
+        done = home.runpytest("--replay-report", "page.html")
+        done.assert_outcomes(passed=1, failed=1)
+        done.stdout.fnmatch_lines(["page on recordings: page.html"])
+        text = (home.path / "page.html").read_text(encoding="utf-8")
+        assert "a.replay.json" in text
+        assert "body crate was edited" in text
+        assert text.count('class="player') == 1
+
+    def test_a_page_that_cannot_be_written_is_one_line(
+        self, home: pytest.Pytester, put: Callable, keep: Callable
+    ) -> None:
+        keep(put("a.scene.json"))
+        done = home.runpytest("--replay-report", "nowhere/page.html")
+        done.stdout.fnmatch_lines(["nowhere/page.html: No such file or directory"])
+
+
 class TestManners:
     def test_collecting_loads_no_engine(self, home: pytest.Pytester, put: Callable) -> None:
         put("a.scene.json", RESTS)
