@@ -16,6 +16,8 @@ from sandbox.world.records import ONE_WAY, SEAMED
 
 FACE_BIAS = 1e-4
 """A face of b has to beat the best face of a by this many metres, so that resting contacts keep their face."""
+TOUCHING = 1e-6
+"""Bodies put onto each other may be so far apart, by rounding (m)."""
 
 
 @kernel
@@ -43,6 +45,7 @@ def find_contacts(
     """
     for i in range(holds.shape[0]):
         holds[i].deep = 0
+        holds[i].fresh = 0
     count = ZERO
     k = 0
     for n in range(pair_count):
@@ -70,6 +73,9 @@ def find_contacts(
         fill_contact(proxies, i, j, vx * t, vy * t, manifold[0], contact)
         if known:
             match_contact(old[k], contact)
+        elif t == 0.0 and manifold[0].separation <= TOUCHING:
+            holds[a.body].fresh = 1
+            holds[b.body].fresh = 1
         if (a.traits ^ b.traits) & FIXED and manifold[0].separation < 0.0:
             _mark_deep(holds, shapes, i, j, -manifold[0].separation)
         count += 1

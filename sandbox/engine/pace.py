@@ -12,6 +12,7 @@ import math
 
 from sandbox._jit import kernel
 from sandbox.engine.islands import find_islands, is_active
+from sandbox.engine.joints.fine import refine_small_parts
 from sandbox.engine.joints.work import JointWork
 from sandbox.geometry.trig import PI
 from sandbox.tables import Field, Records, Table
@@ -69,6 +70,31 @@ def assign_paces(
     hertz: float,
 ) -> int:
     """Write every body's `flight.pace`: that of an island which needs one, or 0. Returns the paces in use, as bits.
+
+    Piles need one that might fall, small jointed parts that swing freely get one for the sake of truth.
+    """
+    used = _assign_to_piles(
+        bodies, flights, piles, contacts, count, joints, counter, gravity_x, gravity_y, hertz
+    )  # fmt: skip
+    if joints is not None:
+        used |= refine_small_parts(joints, bodies, flights, contacts, count)
+    return used
+
+
+@kernel
+def _assign_to_piles(
+    bodies: Records,
+    flights: Records,
+    piles: Records,
+    contacts: Records,
+    count: int,
+    joints: JointWork | None,
+    counter: Records,
+    gravity_x: float,
+    gravity_y: float,
+    hertz: float,
+) -> int:
+    """The paces that piles need.
 
     A look at the piles costs a pass over all contacts, and piles buckle slowly: where masses are alike and no pile
     needs a pace, every eighth step is enough. `counter.pace_watch` remembers that; commands set it to 0, unknown.

@@ -61,6 +61,7 @@ HOLD = Table(
     (
         Field("thin", "m", "half the smallest width of its thinnest shape"),
         Field("deep", "-", "1 when it overlaps something immovable more than a little", "i8"),
+        Field("fresh", "-", "1 when it touches something that it was not even near to a step before", "i8"),
         Field("fast", "-", "1 when its way in the step has to be looked at", "i8"),
         Field("stop", "1", "when it is stopped, as a share of the step; 1 is not at all"),
         Field("hemmed", "-", "1 when something immovable may stop it during the step", "i8"),

@@ -24,7 +24,7 @@ from sandbox.engine.integrate import (
     integrate_velocities,
     rewind_driven,
 )
-from sandbox.engine.islands import fall_asleep, undo_waking, wake_touched
+from sandbox.engine.islands import fall_asleep, is_active, undo_waking, wake_touched
 from sandbox.engine.joints.apart import drop_joined_pairs
 from sandbox.engine.joints.report import finish_joints
 from sandbox.engine.joints.solve import begin_joints, let_members_move, relax_joints, select_parts, solve_joints
@@ -169,7 +169,8 @@ def move(
         deep = prepare_contacts(bodies, contacts, slots, blocks, block_count, bouncy_count > 0, lanes)
         _run_substeps(
             bodies, motions, flights, drags, setting, counters, contacts, colors, bouncy_count, slots, blocks,
-            block_count, lanes, gathered, pace, RELAX_DEEP if deep else 1, joints,
+            block_count, lanes, gathered, pace, RELAX_DEEP if deep else 1,
+            _some_fresh(bodies, flights, holds, pace), joints,
         )  # fmt: skip
         store_impulses(bodies, contacts, slots, blocks, block_count, lanes, reports)
     if joints is not None:
@@ -182,6 +183,16 @@ def move(
     counter.old_contact_count = counter.contact_count
     counter.contact_count = count
     return MUST_CATCH if mark_fast(bodies, motions, holds) > 0 else 0
+
+
+@kernel
+def _some_fresh(bodies: Records, flights: Records, holds: Records, pace: int) -> bool:
+    """Whether some body of a pace touches something new."""
+    found = False
+    for i in range(bodies.shape[0]):
+        if holds[i].fresh == 1 and flights[i].pace == pace and is_active(bodies[i]):
+            found = True
+    return found
 
 
 @kernel
@@ -202,9 +213,13 @@ def _run_substeps(
     gathered: Floats,
     pace: int,
     relaxes: int,
+    fresh: bool,
     joints: JointWork | None,
 ) -> None:
-    """Integrate, solve and relax the islands of one pace, in as many substeps as it asks for."""
+    """Integrate, solve and relax the islands of one pace, in as many substeps as it asks for.
+
+    If some contact is `fresh`, a rigid pass comes first, once.
+    """
     substeps = setting.substeps << pace
     seconds = setting.step_seconds / substeps
     rate = 1.0 / seconds
@@ -216,7 +231,7 @@ def _run_substeps(
 
     if joints is not None:
         select_parts(joints, flights, pace)
-    for _substep in range(substeps):
+    for substep in range(substeps):
         integrate_velocities(bodies, motions, flights, pace, setting.gravity_x, setting.gravity_y, seconds)
         guard_velocities(bodies, motions, counters)
         resolve_impacts(
@@ -226,6 +241,9 @@ def _run_substeps(
         warm_start(motions, slots, blocks, block_count, lanes, gathered)
         if joints is not None:
             solve_joints(joints, bodies, motions, flights, seconds)
+        if fresh and substep == 0:
+            # What was just put there has no impulses yet, and soft contacts alone would let it slip until it has.
+            solve_contacts(motions, slots, blocks, block_count, lanes, gathered, rate, 0.0, 1.0, 0.0, 0.0, 0.0)
         solve_contacts(
             motions,
             slots,

@@ -36,6 +36,8 @@ _CREEP = 0.02
 """Share of what is let pass by which an overlap may grow in one go: what slides under a load must not stick."""
 _NEAR = 0.1
 """A hit is told when the overlap comes this near to what is let pass, as a share of it."""
+_TOUCHES = 2.0 * _NEAR
+"""Cores nearer than this share of what is let pass touch already: a way is made to end within half of it."""
 
 
 @kernel
@@ -56,8 +58,10 @@ def time_of_hit(
     Conservative advancement (B. Mirtich 1996) on the signed separation of the test: along a fixed axis it shrinks no
     faster than the way along it and the rims of the turning cores, so nothing is missed; and as overlaps up to
     `deep` are let pass, every stride has a least length. Cores that overlap more than that from the start are let go
-    down to `floor`, and below that hardly deeper. Out of strides, the cores count as touching: safe, and it costs no
-    more than the rest of a step. `swept` (`SWEPT_ROWS` vertices) and `out` (a `MANIFOLD` row) are scratch.
+    down to `floor`, and below that hardly deeper. Cores that touch from the start go as far as the hit itself: back at
+    the touch, the next step would find them as this one did, and they would never get on. Out of strides, the cores
+    count as touching: safe, and it costs no more than the rest of a step. `swept` (`SWEPT_ROWS` vertices) and `out` (a
+    `MANIFOLD` row) are scratch.
     """
     s = sweep[0]
     rims = abs(s.turn_a) * _rim(cores, a, a_count) + abs(s.turn_b) * _rim(cores, b, b_count)
@@ -76,7 +80,7 @@ def time_of_hit(
         hit = gap <= -deep * (1.0 - _NEAR)
         if hit:
             break
-        if gap >= 0.0:
+        if gap > _TOUCHES * s.deep:
             clear = t
         closing = rims - (s.way_x * m.normal_x + s.way_y * m.normal_y)
         if closing <= 0.0:

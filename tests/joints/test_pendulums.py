@@ -7,6 +7,7 @@ import math
 import mpmath
 import pytest
 
+from sandbox.engine.joints.fine import FEW, FINE
 from sandbox.engine.world import World
 from tests.flat import body, box, circle
 from tests.joints.jointed import G, energy, gap, joint, jointed
@@ -109,3 +110,18 @@ def test_a_double_pendulum_keeps_its_energy(lift, shape):
         world.step(10)
         assert energy(world) == pytest.approx(start, abs=0.01 * (start - lowest))
     assert gap(world) < 2e-3
+
+
+def test_small_parts_that_touch_nothing_take_finer_substeps():
+    at = (1.0, 0.0)
+    bob = body("bob", circle(0.1), position=at)
+    tie = joint("pin", "revolute", None, "bob", (0.0, 0.0))
+    free = jointed((bob,), (tie,))
+    leaning = jointed((bob, body("shelf", box(1.0, 1.0), type="static", position=(1.0, -0.6))), (tie,))
+    dust = [body(f"dust-{k}", circle(0.1), position=(10.0 + k, 0.0)) for k in range(FEW)]
+    crowded = jointed((bob, *dust), (tie,))
+    paces = []
+    for world in (free, leaning, crowded):
+        world.step()
+        paces.append(int(world.scratch.flights.pace[0]))
+    assert paces == [FINE, 0, 0]

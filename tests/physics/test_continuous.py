@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from tests.flat import body, box, capsule, circle, segment, world
+from tests.flat import body, box, capsule, circle, polygon, segment, world
 
 SHARES = np.linspace(0.0, 0.9, 7)
 """Where in its step a body is when it meets the other: luck must not matter."""
@@ -107,3 +107,26 @@ def test_a_body_under_a_blow_is_not_driven_through_the_floor(speed, density):
         lowest = min(lowest, w.body("lower").position[1])
     assert lowest > 0.1
     assert min(w.bodies.position[1:, 1]) == pytest.approx(0.25, abs=0.01)
+
+
+@pytest.mark.parametrize("speed", [20.0, 60.0])
+def test_what_slides_fast_over_slight_bends_is_not_held(speed):
+    """A sharp triangle that tips over a bend of 0.03 degrees: where it touches is not where it would hit."""
+    ground = (
+        (0.989238, -0.000955), (10.0, -3.0), (7.215531, -0.000631), (5.393395, 0.000629), (4.535033, 0.001033),
+        (3.653066, 0.001316), (2.344738, 0.001597),
+    )  # fmt: skip
+    sharp = polygon((-0.5, -0.25), (0.5, -0.25), (0.1, 0.5), friction=0.0)
+    moving = {"velocity": (speed, -0.164), "angular_velocity": -0.31}
+    w = world(
+        body("ground", polygon(*ground, friction=0.0), type="static"),
+        body("slider", sharp, position=(4.99986, 0.25117), angle=0.00021, **moving),
+    )
+    lowest = 1.0
+    for _ in range(int(4.0 / speed * 60.0) + 1):
+        before = w.body("slider").position[0]
+        w.step()
+        assert w.body("slider").position[0] - before > 0.5 * speed / 60.0
+        if w.body("slider").position[0] < 6.5:
+            lowest = min(lowest, w.body("slider").position[1])
+    assert lowest > 0.24

@@ -15,11 +15,6 @@ from tests.physics.truth.ours import NAME
 from tests.physics.truth.table import EXPERIMENTS, Row, head, is_best, measure_one
 
 NAMES = [each.name for each in EXPERIMENTS]
-BEHIND = {
-    "box put on a slope: slip until it holds": "contacts against the ground are softer than Box2D's",
-    "pendulum at 0.2 rad": "two errors of Box2D cancel at 0.19 rad: it is worse below 0.05 and above 0.3",
-}
-"""Experiments in which another engine is better, and why."""
 
 
 @cache
@@ -29,7 +24,6 @@ def row(name: str) -> Row:
 
 def test_each_experiment_has_its_own_name():
     assert len(set(NAMES)) == len(NAMES)
-    assert set(BEHIND) <= set(NAMES)
 
 
 @pytest.mark.parametrize("each", EXPERIMENTS, ids=NAMES)
@@ -37,15 +31,9 @@ def test_we_are_as_near_to_the_truth_as_promised(each):
     assert row(each.name)[NAME] <= each.bound
 
 
-@pytest.mark.parametrize("name", [name for name in NAMES if name not in BEHIND])
+@pytest.mark.parametrize("name", NAMES)
 def test_nobody_is_nearer_to_the_truth(name):
     assert is_best(row(name)[NAME], row(name)), row(name)
-
-
-@pytest.mark.parametrize("name", BEHIND)
-def test_where_we_are_behind_is_still_so(name):
-    pytest.importorskip("pyb2d3")
-    assert not is_best(row(name)[NAME], row(name)), f"{name}: take it off the list"
 
 
 def test_the_architecture_shows_these_rows():

@@ -150,13 +150,14 @@ def test_heavy_finds_what_a_snapshot_forgets(monkeypatch: pytest.MonkeyPatch) ->
 def test_an_arithmetic_that_was_changed_on_purpose_says_why(monkeypatch: pytest.MonkeyPatch) -> None:
     from sandbox.replay.golden import rerun as room
 
-    monkeypatch.setitem(arithmetic.NOTES, 2, "contacts are prepared in another order")
-    monkeypatch.setattr(room, "ARITHMETIC", 2)
+    following = arithmetic.ARITHMETIC + 1
+    monkeypatch.setitem(arithmetic.NOTES, following, "contacts are prepared in another order")
+    monkeypatch.setattr(room, "ARITHMETIC", following)
     old = recording()
     assert sandbox.rerun(replace(old, arithmetic=1)).notes == ()
     now = sandbox.rerun(replace(old, arithmetic=1, digest="0" * 16))
-    assert now.notes[-1] == "arithmetic 2: contacts are prepared in another order"
-    later = sandbox.rerun(replace(old, arithmetic=3, version="9.0", digest="0" * 16))
+    assert now.notes[-1] == f"arithmetic {following}: contacts are prepared in another order"
+    later = sandbox.rerun(replace(old, arithmetic=following + 1, version="9.0", digest="0" * 16))
     assert "later version, sandbox 9.0" in later.notes[0]
 
 

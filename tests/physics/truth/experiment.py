@@ -32,7 +32,12 @@ class Run(Protocol):
         """Angular velocity, rad/s."""
 
 
+class LacksError(Exception):
+    """An engine has not got what an experiment is about."""
+
+
 Engine = Callable[[FlatScene], Run]
+"""Puts a scene in motion, or raises `LacksError`."""
 
 
 @dataclass(frozen=True)

@@ -5,8 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterable
 from importlib.util import find_spec
 
-from tests.physics.truth import bouncing, colliding, falling, ours, rolling, sliding, swinging, tipping, with_pymunk
-from tests.physics.truth.experiment import Engine, Experiment
+from tests.physics.truth import (
+    bouncing,
+    colliding,
+    falling,
+    floating,
+    ours,
+    rolling,
+    sliding,
+    swinging,
+    tipping,
+    with_pymunk,
+)
+from tests.physics.truth.experiment import Engine, Experiment, LacksError
 
 EXPERIMENTS: tuple[Experiment, ...] = (
     falling.free_fall,
@@ -31,14 +42,15 @@ EXPERIMENTS: tuple[Experiment, ...] = (
     *swinging.PERIODS,
     swinging.amplitude_kept,
     swinging.dumbbell,
+    floating.floating,
 )
 """Rows of the table, in its order."""
 
 ROUNDING = 1e-12
 """Errors that differ by less than this are called equal."""
 
-Row = dict[str, float]
-"""Relative error by the name of the engine."""
+Row = dict[str, float | None]
+"""Relative error by the name of the engine; None where it has not got what the experiment is about."""
 
 
 def engines() -> dict[str, Engine]:
@@ -58,12 +70,19 @@ def measure(experiments: Iterable[Experiment] = EXPERIMENTS) -> dict[str, Row]:
 
 def measure_one(experiment: Experiment) -> Row:
     """The error of every engine in one experiment."""
-    return {name: experiment.measure(engine) for name, engine in engines().items()}
+    return {name: _error(experiment, engine) for name, engine in engines().items()}
 
 
-def is_best(error: float, row: Row) -> bool:
+def _error(experiment: Experiment, engine: Engine) -> float | None:
+    try:
+        return experiment.measure(engine)
+    except LacksError:
+        return None
+
+
+def is_best(error: float | None, row: Row) -> bool:
     """Whether nobody in the row is better by more than rounding."""
-    return error <= min(row.values()) + ROUNDING
+    return error is not None and error <= min(each for each in row.values() if each is not None) + ROUNDING
 
 
 def head(each: Experiment) -> str:
@@ -82,6 +101,8 @@ def as_markdown(rows: dict[str, Row], experiments: Iterable[Experiment] = EXPERI
     return "\n".join(lines)
 
 
-def _cell(error: float, best: bool) -> str:
+def _cell(error: float | None, best: bool) -> str:
+    if error is None:
+        return "-"
     text = "0" if error < ROUNDING else f"{error:.1e}".replace("e-0", "e-").replace("e+00", "")
     return f"**{text}**" if best else text

@@ -11,7 +11,7 @@ from typing import Any
 import pyb2d3 as box2d
 
 from sandbox.scene.flat import FlatBody, FlatJoint, FlatScene, FlatShape, Vec
-from tests.physics.truth.experiment import RATE
+from tests.physics.truth.experiment import RATE, LacksError
 
 NAME = f"Box2D (pyb2d3 {version('pyb2d3')})"
 _TYPES = {
@@ -23,6 +23,8 @@ class Box2dRun:
     """A `Run` of Box2D."""
 
     def __init__(self, scene: FlatScene) -> None:
+        if scene.regions:
+            raise LacksError("Box2D has no fluids")
         self._substeps = scene.settings.substeps
         self._world = box2d.World(
             gravity=scene.gravity, restitution_threshold=scene.settings.restitution_threshold

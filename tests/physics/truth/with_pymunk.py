@@ -12,7 +12,7 @@ import pymunk
 
 from sandbox.reference.space import build_space
 from sandbox.scene.flat import FlatJoint, FlatScene, FlatShape, Vec
-from tests.physics.truth.experiment import RATE
+from tests.physics.truth.experiment import RATE, LacksError
 
 NAME = f"pymunk {pymunk.version}"
 SLOP = 0.005
@@ -22,6 +22,8 @@ class PymunkRun:
     """A `Run` of pymunk."""
 
     def __init__(self, scene: FlatScene) -> None:
+        if scene.regions:
+            raise LacksError("pymunk has no fluids")
         self._substeps = scene.settings.substeps
         self._space, bodies = build_space(scene)
         self._space.collision_slop = SLOP
