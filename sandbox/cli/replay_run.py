@@ -130,6 +130,8 @@ def _tell_others(work: Work, reports: Sequence[Report], seconds: float) -> None:
         write_junit(work.junit, reports, seconds)
     if work.report is not None:
         _write_page(work.report, reports, seconds)
+        if not work.json:
+            print(f"{work.report}: a report, {work.report.stat().st_size / 1000:.0f} kB")
 
 
 def _write_page(path: Path, reports: Sequence[Report], seconds: float) -> None:

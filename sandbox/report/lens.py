@@ -23,6 +23,9 @@ from sandbox.world.records import STATIC
 VIEW = (1600, 900)
 """Pixels for which the first view is chosen."""
 
+MOST_SAMPLES = 5_000
+"""Moments of a film, however few bodies there are."""
+
 
 @dataclass
 class _Sample:
@@ -57,8 +60,10 @@ class Lens:
         self.bounds = interesting_bounds(self.frame)
         view = scene_camera(getattr(world.scene, "view", None), self.bounds, VIEW)
         self.sight = Sight(view, self.wardrobe.theme)
-        moving = max(int((self.frame.type != STATIC).sum()), 1)
-        self.every = max(1, -(-moving * (self.end - self.start) // self.most))
+        steps, moving = self.end - self.start, self.frame.type != STATIC
+        # What never moves takes no room in a page, but does here.
+        weight = max(int(moving.sum()) + int((~moving).sum()) // 8, 1)
+        self.every = max(1, -(-weight * steps // self.most), -(-steps // MOST_SAMPLES))
         self._meet()
         self._keep()
 

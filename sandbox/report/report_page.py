@@ -70,7 +70,8 @@ def _table(entries: Sequence[Entry], failed: Sequence[Entry]) -> Node:
     ordered = sorted(entries, key=lambda entry: (entry.report.fine, _ORDER.index(entry.report.word)))
     places = {id(entry): f"#case-{number}" for number, entry in enumerate(failed)}
     rows = [_row(entry, places.get(id(entry))) for entry in ordered]
-    return node("table", "scenes", node("thead", "", node("tr", "", *head)), node("tbody", "", *rows))
+    table = node("table", "scenes", node("thead", "", node("tr", "", *head)), node("tbody", "", *rows))
+    return node("div", "scroll", table)
 
 
 def _row(entry: Entry, place: str | None) -> Node:

@@ -89,6 +89,34 @@ def test_shipped_scenes_of_every_kind(show: Browser, tmp_path: Path, name: str) 
     assert show.value(colors) > 20
 
 
+def test_shapes_of_one_body_are_painted_one_by_one(show: Browser, tmp_path: Path) -> None:
+    cross = [{"box": [4, 1]}, {"box": [1, 4]}]
+    hoop = [{"polygon": [[-3, -3], [3, -3], [3, 3], [1, 3], [1, -1], [-1, -1], [-1, 3], [-3, 3]]}]
+    bodies = [
+        {"id": "cross", "type": "static", "shapes": cross, "color": "#ff0000"},
+        {"id": "hoop", "type": "static", "shapes": hoop, "color": "#ff0000", "position": [9, 0]},
+        {
+            "id": "gate",
+            "type": "static",
+            "shapes": [{"box": [2, 2], "sensor": True}],
+            "color": "#ff0000",
+            "position": [15, 0],
+        },
+    ]
+    opened(show, tmp_path, player_page("", film_run(sandbox.Scene(bodies=bodies, settings={"steps": 2}))))
+    script = f"""(s => {{
+      const image = s.context.getImageData(0, 0, s.canvas.width, s.canvas.height);
+      const red = ([x, y]) => image.data[4 * (Math.round(y) * image.width + Math.round(x))];
+      const points = [[0, 0], [1.5, 0], [1.5, 1.5], [9, -2], [9, 1], [7, 2], [15, 0]];
+      return points.map((point) => red(s.pixel(...point)));
+    }})({PLAYER}.player.stage)"""
+    middle, arm, corner, floor, hole, side, gate = show.value(script)
+    assert middle == arm == floor == side == 255
+    assert corner < 60
+    assert hole < 60
+    assert gate < 90
+
+
 def test_no_text_becomes_markup(show: Browser, tmp_path: Path) -> None:
     scene = played.scene(title=EVIL)
     recording = sandbox.record(scene, 20, [(3, ApplyImpulse("ball", (0.0, 1.0)))])

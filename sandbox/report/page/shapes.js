@@ -41,22 +41,22 @@ function traceRing(path, ring) {
 /** What a body looks like. */
 class BodyShape {
   constructor(body) {
-    this.path = new Path2D();
+    this.parts = body.shapes.map(({ sensor, line }) => ({ path: new Path2D(), sensor, line }));
     this.marks = new Path2D();
-    this.sensor = body.shapes.length > 0 && body.shapes.every((shape) => shape.sensor);
-    this.line = body.shapes.length > 0 && body.shapes.every((shape) => shape.line);
+    const sensor = body.shapes.length > 0 && body.shapes.every((shape) => shape.sensor);
     this.moves = !body.static;
     this.half = body.half;
     this.reach = body.reach;
-    this.rank = this.sensor ? 0 : body.static ? 1 : 2;
-    for (const shape of body.shapes) {
-      if (shape.rings) shape.rings.forEach((ring) => traceRing(this.path, ring));
-      else traceCore(this.path, shape.core, shape.radius);
+    this.rank = sensor ? 0 : body.static ? 1 : 2;
+    body.shapes.forEach((shape, number) => {
+      const { path } = this.parts[number];
+      if (shape.rings) shape.rings.forEach((ring) => traceRing(path, ring));
+      else traceCore(path, shape.core, shape.radius);
       if (body.marked && !shape.sensor) {
         this.marks.moveTo(shape.mark[0], shape.mark[1]);
         this.marks.lineTo(shape.mark[2], shape.mark[3]);
       }
-    }
+    });
     this.awake = this.dressed(body.fill, body.static);
     this.asleep = body.marked ? this.dressed(mixed(body.fill, theme("background"), 0.26), false) : this.awake;
     this.frozen = this.dressed(theme("frozen"), false);

@@ -95,15 +95,7 @@ class Stage {
     this.enter(pose);
     context.fillStyle = looks.fill;
     context.strokeStyle = looks.edge;
-    context.globalAlpha = shape.sensor ? 0.2 : 1;
-    if (!shape.line) context.fill(shape.path, "evenodd");
-    context.save();
-    if (!shape.line && !shape.sensor) context.clip(shape.path, "evenodd"); // the outline lies inside, as in the window
-    const edge = shape.line ? Math.max(2 * half, 2 * devicePixelRatio) : Math.min(0.32 * half, 2.8 * devicePixelRatio);
-    context.lineWidth = Math.max(edge, 0.6) / scale;
-    context.globalAlpha = shape.sensor ? 0.7 : 1;
-    context.stroke(shape.path);
-    context.restore();
+    shape.parts.forEach((part) => this.drawPart(part, half));
     const shown = Math.min(Math.max((half / devicePixelRatio - 3) / 5, 0), 1);
     if (shown > 0) {
       context.globalAlpha = shown;
@@ -113,6 +105,20 @@ class Stage {
       context.stroke(shape.marks);
     }
     context.globalAlpha = 1;
+  }
+
+  drawPart({ path, sensor, line }, half) {
+    const { context, scale } = this;
+    context.globalAlpha = sensor ? 0.15 : 1;
+    if (!line) context.fill(path, "evenodd");
+    context.save();
+    if (!line && !sensor) context.clip(path, "evenodd"); // the outline lies inside, as in the window
+    const widest = (sensor ? 1 : 2.8) * devicePixelRatio;
+    const edge = line ? Math.max(2 * half, 2 * devicePixelRatio) : Math.min(0.32 * half, widest);
+    context.lineWidth = Math.max(edge, 0.6) / scale;
+    context.globalAlpha = sensor ? 0.6 : 1;
+    context.stroke(path);
+    context.restore();
   }
 
   /** The other run, where it is visibly elsewhere. */
@@ -125,12 +131,13 @@ class Stage {
       if (!shape.moves || !ghost.isThere(row, step) || !this.inSight(pose, shape.reach)) return;
       if (own !== undefined && reel.isThere(own, step) && this.looksLike(pose, reel.pose(own, step), shape)) return;
       this.enter(pose);
+      const solid = shape.parts.filter((part) => !part.sensor);
       context.globalAlpha = 0.13;
-      context.fill(shape.path, "evenodd");
+      solid.forEach((part) => context.fill(part.path, "evenodd"));
       context.globalAlpha = 0.9;
       context.setLineDash([5 * devicePixelRatio / scale, 3.5 * devicePixelRatio / scale]);
       context.lineWidth = 1.4 * devicePixelRatio / scale;
-      context.stroke(shape.path);
+      solid.forEach((part) => context.stroke(part.path));
     });
     context.setLineDash([]);
     context.globalAlpha = 1;
@@ -151,7 +158,7 @@ class Stage {
       const row = reel.rows.get(name);
       if (row === undefined || !reel.isThere(row, step) || !reel.shapes[row].moves) continue;
       this.enter(reel.pose(row, step));
-      context.stroke(reel.shapes[row].path);
+      reel.shapes[row].parts.forEach((part) => context.stroke(part.path));
     }
     context.lineJoin = "miter";
   }
@@ -201,7 +208,7 @@ class Stage {
     const found = [...reel.order].reverse().find((row) => {
       if (!reel.isThere(row, step)) return false;
       this.enter(reel.pose(row, step));
-      return context.isPointInPath(reel.shapes[row].path, px, py, "evenodd");
+      return reel.shapes[row].parts.some((part) => context.isPointInPath(part.path, px, py, "evenodd"));
     });
     this.leave();
     return found;
