@@ -132,7 +132,10 @@ MUTATIONS: dict[str, tuple[Change, tuple[str, ...]]] = {
         scaled("restitution", 0.98),
         ("bouncing-balls", "newtons-cradle", "newtons-cradle-two", "three-to-one"),
     ),
-    "bounce-everywhere": (everywhere(restitution=0.9), ("dominoes", "bouncing-balls", "seesaw", "three-to-one")),
+    "bounce-everywhere": (
+        everywhere(restitution=0.9),
+        ("bouncing-balls", "three-to-one", "far-away", "projectiles", "gravity-scale", "wrecking-ball"),
+    ),
     "gravity-tripled": (
         gravity(3.0),
         ("projectiles", "parachutes", "gravity-scale", "bouncing-balls", "ramp", "seesaw", "far-away"),
