@@ -38,6 +38,10 @@ class SceneProgress:
         self._begun += 1
         self._bar.reset(self._task, total=steps, description=f"{self._begun}/{self._count} {name}")
 
+    def say(self, words: str) -> None:
+        """What is being done with the current scene, with no end in sight."""
+        self._bar.reset(self._task, total=None, description=f"{self._begun}/{self._count} {words}")
+
     def done(self, steps: int) -> None:
         """`steps` steps of the current scene are done."""
         self._bar.update(self._task, completed=steps)

@@ -41,7 +41,11 @@ def _here(cases: Sequence[Case], demands: Demands, console: Console) -> Iterator
     with SceneProgress(console, len(cases)) as progress:
         for case in cases:
             progress.begin(case.replay.name, None)
-            yield examine(case, demands, progress.done)
+            yield examine(case, demands, progress.done, partial(_tell, progress, case.replay.name))
+
+
+def _tell(progress: SceneProgress, name: str, words: str) -> None:
+    progress.say(f"{name}: {words}")
 
 
 def _elsewhere(cases: Sequence[Case], demands: Demands, workers: int) -> Iterator[Report]:

@@ -7,13 +7,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from sandbox.engine.world import World
+from sandbox.replay.causes.expected import Expected, expected_run
 from sandbox.replay.golden.divergence import Divergence
 from sandbox.replay.golden.examine import Report
 from sandbox.replay.golden.run import Run, run_of
-from sandbox.replay.golden.side_by_side import find_divergence
-from sandbox.replay.recording.fingerprint import GROUPS
 from sandbox.replay.recording.recording import Recording
-from sandbox.report.expected import Expected, expected_run
 from sandbox.report.film import Film
 from sandbox.report.pairs import Pair, first_pair, pair_at
 from sandbox.report.shoot import MOST_POSES, film_run
@@ -23,9 +21,9 @@ from sandbox.report.shoot import MOST_POSES, film_run
 class Failure:
     """A run that is not as recorded: its film `got`, and the `expected` one if that run could be had again.
 
-    `origin` says where it was found, and `cause` the first number that differs. Without it, `ends` are the recorded
-    places at the end. `parted` is the first step that differs. `pair` is the first that differs after it, or else the
-    deepest contact of the body that ended farthest off.
+    `origin` says where it was found. Without it, `ends` are the recorded places at the end. `parted` is the first step
+    that differs. `pair` is the first that differs after it, or else the deepest contact of the body that ended farthest
+    off.
     """
 
     recording: Recording
@@ -33,7 +31,6 @@ class Failure:
     got: Film
     expected: Film | None = None
     origin: str = ""
-    cause: Divergence | None = None
     ends: Film | None = None
     pair: Pair | None = None
 
@@ -56,11 +53,8 @@ def failure_of(report: Report, most: int = MOST_POSES) -> Failure | None:
 
 
 def _compared(recording: Recording, parted: Divergence, film: Film, expected: Expected, got: Run, most: int) -> Failure:
-    cause = find_divergence(expected.run, got)
-    # A value that was edited differs from the start on, and shows in what bodies do only later.
-    step = cause.step if cause is not None and cause.group in GROUPS else parted.step
-    pair = first_pair(got, expected.run, step)
-    return Failure(recording, step, film, film_run(expected.run, most=most), expected.origin, cause, pair=pair)
+    pair = first_pair(got, expected.run, parted.step)
+    return Failure(recording, parted.step, film, film_run(expected.run, most=most), expected.origin, pair=pair)
 
 
 def _ends(film: Film, recording: Recording, run: Run) -> Film | None:

@@ -30,7 +30,7 @@ def section(entry: Entry, number: int, failure: Failure | None, trouble: str) ->
     parts = [title]
     if report.scene:
         parts.append(node("p", "soft", f"of {report.scene}"))
-    parts.append(node("ul", "reasons", *(node("li", "", line) for line in _reasons(entry, failure))))
+    parts.append(node("ul", "reasons", *(node("li", "", line) for line in entry.reasons)))
     if trouble:
         parts.append(node("p", "soft", f"It could not be filmed: {trouble}"))
     scripts: list[str] = []
@@ -43,17 +43,6 @@ def section(entry: Entry, number: int, failure: Failure | None, trouble: str) ->
     if failure is not None:
         parts += [node("h3", "", "surroundings"), surroundings_table(failure.recording)]
     return [text_of(node("section", "failure", *parts, id=f"case-{number}")), *scripts]
-
-
-def _reasons(entry: Entry, failure: Failure | None) -> list[str]:
-    """Where both runs are known, what is first says body and number as well."""
-    reasons, report = list(entry.reasons), entry.report
-    if failure is None or failure.cause is None or report.outcome is None or report.outcome.divergence is None:
-        return reasons
-    first, lines = report.outcome.divergence.lines()[0], failure.cause.lines()
-    at = reasons.index(first) + 1 if first in reasons else len(reasons)
-    told = lines if failure.cause.group == "command" else lines[1:]
-    return [*reasons[:at], *(line for line in told if line != first), *reasons[at:]]
 
 
 def _player(failure: Failure, number: int) -> list[Node]:

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import struct
 from dataclasses import dataclass
+from typing import Literal
+
+_TITLES = {"scene": "the scene was edited", "command": "the commands were edited", "engine": "the engine is another"}
 
 
 @dataclass(frozen=True)
@@ -38,13 +41,31 @@ class Growth:
 
 
 @dataclass(frozen=True)
+class Cause:
+    """Why two runs part: `kind` is "scene", "command", "engine" or "unknown", and `said` tells it in lines of text.
+
+    `origin` says in words where the recorded run was found again; "" if it was not.
+    """
+
+    kind: Literal["scene", "command", "engine", "unknown"]
+    said: tuple[str, ...]
+    origin: str = ""
+
+    def lines(self) -> list[str]:
+        """In words."""
+        head = "cause not known" if self.kind == "unknown" else f"cause: {_TITLES[self.kind]}"
+        first, *more = self.said
+        return [f"{head}: {first}", *(f"  {line}" for line in more)]
+
+
+@dataclass(frozen=True)
 class Divergence:
     """The first step after which two runs differ.
 
     `group` is one of `fingerprint.GROUPS`, "command" if a command was refused, "rest" if only the full digest at the
     end differs, "state" if `--heavy` found that a restored snapshot goes another way, or the figure that left its
     tolerance. `expected` and `got` are fingerprints, figures or words. `detail` and `growth` are known if two runs
-    were laid side by side.
+    were laid side by side, `cause` if it was looked for.
     """
 
     step: int
@@ -55,6 +76,7 @@ class Divergence:
     detail: Difference | None = None
     others: int = 0
     growth: tuple[Growth, ...] = ()
+    cause: Cause | None = None
 
     def lines(self) -> list[str]:
         """In words, the most important first."""
@@ -67,7 +89,7 @@ class Divergence:
             shown = [*rows[: -1 : max(1, len(rows) // 3)], rows[-1]]
             steps = ", ".join(f"{one.distance:.3g} m at step {one.step} ({one.body})" for one in shown)
             told.append(f"farthest off: {steps}")
-        return told
+        return [*told, *(self.cause.lines() if self.cause is not None else ())]
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from sandbox.errors import FileError, Problem, SandboxError
+from sandbox.replay.causes.explain import explained
 from sandbox.replay.golden.cases import Case
 from sandbox.replay.golden.rerun import Outcome, rerun
 from sandbox.replay.golden.tolerance import Tolerance
@@ -54,10 +55,18 @@ class Report:
         return self.word == "passed" or bool(self.action)
 
 
-def examine(case: Case, demands: Demands, on_steps: Callable[[int], None] | None = None) -> Report:
-    """Run and judge one case. What is wrong with its files comes back in the report, never as an exception."""
+def examine(
+    case: Case,
+    demands: Demands,
+    on_steps: Callable[[int], None] | None = None,
+    tell: Callable[[str], None] | None = None,
+) -> Report:
+    """Run and judge one case. What is wrong with its files comes back in the report, never as an exception.
+
+    `on_steps` hears now and then how many steps are done, `tell` what is being done after that.
+    """
     try:
-        return _missing(case, demands) if case.scene is not None else _recorded(case, demands, on_steps)
+        return _missing(case, demands) if case.scene is not None else _recorded(case, demands, on_steps, tell)
     except FileError as error:
         return Report(case, "unusable", source=error.source, problems=tuple(error.problems))
     except OSError as error:
@@ -80,17 +89,19 @@ def _missing(case: Case, demands: Demands) -> Report:
     return replace(report, action="written")
 
 
-def _recorded(case: Case, demands: Demands, on_steps: Callable[[int], None] | None) -> Report:
+def _recorded(
+    case: Case, demands: Demands, on_steps: Callable[[int], None] | None, tell: Callable[[str], None] | None
+) -> Report:
     recording = Recording.load(case.replay)
     if recording.scene.gone:
         return _orphaned(case, recording, demands)
     outcome = rerun(recording, tolerance=demands.tolerance, heavy=demands.heavy, on_steps=on_steps)
     report = Report(case, outcome.word, outcome, scene=str(recording.scene.path or ""))
-    report = replace(report, where=whereabouts(recording, outcome))
     if demands.update == "all" or (demands.update == "changed" and not outcome.passed):
         _renew(recording, recording.load_scene(), case)
         return replace(report, action="written")
-    return report
+    outcome = explained(recording, outcome, tell)
+    return replace(report, outcome=outcome, where=whereabouts(recording, outcome))
 
 
 def _orphaned(case: Case, recording: Recording, demands: Demands) -> Report:

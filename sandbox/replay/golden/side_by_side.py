@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from itertools import islice
 
 import numpy as np
@@ -45,6 +46,22 @@ def find_divergence(
         if on_steps is not None:
             on_steps(a.step)
     return None if group is None else _divergence(group, a, b, steps)
+
+
+def compare_after(expected: Run, got: Run, parted: Divergence) -> Divergence:
+    """The same divergence with the number that differs first after its step, and how it grew, if that shows there.
+
+    Raises `CommandError` if both runs refuse the same command before.
+    """
+    a, b = Stage(expected.scene, expected.commands), Stage(got.scene, got.commands)
+    while a.step < parted.step:
+        if _advance(a, b) is not None:
+            return parted
+    found = list(islice(differences(parted.group, a.world, b.world), COUNTED)) if parted.group != "command" else []
+    if not found:
+        return parted
+    growth = _growth(a, b, min(expected.steps, got.steps))
+    return replace(parted, detail=found[0], others=len(found) - 1, growth=growth)
 
 
 def _divergence(group: str, a: Stage, b: Stage, steps: int) -> Divergence:

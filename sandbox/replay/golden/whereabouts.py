@@ -64,4 +64,9 @@ def _in_recording(file: Path, scene: Scene, body: str) -> str:
 
 
 def _words(body: str, file: str, line: int, column: int) -> str:
-    return f"body {body}: {Path(os.path.normpath(file)).as_posix()}:{line}:{column}"
+    return f"body {body}: {posix(file)}:{line}:{column}"
+
+
+def posix(file: str | Path) -> str:
+    """A path as it is told: without detours, and with / on every system."""
+    return Path(os.path.normpath(file)).as_posix()

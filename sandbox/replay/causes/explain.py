@@ -1,0 +1,86 @@
+"""Why a run is not as recorded: the number that differs, and what was changed since."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from sandbox.errors import SandboxError
+from sandbox.replay.causes.engine_since import EngineNews, engine_since
+from sandbox.replay.causes.expected import Expected, candidates, gives
+from sandbox.replay.causes.history import is_kept
+from sandbox.replay.golden.divergence import Cause, Divergence
+from sandbox.replay.golden.rerun import Outcome
+from sandbox.replay.golden.run import run_of
+from sandbox.replay.golden.side_by_side import compare_after
+from sandbox.replay.recording.fingerprint import GROUPS
+from sandbox.replay.recording.recording import Recording
+
+
+def explained(recording: Recording, outcome: Outcome, tell: Callable[[str], None] | None = None) -> Outcome:
+    """The same outcome, with the number and the cause in its divergence as far as they can be found out.
+
+    `tell` hears what is being done. Raises `SceneError` if the scene cannot be used.
+    """
+    parted = outcome.divergence
+    if parted is None:
+        return outcome
+    if tell is not None:
+        tell("looking for the cause")
+    known = list(candidates(recording))
+    # A figure that left its tolerance is no place to ask for the recorded bits.
+    exact = parted.group in (*GROUPS, "rest", "command")
+    expected = next((one for one in known if exact and gives(one.run, recording, parted.step)), None)
+    if expected is not None:
+        cause = Cause(expected.kind, _said(expected), expected.origin)
+        return replace(outcome, divergence=replace(_with_number(recording, expected, parted), cause=cause))
+    return replace(outcome, divergence=replace(parted, cause=_without_run(recording, outcome, known)))
+
+
+def _with_number(recording: Recording, expected: Expected, parted: Divergence) -> Divergence:
+    try:
+        return compare_after(expected.run, run_of(recording), parted)
+    except SandboxError:  # both runs end at a command that is refused
+        return parted
+
+
+def _said(expected: Expected) -> tuple[str, ...]:
+    return expected.said or (f"it was {expected.origin}",)
+
+
+def _without_run(recording: Recording, outcome: Outcome, known: list[Expected]) -> Cause:
+    """What can be said though the recorded run cannot be had again."""
+    if outcome.edits:
+        return _scene(recording, known)
+    news = engine_since(recording)
+    if news.said:
+        return Cause("engine", (*news.said, *_commands(recording), _how_to_see(recording, news)))
+    same = f"the scene is as it was recorded; {news.same}"
+    return Cause("unknown", (same, *_commands(recording), _how_to_see(recording, news)))
+
+
+def _how_to_see(recording: Recording, news: EngineNews) -> str:
+    """The command that names the number."""
+    path = recording.source.as_posix() if recording.source is not None else "FILE"
+    revision = news.revision or "REV --engine CHECKOUT"
+    return f"for the first number that differs: sandbox replay {path} --against {revision}"
+
+
+def _scene(recording: Recording, known: list[Expected]) -> Cause:
+    if known:
+        also = "with that undone the recorded steps do not come back either: the engine or a command is another as well"
+        return Cause("scene", (*_said(known[0]), also))
+    file = recording.scene.path if recording.scene.content is None else recording.source
+    if file is None:
+        return Cause("scene", ("how it was before is not known",))
+    why = "none of its versions in git is the recorded one" if is_kept(file) else "it is not kept in git"
+    hint = f"with a copy of the earlier one: sandbox diff EARLIER.scene.json {file.as_posix()}"
+    return Cause("scene", (f"how it was before is not known, for {why}", hint))
+
+
+def _commands(recording: Recording) -> list[str]:
+    """A recording that git does not know may have been edited."""
+    count = len(recording.commands)
+    if not count or recording.source is None or is_kept(recording.source):
+        return []
+    return [f"whether one of its {count} commands was edited is not known, for it is not kept in git"]

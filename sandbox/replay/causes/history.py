@@ -1,0 +1,39 @@
+"""What git knows of a file; nothing if it is not kept in git."""
+
+from __future__ import annotations
+
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+
+DEPTH = 30
+"""Versions looked at."""
+_SECONDS = 20.0
+
+
+def earlier_texts(path: Path) -> Iterator[tuple[str, str]]:
+    """(short name of a revision, the file's text then), the latest first."""
+    for revision in revisions_of(path):
+        text = git(path.parent, "show", f"{revision}:./{path.name}")
+        if text is not None:
+            yield revision, text
+
+
+def revisions_of(path: Path) -> list[str]:
+    """The short names of the revisions that changed a file, the latest first."""
+    return (git(path.parent, "log", f"--max-count={DEPTH}", "--format=%h", "--", path.name) or "").split()
+
+
+def is_kept(path: Path) -> bool:
+    """Whether git knows any version of a file."""
+    return bool(git(path.parent, "log", "--max-count=1", "--format=%h", "--", path.name))
+
+
+def git(folder: Path, *arguments: str) -> str | None:
+    """What git prints in a folder; None if it cannot."""
+    command = ["git", "--no-pager", "-C", str(folder.resolve()), *arguments]
+    try:
+        done = subprocess.run(command, capture_output=True, timeout=_SECONDS, check=False)
+        return done.stdout.decode("utf-8") if done.returncode == 0 else None
+    except (OSError, subprocess.SubprocessError, UnicodeDecodeError):
+        return None
