@@ -83,8 +83,8 @@ def replay(
     demands = _demands(tolerance, heavy, update, prune)
     part = _part(shard)
     _check_report(report)
-    if against and (tolerance or heavy or update or prune or report):
-        raise SandboxError("--against: two revisions are compared bit for bit, as text, and nothing is renewed")
+    if against and (tolerance or heavy or update or prune):
+        raise SandboxError("--against: two revisions are compared bit for bit, and nothing is renewed")
     from sandbox.cli.replay_run import Work, run
 
     work = Work(tuple(paths), demands, jobs, no_jit, json, junit, last_failed, part, only, report, against, engine)

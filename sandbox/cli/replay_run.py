@@ -4,14 +4,19 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from rich.console import Console
 
 from sandbox.cli.failures import FAILED, HOLDS, NOTHING, UNUSABLE
 from sandbox.replay.golden.cases import Case, find_cases, shard
 from sandbox.replay.golden.examine import Demands, Report
+
+if TYPE_CHECKING:
+    from sandbox.cli.against import Against
 
 
 @dataclass(frozen=True)
@@ -38,10 +43,19 @@ def run(work: Work) -> int:
     if not cases:
         Console(stderr=True, soft_wrap=True, highlight=False).print(_nothing(work))
         return NOTHING
-    start = time.perf_counter()
-    reports = _run_for_machines(work, cases) if work.json else _run_for_people(work, cases)
-    _tell_others(work, reports, time.perf_counter() - start)
+    with _other_engine(work) as other:
+        start = time.perf_counter()
+        reports = (_run_for_machines if work.json else _run_for_people)(work, cases, other)
+        _tell_others(work, reports, time.perf_counter() - start, other)
     return exit_code(reports)
+
+
+def _other_engine(work: Work) -> AbstractContextManager[Against | None]:
+    if not work.against:
+        return nullcontext()
+    from sandbox.cli.against import Against
+
+    return Against(work.against, work.engine, work.no_jit)
 
 
 def exit_code(reports: Sequence[Report]) -> int:
@@ -65,7 +79,7 @@ def _nothing(work: Work) -> str:
     return f"sandbox: nothing to replay: no recording, and no scene that expects something, in {where}"
 
 
-def _run_for_people(work: Work, cases: Sequence[Case]) -> list[Report]:
+def _run_for_people(work: Work, cases: Sequence[Case], other: Against | None) -> list[Report]:
     from sandbox.cli.replay_table import Table
 
     out = Console(soft_wrap=True, highlight=False)
@@ -73,18 +87,19 @@ def _run_for_people(work: Work, cases: Sequence[Case]) -> list[Report]:
     table.head()
     start = time.perf_counter()
     # On one terminal the bar and the lines must share a console, or they would overwrite each other.
-    reports = _run_all(work, cases, out if out.is_terminal else Console(stderr=True), table.show)
+    console = out if out.is_terminal else Console(stderr=True)
+    reports = _run_all(_reports(work, cases, console, other), work, table.show)
     table.summary(reports, time.perf_counter() - start)
     return reports
 
 
-def _run_for_machines(work: Work, cases: Sequence[Case]) -> list[Report]:
+def _run_for_machines(work: Work, cases: Sequence[Case], other: Against | None) -> list[Report]:
     import json
 
     from sandbox.cli.replay_result import document
 
     start = time.perf_counter()
-    reports = _run_all(work, cases, Console(stderr=True), _report_problems)
+    reports = _run_all(_reports(work, cases, Console(stderr=True), other), work, _report_problems)
     found = document(reports, exit_code(reports), time.perf_counter() - start)
     print(json.dumps(found, indent=2, ensure_ascii=False, allow_nan=False))
     return reports
@@ -96,29 +111,27 @@ def _report_problems(report: Report) -> None:
     report_problems(report)
 
 
-def _run_all(work: Work, cases: Sequence[Case], console: Console, show: Callable[[Report], None]) -> list[Report]:
+def _run_all(coming: Iterator[Report], work: Work, show: Callable[[Report], None]) -> list[Report]:
     from sandbox.cli.compiling import announce_compilation
 
     if not work.no_jit:
         announce_compilation()
     reports = []
-    for report in _reports(work, cases, console):
+    for report in coming:
         show(report)
         reports.append(report)
     return reports
 
 
-def _reports(work: Work, cases: Sequence[Case], console: Console) -> Iterator[Report]:
-    if work.against:
-        from sandbox.cli.against import reports_against
-
-        return reports_against(cases, work.against, work.engine, work.no_jit, console)
+def _reports(work: Work, cases: Sequence[Case], console: Console, other: Against | None) -> Iterator[Report]:
+    if other is not None:
+        return other.reports(cases, console)
     from sandbox.cli.replay_pool import reports_of
 
     return reports_of(cases, work.demands, work.jobs, work.no_jit, console)
 
 
-def _tell_others(work: Work, reports: Sequence[Report], seconds: float) -> None:
+def _tell_others(work: Work, reports: Sequence[Report], seconds: float, other: Against | None) -> None:
     """The report for a CI server, notes for GitHub, and the list for `--last-failed`."""
     from sandbox.cli.annotations import annotate
     from sandbox.cli.junit import write_junit
@@ -129,18 +142,23 @@ def _tell_others(work: Work, reports: Sequence[Report], seconds: float) -> None:
     if work.junit is not None:
         write_junit(work.junit, reports, seconds)
     if work.report is not None:
-        _write_page(work.report, reports, seconds)
+        _write_page(work, work.report, reports, seconds, other)
         if not work.json:
             print(f"{work.report}: a report, {work.report.stat().st_size / 1000:.0f} kB")
 
 
-def _write_page(path: Path, reports: Sequence[Report], seconds: float) -> None:
+def _write_page(work: Work, path: Path, reports: Sequence[Report], seconds: float, other: Against | None) -> None:
+    from sandbox.cli.compiling import announce_compilation
     from sandbox.cli.progress import SceneProgress
     from sandbox.cli.replay_words import advice, reasons
+    from sandbox.report.failure import failure_of
     from sandbox.report.report_page import write_report
     from sandbox.report.section import Entry
 
+    if work.no_jit and not all(report.fine for report in reports):
+        announce_compilation()  # films are made in this process
     entries = [Entry(report, reasons(report), advice(report)) for report in reports]
     failed = sum(not report.fine for report in reports)
     with SceneProgress(Console(stderr=True), failed) as progress:
-        write_report(path, entries, seconds, lambda name: progress.begin(f"report: {name}", None))
+        filming = failure_of if other is None else other.failure
+        write_report(path, entries, seconds, lambda name: progress.begin(f"report: {name}", None), filming)

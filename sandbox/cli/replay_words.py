@@ -8,7 +8,7 @@ SHOWN_DRIFTS = 3
 
 
 def reasons(report: Report) -> list[str]:
-    """Why a case did not pass, the most important first; empty if it did."""
+    """Why a case did not pass, the most important first; if it did, what is to be known nevertheless."""
     if report.word == "missing":
         return [f"no recording of {report.scene}"]
     if report.word == "orphaned":
@@ -16,8 +16,10 @@ def reasons(report: Report) -> list[str]:
     if report.word == "unusable":
         return [problem.message for problem in report.problems]
     outcome = report.outcome
-    if outcome is None or report.word == "passed":
+    if outcome is None:
         return []
+    if report.word == "passed":
+        return list(outcome.notes)
     told = [f"since it was recorded, {_some(outcome.edits, 5)}"] if outcome.edits else []
     if outcome.divergence is not None:
         told += outcome.divergence.lines()

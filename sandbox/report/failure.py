@@ -7,10 +7,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from sandbox.engine.world import World
-from sandbox.replay.causes.expected import Expected, expected_run
-from sandbox.replay.golden.divergence import Divergence
+from sandbox.replay.causes.expected import expected_run
 from sandbox.replay.golden.examine import Report
-from sandbox.replay.golden.run import Run, run_of
+from sandbox.replay.golden.run import Run, Stage, run_of
 from sandbox.replay.recording.recording import Recording
 from sandbox.report.film import Film
 from sandbox.report.pairs import Pair, first_pair, pair_at
@@ -19,14 +18,14 @@ from sandbox.report.shoot import MOST_POSES, film_run
 
 @dataclass(frozen=True)
 class Failure:
-    """A run that is not as recorded: its film `got`, and the `expected` one if that run could be had again.
+    """A run that is not as expected: its film `got`, and the `expected` one if that run could be had again.
 
     `origin` says where it was found. Without it, `ends` are the recorded places at the end. `parted` is the first step
     that differs. `pair` is the first that differs after it, or else the deepest contact of the body that ended farthest
     off.
     """
 
-    recording: Recording
+    recording: Recording | None
     parted: int
     got: Film
     expected: Film | None = None
@@ -49,12 +48,12 @@ def failure_of(report: Report, most: int = MOST_POSES) -> Failure | None:
         subject = outcome.drifts[0].body if outcome.drifts else ""
         pair = pair_at(got, min(parted.step, film.end), subject)
         return Failure(recording, parted.step, film, ends=_ends(film, recording, got), pair=pair)
-    return _compared(recording, parted, film, expected, got, most)
-
-
-def _compared(recording: Recording, parted: Divergence, film: Film, expected: Expected, got: Run, most: int) -> Failure:
-    pair = first_pair(got, expected.run, parted.step)
+    pair = first_pair(_stage(got), _stage(expected.run), parted)
     return Failure(recording, parted.step, film, film_run(expected.run, most=most), expected.origin, pair=pair)
+
+
+def _stage(run: Run) -> Stage:
+    return Stage(run.scene, run.commands)
 
 
 def _ends(film: Film, recording: Recording, run: Run) -> Film | None:

@@ -12,7 +12,7 @@ from sandbox.errors import SandboxError
 from sandbox.geometry.collide import collide, distance
 from sandbox.geometry.sat_table import SatTable, sat_table
 from sandbox.geometry.shapes import Shape
-from sandbox.replay.golden.differences import differences, first_group
+from sandbox.replay.golden.divergence import Divergence
 from sandbox.replay.golden.run import Run, Stage
 
 
@@ -26,19 +26,18 @@ class Pair:
     expected: SatTable | None
 
 
-def first_pair(got: Run, expected: Run, step: int) -> Pair | None:
-    """The first pair in which two runs differ after `step` steps; None if nothing is near what differs."""
-    world, other = _at(got, step), _at(expected, step)
-    group = first_group(other, world)
-    found = None if group is None else next(differences(group, other, world), None)
+def first_pair(got: Stage, expected: Stage, parted: Divergence) -> Pair | None:
+    """The pair with the first number that differs; None if nothing is near it. Both stages go on to that step."""
+    world, other = _led(got, parted.step), _led(expected, parted.step)
+    found = parted.detail
     if found is None:
         return None
-    return _pair(world, other, step, found.name if found.table == "contact" else found.body)
+    return _pair(world, other, parted.step, found.name if found.table == "contact" else found.body)
 
 
 def pair_at(got: Run, step: int, body: str) -> Pair | None:
     """The deepest contact of a body after `step` steps; None if it touches nothing."""
-    return _pair(_at(got, step), None, step, body)
+    return _pair(_led(Stage(got.scene, got.commands), step), None, step, body)
 
 
 def _pair(world: World, other: World | None, step: int, subject: str) -> Pair | None:
@@ -52,8 +51,7 @@ def _pair(world: World, other: World | None, step: int, subject: str) -> Pair | 
         return None
 
 
-def _at(run: Run, step: int) -> World:
-    stage = Stage(run.scene, run.commands)
+def _led(stage: Stage, step: int) -> World:
     try:
         while stage.step < step:
             stage.advance()

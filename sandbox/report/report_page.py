@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import TypeAlias
 
 from sandbox import __version__
 from sandbox.errors import SandboxError
+from sandbox.replay.golden.examine import Report
 from sandbox.replay.recording.environment import environment
 from sandbox.report.failure import Failure, failure_of
 from sandbox.report.markup import Node, node, text_of, whole_page
@@ -21,17 +23,30 @@ LEAST_POSES = 40_000
 _ORDER = ("unusable", "diverged", "stale", "missing", "orphaned", "passed")
 
 
+Filming: TypeAlias = Callable[[Report, int], Failure | None]
+"""Makes the failure behind a report, with so many poses at most. Raises `SandboxError` or `OSError`."""
+
+
 def write_report(
-    path: Path, entries: Sequence[Entry], seconds: float, on_failure: Callable[[str], None] | None = None
+    path: Path,
+    entries: Sequence[Entry],
+    seconds: float,
+    on_failure: Callable[[str], None] | None = None,
+    filming: Filming = failure_of,
 ) -> None:
     """Write the report as one HTML file that needs nothing else. Raises `OSError`.
 
-    `on_failure` hears the name of each failure before it is run again for its film.
+    `on_failure` hears the name of each failure before it is run again for its film, by `filming`.
     """
-    path.write_text(report_page(entries, seconds, on_failure), encoding="utf-8", newline="\n")
+    path.write_text(report_page(entries, seconds, on_failure, filming), encoding="utf-8", newline="\n")
 
 
-def report_page(entries: Sequence[Entry], seconds: float, on_failure: Callable[[str], None] | None = None) -> str:
+def report_page(
+    entries: Sequence[Entry],
+    seconds: float,
+    on_failure: Callable[[str], None] | None = None,
+    filming: Filming = failure_of,
+) -> str:
     """The HTML of the report."""
     failed = [entry for entry in entries if not entry.report.fine]
     filmed = [entry for entry in failed if entry.report.outcome and entry.report.outcome.divergence][:SHOWN]
@@ -40,14 +55,14 @@ def report_page(entries: Sequence[Entry], seconds: float, on_failure: Callable[[
     for number, entry in enumerate(failed):
         if on_failure is not None:
             on_failure(entry.report.case.replay.name)
-        found, trouble = _found(entry, most) if entry in filmed else (None, "")
+        found, trouble = _found(entry, most, filming) if entry in filmed else (None, "")
         body += section(entry, number, found, trouble)
     return whole_page("sandbox replay", body, "report")
 
 
-def _found(entry: Entry, most: int) -> tuple[Failure | None, str]:
+def _found(entry: Entry, most: int, filming: Filming) -> tuple[Failure | None, str]:
     try:
-        return failure_of(entry.report, most), ""
+        return filming(entry.report, most), ""
     except (SandboxError, OSError) as error:  # the files may have changed since
         return None, str(error)
 

@@ -40,7 +40,7 @@ def section(entry: Entry, number: int, failure: Failure | None, trouble: str) ->
         parts += [node("h3", "", _pair_title(failure)), *sat_panel(failure.pair)] if failure.pair else []
     if entry.advice:
         parts += [node("h3", "", "what to do"), node("pre", "", "\n".join(entry.advice))]
-    if failure is not None:
+    if failure is not None and failure.recording is not None:
         parts += [node("h3", "", "surroundings"), surroundings_table(failure.recording)]
     return [text_of(node("section", "failure", *parts, id=f"case-{number}")), *scripts]
 
@@ -51,7 +51,7 @@ def _player(failure: Failure, number: int) -> list[Node]:
         data["data-names"] = json.dumps(failure.pair.names)
     if failure.expected is not None:
         data["data-expected"] = f"expected-{number}"
-        said = f"In colour what was got, as a ghost what was recorded. That was found again with {failure.origin}."
+        said = f"In colour what was got, as a ghost what is expected: the run with {failure.origin}."
     elif failure.ends is not None:
         data |= {"data-expected": f"expected-{number}", "data-end-only": ""}
         said = "In colour what was got. The recorded run cannot be had again here; the ghost is where it ended."
@@ -63,7 +63,7 @@ def _player(failure: Failure, number: int) -> list[Node]:
 def _films(failure: Failure, number: int) -> list[str]:
     other = failure.expected or failure.ends
     got = reel(failure.got)
-    if failure.expected is None:
+    if failure.expected is None and failure.recording is not None:
         rows = failure.recording.checkpoints
         got["checkpoints"] = [asdict(row) for row in rows if failure.got.start <= row.step <= failure.got.end]
     scripts = [data_script(f"got-{number}", got)]

@@ -25,13 +25,15 @@ def film_run(
     skip: int = 0,
     most: int = MOST_POSES,
     on_steps: Callable[[int], None] | None = None,
+    stage: Stage | None = None,
 ) -> Film:
     """Take a run and film it from step `skip` on; a command that is refused ends it.
 
-    `on_steps` hears now and then how many steps are done. Raises `SceneError` if the scene cannot be used.
+    `stage` takes the run instead of a fresh world. `on_steps` hears now and then how many steps are done. Raises
+    `SceneError` if the scene cannot be used.
     """
     known = run_of(run)
-    stage = Stage(known.scene, known.commands)
+    stage = stage or Stage(known.scene, known.commands)
     while stage.step < min(skip, known.steps):
         stage.advance()
     camera = Lens(stage.world, known.steps, most)

@@ -7,8 +7,8 @@ import os
 import subprocess
 import sys
 import tempfile
-from collections.abc import Collection
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -30,17 +30,29 @@ TABLES: dict[str, Table] = dict(
 """What the tables of a trace are called, and their declarations here."""
 
 
+@dataclass(frozen=True)
+class Shots:
+    """What to keep for a film: some `columns` of some tables, after some `steps`."""
+
+    steps: tuple[int, ...] = ()
+    columns: Mapping[str, Sequence[str]] = field(default_factory=dict)
+
+
 class RevisionError(SandboxError):
     """The code of a revision cannot run this; the text says why."""
 
 
 @dataclass(frozen=True)
 class Trace:
-    """`codes[k]` are the checksums of `columns` ("table.field") after step k; `arrays` what was dumped."""
+    """`codes[k]` are the checksums of `columns` ("table.field") after step k; `arrays` what was dumped.
+
+    `fingerprints` are those of a recording, from step 1 on; empty if that revision does not know them.
+    """
 
     columns: tuple[str, ...]
     codes: Any
     arrays: dict[str, Any]
+    fingerprints: tuple[str, ...] = ()
 
     def rows(self, step: int, table: str, shared: Collection[str]) -> Records:
         """A dumped table in the layout of today; only the columns in `shared` are filled."""
@@ -56,13 +68,16 @@ class Trace:
         return tuple(self.arrays[f"{step}.{key}"].tolist())
 
 
-def trace(root: Path, run: Run, dump: Collection[int] = (), no_jit: bool = False) -> Trace:
+NO_SHOTS = Shots()
+
+
+def trace(root: Path, run: Run, dump: Collection[int] = (), no_jit: bool = False, film: Shots = NO_SHOTS) -> Trace:
     """Run with the code that lies in `root`, in a process of its own. Raises `RevisionError` if it cannot."""
     if not isinstance(run.scene, Scene):
         raise RevisionError("only a scene can be run by another revision, not a flat one")
     with tempfile.TemporaryDirectory(prefix="sandbox-trace-") as folder:
         job, out = Path(folder, "job.json"), Path(folder, "out.npz")
-        job.write_text(json.dumps(_job(root, run, run.scene, dump)), encoding="utf-8")
+        job.write_text(json.dumps(_job(root, run, run.scene, dump, film)), encoding="utf-8")
         done = _call(root, job, out, no_jit)
         if done.returncode == 0:
             return _read(out)
@@ -70,7 +85,7 @@ def trace(root: Path, run: Run, dump: Collection[int] = (), no_jit: bool = False
         raise RevisionError(told)
 
 
-def _job(root: Path, run: Run, scene: Scene, dump: Collection[int]) -> dict[str, Any]:
+def _job(root: Path, run: Run, scene: Scene, dump: Collection[int], film: Shots) -> dict[str, Any]:
     commands = [[step, *encode(command)] for step, command in run.commands]
     return {
         "root": str(root),
@@ -78,6 +93,7 @@ def _job(root: Path, run: Run, scene: Scene, dump: Collection[int]) -> dict[str,
         "commands": commands,
         "steps": run.steps,
         "dump": sorted(dump),
+        "film": asdict(film),
     }
 
 
@@ -93,7 +109,8 @@ def _call(root: Path, job: Path, out: Path, no_jit: bool) -> subprocess.Complete
 def _read(out: Path) -> Trace:
     with np.load(out, allow_pickle=False) as found:
         arrays = {name: found[name] for name in found.files}
-    return Trace(tuple(arrays.pop("columns").tolist()), arrays.pop("codes"), arrays)
+    columns, prints = (tuple(arrays.pop(key).tolist()) for key in ("columns", "fingerprints"))
+    return Trace(columns, arrays.pop("codes"), arrays, prints)
 
 
 def _last_line(text: str) -> str:

@@ -2,7 +2,8 @@
 
 Asks little of that revision: `Scene`, and `World` with `apply`, `step`, `state`, `names` and `contacts`. JOB is JSON:
 scene, commands, steps, what to dump, and the folder that the code must come from. OUT gets a CRC-32 of every column of
-every table after every step, and the tables themselves after the steps to dump. Exit code 3: OUT says why not.
+every table after every step, the tables themselves after the steps to dump, some columns of some after those to film,
+and the fingerprints that a recording would hold, if that revision knows them. Exit code 3: OUT says why not.
 """
 
 from __future__ import annotations
@@ -44,13 +45,24 @@ def _run(job: dict[str, Any]) -> dict[str, Any]:
     commands = [(row[0], _command(row)) for row in job["commands"]]
     columns = [f"{table}.{name}" for table, rows in _tables(world) for name in rows.dtype.names]
     codes, arrays = [_codes(world)], _dump(world, 0, job["dump"])
+    take, prints = _fingerprint(), []
     for step in range(1, job["steps"] + 1):
         while commands and commands[0][0] < step:
             world.apply(commands.pop(0)[1])
         world.step()
         codes.append(_codes(world))
-        arrays |= _dump(world, step, job["dump"])
-    return {"columns": np.array(columns), "codes": np.array(codes, np.uint32), **arrays}
+        prints += [take(world.state)] if take else []
+        arrays |= _film(world, step, job["film"]) | _dump(world, step, job["dump"])
+    known = {"columns": np.array(columns), "codes": np.array(codes, np.uint32), "fingerprints": np.array(prints, str)}
+    return {**known, **arrays}
+
+
+def _fingerprint() -> Any:
+    """What makes a fingerprint of a state; None if that revision has no recordings yet."""
+    try:
+        return importlib.import_module("sandbox.replay.recording.fingerprint").fingerprint
+    except (ImportError, AttributeError):
+        return None
 
 
 def _tables(world: Any) -> list[tuple[str, Any]]:
@@ -69,6 +81,22 @@ def _dump(world: Any, step: int, wanted: list[int]) -> dict[str, Any]:
         return {}
     names = {f"{step}.names": np.array(world.names, str), f"{step}.joint_names": _joint_names(world)}
     return {**names, **{f"{step}.{table}": np.array(rows) for table, rows in _tables(world)}}
+
+
+def _film(world: Any, step: int, film: dict[str, Any]) -> dict[str, Any]:
+    import numpy as np
+
+    if step not in film.get("steps", ()):
+        return {}
+    arrays = {f"{step}.names": np.array(world.names, str)}
+    for table, rows in _tables(world):
+        names = [name for name in film["columns"].get(table, ()) if name in rows.dtype.names]
+        kept = np.empty(len(rows), [(name, rows.dtype[name]) for name in names])
+        for name in names:
+            kept[name] = rows[name]
+        if names:
+            arrays[f"{step}.{table}"] = kept
+    return arrays
 
 
 def _joint_names(world: Any) -> Any:
