@@ -9,16 +9,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from sandbox.engine.interlude import Finder, Interlude, Parting
 from sandbox.tables import Field, Integers, Records, Table
 from sandbox.world.state import State
 
 CONTACT_EVENT = Table(
     "contact_event",
     (
-        Field("body_a", "-", "index of the first body in `world.names`", "i8"),
+        Field("body_a", "-", "index of the first body in `events.names`", "i8"),
         Field("body_b", "-", "index of the second body", "i8"),
-        Field("shape_a", "-", "row of the first shape; shape_a < shape_b", "i8"),
-        Field("shape_b", "-", "row of the second shape", "i8"),
+        Field("shape_a", "-", "row of the first shape; shape_a < shape_b; -1 if it was deleted", "i8"),
+        Field("shape_b", "-", "row of the second shape; -1 if it was deleted", "i8"),
         Field("x", "m", "where they touch: the middle of the contact points"),
         Field("y", "m", ""),
         Field("normal_x", "1", "unit normal from a to b"),
@@ -32,8 +33,8 @@ SENSOR_EVENT = Table(
     (
         Field("sensor_body", "-", "index of the sensor's body", "i8"),
         Field("body", "-", "index of the body that it senses", "i8"),
-        Field("sensor", "-", "row of the sensor shape", "i8"),
-        Field("shape_index", "-", "row of the shape that it senses", "i8"),
+        Field("sensor", "-", "row of the sensor shape; -1 if it was deleted", "i8"),
+        Field("shape_index", "-", "row of the shape that it senses; -1 if it was deleted", "i8"),
     ),
 )
 HIT_SPEED = 1.0
@@ -49,6 +50,9 @@ class Events:
     rows; an `end` has neither impulse nor speed. `enter` and `leave`: a sensor has, or no longer has, a shape in
     it (`SENSOR_EVENT` rows). `sleep`, `wake` and `freeze` are body indices,
     `joint_break` are rows of joints: `joint_names[row]`.
+
+    Contacts and sensings of bodies that were deleted before the step come last in `end` and `leave`. `names` are the
+    ids of the bodies, and after them those of deleted ones of which these rows speak.
     """
 
     step: int
@@ -105,9 +109,14 @@ def nothing(step: int, names: tuple[str, ...]) -> Events:
     return Events(step, names, contact, contact, contact, sensor, sensor, body, body, body, body)
 
 
-def happened(state: State, before: Any, reports: Any, enter: Records, leave: Records) -> Events:
-    """The events of the step that led to `state`: its `reports`, and `before`, the contacts of the step before."""
+def happened(state: State, before: Any, reports: Any, enter: Records, leave: Records, interlude: Interlude) -> Events:
+    """The events of the step that led to `state`: its `reports`, and `before`, the contacts of the step before.
+
+    `interlude` tells what was deleted before the step, and who was put elsewhere since.
+    """
     counter, bodies = state.counters[0], state.bodies
+    centers, finder = _centers(bodies, interlude), Finder(state)
+    parted = _parted(CONTACT_EVENT, interlude.ends, finder), _parted(SENSOR_EVENT, interlude.leaves, finder)
     now: Any = np.asarray(state.contacts[: int(counter.contact_count)])
     old: Any = np.asarray(before)[: int(counter.old_contact_count)]
     touched, touches = old["touching"] == 1, now["touching"] == 1
@@ -118,12 +127,12 @@ def happened(state: State, before: Any, reports: Any, enter: Records, leave: Rec
     ended = np.flatnonzero(touched)[~_among(old_keys, keys)]
     return Events(
         int(counter.step_count),
-        state.names,
-        _contact_rows(now[fresh], did[fresh], bodies),
-        _contact_rows(old[ended], None, bodies),
-        _contact_rows(now[struck], did[struck], bodies),
+        finder.names,
+        _contact_rows(now[fresh], did[fresh], centers),
+        _followed_by(_contact_rows(old[ended], None, centers), parted[0]),
+        _contact_rows(now[struck], did[struck], centers),
         enter,
-        leave,
+        _followed_by(leave, parted[1]),
         np.flatnonzero(bodies.stirred == -1),
         np.flatnonzero(bodies.stirred == 1),
         np.flatnonzero(bodies.frozen_step == counter.step_count - 1),
@@ -138,14 +147,39 @@ def differences(before: Any, after: Any) -> tuple[Records, Records]:
     return after[~_among(new, old)], before[~_among(old, new)]
 
 
-def _contact_rows(contacts: Any, did: Any, bodies: Records) -> Records:
+def _centers(bodies: Records, interlude: Interlude) -> dict[str, Any]:
+    """The centres of mass at the end of the step, whatever commands have moved since."""
+    centers: dict[str, Any] = {"x": bodies.center_x, "y": bodies.center_y}
+    if interlude.places:
+        rows = list(interlude.places)
+        for k, axis in enumerate("xy"):
+            centers[axis] = centers[axis].copy()
+            centers[axis][rows] = [place[k] for place in interlude.places.values()]
+    return centers
+
+
+def _parted(table: Table, parts: list[Parting], finder: Finder) -> Records:
+    rows = table.zeros(len(parts))
+    for row, part in zip(rows, parts, strict=True):
+        # Both tables begin with two bodies and two shapes; a contact goes on with its place and normal.
+        figures = (*finder.rows(part), *part.figures)
+        for name, value in zip(table.dtype.names or (), figures, strict=False):
+            row[name] = value
+    return rows
+
+
+def _followed_by(rows: Records, more: Records) -> Records:
+    return np.concatenate([rows, more]).view(np.recarray) if len(more) else rows
+
+
+def _contact_rows(contacts: Any, did: Any, centers: dict[str, Any]) -> Records:
     rows: Any = CONTACT_EVENT.zeros(len(contacts))
     for name in ("body_a", "body_b", "shape_a", "shape_b", "normal_x", "normal_y"):
         rows[name] = contacts[name]
     two = contacts["point_count"] == 2
     for axis in "xy":
         first, second = contacts[f"anchor_a{axis}1"], contacts[f"anchor_a{axis}2"]
-        rows[axis] = bodies[f"center_{axis}"][contacts["body_a"]] + np.where(two, 0.5 * (first + second), first)
+        rows[axis] = centers[axis][contacts["body_a"]] + np.where(two, 0.5 * (first + second), first)
     if did is not None:
         rows["impulse"], rows["speed"] = did["total_impulse"], did["hit_speed"]
     return rows  # type: ignore[no-any-return]

@@ -12,6 +12,7 @@ from sandbox.engine.directory import Directory
 from sandbox.engine.events import SENSOR_EVENT, Events, differences, happened, nothing
 from sandbox.engine.field_commands import FieldCommand, apply_field_command
 from sandbox.engine.fields.work import last_switch
+from sandbox.engine.interlude import Interlude, Ties
 from sandbox.engine.joint_commands import JointCommand, apply_joint_command
 from sandbox.engine.joint_view import Joint
 from sandbox.engine.row_commands import RowCommand, apply_row_command
@@ -51,6 +52,7 @@ class World(Shown):
         self.changes = 0
         """Counts steps, commands and restores: while it stays the same, nothing has moved."""
         self._events: Events | None = nothing(0, self.state.names)
+        self._interlude = Interlude()
         self._sensing = self._make_sensing()
         self._stepper = Stepper(self.state)
         self._know_rows()
@@ -68,6 +70,7 @@ class World(Shown):
                 return
             stepper.step()
             self._events = None
+            self._interlude.close()
             if self._sensing is not None:
                 self._sensing.look()
 
@@ -80,7 +83,10 @@ class World(Shown):
         self.changes += 1
         if isinstance(command, RowCommand):
             self._events = self.events  # it speaks of the rows that were
-            self._follow(apply_row_command(self, command))
+            ties = Ties.of(self.state, self._sensing)
+            moved = apply_row_command(self, command)
+            self._interlude.note_rows(ties, moved)
+            self._follow(moved)
         elif isinstance(command, JointCommand):
             if apply_joint_command(self.state, self.directory.joint(command.joint), command):
                 self._stepper.lay_out_joints()
@@ -91,6 +97,8 @@ class World(Shown):
             self._last_switch = last_switch(self.state)
         else:
             index = self.directory.body(command.body)
+            if isinstance(command, SetPose):
+                self._interlude.note_pose(index, self.state.bodies[index])
             apply_command(self.state, index, command)
             if isinstance(command, SetPose) and self.state.bodies[index].type == STATIC:
                 join_tiles(self.state.bodies, self.state.shapes, self.state.vertices, self.state.seams)
@@ -166,7 +174,8 @@ class World(Shown):
         if self._events is None:
             sensing = self._sensing
             enter, leave = differences(sensing.before, sensing.now) if sensing else (SENSOR_EVENT.zeros(0),) * 2
-            self._events = happened(self.state, self.scratch.contacts, self.scratch.reports, enter, leave)
+            reports = self.scratch.reports
+            self._events = happened(self.state, self.scratch.contacts, reports, enter, leave, self._interlude)
         return self._events
 
     @property
@@ -216,7 +225,7 @@ class World(Shown):
             self._stepper.renew()
         elif len(self.state.joints):
             self._stepper.lay_out_joints()
-        self._events = nothing(self.step_count, self.names)
+        self._events, self._interlude = nothing(self.step_count, self.names), Interlude()
         self.scratch.reports.total_impulse = 0.0
         if self.layout != layout:
             self._sensing = self._make_sensing()

@@ -10,15 +10,34 @@ import numpy as np
 
 from sandbox.replay import measures
 from sandbox.replay.conditions import Condition
-from sandbox.replay.measures import Rows
+from sandbox.replay.measures import Rows, Values
 from sandbox.scene import expect
+from sandbox.scene.body_refs import BODY_FIELDS, unmatched
 from sandbox.world.records import DYNAMIC
 from sandbox.world.state import State
 
 
 def conditions(wanted: expect.Expectation, start: State) -> list[Condition]:
-    """The conditions of `wanted`. `start` is the state that "has not moved" compares with."""
-    return _DEMANDS[type(wanted)](wanted, start)
+    """The conditions of `wanted`. `start` is the state that "has not moved" compares with.
+
+    The first of them is that the bodies it names are there: of a deleted one nothing holds.
+    """
+    return [*_missing(wanted, start), *_DEMANDS[type(wanted)](wanted, start)]
+
+
+def _missing(wanted: expect.Expectation, state: State) -> list[Condition]:
+    """A condition that cannot hold for each id or pattern that means no body of now."""
+    given = [ids for field in BODY_FIELDS if (ids := getattr(wanted, field, None)) is not None]
+    names = [name for ids in given for name in unmatched(ids, state.names)]
+    return [Condition([name], _nothing, f"{name} is there", _gone(name)) for name in names]
+
+
+def _gone(name: str) -> str:
+    return "no body matches {name} any more" if expect.is_pattern(name) else "{name} has been deleted"
+
+
+def _nothing(state: State) -> Values:
+    return np.array([np.nan])
 
 
 @dataclass(frozen=True)

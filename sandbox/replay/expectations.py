@@ -34,7 +34,8 @@ class Judge:
     """Judges `scene.expect` on `world`: make it at the start, `observe` after each step, read `verdicts`.
 
     An expectation speaks of the bodies that are there when it is looked at; those that come count as having started
-    where they are first seen.
+    where they are first seen. If a body that it names has been deleted, or nothing is left that a pattern of it
+    matches, it does not hold.
     """
 
     def __init__(self, scene: Scene, world: World) -> None:

@@ -24,6 +24,9 @@ Ids = Annotated[
 
 Pair = Annotated[tuple[Pattern, Pattern], Listed('["id", "id"]', 2, 2)]
 
+BODY_FIELDS = ("rests", "stands", "asleep", "touches", "apart", "senses", "of")
+"""The fields of expectations that name bodies."""
+
 
 def is_pattern(name: str) -> bool:
     """Whether `name` stands for all ids it matches rather than for one id."""
@@ -42,3 +45,9 @@ def matching_ids(ids: str | Sequence[str], names: Sequence[str]) -> list[str]:
     exact = {name for name in wanted if not is_pattern(name)}
     patterns = [re.compile(translate(name)) for name in wanted if is_pattern(name)]
     return [name for name in names if name in exact or any(pattern.match(name) for pattern in patterns)]
+
+
+def unmatched(ids: str | Sequence[str], names: Sequence[str]) -> list[str]:
+    """Those ids and patterns that mean none of `names`."""
+    wanted = [ids] if isinstance(ids, str) else list(ids)
+    return [name for name in wanted if not (matches_any(name, names) if is_pattern(name) else name in names)]

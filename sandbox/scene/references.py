@@ -7,15 +7,13 @@ from itertools import islice
 from typing import Any
 
 from sandbox.scene import plain
-from sandbox.scene.body_refs import is_pattern, matches_any
+from sandbox.scene.body_refs import BODY_FIELDS, is_pattern, matches_any
 from sandbox.scene.finding import Finding, Path, did_you_mean, quoted
 from sandbox.scene.generators import GENERATORS
 from sandbox.scene.joint_references import joint_references
 from sandbox.scene.known import Known
 from sandbox.scene.limits import MAX_EXPECTATIONS
 from sandbox.scene.names import BodyNames
-
-_BODY_FIELDS = ("rests", "stands", "asleep", "touches", "apart", "senses", "of")
 
 
 def unknown_names(data: dict[str, Any], ids: BodyNames, known: Known) -> Iterator[Finding]:
@@ -57,7 +55,7 @@ def _bodies(data: dict[str, Any], ids: BodyNames) -> Iterator[Finding]:
         return
     known: dict[str, bool] = {}
     for path, expectation in islice(plain.children(data.get("expect"), ("expect",)), MAX_EXPECTATIONS):
-        for field in _BODY_FIELDS:
+        for field in BODY_FIELDS:
             for place, name in plain.texts(expectation.get(field), (*path, field)):
                 if name not in known:
                     known[name] = _is_known(name, ids)

@@ -186,3 +186,19 @@ def test_a_joint_that_breaks_is_told_once():
     assert [(event["event"], event["joint"]) for event in told] == [("joint_break", "thread"), ("joint_break", "rope")]
     assert told[1]["step"] == 21
     assert w.joint("thread").broken_step == told[0]["step"] - 1
+
+
+def test_what_is_put_elsewhere_afterwards_struck_where_it_was():
+    told = []
+    for late in (False, True):
+        w = world(ground(), body("ball", circle(0.5), position=(0.0, 0.8)))
+        w.step(15)
+        if not late:
+            told = list(w.events)
+        for x in (3.0, 40.0):
+            w.apply(SetPose("ground", (x, -9.0), 0.3))
+            w.apply(SetPose("ball", (x, 9.0), 0.3))
+        assert list(w.events) == told
+    assert "hit" in {event["event"] for event in told}
+    w.step()
+    assert w.events.end[0].x == pytest.approx(40.0, abs=3.0)

@@ -305,7 +305,52 @@ def test_the_events_of_the_last_step_stay():
     assert [*world.events] == told
     assert len(world.contacts) == len(world.contact_impulses) == 0
     world.step()
+    assert [(event["event"], event["a"], event["b"]) for event in world.events] == [("end", "ground", "ball")]
+    world.step()
     assert [*world.events] == []
+
+
+def test_what_a_deleted_body_touched_ends_in_the_next_step():
+    crate = {"shapes": [{"box": [1, 1]}]}
+    area = {"id": "area", "type": "static", "shapes": [{"circle": 0.1}, {"box": [6, 9], "sensor": True}]}
+    world = make([GROUND, area, *({**crate, "id": f"c{k}", "position": [0, 0.5 + k]} for k in range(3))], [])
+    world.apply(SetPose("area", (-2.9, 5.0), 0.0))
+    world.step(30)
+    before = list(world.events)
+    world.apply(Delete("c1"))
+    world.apply(Spawn({**crate, "id": "c1", "position": [9, 0.4]}))
+    world.apply(Delete("c2"))
+    assert list(world.events) == before
+    world.step()
+    told = [
+        (event["event"], event.get("a", event.get("sensor")), event.get("b", event.get("body")))
+        for event in world.events if event["event"] not in ("wake", "sleep")
+    ]  # fmt: skip
+    assert told == [
+        ("begin", "ground", "c1"), ("end", "c0", "c1"), ("end", "c1", "c2"), ("leave", "area", "c1"),
+        ("leave", "area", "c2"),
+    ]  # fmt: skip
+    first, second = world.events.end
+    assert world.events.names == (*world.names, "c1", "c2")
+    assert (first.body_a, first.shape_a, first.shape_b) == (2, 3, -1)
+    assert (first.x, first.y, first.normal_y) == pytest.approx((0.0, 1.0, 1.0), abs=1e-3)
+    assert (second.body_a, second.body_b, second.shape_a, second.shape_b) == (4, 5, -1, -1)
+    assert [(row.sensor, row.shape_index) for row in world.events.leave] == [(2, -1)] * 2
+    world.apply(Delete("area"))
+    world.step()
+    assert [(event["event"], event["sensor"], event["body"]) for event in world.events] == [("leave", "area", "c0")]
+    world.step()
+    assert len(world.events) == 0
+
+
+def test_a_restore_forgets_what_was_deleted():
+    world = make([GROUND, {"id": "ball", "shapes": [{"circle": 0.5}], "position": [0, 0.5]}], [])
+    world.step(2)
+    saved = world.snapshot()
+    world.apply(Delete("ball"))
+    world.restore(saved)
+    world.step()
+    assert len(world.events) == 0
 
 
 def test_tiles_are_joined_anew():

@@ -122,3 +122,32 @@ def test_an_expectation_follows_the_bodies_that_come_and_go():
         world.step()
         judge.observe()
     assert [verdict.got for verdict in judge.verdicts()] == ["b2 moved 1 m", "b2 is at y = 1 m"]
+
+
+@pytest.mark.parametrize(
+    ("wanted", "got"),
+    [
+        ({"always": True, "above": -9, "of": "b1"}, "b1 has been deleted"),
+        ({"at": 3, "apart": ["b0", "b1"]}, "b1 has been deleted"),
+        ({"within": [2, 3], "rests": ["b0", "b1"]}, "b1 has been deleted"),
+        ({"at": 3, "stands": ["b?1", "b1"]}, "no body matches b?1 any more"),
+        ({"at": 3, "asleep": "*1"}, "no body matches *1 any more"),
+        ({"at": 1, "above": -9, "of": "b1"}, ""),
+        ({"always": True, "above": -9, "of": "b*"}, ""),
+        ({"always": True, "above": -9}, ""),
+    ],
+)
+def test_of_a_deleted_body_nothing_holds(wanted, got):
+    bodies = [{"id": f"b{k}", "shapes": [{"circle": 0.5}], "position": [3 * k, k]} for k in range(3)]
+    bodies.append({"id": "bx1", "type": "static", "shapes": [{"circle": 0.5}], "position": [0, 9]})
+    scene = Scene(gravity=(0, 0), bodies=bodies, expect=[wanted])
+    world = World(scene)
+    judge = Judge(scene, world)
+    world.step()
+    judge.observe()
+    world.apply(Delete(["b1", "bx1"]))
+    for _ in range(2):
+        world.step()
+        judge.observe()
+    (verdict,) = judge.verdicts()
+    assert (verdict.holds, verdict.got) == (not got, got)
