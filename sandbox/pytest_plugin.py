@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import argparse
 import os
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +16,7 @@ import pytest
 
 from sandbox.testing.collected import Replays, Scenes, expects_something, is_asked_by_a_test
 from sandbox.testing.fixtures import replay_check, world
-from sandbox.testing.summary import WRITTEN, judged_files, write_page, written_files
+from sandbox.testing.summary import WRITTEN, Judged, judged_files, write_page, written_files
 
 __all__ = ["replay_check", "world"]
 
@@ -72,7 +73,7 @@ def pytest_terminal_summary(terminalreporter: Any, config: pytest.Config) -> Non
         terminalreporter.write_line(_write_page(Path(page), judged_files(terminalreporter)))
 
 
-def _write_page(page: Path, judged: dict[str, bool]) -> str:
+def _write_page(page: Path, judged: Sequence[Judged]) -> str:
     """Write the page; a line that says so."""
     if not judged:
         return "no recording was judged: no page is written"

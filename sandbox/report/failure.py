@@ -39,7 +39,7 @@ def failure_of(report: Report, most: int = MOST_POSES) -> Failure | None:
     outcome = report.outcome
     if report.fine or outcome is None or outcome.divergence is None:
         return None
-    recording = Recording.load(report.case.replay)
+    recording = report.recording or Recording.load(report.case.replay)
     got = run_of(recording)
     parted = outcome.divergence
     film = film_run(got, most=most)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from sandbox.testing.paths import shown
 from sandbox.testing.summary import note_judged, note_written
 
 
@@ -103,11 +103,3 @@ class ReplayItem(_Item):
             note_written(self, case.replay.as_posix())
         if not report.fine:
             raise UnmetError(verdict(report))
-
-
-def shown(path: Path, config: pytest.Config) -> Path:
-    """A path as a person in the folder of the session would write it, if that is still the folder of the process."""
-    here = Path(config.invocation_params.dir)
-    if here != Path.cwd():
-        return path
-    return Path(os.path.relpath(path, here)) if path.is_relative_to(here) else path

@@ -9,10 +9,12 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import pytest
 
-from sandbox.testing.summary import note_written
+from sandbox.testing.paths import shown
+from sandbox.testing.summary import note_judged, note_written
 
 if TYPE_CHECKING:
     from sandbox.engine.world import World
+    from sandbox.replay.recording.recording import Recording
     from sandbox.scene import Scene
 
 _SUFFIXES = ("", ".scene.json")
@@ -70,16 +72,29 @@ def replay_check(request: pytest.FixtureRequest) -> ReplayCheck:
         given.add(path)
         try:
             made = _recording_of(what, steps, commands, request)
+            note_judged(request.node, shown(path, request.config).as_posix(), _kept(made, request), _accept(request))
             report = compare(made, path, request.config.getoption("replay_update") or "")
         except SandboxError as error:
             raise error.with_traceback(None) from None
         if report.action:
             note_written(request.node, path.as_posix())
         if not report.fine:
-            accept = f"accept it:  pytest --replay-update=changed {request.node.nodeid!r}"
-            pytest.fail(verdict(report, accept), pytrace=False)
+            pytest.fail(verdict(report, _accept(request)), pytrace=False)
 
     return check
+
+
+def _accept(request: pytest.FixtureRequest) -> str:
+    return f"accept it:  pytest --replay-update=changed {request.node.nodeid!r}"
+
+
+def _kept(made: Recording, request: pytest.FixtureRequest) -> str:
+    """Where the run of a test is kept until the page is written; "" if none is asked for."""
+    if not request.config.getoption("replay_report"):
+        return ""
+    path = request.getfixturevalue("tmp_path_factory").mktemp("replay") / "made.replay.json"
+    made.save(path)
+    return str(path)
 
 
 def golden_path(request: pytest.FixtureRequest, name: str = "") -> Path:

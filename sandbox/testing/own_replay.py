@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+from sandbox.replay.causes.explain import explained
 from sandbox.replay.golden.cases import Case
 from sandbox.replay.golden.examine import Report, Update
 from sandbox.replay.golden.rerun import Outcome, rerun
@@ -30,9 +31,9 @@ def _judged(made: Recording, golden: Recording, case: Case) -> Report:
     source = replace(made.scene, meaning=golden.scene.meaning)
     commands = tuple(row for row in made.commands if row[0] <= golden.steps)
     tried = replace(golden, scene=source, commands=commands)
-    outcome = _with_edits(rerun(tried), _edits(made, golden))
+    outcome = explained(tried, _with_edits(rerun(tried), _edits(made, golden)))
     scene = str(made.scene.path or "")
-    return Report(case, outcome.word, outcome, scene=scene, where=whereabouts(tried, outcome))
+    return Report(case, outcome.word, outcome, scene=scene, where=whereabouts(tried, outcome), recording=tried)
 
 
 def _with_edits(outcome: Outcome, edits: tuple[str, ...]) -> Outcome:

@@ -11,7 +11,11 @@ def verdict(report: Report, accept: str = "") -> str:
     """The word, the reasons, and the commands that show it and accept it; `accept` says how, if it is another way."""
     if report.problems:
         return "\n".join(FileError(report.source, list(report.problems)).lines())
-    mend = [line for line in advice(report) if not (accept and line.startswith(("accept it", "record it")))]
-    mend += [accept] if accept else []
-    lines = [*reasons(report), *mend]
+    lines = [*reasons(report), *mend(report, accept)]
     return "\n".join([f"{report.case.replay.as_posix()}: {report.word}", *(f"  {line}" for line in lines)])
+
+
+def mend(report: Report, accept: str = "") -> list[str]:
+    """The commands that show the trouble and accept it; `accept` says how, if it is another way."""
+    told = [line for line in advice(report) if not (accept and line.startswith(("accept it", "record it")))]
+    return [*told, accept] if accept and not report.fine else told

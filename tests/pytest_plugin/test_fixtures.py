@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -91,6 +92,49 @@ class TestReplayCheck:
         )
         home.runpytest("--replay-update").assert_outcomes(passed=1)
         home.runpytest().assert_outcomes(passed=1)
+
+    def test_what_was_edited_and_the_first_number_are_named(self, home: pytest.Pytester, put: Callable) -> None:
+        put("crate.scene.json")
+        write_test(home, PUSH.format(push=1.0))
+        home.runpytest("--replay-update")
+        write_test(home, PUSH.format(push=1.5))
+        home.runpytest().stdout.fnmatch_lines(
+            [
+                "  first: *crate*: * expected *, got * ulps off*",
+                "  cause: the commands were edited: *command 1 (step 5, ApplyImpulse on crate): impulse was * and is *",
+            ]
+        )
+
+    def test_a_scene_of_the_test_itself(self, home: pytest.Pytester) -> None:
+        text = "def test_it(replay_check):\n    replay_check({{'bodies': [{{'id': 'a', 'position': [0, {y}]}}]}}, 5)\n"
+        text = text.replace("{{'id'", "{{'shapes': [{{'circle': 1}}], 'id'")
+        write_test(home, text.format(y=1))
+        home.runpytest("--replay-update").assert_outcomes(passed=1)
+        write_test(home, text.format(y=2))
+        home.runpytest().stdout.fnmatch_lines(
+            ["  cause: the scene was edited: bodies?a?.position was ?0.0, 1.0? and is ?0.0, 2.0?"]
+        )
+
+    def test_the_page_shows_what_the_test_did(self, home: pytest.Pytester, put: Callable) -> None:
+        put("crate.scene.json")
+        write_test(home, PUSH.format(push=1.0) + "\n\ndef test_rests(replay_check):\n    replay_check('crate', 5)\n")
+        home.runpytest("--replay-update").assert_outcomes(passed=2)
+        write_test(
+            home,
+            PUSH.format(push=1.5)
+            + "\n\ndef test_rests(replay_check):\n    replay_check('crate', 5)\n"
+            + "\n\ndef test_new(replay_check):\n    replay_check('crate', 6)\n",
+        )
+        done = home.runpytest("--replay-report", "page.html")
+        done.assert_outcomes(passed=1, failed=2)
+        page = (home.path / "page.html").read_text(encoding="utf-8")
+        for name, word in (("falls", "stale"), ("rests", "passed"), ("new", "missing")):
+            assert re.search(rf">test_crate.test_{name}.replay.json<.*?>{word}<", page, re.DOTALL), name
+        assert page.count('class="player"') == 1
+        assert "command 1 (step 5, ApplyImpulse on crate): impulse was" in page
+        assert "the run with the commands of test_crate.test_falls.replay.json as it stands" in page
+        assert "accept it:  pytest --replay-update=changed 'test_crate.py::test_falls'" in page
+        assert "sandbox replay --update" not in page
 
     def test_other_steps_are_found(self, home: pytest.Pytester, put: Callable) -> None:
         put("crate.scene.json")

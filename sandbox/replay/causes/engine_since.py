@@ -7,9 +7,10 @@ from pathlib import Path
 
 import sandbox
 from sandbox import __version__
-from sandbox.engine.arithmetic import ARITHMETIC, changes_since
+from sandbox.engine.arithmetic import ARITHMETIC
 from sandbox.replay.causes.engine_edits import FileEdit, is_engine, told
 from sandbox.replay.causes.history import git, revisions_of
+from sandbox.replay.golden.rerun import version_notes
 from sandbox.replay.recording.environment import environment
 from sandbox.replay.recording.recording import Recording
 
@@ -38,13 +39,10 @@ def engine_since(recording: Recording) -> EngineNews:
     return EngineNews((*said, *_surroundings(recording)), revision, f"its source is that of revision {revision}, {why}")
 
 
-def _version_news(recording: Recording) -> list[str]:
-    if recording.arithmetic > ARITHMETIC:
-        return [f"a later version recorded this: sandbox {recording.version} (arithmetic {recording.arithmetic})"]
-    if recording.arithmetic < ARITHMETIC:
-        head = f"its arithmetic was changed on purpose since sandbox {recording.version} recorded this:"
-        return [head, *changes_since(recording.arithmetic)]
-    return [f"sandbox {recording.version} recorded this, and {__version__} runs"] * (recording.version != __version__)
+def _version_news(recording: Recording) -> tuple[str, ...]:
+    if recording.arithmetic != ARITHMETIC:
+        return version_notes(recording)
+    return (f"sandbox {recording.version} recorded this, and {__version__} runs",) * (recording.version != __version__)
 
 
 def _surroundings(recording: Recording) -> list[str]:

@@ -9,12 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Literal
+from itertools import chain, islice
+from typing import Any, Literal
 
 from sandbox.errors import SandboxError
 from sandbox.replay.causes.command_edits import command_edits, located
 from sandbox.replay.causes.history import earlier_texts
-from sandbox.replay.causes.scene_edits import edits_in_text
+from sandbox.replay.causes.scene_edits import MOST, edits, edits_in_text
 from sandbox.replay.golden.run import Run, Stage
 from sandbox.replay.golden.whereabouts import posix
 from sandbox.replay.recording.fingerprint import fingerprint
@@ -51,12 +52,12 @@ def candidates(recording: Recording) -> Iterator[Expected]:
     if _means(scene, recording):
         yield from _with_other_commands(recording, scene)
         return
-    if recording.scene.content is not None:
+    if recording.scene.path is None:
         yield from _with_other_content(recording, scene)
         return
     for where, old in _earlier_scenes(recording):
         if _means(old, recording):
-            said = _scene_edits(old, scene)
+            said = _file_edits(old, scene)
             yield Expected(Run(old, recording.steps, recording.commands), where, "scene", said)
             return
 
@@ -80,7 +81,7 @@ def _earlier_scenes(recording: Recording) -> Iterator[tuple[str, Scene]]:
                 continue
 
 
-def _scene_edits(old: Scene, new: Scene) -> tuple[str, ...]:
+def _file_edits(old: Scene, new: Scene) -> tuple[str, ...]:
     if old.text is None or new.text is None:
         return ()
     before, after = (parse(scene.text or "", scene.source).data for scene in (old, new))
@@ -88,16 +89,21 @@ def _scene_edits(old: Scene, new: Scene) -> tuple[str, ...]:
 
 
 def _with_other_content(recording: Recording, scene: Scene) -> Iterator[Expected]:
-    """The scene stands in the recording itself, and was edited there."""
+    """The scene stands in the recording itself, and was edited there or in the test that makes it."""
     for where, old in _earlier_recordings(recording):
         content = old.scene.content
         if content is not None and _means(content, recording):
-            assert recording.source is not None
-            text = recording.source.read_text(encoding="utf-8")
-            after = parse(text, str(recording.source)).data["scene"]["content"]
-            said = edits_in_text(content.to_data(), after, text, posix(recording.source), ("scene", "content"))
+            said = _content_edits(recording, content.to_data(), scene.to_data())
             yield Expected(Run(content, recording.steps, recording.commands), where, "scene", said)
             return
+
+
+def _content_edits(recording: Recording, old: dict[str, Any], new: dict[str, Any]) -> tuple[str, ...]:
+    text = recording.source.read_text(encoding="utf-8") if recording.source is not None else "{}"
+    written = parse(text, str(recording.source)).data.get("scene", {}).get("content", {})
+    if any(edits(written, new)):  # the scene of now stands somewhere else
+        return tuple(str(edit) for edit in islice(edits(old, new), MOST))
+    return edits_in_text(old, new, text, posix(recording.source or ""), ("scene", "content"))
 
 
 def _with_other_commands(recording: Recording, scene: Scene) -> Iterator[Expected]:
@@ -111,17 +117,18 @@ def _with_other_commands(recording: Recording, scene: Scene) -> Iterator[Expecte
 
 
 def _earlier_recordings(recording: Recording) -> Iterator[tuple[str, Recording]]:
-    """Earlier versions of the file with the same fingerprints."""
+    """The file as it stands, for a test may do something else, and earlier versions with the same fingerprints."""
     path = recording.source
     if path is None:
         return
-    for revision, text in earlier_texts(path):
+    texts = ((f"{path.name} of revision {revision}", text) for revision, text in earlier_texts(path))
+    for where, text in chain([(f"{path.name} as it stands", path.read_text(encoding="utf-8"))], texts):
         try:
             old = loads_recording(text, path)
         except SandboxError:
             continue
         if old.digests == recording.digests:
-            yield f"{path.name} of revision {revision}", old
+            yield where, old
 
 
 def gives(run: Run, recording: Recording, parted: int) -> bool:

@@ -34,7 +34,9 @@ def explained(recording: Recording, outcome: Outcome, tell: Callable[[str], None
     if expected is not None:
         cause = Cause(expected.kind, _said(expected), expected.origin)
         return replace(outcome, divergence=replace(_with_number(recording, expected, parted), cause=cause))
-    return replace(outcome, divergence=replace(parted, cause=_without_run(recording, outcome, known)))
+    cause = _without_run(recording, outcome, known)
+    notes = tuple(note for note in outcome.notes if note not in cause.said)
+    return replace(outcome, divergence=replace(parted, cause=cause), notes=notes)
 
 
 def _with_number(recording: Recording, expected: Expected, parted: Divergence) -> Divergence:
@@ -70,7 +72,7 @@ def _scene(recording: Recording, known: list[Expected]) -> Cause:
     if known:
         also = "with that undone the recorded steps do not come back either: the engine or a command is another as well"
         return Cause("scene", (*_said(known[0]), also))
-    file = recording.scene.path if recording.scene.content is None else recording.source
+    file = recording.scene.path or recording.source
     if file is None:
         return Cause("scene", ("how it was before is not known",))
     why = "none of its versions in git is the recorded one" if is_kept(file) else "it is not kept in git"
@@ -83,4 +85,5 @@ def _commands(recording: Recording) -> list[str]:
     count = len(recording.commands)
     if not count or recording.source is None or is_kept(recording.source):
         return []
-    return [f"whether one of its {count} commands was edited is not known, for it is not kept in git"]
+    which = "its command" if count == 1 else f"one of its {count} commands"
+    return [f"whether {which} was edited is not known, for the recording is not kept in git"]

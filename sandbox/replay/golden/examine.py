@@ -37,7 +37,7 @@ class Report:
     """What became of a case, in one `word`, and what was done about it: "", "written" or "removed".
 
     `outcome` is there if it ran, `problems` if it could not be used; `scene` is its scene's file, if known; `where`
-    says where the body stands that parted.
+    says where the body stands that parted. `recording` is what was run, if that is not what the file holds.
     """
 
     case: Case
@@ -48,6 +48,7 @@ class Report:
     problems: tuple[Problem, ...] = ()
     scene: str = ""
     where: str = ""
+    recording: Recording | None = None
 
     @property
     def fine(self) -> bool:

@@ -67,7 +67,7 @@ def rerun(
     trial.run(on_steps)
     drifts = () if trial.refused else tuple(drifts_of(recording.final, final_poses(trial.stage.world)))[:_WORST]
     parted = trial.parted or trial.judge_the_end(drifts)
-    notes = ((trial.refused,) if trial.refused else ()) + _notes(recording, parted)
+    notes = ((trial.refused,) if trial.refused else ()) + (version_notes(recording) if parted else ())
     word: Verdict = "stale" if edits else "diverged" if parted else "passed"
     seconds = time.perf_counter() - begin
     shown = drifts if parted else ()
@@ -139,8 +139,9 @@ def _edits(recording: Recording, scene: Scene) -> tuple[str, ...]:
     return () if now.whole == recording.scene.meaning.whole else tuple(recording.scene.meaning.changes(now))
 
 
-def _notes(recording: Recording, parted: Divergence | None) -> tuple[str, ...]:
-    if parted is None or recording.arithmetic == ARITHMETIC:
+def version_notes(recording: Recording) -> tuple[str, ...]:
+    """What is to be known of the version that recorded this, if its arithmetic is not that of this one."""
+    if recording.arithmetic == ARITHMETIC:
         return ()
     if recording.arithmetic > ARITHMETIC:
         return (f"recorded by a later version, sandbox {recording.version} (arithmetic {recording.arithmetic})",)
