@@ -63,43 +63,103 @@ def _front(body: Records, shape: Records) -> tuple[float, float]:
 
 @kernel
 def _clearance(turned: Records, a: Records, b: Records, dx: float, dy: float, nx: float, ny: float) -> float:
-    """Least height (m, along n) over the top of shape a of what of shape b lies above it; large if nothing does."""
-    low = FAR
-    high = -FAR
-    top = -FAR
+    """Least height (m, along n) of shape b over the front of shape a, where one lies over the other.
+
+    Beside a it counts from the nearer end of its front.
+    """
+    radius = a.radius + b.radius
+    if b.vertex_count == 1:
+        at = turned[b.vertex_start]
+        u = ny * (at.x + dx) - nx * (at.y + dy)
+        return nx * (at.x + dx) + ny * (at.y + dy) - _rounded_front(turned, a, u, nx, ny, radius)
+    if a.vertex_count == 1:
+        at = turned[a.vertex_start]
+        u = ny * (at.x - dx) - nx * (at.y - dy)
+        return -(nx * (at.x - dx) + ny * (at.y - dy)) - _rounded_front(turned, b, -u, -nx, -ny, radius)
+    start, end = _reach(turned, a, nx, ny)
+    low, high = _reach(turned, b, nx, ny)
+    shift = ny * dx - nx * dy
+    left = low + shift if low + shift > start - radius else start - radius
+    right = high + shift if high + shift < end + radius else end + radius
+    if left > right:  # beside it: the lowest place of b, over the nearer end of a
+        left = low + shift
+        right = high + shift
+    least = _height_over(turned, a, b, shift, left, nx, ny)
+    last = _height_over(turned, a, b, shift, right, nx, ny)
+    least = last if last < least else least
     for k in range(a.vertex_start, a.vertex_start + a.vertex_count):
-        along = ny * turned[k].x - nx * turned[k].y
-        height = nx * turned[k].x + ny * turned[k].y
-        low = along if along < low else low
-        high = along if along > high else high
-        top = height if height > top else top
-    top = top + a.radius
-    if b.vertex_count > 1:
-        low = low - a.radius
-        high = high + a.radius
-    least = FAR
-    for k in range(b.vertex_count):
-        start = turned[b.vertex_start + k]
-        end = turned[b.vertex_start + (k + 1 if k + 1 < b.vertex_count else 0)]
-        u = ny * (start.x + dx) - nx * (start.y + dy)
-        v = ny * (end.x + dx) - nx * (end.y + dy)
-        at_u = nx * (start.x + dx) + ny * (start.y + dy)
-        at_v = nx * (end.x + dx) + ny * (end.y + dy)
-        if b.vertex_count == 1:
-            return float(_disc_height(u, low, high, b.radius + a.radius) + at_u - (top - a.radius))
-        for place in (u, v, low, high):
-            if low <= place <= high and (u <= place <= v or v <= place <= u):
-                height = at_u if u == v else at_u + (place - u) / (v - u) * (at_v - at_u)
-                if u == v and at_v < height:
-                    height = at_v
-                least = height if height < least else least
-    return float(least - b.radius - top)
+        place = ny * turned[k].x - nx * turned[k].y
+        if left < place < right:
+            height = _height_over(turned, a, b, shift, place, nx, ny)
+            least = height if height < least else least
+    for k in range(b.vertex_start, b.vertex_start + b.vertex_count):
+        place = ny * turned[k].x - nx * turned[k].y + shift
+        if left < place < right:
+            height = _height_over(turned, a, b, shift, place, nx, ny)
+            least = height if height < least else least
+    return float(least + (nx * dx + ny * dy) - radius)
 
 
 @kernel
-def _disc_height(u: float, low: float, high: float, radius: float) -> float:
-    """How far below its centre (negative, m) a disc at `u` reaches within the strip from `low` to `high`."""
-    beyond = low - u if u < low else (u - high if u > high else 0.0)
-    if beyond >= radius:
-        return FAR
-    return -math.sqrt(radius * radius - beyond * beyond)
+def _height_over(turned: Records, a: Records, b: Records, shift: float, place: float, nx: float, ny: float) -> float:
+    """Height of the lower side of b, as if it were at a's origin but for `shift`, over the front of a at a place."""
+    return -_front_at(turned, b, shift - place, -nx, -ny) - _front_at(turned, a, place, nx, ny)
+
+
+@kernel
+def _reach(turned: Records, shape: Records, nx: float, ny: float) -> tuple[float, float]:
+    """From where to where a core reaches across the direction n."""
+    low = FAR
+    high = -FAR
+    for k in range(shape.vertex_start, shape.vertex_start + shape.vertex_count):
+        along = ny * turned[k].x - nx * turned[k].y
+        low = along if along < low else low
+        high = along if along > high else high
+    return low, high
+
+
+@kernel
+def _front_at(turned: Records, shape: Records, place: float, nx: float, ny: float) -> float:
+    """Height (m, along n) of the front of a core at a place across n; beyond its ends that of the nearer end."""
+    low, high = _reach(turned, shape, nx, ny)
+    place = low if place < low else (high if place > high else place)
+    top = -FAR
+    for k in range(shape.vertex_count):
+        start = turned[shape.vertex_start + k]
+        end = turned[shape.vertex_start + (k + 1 if k + 1 < shape.vertex_count else 0)]
+        u = ny * start.x - nx * start.y
+        v = ny * end.x - nx * end.y
+        if u <= place <= v or v <= place <= u:
+            at_u = nx * start.x + ny * start.y
+            at_v = nx * end.x + ny * end.y
+            height = (at_v if at_v > at_u else at_u) if u == v else at_u + (place - u) / (v - u) * (at_v - at_u)
+            top = height if height > top else top
+    return top
+
+
+@kernel
+def _rounded_front(turned: Records, shape: Records, place: float, nx: float, ny: float, radius: float) -> float:
+    """Height (m, along n) of the front of a core with a rim of `radius` at a place; beside it that of its end."""
+    top = -FAR
+    for k in range(shape.vertex_count):
+        start = turned[shape.vertex_start + k]
+        end = turned[shape.vertex_start + (k + 1 if k + 1 < shape.vertex_count else 0)]
+        u = ny * start.x - nx * start.y
+        at_u = nx * start.x + ny * start.y
+        away = place - u
+        if away * away <= radius * radius:
+            height = at_u + math.sqrt(radius * radius - away * away)
+            top = height if height > top else top
+        along = ny * end.x - nx * end.y - u
+        up = nx * end.x + ny * end.y - at_u
+        length = math.sqrt(along * along + up * up)
+        if length > 0.0 and along != 0.0:
+            lean = (
+                -up / length if along > 0.0 else up / length
+            )  # how far across n the rim lies from its edge, by radius
+            share = (place - radius * lean - u) / along
+            if 0.0 <= share <= 1.0:
+                rise = along / length if along > 0.0 else -along / length
+                height = at_u + share * up + radius * rise
+                top = height if height > top else top
+    return top if top > -FAR else _front_at(turned, shape, place, nx, ny) + radius
