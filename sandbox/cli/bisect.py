@@ -46,15 +46,16 @@ def bisect(
     from sandbox.replay.golden.run import run_of
     from sandbox.replay.revisions.worktree import Repository
 
-    run = run_of(load(find_scene(file)))
+    what = load(find_scene(file))
+    run = run_of(what)
     repository = Repository(engine)
     ends = repository.commit(good), repository.commit(bad)
-    found = _search(repository, run, ends, no_jit)
+    found = _search(repository, run, ends, no_jit, getattr(what, "digests", ()))
     _print_document(found, ends) if json else _print_lines(found, ends)
     raise typer.Exit({0: NOTHING, 1: HOLDS}.get(len(found.suspects), FAILED))
 
 
-def _search(repository: Any, run: Any, ends: tuple[Commit, Commit], no_jit: bool) -> Found:
+def _search(repository: Any, run: Any, ends: tuple[Commit, Commit], no_jit: bool, digests: tuple[str, ...]) -> Found:
     from rich.console import Console
 
     from sandbox.cli.progress import SceneProgress
@@ -70,13 +71,17 @@ def _search(repository: Any, run: Any, ends: tuple[Commit, Commit], no_jit: bool
                 progress.begin("halving", left)
             progress.done(most[0] - left)
 
-        return search(repository, run, *ends, no_jit, on_left)
+        return search(repository, run, *ends, no_jit, on_left, digests)
 
 
 def _print_lines(found: Found, ends: tuple[Commit, Commit]) -> None:
     if not found.suspects:
         print(f"no difference: {ends[1]}\ngoes the same way as {ends[0]}")
+        print(_both(found.good_parts), end="")
         return
+    if found.good_parts:
+        print(f"the good revision does not do what was recorded either, from step {found.good_parts} on;")
+        print("what follows is held against what it does")
     head = "the first that goes another way:" if len(found.suspects) == 1 else "one of these is the first:"
     print("\n".join([head, *(f"  {commit}" for commit in found.suspects)]))
     if found.divergence is not None:
@@ -84,6 +89,15 @@ def _print_lines(found: Found, ends: tuple[Commit, Commit]) -> None:
     for one in found.skipped:
         print(f"skipped {one.commit}\n  {one.reason}")
     print(f"show it: git show {found.suspects[-1].hash[:12]}")
+
+
+def _both(parts: int | None) -> str:
+    """What both do, by the step after which they leave the recording."""
+    if parts is None:
+        return ""
+    if parts == 0:
+        return "both do what was recorded\n"
+    return f"neither does what was recorded, from step {parts} on: look for an earlier good revision\n"
 
 
 def _print_document(found: Found, ends: tuple[Commit, Commit]) -> None:

@@ -54,5 +54,22 @@ def test_ends_that_cannot_be(cli: Callable, history: History, golden: Path) -> N
     assert (code, "cannot run it" in text) == (2, True)
     code, text = call(commits[0], commits[1])
     assert (code, "no difference" in text) == (5, True)
+    assert "\nboth do what was recorded\n" in text
+    code, text = call(commits[2], commits[3])
+    assert (code, f"the good commit {commits[2][:12]} broken cannot run it: SyntaxError" in text) == (2, True)
     code, text = call("nowhere", commits[1])
     assert (code, "there is no revision" in text) == (2, True)
+
+
+def test_a_good_revision_that_does_not_do_what_was_recorded(cli: Callable, history: History, golden: Path) -> None:
+    lines = golden.read_text(encoding="utf-8").split("\n")
+    lines[lines.index('  "digests": [') + 3] = '    "0000 0000 0000 0000",'
+    golden.write_text("\n".join(lines), encoding="utf-8")
+    options = ["--engine", history.root, "--no-jit", "--good", history.commits[3], "--bad"]
+    done = cli("bisect", golden, *options, history.commits[4])
+    assert done.code == 0
+    assert "the good revision does not do what was recorded either, from step 3 on;\n" in done.out
+    assert f"  {history.commits[4][:12]} pushes softer\n" in done.out
+    done = cli("bisect", golden, *options[:-3], "--good", history.commits[4], "--bad", history.commits[5])
+    assert done.code == 5
+    assert "neither does what was recorded, from step" in done.out

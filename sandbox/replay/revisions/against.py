@@ -44,10 +44,9 @@ def _held_against_recording(
     recording: Recording, before: Trace, found: Divergence | None, commit: Commit
 ) -> tuple[str, ...]:
     """Whether that revision does what was recorded; nothing if it cannot say."""
-    if not before.fingerprints:
+    parted = before.parts_from(recording.digests)
+    if parted is None:
         return ()
-    pairs = enumerate(zip(recording.digests, before.fingerprints, strict=False), 1)
-    parted = next((step for step, (old, new) in pairs if old != new), 0)
     if not parted:
         return ("that is what was recorded",) if found else ()
     if found:

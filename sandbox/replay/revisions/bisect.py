@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 from sandbox.errors import SandboxError
@@ -26,12 +26,14 @@ class Found:
     """The commits of which one is the first that goes another way, oldest first: one, unless some cannot run.
 
     Empty if the bad commit goes the same way as the good one. `divergence` compares the last of them with `good`.
+    `good_parts` is the step after which the good commit leaves the recording: 0 if it does not, None if not known.
     """
 
     suspects: tuple[Commit, ...]
     tried: int
     skipped: tuple[Skipped, ...]
     divergence: Divergence | None = None
+    good_parts: int | None = None
 
 
 @dataclass
@@ -67,24 +69,33 @@ def bisect(
     bad: Commit,
     no_jit: bool = False,
     on_left: Callable[[int], None] | None = None,
+    digests: Sequence[str] = (),
 ) -> Found:
     """Find the commit after `good` and up to `bad` from which on `run` goes another way than at `good`.
 
-    `on_left` hears how many commits are left to choose from. Raises `SandboxError` if `good` does not come before
-    `bad`, and `RevisionError` if one of the two cannot run it.
+    `digests` are the fingerprints of the recording, if it is one. `on_left` hears how many commits are left to choose
+    from. Raises `SandboxError` if `good` does not come before `bad`, and `RevisionError` if one of the two cannot run it.
     """
     _candidates(repository, [good.hash], bad.hash)  # before anything is run
     with Worktree(repository) as tree:
-        first = trace(tree.checkout(good), run, no_jit=no_jit)
+        first = _at_good(tree, good, run, no_jit)
+        parts = first.parts_from(digests) if digests else None
         search = _Search(tree, run, no_jit, first)
         at_bad = search.is_good(bad)
         if at_bad is None:
             raise RevisionError(f"the bad commit {bad} cannot run it: {search.skipped[bad.hash].reason}")
         if at_bad:
-            return Found((), search.tried, ())
+            return Found((), search.tried, (), good_parts=parts)
         suspects = _halve(search, repository, good, bad, on_left)
         divergence = _explain(search, good, suspects[-1])
-    return Found(suspects, search.tried, tuple(search.skipped.values()), divergence)
+    return Found(suspects, search.tried, tuple(search.skipped.values()), divergence, parts)
+
+
+def _at_good(tree: Worktree, good: Commit, run: Run, no_jit: bool) -> Trace:
+    try:
+        return trace(tree.checkout(good), run, no_jit=no_jit)
+    except RevisionError as error:
+        raise RevisionError(f"the good commit {good} cannot run it: {error}") from None
 
 
 def _halve(

@@ -63,6 +63,15 @@ class Trace:
                 made[name] = found[name]
         return made
 
+    def parts_from(self, digests: Sequence[str]) -> int | None:
+        """The first step after which this is not what a recording's fingerprints say; 0: there is none; None: this
+        revision knows no fingerprints.
+        """
+        if not self.fingerprints:
+            return None
+        pairs = enumerate(zip(digests, self.fingerprints, strict=False), 1)
+        return next((step for step, (old, new) in pairs if old != new), 0)
+
     def names(self, step: int, key: str = "names") -> tuple[str, ...]:
         """The ids of bodies (or `joint_names`), row by row."""
         return tuple(self.arrays[f"{step}.{key}"].tolist())
