@@ -74,7 +74,7 @@ def bisect(
     """Find the commit after `good` and up to `bad` from which on `run` goes another way than at `good`.
 
     `digests` are the fingerprints of the recording, if it is one. `on_left` hears how many commits are left to choose
-    from. Raises `SandboxError` if `good` does not come before `bad`, and `RevisionError` if one of the two cannot run it.
+    from. Raises `SandboxError` if `good` does not come before `bad`, `RevisionError` if one of them cannot run it.
     """
     _candidates(repository, [good.hash], bad.hash)  # before anything is run
     with Worktree(repository) as tree:
