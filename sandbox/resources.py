@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 _PACKAGE = Path(__file__).resolve().parent
@@ -29,6 +30,22 @@ def find_scene(path: Path) -> Path:
         return path
     wanted = path.name.removesuffix(SCENE_SUFFIX) + SCENE_SUFFIX
     return next((scene for scene in shipped_scenes() if scene.name == wanted), path)
+
+
+def files_below(folder: Path, ending: str) -> list[Path]:
+    """Every file of that ending in a folder and below, sorted, but none in hidden folders and virtual environments.
+
+    An environment in which this package is installed holds its scenes, and they are not the user's.
+    """
+    found: list[Path] = []
+    for home, folders, names in os.walk(folder):
+        folders[:] = [name for name in folders if not _is_foreign(home, name)]
+        found += [Path(home, name) for name in names if name.endswith(ending)]
+    return sorted(found)
+
+
+def _is_foreign(home: str, name: str) -> bool:
+    return name.startswith(".") or name == "node_modules" or os.path.isfile(os.path.join(home, name, "pyvenv.cfg"))
 
 
 def _folder(name: str) -> Path:

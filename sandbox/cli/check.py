@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from sandbox.errors import SandboxError
-from sandbox.resources import SCENE_SUFFIX, find_scene
+from sandbox.resources import SCENE_SUFFIX, files_below, find_scene
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -65,7 +65,7 @@ def find_files(paths: Sequence[Path], only: str = "", verb: str = "check") -> li
 def _files_of(path: Path, verb: str) -> list[Path]:
     if not path.is_dir():
         return [find_scene(path)]
-    files = sorted(path.rglob("*" + SCENE_SUFFIX))
+    files = files_below(path, SCENE_SUFFIX)
     if not files:
         raise SandboxError(f"nothing to {verb}: no *{SCENE_SUFFIX} in {path} or below")
     return files

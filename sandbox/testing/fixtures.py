@@ -72,12 +72,13 @@ def replay_check(request: pytest.FixtureRequest) -> ReplayCheck:
         given.add(path)
         try:
             made = _recording_of(what, steps, commands, request)
-            note_judged(request.node, shown(path, request.config).as_posix(), _kept(made, request), _accept(request))
-            report = compare(made, path, request.config.getoption("replay_update") or "")
+            told = shown(path, request.config)
+            note_judged(request.node, told.as_posix(), _kept(made, request), _accept(request))
+            report = compare(made, told, request.config.getoption("replay_update") or "")
         except SandboxError as error:
             raise error.with_traceback(None) from None
         if report.action:
-            note_written(request.node, path.as_posix())
+            note_written(request.node, told.as_posix())
         if not report.fine:
             pytest.fail(verdict(report, _accept(request)), pytrace=False)
 
@@ -110,7 +111,9 @@ def scene_of(what: Any, request: pytest.FixtureRequest) -> Scene:
 
     if isinstance(what, Scene):
         return what
-    return Scene(**what) if isinstance(what, Mapping) else load_scene(_file_of(Path(what), request))
+    return (
+        Scene(**what) if isinstance(what, Mapping) else load_scene(shown(_file_of(Path(what), request), request.config))
+    )
 
 
 def _file_of(wanted: Path, request: pytest.FixtureRequest) -> Path:

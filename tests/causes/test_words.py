@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
+import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
@@ -151,3 +152,21 @@ def test_a_figure_out_of_tolerance_has_a_cause_but_no_number(views: Callable[...
     assert seen.divergence["group"] not in ("pairs", "manifolds", "impulses", "poses")
     assert seen.divergence["cause"]["kind"] == "scene"
     assert seen.divergence["detail"] is None
+
+
+@needs_git
+def test_a_shallow_clone_says_how_to_get_more(
+    views: Callable[..., Views], cli: Callable, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As a CI server checks out: the scene was edited in the last commit, and no other is there."""
+    write()
+    golden = record(cli)
+    commit()
+    write(friction=0.2)
+    commit()
+    clone = ["git", "clone", "-q", "--depth=1", f"file://{tmp_path}", "shallow"]
+    subprocess.run(clone, check=True, capture_output=True)
+    monkeypatch.chdir("shallow")
+    assert views(golden).all_say("git has only the latest revisions here: git fetch --unshallow")
+    subprocess.run(["git", "fetch", "-q", "--unshallow"], check=True, capture_output=True)
+    assert views(golden).all_say("materials.stuff.friction was 0.3 and is 0.2")

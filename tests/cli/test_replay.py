@@ -158,6 +158,16 @@ class TestWords:
         assert (done.code, list(words(done.out).values())) == (1, ["missing"])
         assert "--update=missing" in done.out
 
+    def test_scenes_of_an_environment_are_not_the_users(
+        self, cli: Callable, write_scene: Callable, golden: Path, tmp_path: Path
+    ) -> None:
+        for name in ("venv/lib/b.scene.json", ".tox/b.scene.json", "node_modules/b.scene.json", "below/c.scene.json"):
+            write_scene(name, HOLDS)
+        (tmp_path / "venv/pyvenv.cfg").write_text("")
+        assert words(cli("replay", ".").out) == {"a": "passed", "below/c": "missing"}
+        assert cli("check", ".").out.count(".scene.json") == 2
+        assert list(words(cli("replay", "venv").out)) == ["venv/lib/b"]
+
     def test_orphaned(self, cli: Callable, golden: Path, tmp_path: Path) -> None:
         (tmp_path / "a.scene.json").unlink()
         done = cli("replay", tmp_path)

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
 
 from sandbox.errors import SandboxError
 from sandbox.replay.causes.engine_since import EngineNews, engine_since
 from sandbox.replay.causes.expected import Expected, candidates, gives
-from sandbox.replay.causes.history import is_kept
+from sandbox.replay.causes.history import is_cut, is_kept
 from sandbox.replay.golden.divergence import Cause, Divergence
 from sandbox.replay.golden.rerun import Outcome
 from sandbox.replay.golden.run import run_of
 from sandbox.replay.golden.side_by_side import compare_after
+from sandbox.replay.golden.whereabouts import posix
 from sandbox.replay.recording.fingerprint import GROUPS
 from sandbox.replay.recording.recording import Recording
 
@@ -63,7 +65,7 @@ def _without_run(recording: Recording, outcome: Outcome, known: list[Expected]) 
 
 def _how_to_see(recording: Recording, news: EngineNews) -> str:
     """The command that names the number."""
-    path = recording.source.as_posix() if recording.source is not None else "FILE"
+    path = posix(recording.source) if recording.source is not None else "FILE"
     revision = news.revision or "REV --engine CHECKOUT"
     return f"for the first number that differs: sandbox replay {path} --against {revision}"
 
@@ -75,15 +77,22 @@ def _scene(recording: Recording, known: list[Expected]) -> Cause:
     file = recording.scene.path or recording.source
     if file is None:
         return Cause("scene", ("how it was before is not known",))
-    why = "none of its versions in git is the recorded one" if is_kept(file) else "it is not kept in git"
-    hint = f"with a copy of the earlier one: sandbox diff EARLIER.scene.json {file.as_posix()}"
-    return Cause("scene", (f"how it was before is not known, for {why}", hint))
+    hint = f"with a copy of the earlier one: sandbox diff EARLIER.scene.json {posix(file)}"
+    return Cause("scene", (f"how it was before is not known, for {_why(file)}", hint))
+
+
+def _why(file: Path) -> str:
+    if is_cut(file):
+        return "git has only the latest revisions here: git fetch --unshallow (in GitHub Actions, fetch-depth: 0)"
+    return "none of its versions in git is the recorded one" if is_kept(file) else "it is not kept in git"
 
 
 def _commands(recording: Recording) -> list[str]:
     """A recording that git does not know may have been edited."""
     count = len(recording.commands)
-    if not count or recording.source is None or is_kept(recording.source):
+    file = recording.source
+    if not count or file is None or (is_kept(file) and not is_cut(file)):
         return []
     which = "its command" if count == 1 else f"one of its {count} commands"
-    return [f"whether {which} was edited is not known, for the recording is not kept in git"]
+    why = _why(file) if is_cut(file) else "the recording is not kept in git"
+    return [f"whether {which} was edited is not known, for {why}"]

@@ -29,6 +29,11 @@ def is_kept(path: Path) -> bool:
     return bool(git(path.parent, "log", "--max-count=1", "--format=%h", "--", path.name))
 
 
+def is_cut(path: Path) -> bool:
+    """Whether git has only the latest revisions here, a shallow clone."""
+    return (git(path.parent, "rev-parse", "--is-shallow-repository") or "").strip() == "true"
+
+
 def git(folder: Path, *arguments: str) -> str | None:
     """What git prints in a folder; None if it cannot."""
     command = ["git", "--no-pager", "-C", str(folder.resolve()), *arguments]

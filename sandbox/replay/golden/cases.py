@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from sandbox.replay.recording.limits import SUFFIX
-from sandbox.resources import SCENE_SUFFIX
+from sandbox.resources import SCENE_SUFFIX, files_below
 
 
 @dataclass(frozen=True)
@@ -22,7 +22,8 @@ class Case:
 def find_cases(paths: Iterable[Path], only: str = "") -> list[Case]:
     """What is meant by files and folders, each once, in order; `only` keeps paths with that text in them.
 
-    In a folder: every recording, and every scene that expects something and has no recording beside it.
+    In a folder: every recording, and every scene that expects something and has no recording beside it; not in hidden
+    folders and virtual environments.
     """
     found = (case for path in paths for case in _cases_of(path))
     return [case for case in dict.fromkeys(found) if only in case.replay.as_posix()]
@@ -42,8 +43,8 @@ def _cases_of(path: Path) -> Iterator[Case]:
     if not path.is_dir():
         yield _of_replay(path) if path.name.endswith(SUFFIX) else _of_scene(path)
         return
-    replays = [Case(file) for file in path.rglob("*" + SUFFIX)]
-    scenes = (_of_scene(file) for file in path.rglob("*" + SCENE_SUFFIX))
+    replays = [Case(file) for file in files_below(path, SUFFIX)]
+    scenes = (_of_scene(file) for file in files_below(path, SCENE_SUFFIX))
     missing = [case for case in scenes if case.scene is not None and expects(case.scene)]
     yield from sorted([*replays, *missing], key=lambda case: case.replay)
 
