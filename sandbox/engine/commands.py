@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 from sandbox._jit import interpreted
-from sandbox.engine.command_checks import check_numbers, title
+from sandbox.engine.command_checks import check_fields, title
 from sandbox.engine.integrate import place_origin as place_origin_kernel
 from sandbox.engine.pushes import ApplyForce, ApplyImpulse, apply_force, apply_impulse
 from sandbox.engine.surfaces import SetSurface, set_surface
@@ -88,7 +88,7 @@ Command: TypeAlias = SetPose | SetVelocity | SetSurface | ApplyForce | ApplyImpu
 
 def apply_command(state: State, index: int, command: Command) -> None:
     """Apply a command to body `index`. Raises `CommandError`, and changes nothing, if it cannot be done."""
-    check_numbers(command)
+    check_fields(command)
     body = state.bodies[index]
     match command:
         case SetPose():

@@ -43,6 +43,8 @@ def _rows(names: Iterable[str]) -> dict[str, int]:
 
 
 def _row(what: str, name: str, rows: dict[str, int], error: type[SandboxError]) -> int:
+    if not isinstance(name, str):
+        raise error(f"an id is a text, not {name!r}")
     if name not in rows:
         near = difflib.get_close_matches(name, rows, 1)
         raise error(f"no {what} {name!r} in this world" + (f"; did you mean {near[0]!r}?" if near else ""))

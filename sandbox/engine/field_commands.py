@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from sandbox.engine.command_checks import check_numbers, title
+from sandbox.engine.command_checks import check_fields, title
 from sandbox.engine.wake import wake_bodies, wake_body
 from sandbox.errors import CommandError, SceneError
 from sandbox.tables import Integers
@@ -87,7 +87,7 @@ def apply_field_command(world: World, command: FieldCommand) -> None:
 
     Raises `CommandError`, `UnknownRegionError` or `UnknownBodyError`, and changes nothing, if it can't be done.
     """
-    check_numbers(command)
+    check_fields(command)
     if isinstance(command, SetRegion):
         _set_region(world, command)
     else:
@@ -104,9 +104,9 @@ def _set_region(world: World, command: SetRegion) -> None:
         raise CommandError(f"{title(command)}: this water has no surface; give it one in the scene")
     inside = _inside(state, row)
     for field, columns in _columns(row).items():
-        values = given.get(field, ())
-        for column, value in zip(columns, values if isinstance(values, tuple) else (values,), strict=False):
-            row[column] = value
+        if field in given and columns:
+            for column, value in zip(columns, given[field] if len(columns) > 1 else (given[field],), strict=True):
+                row[column] = value
     if "surface" in given:
         state.edges[row.first_edge + row.edge_count - 1].offset = given["surface"]
     _switch(row, command.enabled, state)

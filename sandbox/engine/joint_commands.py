@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
-from sandbox.engine.command_checks import check_numbers, title
+from sandbox.engine.command_checks import check_fields, title
 from sandbox.engine.wake import wake_bodies
 from sandbox.errors import CommandError
 from sandbox.world import joint_records as kinds
@@ -79,7 +79,7 @@ def apply_joint_command(state: State, index: int, command: JointCommand) -> bool
 
     Raises `CommandError`, and changes nothing, if it cannot be done.
     """
-    check_numbers(command)
+    check_fields(command)
     joint = state.joints[index]
     before = (int(joint.spring), int(joint.limit), int(joint.motor), int(joint.enabled), int(joint.broken_step))
     match command:

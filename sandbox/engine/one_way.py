@@ -71,11 +71,11 @@ def _clearance(turned: Records, a: Records, b: Records, dx: float, dy: float, nx
     if b.vertex_count == 1:
         at = turned[b.vertex_start]
         u = ny * (at.x + dx) - nx * (at.y + dy)
-        return nx * (at.x + dx) + ny * (at.y + dy) - _rounded_front(turned, a, u, nx, ny, radius)
+        return float(nx * (at.x + dx) + ny * (at.y + dy) - _rounded_front(turned, a, u, nx, ny, radius))
     if a.vertex_count == 1:
         at = turned[a.vertex_start]
         u = ny * (at.x - dx) - nx * (at.y - dy)
-        return -(nx * (at.x - dx) + ny * (at.y - dy)) - _rounded_front(turned, b, -u, -nx, -ny, radius)
+        return float(-(nx * (at.x - dx) + ny * (at.y - dy)) - _rounded_front(turned, b, -u, -nx, -ny, radius))
     start, end = _reach(turned, a, nx, ny)
     low, high = _reach(turned, b, nx, ny)
     shift = ny * dx - nx * dy

@@ -91,6 +91,8 @@ def apply_row_command(world: World, command: RowCommand) -> Moved:
 
 def _spawn(world: World, command: Spawn) -> Moved:
     bodies, joints = ([part] if isinstance(part, dict) else part for part in (command.bodies, command.joints))
+    if not all(isinstance(part, (list, tuple, str)) for part in (bodies, joints)):  # a text gets a nearer word below
+        raise CommandError("Spawn: bodies and joints are entries of a scene file, or lists of such")
     if len(bodies) + len(joints) == 0:
         raise CommandError("Spawn: there is nothing to spawn; give bodies or joints")
     try:

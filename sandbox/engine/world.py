@@ -20,6 +20,7 @@ from sandbox.engine.scratch import Scratch
 from sandbox.engine.stepper import Stepper
 from sandbox.engine.views import Bodies, Body
 from sandbox.engine.world_commands import WorldCommand, apply_world_command
+from sandbox.errors import CommandError
 from sandbox.notebook import Shown
 from sandbox.tables import Floats
 from sandbox.world.build import build_state
@@ -95,6 +96,8 @@ class World(Shown):
         elif isinstance(command, FieldCommand):
             apply_field_command(self, command)
             self._last_switch = last_switch(self.state)
+        elif not isinstance(command, Command):
+            raise CommandError(f"{command!r} is no command; they are in sandbox.engine.commands and its neighbours")
         else:
             index = self.directory.body(command.body)
             if isinstance(command, SetPose):

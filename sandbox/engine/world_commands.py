@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
-from sandbox.engine.command_checks import check_numbers
+from sandbox.engine.command_checks import check_fields
 from sandbox.engine.commands import apply_command
 from sandbox.engine.pushes import ApplyImpulse
 from sandbox.errors import CommandError
@@ -48,7 +48,7 @@ WorldCommand: TypeAlias = SetGravity | Explode
 
 def apply_world_command(world: World, command: WorldCommand) -> None:
     """Apply a command. Raises `CommandError`, and changes nothing, if it cannot be done."""
-    check_numbers(command)
+    check_fields(command)
     if isinstance(command, SetGravity):
         _set_gravity(world, command)
     else:

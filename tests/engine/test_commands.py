@@ -8,7 +8,10 @@ import numpy as np
 import pytest
 
 from sandbox.engine.commands import ApplyForce, EndDrag, MoveDrag, SetPose, SetVelocity, StartDrag
+from sandbox.engine.row_commands import Spawn
+from sandbox.engine.surfaces import SetSurface
 from sandbox.engine.world import World
+from sandbox.engine.world_commands import SetGravity
 from sandbox.errors import CommandError, SandboxError, UnknownBodyError
 from tests.flat import body, box, circle, ground, world
 
@@ -78,6 +81,42 @@ def test_a_drag_target_that_is_no_number_is_refused():
 def test_numbers_past_the_limits_are_refused(make, huge):
     message = refused(small(), make(huge))
     assert "limit" in message
+
+
+@pytest.mark.parametrize(
+    ("command", "told"),
+    [
+        (SetPose("crate", [math.nan, 0.0], 0.0), "position must be a finite number"),
+        (SetPose("crate", np.array([0.0, math.inf]), 0.0), "position must be a finite number"),
+        (SetPose("crate", 5.0, 0.0), "position must be a pair of numbers (x, y), not 5.0"),
+        (SetPose("crate", (1.0,), 0.0), "position must be a pair of numbers (x, y), not (1.0,)"),
+        (SetVelocity("crate", (0.0, 0.0), None), "angular_velocity must be a number, not None"),
+        (SetVelocity("crate", ("1", 0.0), 0.0), "velocity must be a pair of numbers (x, y)"),
+        (ApplyForce("crate", (1.0, 0.0), point=3.0), "point must be a pair of numbers (x, y), not 3.0"),
+        (ApplyForce("crate", (1.0, 0.0), torque=True), "torque must be a number, not True"),
+        (SetSurface("crate", friction="ice"), "friction must be a number, not 'ice'"),
+        (SetSurface("crate", shape=0.5), "shape must be a whole number, not 0.5"),
+        (StartDrag("crate", (0.0, 0.0), -5.0), "max_force must not be negative"),
+        (SetGravity(9.81), "SetGravity: gravity must be a pair of numbers (x, y), not 9.81"),
+        (Spawn(5), "bodies and joints are entries of a scene file"),
+        ("Delete", "'Delete' is no command"),
+        (None, "None is no command"),
+    ],
+)
+def test_what_has_another_type_is_refused(command, told):
+    assert told in refused(small(), command)
+
+
+@pytest.mark.parametrize("name", [None, 5, ["crate"]])
+def test_an_id_is_a_text(name):
+    assert "an id is a text" in refused(small(), SetVelocity(name, (1.0, 0.0), 0.0), UnknownBodyError)
+
+
+def test_lists_and_numbers_of_numpy_will_do():
+    one, two = small(), small()
+    one.apply(SetVelocity("crate", (1.0, 2.0), 3.0))
+    two.apply(SetVelocity("crate", np.array([1.0, 2.0], np.float32), np.int64(3)))
+    assert one.digest() == two.digest()
 
 
 @pytest.mark.parametrize(
