@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 from collections.abc import Sequence
 
@@ -10,6 +11,8 @@ from sandbox.cli.replay_words import advice, reasons
 from sandbox.replay.golden.examine import Report
 from sandbox.scene.excerpt import line_column
 from sandbox.scene.locate import locate
+
+_EDITED = re.compile(r"(.+?\.json):(\d+):\d+: ")
 
 MOST = 10
 """GitHub shows no more of one step."""
@@ -24,12 +27,21 @@ def annotate(reports: Sequence[Report], to_stderr: bool) -> None:
 
 
 def _note(report: Report) -> str:
-    file = report.scene if report.word == "missing" else report.case.replay.as_posix()
-    line = _line(report)
+    file, line = _place(report)
     place = f",line={line}" if line else ""
     title = f"replay {report.word}"
     text = "\n".join([*reasons(report), *advice(report)])
     return f"::error file={_property(file)}{place},title={_property(title)}::{_data(text)}"
+
+
+def _place(report: Report) -> tuple[str, int]:
+    """File and line: those of the edit that is the cause, if it is known."""
+    cause = report.outcome.divergence.cause if report.outcome and report.outcome.divergence else None
+    edited = _EDITED.match(cause.said[0]) if cause is not None and cause.kind in ("scene", "command") else None
+    if edited is not None:
+        return edited[1], int(edited[2])
+    file = report.scene if report.word == "missing" else report.case.replay.as_posix()
+    return file, _line(report)
 
 
 def _line(report: Report) -> int:

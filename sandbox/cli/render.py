@@ -53,6 +53,8 @@ def render(
             raise SandboxError("--size is for pictures: a page fits itself to its window")
         _write_page(scene, output, step, steps, json)
         return
+    if scene.name.endswith(".replay.json"):
+        raise SandboxError(f"{scene}: pictures are of scenes; what shows a recording is a page: -o NAME.html")
     moving = suffix == ".gif"
     pixels = parse_size(size or (FILM_SIZE if moving else STILL_SIZE))
     world = _world(find_scene(scene))

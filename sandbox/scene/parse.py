@@ -55,8 +55,16 @@ def _load(text: str) -> Parsed:
         raise
     except ValueError:  # Python refuses to read whole numbers of thousands of digits
         repeating.clear()
-        data = json.loads(text, object_pairs_hook=to_dict, parse_int=float)
+        data = json.loads(text, object_pairs_hook=to_dict, parse_int=_whole)
     return Parsed(data, _repeats(data, repeating))
+
+
+def _whole(digits: str) -> int | float:
+    """A whole number of a JSON text; one of thousands of digits is infinite, as it is for floats."""
+    try:
+        return int(digits)
+    except ValueError:
+        return float(digits)
 
 
 def _repeats(data: Any, repeating: list[tuple[dict[str, Any], list[str]]]) -> list[Finding]:

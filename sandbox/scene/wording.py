@@ -57,6 +57,8 @@ def _message(item: Mapping[str, Any]) -> tuple[str, str]:
     kind, value, context = item["type"], item["input"], item.get("ctx", {})
     if kind in _WANTED:
         wanted = _WANTED[kind]
+        if kind == "float_type" and isinstance(value, int) and not isinstance(value, bool):
+            return "must be a finite number", ""  # a whole one beyond all floats
         same = kind == "int_type" and isinstance(value, float)
         return (wanted, "") if same else (f"{wanted}, not {describe(value)}", "")
     if kind == "literal_error":
@@ -69,6 +71,7 @@ def _message(item: Mapping[str, Any]) -> tuple[str, str]:
         "int_from_float": "must be a whole number",
         "string_unicode": "is not valid text",
         "string_too_short": "must not be empty",
+        "string_too_long": f"must have at most {context.get('max_length')} characters",
     }
     return fixed.get(kind, str(item["msg"])), ""
 

@@ -170,3 +170,29 @@ def test_a_shallow_clone_says_how_to_get_more(
     assert views(golden).all_say("git has only the latest revisions here: git fetch --unshallow")
     subprocess.run(["git", "fetch", "-q", "--unshallow"], check=True, capture_output=True)
     assert views(golden).all_say("materials.stuff.friction was 0.3 and is 0.2")
+
+
+@needs_git
+def test_a_note_on_github_stands_beside_the_edit(
+    views: Callable[..., Views], cli: Callable, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write()
+    golden = record(cli)
+    commit()
+    scene = write(friction=0.2)
+    monkeypatch.setenv("GITHUB_ACTIONS", "true")
+    line = place(scene, "0.2").split(":")[1]
+    assert f"::error file=slide.scene.json,line={line},title=replay stale::" in views(golden).text
+
+
+@needs_git
+def test_in_a_hook_of_another_repository(
+    views: Callable[..., Views], cli: Callable, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    write()
+    golden = record(cli)
+    commit()
+    write(friction=0.2)
+    monkeypatch.setenv("GIT_DIR", str(tmp_path / "elsewhere"))
+    monkeypatch.setenv("GIT_INDEX_FILE", str(tmp_path / "elsewhere" / "index"))
+    assert views(golden).all_say("materials.stuff.friction was 0.3 and is 0.2")

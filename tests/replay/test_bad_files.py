@@ -106,6 +106,11 @@ def _written(folder: Path, text: str) -> Path:
         (lambda d: d.update(commands=[[1, "EndDrag", {"body": ["crate"]}]]), "body must be text"),
         (lambda d: d.update(commands=[[1.5, "EndDrag", {"body": "crate"}]]), "whole number"),
         (lambda d: d.update(commands=[[1, "EndDrag", []]]), "must be an object"),
+        (lambda d: d.update(environment="\x1b[2J"), "environment must be one line that can be printed"),
+        (lambda d: d.update(sandbox="1\n::error::"), "sandbox must be one line that can be printed"),
+        (lambda d: d.update(environment="x" * 201), "environment must have at most 200 characters"),
+        (lambda d: d.update(steps=10**300), "steps must not be above 1e+06"),
+        (lambda d: d.update(commands=[[1, "SetGravity", {"gravity": [0, 10**400]}]]), "must be a finite number"),
         (lambda d: d["checkpoints"][0].update(step=99), "the steps of checkpoints rise"),
         (lambda d: d["checkpoints"][0].update(energy="high"), "energy must be a number"),
     ],
@@ -114,7 +119,20 @@ def test_wrong_members_are_told(text: str, tmp_path: Path, change: Callable[[Any
     assert said in error_of(changed(text, change), tmp_path)
 
 
-@pytest.mark.parametrize("path", ["/etc/passwd", "C:/x.json", "..\\x.json", "", "a" * 2000 + ".json", "x.txt"])
+@pytest.mark.parametrize(
+    "path",
+    [
+        "/etc/passwd",
+        "C:/x.json",
+        "..\\x.json",
+        "",
+        "a" * 2000 + ".json",
+        "x.txt",
+        "a\0.json",
+        "a\x1b[2J.json",
+        "a\ud800.json",
+    ],
+)
 def test_only_ways_from_here_lead_to_a_scene(text: str, tmp_path: Path, path: str) -> None:
     def point(data: Any) -> None:
         del data["scene"]["content"]
@@ -148,6 +166,12 @@ def test_infinities_and_nans_are_refused(text: str, tmp_path: Path) -> None:
     for number in ("NaN", "Infinity", "-Infinity", "1e999"):
         said = error_of(text.replace('"energy": ', f'"energy": {number}, "x": ', 1), tmp_path)
         assert "energy must be a finite number" in said
+
+
+def test_a_number_of_thousands_of_digits_spoils_no_other(text: str, tmp_path: Path) -> None:
+    said = error_of(text.replace('"steps": 20', f'"steps": {"9" * 5000}', 1), tmp_path)
+    assert "steps must be a whole number" in said
+    assert "format" not in said
 
 
 def test_a_file_or_folder_that_is_not_there(tmp_path: Path) -> None:

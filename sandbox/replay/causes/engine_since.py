@@ -68,7 +68,7 @@ def _edits_since(root: Path, revision: str) -> list[FileEdit]:
     listed = git(root, "diff", "--name-only", "--relative", revision, "--", "sandbox") or ""
     found = []
     for path in filter(is_engine, listed.splitlines()):
-        old = git(root, "show", f"{revision}:./{path}") or ""
+        old = git(root, "cat-file", "blob", f"{revision}:./{path}") or ""
         file = root / path
         new = file.read_text(encoding="utf-8", errors="replace") if file.is_file() else ""
         found.append(FileEdit(path, old, new))

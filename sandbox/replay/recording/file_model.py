@@ -25,8 +25,14 @@ def _check_fingerprint(value: str) -> str:
 
 
 def _check_path(value: str) -> str:
-    if not _PATH.fullmatch(value):
+    if not _PATH.fullmatch(value) or not value.isprintable():
         raise PydanticCustomError("path", "must be the way to a .json file from here, with / between folders")
+    return value
+
+
+def _check_printable(value: str) -> str:
+    if not value.isprintable():
+        raise PydanticCustomError("printable", "must be one line that can be printed")
     return value
 
 
@@ -40,7 +46,7 @@ Fingerprint = Annotated[str, AfterValidator(_check_fingerprint)]
 RelativePath = Annotated[str, AfterValidator(_check_path)]
 Hex4 = Annotated[str, AfterValidator(partial(_check_hex, 4))]
 Hex16 = Annotated[str, AfterValidator(partial(_check_hex, 16))]
-Words = Annotated[str, Field(max_length=200)]
+Words = Annotated[str, Field(max_length=200), AfterValidator(_check_printable)]
 PoseRow = Annotated[tuple[float, float, float], Listed("[x, y, angle]", 3, 3)]
 
 

@@ -14,6 +14,7 @@ from typing import Self
 import sandbox
 from sandbox._jit import cache_root
 from sandbox.errors import SandboxError
+from sandbox.replay.causes.history import surroundings
 
 
 @dataclass(frozen=True)
@@ -44,9 +45,8 @@ class Repository:
     def git(self, *arguments: str) -> str:
         """What git prints. Raises `SandboxError` with git's own words."""
         try:
-            done = subprocess.run(
-                ["git", "-C", str(self.root), *arguments], capture_output=True, text=True, check=False
-            )
+            command = ["git", "-C", str(self.root), *arguments]
+            done = subprocess.run(command, capture_output=True, text=True, check=False, env=surroundings())
         except OSError as error:
             raise SandboxError(f"git cannot be run: {error.strerror}") from None
         if done.returncode:
