@@ -57,12 +57,12 @@ class Joint:
 
     @property
     def force(self) -> tuple[float, float]:
-        """Force on the second body, N: mean over the last step."""
+        """Force on the second body, N: mean over the last step. Of a gear: on that of its first joint."""
         return float(self._row.force_x), float(self._row.force_y)
 
     @property
     def torque(self) -> float:
-        """Torque on the second body about its anchor, N m: mean over the last step."""
+        """Torque on the second body about its anchor, N m: mean over the last step. Of a gear: as with `force`."""
         return float(self._row.torque)
 
     @property

@@ -6,6 +6,7 @@ import math
 
 import pytest
 
+import sandbox
 from sandbox.engine.commands import SetPose
 from sandbox.engine.joint_commands import BreakJoint, SetJoint, SetLimits, SetMotor, SetSpring
 from sandbox.errors import CommandError, UnknownJointError
@@ -171,3 +172,28 @@ def test_a_command_that_cannot_be_done_changes_nothing(command, words):
 def test_an_unknown_joint_gets_the_nearest_name():
     with pytest.raises(UnknownJointError, match="did you mean 'pin'"):
         hung().joint("pim")
+
+
+@pytest.mark.parametrize("kind", ["revolute", "weld", "distance", "limit"])
+def test_bodies_do_not_fall_asleep_while_a_joint_draws_them_together(kind):
+    """A joint that is switched on far off draws at 4 m/s, which is no speed of theirs."""
+    at = {"anchors": [[-1, 0], [0, 0]]} if kind == "distance" else {"anchor": [0, 0]}
+    if kind == "limit":
+        at["axis"] = [1, 0]
+    joint = {"id": "j", "type": "prismatic" if kind == "limit" else kind, "bodies": ["a"], "enabled": False, **at}
+    bodies = [
+        {"id": "a", "shapes": [{"box": [1, 1]}], "position": [0, 0]},
+        {"id": "last", "shapes": [{"box": [1, 1]}], "position": [0, 90]},
+    ]
+    world = sandbox.World(sandbox.Scene(gravity=(0, 0), bodies=bodies, joints=[joint]))
+    world.apply(SetPose("a", (12.0, 0.0), 0.0))
+    world.apply(SetJoint("j", True))
+    if kind == "limit":
+        world.apply(SetLimits("j", -0.5, 0.5))
+    for _ in range(150):
+        world.step()
+        assert world.body("a").awake
+    assert not world.body("last").awake
+    world.step(200)
+    assert world.body("a").position == pytest.approx((0.5 if kind == "limit" else 0.0, 0.0), abs=1e-3)
+    assert world.awake_count == 0
