@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 
 import sandbox
@@ -64,6 +65,7 @@ def _revision(recording: Recording, root: Path) -> tuple[str, str]:
     return (head.strip(), "the last one") if head else ("", "the engine's repository has no commit")
 
 
+@lru_cache(maxsize=8)
 def _edits_since(root: Path, revision: str) -> list[FileEdit]:
     listed = git(root, "diff", "--name-only", "--relative", revision, "--", "sandbox") or ""
     found = []
