@@ -19,12 +19,14 @@ from sandbox.replay.recording.recording import Recording
 @dataclass(frozen=True)
 class EngineNews:
     """`said` tells what is another, empty if nothing is known to be; `revision` is one whose engine is worth a run
-    (`--against`), "" if git knows none; `same` says what was looked at and is the same.
+    (`--against`), "" if git knows none; `same` says what was looked at and is the same; `remarks` what is otherwise
+    around the engine, and should make no difference.
     """
 
     said: tuple[str, ...]
     revision: str = ""
     same: str = ""
+    remarks: tuple[str, ...] = ()
 
 
 def engine_since(recording: Recording) -> EngineNews:
@@ -33,11 +35,12 @@ def engine_since(recording: Recording) -> EngineNews:
     root = Path(sandbox.__file__).resolve().parents[1]
     revision, why = _revision(recording, root)
     if not revision:
-        return EngineNews((*said, *_surroundings(recording)), same=why)
+        return EngineNews(tuple(said), same=why, remarks=_surroundings(recording))
     edits = _edits_since(root, revision)
     if edits:
         said += [f"its source differs from that of revision {revision}, {why}:", *told(edits)]
-    return EngineNews((*said, *_surroundings(recording)), revision, f"its source is that of revision {revision}, {why}")
+    same = f"the engine's source is that of revision {revision}, {why}"
+    return EngineNews(tuple(said), revision, same, _surroundings(recording))
 
 
 def _version_news(recording: Recording) -> tuple[str, ...]:
@@ -46,9 +49,9 @@ def _version_news(recording: Recording) -> tuple[str, ...]:
     return (f"sandbox {recording.version} recorded this, and {__version__} runs",) * (recording.version != __version__)
 
 
-def _surroundings(recording: Recording) -> list[str]:
+def _surroundings(recording: Recording) -> tuple[str, ...]:
     before, now = recording.environment, environment()
-    return [f"recorded with {before}; runs with {now}"] * (bool(before) and before != now)
+    return (f"recorded with {before}; runs with {now}",) * (bool(before) and before != now)
 
 
 def _revision(recording: Recording, root: Path) -> tuple[str, str]:

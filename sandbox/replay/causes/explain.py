@@ -26,13 +26,13 @@ def explained(recording: Recording, outcome: Outcome, tell: Callable[[str], None
     """
     parted = outcome.divergence
     if parted is None:
+        return _with_edits(recording, outcome) if outcome.edits else outcome
+    if parted.group == "state":  # a snapshot that goes another way has no past
         return outcome
     if tell is not None:
         tell("looking for the cause")
     known = list(candidates(recording))
-    # A figure that left its tolerance is no place to ask for the recorded bits.
-    exact = parted.group in (*GROUPS, "rest", "command")
-    expected = next((one for one in known if exact and gives(one.run, recording, parted.step)), None)
+    expected = next((one for one in known if gives(one.run, recording, parted.step)), None)
     if expected is not None:
         cause = Cause(expected.kind, _said(expected), expected.origin)
         return replace(outcome, divergence=replace(_with_number(recording, expected, parted), cause=cause))
@@ -41,7 +41,15 @@ def explained(recording: Recording, outcome: Outcome, tell: Callable[[str], None
     return replace(outcome, divergence=replace(parted, cause=cause), notes=notes)
 
 
+def _with_edits(recording: Recording, outcome: Outcome) -> Outcome:
+    """Edits of no consequence are told as well, if what was before is known."""
+    said = next((one.said for one in candidates(recording) if one.kind == "scene"), ())
+    return replace(outcome, notes=(*outcome.notes, *said))
+
+
 def _with_number(recording: Recording, expected: Expected, parted: Divergence) -> Divergence:
+    if parted.group not in (*GROUPS, "rest"):  # of a figure that left its tolerance no number is the first
+        return parted
     try:
         return compare_after(expected.run, run_of(recording), parted)
     except SandboxError:  # both runs end at a command that is refused
@@ -57,10 +65,10 @@ def _without_run(recording: Recording, outcome: Outcome, known: list[Expected]) 
     if outcome.edits:
         return _scene(recording, known)
     news = engine_since(recording)
+    more = (*_commands(recording), *news.remarks, _how_to_see(recording, news))
     if news.said:
-        return Cause("engine", (*news.said, *_commands(recording), _how_to_see(recording, news)))
-    same = f"the scene is as it was recorded; {news.same}"
-    return Cause("unknown", (same, *_commands(recording), _how_to_see(recording, news)))
+        return Cause("engine", (*news.said, *more))
+    return Cause("unknown", (f"the scene is as it was recorded; {news.same}", *more))
 
 
 def _how_to_see(recording: Recording, news: EngineNews) -> str:

@@ -57,7 +57,7 @@ def compare_after(expected: Run, got: Run, parted: Divergence) -> Divergence:
     while a.step < parted.step:
         if _advance(a, b) is not None:
             return parted
-    found = list(islice(differences(parted.group, a.world, b.world), COUNTED)) if parted.group != "command" else []
+    found = list(islice(differences(parted.group, a.world, b.world), COUNTED))
     if not found:
         return parted
     growth = _growth(a, b, min(expected.steps, got.steps))
