@@ -56,9 +56,9 @@ def _fill(work: JointWork, row: Records, seat: Records, joint: Records) -> None:
     elif row.slot == 2 or (kind == REVOLUTE and row.slot >= 3):
         _about(row)
     elif row.slot == 0:
-        _set(row, -1.0, 0.0, seat.arm_ay, 1.0, 0.0, -seat.arm_by)
+        _along(row, seat, 1.0, 0.0)
     else:
-        _set(row, 0.0, -1.0, -seat.arm_ax, 0.0, 1.0, seat.arm_bx)
+        _along(row, seat, 0.0, 1.0)
 
 
 @kernel
@@ -79,7 +79,10 @@ def _about(row: Records) -> None:
 
 @kernel
 def _along(row: Records, seat: Records, x: float, y: float) -> None:
-    """Way of anchor b along an axis (x, y) that turns with a."""
+    """Way of anchor b along an axis (x, y) that turns with a.
+
+    Both bodies are pushed at anchor b, also while the anchors are apart: no angular momentum comes out of nothing.
+    """
     turn_a = (seat.arm_ax + seat.gap_x) * y - (seat.arm_ay + seat.gap_y) * x
     _set(row, -x, -y, -turn_a, x, y, seat.arm_bx * y - seat.arm_by * x)
 

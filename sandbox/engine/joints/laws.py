@@ -30,7 +30,9 @@ def aim_to_move(row: Records, joint: Records, ahead: float, speed: float, second
     if row.slot == 4:
         _drive_to_move(row, joint, ahead, speed, seconds, acting)
     elif row.slot == 3 or row_hertz(row, joint) > 0.0:
-        rest = row.error - (_rest(joint) if row.slot == 3 else 0.0)
+        rest = row.error - _rest(joint) if row.slot == 3 else row.error
+        if row.slot < 2:  # a gap turns with a, of which the speed along a row knows nothing
+            rest = rest + acting * ((ahead - row.error) / seconds - speed)
         hertz = joint.hertz if row.slot == 3 else row_hertz(row, joint)
         ratio = joint.angular_damping_ratio if row.slot == 2 else joint.damping_ratio
         omega = 2.0 * PI * hertz
