@@ -7,14 +7,26 @@ from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 from sandbox.engine.command_checks import check_fields, title
+from sandbox.engine.joint_settings import MOTORS, SPRINGS, SetJoint, set_joint
 from sandbox.engine.wake import wake_bodies
 from sandbox.errors import CommandError
 from sandbox.world import joint_records as kinds
 from sandbox.world.state import State
 
-_MOTORS = (kinds.REVOLUTE, kinds.PRISMATIC, kinds.WHEEL)
-_SPRINGS = (kinds.DISTANCE, kinds.REVOLUTE, kinds.PRISMATIC, kinds.WHEEL)
-_LIMITED = (kinds.DISTANCE, kinds.REVOLUTE, kinds.PRISMATIC, kinds.WHEEL)
+_SWITCHES = ("spring", "limit", "motor", "collide", "enabled", "broken_step")
+"""Columns that say what hangs together and which rows a joint has."""
+
+__all__ = [
+    "BreakJoint",
+    "JointCommand",
+    "SetJoint",
+    "SetLimits",
+    "SetMotor",
+    "SetSpring",
+    "SetTarget",
+    "apply_joint_command",
+    "joint_bodies",
+]
 
 
 @dataclass(frozen=True)
@@ -57,14 +69,6 @@ class SetTarget:
 
 
 @dataclass(frozen=True)
-class SetJoint:
-    """Switch a joint on or off. One that is broken stays broken."""
-
-    joint: str
-    enabled: bool
-
-
-@dataclass(frozen=True)
 class BreakJoint:
     """Break a joint for good."""
 
@@ -81,7 +85,7 @@ def apply_joint_command(state: State, index: int, command: JointCommand) -> bool
     """
     check_fields(command)
     joint = state.joints[index]
-    before = (int(joint.spring), int(joint.limit), int(joint.motor), int(joint.enabled), int(joint.broken_step))
+    before = [int(joint[name]) for name in _SWITCHES]
     match command:
         case SetMotor():
             _set_motor(joint, command)
@@ -93,11 +97,11 @@ def apply_joint_command(state: State, index: int, command: JointCommand) -> bool
             _require(joint, (kinds.TARGET,), command, "target")
             joint.point_ax, joint.point_ay = command.target
         case SetJoint():
-            joint.enabled = int(command.enabled)
+            set_joint(state, joint, command)
         case BreakJoint():
             _break(state, joint)
     wake_bodies(state, joint_bodies(state, joint))
-    return before != (joint.spring, joint.limit, joint.motor, joint.enabled, joint.broken_step)
+    return before != [int(joint[name]) for name in _SWITCHES]
 
 
 def joint_bodies(state: State, joint: Any) -> list[int]:
@@ -112,7 +116,7 @@ def _require(joint: Any, allowed: tuple[int, ...], command: JointCommand, what: 
 
 
 def _set_motor(joint: Any, command: SetMotor) -> None:
-    _require(joint, _MOTORS, command, "motor")
+    _require(joint, MOTORS, command, "motor")
     joint.motor = int(command.speed is not None)
     joint.motor_speed = command.speed or 0.0
     if command.strongest is not None:
@@ -120,7 +124,7 @@ def _set_motor(joint: Any, command: SetMotor) -> None:
 
 
 def _set_limits(joint: Any, command: SetLimits) -> None:
-    _require(joint, _LIMITED, command, "limits")
+    _require(joint, SPRINGS, command, "limits")
     lower = -math.inf if command.lower is None else command.lower
     upper = math.inf if command.upper is None else command.upper
     if lower > upper:
@@ -130,7 +134,7 @@ def _set_limits(joint: Any, command: SetLimits) -> None:
 
 
 def _set_spring(joint: Any, command: SetSpring) -> None:
-    _require(joint, _SPRINGS, command, "spring")
+    _require(joint, SPRINGS, command, "spring")
     joint.spring = int(command.hertz is not None)
     joint.hertz, joint.damping_ratio = command.hertz or 0.0, command.damping_ratio
     if command.rest is None:

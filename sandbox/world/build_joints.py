@@ -71,6 +71,7 @@ def _measure(row: Any, joint: FlatJoint, bodies: Records) -> None:
     elif joint.kind == "motor":
         offset = joint.points[0][0] - joint.anchor_a[0], joint.points[0][1] - joint.anchor_a[1]
         row.point_ax, row.point_ay = _turn_back(bodies, row.body_a, offset)
+        row.rest = joint.angle
     elif joint.kind == "distance":
         length = joint.length if joint.length is not None else _distance(joint.anchor_a, joint.anchor_b)
         row.length = length

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
-from sandbox.world.joint_records import PRISMATIC
+from sandbox.world.joint_records import MOTOR, PRISMATIC
 from sandbox.world.state import State
 
 Vec = tuple[float, float]
@@ -37,12 +38,20 @@ def slide(state: State, joint: Any) -> float:
     return (bx - ax) * x + (by - ay) * y
 
 
+def pulley_length(state: State, joint: Any, side: str) -> float:
+    """Length of a pulley's rope from its wheel to the anchor on body "a" or "b", m."""
+    x, y = anchor(state, joint, side)
+    dx, dy = x - float(joint[f"point_{side}x"]), y - float(joint[f"point_{side}y"])
+    return math.sqrt(dx * dx + dy * dy)
+
+
 def coordinate(state: State, joint: Any) -> float:
     """What a gear couples: the slide of a prismatic joint (m), the angle of another (rad)."""
     return slide(state, joint) if int(joint.kind) == PRISMATIC else angle_between(state, joint)
 
 
 def angle_between(state: State, joint: Any) -> float:
-    """Angle of body b less that of body a, less the reference angle, rad."""
+    """Angle of body b less that of body a, less what it was at first, rad."""
     angles = [float(state.bodies[i].angle) if i >= 0 else 0.0 for i in (joint.body_a, joint.body_b)]
-    return angles[1] - angles[0] - float(joint.reference_angle)
+    driven = float(joint.rest) if int(joint.kind) == MOTOR else 0.0
+    return angles[1] - angles[0] - (float(joint.reference_angle) - driven)

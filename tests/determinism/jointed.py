@@ -19,6 +19,7 @@ COMMANDS: dict[int, Any] = {
     17: SetJoint("weld", False),
     20: SetJoint("weld", True),
     22: SetLimits("hinge", -0.2, 0.2),
+    24: SetJoint("drive", max_force=6.0, offset=(0.3, 0.2), angle=20.0, angular_hertz=2.0),
     25: SetVelocity("puck", (4.0, 2.0), 5.0),
 }
 """Commands by the step they come before."""
