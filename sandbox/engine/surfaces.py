@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from sandbox.errors import CommandError, SceneError
+from sandbox.tables import Integers
+from sandbox.world.reweigh import reweigh
 
 if TYPE_CHECKING:
     from sandbox.world.state import State
@@ -20,8 +22,9 @@ class SetSurface:
     """Change the surface of a body's shapes; what is None stays as it is.
 
     `friction` and `restitution` are coefficients, `rolling_resistance` is in m, `surface_speed` in m/s, within the
-    limits of scene files. `shape` is the number of one of the body's shapes, from 0; None means all of them. Masses
-    stay what they are.
+    limits of scene files. `shape` is the number of one of the body's shapes, from 0; None means all of them. A new
+    `density` (kg/m^2) changes mass, inertia and centre of mass, as far as the scene does not give those itself; every
+    point of the body goes on as it moved.
     """
 
     body: str
@@ -30,6 +33,7 @@ class SetSurface:
     rolling_resistance: float | None = None
     surface_speed: float | None = None
     shape: int | None = None
+    density: float | None = None
 
 
 def set_surface(state: State, index: int, command: SetSurface) -> None:
@@ -42,7 +46,9 @@ def set_surface(state: State, index: int, command: SetSurface) -> None:
             )
         rows = rows[command.shape : command.shape + 1]
     given = {name: float(value) for name in _FIELDS if (value := getattr(command, name)) is not None}
-    _check(command.body, given)
+    _check(command.body, given | ({} if command.density is None else {"density": float(command.density)}))
+    if command.density is not None:
+        _weigh(state, index, rows, command)
     for name, value in given.items():
         state.shapes[name][rows] = value
 
@@ -54,3 +60,11 @@ def _check(body: str, given: dict[str, float]) -> None:
         Material(**given)
     except SceneError as error:
         raise CommandError(f"SetSurface of {body!r}: {error.problems[0].message}") from None
+
+
+def _weigh(state: State, index: int, rows: Integers, command: SetSurface) -> None:
+    densities = state.shapes.density.copy()
+    densities[rows] = command.density
+    fault = reweigh(state, index, densities[state.shapes.body == index].tolist())
+    if fault is not None:
+        raise CommandError(f"SetSurface of {command.body!r}: {fault}")

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from sandbox.engine.commands import Command, SetPose, apply_command
+from sandbox.engine.commands import Command, SetPose, SetSurface, apply_command
 from sandbox.engine.directory import Directory
 from sandbox.engine.events import SENSOR_EVENT, Events, differences, happened, nothing
 from sandbox.engine.field_commands import FieldCommand, apply_field_command
@@ -102,6 +102,8 @@ class World(Shown):
             index = self.directory.body(command.body)
             if isinstance(command, SetPose):
                 self._interlude.note_pose(index, self.state.bodies[index])
+            elif isinstance(command, SetSurface) and command.density is not None:
+                self._events = self.events  # places are measured from centres of mass, which may move
             apply_command(self.state, index, command)
             if isinstance(command, SetPose) and self.state.bodies[index].type == STATIC:
                 join_tiles(self.state.bodies, self.state.shapes, self.state.vertices, self.state.seams)

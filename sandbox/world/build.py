@@ -31,7 +31,7 @@ _DRAGS = 8
 
 
 @dataclass(frozen=True)
-class _Build:
+class Build:
     """What one tuple of shapes comes to, shared by all bodies of a prefab: rows ready to be copied."""
 
     shape_rows: Records
@@ -85,15 +85,16 @@ def _key(body: FlatBody) -> tuple[int, Vec | None]:
     return id(body.shapes), body.center
 
 
-def _builds(bodies: Sequence[FlatBody]) -> dict[tuple[int, Vec | None], _Build]:
-    found: dict[tuple[int, Vec | None], _Build] = {}
+def _builds(bodies: Sequence[FlatBody]) -> dict[tuple[int, Vec | None], Build]:
+    found: dict[tuple[int, Vec | None], Build] = {}
     for body in bodies:
         if _key(body) not in found:
-            found[_key(body)] = _build(body.shapes, body.center)
+            found[_key(body)] = build_shapes(body.shapes, body.center)
     return found
 
 
-def _build(shapes: tuple[FlatShape, ...], center: Vec | None) -> _Build:
+def build_shapes(shapes: tuple[FlatShape, ...], center: Vec | None) -> Build:
+    """Rows and masses of a body with those shapes; `center` overrides its centre of mass."""
     total = Moments(0.0, 0.0, 0.0, 0.0)
     for shape in shapes:
         if shape.sensor:
@@ -117,7 +118,7 @@ def _build(shapes: tuple[FlatShape, ...], center: Vec | None) -> _Build:
             if not (shape.sensor and solid):
                 extent = max(extent, math.sqrt(x * x + y * y) + shape.radius)
         start += len(shape.vertices)
-    return _Build(shape_rows, vertex_rows, side_rows, seam_rows, mass, second + shift, middle, extent)
+    return Build(shape_rows, vertex_rows, side_rows, seam_rows, mass, second + shift, middle, extent)
 
 
 def _fill_shape(row: Records, shape: FlatShape, start: int) -> None:
@@ -126,6 +127,7 @@ def _fill_shape(row: Records, shape: FlatShape, start: int) -> None:
     row.thin = half_width(shape.vertices) + shape.radius
     row.friction, row.restitution = shape.friction, shape.restitution
     row.rolling_resistance, row.surface_speed = shape.rolling_resistance, shape.surface_speed
+    row.density = shape.density
     row.category, row.mask, row.group = shape.category, shape.mask, shape.group
     row.sensor, row.part = int(shape.sensor), shape.part
     row.one_way_x, row.one_way_y = shape.one_way
@@ -171,7 +173,7 @@ def _corner_normals(outline: tuple[tuple[Vec, ...], ...]) -> dict[Vec, tuple[flo
     return found
 
 
-def _fill_body(row: Records, body: FlatBody, build: _Build) -> None:
+def _fill_body(row: Records, body: FlatBody, build: Build) -> None:
     cosine, sine = _cos_sin(body.angle)
     cx, cy = build.center
     row.position_x, row.position_y, row.angle = *body.position, body.angle
@@ -188,10 +190,10 @@ def _fill_body(row: Records, body: FlatBody, build: _Build) -> None:
     if body.type == "static":
         row.velocity_x = row.velocity_y = row.angular_velocity = 0.0
     if body.type == "dynamic":
-        _fill_mass(row, body, build)
+        fill_mass(row, body, build)
 
 
-def _fill_mass(row: Records, body: FlatBody, build: _Build) -> None:
+def fill_mass(row: Records, body: FlatBody, build: Build) -> None:
     """Mass and inertia: overrides first; a mass override alone scales the inertia with it."""
     row.mass = body.mass if body.mass is not None else build.mass
     scale = row.mass / build.mass if build.mass > 0.0 else 0.0
@@ -202,7 +204,7 @@ def _fill_mass(row: Records, body: FlatBody, build: _Build) -> None:
     row.inverse_inertia = 1.0 / row.inertia if row.inertia > 0.0 else 0.0
 
 
-def _place(builds: list[_Build]) -> tuple[Records, Records, Records, Records]:
+def _place(builds: list[Build]) -> tuple[Records, Records, Records, Records]:
     """Shape, vertex, outline and seam tables of the whole world, with indices shifted into place."""
     shapes = _joined(records.SHAPE, [build.shape_rows for build in builds])
     counts = np.array([len(build.shape_rows) for build in builds], dtype=np.int64)

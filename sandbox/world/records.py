@@ -63,6 +63,7 @@ SHAPE = Table(
         Field("vertex_count", "-", "1 circle, 2 capsule or segment, 3..64 polygon", "i8"),
         Field("radius", "m", "rounding around the core"),
         Field("thin", "m", "half its smallest width", hashed=False),
+        Field("density", "kg/m^2", "what its body's mass is made of", hashed=False),
         Field("friction", "1", "Coulomb coefficient; a pair uses sqrt(a b)"),
         Field("restitution", "1", "a pair uses max(a, b)"),
         Field("rolling_resistance", "m", "lever arm of the rolling friction; a pair uses max(a, b)"),

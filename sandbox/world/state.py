@@ -19,8 +19,8 @@ class State:
     """Everything that a step reads and writes, and nothing else. Scratch memory lives in the engine.
 
     `contacts` has spare rows; the first `counters[0].contact_count` are in use. `settings` and `counters` have one
-    row each. `roster` says who is behind the rows, and `layout` counts how often they have moved: while it stays the
-    same, row `i` is the same body.
+    row each. `roster` says who is behind the rows, and `layout` counts how often they have moved, or centres of mass
+    in their bodies: while it stays the same, row `i` is the same body, and its shapes lie where they did.
     """
 
     bodies: Records

@@ -37,7 +37,7 @@ commands = st.one_of(
     st.builds(SetVelocity, names, pairs, numbers),
     st.builds(ApplyForce, names, pairs, numbers, st.none() | pairs),
     st.builds(ApplyImpulse, names, pairs, numbers, st.none() | pairs),
-    st.builds(SetSurface, names, *[st.none() | numbers] * 4, st.none() | st.integers(-2, 3)),
+    st.builds(SetSurface, names, *[st.none() | numbers] * 4, st.none() | st.integers(-2, 3), st.none() | numbers),
     st.builds(SetGravity, pairs),
     st.builds(Explode, pairs, numbers, numbers),
     st.builds(StartDrag, names, pairs, st.none() | numbers),

@@ -1,0 +1,75 @@
+"""Other densities for the shapes of a body that is there: mass, inertia, and all that is measured from its centre."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from sandbox.scene.solidity import faults
+from sandbox.world.build import Build, build_shapes, fill_mass
+from sandbox.world.records import DYNAMIC
+
+if TYPE_CHECKING:
+    from sandbox.world.state import State
+
+
+def reweigh(state: State, index: int, densities: Sequence[float]) -> str | None:
+    """Give the shapes of body `index` those densities (kg/m^2), as if it had been built with them at its pose of now.
+
+    Its origin stays where it is, and its points keep their velocities. If no body could be so, it says why and changes
+    nothing.
+    """
+    old = state.roster.bodies.items[index]
+    shapes = tuple(replace(shape, density=value) for shape, value in zip(old.shapes, densities, strict=True))
+    body = replace(old, shapes=shapes)
+    fault = next(iter(faults({**vars(body), "velocity": (0.0, 0.0), "angular_velocity": 0.0})), None)
+    if fault is not None:
+        return f"{fault[0]}: {fault[1]}"
+    build = build_shapes(shapes, body.center)
+    row = state.bodies[index]
+    _move_center(state, index, row, build)
+    if row.type == DYNAMIC:
+        fill_mass(row, body, build)
+    rows = np.flatnonzero(state.shapes.body == index)
+    state.shapes.density[rows] = densities
+    for shape, fresh in zip(state.shapes[rows], build.shape_rows, strict=True):
+        _copy(state.vertices, shape.vertex_start, build.vertex_rows, fresh.vertex_start, shape.vertex_count)
+        _copy(state.outlines, shape.outline_start, build.side_rows, fresh.outline_start, shape.outline_count)
+    state.layout += 1  # pictures and queries measure from the centre, too
+    return None
+
+
+def _copy(table: Any, start: int, source: Any, first: int, count: int) -> None:
+    table[start : start + count] = source[first : first + count]
+
+
+def _move_center(state: State, index: int, row: Any, build: Build) -> None:
+    """Put the centre of mass to its new place, and measure from there what hangs on the body."""
+    x, y = build.center[0] - row.local_center_x, build.center[1] - row.local_center_y
+    for table, column in ((state.thrusters, "local_"), (state.drags, "local_")):
+        _shift(table, table.body == index, column, "", x, y)
+    for side in "ab":
+        _shift(state.joints, state.joints[f"body_{side}"] == index, f"anchor_{side}", "", x, y)
+    c, s = float(row.rotation_cos), float(row.rotation_sin)
+    dx, dy = c * x - s * y, s * x + c * y
+    contacts = state.contacts[: int(state.counters[0].contact_count)]
+    for side in "ab":
+        for point in "12":
+            _shift(contacts, contacts[f"body_{side}"] == index, f"anchor_{side}", point, dx, dy)
+    row.local_center_x, row.local_center_y = build.center
+    cx, cy = build.center
+    row.center_x, row.center_y = row.position_x + (c * cx - s * cy), row.position_y + (s * cx + c * cy)
+    row.velocity_x, row.velocity_y = (
+        row.velocity_x - row.angular_velocity * dy,
+        row.velocity_y + row.angular_velocity * dx,
+    )
+    row.extent = build.extent
+
+
+def _shift(table: Any, rows: Any, column: str, point: str, x: float, y: float) -> None:
+    """Measure places from a point that is (x, y) farther."""
+    table[f"{column}x{point}"][rows] -= x
+    table[f"{column}y{point}"][rows] -= y
