@@ -259,7 +259,7 @@ def _run_substeps(
             0.0,
         )
         if joints is not None:
-            let_members_move(joints, motions, flights)
+            let_members_move(joints, motions, flights, seconds)
         integrate_positions(bodies, motions, flights, pace, gravity, seconds)
         if joints is not None:
             relax_joints(joints, bodies, motions, flights, seconds)

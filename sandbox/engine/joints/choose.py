@@ -32,6 +32,16 @@ def choose_rows(work: JointWork, part: Records, seconds: float, acting: float, r
 
 
 @kernel
+def release_bounded(work: JointWork, part: Records, relaxing: bool) -> None:
+    """Take back the impulses of all rows that are not rigid, and leave these out of the linear system."""
+    for r in range(part.first_row, part.row_end):
+        row = work.rows[r]
+        if row.stiffness > 0.0 and row.low < row.high and (row.low > -INFINITE or row.high < INFINITE):
+            row.active = 0
+            change_impulse(work, row, -row.relaxing if relaxing else -row.impulse, relaxing)
+
+
+@kernel
 def _aim(work: JointWork, part: Records, seconds: float, acting: float, relaxing: bool) -> None:
     """Set all laws before any impulse changes: errors ahead belong to the velocities they were looked at with."""
     for r in range(part.first_row, part.row_end):
@@ -43,7 +53,8 @@ def _aim(work: JointWork, part: Records, seconds: float, acting: float, relaxing
             if relaxing:
                 aim_to_relax(row, joint, speed, seconds, part.borne == 0)
             else:
-                aim_to_move(row, joint, row_error(row, seat), speed, seconds, acting)
+                ahead = row.error + seconds * speed if part.torn == 1 else row_error(row, seat)
+                aim_to_move(row, joint, ahead, speed, seconds, acting)
 
 
 @kernel

@@ -8,7 +8,9 @@ from sandbox.engine.joints.work import JointWork
 from sandbox.tables import Records
 from sandbox.world.joint_records import (
     DISTANCE,
+    FRICTION,
     GEAR,
+    MOTOR,
     PRISMATIC,
     PULLEY,
     REVOLUTE,
@@ -40,6 +42,7 @@ def row_error(row: Records, seat: Records) -> float:
 @kernel
 def _fill(work: JointWork, row: Records, seat: Records, joint: Records) -> None:
     kind = joint.kind
+    row.levered = 0
     if kind == GEAR:
         _fill_gear(work, row, seat, joint.ratio)
     elif kind == PULLEY:
@@ -55,10 +58,22 @@ def _fill(work: JointWork, row: Records, seat: Records, joint: Records) -> None:
             _about(row)
     elif row.slot == 2 or (kind == REVOLUTE and row.slot >= 3):
         _about(row)
+    elif kind in (MOTOR, FRICTION) or _is_close(seat):
+        row.levered = 1
+        _along(row, seat, 1.0 if row.slot == 0 else 0.0, 0.0 if row.slot == 0 else 1.0)
     elif row.slot == 0:
-        _along(row, seat, 1.0, 0.0)
+        _set(row, -1.0, 0.0, seat.arm_ay, 1.0, 0.0, -seat.arm_by)
     else:
-        _along(row, seat, 0.0, 1.0)
+        _set(row, 0.0, -1.0, -seat.arm_ax, 0.0, 1.0, seat.arm_bx)
+
+
+@kernel
+def _is_close(seat: Records) -> bool:
+    """Whether the anchors are together but for half of the longer arm."""
+    arm_a = seat.arm_ax * seat.arm_ax + seat.arm_ay * seat.arm_ay
+    arm_b = seat.arm_bx * seat.arm_bx + seat.arm_by * seat.arm_by
+    gap = seat.gap_x * seat.gap_x + seat.gap_y * seat.gap_y
+    return bool(gap < 0.25 * (arm_a if arm_a > arm_b else arm_b))
 
 
 @kernel

@@ -31,7 +31,7 @@ def aim_to_move(row: Records, joint: Records, ahead: float, speed: float, second
         _drive_to_move(row, joint, ahead, speed, seconds, acting)
     elif row.slot == 3 or row_hertz(row, joint) > 0.0:
         rest = row.error - _rest(joint) if row.slot == 3 else row.error
-        if row.slot < 2:  # a gap turns with a, of which the speed along a row knows nothing
+        if row.slot < 2 and row.levered == 1:  # a gap turns with a, of which the speed along a row knows nothing
             rest = rest + acting * ((ahead - row.error) / seconds - speed)
         hertz = joint.hertz if row.slot == 3 else row_hertz(row, joint)
         ratio = joint.angular_damping_ratio if row.slot == 2 else joint.damping_ratio
@@ -44,7 +44,7 @@ def aim_to_move(row: Records, joint: Records, ahead: float, speed: float, second
         row.bias = -joint.motor_speed if joint.kind == WHEEL else 0.0
         _bound(row, acting * strength(row, joint))
     else:
-        row.bias = (ahead - kept(row.error, seconds)) / seconds - speed
+        row.bias = (ahead - row.kept) / seconds - speed
         row.softness = COMPLIANCE * row.stiffness
         _bound(row, acting * strength(row, joint))
 
@@ -74,7 +74,7 @@ def aim_to_relax(row: Records, joint: Records, speed: float, seconds: float, hal
 
 
 @kernel
-def kept(error: float, seconds: float) -> float:
+def limited(error: float, seconds: float) -> float:
     """What is left of an error after one substep: nothing, unless it is large."""
     most = CORRECTION_SPEED * seconds
     return error - most if error > most else (error + most if error < -most else 0.0)
@@ -86,6 +86,12 @@ def row_hertz(row: Records, joint: Records) -> float:
     if row.slot > 2 or not (joint.kind == WELD or joint.kind == MOTOR or joint.kind == TARGET):
         return 0.0
     return float(joint.angular_hertz if row.slot == 2 else joint.hertz)
+
+
+@kernel
+def is_rigid(row: Records, joint: Records) -> bool:
+    """Whether a row keeps a place, and does so without a spring."""
+    return bool(row.slot < 3 and row.stiffness > 0.0 and row_hertz(row, joint) == 0.0 and not is_brake(row, joint))
 
 
 @kernel
@@ -121,10 +127,8 @@ def _drive_to_move(row: Records, joint: Records, ahead: float, speed: float, sec
     slowest = -INFINITE
     fastest = INFINITE
     if joint.limit == 1:
-        over = kept(row.error - joint.upper, seconds)
-        under = kept(row.error - joint.lower, seconds)
-        slowest = speed - (ahead - joint.lower - (under if under < 0.0 else 0.0)) / seconds
-        fastest = speed - (ahead - joint.upper - (over if over > 0.0 else 0.0)) / seconds
+        slowest = speed - (ahead - joint.lower - (row.kept if row.kept < 0.0 else 0.0)) / seconds
+        fastest = speed - (ahead - joint.upper - (row.kept if row.kept > 0.0 else 0.0)) / seconds
     _drive(row, joint, speed, slowest, fastest, acting, row.impulse)
 
 

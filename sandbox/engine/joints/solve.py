@@ -3,24 +3,27 @@
 Positions are solved by RATTLE (H. Andersen, 1983), the constrained form of velocity Verlet: impulses along the rows
 of now bring the members to where every joint is kept *after* the move, and after it the velocities are relaxed along
 the rows of then. It is of second order and symplectic, so that a pendulum keeps its energy. Springs follow the
-implicit midpoint rule. Parts that something else bears take the whole force before the move, as contacts do.
+implicit midpoint rule. Parts that something else bears take the whole force before the move, as contacts do; parts
+that are torn keep to velocities (`recovery`).
 """
 
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox.engine.joints.choose import cap_pairs, choose_rows, clamp
+from sandbox.engine.joints.choose import cap_pairs, choose_rows, clamp, release_bounded
 from sandbox.engine.joints.direct import change_impulse, factorize, solve_directly
 from sandbox.engine.joints.jacobian import fill_rows
 from sandbox.engine.joints.measure import measure
 from sandbox.engine.joints.members import gather_members, go_straight, load_members, look, scatter_members
+from sandbox.engine.joints.mending import find_mending, mend
+from sandbox.engine.joints.recovery import give_up_on_places, goes_astray, plan_recovery
 from sandbox.engine.joints.report import accumulate, read_impulses
 from sandbox.engine.joints.sweeps import solve_by_sweeps
-from sandbox.engine.joints.tension import tame_tension
+from sandbox.engine.joints.tension import tame_tension, untame
 from sandbox.engine.joints.work import JointWork
 from sandbox.tables import Records
 
-_TURNS = 8
+_TURNS = 16
 """Most guesses at which rows are at their bounds, in one pass."""
 
 
@@ -57,20 +60,46 @@ def solve_joints(work: JointWork, bodies: Records, motions: Records, flights: Re
         part = work.parts[p]
         if part.current == 1:
             acting = seconds if part.borne == 1 else 0.5 * seconds
-            look(work, part, bodies, motions, 0.0)
-            measure(work, part)
-            fill_rows(work, part)
+            _look_now(work, part, bodies, motions)
             tame_tension(work, part, seconds, acting)
             fill_rows(work, part)
+            plan_recovery(work, part, seconds)
+            if part.torn == 1:
+                untame(work, part)
+                fill_rows(work, part)
             _start_warm(work, part, False)
-            _solve(work, part, bodies, motions, seconds, acting, False)
+            settled = _solve(work, part, bodies, motions, seconds, acting, False)
+            if part.torn == 0 and part.direct == 1 and not (settled and _arrives(work, part, bodies, motions, seconds)):
+                give_up_on_places(work, part)
+                untame(work, part)
+                _look_now(work, part, bodies, motions)
+                _solve(work, part, bodies, motions, seconds, acting, False)
+            if part.torn == 1:
+                find_mending(work, part, seconds)
     scatter_members(work, motions)
 
 
 @kernel
-def let_members_move(work: JointWork, motions: Records, flights: Records) -> None:
-    """Make `integrate_positions` move members by the velocities that the joints count on."""
+def _look_now(work: JointWork, part: Records, bodies: Records, motions: Records) -> None:
+    """Rows of the present pose."""
+    look(work, part, bodies, motions, 0.0)
+    measure(work, part)
+    fill_rows(work, part)
+
+
+@kernel
+def _arrives(work: JointWork, part: Records, bodies: Records, motions: Records, seconds: float) -> bool:
+    """Whether the velocities found bring every joint about where it was meant to be."""
+    look(work, part, bodies, motions, seconds)
+    measure(work, part)
+    return not goes_astray(work, part, seconds)
+
+
+@kernel
+def let_members_move(work: JointWork, motions: Records, flights: Records, seconds: float) -> None:
+    """Make `integrate_positions` move members by the velocities that the joints count on; mend what is torn."""
     go_straight(work, motions, flights)
+    mend(work, motions, seconds)
 
 
 @kernel
@@ -80,9 +109,7 @@ def relax_joints(work: JointWork, bodies: Records, motions: Records, flights: Re
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
         if part.current == 1:
-            look(work, part, bodies, motions, 0.0)
-            measure(work, part)
-            fill_rows(work, part)
+            _look_now(work, part, bodies, motions)
             _start_warm(work, part, True)
             _solve(work, part, bodies, motions, seconds, seconds, True)
             accumulate(work, part)
@@ -120,14 +147,17 @@ def _solve(
     seconds: float,
     acting: float,
     relaxing: bool,
-) -> None:
+) -> bool:
+    """Whether all marks of the rows came to rest."""
     again = False
+    settled = False
     for turn in range(_TURNS):
         if not relaxing:
             look(work, part, bodies, motions, seconds)
             measure(work, part)
         changed = choose_rows(work, part, seconds, acting, relaxing)
         if turn > 0 and not (changed or again):
+            settled = True
             break
         again = changed and turn > 0  # then the pose looked at was that of a wrong guess
         if part.direct == 1:
@@ -138,8 +168,15 @@ def _solve(
             solve_by_sweeps(work, part, relaxing)
         cap_pairs(work, part, seconds, acting, relaxing)
         if part.bounded == 0:
+            settled = True
             break
+    if part.torn == 1 and not settled:
+        release_bounded(work, part, relaxing)
+        factorize(work, part)
+        solve_directly(work, part, relaxing)
+        return False
     for r in range(part.first_row, part.row_end):
         row = work.rows[r]
         if row.stiffness > 0.0 and row.capped == 0:
             clamp(work, row, relaxing)
+    return settled

@@ -30,3 +30,12 @@ def tame_tension(work: JointWork, part: Records, seconds: float, acting: float) 
         least = 0.5 * seconds * seconds * abs(member.tension)
         if member.inertia > 0.0:
             member.inverse_inertia = 1.0 / (member.inertia if member.inertia > least else least)
+
+
+@kernel
+def untame(work: JointWork, part: Records) -> None:
+    """Give the members of a part their own inertia: only with that can passes not add energy."""
+    for i in range(part.first_member, part.member_end):
+        member = work.members[i]
+        if member.inertia > 0.0:
+            member.inverse_inertia = 1.0 / member.inertia

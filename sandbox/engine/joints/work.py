@@ -25,6 +25,10 @@ MEMBER = Table(
         Field("kick_x", "m/s", "half of what forces add in this substep, held back while it moves"),
         Field("kick_y", "m/s", "half of what forces add in this substep, held back while it moves"),
         Field("kick_w", "rad/s", "half of what forces add in this substep, held back while it moves"),
+        *(
+            Field(f"mend_{axis}", "m/s or rad/s", "what mends torn joints: it moves, and is no velocity")
+            for axis in "xyw"
+        ),
         Field("center_x", "m", "centre of mass when the step began"),
         Field("center_y", "m", "centre of mass when the step began"),
         Field("way_x", "m", "way of the centre since then, at the pose looked at"),
@@ -72,6 +76,9 @@ ROW = Table(
         *(Field(f"{axis}{k}", "1 or m", "Jacobian") for k in (1, 2, 3, 4) for axis in "xyw"),
         Field("stiffness", "1/kg", "J M^-1 J^T: speed that a unit impulse gives; 0 while it has no say"),
         Field("error", "m or rad", "when the substep began"),
+        Field("levered", "-", "1 when it pushes both bodies at the second one's anchor", "i8"),
+        Field("kept", "m or rad", "what it may have left of its error after the substep"),
+        Field("apart", "m or rad", "error of now without what it yields under the force it bears"),
         Field("bias", "m/s or rad/s", "the row strives for speed + bias + softness * impulse = 0"),
         Field("softness", "1/kg", "compliance over one impulse"),
         Field("low", "N s", "bounds of the impulse"),
@@ -83,6 +90,7 @@ ROW = Table(
         Field("stop", "-", "1 while the lower limit has a say, -1 for the upper one", "i8"),
         Field("active", "-", "1 while it is part of the linear system", "i8"),
         Field("capped", "-", "1 once its pair has reached the limit of the force", "i8"),
+        Field("aside", "N s", "the impulse, while the recovery of a torn part is found"),
         Field("change", "N s", "solution of the linear system"),
     ),
 )
@@ -105,6 +113,7 @@ PART = Table(
         Field("anchored", "-", "1 when it is joined to something that does not move", "i8"),
         Field("current", "-", "1 while it is solved: awake, and its island has the pace under way", "i8"),
         Field("borne", "-", "1 when something that is not joined to it bears it", "i8"),
+        Field("torn", "-", "1 when its joints must not be mended by velocities", "i8"),
         Field("fine", "-", "1 when it is small and has no contact: it takes finer substeps", "i8"),
     ),
 )
