@@ -9,6 +9,8 @@ Static bodies hold all dynamic ones, moving bodies hold only those marked as bul
 
 from __future__ import annotations
 
+import math
+
 from sandbox._jit import ZERO, entry_point, kernel
 from sandbox.engine.broad_phase import propose
 from sandbox.engine.grid import boxes_overlap
@@ -65,6 +67,7 @@ def allowed_depth(a: Records, b: Records) -> float:
 def catch(
     bodies: Records,
     shapes: Records,
+    settings: Records,
     counters: Records,
     motions: Records,
     holds: Records,
@@ -108,7 +111,9 @@ def catch(
         turn += 1
     for i in range(bodies.shape[0]):
         if holds[i].stop < 1.0:
-            _take_back(bodies[i], motions[i], 1.0 - holds[i].stop)
+            share = 1.0 - holds[i].stop
+            _take_back(bodies[i], motions[i], share)
+            _take_back_fall(bodies[i], motions[i], share, settings[0])
 
 
 @kernel
@@ -337,3 +342,28 @@ def _take_back(body: Records, motion: Records, share: float) -> None:
         body.angle = angle
         body.rotation_cos, body.rotation_sin = cos_sin(angle)
     place_origin(body)
+
+
+@kernel
+def _take_back_fall(body: Records, motion: Records, share: float, setting: Records) -> None:
+    """Give a body that was taken back the speed along gravity that belongs to the height where it is now.
+
+    Or every catch of a bouncing body would lift or lower it for nothing. What stopped it in mid-step knows nothing of
+    heights: the speed changes by no more than twice what gravity does in the time taken back.
+    """
+    ax = body.gravity_scale * setting.gravity_x
+    ay = body.gravity_scale * setting.gravity_y
+    square = ax * ax + ay * ay
+    if square == 0.0:
+        return
+    size = math.sqrt(square)
+    before = (body.velocity_x * ax + body.velocity_y * ay) / size
+    after = before * before - 2.0 * share * (motion.delta_x * ax + motion.delta_y * ay)
+    after = math.sqrt(after) if after > 0.0 else 0.0
+    change = after - abs(before)
+    most = 2.0 * share * setting.step_seconds * size
+    change = change if change < most else most
+    change = change if change > -most else -most
+    change = change if before > 0.0 else -change
+    body.velocity_x += change * ax / size
+    body.velocity_y += change * ay / size

@@ -16,7 +16,7 @@ from sandbox.engine.contact_solver import solve_contacts, warm_start
 from sandbox.engine.continuous import mark_fast
 from sandbox.engine.drags import solve_drags
 from sandbox.engine.guard import guard_positions, guard_velocities
-from sandbox.engine.impacts import list_bouncy, resolve_impacts
+from sandbox.engine.impacts import list_bouncy, resolve_impacts, resolve_late_impacts
 from sandbox.engine.integrate import (
     begin_motions,
     finish_motions,
@@ -261,6 +261,9 @@ def _run_substeps(
         if joints is not None:
             let_members_move(joints, motions, flights, seconds)
         integrate_positions(bodies, motions, flights, pace, gravity, seconds)
+        resolve_late_impacts(
+            bodies, motions, flights, contacts, bouncy, bouncy_count, pace, setting.restitution_threshold, seconds
+        )
         if joints is not None:
             relax_joints(joints, bodies, motions, flights, seconds)
         for _pass in range(relaxes):
