@@ -3,7 +3,8 @@
 The solver stops what the narrow phase has foreseen. What it could not foresee (a spinning rod, a body that another
 one shot off in mid-step, a press of contacts that disagree) is caught here: each body whose way in the step was long
 enough to matter is swept along it, and stopped where it first touches if it would have come through, or deep into,
-something immovable. It keeps its velocity, so that the next step finds it touching and does the bounce.
+something immovable. It keeps its velocity, but for what gravity added on the way taken back, so that the next step
+finds it touching and does the bounce, at the energy that belongs to the height.
 Static bodies hold all dynamic ones, moving bodies hold only those marked as bullets.
 """
 
@@ -88,6 +89,7 @@ def catch(
     """
     for i in range(bodies.shape[0]):
         holds[i].stop = 1.0
+        holds[i].bounces = 0
     count = _list_fast(holds, owners, pairs, counters[0].pair_count, sorted_pairs)
     for k in range(count):
         _ride(bodies, shapes, motions, holds, turned, sorted_pairs[k], manifold, sweep, swept)
@@ -113,7 +115,8 @@ def catch(
         if holds[i].stop < 1.0:
             share = 1.0 - holds[i].stop
             _take_back(bodies[i], motions[i], share)
-            _take_back_fall(bodies[i], motions[i], share, settings[0])
+            if holds[i].bounces == 1:
+                _take_back_fall(bodies[i], motions[i], share, settings[0])
 
 
 @kernel
@@ -192,6 +195,8 @@ def _hold(
     t = _hit(shapes, turned, pair.shape_a, pair.shape_b, manifold, sweep, swept)
     if t >= 0.0 and t < holds[mover].stop:
         holds[mover].stop = t
+        restitution = shapes[pair.shape_a].restitution + shapes[pair.shape_b].restitution
+        holds[mover].bounces = 1 if restitution > 0.0 else 0
     return 0
 
 

@@ -65,6 +65,7 @@ HOLD = Table(
         Field("fast", "-", "1 when its way in the step has to be looked at", "i8"),
         Field("stop", "1", "when it is stopped, as a share of the step; 1 is not at all"),
         Field("hemmed", "-", "1 when something immovable may stop it during the step", "i8"),
+        Field("bounces", "-", "1 when what stops it bounces it", "i8"),
     ),
 )
 """One row a body: what `continuous` knows of it. By itself, as most steps hardly look at it."""

@@ -6,6 +6,7 @@ import math
 
 import pytest
 
+from sandbox.scene.flat import FlatShape
 from tests.flat import body, box, capsule, circle, ground, polygon, world
 
 G = 9.81
@@ -150,3 +151,52 @@ def test_a_polygon_bounces_without_gaining_energy():
         speed = record.velocity_x**2 + record.velocity_y**2
         now = record.mass * (G * record.center_y + 0.5 * speed) + 0.5 * record.inertia * record.angular_velocity**2
         assert now <= energy * (1.0 + 1e-3)
+
+
+BOUNCERS = {"balls": circle(0.3), "capsules": capsule(0.2, 0.1), "boxes": box(0.5, 0.5)}
+
+
+@pytest.mark.parametrize(("kind", "part"), [("balls", 1e-3), ("capsules", 1e-3), ("boxes", 5e-3)])
+def test_a_closed_box_keeps_the_energy_of_what_bounces_in_it(kind, part):
+    """Without friction and with restitution 1, spins and gravity and all: nine bodies for ten seconds."""
+    surface = {"restitution": 1.0, "friction": 0.0}
+    sides = [(1.0, 12.0, -5.5, 0.0), (1.0, 12.0, 5.5, 0.0), (12.0, 1.0, 0.0, 5.5), (12.0, 1.0, 0.0, -5.5)]
+    walls = [body(f"w{x}{y}", box(a, b, **surface), type="static", position=(x, y)) for a, b, x, y in sides]
+    shape = BOUNCERS[kind]
+    shape = FlatShape(shape.kind, shape.vertices, shape.radius, **surface)
+    spins = [4.0, -3.0, 2.0, 5.0, -1.0, 3.5, -4.5, 0.5, 1.5]
+    bouncers = [
+        body(f"{i}", shape, position=(3.0 * (i % 3 - 1), 3.0 * (i // 3 - 1)), velocity=(spin, 5.0 - spin),
+             angular_velocity=2.0 * spin)
+        for i, spin in enumerate(spins)
+    ]  # fmt: skip
+    w = world(*walls, *bouncers)
+    rows = w.state.bodies
+
+    def energy() -> float:
+        speeds = rows.velocity_x**2 + rows.velocity_y**2
+        height = rows.center_y + 5.0
+        return float(
+            (rows.mass * (0.5 * speeds + G * height) + 0.5 * rows.inertia * rows.angular_velocity**2)[4:].sum()
+        )
+
+    before = energy()
+    w.step(600)
+    assert energy() == pytest.approx(before, rel=part)
+
+
+@pytest.mark.parametrize("angle", [0.3, 0.7, 1.1])
+def test_a_spinning_box_bounces_off_the_floor_with_all_of_its_energy(angle):
+    """Its next corner comes in while it turns: that one bounces too."""
+    spinner = box(0.5, 0.5, restitution=1.0, friction=0.0)
+    w = world(
+        ground(friction=0.0),
+        body("box", spinner, position=(0.0, 1.0), velocity=(0.0, -9.65), angular_velocity=24.5, angle=angle),
+        gravity=(0.0, 0.0),
+    )
+    row = w.state.bodies[1]
+    before = row.mass * row.velocity_y**2 + row.inertia * row.angular_velocity**2
+    w.step(30)
+    after = row.mass * row.velocity_y**2 + row.inertia * row.angular_velocity**2
+    assert row.velocity_y > 0.0
+    assert after == pytest.approx(before, rel=1e-6)
