@@ -5,9 +5,9 @@ from __future__ import annotations
 NOTES: dict[int, str] = {
     1: "the first that recordings carry",
     2: "a rigid pass for pairs just put together, finer substeps for pendulums, sliders not held at a touch",
-    3: "joints push both their bodies at the second one's anchor, for the sake of their angular momentum; angles of motors",
+    3: "joints push both their bodies at the second one's anchor, for the sake of angular momentum's sake; motors' angles",
     4: "joints that blows tear apart are mended by displacements, no longer by velocities",
-    5: "what is caught in mid-step gets the speed of its height; corners that turn in unforeseen bounce too",
+    5: "what is caught in mid-step gets the speed of its height; corners that turn in unforeseen bounce and are held",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

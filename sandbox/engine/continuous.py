@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 
 from sandbox._jit import ZERO, entry_point, kernel
+from sandbox.engine.bounds import shape_margin
 from sandbox.engine.broad_phase import propose
 from sandbox.engine.grid import boxes_overlap
 from sandbox.engine.integrate import place_origin
@@ -37,10 +38,25 @@ _SAME = 0.999
 
 
 @kernel
+def expect_fast(bodies: Records, holds: Records, seconds: float) -> None:
+    """Mark the bodies that set out to go or swing far, or to turn past what `look_ahead` sees; `mark_fast` adds others.
+
+    One that is stopped in mid-step ends near to where it began, and may have turned deep into something.
+    """
+    for i in range(bodies.shape[0]):
+        body = bodies[i]
+        turn = seconds * abs(body.angular_velocity)
+        swing = turn * (body.extent - holds[i].thin)
+        way = seconds * (abs(body.velocity_x) + abs(body.velocity_y))
+        far = way + swing > FAST_SHARE * holds[i].thin or 0.5 * turn * swing > shape_margin(body.extent)
+        holds[i].fast = 1 if far else 0
+
+
+@kernel
 def mark_fast(bodies: Records, motions: Records, holds: Records) -> int:
     """Mark the active bodies that may have passed through something in this step; return how many.
 
-    Bullets always: something fast may have passed over them.
+    Bullets always: something fast may have passed over them. `expect_fast` has marked some already.
     """
     count = ZERO
     for i in range(bodies.shape[0]):
@@ -48,7 +64,7 @@ def mark_fast(bodies: Records, motions: Records, holds: Records) -> int:
         motion = motions[i]
         hold = holds[i]
         swing = abs(motion.delta_angle) * (body.extent - hold.thin)
-        far = abs(motion.delta_x) + abs(motion.delta_y) + swing > FAST_SHARE * hold.thin
+        far = hold.fast == 1 or abs(motion.delta_x) + abs(motion.delta_y) + swing > FAST_SHARE * hold.thin
         hold.fast = 0
         if (far or hold.deep == 1 or body.bullet == 1) and is_active(body):
             hold.fast = 1
@@ -189,7 +205,7 @@ def _hold(
     mover = b if bodies[a].type == STATIC else a
     _lay_way(bodies, motions, a, b, 0.0, 0.0, 1.0, 1.0, sweep[0])
     if (shapes[pair.shape_a].traits | shapes[pair.shape_b].traits) & ONE_WAY:
-        slop = allowed_depth(shapes[pair.shape_a], shapes[pair.shape_b])
+        slop = 2.0 * allowed_depth(shapes[pair.shape_a], shapes[pair.shape_b])  # what is caught may sink on
         if not comes_from_front(bodies, shapes, turned, pair.shape_a, pair.shape_b, sweep[0].x, sweep[0].y, slop):
             return 0
     t = _hit(shapes, turned, pair.shape_a, pair.shape_b, manifold, sweep, swept)

@@ -13,7 +13,7 @@ from sandbox.engine.broad_phase import find_pairs, sort_pairs
 from sandbox.engine.coloring import color_contacts, fill_blocks
 from sandbox.engine.contact_prepare import clear_reports, prepare_contacts, store_impulses
 from sandbox.engine.contact_solver import solve_contacts, warm_start
-from sandbox.engine.continuous import mark_fast
+from sandbox.engine.continuous import expect_fast, mark_fast
 from sandbox.engine.drags import solve_drags
 from sandbox.engine.guard import guard_positions, guard_velocities
 from sandbox.engine.impacts import list_bouncy, resolve_impacts, resolve_late_impacts
@@ -153,6 +153,7 @@ def move(
                 return block_count
 
     fastest = begin_motions(bodies, motions, flights)
+    expect_fast(bodies, holds, setting.step_seconds)
     if joints is not None:
         begin_joints(joints, bodies, contacts, count)
     clear_reports(reports, count)

@@ -74,7 +74,8 @@ def time_of_hit(
         gap = _gap(swept, a_count, a_radius, b_count, b_radius, s, t, out)
         m = out[0]
         if t == 0.0 and gap <= -deep * (1.0 - _NEAR):
-            deep = s.floor
+            deep = s.deep - gap
+            deep = deep if deep < s.floor else s.floor
             if gap <= -deep * (1.0 - _NEAR):
                 return _shallower(cores, a, a_count, a_radius, b, b_count, b_radius, sweep, swept, out)
         hit = gap <= -deep * (1.0 - _NEAR)

