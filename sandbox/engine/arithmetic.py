@@ -5,7 +5,7 @@ from __future__ import annotations
 NOTES: dict[int, str] = {
     1: "the first that recordings carry",
     2: "a rigid pass for pairs just put together, finer substeps for pendulums, sliders not held at a touch",
-    3: "joints push both their bodies at the second one's anchor, for the sake of angular momentum's sake; motors' angles",
+    3: "joints push both their bodies at the second one's anchor, to keep angular momentum; angles of motors",
     4: "joints that blows tear apart are mended by displacements, no longer by velocities",
     5: "what is caught in mid-step gets the speed of its height; corners that turn in unforeseen bounce and are held",
 }
