@@ -76,7 +76,7 @@ def damaged_texts(draw: st.DrawFn) -> str:
 @st.composite
 def damaged_data(draw: st.DrawFn) -> Any:
     """A scene in which a few values are replaced, added or taken away, at any depth."""
-    data = draw(scenes())
+    data = deepcopy(draw(scenes()))  # what strategies share must stay whole for the next example
     for _ in range(draw(st.integers(1, 4))):
         node: Any = data
         while draw(st.integers(0, 4)) and isinstance(_any_child(draw, node), (dict, list)):
