@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 import sandbox
-from sandbox._jit import kernel_argument
+from sandbox._jit import entry_point, kernel_argument
 from sandbox.engine.narrow_phase import find_contacts
 from sandbox.resources import find_scene
 
@@ -34,10 +34,11 @@ def nanoseconds_a_pair(world: sandbox.World, turns: int = TURNS) -> tuple[float,
     head = [kernel_argument(table) for table in tables]
     tail = [kernel_argument(table) for table in (scratch.manifold, state.contacts)]
     found = kernel_argument(scratch.contacts)
+    find = entry_point(getattr(find_contacts, "py_func", find_contacts))  # inner kernels are not for Python to call
     times = []
     for _ in range(turns + 1):
         start = time.perf_counter()
-        find_contacts(*head, count, 0.5 * 10.0 * SECONDS**2, SECONDS, *tail, kept, found)
+        find(*head, count, 0.5 * 10.0 * SECONDS**2, SECONDS, *tail, kept, found)
         times.append(time.perf_counter() - start)
     return statistics.quantiles(times[1:], n=10)[0] / count * 1e9, count
 
@@ -46,6 +47,7 @@ def nanoseconds_a_pair(world: sandbox.World, turns: int = TURNS) -> tuple[float,
 @pytest.mark.parametrize(("name", "steps"), [("pyramid-100", 20), ("pyramid-30", 20), ("pile", 300)])
 def test_narrow_phase(name: str, steps: int) -> None:
     world = sandbox.World(sandbox.load_scene(find_scene(Path(name))))
+    world.state.settings[0].sleeping = 0  # the pairs of sleepers are not those of the last step
     world.step(steps)
     cost, count = nanoseconds_a_pair(world)
     print(f"\n{name}: {count} pairs, narrow phase {cost:.1f} ns a pair")
