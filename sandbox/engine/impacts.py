@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 
 from sandbox._jit import kernel
+from sandbox.engine.blows import push, rub
 from sandbox.engine.contact_prepare import effective_mass
 from sandbox.engine.pace import contact_pace
 from sandbox.tables import Integers, Records
@@ -141,11 +142,11 @@ def _strike(
     for point in range(1, 3):
         impulse = impulse1 if point == 1 else impulse2
         if impulse > 0.0:
-            _push(a, b, motions, flights, contact, impulse, point)
+            push(a, b, motions, flights, contact, impulse, point)
     for point in range(1, 3):
         impulse = impulse1 if point == 1 else impulse2
         if impulse > 0.0:
-            _rub(a, b, motions, flights, contact, impulse, point)
+            rub(a, b, motions, flights, contact, impulse, point)
     return True
 
 
@@ -187,7 +188,10 @@ def _wanted_change(
     way_y = motion_b.delta_y - motion_a.delta_y + (s_b * bx + c_b * by - by) - (s_a * ax + c_a * ay - ay)
     rounding = contact.radius_a * (c_a - 1.0) + contact.radius_b * (c_b - 1.0)
     gap = separation + way_x * nx + way_y * ny + rounding
-    if gap + seconds * free > 0.0 if seconds > 0.0 else gap > 0.0 or gap + seconds * free <= 0.0:
+    other_end = gap + seconds * free
+    if seconds > 0.0 and other_end > 0.0:  # it does not close within the substep
+        return 0.0
+    if seconds < 0.0 and (gap > 0.0 or other_end <= 0.0):  # it is not closed, or was so when the substep began
         return 0.0
     lift = 2.0 * gap * (free - start) / seconds
     at_surface = start * start - lift
@@ -243,96 +247,3 @@ def _pair_impulses(a: Records, b: Records, contact: Records, change1: float, cha
     if change1 >= change2:
         return mass1 * change1, 0.0
     return 0.0, mass2 * change2
-
-
-@kernel
-def _push(
-    a: Records, b: Records, motions: Records, flights: Records, contact: Records, impulse: float, point: int
-) -> None:
-    """Apply a normal impulse at a point."""
-    ax, ay, bx, by = _where_it_strikes(a, b, contact, point)
-    px = impulse * contact.normal_x
-    py = impulse * contact.normal_y
-    _apply(a, b, motions, flights, contact, px, py, ax, ay, bx, by)
-
-
-@kernel
-def _rub(
-    a: Records, b: Records, motions: Records, flights: Records, contact: Records, impulse: float, point: int
-) -> None:
-    """Coulomb friction of the impact: stop the sliding at a point, as far as its normal impulse allows."""
-    if contact.friction <= 0.0:
-        return
-    ax, ay, bx, by = _where_it_strikes(a, b, contact, point)
-    tx = contact.normal_y
-    ty = -contact.normal_x
-    fa = flights[contact.body_a]
-    fb = flights[contact.body_b]
-    vx = fb.start_x - fb.start_w * by - fa.start_x + fa.start_w * ay
-    vy = fb.start_y + fb.start_w * bx - fa.start_y - fa.start_w * ax
-    speed = vx * tx + vy * ty - contact.surface_speed
-    limit = contact.friction * impulse
-    stop = -effective_mass(a, b, ax, ay, bx, by, tx, ty) * speed
-    stop = stop if stop < limit else limit
-    stop = stop if stop > -limit else -limit
-    _apply(a, b, motions, flights, contact, stop * tx, stop * ty, ax, ay, bx, by)
-
-
-@kernel
-def _where_it_strikes(a: Records, b: Records, contact: Records, point: int) -> tuple[float, float, float, float]:
-    """Anchors (m) of a point on both surfaces, from the centres of a and b.
-
-    The contact has them half way between the surfaces, which were apart still when it was found; but the blow falls
-    when they have met, and half a gap would be a longer arm for its friction.
-    """
-    first = point == 1
-    ax = contact.anchor_ax1 if first else contact.anchor_ax2
-    ay = contact.anchor_ay1 if first else contact.anchor_ay2
-    bx = contact.anchor_bx1 if first else contact.anchor_bx2
-    by = contact.anchor_by1 if first else contact.anchor_by2
-    separation = contact.separation1 if first else contact.separation2
-    # The contact was found where b had come nearer by this: the gap is what was left there.
-    nearer = (b.center_x + bx - a.center_x - ax) * contact.normal_x
-    nearer = nearer + (b.center_y + by - a.center_y - ay) * contact.normal_y
-    half = 0.5 * (separation - nearer)
-    half = half if half > 0.0 else 0.0
-    x = half * contact.normal_x
-    y = half * contact.normal_y
-    return ax - x, ay - y, bx + x, by + y
-
-
-@kernel
-def _apply(
-    a: Records,
-    b: Records,
-    motions: Records,
-    flights: Records,
-    contact: Records,
-    px: float,
-    py: float,
-    ax: float,
-    ay: float,
-    bx: float,
-    by: float,
-) -> None:
-    """Apply the impulse (px, py) N s to b at its anchor and the opposite to a at its own."""
-    ia = contact.body_a
-    ib = contact.body_b
-    turn_a = -a.inverse_inertia * (ax * py - ay * px)
-    turn_b = b.inverse_inertia * (bx * py - by * px)
-    _kick(motions[ia], flights[ia], -a.inverse_mass * px, -a.inverse_mass * py, turn_a)
-    _kick(motions[ib], flights[ib], b.inverse_mass * px, b.inverse_mass * py, turn_b)
-
-
-@kernel
-def _kick(motion: Records, flight: Records, x: float, y: float, w: float) -> None:
-    """Change a body's velocity at the start of the substep and everything derived from it."""
-    flight.start_x += x
-    flight.start_y += y
-    flight.start_w += w
-    flight.free_x += x
-    flight.free_y += y
-    flight.free_w += w
-    motion.velocity_x = flight.free_x
-    motion.velocity_y = flight.free_y
-    motion.angular_velocity = flight.free_w

@@ -10,17 +10,15 @@ from __future__ import annotations
 import math
 
 from sandbox._jit import kernel
+from sandbox.engine.joints.rest import keep_drawn_awake, keep_driven_awake, mark_held
 from sandbox.engine.joints.work import JointWork
 from sandbox.tables import Records
-from sandbox.world.joint_records import FRICTION, MOTOR, TARGET, WHEEL
 from sandbox.world.records import DYNAMIC, KINEMATIC
 
 STILL_SPEED = 0.001
 """A body that has become faster while it was slow is about to slide or tip, unless it is slower than this, in m/s."""
 SLEEP_SECONDS = 0.5
 """How long all bodies of an island have to be slow."""
-DRAWN = 0.02
-"""Bodies whose joint is farther off than this (m or rad) are being drawn together, which does not count as speed."""
 
 
 @kernel
@@ -164,9 +162,9 @@ def fall_asleep(
     """Count how long bodies have been slow; put islands to sleep in which all have been slow long enough."""
     _mark_resting(bodies, flights, contacts, count, drags)
     if joints is not None:
-        _mark_held(flights, joints)
-        _keep_driven_awake(flights, joints)
-        _keep_drawn_awake(flights, joints)
+        mark_held(flights, joints)
+        keep_driven_awake(flights, joints)
+        keep_drawn_awake(flights, joints)
     _count_slow_time(bodies, flights, seconds)
     ready = False
     for i in range(bodies.shape[0]):
@@ -227,15 +225,6 @@ def _mark_resting(bodies: Records, flights: Records, contacts: Records, count: i
 
 
 @kernel
-def _mark_held(flights: Records, joints: JointWork) -> None:
-    """What hangs from something that does not move rests as well, and what hangs together rests together."""
-    for i in range(1, joints.members.shape[0]):
-        member = joints.members[i]
-        if member.part >= 0 and (joints.parts[member.part].anchored == 1 or joints.parts[member.part].borne == 1):
-            flights[member.body].rests = 1
-
-
-@kernel
 def _count_slow_time(bodies: Records, flights: Records, seconds: float) -> None:
     for i in range(bodies.shape[0]):
         body = bodies[i]
@@ -252,42 +241,6 @@ def _count_slow_time(bodies: Records, flights: Records, seconds: float) -> None:
         nudged = body.sleep_time >= SLEEP_SECONDS and speed > STILL_SPEED and speed > body.slow_speed
         if nudged or flights[i].kept == 1:
             body.sleep_time = 0.0
-
-
-@kernel
-def _keep_driven_awake(flights: Records, joints: JointWork) -> None:
-    """Bodies that a joint ties to a driven body do not fall asleep."""
-    for i in range(joints.ties.shape[0]):
-        a = flights[joints.ties[i].low]
-        b = flights[joints.ties[i].high]
-        if a.drives + b.drives > 0:
-            a.kept = 1
-            b.kept = 1
-
-
-@kernel
-def _keep_drawn_awake(flights: Records, joints: JointWork) -> None:
-    """Nor do bodies that a rigid joint or a limit is still drawing to where they belong."""
-    for r in range(joints.rows.shape[0]):
-        row = joints.rows[r]
-        seat = joints.seats[row.seat]
-        if joints.parts[seat.part].awake == 1 and _is_drawn(row, joints.joints[seat.joint]):
-            a = joints.members[row.member_1].body
-            b = joints.members[row.member_2].body
-            if a >= 0:
-                flights[a].kept = 1
-            if b >= 0:
-                flights[b].kept = 1
-
-
-@kernel
-def _is_drawn(row: Records, joint: Records) -> bool:
-    if row.slot == 4:
-        beyond = row.error > joint.upper + DRAWN or row.error < joint.lower - DRAWN
-        return bool(joint.limit == 1 and beyond)
-    weak = joint.kind == MOTOR or joint.kind == TARGET or joint.kind == FRICTION
-    spins = joint.kind == WHEEL and row.slot == 2
-    return bool(row.slot < 3 and row.soft == 0 and not (weak or spins) and (row.error > DRAWN or row.error < -DRAWN))
 
 
 @kernel

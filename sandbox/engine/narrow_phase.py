@@ -5,11 +5,11 @@ from __future__ import annotations
 from sandbox._jit import ZERO, inlined_kernel, kernel
 from sandbox.engine.bounds import FIXED
 from sandbox.engine.contact_fill import fill_contact, match_contact
-from sandbox.engine.continuous import allowed_depth
 from sandbox.engine.islands import is_active
 from sandbox.engine.look_ahead import closing_way, look_ahead
 from sandbox.engine.one_way import comes_from_front, leads_on
 from sandbox.engine.seams import mend_contact
+from sandbox.engine.way import allowed_depth
 from sandbox.geometry.manifold import collide_cores
 from sandbox.tables import Records
 from sandbox.world.records import ONE_WAY, SEAMED

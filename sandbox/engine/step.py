@@ -13,8 +13,8 @@ from sandbox.engine.broad_phase import find_pairs, sort_pairs
 from sandbox.engine.coloring import color_contacts, fill_blocks
 from sandbox.engine.contact_prepare import clear_reports, prepare_contacts, store_impulses
 from sandbox.engine.contact_solver import solve_contacts, warm_start
-from sandbox.engine.continuous import expect_fast, mark_fast
 from sandbox.engine.drags import solve_drags
+from sandbox.engine.fast import expect_fast, mark_fast
 from sandbox.engine.guard import guard_positions, guard_velocities
 from sandbox.engine.impacts import list_bouncy, resolve_impacts, resolve_late_impacts
 from sandbox.engine.integrate import (

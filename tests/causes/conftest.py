@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import subprocess
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,6 +12,7 @@ from xml.etree import ElementTree
 import pytest
 
 from tests.cli.conftest import cli  # noqa: F401
+from tests.git_folder import enter
 
 SLOPE = {"id": "slope", "type": "static", "shapes": [{"box": [40, 1]}], "angle": -15}
 BOX = {"id": "box", "shapes": [{"box": [1, 1]}], "position": [-3, 4], "angle": -15}
@@ -41,10 +41,7 @@ class Views:
 
 @pytest.fixture(autouse=True)
 def _here(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    for name in ("CI", "GITHUB_ACTIONS"):
-        monkeypatch.delenv(name, raising=False)
-    monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(tmp_path.parent))
-    monkeypatch.chdir(tmp_path)
+    enter(tmp_path, monkeypatch)
 
 
 @pytest.fixture
@@ -85,15 +82,6 @@ def record(cli: Callable, *options: object) -> Path:  # noqa: F811
     """Record that scene."""
     assert cli("record", "slide.scene.json", "-o", "slide.replay.json", *options).code == 0
     return Path("slide.replay.json")
-
-
-def commit(folder: Path = Path(".")) -> str:
-    """Keep all that is in a folder in git; the revision."""
-    who = ["-c", "user.name=a", "-c", "user.email=a@example.org", "-c", "core.autocrlf=false"]
-    for command in (["init", "-q"], ["add", "-A"], [*who, "commit", "-qm", "all"]):
-        subprocess.run(["git", "-C", str(folder), *command], check=True, capture_output=True)
-    found = subprocess.run(["git", "-C", str(folder), "rev-parse", "--short", "HEAD"], capture_output=True, check=True)
-    return found.stdout.decode().strip()
 
 
 def place(path: Path, words: str) -> str:

@@ -16,11 +16,10 @@ import pytest
 import sandbox
 from sandbox.resources import scenes_dir
 from sandbox.scene import Scene
-from tests.causes.conftest import PUSH, STOP, Views, commit, junit_text, page_text, place, record, write
+from tests.causes.conftest import PUSH, STOP, Views, junit_text, page_text, place, record, write
 from tests.cli.conftest import CRATE, GROUND
+from tests.git_folder import commit, needs_git
 from tests.revisions.conftest import SOFTER
-
-needs_git = pytest.mark.skipif(shutil.which("git") is None, reason="no git is installed")
 
 
 def first_parting(golden: Path, now: sandbox.Recording) -> int:

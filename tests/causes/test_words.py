@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import shutil
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
@@ -11,9 +10,8 @@ from pathlib import Path
 import pytest
 
 from sandbox.engine.arithmetic import ARITHMETIC
-from tests.causes.conftest import BOX, PUSH, SLOPE, Views, commit, place, record, write
-
-needs_git = pytest.mark.skipif(shutil.which("git") is None, reason="no git is installed")
+from tests.causes.conftest import BOX, PUSH, SLOPE, Views, place, record, write
+from tests.git_folder import commit, needs_git
 
 
 def edit(path: Path, old: str, new: str) -> None:

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-import shutil
-import subprocess
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -14,20 +12,17 @@ import pytest
 
 from sandbox.report import report_page
 from tests.cli.conftest import CRATE, GROUND, cli  # noqa: F401
+from tests.git_folder import commit, enter, needs_git
 from tests.report.browser import Browser
 
 PLAYER = "document.querySelector('.player')"
 SLOPE = {"id": "slope", "type": "static", "shapes": [{"box": [40, 1]}], "angle": -15}
 BOX = {"id": "box", "shapes": [{"box": [1, 1]}], "position": [-3, 4], "angle": -15}
-needs_git = pytest.mark.skipif(shutil.which("git") is None, reason="no git is installed")
 
 
 @pytest.fixture(autouse=True)
 def _here(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    for name in ("CI", "GITHUB_ACTIONS"):
-        monkeypatch.delenv(name, raising=False)
-    monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(tmp_path.parent))
-    monkeypatch.chdir(tmp_path)
+    enter(tmp_path, monkeypatch)
 
 
 def write(name: str, *bodies: Any, friction: float = 0.3, **fields: Any) -> Path:
@@ -37,12 +32,6 @@ def write(name: str, *bodies: Any, friction: float = 0.3, **fields: Any) -> Path
     path = Path(f"{name}.scene.json")
     path.write_text(json.dumps({**data, "settings": {"steps": 90}, **fields}, indent=1), encoding="utf-8")
     return path
-
-
-def commit() -> None:
-    who = ["-c", "user.name=a", "-c", "user.email=a@example.org"]
-    for command in (["init", "-q"], ["add", "-A"], [*who, "commit", "-qm", "all"]):
-        subprocess.run(["git", *command], check=True, capture_output=True)
 
 
 def reported(cli: Callable, *paths: object) -> str:  # noqa: F811

@@ -44,12 +44,12 @@ def excess_error(work: JointWork, row: Records, seconds: float) -> float:
     """How far a limit is overrun, or the error of a rigid row beyond what it yields to its impulse, in m or rad."""
     joint = work.joints[work.seats[row.seat].joint]
     if row.slot == 4 and joint.limit == 1 and row.stiffness > 0.0:
-        return _overrun(joint, row.error)
+        return overrun(joint, row.error)
     return float(row.error - _yielded(row, seconds)) if is_rigid(row, joint) else 0.0
 
 
 @kernel
-def _overrun(joint: Records, place: float) -> float:
+def overrun(joint: Records, place: float) -> float:
     """Signed distance to the limit that has been passed; 0 between the limits."""
     over = place - joint.upper
     under = place - joint.lower
@@ -85,7 +85,7 @@ def goes_astray(work: JointWork, part: Records, seconds: float) -> bool:
         if row.slot == 4 and joint.limit == 1 and row.active == 1 and row.stop != 0:
             missed = abs(error - (joint.upper if row.stop < 0 else joint.lower) - row.kept)
         elif row.slot == 4 and joint.limit == 1 and row.stiffness > 0.0:
-            missed = abs(_overrun(joint, error)) - abs(row.kept)
+            missed = abs(overrun(joint, error)) - abs(row.kept)
         elif is_rigid(row, joint):
             missed = abs(error - row.kept + seconds * row.softness * row.impulse)
         if missed > (4.0 * most if joint.kind == MOTOR else most):  # a motor may have a long way to go

@@ -1,0 +1,56 @@
+"""What joints say about sleep: which bodies rest by them, and which are kept awake."""
+
+from __future__ import annotations
+
+from sandbox._jit import kernel
+from sandbox.engine.joints.laws import is_rigid
+from sandbox.engine.joints.recovery import overrun
+from sandbox.engine.joints.work import JointWork
+from sandbox.tables import Records
+from sandbox.world.joint_records import MOTOR, TARGET
+
+DRAWN = 0.02
+"""Bodies whose joint is farther off than this (m or rad) are being drawn together, which does not count as speed."""
+
+
+@kernel
+def mark_held(flights: Records, joints: JointWork) -> None:
+    """What hangs from something that does not move rests as well, and what hangs together rests together."""
+    for i in range(1, joints.members.shape[0]):
+        member = joints.members[i]
+        if member.part >= 0 and (joints.parts[member.part].anchored == 1 or joints.parts[member.part].borne == 1):
+            flights[member.body].rests = 1
+
+
+@kernel
+def keep_driven_awake(flights: Records, joints: JointWork) -> None:
+    """Bodies that a joint ties to a driven body do not fall asleep."""
+    for i in range(joints.ties.shape[0]):
+        a = flights[joints.ties[i].low]
+        b = flights[joints.ties[i].high]
+        if a.drives + b.drives > 0:
+            a.kept = 1
+            b.kept = 1
+
+
+@kernel
+def keep_drawn_awake(flights: Records, joints: JointWork) -> None:
+    """Bodies that a rigid joint or a limit is still drawing to where they belong do not fall asleep."""
+    for r in range(joints.rows.shape[0]):
+        row = joints.rows[r]
+        seat = joints.seats[row.seat]
+        if joints.parts[seat.part].awake == 1 and _is_drawn(row, joints.joints[seat.joint]):
+            a = joints.members[row.member_1].body
+            b = joints.members[row.member_2].body
+            if a >= 0:
+                flights[a].kept = 1
+            if b >= 0:
+                flights[b].kept = 1
+
+
+@kernel
+def _is_drawn(row: Records, joint: Records) -> bool:
+    if row.slot == 4:
+        return bool(joint.limit == 1 and abs(overrun(joint, row.error)) > DRAWN)
+    weak = joint.kind == MOTOR or joint.kind == TARGET
+    return bool(not weak and is_rigid(row, joint) and abs(row.error) > DRAWN)
