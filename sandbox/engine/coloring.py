@@ -2,49 +2,67 @@
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.contact_blocks import LANES, MAX_COLORS, VECTOR
-from sandbox.engine.islands import is_active
+from sandbox.engine.marks import is_active
 from sandbox.tables import Integers, Records
 
 _NOT_MOVED = -1
 """In the place of a body's colours. No set of colours is that: there are less than 63."""
 
 
+FREE = tuple(next(k for k in range(9) if not (bits >> k) & 1) for bits in range(256))
+"""For every set of the first eight colours the lowest that is not in it; 8 if all are."""
+
+
 @kernel
 def color_contacts(
-    bodies: Records, flights: Records, contacts: Records, count: int, pace: int, mixed: bool, colors: Integers
+    bodies: Records,
+    flights: Records,
+    palettes: Integers,
+    contacts: Records,
+    count: int,
+    pace: int,
+    mixed: bool,
+    colors: Integers,
 ) -> int:
     """Greedy colouring of the contacts of a pace, in order, into `colors`; returns the number of colours.
 
-    `mixed` says that there are other paces.
+    `mixed` says that there are other paces. `palettes` is scratch: the colours that each body's contacts have.
     Only active bodies count: others are read by the solver but not changed. A contact that finds no free colour gets
     `MAX_COLORS`, the colour of those that are solved one by one; one among sleeping bodies or of another pace
     gets -1 and is not solved.
     """
-    for i in range(flights.shape[0]):
-        flights[i].colors = 0 if is_active(bodies[i]) else _NOT_MOVED
+    for i in range(bodies.shape[0]):
+        palettes[i] = 0 if is_active(bodies[i]) else _NOT_MOVED
     highest = -1
     for i in range(count):
-        a = flights[contacts[i].body_a]
-        b = flights[contacts[i].body_b]
-        moves_a = a.colors != _NOT_MOVED
-        moves_b = b.colors != _NOT_MOVED
-        if not (moves_a or moves_b) or (mixed and (a.pace if moves_a else b.pace) != pace):
+        a = contacts[i].body_a
+        b = contacts[i].body_b
+        moves_a = palettes[a] != _NOT_MOVED
+        moves_b = palettes[b] != _NOT_MOVED
+        if not (moves_a or moves_b) or (mixed and flights[a if moves_a else b].pace != pace):
             colors[i] = -1
             continue
-        taken = (a.colors if moves_a else 0) | (b.colors if moves_b else 0)
-        color = 0
-        while color < MAX_COLORS and (taken >> color) & 1:
-            color += 1
+        color = _lowest_free((palettes[a] if moves_a else 0) | (palettes[b] if moves_b else 0))
         colors[i] = color
         highest = color if color > highest else highest
         if color < MAX_COLORS:
             if moves_a:
-                a.colors |= 1 << color
+                palettes[a] |= 1 << color
             if moves_b:
-                b.colors |= 1 << color
+                palettes[b] |= 1 << color
     return highest + 1
+
+
+@inlined_kernel
+def _lowest_free(taken: int) -> int:
+    """Lowest colour that is not in a set. A table, as nobody can guess when a loop over its bits ends."""
+    color = FREE[taken & 0xFF]
+    if color == 8:
+        while color < MAX_COLORS and (taken >> color) & 1:
+            color += 1
+    return color
 
 
 @kernel

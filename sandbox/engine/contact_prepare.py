@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine import contact_blocks as cb
-from sandbox.tables import Floats, Records
+from sandbox.engine.marks import mark_resting
+from sandbox.tables import Floats, Integers, Records
 
 BLOCK_SIZE = cb.BLOCK_SIZE
 LANES = cb.LANES
@@ -40,7 +41,7 @@ def prepare_contacts(
             slot = slots[block.first + k]
             contact = contacts[slot.contact]
             at = base + k * block.stride
-            _prepare_lane(bodies[slot.body_a], bodies[slot.body_b], contact, lanes, at)
+            _prepare_lane(bodies[slot.body_a], bodies[slot.body_b], contact, lanes[at:])
             if contact.separation1 < _SHALLOW or contact.separation2 < _SHALLOW:
                 deep = deep or _is_deep(bodies[slot.body_a], bodies[slot.body_b], contact)
             lanes[at + cb.BOUNCY] = 1.0 if bouncy and contact.restitution > 0.0 else 0.0
@@ -65,24 +66,24 @@ def _clear_last_vector(block: Records, lanes: Floats, base: int) -> None:
             lanes[base + field + k] = 0.0
 
 
-@kernel
-def _prepare_lane(a: Records, b: Records, contact: Records, lanes: Floats, at: int) -> None:
-    lanes[at + cb.NORMAL_X] = contact.normal_x
-    lanes[at + cb.NORMAL_Y] = contact.normal_y
-    lanes[at + cb.INVERSE_MASS_A] = a.inverse_mass
-    lanes[at + cb.INVERSE_INERTIA_A] = a.inverse_inertia
-    lanes[at + cb.INVERSE_MASS_B] = b.inverse_mass
-    lanes[at + cb.INVERSE_INERTIA_B] = b.inverse_inertia
-    lanes[at + cb.FRICTION] = contact.friction
-    lanes[at + cb.SURFACE_SPEED] = contact.surface_speed
-    lanes[at + cb.ROLLING_RESISTANCE] = contact.rolling_resistance
-    lanes[at + cb.RADIUS_A] = contact.radius_a
-    lanes[at + cb.RADIUS_B] = contact.radius_b
+@inlined_kernel
+def _prepare_lane(a: Records, b: Records, contact: Records, v: Floats) -> None:
+    v[cb.NORMAL_X] = contact.normal_x
+    v[cb.NORMAL_Y] = contact.normal_y
+    v[cb.INVERSE_MASS_A] = a.inverse_mass
+    v[cb.INVERSE_INERTIA_A] = a.inverse_inertia
+    v[cb.INVERSE_MASS_B] = b.inverse_mass
+    v[cb.INVERSE_INERTIA_B] = b.inverse_inertia
+    v[cb.FRICTION] = contact.friction
+    v[cb.SURFACE_SPEED] = contact.surface_speed
+    v[cb.ROLLING_RESISTANCE] = contact.rolling_resistance
+    v[cb.RADIUS_A] = contact.radius_a
+    v[cb.RADIUS_B] = contact.radius_b
     turning = a.inverse_inertia + b.inverse_inertia
-    lanes[at + cb.ROLLING_MASS] = 1.0 / turning if turning > 0.0 else 0.0
-    lanes[at + cb.ROLLING_IMPULSE] = contact.rolling_impulse
+    v[cb.ROLLING_MASS] = 1.0 / turning if turning > 0.0 else 0.0
+    v[cb.ROLLING_IMPULSE] = contact.rolling_impulse
     # The first warm start applies what the last step accumulated; that belongs to no substep of this one.
-    lanes[at + cb.TOTAL_IMPULSE] = -(contact.normal_impulse1 + contact.normal_impulse2)
+    v[cb.TOTAL_IMPULSE] = -(contact.normal_impulse1 + contact.normal_impulse2)
     _prepare_point(
         a,
         b,
@@ -94,8 +95,8 @@ def _prepare_lane(a: Records, b: Records, contact: Records, lanes: Floats, at: i
         contact.separation1,
         contact.normal_impulse1,
         contact.tangent_impulse1,
-        lanes,
-        at + cb.POINT_1,
+        v,
+        cb.POINT_1,
     )
     _prepare_point(
         a,
@@ -108,15 +109,15 @@ def _prepare_lane(a: Records, b: Records, contact: Records, lanes: Floats, at: i
         contact.separation2,
         contact.normal_impulse2,
         contact.tangent_impulse2,
-        lanes,
-        at + cb.POINT_2,
+        v,
+        cb.POINT_2,
     )
     if contact.point_count == 1:
-        lanes[at + cb.POINT_2 + cb.NORMAL_MASS] = 0.0
-        lanes[at + cb.POINT_2 + cb.TANGENT_MASS] = 0.0
+        v[cb.POINT_2 + cb.NORMAL_MASS] = 0.0
+        v[cb.POINT_2 + cb.TANGENT_MASS] = 0.0
 
 
-@kernel
+@inlined_kernel
 def _prepare_point(
     a: Records,
     b: Records,
@@ -128,23 +129,23 @@ def _prepare_point(
     separation: float,
     normal_impulse: float,
     tangent_impulse: float,
-    lanes: Floats,
-    at: int,
+    v: Floats,
+    point: int,
 ) -> None:
     nx = contact.normal_x
     ny = contact.normal_y
-    lanes[at + cb.ANCHOR_AX] = ax
-    lanes[at + cb.ANCHOR_AY] = ay
-    lanes[at + cb.ANCHOR_BX] = bx
-    lanes[at + cb.ANCHOR_BY] = by
+    v[point + cb.ANCHOR_AX] = ax
+    v[point + cb.ANCHOR_AY] = ay
+    v[point + cb.ANCHOR_BX] = bx
+    v[point + cb.ANCHOR_BY] = by
     # During the substeps the gap is this plus the way of two points of the cores along the normal. The core turns with
     # the body; the rounding around it does not: wherever a disc has turned to, it touches below its middle.
     way = (bx - ax) * nx + (by - ay) * ny + contact.radius_a + contact.radius_b
-    lanes[at + cb.SEPARATION] = separation - way
-    lanes[at + cb.NORMAL_MASS] = effective_mass(a, b, ax, ay, bx, by, nx, ny)
-    lanes[at + cb.TANGENT_MASS] = effective_mass(a, b, ax, ay, bx, by, ny, -nx)
-    lanes[at + cb.NORMAL_IMPULSE] = normal_impulse
-    lanes[at + cb.TANGENT_IMPULSE] = tangent_impulse
+    v[point + cb.SEPARATION] = separation - way
+    v[point + cb.NORMAL_MASS] = effective_mass(a, b, ax, ay, bx, by, nx, ny)
+    v[point + cb.TANGENT_MASS] = effective_mass(a, b, ax, ay, bx, by, ny, -nx)
+    v[point + cb.NORMAL_IMPULSE] = normal_impulse
+    v[point + cb.TANGENT_IMPULSE] = tangent_impulse
 
 
 @kernel
@@ -169,6 +170,7 @@ def clear_reports(reports: Records, count: int) -> None:
 @kernel
 def store_impulses(
     bodies: Records,
+    marks: Integers,
     contacts: Records,
     slots: Records,
     blocks: Records,
@@ -179,11 +181,13 @@ def store_impulses(
     """Copy the accumulated impulses back into the contacts, to warm start the next step, and report on this one.
 
     The bodies still have the velocities with which the step began: a point that begins to push has closed in at them.
+    What they bear is marked as resting.
     """
     for n in range(block_count):
         for k in range(blocks[n].count):
-            contact = contacts[slots[blocks[n].first + k].contact]
-            report = reports[slots[blocks[n].first + k].contact]
+            slot = slots[blocks[n].first + k]
+            contact = contacts[slot.contact]
+            report = reports[slot.contact]
             at = n * BLOCK_SIZE + k * blocks[n].stride
             normal1 = lanes[at + cb.POINT_1 + cb.NORMAL_IMPULSE]
             normal2 = lanes[at + cb.POINT_2 + cb.NORMAL_IMPULSE]
@@ -201,6 +205,8 @@ def store_impulses(
             if contact.point_count == 2:
                 contact.normal_impulse2 = normal2
                 contact.tangent_impulse2 = lanes[at + cb.POINT_2 + cb.TANGENT_IMPULSE]
+            pushes = normal1 > 0.0 or normal2 > 0.0
+            mark_resting(marks, slot.body_a, slot.body_b, pushes, contact.surface_speed)
 
 
 @kernel

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sandbox._jit import ZERO, kernel
 from sandbox.engine.bounds import shape_margin
-from sandbox.engine.islands import is_active
+from sandbox.engine.marks import is_active
 from sandbox.tables import Records
 
 FAST_SHARE = 0.5

@@ -13,15 +13,16 @@ MAX_COORDINATE = 1e9
 
 
 @kernel
-def guard_velocities(bodies: Records, motions: Records, counters: Records) -> None:
+def guard_velocities(bodies: Records, motions: Records, pulls: Records, counters: Records) -> None:
     """Freeze bodies whose velocity is not a number, or too high, before the solver can pass it on."""
-    for i in range(bodies.shape[0]):
-        if bodies[i].type == STATIC:
+    for i in range(pulls.shape[0]):
+        if pulls[i].moves == 0:
             continue
         motion = motions[i]
         sound = abs(motion.velocity_x) <= MAX_SPEED and abs(motion.velocity_y) <= MAX_SPEED
         if not (sound and abs(motion.angular_velocity) <= MAX_SPEED):
             _freeze(bodies[i], motion, counters[0])
+            pulls[i].moves = 0
 
 
 @kernel

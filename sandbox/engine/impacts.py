@@ -26,21 +26,21 @@ def list_bouncy(
     bodies: Records,
     flights: Records,
     contacts: Records,
-    count: int,
+    strikers: Integers,
     pace: int,
     fastest: float,
     threshold: float,
     bouncy: Integers,
 ) -> int:
-    """List the contacts of a pace with restitution, or none when no body is fast enough for any to matter.
+    """List the `strikers` of a pace (see `find_contacts`), or none when no body is fast enough for any to matter.
 
     `fastest` is the square of the highest speed (m/s) of a point.
     """
     used = 0
     if fastest > 0.25 * threshold * threshold:
-        for i in range(count):
-            if contacts[i].restitution > 0.0 and contact_pace(bodies, flights, contacts[i]) == pace:
-                bouncy[used] = i
+        for k in range(1, strikers[0] + 1):
+            if contact_pace(bodies, flights, contacts[strikers[k]]) == pace:
+                bouncy[used] = strikers[k]
                 used += 1
     return used
 

@@ -7,6 +7,9 @@ from sandbox.geometry.trig import cos_sin
 from sandbox.tables import Records
 from sandbox.world.records import DYNAMIC, KINEMATIC, STATIC
 
+SOLVED, LED = 1, 2
+"""`pull.moves` of the bodies that the solver moves, and of those that follow a velocity of their own."""
+
 
 @kernel
 def begin_motions(bodies: Records, motions: Records, flights: Records) -> float:
@@ -51,35 +54,54 @@ def rewind_driven(bodies: Records, motions: Records) -> None:
 
 
 @kernel
-def integrate_velocities(
+def begin_pulls(
     bodies: Records,
-    motions: Records,
     flights: Records,
+    pulls: Records,
     pace: int,
     gravity_x: float,
     gravity_y: float,
     seconds: float,
 ) -> None:
-    """Gravity, forces and damping over one substep: exact terminal velocity, decay to second order, always stable."""
+    """Work out once what forces and damping do to the bodies of a pace in each of its substeps of `seconds`.
+
+    Exact terminal velocity, decay to second order, always stable.
+    """
     for i in range(bodies.shape[0]):
         body = bodies[i]
-        flight = flights[i]
-        if body.type != DYNAMIC or body.awake == 0 or flight.pace != pace:
+        pull = pulls[i]
+        pull.moves = SOLVED if body.type == DYNAMIC else LED
+        if body.type == STATIC or body.awake == 0 or (body.type == DYNAMIC and flights[i].pace != pace):
+            pull.moves = 0
             continue
+        lag = 1.0 + 0.5 * seconds * body.linear_damping
+        pull.slow = _decay(seconds * body.linear_damping)
+        ax = body.gravity_scale * gravity_x + body.inverse_mass * body.force_x
+        ay = body.gravity_scale * gravity_y + body.inverse_mass * body.force_y
+        pull.push_x = seconds * ax * lag
+        pull.push_y = seconds * ay * lag
+        turn_lag = 1.0 + 0.5 * seconds * body.angular_damping
+        pull.brake = _decay(seconds * body.angular_damping)
+        aw = body.inverse_inertia * body.torque
+        pull.push_w = seconds * aw * turn_lag
+        pull.extent = body.extent
+
+
+@kernel
+def integrate_velocities(motions: Records, flights: Records, pulls: Records) -> None:
+    """Gravity, forces and damping over one substep."""
+    for i in range(pulls.shape[0]):
+        pull = pulls[i]
+        if pull.moves != SOLVED:
+            continue
+        flight = flights[i]
         motion = motions[i]
         flight.start_x = motion.velocity_x
         flight.start_y = motion.velocity_y
         flight.start_w = motion.angular_velocity
-        lag = 1.0 + 0.5 * seconds * body.linear_damping
-        slow = _decay(seconds * body.linear_damping)
-        ax = body.gravity_scale * gravity_x + body.inverse_mass * body.force_x
-        ay = body.gravity_scale * gravity_y + body.inverse_mass * body.force_y
-        motion.velocity_x = (motion.velocity_x + seconds * ax * lag) * slow
-        motion.velocity_y = (motion.velocity_y + seconds * ay * lag) * slow
-        turn_lag = 1.0 + 0.5 * seconds * body.angular_damping
-        brake = _decay(seconds * body.angular_damping)
-        aw = body.inverse_inertia * body.torque
-        motion.angular_velocity = (motion.angular_velocity + seconds * aw * turn_lag) * brake
+        motion.velocity_x = (motion.velocity_x + pull.push_x) * pull.slow
+        motion.velocity_y = (motion.velocity_y + pull.push_y) * pull.slow
+        motion.angular_velocity = (motion.angular_velocity + pull.push_w) * pull.brake
         flight.free_x = motion.velocity_x
         flight.free_y = motion.velocity_y
         flight.free_w = motion.angular_velocity
@@ -92,9 +114,7 @@ def _decay(x: float) -> float:
 
 
 @kernel
-def integrate_positions(
-    bodies: Records, motions: Records, flights: Records, pace: int, gravity: float, seconds: float
-) -> None:
+def integrate_positions(motions: Records, flights: Records, pulls: Records, gravity: float, seconds: float) -> None:
     """Move by the velocity the solver left; a body that nothing touched moves by the mean of both ends.
 
     The mean is exact under constant acceleration, so free flight follows the parabola to rounding. A body in
@@ -102,25 +122,25 @@ def integrate_positions(
     or sped up, by no more than forces do (`gravity` in m/s^2 is the measure), it goes the mean way along it.
     """
     gentle = 4.0 * seconds * gravity
-    for i in range(bodies.shape[0]):
-        body = bodies[i]
-        flight = flights[i]
-        if body.type == STATIC or body.awake == 0 or (body.type == DYNAMIC and flight.pace != pace):
+    for i in range(pulls.shape[0]):
+        pull = pulls[i]
+        if pull.moves == 0:
             continue
+        flight = flights[i]
         motion = motions[i]
         vx = motion.velocity_x
         vy = motion.velocity_y
         w = motion.angular_velocity
-        if body.type == DYNAMIC and vx == flight.free_x and vy == flight.free_y and w == flight.free_w:
+        if pull.moves == SOLVED and vx == flight.free_x and vy == flight.free_y and w == flight.free_w:
             vx = 0.5 * (flight.start_x + vx)
             vy = 0.5 * (flight.start_y + vy)
             w = 0.5 * (flight.start_w + w)
-        elif body.type == DYNAMIC:
+        elif pull.moves == SOLVED:
             share = _mean_share(flight.start_x - vx, flight.start_y - vy, vx, vy, gentle)
             vx = vx * share
             vy = vy * share
             change = flight.start_w - w
-            if abs(change) * body.extent <= gentle and abs(change) <= 0.5 * abs(w):
+            if abs(change) * pull.extent <= gentle and abs(change) <= 0.5 * abs(w):
                 w = w + 0.5 * change
         motion.delta_x += seconds * vx
         motion.delta_y += seconds * vy

@@ -12,19 +12,14 @@ import math
 from sandbox._jit import kernel
 from sandbox.engine.joints.rest import keep_drawn_awake, keep_driven_awake, mark_held
 from sandbox.engine.joints.work import JointWork
-from sandbox.tables import Records
+from sandbox.engine.marks import KEPT, LIVELY, RESTS, disturbs, is_active
+from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC, KINEMATIC
 
 STILL_SPEED = 0.001
 """A body that has become faster while it was slow is about to slide or tip, unless it is slower than this, in m/s."""
 SLEEP_SECONDS = 0.5
 """How long all bodies of an island have to be slow."""
-
-
-@kernel
-def is_active(body: Records) -> bool:
-    """Whether the solver moves this body."""
-    return bool(body.type == DYNAMIC and body.awake == 1)
 
 
 @kernel
@@ -42,10 +37,10 @@ def wake_touched(
     for i in range(count):
         a = bodies[contacts[i].body_a]
         b = bodies[contacts[i].body_b]
-        if a.awake == 0 and _disturbs(b):
+        if a.awake == 0 and disturbs(b):
             a.awake = 1
             found = True
-        elif b.awake == 0 and _disturbs(a):
+        elif b.awake == 0 and disturbs(a):
             b.awake = 1
             found = True
     if joints is not None:
@@ -61,10 +56,10 @@ def _wake_joined(bodies: Records, joints: JointWork) -> bool:
     for i in range(joints.ties.shape[0]):
         a = bodies[joints.ties[i].low]
         b = bodies[joints.ties[i].high]
-        if a.awake == 0 and _disturbs(b):
+        if a.awake == 0 and disturbs(b):
             a.awake = 1
             found = True
-        elif b.awake == 0 and _disturbs(a):
+        elif b.awake == 0 and disturbs(a):
             b.awake = 1
             found = True
     return found
@@ -79,13 +74,6 @@ def undo_waking(bodies: Records, flights: Records, counters: Records) -> None:
         bodies[i].awake = flights[i].was_awake
         bodies[i].island = flights[i].was_island
         bodies[i].sleep_time = flights[i].was_slow
-
-
-@kernel
-def _disturbs(body: Records) -> bool:
-    if body.type == DYNAMIC:
-        return is_active(body)
-    return bool(body.velocity_x != 0.0 or body.velocity_y != 0.0 or body.angular_velocity != 0.0 or body.posed == 1)
 
 
 @kernel
@@ -151,28 +139,27 @@ def _root(flights: Records, i: int) -> int:
 def fall_asleep(
     bodies: Records,
     flights: Records,
+    marks: Integers,
     contacts: Records,
     count: int,
     joints: JointWork | None,
-    drags: Records,
     seconds: float,
     sleeping: bool,
     counters: Records,
 ) -> None:
     """Count how long bodies have been slow; put islands to sleep in which all have been slow long enough."""
-    _mark_resting(bodies, flights, contacts, count, drags)
     if joints is not None:
-        mark_held(flights, joints)
-        keep_driven_awake(flights, joints)
-        keep_drawn_awake(flights, joints)
-    _count_slow_time(bodies, flights, seconds)
+        mark_held(marks, joints)
+        keep_driven_awake(marks, joints)
+        keep_drawn_awake(marks, joints)
+    _count_slow_time(bodies, marks, seconds)
     ready = False
     for i in range(bodies.shape[0]):
         if is_active(bodies[i]) and bodies[i].sleep_time >= SLEEP_SECONDS:
             ready = True
     if ready and sleeping:
         find_islands(bodies, flights, contacts, count, joints)
-        _sleep_islands(bodies, flights)
+        _sleep_islands(bodies, flights, marks)
     _count_sleepers(bodies, counters[0])
 
 
@@ -192,7 +179,7 @@ def _count_sleepers(bodies: Records, counter: Records) -> None:
             awake += body.awake
             body.stirred = body.awake - 1 + body.was_asleep
             body.was_asleep = 1 - body.awake
-        elif body.type == KINEMATIC and _disturbs(body):
+        elif body.type == KINEMATIC and disturbs(body):
             driven = True
     counter.asleep_count = asleep
     counter.awake_count = awake
@@ -200,60 +187,33 @@ def _count_sleepers(bodies: Records, counter: Records) -> None:
 
 
 @kernel
-def _mark_resting(bodies: Records, flights: Records, contacts: Records, count: int, drags: Records) -> None:
-    """Mark the bodies that lie on or against something: a body in free flight may be slow, but it does not rest.
-
-    And those that are kept awake: dragged bodies and those on a driven body or a running belt.
-    """
-    for i in range(bodies.shape[0]):
-        flights[i].rests = flights[i].buoyed
-        flights[i].drives = 1 if bodies[i].type == KINEMATIC and _disturbs(bodies[i]) else 0
-        flights[i].kept = 0
-    for k in range(drags.shape[0]):
-        if drags[k].body >= 0:
-            flights[drags[k].body].kept = 1
-    for i in range(count):
-        contact = contacts[i]
-        a = flights[contact.body_a]
-        b = flights[contact.body_b]
-        if contact.normal_impulse1 > 0.0 or contact.normal_impulse2 > 0.0:
-            a.rests = 1
-            b.rests = 1
-        if contact.surface_speed != 0.0 or a.drives + b.drives > 0:
-            a.kept = 1
-            b.kept = 1
-
-
-@kernel
-def _count_slow_time(bodies: Records, flights: Records, seconds: float) -> None:
+def _count_slow_time(bodies: Records, marks: Integers, seconds: float) -> None:
     for i in range(bodies.shape[0]):
         body = bodies[i]
         if not is_active(body):
             continue
         rim = body.angular_velocity * body.extent
         speed = math.sqrt(body.velocity_x * body.velocity_x + body.velocity_y * body.velocity_y + rim * rim)
-        if speed >= body.sleep_speed or (flights[i].rests == 0 and speed > 0.0):
+        if speed >= body.sleep_speed or (marks[i] & RESTS == 0 and speed > 0.0):
             body.sleep_time = 0.0
             continue
         if body.sleep_time == 0.0:
             body.slow_speed = speed
         body.sleep_time += seconds
         nudged = body.sleep_time >= SLEEP_SECONDS and speed > STILL_SPEED and speed > body.slow_speed
-        if nudged or flights[i].kept == 1:
+        if nudged or marks[i] & KEPT != 0:
             body.sleep_time = 0.0
 
 
 @kernel
-def _sleep_islands(bodies: Records, flights: Records) -> None:
-    """An island sleeps if none of its bodies is too lively; a lively body marks the root by a colour of -1."""
-    for i in range(bodies.shape[0]):
-        flights[i].colors = 0
+def _sleep_islands(bodies: Records, flights: Records, marks: Integers) -> None:
+    """An island sleeps if none of its bodies is too lively; a lively body marks the root."""
     for i in range(bodies.shape[0]):
         if is_active(bodies[i]) and bodies[i].sleep_time < SLEEP_SECONDS:
-            flights[flights[i].island].colors = -1
+            marks[flights[i].island] |= LIVELY
     for i in range(bodies.shape[0]):
         body = bodies[i]
-        if is_active(body) and flights[flights[i].island].colors == 0:
+        if is_active(body) and marks[flights[i].island] & LIVELY == 0:
             body.awake = 0
             body.island = flights[i].island + 1
             body.velocity_x = 0.0

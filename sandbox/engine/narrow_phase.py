@@ -5,13 +5,13 @@ from __future__ import annotations
 from sandbox._jit import ZERO, inlined_kernel, kernel
 from sandbox.engine.bounds import FIXED
 from sandbox.engine.contact_fill import fill_contact, match_contact
-from sandbox.engine.islands import is_active
 from sandbox.engine.look_ahead import closing_way, look_ahead
+from sandbox.engine.marks import is_active
 from sandbox.engine.one_way import comes_from_front, leads_on
 from sandbox.engine.seams import mend_contact
 from sandbox.engine.way import allowed_depth
 from sandbox.geometry.manifold import collide_cores
-from sandbox.tables import Records
+from sandbox.tables import Integers, Records
 from sandbox.world.records import ONE_WAY, SEAMED
 
 FACE_BIAS = 1e-4
@@ -36,8 +36,11 @@ def find_contacts(
     old: Records,
     old_count: int,
     contacts: Records,
+    strikers: Integers,
 ) -> int:
     """Write a contact for every pair that touches or will touch within `seconds`; return how many.
+
+    `strikers[1:]` lists the contacts with restitution, `strikers[0]` is how many those are.
 
     `fall` (m) is what gravity adds to a way within that time. Pairs and old contacts are both sorted by (shape_a,
     shape_b): one walk through both matches them, and impulses of points with the same feature id carry over (warm
@@ -46,13 +49,14 @@ def find_contacts(
     for i in range(holds.shape[0]):
         holds[i].deep = 0
         holds[i].fresh = 0
+    strikers[0] = 0
     count = ZERO
     k = 0
     for n in range(pair_count):
         i = pairs[n].shape_a
         j = pairs[n].shape_b
         while k < old_count and _comes_before(old[k], i, j):
-            count = _keep_if_asleep(bodies, old[k], contacts, count)
+            count = _keep_if_asleep(bodies, old[k], contacts, count, strikers)
             k += 1
         a = proxies[i]
         b = proxies[j]
@@ -71,6 +75,7 @@ def find_contacts(
                 continue
         contact = contacts[count]
         fill_contact(proxies, i, j, vx * t, vy * t, manifold[0], contact)
+        _list_striker(contact, count, strikers)
         if known:
             match_contact(old[k], contact)
         elif t == 0.0 and manifold[0].separation <= TOUCHING:
@@ -80,7 +85,7 @@ def find_contacts(
             _mark_deep(holds, shapes, i, j, -manifold[0].separation)
         count += 1
     for n in range(k, old_count):
-        count = _keep_if_asleep(bodies, old[n], contacts, count)
+        count = _keep_if_asleep(bodies, old[n], contacts, count, strikers)
     return count
 
 
@@ -91,14 +96,23 @@ def _comes_before(contact: Records, shape_a: int, shape_b: int) -> bool:
 
 
 @kernel
-def _keep_if_asleep(bodies: Records, old: Records, contacts: Records, count: int) -> int:
+def _keep_if_asleep(bodies: Records, old: Records, contacts: Records, count: int, strikers: Integers) -> int:
     """Append an old contact if one of its bodies sleeps and none is active; return the new count."""
     a = bodies[old.body_a]
     b = bodies[old.body_b]
     if is_active(a) or is_active(b) or a.awake + b.awake == 2:
         return count
     contacts[count] = old
+    _list_striker(contacts[count], count, strikers)
     return count + 1
+
+
+@inlined_kernel
+def _list_striker(contact: Records, row: int, strikers: Integers) -> None:
+    """List a contact in which there may be an impact."""
+    if contact.restitution > 0.0:
+        strikers[0] += 1
+        strikers[strikers[0]] = row
 
 
 @inlined_kernel

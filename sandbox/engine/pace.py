@@ -11,9 +11,10 @@ from __future__ import annotations
 import math
 
 from sandbox._jit import kernel
-from sandbox.engine.islands import find_islands, is_active
+from sandbox.engine.islands import find_islands
 from sandbox.engine.joints.fine import refine_small_parts
 from sandbox.engine.joints.work import JointWork
+from sandbox.engine.marks import is_active
 from sandbox.geometry.trig import PI
 from sandbox.tables import Field, Records, Table
 from sandbox.world.records import DYNAMIC

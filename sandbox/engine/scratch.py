@@ -42,19 +42,30 @@ FLIGHT = Table(
         Field("free_x", "m/s", "velocity at its end if nothing touches the body"),
         Field("free_y", "m/s", "velocity at its end if nothing touches the body"),
         Field("free_w", "rad/s", "velocity at its end if nothing touches the body"),
-        Field("colors", "-", "bit set of the colours its constraints have", "i8"),
         Field("island", "-", "root of its island", "i8"),
         Field("pace", "-", "its island takes 2**pace times the substeps of the scene", "i8"),
-        Field("rests", "-", "1 when something bears it after the step", "i8"),
         Field("buoyed", "-", "1 when it floats at rest", "i8"),
-        Field("drives", "-", "1 for a kinematic body that moves", "i8"),
-        Field("kept", "-", "1 when it must not fall asleep", "i8"),
         Field("was_awake", "-", "before the step woke anybody", "i8"),
         Field("was_island", "-", "before the step woke anybody", "i8"),
         Field("was_slow", "s", "sleep time before the step woke anybody"),
     ),
 )
 """One row a body: where an unhindered body would go, and its place in the constraint graph."""
+
+PULL = Table(
+    "pull",
+    (
+        Field("push_x", "m/s", "what gravity and forces add to the velocity in a substep"),
+        Field("push_y", "m/s", "the same"),
+        Field("push_w", "rad/s", "what torques add to it"),
+        Field("slow", "1", "share of the velocity that damping leaves"),
+        Field("brake", "1", "share of the angular velocity that damping leaves"),
+        Field("extent", "m", "that of the body"),
+        Field("moves", "-", "1 when the solver moves it, 2 when it is driven, 0 for the others", "i8"),
+        Field("spare", "-", "fills the cache line", "i8"),
+    ),
+)
+"""One row a body, one cache line: all that the substeps ask of the body itself."""
 
 HOLD = Table(
     "hold",
@@ -164,6 +175,9 @@ class Scratch:
 
     motions: Records
     flights: Records
+    pulls: Records
+    marks: Integers
+    palettes: Integers
     piles: Records
     holds: Records
     turned: Records
@@ -176,6 +190,7 @@ class Scratch:
     pairs: Records
     sorted_pairs: Records
     contacts: Records
+    strikers: Integers
     reports: Records
     manifold: Records
     sweep: Records
@@ -200,6 +215,9 @@ class Scratch:
         return cls(
             motions=MOTION.zeros(len(state.bodies)),
             flights=FLIGHT.zeros(len(state.bodies)),
+            pulls=PULL.zeros(len(state.bodies)),
+            marks=np.zeros(len(state.bodies), np.int64),
+            palettes=np.zeros(len(state.bodies), np.int64),
             piles=PILE.zeros(len(state.bodies)),
             holds=_holds(state),
             turned=VERTEX.zeros(len(state.vertices)),
@@ -212,6 +230,7 @@ class Scratch:
             pairs=PAIR.zeros(pair_capacity),
             sorted_pairs=PAIR.zeros(pair_capacity + 1),  # `catch` keeps one pair apart
             contacts=CONTACT.zeros(pair_capacity),
+            strikers=np.zeros(pair_capacity + 1, np.int64),
             reports=REPORT.zeros(pair_capacity),
             manifold=MANIFOLD.zeros(2),
             sweep=SWEEP.zeros(1),

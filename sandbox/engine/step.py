@@ -19,17 +19,19 @@ from sandbox.engine.guard import guard_positions, guard_velocities
 from sandbox.engine.impacts import list_bouncy, resolve_impacts, resolve_late_impacts
 from sandbox.engine.integrate import (
     begin_motions,
+    begin_pulls,
     finish_motions,
     integrate_positions,
     integrate_velocities,
     rewind_driven,
 )
-from sandbox.engine.islands import fall_asleep, is_active, undo_waking, wake_touched
+from sandbox.engine.islands import fall_asleep, undo_waking, wake_touched
 from sandbox.engine.joints.apart import drop_joined_pairs
 from sandbox.engine.joints.report import finish_joints
 from sandbox.engine.joints.solve import begin_joints, let_members_move, relax_joints, select_parts, solve_joints
 from sandbox.engine.joints.work import JointWork
 from sandbox.engine.look_ahead import mark_hemmed
+from sandbox.engine.marks import clear_marks, is_active
 from sandbox.engine.narrow_phase import find_contacts
 from sandbox.engine.pace import MOST, assign_paces
 from sandbox.engine.softness import soft_coefficients
@@ -66,6 +68,7 @@ def find_touching(
     pairs: Records,
     sorted_pairs: Records,
     contacts: Records,
+    strikers: Integers,
     manifold: Records,
     bonds: Records,
     joined: Integers,
@@ -104,6 +107,7 @@ def find_touching(
         old_contacts,
         counter.contact_count,
         contacts,
+        strikers,
     )
     return 0
 
@@ -116,10 +120,14 @@ def move(
     counters: Records,
     motions: Records,
     flights: Records,
+    pulls: Records,
+    marks: Integers,
+    palettes: Integers,
     piles: Records,
     holds: Records,
     heads: Integers,
     contacts: Records,
+    strikers: Integers,
     slots: Records,
     blocks: Records,
     colors: Integers,
@@ -145,7 +153,7 @@ def move(
     counter.color_count = 0
     for pace in range(MOST, -1, -1):
         if (paces >> pace) & 1:
-            color_count = color_contacts(bodies, flights, contacts, count, pace, paces > 1, colors)
+            color_count = color_contacts(bodies, flights, palettes, contacts, count, pace, paces > 1, colors)
             counter.color_count = color_count if color_count > counter.color_count else counter.color_count
             block_count = fill_blocks(contacts, count, colors, color_count, heads, slots, blocks)
             if block_count > blocks.shape[0]:
@@ -153,6 +161,7 @@ def move(
                 return block_count
 
     fastest = begin_motions(bodies, motions, flights)
+    clear_marks(bodies, flights, drags, marks)
     expect_fast(bodies, holds, setting.step_seconds)
     if joints is not None:
         begin_joints(joints, bodies, contacts, count)
@@ -162,24 +171,24 @@ def move(
             continue
         if pace > 0:
             rewind_driven(bodies, motions)
-            color_count = color_contacts(bodies, flights, contacts, count, pace, paces > 1, colors)
+            color_count = color_contacts(bodies, flights, palettes, contacts, count, pace, paces > 1, colors)
             block_count = fill_blocks(contacts, count, colors, color_count, heads, slots, blocks)
         bouncy_count = list_bouncy(
-            bodies, flights, contacts, count, pace, fastest, setting.restitution_threshold, colors
+            bodies, flights, contacts, strikers, pace, fastest, setting.restitution_threshold, colors
         )
         deep = prepare_contacts(bodies, contacts, slots, blocks, block_count, bouncy_count > 0, lanes)
         _run_substeps(
-            bodies, motions, flights, drags, setting, counters, contacts, colors, bouncy_count, slots, blocks,
+            bodies, motions, flights, pulls, drags, setting, counters, contacts, colors, bouncy_count, slots, blocks,
             block_count, lanes, gathered, pace, RELAX_DEEP if deep else 1,
             _some_fresh(bodies, flights, holds, pace), joints,
         )  # fmt: skip
-        store_impulses(bodies, contacts, slots, blocks, block_count, lanes, reports)
+        store_impulses(bodies, marks, contacts, slots, blocks, block_count, lanes, reports)
     if joints is not None:
         finish_joints(joints, setting.step_seconds, counter)
     guard_positions(bodies, motions, counters)
     finish_motions(bodies, motions)
 
-    fall_asleep(bodies, flights, contacts, count, joints, drags, setting.step_seconds, setting.sleeping == 1, counters)
+    fall_asleep(bodies, flights, marks, contacts, count, joints, setting.step_seconds, setting.sleeping == 1, counters)
     counter.step_count += 1
     counter.old_contact_count = counter.contact_count
     counter.contact_count = count
@@ -201,6 +210,7 @@ def _run_substeps(
     bodies: Records,
     motions: Records,
     flights: Records,
+    pulls: Records,
     drags: Records,
     setting: Records,
     counters: Records,
@@ -232,9 +242,10 @@ def _run_substeps(
 
     if joints is not None:
         select_parts(joints, flights, pace)
+    begin_pulls(bodies, flights, pulls, pace, setting.gravity_x, setting.gravity_y, seconds)
     for substep in range(substeps):
-        integrate_velocities(bodies, motions, flights, pace, setting.gravity_x, setting.gravity_y, seconds)
-        guard_velocities(bodies, motions, counters)
+        integrate_velocities(motions, flights, pulls)
+        guard_velocities(bodies, motions, pulls, counters)
         resolve_impacts(
             bodies, motions, flights, contacts, bouncy, bouncy_count, setting.restitution_threshold, seconds
         )
@@ -261,7 +272,7 @@ def _run_substeps(
         )
         if joints is not None:
             let_members_move(joints, motions, flights, seconds)
-        integrate_positions(bodies, motions, flights, pace, gravity, seconds)
+        integrate_positions(motions, flights, pulls, gravity, seconds)
         resolve_late_impacts(
             bodies, motions, flights, contacts, bouncy, bouncy_count, pace, setting.restitution_threshold, seconds
         )

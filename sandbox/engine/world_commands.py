@@ -117,6 +117,8 @@ def _nearest(shape: Shape, point: Vec) -> tuple[Vec, float]:
         return point, 0.0
     core = shape.vertices
     (x, y), away = min((_on_edge(a, b, point) for a, b in zip(core, (*core[1:], core[0]), strict=True)), key=_second)
+    if away == 0.0:  # so near that it cannot be told from the edge
+        return point, 0.0
     share = shape.radius / away
     return (x + (point[0] - x) * share, y + (point[1] - y) * share), away - shape.radius
 

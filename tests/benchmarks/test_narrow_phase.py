@@ -33,12 +33,12 @@ def nanoseconds_a_pair(world: sandbox.World, turns: int = TURNS) -> tuple[float,
     )  # fmt: skip
     head = [kernel_argument(table) for table in tables]
     tail = [kernel_argument(table) for table in (scratch.manifold, state.contacts)]
-    found = kernel_argument(scratch.contacts)
+    found = [kernel_argument(table) for table in (scratch.contacts, scratch.strikers)]
     find = entry_point(getattr(find_contacts, "py_func", find_contacts))  # inner kernels are not for Python to call
     times = []
     for _ in range(turns + 1):
         start = time.perf_counter()
-        find(*head, count, 0.5 * 10.0 * SECONDS**2, SECONDS, *tail, kept, found)
+        find(*head, count, 0.5 * 10.0 * SECONDS**2, SECONDS, *tail, kept, *found)
         times.append(time.perf_counter() - start)
     return statistics.quantiles(times[1:], n=10)[0] / count * 1e9, count
 

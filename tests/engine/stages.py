@@ -64,6 +64,7 @@ store_impulses = stage(contact_prepare.store_impulses)
 warm_start = stage(contact_solver.warm_start)
 solve_contacts = stage(contact_solver.solve_contacts)
 begin_motions = stage(integrate.begin_motions)
+begin_pulls = stage(integrate.begin_pulls)
 integrate_velocities = stage(integrate.integrate_velocities)
 integrate_positions = stage(integrate.integrate_positions)
 resolve_impacts = stage(impacts.resolve_impacts)
@@ -133,13 +134,13 @@ class Paused:
         self.count = find_contacts(
             s.bodies, m.holds, s.shapes, m.proxies, m.turned, s.seams, m.pairs, count,
             0.5 * gravity * self.seconds**2,
-            self.seconds, m.manifold, s.contacts, int(s.counters[0].contact_count), m.contacts,
+            self.seconds, m.manifold, s.contacts, int(s.counters[0].contact_count), m.contacts, m.strikers,
         )  # fmt: skip
 
     def lay_out(self) -> None:
         """Colours, slots, blocks and lanes."""
         s, m = self.state, self.scratch
-        self.colors = color_contacts(s.bodies, m.flights, m.contacts, self.count, 0, False, m.colors)
+        self.colors = color_contacts(s.bodies, m.flights, m.palettes, m.contacts, self.count, 0, False, m.colors)
         self.blocks = fill_blocks(m.contacts, self.count, m.colors, self.colors, m.heads, m.slots, m.blocks)
         assert self.blocks <= len(m.blocks)
         self.prepare()
@@ -163,9 +164,8 @@ class Paused:
         """Load the velocities and add a substep of gravity."""
         s, m = self.state, self.scratch
         begin_motions(s.bodies, m.motions, m.flights)
-        integrate_velocities(
-            s.bodies, m.motions, m.flights, 0, self.setting.gravity_x, self.setting.gravity_y, self.substep
-        )
+        begin_pulls(s.bodies, m.flights, m.pulls, 0, self.setting.gravity_x, self.setting.gravity_y, self.substep)
+        integrate_velocities(m.motions, m.flights, m.pulls)
 
     def warm(self) -> None:
         """Warm start."""
@@ -182,14 +182,14 @@ class Paused:
 
     def move(self) -> None:
         """Integrate positions over a substep."""
-        s, m = self.state, self.scratch
+        m = self.scratch
         gravity = float(np.hypot(self.setting.gravity_x, self.setting.gravity_y))
-        integrate_positions(s.bodies, m.motions, m.flights, 0, gravity, self.substep)
+        integrate_positions(m.motions, m.flights, m.pulls, gravity, self.substep)
 
     def store(self) -> None:
         """Impulses back into the contacts."""
         m = self.scratch
-        store_impulses(self.state.bodies, m.contacts, m.slots, m.blocks, self.blocks, m.lanes, m.reports)
+        store_impulses(self.state.bodies, m.marks, m.contacts, m.slots, m.blocks, self.blocks, m.lanes, m.reports)
 
 
 def island_roots(count: int, links: Sequence[tuple[int, int]], active: Sequence[bool]) -> list[int]:

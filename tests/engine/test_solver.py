@@ -201,7 +201,7 @@ def test_rubbish_of_an_earlier_step_reaches_nobody(make):
     dirty.scratch.lanes[:] = 1e3
     dirty.scratch.gathered[:] = 1e3
     dirty.scratch.heads[:] = 12345
-    dirty.scratch.flights.colors[:] = -1
+    dirty.scratch.palettes[:] = -1
     for p in (clean, dirty):
         p.detect()
         p.lay_out()

@@ -8,8 +8,8 @@ decide what happens.
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox.engine.islands import is_active
 from sandbox.engine.joints.work import JointWork
+from sandbox.engine.marks import is_active
 from sandbox.tables import Records
 
 FINE = 2

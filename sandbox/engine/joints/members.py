@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox.engine.islands import is_active
 from sandbox.engine.joints.work import JointWork
+from sandbox.engine.marks import is_active
 from sandbox.geometry.trig import cos_sin
 from sandbox.tables import Records
 

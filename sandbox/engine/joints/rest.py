@@ -6,7 +6,8 @@ from sandbox._jit import kernel
 from sandbox.engine.joints.laws import is_rigid
 from sandbox.engine.joints.recovery import overrun
 from sandbox.engine.joints.work import JointWork
-from sandbox.tables import Records
+from sandbox.engine.marks import DRIVES, KEPT, RESTS
+from sandbox.tables import Integers, Records
 from sandbox.world.joint_records import MOTOR, TARGET
 
 DRAWN = 0.02
@@ -14,27 +15,27 @@ DRAWN = 0.02
 
 
 @kernel
-def mark_held(flights: Records, joints: JointWork) -> None:
+def mark_held(marks: Integers, joints: JointWork) -> None:
     """What hangs from something that does not move rests as well, and what hangs together rests together."""
     for i in range(1, joints.members.shape[0]):
         member = joints.members[i]
         if member.part >= 0 and (joints.parts[member.part].anchored == 1 or joints.parts[member.part].borne == 1):
-            flights[member.body].rests = 1
+            marks[member.body] |= RESTS
 
 
 @kernel
-def keep_driven_awake(flights: Records, joints: JointWork) -> None:
+def keep_driven_awake(marks: Integers, joints: JointWork) -> None:
     """Bodies that a joint ties to a driven body do not fall asleep."""
     for i in range(joints.ties.shape[0]):
-        a = flights[joints.ties[i].low]
-        b = flights[joints.ties[i].high]
-        if a.drives + b.drives > 0:
-            a.kept = 1
-            b.kept = 1
+        a = joints.ties[i].low
+        b = joints.ties[i].high
+        if (marks[a] | marks[b]) & DRIVES:
+            marks[a] |= KEPT
+            marks[b] |= KEPT
 
 
 @kernel
-def keep_drawn_awake(flights: Records, joints: JointWork) -> None:
+def keep_drawn_awake(marks: Integers, joints: JointWork) -> None:
     """Bodies that a rigid joint or a limit is still drawing to where they belong do not fall asleep."""
     for r in range(joints.rows.shape[0]):
         row = joints.rows[r]
@@ -43,9 +44,9 @@ def keep_drawn_awake(flights: Records, joints: JointWork) -> None:
             a = joints.members[row.member_1].body
             b = joints.members[row.member_2].body
             if a >= 0:
-                flights[a].kept = 1
+                marks[a] |= KEPT
             if b >= 0:
-                flights[b].kept = 1
+                marks[b] |= KEPT
 
 
 @kernel
