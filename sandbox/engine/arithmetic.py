@@ -8,6 +8,7 @@ NOTES: dict[int, str] = {
     3: "joints push both their bodies at the second one's anchor, to keep angular momentum; angles of motors",
     4: "joints that blows tear apart are mended by displacements, no longer by velocities",
     5: "what is caught in mid-step gets the speed of its height; corners that turn in unforeseen bounce and are held",
+    6: "hard blows without restitution stop both points of a contact at once; what they fall on bears them",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

@@ -20,11 +20,21 @@ def push(
 
 @kernel
 def rub(
-    a: Records, b: Records, motions: Records, flights: Records, contact: Records, impulse: float, point: int
-) -> None:
-    """Coulomb friction of the impact: stop the sliding at a point, as far as its normal impulse allows."""
+    a: Records,
+    b: Records,
+    motions: Records,
+    flights: Records,
+    contact: Records,
+    load: float,
+    before: float,
+    point: int,
+) -> float:
+    """Coulomb friction of the impact: stop the sliding at a point, as far as the normal impulse `load` allows.
+
+    `before` (N s) has been applied already; returns what has been after this.
+    """
     if contact.friction <= 0.0:
-        return
+        return 0.0
     ax, ay, bx, by = _where_it_strikes(a, b, contact, point)
     tx = contact.normal_y
     ty = -contact.normal_x
@@ -33,11 +43,13 @@ def rub(
     vx = fb.start_x - fb.start_w * by - fa.start_x + fa.start_w * ay
     vy = fb.start_y + fb.start_w * bx - fa.start_y - fa.start_w * ax
     speed = vx * tx + vy * ty - contact.surface_speed
-    limit = contact.friction * impulse
-    stop = -effective_mass(a, b, ax, ay, bx, by, tx, ty) * speed
-    stop = stop if stop < limit else limit
-    stop = stop if stop > -limit else -limit
-    _apply(a, b, motions, flights, contact, stop * tx, stop * ty, ax, ay, bx, by)
+    limit = contact.friction * load
+    after = before - effective_mass(a, b, ax, ay, bx, by, tx, ty) * speed
+    after = after if after < limit else limit
+    after = after if after > -limit else -limit
+    impulse = after - before
+    _apply(a, b, motions, flights, contact, impulse * tx, impulse * ty, ax, ay, bx, by)
+    return float(after)
 
 
 @kernel

@@ -13,6 +13,8 @@ VECTOR = cb.VECTOR
 
 DEEP = 0.1
 """Share of the smaller body's extent past which an overlap is deep."""
+HARD = 2.0
+"""Speed (m/s) past which a contact of two points that closes in has an impact, whatever its restitution."""
 _SHALLOW = -1e-3
 """Separation (m) that spares the question how large the bodies are."""
 
@@ -44,7 +46,8 @@ def prepare_contacts(
             _prepare_lane(bodies[slot.body_a], bodies[slot.body_b], contact, lanes[at:])
             if contact.separation1 < _SHALLOW or contact.separation2 < _SHALLOW:
                 deep = deep or _is_deep(bodies[slot.body_a], bodies[slot.body_b], contact)
-            lanes[at + cb.BOUNCY] = 1.0 if bouncy and contact.restitution > 0.0 else 0.0
+            strikes = bouncy and (contact.restitution > 0.0 or closes_hard(bodies, contact))
+            lanes[at + cb.BOUNCY] = 1.0 if strikes else 0.0
             if contact.rolling_resistance > 0.0:
                 block.rolling = 1
     return deep
@@ -157,6 +160,25 @@ def effective_mass(a: Records, b: Records, ax: float, ay: float, bx: float, by: 
         a.inverse_mass + b.inverse_mass + a.inverse_inertia * turn_a * turn_a + b.inverse_inertia * turn_b * turn_b
     )
     return 1.0 / inverse if inverse > 0.0 else 0.0
+
+
+@kernel
+def closes_hard(bodies: Records, contact: Records) -> bool:
+    """Whether two points of a contact meet, one of them faster than `HARD` as the step begins.
+
+    A single point the solver stops exactly.
+    """
+    if contact.point_count < 2:
+        return False
+    a = bodies[contact.body_a]
+    b = bodies[contact.body_b]
+    first = _closing_speed(
+        a, b, contact, contact.anchor_ax1, contact.anchor_ay1, contact.anchor_bx1, contact.anchor_by1
+    )
+    second = _closing_speed(
+        a, b, contact, contact.anchor_ax2, contact.anchor_ay2, contact.anchor_bx2, contact.anchor_by2
+    )
+    return bool(first > HARD or second > HARD)
 
 
 @kernel

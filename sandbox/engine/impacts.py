@@ -1,5 +1,7 @@
-"""Stage: restitution. Impacts that fall into a substep, resolved before the solver makes them inelastic.
+"""Stage: impacts. Those that fall into a substep are resolved before the solver makes them inelastic.
 
+Hard ones without restitution come here, too (`halts.py`): the solver takes the points of a manifold in turn, from
+which a flat box would rebound.
 Contacts strike one after the other until none closes faster than the threshold, so that a blow runs through a row
 of balls as it does through Newton's cradle. The two points of a manifold strike together, so that a flat box
 leaves flat. The rebound speed comes from the energy at the surface, not at the place where the step happens to
@@ -12,37 +14,66 @@ import math
 
 from sandbox._jit import kernel
 from sandbox.engine.blows import push, rub
-from sandbox.engine.contact_prepare import effective_mass
+from sandbox.engine.contact_prepare import HARD, closes_hard
+from sandbox.engine.halts import halt, speed_to_lose
+from sandbox.engine.marks import STRUCK
 from sandbox.engine.pace import contact_pace
+from sandbox.engine.pair_impulses import pair_impulses
 from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC
 
 _SWEEPS = 32
-_SINGULAR = 1e-9
 
 
 @kernel
 def list_bouncy(
     bodies: Records,
     flights: Records,
+    marks: Integers,
     contacts: Records,
+    count: int,
     strikers: Integers,
     pace: int,
     fastest: float,
     threshold: float,
     bouncy: Integers,
 ) -> int:
-    """List the `strikers` of a pace (see `find_contacts`), or none when no body is fast enough for any to matter.
+    """List the contacts of a pace that may strike, or none when no body is fast enough for any to matter.
 
+    Those are the `strikers` (see `find_contacts`), and where something closes in hard, all contacts of what it strikes.
     `fastest` is the square of the highest speed (m/s) of a point.
     """
     used = 0
-    if fastest > 0.25 * threshold * threshold:
+    bounces = fastest > 0.25 * threshold * threshold
+    if fastest > 0.25 * HARD * HARD and _mark_struck(bodies, marks, contacts, count):
+        for i in range(count):
+            struck = (marks[contacts[i].body_a] | marks[contacts[i].body_b]) & STRUCK != 0
+            strikes = bounces if contacts[i].restitution > 0.0 else struck
+            if strikes and contact_pace(bodies, flights, contacts[i]) == pace:
+                bouncy[used] = i
+                used += 1
+    elif bounces:
         for k in range(1, strikers[0] + 1):
             if contact_pace(bodies, flights, contacts[strikers[k]]) == pace:
                 bouncy[used] = strikers[k]
                 used += 1
     return used
+
+
+@kernel
+def _mark_struck(bodies: Records, marks: Integers, contacts: Records, count: int) -> bool:
+    """Mark the dynamic bodies of contacts that close in hard without restitution; return whether there are any.
+
+    All their contacts take part in the blow: what they lie on must not yield to it.
+    """
+    found = False
+    for i in range(count):
+        contact = contacts[i]
+        if contact.restitution == 0.0 and closes_hard(bodies, contact):
+            found = True
+            marks[contact.body_a] |= STRUCK if bodies[contact.body_a].type == DYNAMIC else 0
+            marks[contact.body_b] |= STRUCK if bodies[contact.body_b].type == DYNAMIC else 0
+    return found
 
 
 @kernel
@@ -105,39 +136,16 @@ def _strike(
     ib = contact.body_b
     a = bodies[ia]
     b = bodies[ib]
-    change1 = _wanted_change(
-        motions[ia],
-        motions[ib],
-        flights[ia],
-        flights[ib],
-        contact,
-        contact.anchor_ax1,
-        contact.anchor_ay1,
-        contact.anchor_bx1,
-        contact.anchor_by1,
-        contact.separation1,
-        threshold,
-        seconds,
-    )
+    change1 = _wanted_change(motions[ia], motions[ib], flights[ia], flights[ib], contact, 1, threshold, seconds)
     change2 = 0.0
     if contact.point_count == 2:
-        change2 = _wanted_change(
-            motions[ia],
-            motions[ib],
-            flights[ia],
-            flights[ib],
-            contact,
-            contact.anchor_ax2,
-            contact.anchor_ay2,
-            contact.anchor_bx2,
-            contact.anchor_by2,
-            contact.separation2,
-            threshold,
-            seconds,
-        )
+        change2 = _wanted_change(motions[ia], motions[ib], flights[ia], flights[ib], contact, 2, threshold, seconds)
     if change1 <= 0.0 and change2 <= 0.0:
         return False
-    impulse1, impulse2 = _pair_impulses(a, b, contact, change1, change2)
+    if contact.restitution == 0.0:
+        halt(a, b, motions, flights, contact, change1, change2)
+        return True
+    impulse1, impulse2 = pair_impulses(a, b, contact, change1, change2)
     contact.impact_impulse += impulse1 + impulse2
     for point in range(1, 3):
         impulse = impulse1 if point == 1 else impulse2
@@ -146,7 +154,7 @@ def _strike(
     for point in range(1, 3):
         impulse = impulse1 if point == 1 else impulse2
         if impulse > 0.0:
-            rub(a, b, motions, flights, contact, impulse, point)
+            rub(a, b, motions, flights, contact, impulse, 0.0, point)
     return True
 
 
@@ -157,19 +165,21 @@ def _wanted_change(
     flight_a: Records,
     flight_b: Records,
     contact: Records,
-    ax: float,
-    ay: float,
-    bx: float,
-    by: float,
-    separation: float,
+    point: int,
     threshold: float,
     seconds: float,
 ) -> float:
     """Change of normal velocity (m/s) that the impact at one point asks for; 0 when there is no impact.
 
     With the speed v at a gap s and the relative acceleration a along the normal, v^2 - 2 a s is the same at the
-    surface: that is where restitution applies.
+    surface: that is where restitution applies. Without restitution a point goes on until it touches, and stops there.
     """
+    first = point == 1
+    ax = contact.anchor_ax1 if first else contact.anchor_ax2
+    ay = contact.anchor_ay1 if first else contact.anchor_ay2
+    bx = contact.anchor_bx1 if first else contact.anchor_bx2
+    by = contact.anchor_by1 if first else contact.anchor_by2
+    separation = contact.separation1 if first else contact.separation2
     nx = contact.normal_x
     ny = contact.normal_y
     start_x = flight_b.start_x - flight_b.start_w * by - flight_a.start_x + flight_a.start_w * ay
@@ -189,6 +199,8 @@ def _wanted_change(
     rounding = contact.radius_a * (c_a - 1.0) + contact.radius_b * (c_b - 1.0)
     gap = separation + way_x * nx + way_y * ny + rounding
     other_end = gap + seconds * free
+    if contact.restitution == 0.0:
+        return speed_to_lose(gap, start, other_end, seconds)
     if seconds > 0.0 and other_end > 0.0:  # it does not close within the substep
         return 0.0
     if seconds < 0.0 and (gap > 0.0 or other_end <= 0.0):  # it is not closed, or was so when the substep began
@@ -199,51 +211,3 @@ def _wanted_change(
     rebound = contact.restitution * contact.restitution * at_surface + lift
     rebound = math.sqrt(rebound) if rebound > 0.0 else 0.0
     return float(rebound - start)
-
-
-@kernel
-def _pair_impulses(a: Records, b: Records, contact: Records, change1: float, change2: float) -> tuple[float, float]:
-    """Normal impulses (N s) at the two points that give both wanted changes, none of them pulling."""
-    mass1 = effective_mass(
-        a,
-        b,
-        contact.anchor_ax1,
-        contact.anchor_ay1,
-        contact.anchor_bx1,
-        contact.anchor_by1,
-        contact.normal_x,
-        contact.normal_y,
-    )
-    if change2 <= 0.0:
-        return mass1 * change1, 0.0
-    mass2 = effective_mass(
-        a,
-        b,
-        contact.anchor_ax2,
-        contact.anchor_ay2,
-        contact.anchor_bx2,
-        contact.anchor_by2,
-        contact.normal_x,
-        contact.normal_y,
-    )
-    if change1 <= 0.0:
-        return 0.0, mass2 * change2
-    if mass1 <= 0.0 or mass2 <= 0.0:
-        return 0.0, 0.0
-    k11 = 1.0 / mass1
-    k22 = 1.0 / mass2
-    turn_a1 = contact.anchor_ax1 * contact.normal_y - contact.anchor_ay1 * contact.normal_x
-    turn_a2 = contact.anchor_ax2 * contact.normal_y - contact.anchor_ay2 * contact.normal_x
-    turn_b1 = contact.anchor_bx1 * contact.normal_y - contact.anchor_by1 * contact.normal_x
-    turn_b2 = contact.anchor_bx2 * contact.normal_y - contact.anchor_by2 * contact.normal_x
-    k12 = a.inverse_mass + b.inverse_mass
-    k12 = k12 + a.inverse_inertia * turn_a1 * turn_a2 + b.inverse_inertia * turn_b1 * turn_b2
-    determinant = k11 * k22 - k12 * k12
-    if determinant > _SINGULAR * k11 * k22:
-        impulse1 = (k22 * change1 - k12 * change2) / determinant
-        impulse2 = (k11 * change2 - k12 * change1) / determinant
-        if impulse1 >= 0.0 and impulse2 >= 0.0:
-            return impulse1, impulse2
-    if change1 >= change2:
-        return mass1 * change1, 0.0
-    return 0.0, mass2 * change2

@@ -1,4 +1,4 @@
-"""What a step notes of its bodies for those who decide on sleep: one set of bits a body, small enough for the cache."""
+"""What a step notes of its bodies, for those who decide on blows and sleep: bits, few enough for the cache."""
 
 from __future__ import annotations
 
@@ -6,8 +6,10 @@ from sandbox._jit import inlined_kernel, kernel
 from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC, KINEMATIC
 
-RESTS, KEPT, DRIVES, LIVELY = 1, 2, 4, 8
-"""It lies on or against something; it must not fall asleep; it is driven and moves; its island is too lively."""
+RESTS, KEPT, DRIVES, LIVELY, STRUCK = 1, 2, 4, 8, 16
+"""It lies on or against something; it must not fall asleep; it is driven and moves; its island is too lively.
+
+The last: something without restitution strikes it hard."""
 
 
 @kernel

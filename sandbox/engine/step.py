@@ -174,7 +174,7 @@ def move(
             color_count = color_contacts(bodies, flights, palettes, contacts, count, pace, paces > 1, colors)
             block_count = fill_blocks(contacts, count, colors, color_count, heads, slots, blocks)
         bouncy_count = list_bouncy(
-            bodies, flights, contacts, strikers, pace, fastest, setting.restitution_threshold, colors
+            bodies, flights, marks, contacts, count, strikers, pace, fastest, setting.restitution_threshold, colors
         )
         deep = prepare_contacts(bodies, contacts, slots, blocks, block_count, bouncy_count > 0, lanes)
         _run_substeps(

@@ -73,10 +73,26 @@ def twin(p: Paused, bouncy: bool = False) -> tuple[list[naive.Body], list[naive.
             naive.Contact(
                 bodies[c.body_a], bodies[c.body_b], vector(c, "normal_x", "normal_y"), points, float(c.friction),
                 float(c.surface_speed), float(c.rolling_resistance), float(c.rolling_impulse), float(c.radius_a),
-                float(c.radius_b), bouncy and c.restitution > 0.0,
+                float(c.radius_b), bouncy and (c.restitution > 0.0 or closes_hard(p, c)),
             )
         )  # fmt: skip
     return bodies, contacts
+
+
+def closes_hard(p: Paused, c) -> bool:
+    """Whether two points meet, one of them at more than 2 m/s."""
+
+    def speed(row, k: int, side: str) -> np.ndarray:
+        arm = vector(c, f"anchor_{side}x{k}", f"anchor_{side}y{k}")
+        turning = float(row.angular_velocity) * np.array([-arm[1], arm[0]])
+        return vector(row, "velocity_x", "velocity_y") + turning
+
+    a, b = p.state.bodies[c.body_a], p.state.bodies[c.body_b]
+    closing = [
+        (speed(a, k, "a") - speed(b, k, "b")) @ vector(c, "normal_x", "normal_y")
+        for k in range(1, int(c.point_count) + 1)
+    ]
+    return len(closing) == 2 and max(closing) > 2.0
 
 
 def slots(p: Paused) -> list[int]:

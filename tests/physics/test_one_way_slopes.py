@@ -42,11 +42,13 @@ def test_from_above_a_slope_is_as_if_it_were_solid(slope, sled, speed, steps):
     start = {"position": (0.6, 4.0), "velocity": (0, -speed)}
     solid = world_of(SLOPES[slope], SLEDS[sled], **start)
     front = world_of({**SLOPES[slope], "one_way": [0, 1]}, SLEDS[sled], **start)
+    touched = 0
     for _ in range(steps):
         solid.step()
         front.step()
         assert front.body("sled").position == solid.body("sled").position
-    assert len(front.contacts) > 0
+        touched += len(front.contacts)
+    assert touched > 0
 
 
 @pytest.mark.parametrize("sled", SLEDS)
