@@ -11,9 +11,11 @@ Static bodies hold all dynamic ones, moving bodies hold only those marked as bul
 from __future__ import annotations
 
 from sandbox._jit import ZERO, entry_point, kernel
+from sandbox.engine.bounds import ACTIVE, SLEEPS
 from sandbox.engine.broad_phase import propose
 from sandbox.engine.bullets import hold_bullet, ride
 from sandbox.engine.grid import boxes_overlap
+from sandbox.engine.held import note_hold, strike_held
 from sandbox.engine.joints.apart import are_joined
 from sandbox.engine.one_way import comes_from_front
 from sandbox.engine.take_back import take_back, take_back_fall
@@ -48,6 +50,7 @@ def catch(
     for i in range(bodies.shape[0]):
         holds[i].stop = 1.0
         holds[i].bounces = 0
+        holds[i].struck = 0
     count = _list_fast(holds, owners, pairs, counters[0].pair_count, sorted_pairs)
     for k in range(count):
         ride(bodies, shapes, motions, holds, turned, sorted_pairs[k], manifold, sweep, swept)
@@ -55,7 +58,11 @@ def catch(
     for k in range(count):
         bullets += _hold(bodies, shapes, motions, holds, turned, sorted_pairs[k], manifold, sweep, swept)
     for i in range(shapes.shape[0]):
-        if holds[owners[i].body].fast == 1 and _strays(bodies, shapes, motions, turned, boxes, i):
+        if holds[owners[i].body].fast == 0:
+            continue
+        woke = owners[i].moves == SLEEPS  # the grid has asked for no pairs of sleepers with what does not move
+        owners[i].moves = ACTIVE
+        if _strays(bodies, shapes, motions, turned, boxes, i) or woke:
             for j in range(shapes.shape[0]):
                 if not boxes_overlap(boxes[i], boxes[j]) or are_joined(bonds, joined, owners[i].body, owners[j].body):
                     continue
@@ -75,6 +82,8 @@ def catch(
             take_back(bodies[i], motions[i], share)
             if holds[i].bounces == 1:
                 take_back_fall(bodies[i], motions[i], share, settings[0])
+            if holds[i].struck == 1:
+                strike_held(bodies[i], holds[i], settings[0].restitution_threshold)
 
 
 @kernel
@@ -153,6 +162,5 @@ def _hold(
     t = hit(shapes, turned, pair.shape_a, pair.shape_b, manifold, sweep, swept)
     if t >= 0.0 and t < holds[mover].stop:
         holds[mover].stop = t
-        restitution = shapes[pair.shape_a].restitution + shapes[pair.shape_b].restitution
-        holds[mover].bounces = 1 if restitution > 0.0 else 0
+        note_hold(holds[mover], sweep[0], shapes[pair.shape_a], shapes[pair.shape_b], mover == b, t)
     return 0

@@ -77,6 +77,14 @@ HOLD = Table(
         Field("stop", "1", "when it is stopped, as a share of the step; 1 is not at all"),
         Field("hemmed", "-", "1 when something immovable may stop it during the step", "i8"),
         Field("bounces", "-", "1 when what stops it bounces it", "i8"),
+        Field("struck", "-", "1 when it has touched what stops it from the start of the step on", "i8"),
+        Field("normal_x", "1", "of what stops it, towards the body"),
+        Field("normal_y", "1", "of what stops it, towards the body"),
+        Field("arm_x", "m", "where it is stopped, from the centre of the body"),
+        Field("arm_y", "m", "where it is stopped, from the centre of the body"),
+        Field("restitution", "1", "of the body and what stops it"),
+        Field("friction", "1", "of the body and what stops it"),
+        Field("surface_speed", "m/s", "of the body and what stops it"),
     ),
 )
 """One row a body: what `continuous` knows of it. By itself, as most steps hardly look at it."""

@@ -56,8 +56,7 @@ def hit(shapes: Records, turned: Records, i: int, j: int, manifold: Records, swe
     a = shapes[i]
     b = shapes[j]
     sweep[0].deep = allowed_depth(a, b)
-    floor = DEEP_SHARE * (a.thin + b.thin)
-    sweep[0].floor = floor if floor > sweep[0].deep else sweep[0].deep
+    sweep[0].thin = a.thin + b.thin
     t = time_of_hit(
         turned, a.vertex_start, a.vertex_count, a.radius, b.vertex_start, b.vertex_count, b.radius, sweep, swept,
         manifold,

@@ -21,9 +21,12 @@ SWEEP = Table(
         Field("turn_a", "rad", "turn of a until time 1"),
         Field("turn_b", "rad", "turn of b until time 1"),
         Field("deep", "m", "overlap that is let pass"),
-        Field("floor", "m", "overlap that is let pass where there is more than `deep` already; at least `deep`"),
+        Field("thin", "m", "half widths of both cores together: past that overlap they part on the other side"),
         Field("normal_x", "1", "answer: axis of the hit from a to b"),
         Field("normal_y", "1", "answer: axis of the hit from a to b"),
+        Field("point_x", "m", "answer: deepest point of the hit, from the centre of a"),
+        Field("point_y", "m", "answer: deepest point of the hit, from the centre of a"),
+        Field("touched", "-", "answer: 1 if they have touched from the start of the way on", "i8"),
     ),
 )
 """One question to `time_of_hit`: the ways of a pair. Times are shares of the way, 0 to 1."""
@@ -31,9 +34,12 @@ SWEEP = Table(
 SWEPT_ROWS = 128
 _FAR = 1e200
 _TURNS = 4096
-_HALVINGS = 12
 _CREEP = 0.02
 """Share of what is let pass by which an overlap may grow in one go: what slides under a load must not stick."""
+_SOUND = 0.75
+"""Up to this share of `thin` overlaps may come so, by ever less the nearer they are to it."""
+_LEAST_ROOM = 1e-4
+"""Past that they may still grow by so little: a way that leads out again needs strides of some length."""
 _NEAR = 0.1
 """A hit is told when the overlap comes this near to what is let pass, as a share of it."""
 _TOUCHES = 2.0 * _NEAR
@@ -57,29 +63,25 @@ def time_of_hit(
 
     Conservative advancement (B. Mirtich 1996) on the signed separation of the test: along a fixed axis it shrinks no
     faster than the way along it and the rims of the turning cores, so nothing is missed; and as overlaps up to
-    `deep` are let pass, every stride has a least length. Cores that overlap more than that from the start are let go
-    down to `floor`, and below that hardly deeper. Cores that touch from the start go as far as the hit itself: back at
-    the touch, the next step would find them as this one did, and they would never get on. Out of strides, the cores
-    count as touching: safe, and it costs no more than the rest of a step. `swept` (`SWEPT_ROWS` vertices) and `out` (a
-    `MANIFOLD` row) are scratch.
+    `deep` are let pass, every stride has a least length. Cores that overlap more than that from the start go hardly
+    deeper. Cores that touch from the start go as far as the hit itself: back at the touch, the next step would find
+    them as this one did, and they would never get on. Out of strides, the cores count as touching: safe, and it costs
+    no more than the rest of a step. `swept` (`SWEPT_ROWS` vertices) and `out` (a `MANIFOLD` row) are scratch.
     """
     s = sweep[0]
     rims = abs(s.turn_a) * _rim(cores, a, a_count) + abs(s.turn_b) * _rim(cores, b, b_count)
     deep = s.deep
+    near = _NEAR * deep
     t = 0.0
     clear = -1.0
-    hit = False
     for _stride in range(_TURNS):
         _pose(cores, a, a_count, b, b_count, s, t, swept)
         gap = _gap(swept, a_count, a_radius, b_count, b_radius, s, t, out)
         m = out[0]
-        if t == 0.0 and gap <= -deep * (1.0 - _NEAR):
-            deep = s.deep - gap
-            deep = deep if deep < s.floor else s.floor
-            if gap <= -deep * (1.0 - _NEAR):
-                return _shallower(cores, a, a_count, a_radius, b, b_count, b_radius, sweep, swept, out)
-        hit = gap <= -deep * (1.0 - _NEAR)
-        if hit:
+        if t == 0.0 and gap <= -deep + near:
+            deep = _let_pass(s, -gap)
+            near = 0.5 * (gap + deep)
+        if gap <= -deep + near:
             break
         if gap > _TOUCHES * s.deep:
             clear = t
@@ -89,11 +91,34 @@ def time_of_hit(
         t = t + (gap + deep) / closing
         if t >= 1.0:
             return -1.0
-    s.normal_x = out[0].normal_x
-    s.normal_y = out[0].normal_y
+    _tell(s, out[0])
+    s.touched = 1 if clear < 0.0 else 0
     if clear < 0.0:
         return t
     return _first_touch(cores, a, a_count, a_radius, b, b_count, b_radius, rims, clear, s, swept, out)
+
+
+@kernel
+def _tell(s: Records, m: Records) -> None:
+    """Answer with the axis of a manifold and the deeper of its points."""
+    s.normal_x = m.normal_x
+    s.normal_y = m.normal_y
+    second = m.point_count == 2 and m.separation2 < m.separation1
+    s.point_x = m.x2 if second else m.x1
+    s.point_y = m.y2 if second else m.y1
+
+
+@kernel
+def _let_pass(s: Records, overlap: float) -> float:
+    """How deep (m) cores may come on their way that overlap by what is let pass, or all but, from the start on.
+
+    They never come out on the other side: every step takes only a share of what is left until then.
+    """
+    room = _SOUND * s.thin - overlap
+    room = room if room < s.deep else s.deep
+    room = room if room > _LEAST_ROOM * s.deep else _LEAST_ROOM * s.deep
+    deep = overlap + _CREEP * room
+    return float(deep if deep > s.deep else s.deep)
 
 
 @kernel
@@ -121,39 +146,6 @@ def _first_touch(
             return t
         t = t + (gap - 0.5 * _NEAR * s.deep) / closing
     return t
-
-
-@kernel
-def _shallower(
-    cores: Records,
-    a: int,
-    a_count: int,
-    a_radius: float,
-    b: int,
-    b_count: int,
-    b_radius: float,
-    sweep: Records,
-    swept: Records,
-    out: Records,
-) -> float:
-    """How far cores that overlap deeply may go: until they overlap hardly more, on the same side; -1 all the way.
-
-    By halves, as such a pair is not where it should be in the first place.
-    """
-    s = sweep[0]
-    before = out[0].separation
-    s.normal_x = out[0].normal_x
-    s.normal_y = out[0].normal_y
-    least = before if before < -2.0 * s.floor else before - _CREEP * s.deep
-    t = 1.0
-    for _halving in range(_HALVINGS):
-        _pose(cores, a, a_count, b, b_count, s, t, swept)
-        gap = _gap(swept, a_count, a_radius, b_count, b_radius, s, t, out)
-        same_side = out[0].normal_x * s.normal_x + out[0].normal_y * s.normal_y > 0.5
-        if gap >= least and same_side:
-            return -1.0 if t == 1.0 else t
-        t = 0.5 * t
-    return 0.0
 
 
 @kernel

@@ -1,0 +1,73 @@
+"""Sweeps hold: no way is let go on which two cores come deeper into each other than they may."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from sandbox.geometry.manifold import MANIFOLD
+from sandbox.geometry.sweep import SWEEP, SWEPT_ROWS, time_of_hit
+from sandbox.world.records import VERTEX
+from tests.engine.stages import stage
+
+sweep_cores = stage(time_of_hit)
+WALL = (10.0, 0.01)
+DEEP = 0.002
+
+
+def rectangles(*sizes: tuple[float, float]):
+    """The vertices of some rectangles, counter-clockwise from their lower left."""
+    rows = VERTEX.zeros(4 * len(sizes))
+    for k, (width, height) in enumerate(sizes):
+        rows.x[4 * k : 4 * k + 4] = 0.5 * width * np.array([-1, 1, 1, -1])
+        rows.y[4 * k : 4 * k + 4] = 0.5 * height * np.array([-1, -1, 1, 1])
+        rows.normal_x[4 * k : 4 * k + 4] = [0, 1, 0, -1]
+        rows.normal_y[4 * k : 4 * k + 4] = [-1, 0, 1, 0]
+    return rows
+
+
+def below(rod, x: float, y: float, angle: float) -> float:
+    """How far a rod at such a pose reaches below the upper face of the wall, in metres."""
+    return 0.5 * WALL[1] - float((y + math.sin(angle) * rod.x + math.cos(angle) * rod.y).min())
+
+
+@settings(max_examples=300)
+@given(
+    st.floats(0.1, 2.0), st.floats(0.004, 0.02), st.floats(-0.002, 0.007), st.floats(0.0, 2.0 * math.pi),
+    st.floats(-1.0, 1.0), st.floats(-2.0, 2.0), st.floats(-15.0, 15.0),
+)  # fmt: skip
+def test_a_rod_that_overlaps_a_wall_already_goes_hardly_deeper_on_any_way(
+    length, thick, overlap, angle, way_x, way_y, turn
+):
+    rows = rectangles(WALL, (length, thick))
+    rod = rows[4:]
+    thin = 0.5 * (WALL[1] + thick)
+    overlap = min(overlap, 0.7 * thin)
+    y = below(rod, 0.0, 0.0, angle) - overlap
+    sweep, swept, out = SWEEP.zeros(1), VERTEX.zeros(SWEPT_ROWS), MANIFOLD.zeros(1)
+    row = sweep[0]
+    row.x, row.y, row.angle_b, row.way_x, row.way_y, row.turn_b = 0.0, y, angle, way_x, way_y, turn
+    row.deep, row.thin = min(DEEP, 0.25 * thin), thin
+    t = sweep_cores(rows, 0, 4, 0.0, 4, 4, 0.0, sweep, swept, out)
+    assert t == -1.0 or 0.0 <= t < 1.0
+    allowed = max(row.deep, overlap + 0.02 * row.deep) + 1e-9
+    for share in np.linspace(0.0, 1.0 if t < 0.0 else t, 400):
+        assert below(rod, share * way_x, y + share * way_y, angle + share * turn) <= allowed
+
+
+def test_what_is_told_of_a_hit_is_where_it_is():
+    """A box that is 1 mm in the floor, hardly tilted, and goes on: it touches from the start, first at one corner."""
+    rows = rectangles(WALL, (1.0, 1.0))
+    sweep, swept, out = SWEEP.zeros(1), VERTEX.zeros(SWEPT_ROWS), MANIFOLD.zeros(1)
+    row = sweep[0]
+    row.y, row.angle_b, row.way_y, row.deep, row.thin = 0.504, 5e-4, -1.0, 0.005, 0.505
+    t = sweep_cores(rows, 0, 4, 0.0, 4, 4, 0.0, sweep, swept, out)
+    assert 0.0032 < t < 0.004
+    assert (row.normal_x, row.normal_y, row.touched) == (0.0, 1.0, 1)
+    assert -0.501 < row.point_x < -0.499
+    row.y = 0.55
+    assert 0.044 < sweep_cores(rows, 0, 4, 0.0, 4, 4, 0.0, sweep, swept, out) < 0.0451
+    assert row.touched == 0
