@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox.tables import Records
+from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC, STATIC
 
 MARGIN = 0.02
@@ -37,17 +37,20 @@ def pair_margin(a: Records, b: Records) -> float:
 def turn_cores(bodies: Records, shapes: Records, vertices: Records, turned: Records) -> None:
     """Turn the cores of all shapes into world axes; they stay measured from their body's centre of mass."""
     for i in range(shapes.shape[0]):
-        shape = shapes[i]
-        body = bodies[shape.body]
-        c = body.rotation_cos
-        s = body.rotation_sin
-        for j in range(shape.vertex_start, shape.vertex_start + shape.vertex_count):
-            source = vertices[j]
-            target = turned[j]
-            target.x = c * source.x - s * source.y
-            target.y = s * source.x + c * source.y
-            target.normal_x = c * source.normal_x - s * source.normal_y
-            target.normal_y = s * source.normal_x + c * source.normal_y
+        _turn_core(bodies[shapes[i].body], shapes[i], vertices, turned)
+
+
+@inlined_kernel
+def _turn_core(body: Records, shape: Records, vertices: Records, turned: Records) -> None:
+    c = body.rotation_cos
+    s = body.rotation_sin
+    for j in range(shape.vertex_start, shape.vertex_start + shape.vertex_count):
+        source = vertices[j]
+        target = turned[j]
+        target.x = c * source.x - s * source.y
+        target.y = s * source.x + c * source.y
+        target.normal_x = c * source.normal_x - s * source.normal_y
+        target.normal_y = s * source.normal_x + c * source.normal_y
 
 
 @kernel
@@ -61,15 +64,24 @@ def _how_it_moves(body: Records) -> int:
 
 @kernel
 def bound_shapes(
-    bodies: Records, shapes: Records, turned: Records, seconds: float, boxes: Records, owners: Records, proxies: Records
+    bodies: Records,
+    shapes: Records,
+    vertices: Records,
+    rows: Integers,
+    seconds: float,
+    turned: Records,
+    boxes: Records,
+    owners: Records,
+    proxies: Records,
 ) -> None:
-    """Box of every shape: core, radius, margin, and the way it can go in `seconds` at its present velocity.
+    """Turn the cores of some shapes and bound them: core, radius, margin, and the way in `seconds` at their velocity.
 
-    Its `OWNER` and `PROXY` rows are filled in too, for the grid and for the narrow phase.
+    Their `OWNER` and `PROXY` rows are filled in too, for the grid and for the narrow phase.
     """
-    for i in range(shapes.shape[0]):
+    for i in rows:
         shape = shapes[i]
         body = bodies[shape.body]
+        _turn_core(body, shape, vertices, turned)
         first = turned[shape.vertex_start]
         lower_x = first.x
         lower_y = first.y

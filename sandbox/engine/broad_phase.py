@@ -28,7 +28,7 @@ def find_pairs(
         count = _pairs_on_sparse_levels(ordered, owners, i, sparse, sparse_count, pairs, count)
         for k in range(used):
             if levels[k] > ordered[i].level:
-                count = _pairs_on_coarser_level(ordered, owners, i, base, levels[k], heads, pairs, count)
+                count = pairs_on_level(ordered[i], ordered, owners, base, levels[k], heads, pairs, count)
     return count
 
 
@@ -40,10 +40,10 @@ def _pairs_on_own_level(ordered: Records, owners: Records, i: int, heads: Intege
     y = box.cell_y
     level = box.level
     own = bucket(x, y, level, heads)
-    count = _pairs_in_cell(ordered, owners, i, i + 1, heads[own + 1], x, y, level, pairs, count)
+    count = _pairs_in_cell(box, ordered, owners, i + 1, heads[own + 1], x, y, level, pairs, count)
     for dx, dy in ((1, 0), (-1, 1), (0, 1), (1, 1)):
         k = bucket(x + dx, y + dy, level, heads)
-        count = _pairs_in_cell(ordered, owners, i, heads[k], heads[k + 1], x + dx, y + dy, level, pairs, count)
+        count = _pairs_in_cell(box, ordered, owners, heads[k], heads[k + 1], x + dx, y + dy, level, pairs, count)
     return count
 
 
@@ -61,11 +61,17 @@ def _pairs_on_sparse_levels(
 
 
 @kernel
-def _pairs_on_coarser_level(
-    ordered: Records, owners: Records, i: int, base: float, level: int, heads: Integers, pairs: Records, count: int
+def pairs_on_level(
+    box: Records,
+    ordered: Records,
+    owners: Records,
+    base: float,
+    level: int,
+    heads: Integers,
+    pairs: Records,
+    count: int,
 ) -> int:
-    """Pairs of box i with the boxes of a coarser level: their middles are at most half a cell outside of it."""
-    box = ordered[i]
+    """Pairs of a box with the boxes of another level: their middles are at most half a cell outside of it."""
     inverse = cells_per_metre(base, level)
     first_x = math.floor(box.lower_x * inverse - 0.5)
     first_y = math.floor(box.lower_y * inverse - 0.5)
@@ -74,15 +80,15 @@ def _pairs_on_coarser_level(
     for y in range(first_y, last_y + 1):
         for x in range(first_x, last_x + 1):
             k = bucket(x, y, level, heads)
-            count = _pairs_in_cell(ordered, owners, i, heads[k], heads[k + 1], x, y, level, pairs, count)
+            count = _pairs_in_cell(box, ordered, owners, heads[k], heads[k + 1], x, y, level, pairs, count)
     return count
 
 
 @inlined_kernel
 def _pairs_in_cell(
+    box: Records,
     ordered: Records,
     owners: Records,
-    i: int,
     first: int,
     end: int,
     x: int,
@@ -91,8 +97,7 @@ def _pairs_in_cell(
     pairs: Records,
     count: int,
 ) -> int:
-    """Pairs of box i with the boxes of one cell within `ordered[first:end]`; other cells may share the bucket."""
-    box = ordered[i]
+    """Pairs of a box with the boxes of one cell within `ordered[first:end]`; other cells may share the bucket."""
     for j in range(first, end):
         other = ordered[j]
         if not boxes_overlap(box, other):
@@ -134,12 +139,32 @@ def may_collide(category_a: int, mask_a: int, group_a: int, category_b: int, mas
 
 @kernel
 def sort_pairs(pairs: Records, count: int, buffer: Records, heads: Integers, shapes: int) -> None:
-    """Sort `pairs[:count]` by (shape_a, shape_b): two stable counting passes. `heads` needs `shapes + 1` items."""
+    """Sort `pairs[:count]` by (shape_a, shape_b): two stable counting passes. `heads` needs `shapes + 1` items.
+
+    A few pairs among many shapes are inserted one by one.
+    """
+    if count * count < shapes:
+        _insert_in_order(pairs, count)
+        return
     for turn in range(2):
         if turn == 0:
             _counting_pass(pairs, count, buffer, heads, shapes, turn == 1)
         else:
             _counting_pass(buffer, count, pairs, heads, shapes, turn == 1)
+
+
+@kernel
+def _insert_in_order(pairs: Records, count: int) -> None:
+    for n in range(1, count):
+        a = pairs[n].shape_a
+        b = pairs[n].shape_b
+        k = n
+        while k > 0 and (pairs[k - 1].shape_a > a or (pairs[k - 1].shape_a == a and pairs[k - 1].shape_b > b)):
+            pairs[k].shape_a = pairs[k - 1].shape_a
+            pairs[k].shape_b = pairs[k - 1].shape_b
+            k -= 1
+        pairs[k].shape_a = a
+        pairs[k].shape_b = b
 
 
 @kernel

@@ -21,6 +21,7 @@ def hold_bullet(
     shapes: Records,
     motions: Records,
     holds: Records,
+    stops: Records,
     turned: Records,
     pair: Records,
     turn: int,
@@ -38,17 +39,17 @@ def hold_bullet(
     dynamic = bodies[a].type == DYNAMIC and bodies[b].type == DYNAMIC
     if not dynamic or bodies[a].bullet + bodies[b].bullet == 0 or holds[a].fast + holds[b].fast == 0:
         return False
-    stop_a = holds[a].stop
-    stop_b = holds[b].stop
+    stop_a = stops[a].time
+    stop_b = stops[b].time
     both = stop_a if stop_a < stop_b else stop_b
     lay_way(bodies, motions, a, b, 0.0, 0.0, both, both, sweep[0])
     t = hit(shapes, turned, pair.shape_a, pair.shape_b, manifold, sweep, swept)
     if both > 0.0 and 0.0 <= t < _SAME:
         t = t * both if turn < _ROUNDS else 0.0
         if bodies[a].bullet == 1 or turn >= _ROUNDS:
-            holds[a].stop = t
+            stops[a].time = t
         if bodies[b].bullet == 1 or turn >= _ROUNDS:
-            holds[b].stop = t
+            stops[b].time = t
         return True
     if stop_a == stop_b:
         return False
@@ -57,7 +58,7 @@ def hold_bullet(
     if t < 0.0 or t >= _SAME:
         return False
     late = b if stop_a < stop_b else a
-    holds[late].stop = both + t * (holds[late].stop - both) if turn < _ROUNDS else 0.0
+    stops[late].time = both + t * (stops[late].time - both) if turn < _ROUNDS else 0.0
     return True
 
 

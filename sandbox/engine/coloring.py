@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
+from sandbox.engine.census import NOT_MOVED
 from sandbox.engine.contact_blocks import LANES, MAX_COLORS, VECTOR
 from sandbox.engine.marks import is_active
 from sandbox.tables import Integers, Records
-
-_NOT_MOVED = -1
-"""In the place of a body's colours. No set of colours is that: there are less than 63."""
-
 
 FREE = tuple(next(k for k in range(9) if not (bits >> k) & 1) for bits in range(256))
 """For every set of the first eight colours the lowest that is not in it; 8 if all are."""
@@ -18,34 +15,35 @@ FREE = tuple(next(k for k in range(9) if not (bits >> k) & 1) for bits in range(
 @kernel
 def color_contacts(
     bodies: Records,
+    movers: Integers,
     flights: Records,
     palettes: Integers,
     contacts: Records,
-    count: int,
+    live: Integers,
     pace: int,
     mixed: bool,
     colors: Integers,
 ) -> int:
-    """Greedy colouring of the contacts of a pace, in order, into `colors`; returns the number of colours.
+    """Greedy colouring of the live contacts of a pace, in order, into `colors`; returns the number of colours.
 
     `mixed` says that there are other paces. `palettes` is scratch: the colours that each body's contacts have.
     Only active bodies count: others are read by the solver but not changed. A contact that finds no free colour gets
     `MAX_COLORS`, the colour of those that are solved one by one; one among sleeping bodies or of another pace
     gets -1 and is not solved.
     """
-    for i in range(bodies.shape[0]):
-        palettes[i] = 0 if is_active(bodies[i]) else _NOT_MOVED
+    for i in movers:
+        palettes[i] = 0 if is_active(bodies[i]) else NOT_MOVED
     highest = -1
-    for i in range(count):
-        a = contacts[i].body_a
-        b = contacts[i].body_b
-        moves_a = palettes[a] != _NOT_MOVED
-        moves_b = palettes[b] != _NOT_MOVED
+    for k in range(live.shape[0]):
+        a = contacts[live[k]].body_a
+        b = contacts[live[k]].body_b
+        moves_a = palettes[a] != NOT_MOVED
+        moves_b = palettes[b] != NOT_MOVED
         if not (moves_a or moves_b) or (mixed and flights[a if moves_a else b].pace != pace):
-            colors[i] = -1
+            colors[k] = -1
             continue
         color = _lowest_free((palettes[a] if moves_a else 0) | (palettes[b] if moves_b else 0))
-        colors[i] = color
+        colors[k] = color
         highest = color if color > highest else highest
         if color < MAX_COLORS:
             if moves_a:
@@ -68,7 +66,7 @@ def _lowest_free(taken: int) -> int:
 @kernel
 def fill_blocks(
     contacts: Records,
-    count: int,
+    live: Integers,
     colors: Integers,
     color_count: int,
     heads: Integers,
@@ -81,21 +79,21 @@ def fill_blocks(
     """
     for c in range(color_count + 1):
         heads[c] = 0
-    for i in range(count):
-        if colors[i] >= 0:
-            heads[colors[i]] += 1
+    for k in range(live.shape[0]):
+        if colors[k] >= 0:
+            heads[colors[k]] += 1
     total = 0
     for c in range(color_count + 1):
         total += heads[c]
         heads[c] = total
-    for i in range(count - 1, -1, -1):
-        if colors[i] < 0:
+    for k in range(live.shape[0] - 1, -1, -1):
+        if colors[k] < 0:
             continue
-        heads[colors[i]] -= 1
-        slot = slots[heads[colors[i]]]
-        slot.contact = i
-        slot.body_a = contacts[i].body_a
-        slot.body_b = contacts[i].body_b
+        heads[colors[k]] -= 1
+        slot = slots[heads[colors[k]]]
+        slot.contact = live[k]
+        slot.body_a = contacts[live[k]].body_a
+        slot.body_b = contacts[live[k]].body_b
     needed = 0
     for c in range(color_count):
         most = LANES // VECTOR if c == MAX_COLORS else LANES

@@ -15,7 +15,7 @@ from sandbox.engine.bounds import ACTIVE, SLEEPS
 from sandbox.engine.broad_phase import propose
 from sandbox.engine.bullets import hold_bullet, ride
 from sandbox.engine.grid import boxes_overlap
-from sandbox.engine.held import note_hold, strike_held
+from sandbox.engine.held import note_stop, strike_held
 from sandbox.engine.joints.apart import are_joined
 from sandbox.engine.one_way import comes_from_front
 from sandbox.engine.take_back import take_back, take_back_fall
@@ -30,8 +30,12 @@ def catch(
     shapes: Records,
     settings: Records,
     counters: Records,
+    census: Records,
+    movers: Integers,
+    parts: Integers,
     motions: Records,
     holds: Records,
+    stops: Records,
     turned: Records,
     boxes: Records,
     owners: Records,
@@ -47,17 +51,17 @@ def catch(
 
     `bodies` are at the end of the step, `turned` and `boxes` are of its beginning, `motions` lie between.
     """
-    for i in range(bodies.shape[0]):
-        holds[i].stop = 1.0
-        holds[i].bounces = 0
-        holds[i].struck = 0
+    active = movers[1 : 1 + movers[0]]
     count = _list_fast(holds, owners, pairs, counters[0].pair_count, sorted_pairs)
+    _forget_stops(owners, active, stops, sorted_pairs, count)
     for k in range(count):
         ride(bodies, shapes, motions, holds, turned, sorted_pairs[k], manifold, sweep, swept)
     bullets = ZERO
     for k in range(count):
-        bullets += _hold(bodies, shapes, motions, holds, turned, sorted_pairs[k], manifold, sweep, swept)
-    for i in range(shapes.shape[0]):
+        bullets += _hold(bodies, shapes, motions, holds, stops, turned, sorted_pairs[k], manifold, sweep, swept)
+    known = census[0].laid == census[0].era  # otherwise somebody has woken in this step
+    for k in range(census[0].moving if known else shapes.shape[0]):
+        i = parts[k]
         if holds[owners[i].body].fast == 0:
             continue
         woke = owners[i].moves == SLEEPS  # the grid has asked for no pairs of sleepers with what does not move
@@ -67,23 +71,42 @@ def catch(
                 if not boxes_overlap(boxes[i], boxes[j]) or are_joined(bonds, joined, owners[i].body, owners[j].body):
                     continue
                 if propose(owners, i, j, sorted_pairs, count) > count:
-                    _hold(bodies, shapes, motions, holds, turned, sorted_pairs[count], manifold, sweep, swept)
+                    _hold(bodies, shapes, motions, holds, stops, turned, sorted_pairs[count], manifold, sweep, swept)
     changed = bullets > 0
     turn = ZERO
     while changed:
         changed = False
         for k in range(count):
-            if hold_bullet(bodies, shapes, motions, holds, turned, sorted_pairs[k], turn, manifold, sweep, swept):
+            if hold_bullet(
+                bodies, shapes, motions, holds, stops, turned, sorted_pairs[k], turn, manifold, sweep, swept
+            ):
                 changed = True
         turn += 1
-    for i in range(bodies.shape[0]):
-        if holds[i].stop < 1.0:
-            share = 1.0 - holds[i].stop
+    for i in active:
+        stop = stops[i]
+        if stop.time < 1.0:
+            share = 1.0 - stop.time
             take_back(bodies[i], motions[i], share)
-            if holds[i].bounces == 1:
+            if stop.bounces == 1:
                 take_back_fall(bodies[i], motions[i], share, settings[0])
-            if holds[i].struck == 1:
-                strike_held(bodies[i], holds[i], settings[0].restitution_threshold)
+            if stop.struck == 1:
+                strike_held(bodies[i], stop, settings[0].restitution_threshold)
+
+
+@kernel
+def _forget_stops(owners: Records, active: Integers, stops: Records, fast: Records, count: int) -> None:
+    """Nobody is stopped yet: neither those that move, nor the sleepers that something fast may meet."""
+    for i in active:
+        _forget_stop(stops[i])
+    for k in range(count):
+        _forget_stop(stops[owners[fast[k].shape_a].body])
+        _forget_stop(stops[owners[fast[k].shape_b].body])
+
+
+@kernel
+def _forget_stop(stop: Records) -> None:
+    stop.time = 1.0
+    stop.bounces = stop.struck = 0
 
 
 @kernel
@@ -140,6 +163,7 @@ def _hold(
     shapes: Records,
     motions: Records,
     holds: Records,
+    stops: Records,
     turned: Records,
     pair: Records,
     manifold: Records,
@@ -160,7 +184,7 @@ def _hold(
         if not comes_from_front(bodies, shapes, turned, pair.shape_a, pair.shape_b, sweep[0].x, sweep[0].y, slop):
             return 0
     t = hit(shapes, turned, pair.shape_a, pair.shape_b, manifold, sweep, swept)
-    if t >= 0.0 and t < holds[mover].stop:
-        holds[mover].stop = t
-        note_hold(holds[mover], sweep[0], shapes[pair.shape_a], shapes[pair.shape_b], mover == b, t)
+    if t >= 0.0 and t < stops[mover].time:
+        stops[mover].time = t
+        note_stop(stops[mover], sweep[0], shapes[pair.shape_a], shapes[pair.shape_b], mover == b, t)
     return 0

@@ -5,19 +5,19 @@ from __future__ import annotations
 from sandbox._jit import ZERO, kernel
 from sandbox.engine.bounds import shape_margin
 from sandbox.engine.marks import is_active
-from sandbox.tables import Records
+from sandbox.tables import Integers, Records
 
 FAST_SHARE = 0.5
 """A body that moves or swings farther in a step than this share of its half width is swept."""
 
 
 @kernel
-def expect_fast(bodies: Records, holds: Records, seconds: float) -> None:
+def expect_fast(bodies: Records, movers: Integers, holds: Records, seconds: float) -> None:
     """Mark the bodies that set out to go or swing far, or to turn past what `look_ahead` sees; `mark_fast` adds others.
 
     One that is stopped in mid-step ends near to where it began, and may have turned deep into something.
     """
-    for i in range(bodies.shape[0]):
+    for i in movers:
         body = bodies[i]
         turn = seconds * abs(body.angular_velocity)
         swing = turn * (body.extent - holds[i].thin)
@@ -27,13 +27,13 @@ def expect_fast(bodies: Records, holds: Records, seconds: float) -> None:
 
 
 @kernel
-def mark_fast(bodies: Records, motions: Records, holds: Records) -> int:
+def mark_fast(bodies: Records, movers: Integers, motions: Records, holds: Records) -> int:
     """Mark the active bodies that may have passed through something in this step; return how many.
 
     Bullets always: something fast may have passed over them. `expect_fast` has marked some already.
     """
     count = ZERO
-    for i in range(bodies.shape[0]):
+    for i in movers:
         body = bodies[i]
         motion = motions[i]
         hold = holds[i]

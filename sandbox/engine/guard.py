@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox.tables import Records
+from sandbox.tables import Integers, Records
 from sandbox.world.records import STATIC
 
 MAX_SPEED = 1e7
@@ -13,22 +13,25 @@ MAX_COORDINATE = 1e9
 
 
 @kernel
-def guard_velocities(bodies: Records, motions: Records, pulls: Records, counters: Records) -> None:
+def guard_velocities(
+    bodies: Records, movers: Integers, motions: Records, pulls: Records, census: Records, counters: Records
+) -> None:
     """Freeze bodies whose velocity is not a number, or too high, before the solver can pass it on."""
-    for i in range(pulls.shape[0]):
+    for i in movers:
         if pulls[i].moves == 0:
             continue
         motion = motions[i]
         sound = abs(motion.velocity_x) <= MAX_SPEED and abs(motion.velocity_y) <= MAX_SPEED
         if not (sound and abs(motion.angular_velocity) <= MAX_SPEED):
+            census[0].stale = 1
             _freeze(bodies[i], motion, counters[0])
             pulls[i].moves = 0
 
 
 @kernel
-def guard_positions(bodies: Records, motions: Records, counters: Records) -> None:
+def guard_positions(bodies: Records, movers: Integers, motions: Records, census: Records, counters: Records) -> None:
     """Freeze bodies that would leave the world, or whose way or turn is not a number, before they are moved."""
-    for i in range(bodies.shape[0]):
+    for i in movers:
         body = bodies[i]
         if body.type == STATIC:
             continue
@@ -37,6 +40,7 @@ def guard_positions(bodies: Records, motions: Records, counters: Records) -> Non
         y = abs(body.center_y + motion.delta_y)
         turned = abs(body.angle + motion.delta_angle)
         if not (x <= MAX_COORDINATE and y <= MAX_COORDINATE and turned <= MAX_COORDINATE):
+            census[0].stale = 1
             _freeze(body, motion, counters[0])
 
 

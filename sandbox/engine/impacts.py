@@ -31,7 +31,7 @@ def list_bouncy(
     flights: Records,
     marks: Integers,
     contacts: Records,
-    count: int,
+    live: Integers,
     strikers: Integers,
     pace: int,
     fastest: float,
@@ -40,13 +40,13 @@ def list_bouncy(
 ) -> int:
     """List the contacts of a pace that may strike, or none when no body is fast enough for any to matter.
 
-    Those are the `strikers` (see `find_contacts`), and where something closes in hard, all contacts of what it strikes.
+    Those are the `strikers` (see `list_contact`) with restitution, and all contacts of what is struck hard without.
     `fastest` is the square of the highest speed (m/s) of a point.
     """
     used = 0
     bounces = fastest > 0.25 * threshold * threshold
-    if fastest > 0.25 * HARD * HARD and _mark_struck(bodies, marks, contacts, count):
-        for i in range(count):
+    if fastest > 0.25 * HARD * HARD and _mark_struck(bodies, marks, contacts, strikers):
+        for i in live:
             struck = (marks[contacts[i].body_a] | marks[contacts[i].body_b]) & STRUCK != 0
             strikes = bounces if contacts[i].restitution > 0.0 else struck
             if strikes and contact_pace(bodies, flights, contacts[i]) == pace:
@@ -54,21 +54,22 @@ def list_bouncy(
                 used += 1
     elif bounces:
         for k in range(1, strikers[0] + 1):
-            if contact_pace(bodies, flights, contacts[strikers[k]]) == pace:
+            contact = contacts[strikers[k]]
+            if contact.restitution > 0.0 and contact_pace(bodies, flights, contact) == pace:
                 bouncy[used] = strikers[k]
                 used += 1
     return used
 
 
 @kernel
-def _mark_struck(bodies: Records, marks: Integers, contacts: Records, count: int) -> bool:
+def _mark_struck(bodies: Records, marks: Integers, contacts: Records, strikers: Integers) -> bool:
     """Mark the dynamic bodies of contacts that close in hard without restitution; return whether there are any.
 
     All their contacts take part in the blow: what they lie on must not yield to it.
     """
     found = False
-    for i in range(count):
-        contact = contacts[i]
+    for k in range(1, strikers[0] + 1):
+        contact = contacts[strikers[k]]
         if contact.restitution == 0.0 and closes_hard(bodies, contact):
             found = True
             marks[contact.body_a] |= STRUCK if bodies[contact.body_a].type == DYNAMIC else 0
@@ -103,6 +104,7 @@ def resolve_impacts(
 @kernel
 def resolve_late_impacts(
     bodies: Records,
+    movers: Integers,
     motions: Records,
     flights: Records,
     contacts: Records,
@@ -118,7 +120,7 @@ def resolve_late_impacts(
     """
     if bouncy_count == 0:
         return
-    for i in range(bodies.shape[0]):
+    for i in movers:
         if bodies[i].type == DYNAMIC and bodies[i].awake == 1 and flights[i].pace == pace:
             flight = flights[i]
             flight.start_x = flight.free_x = motions[i].velocity_x

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sandbox._jit import kernel
 from sandbox.geometry.trig import cos_sin
-from sandbox.tables import Records
+from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC, KINEMATIC, STATIC
 
 SOLVED, LED = 1, 2
@@ -12,13 +12,13 @@ SOLVED, LED = 1, 2
 
 
 @kernel
-def begin_motions(bodies: Records, motions: Records, flights: Records) -> float:
+def begin_motions(bodies: Records, movers: Integers, motions: Records, flights: Records) -> float:
     """Load the velocities; nothing has moved yet, and nothing is known to hinder anybody.
 
     Returns the square of the highest speed (m/s) of a point of any body.
     """
     fastest = 0.0
-    for i in range(bodies.shape[0]):
+    for i in movers:
         body = bodies[i]
         motion = motions[i]
         motion.velocity_x = body.velocity_x
@@ -41,9 +41,9 @@ def begin_motions(bodies: Records, motions: Records, flights: Records) -> float:
 
 
 @kernel
-def rewind_driven(bodies: Records, motions: Records) -> None:
+def rewind_driven(bodies: Records, movers: Integers, motions: Records) -> None:
     """Put kinematic bodies back to where the step began, for the islands of the next pace."""
-    for i in range(bodies.shape[0]):
+    for i in movers:
         if bodies[i].type == KINEMATIC:
             motion = motions[i]
             motion.delta_x = 0.0
@@ -56,6 +56,7 @@ def rewind_driven(bodies: Records, motions: Records) -> None:
 @kernel
 def begin_pulls(
     bodies: Records,
+    movers: Integers,
     flights: Records,
     pulls: Records,
     pace: int,
@@ -67,7 +68,7 @@ def begin_pulls(
 
     Exact terminal velocity, decay to second order, always stable.
     """
-    for i in range(bodies.shape[0]):
+    for i in movers:
         body = bodies[i]
         pull = pulls[i]
         pull.moves = SOLVED if body.type == DYNAMIC else LED
@@ -88,9 +89,9 @@ def begin_pulls(
 
 
 @kernel
-def integrate_velocities(motions: Records, flights: Records, pulls: Records) -> None:
+def integrate_velocities(movers: Integers, motions: Records, flights: Records, pulls: Records) -> None:
     """Gravity, forces and damping over one substep."""
-    for i in range(pulls.shape[0]):
+    for i in movers:
         pull = pulls[i]
         if pull.moves != SOLVED:
             continue
@@ -114,7 +115,9 @@ def _decay(x: float) -> float:
 
 
 @kernel
-def integrate_positions(motions: Records, flights: Records, pulls: Records, gravity: float, seconds: float) -> None:
+def integrate_positions(
+    movers: Integers, motions: Records, flights: Records, pulls: Records, gravity: float, seconds: float
+) -> None:
     """Move by the velocity the solver left; a body that nothing touched moves by the mean of both ends.
 
     The mean is exact under constant acceleration, so free flight follows the parabola to rounding. A body in
@@ -122,7 +125,7 @@ def integrate_positions(motions: Records, flights: Records, pulls: Records, grav
     or sped up, by no more than forces do (`gravity` in m/s^2 is the measure), it goes the mean way along it.
     """
     gentle = 4.0 * seconds * gravity
-    for i in range(pulls.shape[0]):
+    for i in movers:
         pull = pulls[i]
         if pull.moves == 0:
             continue
@@ -160,9 +163,9 @@ def _mean_share(change_x: float, change_y: float, vx: float, vy: float, gentle: 
 
 
 @kernel
-def finish_motions(bodies: Records, motions: Records) -> None:
+def finish_motions(bodies: Records, movers: Integers, motions: Records) -> None:
     """Write the new velocities and poses into the bodies and clear the forces."""
-    for i in range(bodies.shape[0]):
+    for i in movers:
         body = bodies[i]
         if body.type == STATIC or body.awake == 0:
             continue

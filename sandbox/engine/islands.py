@@ -24,51 +24,71 @@ SLEEP_SECONDS = 0.5
 
 @kernel
 def wake_touched(
-    bodies: Records, flights: Records, contacts: Records, count: int, joints: JointWork | None, counters: Records
-) -> None:
-    """Wake every island that has a contact or a joint with an active or a driven body; `undo_waking` takes it back."""
-    if counters[0].asleep_count == 0:
-        return
+    bodies: Records,
+    flights: Records,
+    contacts: Records,
+    live: Integers,
+    joints: JointWork | None,
+    census: Records,
+    counters: Records,
+) -> bool:
+    """Wake every island that has a contact or a joint with an active or a driven body; `undo_waking` takes it back.
+
+    Returns whether there was one: then the lists of `census` are out of date.
+    """
+    census[0].woke = 0
+    if counters[0].asleep_count == 0 or not (_some_touched(bodies, contacts, live) or _some_joined(bodies, joints)):
+        return False
+    census[0].woke = 1
     for i in range(bodies.shape[0]):
         flights[i].was_awake = bodies[i].awake
         flights[i].was_island = bodies[i].island
         flights[i].was_slow = bodies[i].sleep_time
-    found = False
-    for i in range(count):
-        a = bodies[contacts[i].body_a]
-        b = bodies[contacts[i].body_b]
-        if a.awake == 0 and disturbs(b):
-            a.awake = 1
-            found = True
-        elif b.awake == 0 and disturbs(a):
-            b.awake = 1
-            found = True
+    for i in live:
+        _wake_either(bodies[contacts[i].body_a], bodies[contacts[i].body_b])
     if joints is not None:
-        found = _wake_joined(bodies, joints) or found
-    if found:
-        wake_marked_islands(bodies)
+        for i in range(joints.ties.shape[0]):
+            _wake_either(bodies[joints.ties[i].low], bodies[joints.ties[i].high])
+    wake_marked_islands(bodies, census)
+    return True
 
 
 @kernel
-def _wake_joined(bodies: Records, joints: JointWork) -> bool:
-    """Wake sleeping bodies that a joint ties to active or driven ones."""
+def _some_touched(bodies: Records, contacts: Records, live: Integers) -> bool:
+    """Whether a sleeping body has a contact with an active or a driven one."""
     found = False
-    for i in range(joints.ties.shape[0]):
-        a = bodies[joints.ties[i].low]
-        b = bodies[joints.ties[i].high]
-        if a.awake == 0 and disturbs(b):
-            a.awake = 1
-            found = True
-        elif b.awake == 0 and disturbs(a):
-            b.awake = 1
-            found = True
+    for i in live:
+        found = found or _disturbed(bodies[contacts[i].body_a], bodies[contacts[i].body_b])
     return found
 
 
 @kernel
-def undo_waking(bodies: Records, flights: Records, counters: Records) -> None:
+def _some_joined(bodies: Records, joints: JointWork | None) -> bool:
+    """Whether a joint ties a sleeping body to an active or a driven one."""
+    found = False
+    if joints is not None:
+        for i in range(joints.ties.shape[0]):
+            found = found or _disturbed(bodies[joints.ties[i].low], bodies[joints.ties[i].high])
+    return found
+
+
+@kernel
+def _disturbed(a: Records, b: Records) -> bool:
+    return bool((a.awake == 0 and disturbs(b)) or (b.awake == 0 and disturbs(a)))
+
+
+@kernel
+def _wake_either(a: Records, b: Records) -> None:
+    if a.awake == 0 and disturbs(b):
+        a.awake = 1
+    elif b.awake == 0 and disturbs(a):
+        b.awake = 1
+
+
+@kernel
+def undo_waking(bodies: Records, flights: Records, census: Records) -> None:
     """Put all bodies back to sleep that `wake_touched` has woken, for a step that has to begin again."""
-    if counters[0].asleep_count == 0:
+    if census[0].woke == 0:
         return
     for i in range(bodies.shape[0]):
         bodies[i].awake = flights[i].was_awake
@@ -77,11 +97,12 @@ def undo_waking(bodies: Records, flights: Records, counters: Records) -> None:
 
 
 @kernel
-def wake_marked_islands(bodies: Records) -> None:
+def wake_marked_islands(bodies: Records, census: Records) -> None:
     """Wake all bodies of every island in which one body is awake already; that one still carries the island's root.
 
     `island` is the row of the island's first body plus one, 0 for a body that has not been asleep.
     """
+    census[0].stale = 1
     for i in range(bodies.shape[0]):
         body = bodies[i]
         if body.island > 0 and body.awake == 1:
@@ -98,20 +119,21 @@ def wake_marked_islands(bodies: Records) -> None:
 
 
 @kernel
-def find_islands(bodies: Records, flights: Records, contacts: Records, count: int, joints: JointWork | None) -> None:
+def find_islands(
+    bodies: Records, movers: Integers, flights: Records, contacts: Records, live: Integers, joints: JointWork | None
+) -> None:
     """Union-find over contacts and joints: `flight.island` of an active body becomes the lowest row of its island."""
-    for i in range(bodies.shape[0]):
+    for i in movers:
         flights[i].island = i
-    for i in range(count):
+    for i in live:
         contact = contacts[i]
-        if not (is_active(bodies[contact.body_a]) and is_active(bodies[contact.body_b])):
-            continue
-        _unite(flights, contact.body_a, contact.body_b)
+        if is_active(bodies[contact.body_a]) and is_active(bodies[contact.body_b]):
+            _unite(flights, contact.body_a, contact.body_b)
     if joints is not None:
         for i in range(joints.ties.shape[0]):
             if is_active(bodies[joints.ties[i].low]) and is_active(bodies[joints.ties[i].high]):
                 _unite(flights, joints.ties[i].low, joints.ties[i].high)
-    for i in range(bodies.shape[0]):
+    for i in movers:
         flights[i].island = _root(flights, i)
 
 
@@ -138,13 +160,15 @@ def _root(flights: Records, i: int) -> int:
 @kernel
 def fall_asleep(
     bodies: Records,
+    movers: Integers,
     flights: Records,
     marks: Integers,
     contacts: Records,
-    count: int,
+    live: Integers,
     joints: JointWork | None,
     seconds: float,
     sleeping: bool,
+    census: Records,
     counters: Records,
 ) -> None:
     """Count how long bodies have been slow; put islands to sleep in which all have been slow long enough."""
@@ -152,27 +176,27 @@ def fall_asleep(
         mark_held(marks, joints)
         keep_driven_awake(marks, joints)
         keep_drawn_awake(marks, joints)
-    _count_slow_time(bodies, marks, seconds)
+    _count_slow_time(bodies, movers, marks, seconds)
     ready = False
-    for i in range(bodies.shape[0]):
+    for i in movers:
         if is_active(bodies[i]) and bodies[i].sleep_time >= SLEEP_SECONDS:
             ready = True
     if ready and sleeping:
-        find_islands(bodies, flights, contacts, count, joints)
-        _sleep_islands(bodies, flights, marks)
-    _count_sleepers(bodies, counters[0])
+        find_islands(bodies, movers, flights, contacts, live, joints)
+        _sleep_islands(bodies, movers, flights, marks, census)
+    _count_sleepers(bodies, movers, census[0], counters[0])
 
 
 @kernel
-def _count_sleepers(bodies: Records, counter: Records) -> None:
+def _count_sleepers(bodies: Records, movers: Integers, census: Records, counter: Records) -> None:
     """Count who is awake, and note who has just fallen asleep or woken.
 
     The world is still when nobody is awake and no driven body moves.
     """
-    asleep = 0
+    asleep = census.asleep
     awake = 0
     driven = False
-    for i in range(bodies.shape[0]):
+    for i in movers:
         body = bodies[i]
         if body.type == DYNAMIC:
             asleep += 1 - body.awake
@@ -187,8 +211,8 @@ def _count_sleepers(bodies: Records, counter: Records) -> None:
 
 
 @kernel
-def _count_slow_time(bodies: Records, marks: Integers, seconds: float) -> None:
-    for i in range(bodies.shape[0]):
+def _count_slow_time(bodies: Records, movers: Integers, marks: Integers, seconds: float) -> None:
+    for i in movers:
         body = bodies[i]
         if not is_active(body):
             continue
@@ -206,14 +230,15 @@ def _count_slow_time(bodies: Records, marks: Integers, seconds: float) -> None:
 
 
 @kernel
-def _sleep_islands(bodies: Records, flights: Records, marks: Integers) -> None:
+def _sleep_islands(bodies: Records, movers: Integers, flights: Records, marks: Integers, census: Records) -> None:
     """An island sleeps if none of its bodies is too lively; a lively body marks the root."""
-    for i in range(bodies.shape[0]):
+    for i in movers:
         if is_active(bodies[i]) and bodies[i].sleep_time < SLEEP_SECONDS:
             marks[flights[i].island] |= LIVELY
-    for i in range(bodies.shape[0]):
+    for i in movers:
         body = bodies[i]
         if is_active(body) and marks[flights[i].island] & LIVELY == 0:
+            census[0].stale = 1
             body.awake = 0
             body.island = flights[i].island + 1
             body.velocity_x = 0.0

@@ -12,24 +12,24 @@ import math
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.bounds import ACTIVE, BULLET, FIXED, HEMMED
 from sandbox.geometry.time_of_touch import time_of_touch
-from sandbox.tables import Records
+from sandbox.tables import Integers, Records
 
 _SLOP_SHARE = 0.05
 """Share of the margin within which a fast pair counts as touching already."""
 
 
 @kernel
-def mark_hemmed(owners: Records, holds: Records, proxies: Records) -> None:
-    """Tell the proxies of all shapes whether something immovable may stop their body; the grid knows of which shapes.
+def mark_hemmed(owners: Records, movers: Integers, moving: Integers, holds: Records, proxies: Records) -> None:
+    """Tell the proxies of moving shapes whether something immovable may stop their body; the grid knows of which.
 
     The velocities of two such bodies may change within the step: their difference says too little.
     """
-    for i in range(holds.shape[0]):
+    for i in movers:
         holds[i].hemmed = 0
-    for i in range(owners.shape[0]):
+    for i in moving:
         if owners[i].hemmed == 1:
             holds[owners[i].body].hemmed = 1
-    for i in range(owners.shape[0]):
+    for i in moving:
         if holds[owners[i].body].hemmed == 1:
             proxies[i].traits |= HEMMED
 

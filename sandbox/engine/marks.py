@@ -27,9 +27,9 @@ def disturbs(body: Records) -> bool:
 
 
 @kernel
-def clear_marks(bodies: Records, flights: Records, drags: Records, marks: Integers) -> None:
+def clear_marks(bodies: Records, movers: Integers, flights: Records, drags: Records, marks: Integers) -> None:
     """Nothing is known to rest yet but what floats. What is dragged is kept awake; `mark_resting` adds the others."""
-    for i in range(bodies.shape[0]):
+    for i in movers:
         drives = bodies[i].type == KINEMATIC and disturbs(bodies[i])
         marks[i] = (RESTS if flights[i].buoyed == 1 else 0) | (DRIVES if drives else 0)
     for k in range(drags.shape[0]):

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from sandbox._jit import ZERO, inlined_kernel, kernel
 from sandbox.engine.bounds import FIXED
+from sandbox.engine.census import list_contact
 from sandbox.engine.contact_fill import fill_contact, match_contact
+from sandbox.engine.contact_prepare import HARD
+from sandbox.engine.keeping import keep_before
 from sandbox.engine.look_ahead import closing_way, look_ahead
-from sandbox.engine.marks import is_active
 from sandbox.engine.one_way import comes_from_front, leads_on
 from sandbox.engine.seams import mend_contact
 from sandbox.engine.way import allowed_depth
@@ -16,6 +18,8 @@ from sandbox.world.records import ONE_WAY, SEAMED
 
 FACE_BIAS = 1e-4
 """A face of b has to beat the best face of a by this many metres, so that resting contacts keep their face."""
+LAST = 1 << 60
+"""No shape has such a row: everything comes before it."""
 TOUCHING = 1e-6
 """Bodies put onto each other may be so far apart, by rounding (m)."""
 
@@ -23,6 +27,8 @@ TOUCHING = 1e-6
 @kernel
 def find_contacts(
     bodies: Records,
+    movers: Integers,
+    stirs: Integers,
     holds: Records,
     shapes: Records,
     proxies: Records,
@@ -36,35 +42,39 @@ def find_contacts(
     old: Records,
     old_count: int,
     contacts: Records,
+    live: Integers,
     strikers: Integers,
+    keeper: Records,
+    runs: Records,
 ) -> int:
     """Write a contact for every pair that touches or will touch within `seconds`; return how many.
 
-    `strikers[1:]` lists the contacts with restitution, `strikers[0]` is how many those are.
-
+    `live` and `strikers` are filled as by `list_live`; `stirs` is of `take_census`, `keeper` and `runs` of `keeping`.
     `fall` (m) is what gravity adds to a way within that time. Pairs and old contacts are both sorted by (shape_a,
     shape_b): one walk through both matches them, and impulses of points with the same feature id carry over (warm
     starting). Contacts among sleeping bodies, which the grid does not propose, are kept as they are.
     """
-    for i in range(holds.shape[0]):
+    for i in movers:
         holds[i].deep = 0
         holds[i].fresh = 0
+    live[0] = 0
     strikers[0] = 0
     count = ZERO
     k = 0
     for n in range(pair_count):
         i = pairs[n].shape_a
         j = pairs[n].shape_b
-        while k < old_count and _comes_before(old[k], i, j):
-            count = _keep_if_asleep(bodies, old[k], contacts, count, strikers)
-            k += 1
+        k, count = keep_before(
+            bodies, stirs, old, k, old_count, i, j, contacts, count, live, strikers, keeper, runs
+        )  # fmt: skip
         a = proxies[i]
         b = proxies[j]
         margin = 2.0 * (a.margin if a.margin < b.margin else b.margin)
         t = 0.0
         vx = b.velocity_x - a.velocity_x
         vy = b.velocity_y - a.velocity_y
-        if closing_way(a, b, vx, vy, seconds) > margin:
+        way = closing_way(a, b, vx, vy, seconds)
+        if way > margin:
             t, vx, vy, margin = look_ahead(bodies, shapes, proxies, turned, i, j, margin, fall, seconds, manifold)
         if t < 0.0 or not _collide(proxies, turned, i, j, vx * t, vy * t, margin, manifold):
             continue
@@ -75,44 +85,20 @@ def find_contacts(
                 continue
         contact = contacts[count]
         fill_contact(proxies, i, j, vx * t, vy * t, manifold[0], contact)
-        _list_striker(contact, count, strikers)
+        list_contact(contact, count, way > HARD * seconds, live, strikers)
         if known:
             match_contact(old[k], contact)
+            k += 1
         elif t == 0.0 and manifold[0].separation <= TOUCHING:
             holds[a.body].fresh = 1
             holds[b.body].fresh = 1
         if (a.traits ^ b.traits) & FIXED and manifold[0].separation < 0.0:
             _mark_deep(holds, shapes, i, j, -manifold[0].separation)
         count += 1
-    for n in range(k, old_count):
-        count = _keep_if_asleep(bodies, old[n], contacts, count, strikers)
+    k, count = keep_before(
+        bodies, stirs, old, k, old_count, LAST, 0, contacts, count, live, strikers, keeper, runs
+    )  # fmt: skip
     return count
-
-
-@inlined_kernel
-def _comes_before(contact: Records, shape_a: int, shape_b: int) -> bool:
-    first = contact.shape_a
-    return bool(first < shape_a or (first == shape_a and contact.shape_b < shape_b))
-
-
-@kernel
-def _keep_if_asleep(bodies: Records, old: Records, contacts: Records, count: int, strikers: Integers) -> int:
-    """Append an old contact if one of its bodies sleeps and none is active; return the new count."""
-    a = bodies[old.body_a]
-    b = bodies[old.body_b]
-    if is_active(a) or is_active(b) or a.awake + b.awake == 2:
-        return count
-    contacts[count] = old
-    _list_striker(contacts[count], count, strikers)
-    return count + 1
-
-
-@inlined_kernel
-def _list_striker(contact: Records, row: int, strikers: Integers) -> None:
-    """List a contact in which there may be an impact."""
-    if contact.restitution > 0.0:
-        strikers[0] += 1
-        strikers[strikers[0]] = row
 
 
 @inlined_kernel

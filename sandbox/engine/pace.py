@@ -16,7 +16,7 @@ from sandbox.engine.joints.fine import refine_small_parts
 from sandbox.engine.joints.work import JointWork
 from sandbox.engine.marks import is_active
 from sandbox.geometry.trig import PI
-from sandbox.tables import Field, Records, Table
+from sandbox.tables import Field, Integers, Records, Table
 from sandbox.world.records import DYNAMIC
 
 MOST = 4
@@ -60,10 +60,11 @@ PILE = Table(
 @kernel
 def assign_paces(
     bodies: Records,
+    movers: Integers,
     flights: Records,
     piles: Records,
     contacts: Records,
-    count: int,
+    live: Integers,
     joints: JointWork | None,
     counter: Records,
     gravity_x: float,
@@ -75,20 +76,21 @@ def assign_paces(
     Piles need one that might fall, small jointed parts that swing freely get one for the sake of truth.
     """
     used = _assign_to_piles(
-        bodies, flights, piles, contacts, count, joints, counter, gravity_x, gravity_y, hertz
+        bodies, movers, flights, piles, contacts, live, joints, counter, gravity_x, gravity_y, hertz
     )  # fmt: skip
     if joints is not None:
-        used |= refine_small_parts(joints, bodies, flights, contacts, count)
+        used |= refine_small_parts(joints, bodies, flights, contacts, live)
     return used
 
 
 @kernel
 def _assign_to_piles(
     bodies: Records,
+    movers: Integers,
     flights: Records,
     piles: Records,
     contacts: Records,
-    count: int,
+    live: Integers,
     joints: JointWork | None,
     counter: Records,
     gravity_x: float,
@@ -100,7 +102,7 @@ def _assign_to_piles(
     A look at the piles costs a pass over all contacts, and piles buckle slowly: where masses are alike and no pile
     needs a pace, every eighth step is enough. `counter.pace_watch` remembers that; commands set it to 0, unknown.
     """
-    for i in range(bodies.shape[0]):
+    for i in movers:
         flights[i].pace = 0
     if counter.pace_watch == SELDOM and counter.step_count % EVERY != 0:
         return 1
@@ -108,10 +110,10 @@ def _assign_to_piles(
     omega = 2.0 * PI * hertz
     used = 1
     if gravity > 0.0:
-        find_islands(bodies, flights, contacts, count, joints)
+        find_islands(bodies, movers, flights, contacts, live, joints)
         down_x = gravity_x / gravity
         down_y = gravity_y / gravity
-        used = _look(bodies, flights, piles, contacts, count, down_x, down_y, gravity, omega)
+        used = _look(bodies, movers, flights, piles, contacts, live, down_x, down_y, gravity, omega)
     counter.pace_watch = ALWAYS if used > 1 or _masses_differ(bodies, gravity, omega) else SELDOM
     return used
 
@@ -119,22 +121,23 @@ def _assign_to_piles(
 @kernel
 def _look(
     bodies: Records,
+    movers: Integers,
     flights: Records,
     piles: Records,
     contacts: Records,
-    count: int,
+    live: Integers,
     down_x: float,
     down_y: float,
     gravity: float,
     omega: float,
 ) -> int:
     """Bodies alone show that most islands are safe; only if one may not be, contacts are looked at too."""
-    _measure_bodies(bodies, flights, piles, down_x, down_y, gravity)
-    if not _some_pile_may_fall(bodies, flights, piles, omega, gravity):
+    _measure_bodies(bodies, movers, flights, piles, down_x, down_y, gravity)
+    if not _some_pile_may_fall(movers, flights, piles, omega, gravity):
         return 1
-    _measure_contacts(bodies, flights, piles, contacts, count, down_x, down_y)
+    _measure_contacts(bodies, movers, flights, piles, contacts, live, down_x, down_y)
     used = 1
-    for i in range(bodies.shape[0]):
+    for i in movers:
         pile = piles[flights[i].island]
         if is_active(bodies[i]) and pile.ratio > 0.0:
             flights[i].pace = _pace(pile, omega, gravity)
@@ -178,16 +181,16 @@ def contact_pace(bodies: Records, flights: Records, contact: Records) -> int:
 
 @kernel
 def _measure_bodies(
-    bodies: Records, flights: Records, piles: Records, down_x: float, down_y: float, gravity: float
+    bodies: Records, movers: Integers, flights: Records, piles: Records, down_x: float, down_y: float, gravity: float
 ) -> None:
     """Weight and height of every pile; of its width, foot, bearing body and ratio what is worst for it."""
-    for i in range(bodies.shape[0]):
+    for i in movers:
         pile = piles[i]
         pile.bodies = 0
         pile.weight = pile.moment = pile.second_moment = pile.heaviest = 0.0
         pile.bottom = pile.left = pile.bearer = pile.slight = 1e300
         pile.right = -1e300
-    for i in range(bodies.shape[0]):
+    for i in movers:
         body = bodies[i]
         if not is_active(body):
             continue
@@ -215,9 +218,9 @@ def _widen(pile: Records, across: float) -> None:
 
 
 @kernel
-def _some_pile_may_fall(bodies: Records, flights: Records, piles: Records, omega: float, gravity: float) -> bool:
+def _some_pile_may_fall(movers: Integers, flights: Records, piles: Records, omega: float, gravity: float) -> bool:
     """Whether some pile of two or more would need a higher pace if it were as bad as its bodies allow."""
-    for i in range(bodies.shape[0]):
+    for i in movers:
         if flights[i].island == i and piles[i].bodies > 1:
             piles[i].ratio = piles[i].heaviest / piles[i].bearer
             if _pace(piles[i], omega, gravity) > 0:
@@ -228,20 +231,21 @@ def _some_pile_may_fall(bodies: Records, flights: Records, piles: Records, omega
 @kernel
 def _measure_contacts(
     bodies: Records,
+    movers: Integers,
     flights: Records,
     piles: Records,
     contacts: Records,
-    count: int,
+    live: Integers,
     down_x: float,
     down_y: float,
 ) -> None:
     """Width, foot, bearing bodies and ratio of every pile, as they are; the ratio stays 0 where nothing is borne."""
-    for i in range(bodies.shape[0]):
+    for i in movers:
         pile = piles[i]
         pile.ratio = 0.0
         pile.bottom = pile.left = pile.bearer = pile.slight = 1e300
         pile.right = -1e300
-    for i in range(count):
+    for i in live:
         contact = contacts[i]
         a = bodies[contact.body_a]
         b = bodies[contact.body_b]

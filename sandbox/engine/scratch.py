@@ -6,11 +6,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sandbox.engine.census import new_census
 from sandbox.engine.contact_blocks import BLOCK_SIZE, GATHER_SIZE, LANES, MAX_COLORS
 from sandbox.engine.fields.work import field_memory
 from sandbox.engine.grid import LEVEL_SPACE
 from sandbox.engine.joints.layout import lay_out
 from sandbox.engine.joints.work import JointWork
+from sandbox.engine.keeping import KEEPER, RUN
 from sandbox.engine.pace import PILE
 from sandbox.geometry.manifold import MANIFOLD
 from sandbox.geometry.sweep import SWEEP, SWEPT_ROWS
@@ -74,8 +76,15 @@ HOLD = Table(
         Field("deep", "-", "1 when it overlaps something immovable more than a little", "i8"),
         Field("fresh", "-", "1 when it touches something that it was not even near to a step before", "i8"),
         Field("fast", "-", "1 when its way in the step has to be looked at", "i8"),
-        Field("stop", "1", "when it is stopped, as a share of the step; 1 is not at all"),
         Field("hemmed", "-", "1 when something immovable may stop it during the step", "i8"),
+    ),
+)
+"""One row a body: what `continuous` asks of it. By itself, as most steps hardly look at it."""
+
+STOP = Table(
+    "stop",
+    (
+        Field("time", "1", "when it is stopped, as a share of the step; 1 is not at all"),
         Field("bounces", "-", "1 when what stops it bounces it", "i8"),
         Field("struck", "-", "1 when it has touched what stops it from the start of the step on", "i8"),
         Field("normal_x", "1", "of what stops it, towards the body"),
@@ -87,7 +96,7 @@ HOLD = Table(
         Field("surface_speed", "m/s", "of the body and what stops it"),
     ),
 )
-"""One row a body: what `continuous` knows of it. By itself, as most steps hardly look at it."""
+"""One row a body: where `continuous` stops it."""
 
 BOX = Table(
     "box",
@@ -181,6 +190,10 @@ REPORT = Table(
 class Scratch:
     """The arrays of one world's step. `pairs` decides the capacity of everything that grows with contacts."""
 
+    census: Records
+    movers: Integers
+    stirs: Integers
+    parts: Integers
     motions: Records
     flights: Records
     pulls: Records
@@ -188,17 +201,24 @@ class Scratch:
     palettes: Integers
     piles: Records
     holds: Records
+    stops: Records
     turned: Records
     boxes: Records
     owners: Records
     proxies: Records
+    spare_boxes: Records
     sorted_boxes: Records
     heads: Integers
     levels: Integers
+    rest_heads: Integers
+    rest_levels: Integers
     pairs: Records
     sorted_pairs: Records
     contacts: Records
+    live: Integers
     strikers: Integers
+    keeper: Records
+    runs: Records
     reports: Records
     manifold: Records
     sweep: Records
@@ -221,6 +241,10 @@ class Scratch:
         shapes = len(state.shapes)
         block_capacity = max(block_capacity, pair_capacity // LANES + MAX_COLORS + 2)
         return cls(
+            census=new_census(),
+            movers=np.zeros(len(state.bodies) + 1, np.int64),
+            stirs=np.zeros(len(state.bodies), np.int64),
+            parts=np.arange(shapes),
             motions=MOTION.zeros(len(state.bodies)),
             flights=FLIGHT.zeros(len(state.bodies)),
             pulls=PULL.zeros(len(state.bodies)),
@@ -228,17 +252,24 @@ class Scratch:
             palettes=np.zeros(len(state.bodies), np.int64),
             piles=PILE.zeros(len(state.bodies)),
             holds=_holds(state),
+            stops=_stops(state),
             turned=VERTEX.zeros(len(state.vertices)),
             boxes=BOX.zeros(shapes),
             owners=OWNER.zeros(shapes),
             proxies=PROXY.zeros(shapes),
+            spare_boxes=BOX.zeros(shapes),
             sorted_boxes=BOX.zeros(shapes),
             heads=np.zeros(head_count(shapes), np.int64),
             levels=np.zeros(LEVEL_SPACE, np.int64),
+            rest_heads=np.zeros(head_count(shapes), np.int64),
+            rest_levels=np.zeros(LEVEL_SPACE, np.int64),
             pairs=PAIR.zeros(pair_capacity),
             sorted_pairs=PAIR.zeros(pair_capacity + 1),  # `catch` keeps one pair apart
             contacts=CONTACT.zeros(pair_capacity),
+            live=np.zeros(pair_capacity + 1, np.int64),
             strikers=np.zeros(pair_capacity + 1, np.int64),
+            keeper=KEEPER.zeros(1),
+            runs=RUN.zeros(3 * (pair_capacity + 1)),
             reports=REPORT.zeros(pair_capacity),
             manifold=MANIFOLD.zeros(2),
             sweep=SWEEP.zeros(1),
@@ -259,6 +290,12 @@ def _holds(state: State) -> Records:
     np.minimum.at(thin, state.shapes.body, state.shapes.thin)
     holds.thin = np.where(thin < np.inf, thin, 0.0)
     return holds
+
+
+def _stops(state: State) -> Records:
+    stops = STOP.zeros(len(state.bodies))
+    stops.time = 1.0
+    return stops
 
 
 def head_count(shapes: int) -> int:

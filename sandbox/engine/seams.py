@@ -8,6 +8,8 @@ its place; where none is left, another part has the contact.
 
 from __future__ import annotations
 
+import math
+
 from sandbox._jit import kernel
 from sandbox.engine.bounds import pair_margin
 from sandbox.geometry.manifold import face_manifold
@@ -53,7 +55,7 @@ def mend_contact(
     graze = _GRAZE * near
     radii = shapes[i].radius + shapes[j].radius
     across = m.separation
-    whole = _is_whole(bodies, shapes, turned, seams, i, j, dx, dy, m)
+    whole = _is_whole(bodies, shapes, turned, seams, i, j, dx, dy, near, m)
     if whole and way_x * m.normal_x + way_y * m.normal_y >= -graze:
         return True
     for turn in range(1 if whole else 2):
@@ -79,7 +81,7 @@ def mend_contact(
         if face < 0 or separation - radii < -depth:
             continue
         manifold[1].separation = separation - radii
-        if _touch_face(bodies, shapes, turned, seams, i, j, dx, dy, margin, flip, face, manifold[1]):
+        if _touch_face(bodies, shapes, turned, seams, i, j, dx, dy, near, margin, flip, face, manifold[1]):
             manifold[0] = manifold[1]
             return True
         if turn == 0:
@@ -97,6 +99,7 @@ def _is_whole(
     j: int,
     dx: float,
     dy: float,
+    near: float,
     m: Records,
 ) -> bool:
     """Whether the axis of a manifold is one of both whole polygons."""
@@ -108,9 +111,9 @@ def _is_whole(
         y = dy if side == 1 else 0.0
         sign = 1.0 - 2.0 * side
         if m.axis_owner == side:
-            if not _shows(turned, seams, part, m.axis_edge, x, y, m):
+            if not _shows(turned, seams, part, m.axis_edge, x, y, near, m):
                 return False
-        elif not _faces_out(bodies, turned, seams, part, x, y, sign * m.normal_x, sign * m.normal_y, m):
+        elif not _faces_out(bodies, turned, seams, part, x, y, sign * m.normal_x, sign * m.normal_y, near, m):
             return False
     return True
 
@@ -125,6 +128,7 @@ def _faces_out(
     y: float,
     nx: float,
     ny: float,
+    near: float,
     m: Records,
 ) -> bool:
     """Whether the direction n leads out of the whole polygon at the farthest vertex, or edge, of a part along it."""
@@ -135,7 +139,7 @@ def _faces_out(
     for edge in (before, k):
         row = turned[part.vertex_start + edge]
         flat = abs(row.normal_x * ny - row.normal_y * nx) <= _SLANT
-        if flat and row.normal_x * nx + row.normal_y * ny > 0.0 and _shows(turned, seams, part, edge, x, y, m):
+        if flat and row.normal_x * nx + row.normal_y * ny > 0.0 and _shows(turned, seams, part, edge, x, y, near, m):
             return True
     return False
 
@@ -161,17 +165,21 @@ def _is_between(body: Records, corner: Records, nx: float, ny: float) -> bool:
 
 
 @kernel
-def _shows(turned: Records, seams: Records, part: Records, edge: int, x: float, y: float, m: Records) -> bool:
+def _shows(
+    turned: Records, seams: Records, part: Records, edge: int, x: float, y: float, near: float, m: Records
+) -> bool:
     """Whether a point of the manifold lies where an edge of a part is the surface of the whole polygon.
 
     (x, y) leads from the centre of the manifold's shape a to that of the part's body. Without points, whether it is the
-    surface anywhere.
+    surface anywhere. Where an edge ends within the whole, in a nook, it is taken to go on for `near` metres: what lies
+    there has sunk in a little.
     """
     seam = seams[part.seam_start + edge]
     if seam.shown_to < seam.shown_from or m.point_count == 0:
         return bool(seam.shown_from <= seam.shown_to)
-    low = seam.shown_from - _BEYOND
-    high = seam.shown_to + _BEYOND
+    share = near / _length(turned, part, edge)
+    low = seam.shown_from - (share if seam.shown_from > 0.0 else _BEYOND)
+    high = seam.shown_to + (share if seam.shown_to < 1.0 else _BEYOND)
     first = _along(turned, part, edge, m.x1 - x, m.y1 - y)
     if low <= first <= high:
         return True
@@ -179,6 +187,16 @@ def _shows(turned: Records, seams: Records, part: Records, edge: int, x: float, 
         return False
     second = _along(turned, part, edge, m.x2 - x, m.y2 - y)
     return bool((second if second > first else first) >= low and (second if second < first else first) <= high)
+
+
+@kernel
+def _length(turned: Records, shape: Records, edge: int) -> float:
+    """Length of an edge, m."""
+    start = turned[shape.vertex_start + edge]
+    end = turned[shape.vertex_start + (edge + 1 if edge + 1 < shape.vertex_count else 0)]
+    ex = end.x - start.x
+    ey = end.y - start.y
+    return math.sqrt(ex * ex + ey * ey)
 
 
 @kernel
@@ -229,7 +247,7 @@ def _best_face(
             near = turned[b.vertex_start + support_vertex(turned, b.vertex_start, b.vertex_count, nx, ny)]
             separation = nx * (near.x + sign * dx - row.x) + ny * (near.y + sign * dy - row.y)
             if separation > least and (
-                b.traits & SEAMED == 0 or _faces_out(bodies, turned, seams, b, 0.0, 0.0, -nx, -ny, nowhere)
+                b.traits & SEAMED == 0 or _faces_out(bodies, turned, seams, b, 0.0, 0.0, -nx, -ny, 0.0, nowhere)
             ):
                 least = separation
                 best = separation
@@ -248,6 +266,7 @@ def _touch_face(
     j: int,
     dx: float,
     dy: float,
+    near: float,
     margin: float,
     flip: bool,
     face: int,
@@ -267,4 +286,4 @@ def _touch_face(
         along = _along(turned, owner, face, (m.x2 if k == 1 else m.x1) - x, (m.y2 if k == 1 else m.y1) - y)
         if along < -_BEYOND or along > 1.0 + _BEYOND:
             return False
-    return count > 0 and _is_whole(bodies, shapes, turned, seams, i, j, dx, dy, m)
+    return count > 0 and _is_whole(bodies, shapes, turned, seams, i, j, dx, dy, near, m)

@@ -8,8 +8,9 @@ from __future__ import annotations
 import math
 
 from sandbox._jit import entry_point, kernel
-from sandbox.engine.bounds import bound_shapes, turn_cores
+from sandbox.engine.bounds import bound_shapes
 from sandbox.engine.broad_phase import find_pairs, sort_pairs
+from sandbox.engine.census import list_live, take_census
 from sandbox.engine.coloring import color_contacts, fill_blocks
 from sandbox.engine.contact_prepare import clear_reports, prepare_contacts, store_impulses
 from sandbox.engine.contact_solver import solve_contacts, warm_start
@@ -30,10 +31,12 @@ from sandbox.engine.joints.apart import drop_joined_pairs
 from sandbox.engine.joints.report import finish_joints
 from sandbox.engine.joints.solve import begin_joints, let_members_move, relax_joints, select_parts, solve_joints
 from sandbox.engine.joints.work import JointWork
+from sandbox.engine.keeping import begin_keeping, end_keeping
 from sandbox.engine.look_ahead import mark_hemmed
 from sandbox.engine.marks import clear_marks, is_active
 from sandbox.engine.narrow_phase import find_contacts
 from sandbox.engine.pace import MOST, assign_paces
+from sandbox.engine.parted import find_pairs_apart, part_shapes
 from sandbox.engine.softness import soft_coefficients
 from sandbox.tables import Floats, Integers, Records
 
@@ -57,18 +60,33 @@ def find_touching(
     old_contacts: Records,
     settings: Records,
     counters: Records,
+    census: Records,
+    movers: Integers,
+    stirs: Integers,
+    parts: Integers,
+    motions: Records,
+    flights: Records,
+    pulls: Records,
+    marks: Integers,
+    palettes: Integers,
     holds: Records,
     turned: Records,
     boxes: Records,
     owners: Records,
     proxies: Records,
+    spare_boxes: Records,
     sorted_boxes: Records,
     heads: Integers,
     levels: Integers,
+    rest_heads: Integers,
+    rest_levels: Integers,
     pairs: Records,
     sorted_pairs: Records,
     contacts: Records,
+    live: Integers,
     strikers: Integers,
+    keeper: Records,
+    runs: Records,
     manifold: Records,
     bonds: Records,
     joined: Integers,
@@ -80,20 +98,34 @@ def find_touching(
     setting = settings[0]
     counter = counters[0]
     seconds = setting.step_seconds
-    turn_cores(bodies, shapes, vertices, turned)
-    bound_shapes(bodies, shapes, turned, seconds, boxes, owners, proxies)
-    pair_count = find_pairs(boxes, owners, sorted_boxes, heads, levels, pairs)
+    take_census(bodies, census, movers, stirs, motions, flights, pulls, marks, palettes, holds)
+    anew = part_shapes(shapes, census[0], stirs, parts)
+    moving = parts[: census[0].moving]
+    if census[0].parted == 1 and not anew:
+        bound_shapes(bodies, shapes, vertices, moving, seconds, turned, boxes, owners, proxies)
+    else:
+        bound_shapes(bodies, shapes, vertices, parts, seconds, turned, boxes, owners, proxies)
+    if census[0].parted == 1:
+        pair_count = find_pairs_apart(
+            boxes, owners, parts, census[0], anew, spare_boxes, sorted_boxes, heads, levels, rest_heads, rest_levels,
+            pairs,
+        )  # fmt: skip
+    else:
+        pair_count = find_pairs(boxes, owners, sorted_boxes, heads, levels, pairs)
     kept = counter.contact_count if counter.asleep_count > 0 else 0
     if pair_count + kept > pairs.shape[0]:
         return pair_count + kept
     sort_pairs(pairs, pair_count, sorted_pairs, heads, shapes.shape[0])
     if bonds.shape[0] > 0:
         pair_count = drop_joined_pairs(bonds, joined, shapes, pairs, pair_count)
-    mark_hemmed(owners, holds, proxies)
+    mark_hemmed(owners, movers[1 : 1 + movers[0]], moving, holds, proxies)
     gravity = math.sqrt(setting.gravity_x * setting.gravity_x + setting.gravity_y * setting.gravity_y)
     counter.pair_count = pair_count
+    begin_keeping(keeper[0], census[0].era)
     counter.found_count = find_contacts(
         bodies,
+        movers[1 : 1 + movers[0]],
+        stirs,
         holds,
         shapes,
         proxies,
@@ -107,8 +139,12 @@ def find_touching(
         old_contacts,
         counter.contact_count,
         contacts,
+        live,
         strikers,
+        keeper[0],
+        runs,
     )
+    end_keeping(keeper[0], runs, census[0].era)
     return 0
 
 
@@ -118,6 +154,9 @@ def move(
     drags: Records,
     settings: Records,
     counters: Records,
+    census: Records,
+    movers: Integers,
+    stirs: Integers,
     motions: Records,
     flights: Records,
     pulls: Records,
@@ -127,6 +166,7 @@ def move(
     holds: Records,
     heads: Integers,
     contacts: Records,
+    live: Integers,
     strikers: Integers,
     slots: Records,
     blocks: Records,
@@ -144,62 +184,69 @@ def move(
     setting = settings[0]
     counter = counters[0]
     count = counter.found_count
-    wake_touched(bodies, flights, contacts, count, joints, counters)
+    if wake_touched(bodies, flights, contacts, live[1 : 1 + live[0]], joints, census, counters):
+        take_census(bodies, census, movers, stirs, motions, flights, pulls, marks, palettes, holds)
+        list_live(bodies, contacts, count, live, strikers)
+    active = movers[1 : 1 + movers[0]]
+    touched = live[1 : 1 + live[0]]
     paces = assign_paces(
-        bodies, flights, piles, contacts, count, joints, counter, setting.gravity_x, setting.gravity_y,
+        bodies, active, flights, piles, contacts, touched, joints, counter, setting.gravity_x, setting.gravity_y,
         setting.contact_hertz,
     )  # fmt: skip
     block_count = 0
     counter.color_count = 0
     for pace in range(MOST, -1, -1):
         if (paces >> pace) & 1:
-            color_count = color_contacts(bodies, flights, palettes, contacts, count, pace, paces > 1, colors)
+            color_count = color_contacts(bodies, active, flights, palettes, contacts, touched, pace, paces > 1, colors)
             counter.color_count = color_count if color_count > counter.color_count else counter.color_count
-            block_count = fill_blocks(contacts, count, colors, color_count, heads, slots, blocks)
+            block_count = fill_blocks(contacts, touched, colors, color_count, heads, slots, blocks)
             if block_count > blocks.shape[0]:
-                undo_waking(bodies, flights, counters)
+                undo_waking(bodies, flights, census)
                 return block_count
 
-    fastest = begin_motions(bodies, motions, flights)
-    clear_marks(bodies, flights, drags, marks)
-    expect_fast(bodies, holds, setting.step_seconds)
+    fastest = begin_motions(bodies, active, motions, flights)
+    clear_marks(bodies, active, flights, drags, marks)
+    expect_fast(bodies, active, holds, setting.step_seconds)
     if joints is not None:
-        begin_joints(joints, bodies, contacts, count)
+        begin_joints(joints, bodies, contacts, touched)
     clear_reports(reports, count)
     for pace in range(MOST + 1):
         if (paces >> pace) & 1 == 0:
             continue
         if pace > 0:
-            rewind_driven(bodies, motions)
-            color_count = color_contacts(bodies, flights, palettes, contacts, count, pace, paces > 1, colors)
-            block_count = fill_blocks(contacts, count, colors, color_count, heads, slots, blocks)
+            rewind_driven(bodies, active, motions)
+            color_count = color_contacts(bodies, active, flights, palettes, contacts, touched, pace, paces > 1, colors)
+            block_count = fill_blocks(contacts, touched, colors, color_count, heads, slots, blocks)
         bouncy_count = list_bouncy(
-            bodies, flights, marks, contacts, count, strikers, pace, fastest, setting.restitution_threshold, colors
+            bodies, flights, marks, contacts, touched, strikers, pace, fastest, setting.restitution_threshold, colors
         )
         deep = prepare_contacts(bodies, contacts, slots, blocks, block_count, bouncy_count > 0, lanes)
         _run_substeps(
-            bodies, motions, flights, pulls, drags, setting, counters, contacts, colors, bouncy_count, slots, blocks,
-            block_count, lanes, gathered, pace, RELAX_DEEP if deep else 1,
-            _some_fresh(bodies, flights, holds, pace), joints,
+            bodies, active, motions, flights, pulls, drags, setting, census, counters, contacts, colors, bouncy_count,
+            slots, blocks, block_count, lanes, gathered, pace, RELAX_DEEP if deep else 1,
+            _some_fresh(bodies, active, flights, holds, pace), joints,
         )  # fmt: skip
         store_impulses(bodies, marks, contacts, slots, blocks, block_count, lanes, reports)
     if joints is not None:
         finish_joints(joints, setting.step_seconds, counter)
-    guard_positions(bodies, motions, counters)
-    finish_motions(bodies, motions)
+    guard_positions(bodies, active, motions, census, counters)
+    finish_motions(bodies, active, motions)
 
-    fall_asleep(bodies, flights, marks, contacts, count, joints, setting.step_seconds, setting.sleeping == 1, counters)
+    fall_asleep(
+        bodies, active, flights, marks, contacts, touched, joints, setting.step_seconds, setting.sleeping == 1, census,
+        counters,
+    )  # fmt: skip
     counter.step_count += 1
     counter.old_contact_count = counter.contact_count
     counter.contact_count = count
-    return MUST_CATCH if mark_fast(bodies, motions, holds) > 0 else 0
+    return MUST_CATCH if mark_fast(bodies, active, motions, holds) > 0 else 0
 
 
 @kernel
-def _some_fresh(bodies: Records, flights: Records, holds: Records, pace: int) -> bool:
+def _some_fresh(bodies: Records, active: Integers, flights: Records, holds: Records, pace: int) -> bool:
     """Whether some body of a pace touches something new."""
     found = False
-    for i in range(bodies.shape[0]):
+    for i in active:
         if holds[i].fresh == 1 and flights[i].pace == pace and is_active(bodies[i]):
             found = True
     return found
@@ -208,11 +255,13 @@ def _some_fresh(bodies: Records, flights: Records, holds: Records, pace: int) ->
 @kernel
 def _run_substeps(
     bodies: Records,
+    active: Integers,
     motions: Records,
     flights: Records,
     pulls: Records,
     drags: Records,
     setting: Records,
+    census: Records,
     counters: Records,
     contacts: Records,
     bouncy: Integers,
@@ -242,10 +291,10 @@ def _run_substeps(
 
     if joints is not None:
         select_parts(joints, flights, pace)
-    begin_pulls(bodies, flights, pulls, pace, setting.gravity_x, setting.gravity_y, seconds)
+    begin_pulls(bodies, active, flights, pulls, pace, setting.gravity_x, setting.gravity_y, seconds)
     for substep in range(substeps):
-        integrate_velocities(motions, flights, pulls)
-        guard_velocities(bodies, motions, pulls, counters)
+        integrate_velocities(active, motions, flights, pulls)
+        guard_velocities(bodies, active, motions, pulls, census, counters)
         resolve_impacts(
             bodies, motions, flights, contacts, bouncy, bouncy_count, setting.restitution_threshold, seconds
         )
@@ -272,9 +321,18 @@ def _run_substeps(
         )
         if joints is not None:
             let_members_move(joints, motions, flights, seconds)
-        integrate_positions(motions, flights, pulls, gravity, seconds)
+        integrate_positions(active, motions, flights, pulls, gravity, seconds)
         resolve_late_impacts(
-            bodies, motions, flights, contacts, bouncy, bouncy_count, pace, setting.restitution_threshold, seconds
+            bodies,
+            active,
+            motions,
+            flights,
+            contacts,
+            bouncy,
+            bouncy_count,
+            pace,
+            setting.restitution_threshold,
+            seconds,
         )
         if joints is not None:
             relax_joints(joints, bodies, motions, flights, seconds)

@@ -51,6 +51,10 @@ class Stepper:
         self.scratch = Scratch.for_state(self._state, len(self._state.contacts), blocks)
         self._prepare_calls()
 
+    def forget(self) -> None:
+        """Look anew at who may move: something was changed from outside."""
+        self.scratch.census.stale = 1
+
     def lay_out_joints(self) -> None:
         """Find out anew what hangs together by joints, after one of them broke or was switched."""
         vars(self.scratch).update(vars(lay_out(self._state.joints, self._state.bodies)))

@@ -107,6 +107,7 @@ class World(Shown):
             apply_command(self.state, index, command)
             if isinstance(command, SetPose) and self.state.bodies[index].type == STATIC:
                 join_tiles(self.state.bodies, self.state.shapes, self.state.vertices, self.state.seams)
+        self._stepper.forget()
         self._stepper.counters["still"][0] = 0
         self._stepper.counters["pace_watch"][0] = 0
 
@@ -230,6 +231,7 @@ class World(Shown):
             self._stepper.renew()
         elif len(self.state.joints):
             self._stepper.lay_out_joints()
+        self._stepper.forget()
         self._events, self._interlude = nothing(self.step_count, self.names), Interlude()
         self.scratch.reports.total_impulse = 0.0
         if self.layout != layout:

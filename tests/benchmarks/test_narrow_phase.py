@@ -28,12 +28,12 @@ def nanoseconds_a_pair(world: sandbox.World, turns: int = TURNS) -> tuple[float,
     state, scratch = world.state, world.scratch
     count, kept = int(state.counters[0].pair_count), int(state.counters[0].contact_count)
     tables = (
-        state.bodies, scratch.holds, state.shapes, scratch.proxies, scratch.turned, state.seams,
-        scratch.pairs,
+        state.bodies, scratch.movers[1:], scratch.stirs, scratch.holds, state.shapes, scratch.proxies, scratch.turned,
+        state.seams, scratch.pairs,
     )  # fmt: skip
     head = [kernel_argument(table) for table in tables]
     tail = [kernel_argument(table) for table in (scratch.manifold, state.contacts)]
-    found = [kernel_argument(table) for table in (scratch.contacts, scratch.strikers)]
+    found = [kernel_argument(table) for table in (scratch.contacts, scratch.live, scratch.strikers)]
     find = entry_point(getattr(find_contacts, "py_func", find_contacts))  # inner kernels are not for Python to call
     times = []
     for _ in range(turns + 1):

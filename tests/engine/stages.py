@@ -14,6 +14,7 @@ from sandbox._jit import entry_point, kernel_argument
 from sandbox.engine import (
     bounds,
     broad_phase,
+    census,
     coloring,
     contact_prepare,
     contact_solver,
@@ -27,6 +28,7 @@ from sandbox.engine import (
 )
 from sandbox.engine.scratch import BOX, FLIGHT, OWNER, PAIR, Scratch
 from sandbox.engine.world import World
+from sandbox.tables import Integers
 from sandbox.world.records import BODY, CONTACT, DYNAMIC
 from sandbox.world.state import State
 from tests.naive.grid import Box
@@ -51,7 +53,7 @@ def plain(argument: Any) -> Any:
     return kernel_argument(argument)
 
 
-turn_cores = stage(bounds.turn_cores)
+take_census = stage(census.take_census)
 bound_shapes = stage(bounds.bound_shapes)
 find_pairs = stage(broad_phase.find_pairs)
 sort_pairs = stage(broad_phase.sort_pairs)
@@ -121,27 +123,49 @@ class Paused:
         self.seconds = float(self.setting.step_seconds)
         self.substep = self.seconds / int(self.setting.substeps)
 
+    @property
+    def movers(self) -> Integers:
+        """Rows of the bodies that the step may move."""
+        rows: Integers = self.scratch.movers
+        return rows[1 : 1 + int(rows[0])]
+
+    @property
+    def live(self) -> Integers:
+        """Rows of the contacts with an active body."""
+        rows: Integers = self.scratch.live
+        return rows[1 : 1 + int(rows[0])]
+
+    def survey(self) -> None:
+        """Who may move."""
+        s, m = self.state, self.scratch
+        m.census.stale = 1
+        take_census(s.bodies, m.census, m.movers, m.stirs, m.motions, m.flights, m.pulls, m.marks, m.palettes, m.holds)
+
     def detect(self) -> None:
         """Bounds, grid, contacts."""
         s, m = self.state, self.scratch
-        turn_cores(s.bodies, s.shapes, s.vertices, m.turned)
-        bound_shapes(s.bodies, s.shapes, m.turned, self.seconds, m.boxes, m.owners, m.proxies)
+        self.survey()
+        rows = np.arange(len(s.shapes))
+        bound_shapes(s.bodies, s.shapes, s.vertices, rows, self.seconds, m.turned, m.boxes, m.owners, m.proxies)
         count = find_pairs(m.boxes, m.owners, m.sorted_boxes, m.heads, m.levels, m.pairs)
         assert count <= len(m.pairs)
         sort_pairs(m.pairs, count, m.sorted_pairs, m.heads, len(s.shapes))
-        mark_hemmed(m.owners, m.holds, m.proxies)
+        mark_hemmed(m.owners, self.movers, rows, m.holds, m.proxies)
         gravity = float(np.hypot(self.setting.gravity_x, self.setting.gravity_y))
         self.count = find_contacts(
-            s.bodies, m.holds, s.shapes, m.proxies, m.turned, s.seams, m.pairs, count,
+            s.bodies, self.movers, m.stirs, m.holds, s.shapes, m.proxies, m.turned, s.seams, m.pairs, count,
             0.5 * gravity * self.seconds**2,
-            self.seconds, m.manifold, s.contacts, int(s.counters[0].contact_count), m.contacts, m.strikers,
+            self.seconds, m.manifold, s.contacts, int(s.counters[0].contact_count), m.contacts, m.live,
+            m.strikers, m.keeper[0], m.runs,
         )  # fmt: skip
 
     def lay_out(self) -> None:
         """Colours, slots, blocks and lanes."""
         s, m = self.state, self.scratch
-        self.colors = color_contacts(s.bodies, m.flights, m.palettes, m.contacts, self.count, 0, False, m.colors)
-        self.blocks = fill_blocks(m.contacts, self.count, m.colors, self.colors, m.heads, m.slots, m.blocks)
+        self.colors = color_contacts(
+            s.bodies, self.movers, m.flights, m.palettes, m.contacts, self.live, 0, False, m.colors
+        )
+        self.blocks = fill_blocks(m.contacts, self.live, m.colors, self.colors, m.heads, m.slots, m.blocks)
         assert self.blocks <= len(m.blocks)
         self.prepare()
 
@@ -163,9 +187,12 @@ class Paused:
     def begin(self) -> None:
         """Load the velocities and add a substep of gravity."""
         s, m = self.state, self.scratch
-        begin_motions(s.bodies, m.motions, m.flights)
-        begin_pulls(s.bodies, m.flights, m.pulls, 0, self.setting.gravity_x, self.setting.gravity_y, self.substep)
-        integrate_velocities(m.motions, m.flights, m.pulls)
+        self.survey()
+        begin_motions(s.bodies, self.movers, m.motions, m.flights)
+        begin_pulls(
+            s.bodies, self.movers, m.flights, m.pulls, 0, self.setting.gravity_x, self.setting.gravity_y, self.substep
+        )
+        integrate_velocities(self.movers, m.motions, m.flights, m.pulls)
 
     def warm(self) -> None:
         """Warm start."""
@@ -184,7 +211,7 @@ class Paused:
         """Integrate positions over a substep."""
         m = self.scratch
         gravity = float(np.hypot(self.setting.gravity_x, self.setting.gravity_y))
-        integrate_positions(m.motions, m.flights, m.pulls, gravity, self.substep)
+        integrate_positions(self.movers, m.motions, m.flights, m.pulls, gravity, self.substep)
 
     def store(self) -> None:
         """Impulses back into the contacts."""
@@ -199,5 +226,5 @@ def island_roots(count: int, links: Sequence[tuple[int, int]], active: Sequence[
         row.type, row.awake = DYNAMIC, int(awake)
     for row, (a, b) in zip(contacts, links, strict=False):
         row.body_a, row.body_b = a, b
-    find_islands(bodies, flights, contacts, len(links), None)
+    find_islands(bodies, np.arange(count), flights, contacts, np.arange(len(links)), None)
     return [int(i) for i in flights.island]

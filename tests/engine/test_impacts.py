@@ -19,7 +19,7 @@ def struck(w):
     p.detect()
     p.begin()
     s, m = p.state, p.scratch
-    count = list_bouncy(s.bodies, m.flights, m.marks, m.contacts, p.count, m.strikers, 0, 1e9, 0.2, m.colors)
+    count = list_bouncy(s.bodies, m.flights, m.marks, m.contacts, p.live, m.strikers, 0, 1e9, 0.2, m.colors)
     resolve_impacts(s.bodies, m.motions, m.flights, m.contacts, m.colors, count, 0.2, p.substep)
     return p
 

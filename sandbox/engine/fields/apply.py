@@ -37,6 +37,7 @@ def apply_fields(
     joint_table: Records,
     settings: Records,
     counters: Records,
+    census: Records,
     flights: Records,
     pushes: Records,
     pieces: Records,
@@ -45,7 +46,7 @@ def apply_fields(
     """Add the forces of all fields to those of the coming step; wake whom a field begins to push."""
     setting = settings[0]
     step = counters[0].step_count
-    wake_switched(bodies, regions, edges, thrusters, step)
+    wake_switched(bodies, regions, edges, thrusters, census, step)
     _begin(bodies, pushes, setting)
     _mark_held(pushes, old_contacts, counters[0].contact_count, joint_table)
     for k in range(regions.shape[0]):

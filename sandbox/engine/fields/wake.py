@@ -10,7 +10,9 @@ from sandbox.world.records import DYNAMIC
 
 
 @kernel
-def wake_switched(bodies: Records, regions: Records, edges: Records, thrusters: Records, step: int) -> None:
+def wake_switched(
+    bodies: Records, regions: Records, edges: Records, thrusters: Records, census: Records, step: int
+) -> None:
     """Wake the islands of all bodies that a region or a thruster begins or ceases to push in this step."""
     found = False
     for k in range(thrusters.shape[0]):
@@ -29,7 +31,7 @@ def wake_switched(bodies: Records, regions: Records, edges: Records, thrusters: 
                 body.awake = 1
                 found = True
     if found:
-        wake_marked_islands(bodies)
+        wake_marked_islands(bodies, census)
 
 
 @kernel

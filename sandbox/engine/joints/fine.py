@@ -10,7 +10,7 @@ from __future__ import annotations
 from sandbox._jit import kernel
 from sandbox.engine.joints.work import JointWork
 from sandbox.engine.marks import is_active
-from sandbox.tables import Records
+from sandbox.tables import Integers, Records
 
 FINE = 2
 """Pace of such a part: four times the scene's substeps."""
@@ -21,7 +21,7 @@ FEW = 256
 
 
 @kernel
-def refine_small_parts(work: JointWork, bodies: Records, flights: Records, contacts: Records, count: int) -> int:
+def refine_small_parts(work: JointWork, bodies: Records, flights: Records, contacts: Records, live: Integers) -> int:
     """Give every small part of which no body has a contact the pace `FINE`; return the paces given, as bits.
 
     As it has no contact, such a part is an island by itself.
@@ -31,7 +31,7 @@ def refine_small_parts(work: JointWork, bodies: Records, flights: Records, conta
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
         part.fine = 1 if part.direct == 1 and part.member_end - part.first_member <= SMALL else 0
-    for i in range(count):
+    for i in live:
         for k in range(2):
             touched = work.part_of[contacts[i].body_a if k == 0 else contacts[i].body_b]
             if touched >= 0:

@@ -21,19 +21,19 @@ from sandbox.engine.joints.report import accumulate, read_impulses
 from sandbox.engine.joints.sweeps import solve_by_sweeps
 from sandbox.engine.joints.tension import tame_tension, untame
 from sandbox.engine.joints.work import JointWork
-from sandbox.tables import Records
+from sandbox.tables import Integers, Records
 
 _TURNS = 16
 """Most guesses at which rows are at their bounds, in one pass."""
 
 
 @kernel
-def begin_joints(work: JointWork, bodies: Records, contacts: Records, count: int) -> None:
+def begin_joints(work: JointWork, bodies: Records, contacts: Records, live: Integers) -> None:
     """Load members, find out which parts something bears, and take over the impulses of the last step."""
     load_members(work, bodies)
     for p in range(work.parts.shape[0]):
         work.parts[p].borne = 0
-    for i in range(count):
+    for i in live:
         contact = contacts[i]
         if contact.normal_impulse1 > 0.0 or contact.normal_impulse2 > 0.0:
             for k in range(2):
