@@ -7,48 +7,36 @@ from __future__ import annotations
 
 import math
 
-from sandbox._jit import entry_point, kernel
+from sandbox._jit import entry_point
 from sandbox.engine.bounds import bound_shapes
 from sandbox.engine.broad_phase import find_pairs, sort_pairs
 from sandbox.engine.census import list_live, take_census
 from sandbox.engine.coloring import color_contacts, fill_blocks
 from sandbox.engine.contact_prepare import clear_reports, prepare_contacts, store_impulses
-from sandbox.engine.contact_solver import solve_contacts, warm_start
-from sandbox.engine.drags import solve_drags
 from sandbox.engine.fast import expect_fast, mark_fast
-from sandbox.engine.guard import guard_positions, guard_velocities
-from sandbox.engine.impacts import list_bouncy, resolve_impacts, resolve_late_impacts
+from sandbox.engine.guard import guard_positions
+from sandbox.engine.impacts import list_bouncy
 from sandbox.engine.integrate import (
     begin_motions,
-    begin_pulls,
     finish_motions,
-    integrate_positions,
-    integrate_velocities,
     rewind_driven,
 )
 from sandbox.engine.islands import fall_asleep, undo_waking, wake_touched
 from sandbox.engine.joints.apart import drop_joined_pairs
 from sandbox.engine.joints.report import finish_joints
-from sandbox.engine.joints.solve import begin_joints, let_members_move, relax_joints, select_parts, solve_joints
+from sandbox.engine.joints.solve import begin_joints
 from sandbox.engine.joints.work import JointWork
 from sandbox.engine.keeping import begin_keeping, end_keeping
 from sandbox.engine.look_ahead import mark_hemmed
-from sandbox.engine.marks import clear_marks, is_active
+from sandbox.engine.marks import clear_marks
 from sandbox.engine.narrow_phase import find_contacts
 from sandbox.engine.pace import MOST, assign_paces
 from sandbox.engine.parted import find_pairs_apart, part_shapes
-from sandbox.engine.softness import soft_coefficients
+from sandbox.engine.substeps import RELAX_DEEP, run_substeps, some_fresh
 from sandbox.tables import Floats, Integers, Records
-
-WAIT = 1e30
-"""Speed (m/s) that a relax pass grants contacts which may bounce: the next substep decides on their impact."""
 
 MUST_CATCH = -1
 """What `move` returns when bodies may have passed through something."""
-
-
-RELAX_DEEP = 8
-"""Relax passes where bodies overlap deeply: 40 boxes thrown into one place part at 3 m/s instead of 12."""
 
 
 @entry_point
@@ -221,10 +209,10 @@ def move(
             bodies, flights, marks, contacts, touched, strikers, pace, fastest, setting.restitution_threshold, colors
         )
         deep = prepare_contacts(bodies, contacts, slots, blocks, block_count, bouncy_count > 0, lanes)
-        _run_substeps(
+        run_substeps(
             bodies, active, motions, flights, pulls, drags, setting, census, counters, contacts, colors, bouncy_count,
             slots, blocks, block_count, lanes, gathered, pace, RELAX_DEEP if deep else 1,
-            _some_fresh(bodies, active, flights, holds, pace), joints,
+            some_fresh(bodies, active, flights, holds, pace), joints,
         )  # fmt: skip
         store_impulses(bodies, marks, contacts, slots, blocks, block_count, lanes, reports)
     if joints is not None:
@@ -240,101 +228,3 @@ def move(
     counter.old_contact_count = counter.contact_count
     counter.contact_count = count
     return MUST_CATCH if mark_fast(bodies, active, motions, holds) > 0 else 0
-
-
-@kernel
-def _some_fresh(bodies: Records, active: Integers, flights: Records, holds: Records, pace: int) -> bool:
-    """Whether some body of a pace touches something new."""
-    found = False
-    for i in active:
-        if holds[i].fresh == 1 and flights[i].pace == pace and is_active(bodies[i]):
-            found = True
-    return found
-
-
-@kernel
-def _run_substeps(
-    bodies: Records,
-    active: Integers,
-    motions: Records,
-    flights: Records,
-    pulls: Records,
-    drags: Records,
-    setting: Records,
-    census: Records,
-    counters: Records,
-    contacts: Records,
-    bouncy: Integers,
-    bouncy_count: int,
-    slots: Records,
-    blocks: Records,
-    block_count: int,
-    lanes: Floats,
-    gathered: Floats,
-    pace: int,
-    relaxes: int,
-    fresh: bool,
-    joints: JointWork | None,
-) -> None:
-    """Integrate, solve and relax the islands of one pace, in as many substeps as it asks for.
-
-    If some contact is `fresh`, a rigid pass comes first, once.
-    """
-    substeps = setting.substeps << pace
-    seconds = setting.step_seconds / substeps
-    rate = 1.0 / seconds
-    hertz = setting.contact_hertz * (1 << pace)
-    hertz = hertz if hertz < 0.25 * rate else 0.25 * rate
-    bias, mass_scale, impulse_scale = soft_coefficients(hertz, setting.contact_damping_ratio, seconds)
-    slowest = -setting.push_out_speed
-    gravity = math.sqrt(setting.gravity_x * setting.gravity_x + setting.gravity_y * setting.gravity_y)
-
-    if joints is not None:
-        select_parts(joints, flights, pace)
-    begin_pulls(bodies, active, flights, pulls, pace, setting.gravity_x, setting.gravity_y, seconds)
-    for substep in range(substeps):
-        integrate_velocities(active, motions, flights, pulls)
-        guard_velocities(bodies, active, motions, pulls, census, counters)
-        resolve_impacts(
-            bodies, motions, flights, contacts, bouncy, bouncy_count, setting.restitution_threshold, seconds
-        )
-        solve_drags(bodies, motions, flights, drags, pace, seconds)
-        warm_start(motions, slots, blocks, block_count, lanes, gathered)
-        if joints is not None:
-            solve_joints(joints, bodies, motions, flights, seconds)
-        if fresh and substep == 0:
-            # What was just put there has no impulses yet, and soft contacts alone would let it slip until it has.
-            solve_contacts(motions, slots, blocks, block_count, lanes, gathered, rate, 0.0, 1.0, 0.0, 0.0, 0.0)
-        solve_contacts(
-            motions,
-            slots,
-            blocks,
-            block_count,
-            lanes,
-            gathered,
-            rate,
-            bias,
-            mass_scale,
-            impulse_scale,
-            slowest,
-            0.0,
-        )
-        if joints is not None:
-            let_members_move(joints, motions, flights, seconds)
-        integrate_positions(active, motions, flights, pulls, gravity, seconds)
-        resolve_late_impacts(
-            bodies,
-            active,
-            motions,
-            flights,
-            contacts,
-            bouncy,
-            bouncy_count,
-            pace,
-            setting.restitution_threshold,
-            seconds,
-        )
-        if joints is not None:
-            relax_joints(joints, bodies, motions, flights, seconds)
-        for _pass in range(relaxes):
-            solve_contacts(motions, slots, blocks, block_count, lanes, gathered, rate, 0.0, 1.0, 0.0, 0.0, WAIT)

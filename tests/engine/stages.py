@@ -26,7 +26,8 @@ from sandbox.engine import (
     look_ahead,
     narrow_phase,
 )
-from sandbox.engine.scratch import BOX, FLIGHT, OWNER, PAIR, Scratch
+from sandbox.engine.scratch import Scratch
+from sandbox.engine.scratch_records import BOX, FLIGHT, OWNER, PAIR
 from sandbox.engine.world import World
 from sandbox.tables import Integers
 from sandbox.world.records import BODY, CONTACT, DYNAMIC

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from sandbox.engine.grid import LEVEL_SPACE, LEVELS
-from sandbox.engine.scratch import BOX, head_count
+from sandbox.engine.scratch import head_count
+from sandbox.engine.scratch_records import BOX
 from sandbox.tables import Field, Integers, Records, Table
 from sandbox.world.records import VERTEX
 from sandbox.world.state import State
