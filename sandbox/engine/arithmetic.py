@@ -10,7 +10,7 @@ NOTES: dict[int, str] = {
     5: "what is caught in mid-step gets the speed of its height; corners that turn in unforeseen bounce and are held",
     6: "hard blows without restitution stop both points of a contact at once; what they fall on bears them",
     7: "what overlaps is swept like all else, what is held where it touches is struck, what wakes in mid-step is held",
-    8: "corners in the nook of two static shapes are held by both",
+    8: "corners in the nook of two static shapes are held by both; links that are pressed into something slide on",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

@@ -42,7 +42,7 @@ def hold_bullet(
     stop_a = stops[a].time
     stop_b = stops[b].time
     both = stop_a if stop_a < stop_b else stop_b
-    lay_way(bodies, motions, a, b, 0.0, 0.0, both, both, sweep[0])
+    lay_way(bodies, motions, holds, a, b, 0.0, 0.0, both, both, sweep[0])
     t = hit(shapes, turned, pair.shape_a, pair.shape_b, manifold, sweep, swept)
     if both > 0.0 and 0.0 <= t < _SAME:
         t = t * both if turn < _ROUNDS else 0.0
@@ -53,7 +53,7 @@ def hold_bullet(
         return True
     if stop_a == stop_b:
         return False
-    lay_way(bodies, motions, a, b, both, both, stop_a, stop_b, sweep[0])
+    lay_way(bodies, motions, holds, a, b, both, both, stop_a, stop_b, sweep[0])
     t = hit(shapes, turned, pair.shape_a, pair.shape_b, manifold, sweep, swept)
     if t < 0.0 or t >= _SAME:
         return False
@@ -81,7 +81,7 @@ def ride(
         return
     if bodies[a].type != KINEMATIC and bodies[b].type != KINEMATIC:
         return
-    lay_way(bodies, motions, a, b, 0.0, 0.0, 1.0, 1.0, sweep[0])
+    lay_way(bodies, motions, holds, a, b, 0.0, 0.0, 1.0, 1.0, sweep[0])
     t = hit(shapes, turned, pair.shape_a, pair.shape_b, manifold, sweep, swept)
     if t < 0.0:
         return

@@ -178,7 +178,7 @@ def _hold(
     if bodies[a].type != STATIC and bodies[b].type != STATIC:
         return int(bodies[a].bullet + bodies[b].bullet > 0)
     mover = b if bodies[a].type == STATIC else a
-    lay_way(bodies, motions, a, b, 0.0, 0.0, 1.0, 1.0, sweep[0])
+    lay_way(bodies, motions, holds, a, b, 0.0, 0.0, 1.0, 1.0, sweep[0])
     if (shapes[pair.shape_a].traits | shapes[pair.shape_b].traits) & ONE_WAY:
         slop = 2.0 * allowed_depth(shapes[pair.shape_a], shapes[pair.shape_b])  # what is caught may sink on
         if not comes_from_front(bodies, shapes, turned, pair.shape_a, pair.shape_b, sweep[0].x, sweep[0].y, slop):

@@ -138,6 +138,8 @@ def _holds(state: State) -> Records:
     thin = np.full(len(holds), np.inf)
     np.minimum.at(thin, state.shapes.body, state.shapes.thin)
     holds.thin = np.where(thin < np.inf, thin, 0.0)
+    for rows in (state.joints.body_a, state.joints.body_b):
+        holds.linked[rows[rows >= 0]] = 1
     return holds
 
 

@@ -57,6 +57,7 @@ HOLD = Table(
     "hold",
     (
         Field("thin", "m", "half the smallest width of its thinnest shape"),
+        Field("linked", "-", "1 when a joint is at it", "i8"),
         Field("deep", "-", "1 when it overlaps something immovable more than a little", "i8"),
         Field("fresh", "-", "1 when it touches something that it was not even near to a step before", "i8"),
         Field("fast", "-", "1 when its way in the step has to be looked at", "i8"),

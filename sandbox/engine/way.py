@@ -10,6 +10,10 @@ DEEP = 0.005
 """Overlap that is let pass, in metres: it is pushed out in time."""
 DEEP_SHARE = 0.25
 """Past this share of the half widths of both, shapes are about to come out on the wrong side."""
+CREEP = 0.02
+"""Share of what is let pass by which an overlap may grow in a step: what slides under a load must not stick."""
+CREEP_LINKED = 1.0
+"""The same for links: one that is held while its neighbours go on tears their joints."""
 _LEAST_DEEP = 1e-9
 
 
@@ -25,6 +29,7 @@ def allowed_depth(a: Records, b: Records) -> float:
 def lay_way(
     bodies: Records,
     motions: Records,
+    holds: Records,
     a: int,
     b: int,
     start_a: float,
@@ -46,6 +51,7 @@ def lay_way(
     s.way_y = long_b * motions[b].delta_y - long_a * motions[a].delta_y
     s.angle_a = start_a * motions[a].delta_angle
     s.angle_b = start_b * motions[b].delta_angle
+    s.creep = CREEP_LINKED if holds[a].linked + holds[b].linked > 0 else CREEP
     s.turn_a = long_a * motions[a].delta_angle
     s.turn_b = long_b * motions[b].delta_angle
 

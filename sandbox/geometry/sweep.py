@@ -21,6 +21,7 @@ SWEEP = Table(
         Field("turn_a", "rad", "turn of a until time 1"),
         Field("turn_b", "rad", "turn of b until time 1"),
         Field("deep", "m", "overlap that is let pass"),
+        Field("creep", "1", "share of that by which an overlap as deep as that may grow on the way"),
         Field("thin", "m", "half widths of both cores together: past that overlap they part on the other side"),
         Field("normal_x", "1", "answer: axis of the hit from a to b"),
         Field("normal_y", "1", "answer: axis of the hit from a to b"),
@@ -34,8 +35,6 @@ SWEEP = Table(
 SWEPT_ROWS = 128
 _FAR = 1e200
 _TURNS = 4096
-_CREEP = 0.02
-"""Share of what is let pass by which an overlap may grow in one go: what slides under a load must not stick."""
 _SOUND = 0.75
 """Up to this share of `thin` overlaps may come so, by ever less the nearer they are to it."""
 _LEAST_ROOM = 1e-4
@@ -117,7 +116,7 @@ def _let_pass(s: Records, overlap: float) -> float:
     room = _SOUND * s.thin - overlap
     room = room if room < s.deep else s.deep
     room = room if room > _LEAST_ROOM * s.deep else _LEAST_ROOM * s.deep
-    deep = overlap + _CREEP * room
+    deep = overlap + s.creep * room
     return float(deep if deep > s.deep else s.deep)
 
 
