@@ -22,6 +22,7 @@ _cos_sin = interpreted(cos_sin)
 Vec = tuple[float, float]
 
 __all__ = [
+    "PUSHES",
     "ApplyForce",
     "ApplyImpulse",
     "Command",
@@ -82,6 +83,9 @@ class EndDrag:
 
     body: str
 
+
+PUSHES = (SetVelocity, ApplyForce, ApplyImpulse, StartDrag, MoveDrag, EndDrag)
+"""Commands that change nothing of an awake dynamic body but how it goes on."""
 
 Command: TypeAlias = SetPose | SetVelocity | SetSurface | ApplyForce | ApplyImpulse | StartDrag | MoveDrag | EndDrag
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from sandbox.engine.commands import Command, SetPose, SetSurface, apply_command
+from sandbox.engine.commands import PUSHES, Command, SetPose, SetSurface, apply_command
 from sandbox.engine.directory import Directory
 from sandbox.engine.events import SENSOR_EVENT, Events, differences, happened, nothing
 from sandbox.engine.field_commands import FieldCommand, apply_field_command
@@ -82,6 +82,7 @@ class World(Shown):
         can't be done.
         """
         self.changes += 1
+        stirs = False
         if isinstance(command, RowCommand):
             self._events = self.events  # it speaks of the rows that were
             ties = Ties.of(self.state, self._sensing)
@@ -100,6 +101,8 @@ class World(Shown):
             raise CommandError(f"{command!r} is no command; they are in sandbox.engine.commands and its neighbours")
         else:
             index = self.directory.body(command.body)
+            body = self.state.bodies[index]
+            stirs = isinstance(command, PUSHES) and body.type == DYNAMIC and body.awake == 1
             if isinstance(command, SetPose):
                 self._interlude.note_pose(index, self.state.bodies[index])
             elif isinstance(command, SetSurface) and command.density is not None:
@@ -107,7 +110,8 @@ class World(Shown):
             apply_command(self.state, index, command)
             if isinstance(command, SetPose) and self.state.bodies[index].type == STATIC:
                 join_tiles(self.state.bodies, self.state.shapes, self.state.vertices, self.state.seams)
-        self._stepper.forget()
+        if not stirs:
+            self._stepper.forget()
         self._stepper.counters["still"][0] = 0
         self._stepper.counters["pace_watch"][0] = 0
 

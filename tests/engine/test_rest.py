@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sandbox.engine.commands import ApplyImpulse, SetPose, SetSurface, SetVelocity
+from sandbox.engine.commands import ApplyImpulse, MoveDrag, SetPose, SetSurface, SetVelocity, StartDrag
 from sandbox.engine.row_commands import Delete
 from sandbox.engine.world import World
 from sandbox.engine.world_commands import SetGravity
@@ -101,6 +101,24 @@ def test_most_of_the_town_sleeps_and_its_grid_is_parted():
     before = w.scratch.keeper[0].era0, w.scratch.keeper[0].era1
     w.step(10)
     assert (w.scratch.keeper[0].era0, w.scratch.keeper[0].era1) == before == (census.era, census.era)
+
+
+def test_who_is_awake_is_dragged_without_a_new_census():
+    kept, anew = World(town()), World(town())
+    for each in (kept, anew):
+        each.step(400)
+        each.apply(StartDrag("spinner", (0.2, 9.0)))
+    kept.step(1)
+    anew.step(1)
+    era = int(kept.scratch.census[0].era)
+    for k in range(30):
+        tell([kept, anew], MoveDrag("spinner", (0.1 * k, 9.0)))
+        tell([kept, anew], ApplyImpulse("spinner", (0.0, 0.1), 0.0))
+        anew._stepper.forget()
+        kept.step(1)
+        anew.step(1)
+        assert kept.digest() == anew.digest()
+    assert kept.scratch.census[0].era == era
 
 
 @pytest.mark.parametrize("name", ["crate3.0", "tile20", "ball"])
