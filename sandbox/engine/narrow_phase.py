@@ -7,7 +7,7 @@ from sandbox.engine.bounds import FIXED
 from sandbox.engine.census import list_contact
 from sandbox.engine.contact_fill import fill_contact, match_contact
 from sandbox.engine.contact_prepare import HARD
-from sandbox.engine.keeping import keep_before
+from sandbox.engine.keeping import comes_before, keep_before
 from sandbox.engine.look_ahead import closing_way, look_ahead
 from sandbox.engine.one_way import comes_from_front, leads_on
 from sandbox.engine.seams import mend_contact
@@ -64,9 +64,10 @@ def find_contacts(
     for n in range(pair_count):
         i = pairs[n].shape_a
         j = pairs[n].shape_b
-        k, count = keep_before(
-            bodies, stirs, old, k, old_count, i, j, contacts, count, live, strikers, keeper, runs
-        )  # fmt: skip
+        if k < old_count and comes_before(old[k], i, j):
+            k, count = keep_before(
+                bodies, stirs, old, k, old_count, i, j, contacts, count, live, strikers, keeper, runs
+            )  # fmt: skip
         a = proxies[i]
         b = proxies[j]
         margin = 2.0 * (a.margin if a.margin < b.margin else b.margin)
