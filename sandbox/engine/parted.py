@@ -46,7 +46,7 @@ def part_shapes(shapes: Records, census: Records, stirs: Integers, parts: Intege
 
 
 @kernel
-def find_pairs_apart(
+def find_all_pairs(
     boxes: Records,
     owners: Records,
     parts: Integers,
@@ -60,32 +60,43 @@ def find_pairs_apart(
     rest_levels: Integers,
     pairs: Records,
 ) -> int:
-    """As `find_pairs`, given the rows of the shapes that move and of those that rest; `anew` if `parts` has changed.
+    """As `find_pairs`; `anew` if `parts` has changed.
 
-    `ordered` has the boxes of the resting shapes first, then those of the moving ones. `spare` is scratch.
+    If the grid is parted, `ordered` has the boxes of the resting shapes first, then those of the moving ones. `spare`
+    is scratch.
     """
+    apart = census.parted == 1
     moving = parts[: census.moving]
     resting = parts[census.moving :]
-    rested = resting.shape[0]
-    moved = moving.shape[0]
+    rested = resting.shape[0] if apart else 0
     still: Any = ordered[:rested]
     lively: Any = ordered[rested:]
-    if anew:
-        _gather(boxes, resting, spare)
-        those: Any = spare[:rested]
-        census.cell = base_cell(those, rest_levels)
-        used, sparse = fill_grid(those, census.cell, LOWEST, still, rest_heads, rest_levels)
-        census.used = used
-        census.sparse = sparse
-    _gather(boxes, moving, spare)
-    buckets = 128
-    while buckets < 2 * moved:
-        buckets *= 2
-    some: Any = spare[:moved]
-    count = find_pairs(some, owners, lively, heads[: buckets + 1], levels, pairs)
-    for i in moving:
-        count = _pairs_with_resting(boxes[i], still, owners, census, rest_heads, rest_levels, pairs, count)
+    some: Any = boxes[:]
+    own_heads = heads[:]
+    if apart:
+        if anew:
+            _gather(boxes, resting, spare)
+            those: Any = spare[:rested]
+            census.cell = base_cell(those, rest_levels)
+            used, sparse = fill_grid(those, census.cell, LOWEST, still, rest_heads, rest_levels)
+            census.used = used
+            census.sparse = sparse
+        _gather(boxes, moving, spare)
+        some = spare[: moving.shape[0]]
+        own_heads = heads[: _bucket_count(moving.shape[0]) + 1]
+    count = find_pairs(some, owners, lively, own_heads, levels, pairs)
+    if apart:
+        for i in moving:
+            count = _pairs_with_resting(boxes[i], still, owners, census, rest_heads, rest_levels, pairs, count)
     return count
+
+
+@kernel
+def _bucket_count(shapes: int) -> int:
+    buckets = 128
+    while buckets < 2 * shapes:
+        buckets *= 2
+    return buckets
 
 
 @kernel

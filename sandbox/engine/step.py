@@ -9,7 +9,7 @@ import math
 
 from sandbox._jit import entry_point
 from sandbox.engine.bounds import bound_shapes
-from sandbox.engine.broad_phase import find_pairs, sort_pairs
+from sandbox.engine.broad_phase import sort_pairs
 from sandbox.engine.census import list_live, take_census
 from sandbox.engine.coloring import color_contacts, fill_blocks
 from sandbox.engine.contact_prepare import clear_reports, prepare_contacts, store_impulses
@@ -31,7 +31,7 @@ from sandbox.engine.look_ahead import mark_hemmed
 from sandbox.engine.marks import clear_marks
 from sandbox.engine.narrow_phase import find_contacts
 from sandbox.engine.pace import MOST, assign_paces
-from sandbox.engine.parted import find_pairs_apart, part_shapes
+from sandbox.engine.parted import find_all_pairs, part_shapes
 from sandbox.engine.substeps import RELAX_DEEP, run_substeps, some_fresh
 from sandbox.tables import Floats, Integers, Records
 
@@ -89,17 +89,11 @@ def find_touching(
     take_census(bodies, census, movers, stirs, motions, flights, pulls, marks, palettes, holds)
     anew = part_shapes(shapes, census[0], stirs, parts)
     moving = parts[: census[0].moving]
-    if census[0].parted == 1 and not anew:
-        bound_shapes(bodies, shapes, vertices, moving, seconds, turned, boxes, owners, proxies)
-    else:
-        bound_shapes(bodies, shapes, vertices, parts, seconds, turned, boxes, owners, proxies)
-    if census[0].parted == 1:
-        pair_count = find_pairs_apart(
-            boxes, owners, parts, census[0], anew, spare_boxes, sorted_boxes, heads, levels, rest_heads, rest_levels,
-            pairs,
-        )  # fmt: skip
-    else:
-        pair_count = find_pairs(boxes, owners, sorted_boxes, heads, levels, pairs)
+    known = parts[: census[0].moving if census[0].parted == 1 and not anew else parts.shape[0]]
+    bound_shapes(bodies, shapes, vertices, known, seconds, turned, boxes, owners, proxies)
+    pair_count = find_all_pairs(
+        boxes, owners, parts, census[0], anew, spare_boxes, sorted_boxes, heads, levels, rest_heads, rest_levels, pairs
+    )
     kept = counter.contact_count if counter.asleep_count > 0 else 0
     if pair_count + kept > pairs.shape[0]:
         return pair_count + kept
