@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 __version__ = "0.1.0"
 
 if TYPE_CHECKING:
-    from sandbox.engine.events import Events
+    from sandbox.engine.events.events import Events
     from sandbox.engine.queries.filter import Filter
     from sandbox.engine.world import World
     from sandbox.errors import (
@@ -141,7 +141,7 @@ _HOMES = {
     "sat_table": "sandbox.geometry.sat_table",
     "Scene": "sandbox.scene",
     "load_scene": "sandbox.scene",
-    "Events": "sandbox.engine.events",
+    "Events": "sandbox.engine.events.events",
     "Filter": "sandbox.engine.queries.filter",
     "World": "sandbox.engine.world",
 }

@@ -56,7 +56,7 @@ def events(
 
 
 def _checked(kinds: list[str]) -> list[str]:
-    from sandbox.engine.events import KINDS
+    from sandbox.engine.events.events import KINDS
 
     for kind in kinds:
         if kind not in KINDS:

@@ -105,7 +105,7 @@ def _draw(pair: SatPair, table: SatTable, svg: Path, figure: str, axis: int | No
 
 def _crowd(world: World) -> tuple[Member, ...]:
     """All shapes of the scene. Raises `SandboxError` if they are too many for a picture."""
-    from sandbox.engine.body_shapes import body_shapes
+    from sandbox.engine.views.body_shapes import body_shapes
     from sandbox.render.sat_page import Member
 
     count = len(world.state.shapes)

@@ -55,7 +55,7 @@ def pair_in(path: Path, bodies: tuple[str, str] | None, step: int) -> SatPair:
 
 def chosen_pair(world: World, names: tuple[str, str]) -> SatPair:
     """The deepest pair of shapes of two bodies; if none overlaps, the nearest; the first of equals."""
-    from sandbox.engine.body_shapes import body_shapes
+    from sandbox.engine.views.body_shapes import body_shapes
 
     shapes = body_shapes(world, names[0]), body_shapes(world, names[1])
     pairs = list(product(enumerate(shapes[0], 1), enumerate(shapes[1], 1)))

@@ -8,30 +8,30 @@ from __future__ import annotations
 import math
 
 from sandbox._jit import entry_point
-from sandbox.engine.bounds import bound_shapes
-from sandbox.engine.broad_phase import sort_pairs
-from sandbox.engine.census import list_live, take_census
-from sandbox.engine.coloring import color_contacts, fill_blocks
-from sandbox.engine.contact_prepare import clear_reports, prepare_contacts, store_impulses
-from sandbox.engine.fast import expect_fast, mark_fast
-from sandbox.engine.guard import guard_positions
-from sandbox.engine.impacts import list_bouncy
-from sandbox.engine.integrate import (
+from sandbox.engine.active.active_set import list_live, take_census
+from sandbox.engine.active.body_flags import clear_marks
+from sandbox.engine.active.islands import fall_asleep, undo_waking, wake_touched
+from sandbox.engine.active.quarantine import guard_positions
+from sandbox.engine.active.substep_level import MOST, assign_paces
+from sandbox.engine.bodies.integrate import (
     begin_motions,
     finish_motions,
     rewind_driven,
 )
-from sandbox.engine.islands import fall_asleep, undo_waking, wake_touched
-from sandbox.engine.joints.apart import drop_joined_pairs
-from sandbox.engine.joints.report import finish_joints
+from sandbox.engine.broad_phase.pairs import sort_pairs
+from sandbox.engine.broad_phase.proxies import bound_shapes
+from sandbox.engine.broad_phase.resting_grid import find_all_pairs, part_shapes
+from sandbox.engine.contact_solver.graph_coloring import color_contacts, fill_blocks
+from sandbox.engine.contact_solver.prepare import clear_reports, prepare_contacts, store_impulses
+from sandbox.engine.continuous_collision.candidates import expect_fast, mark_fast
+from sandbox.engine.joints.pair_filter import drop_joined_pairs
+from sandbox.engine.joints.reactions import finish_joints
+from sandbox.engine.joints.records import JointWork
 from sandbox.engine.joints.solve import begin_joints
-from sandbox.engine.joints.work import JointWork
-from sandbox.engine.keeping import begin_keeping, end_keeping
-from sandbox.engine.look_ahead import mark_hemmed
-from sandbox.engine.marks import clear_marks
-from sandbox.engine.narrow_phase import find_contacts
-from sandbox.engine.pace import MOST, assign_paces
-from sandbox.engine.parted import find_all_pairs, part_shapes
+from sandbox.engine.narrow_phase.find_contacts import find_contacts
+from sandbox.engine.narrow_phase.sleeping_contacts import begin_keeping, end_keeping
+from sandbox.engine.narrow_phase.speculative import mark_hemmed
+from sandbox.engine.restitution.impacts import list_bouncy
 from sandbox.engine.substeps import RELAX_DEEP, run_substeps, some_fresh
 from sandbox.tables import Floats, Integers, Records
 

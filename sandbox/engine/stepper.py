@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 from sandbox._jit import Call, kernel_argument
-from sandbox.engine.binding import bind
-from sandbox.engine.continuous import catch
+from sandbox.engine.continuous_collision.solve_continuous import catch
 from sandbox.engine.fields.apply import apply_fields
-from sandbox.engine.fields.work import has_fields
-from sandbox.engine.joints.layout import lay_out
-from sandbox.engine.scratch import Scratch
+from sandbox.engine.fields.records import has_fields
+from sandbox.engine.joints.assembly import lay_out
+from sandbox.engine.memory.binding import bind
+from sandbox.engine.memory.scratch import Scratch
 from sandbox.engine.step import MUST_CATCH, find_touching, move
 from sandbox.engine.warm_up import compile_catch, compile_step
 from sandbox.world.records import CONTACT

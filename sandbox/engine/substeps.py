@@ -5,15 +5,15 @@ from __future__ import annotations
 import math
 
 from sandbox._jit import kernel
-from sandbox.engine.contact_solver import solve_contacts, warm_start
-from sandbox.engine.drags import solve_drags
-from sandbox.engine.guard import guard_velocities
-from sandbox.engine.impacts import resolve_impacts, resolve_late_impacts
-from sandbox.engine.integrate import begin_pulls, integrate_positions, integrate_velocities
+from sandbox.engine.active.body_flags import is_active
+from sandbox.engine.active.quarantine import guard_velocities
+from sandbox.engine.bodies.integrate import begin_pulls, integrate_positions, integrate_velocities
+from sandbox.engine.contact_solver.soft_constraint import soft_coefficients
+from sandbox.engine.contact_solver.solve import solve_contacts, warm_start
+from sandbox.engine.joints.mouse_joint import solve_drags
+from sandbox.engine.joints.records import JointWork
 from sandbox.engine.joints.solve import let_members_move, relax_joints, select_parts, solve_joints
-from sandbox.engine.joints.work import JointWork
-from sandbox.engine.marks import is_active
-from sandbox.engine.softness import soft_coefficients
+from sandbox.engine.restitution.impacts import resolve_impacts, resolve_late_impacts
 from sandbox.tables import Floats, Integers, Records
 
 WAIT = 1e30

@@ -14,9 +14,9 @@ from pathlib import Path
 from typing import Any
 
 from sandbox._jit import cache_is_cold
-from sandbox.engine.binding import bind
-from sandbox.engine.continuous import catch
-from sandbox.engine.scratch import Scratch
+from sandbox.engine.continuous_collision.solve_continuous import catch
+from sandbox.engine.memory.binding import bind
+from sandbox.engine.memory.scratch import Scratch
 from sandbox.engine.step import find_touching, move
 from sandbox.scene.flat import FlatBody, FlatJoint, FlatScene, FlatShape
 from sandbox.world.build import build_state

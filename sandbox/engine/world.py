@@ -7,19 +7,19 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from sandbox.engine.commands import PUSHES, Command, SetPose, SetSurface, apply_command
-from sandbox.engine.directory import Directory
-from sandbox.engine.events import SENSOR_EVENT, Events, differences, happened, nothing
-from sandbox.engine.field_commands import FieldCommand, apply_field_command
-from sandbox.engine.fields.work import last_switch
-from sandbox.engine.interlude import Interlude, Ties
-from sandbox.engine.joint_commands import JointCommand, apply_joint_command
-from sandbox.engine.joint_view import Joint
-from sandbox.engine.row_commands import RowCommand, apply_row_command
-from sandbox.engine.scratch import Scratch
+from sandbox.engine.commands.body_commands import PUSHES, Command, SetPose, SetSurface, apply_command
+from sandbox.engine.commands.field_commands import FieldCommand, apply_field_command
+from sandbox.engine.commands.joint_commands import JointCommand, apply_joint_command
+from sandbox.engine.commands.row_commands import RowCommand, apply_row_command
+from sandbox.engine.commands.world_commands import WorldCommand, apply_world_command
+from sandbox.engine.events.between_steps import Interlude, Ties
+from sandbox.engine.events.events import SENSOR_EVENT, Events, differences, happened, nothing
+from sandbox.engine.fields.records import last_switch
+from sandbox.engine.memory.scratch import Scratch
 from sandbox.engine.stepper import Stepper
-from sandbox.engine.views import Bodies, Body
-from sandbox.engine.world_commands import WorldCommand, apply_world_command
+from sandbox.engine.views.bodies import Bodies, Body
+from sandbox.engine.views.directory import Directory
+from sandbox.engine.views.joint import Joint
 from sandbox.errors import CommandError
 from sandbox.notebook import Shown
 from sandbox.tables import Floats
@@ -33,8 +33,8 @@ from sandbox.world.snapshot import restore, snapshot
 from sandbox.world.state import State
 
 if TYPE_CHECKING:
+    from sandbox.engine.events.sensors import Sensing
     from sandbox.engine.queries.queries import Queries
-    from sandbox.engine.sensors import Sensing
     from sandbox.scene import Scene
     from sandbox.scene.flat import FlatScene
     from sandbox.scene.spawned import Spawning
@@ -98,7 +98,7 @@ class World(Shown):
             apply_field_command(self, command)
             self._last_switch = last_switch(self.state)
         elif not isinstance(command, Command):
-            raise CommandError(f"{command!r} is no command; they are in sandbox.engine.commands and its neighbours")
+            raise CommandError(f"{command!r} is no command; they are in sandbox.engine.commands")
         else:
             index = self.directory.body(command.body)
             body = self.state.bodies[index]
@@ -266,7 +266,7 @@ class World(Shown):
     def _make_sensing(self) -> Sensing | None:
         if not self.state.shapes.sensor.any():
             return None
-        from sandbox.engine.sensors import Sensing  # worlds without sensors pay nothing
+        from sandbox.engine.events.sensors import Sensing  # worlds without sensors pay nothing
 
         return Sensing(self.state)
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from sandbox.engine.bounds import ACTIVE, DRIVEN, SLEEPS
+from sandbox.engine.broad_phase.proxies import ACTIVE, DRIVEN, SLEEPS
 from sandbox.tables import Floats, Integers, Records
 from sandbox.world.records import DYNAMIC
 

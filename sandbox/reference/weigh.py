@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from sandbox.engine.narrow_phase import FACE_BIAS
+from sandbox.engine.narrow_phase.find_contacts import FACE_BIAS
 from sandbox.reference.ask_pymunk import Answers
 from sandbox.reference.poses import Poses
 from sandbox.reference.tolerance import allowed_error, touch_tolerance
@@ -71,8 +71,8 @@ def _of_the_step(
     poses: Poses, pairs: Integers, separation: Floats, contacts: Records, touch: Floats, error: Floats
 ) -> tuple[Mask, Mask]:
     """(lost, askew): which overlapping pairs the step has no contact for, and which it would push the wrong way."""
-    # Of the parts of something larger, the step keeps only the contacts that the whole has (`engine/seams.py`), and of
-    # what is solid from one side only, those that come from there.
+    # Of the parts of something larger, the step keeps only the contacts that the whole has
+    # (`engine/narrow_phase/internal_edges.py`), and of what is solid from one side only, those that come from there.
     deep = (separation < -touch) & (poses.shapes.traits[pairs] == 0).all(axis=1)
     rows = find_rows(pairs, np.stack([contacts.shape_a, contacts.shape_b], axis=1), len(poses.shapes))
     normals = np.zeros((len(pairs), 2))

@@ -90,7 +90,7 @@ def sensed_count(carriers: Rows, others: Rows) -> Measure:
     """One value: how many shapes of `others` are in sensors of `carriers`."""
 
     def measure(state: State) -> Values:
-        from sandbox.engine.sensors import Sensing
+        from sandbox.engine.events.sensors import Sensing
 
         sensing = Sensing(state)
         sensing.look()

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from itertools import product
 from typing import Any
 
-from sandbox.engine.body_shapes import body_shapes
+from sandbox.engine.views.body_shapes import body_shapes
 from sandbox.engine.world import World
 from sandbox.errors import SandboxError
 from sandbox.geometry.collide import collide, distance

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from sandbox.engine.commands import EndDrag
+from sandbox.engine.commands.body_commands import EndDrag
 from sandbox.engine.world import World
 from sandbox.errors import SandboxError
 from sandbox.replay.recording.command_words import TimedCommand

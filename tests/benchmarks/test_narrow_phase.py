@@ -13,7 +13,7 @@ import pytest
 
 import sandbox
 from sandbox._jit import entry_point, kernel_argument
-from sandbox.engine.narrow_phase import find_contacts
+from sandbox.engine.narrow_phase.find_contacts import find_contacts
 from sandbox.resources import find_scene
 
 SECONDS = 1.0 / 60.0

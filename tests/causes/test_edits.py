@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from sandbox.engine.commands import ApplyImpulse, SetVelocity
+from sandbox.engine.commands.body_commands import ApplyImpulse, SetVelocity
 from sandbox.replay.causes.command_edits import command_edits, located
 from sandbox.replay.causes.engine_edits import FileEdit, between_folders, is_engine, told
 from sandbox.replay.causes.scene_edits import edits, edits_in_text
@@ -118,7 +118,7 @@ def test_a_few_changed_lines_are_shown_and_many_are_not() -> None:
 
 
 def test_only_what_decides_about_bits_counts(tmp_path: Path) -> None:
-    assert is_engine("sandbox/engine/joints/fine.py")
+    assert is_engine("sandbox/engine/joints/ldl.py")
     assert is_engine("sandbox/_jit.py")
     assert not is_engine("sandbox/cli/replay.py")
     assert not is_engine("sandbox/engine/notes.md")

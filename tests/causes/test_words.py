@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from sandbox.engine.arithmetic import ARITHMETIC
+from sandbox.engine.arithmetic_version import ARITHMETIC
 from tests.causes.conftest import BOX, PUSH, SLOPE, Views, place, record, write
 from tests.git_folder import commit, needs_git
 

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import sandbox
-from sandbox.engine.events import KINDS
+from sandbox.engine.events.events import KINDS
 
 DROP = {"id": "drop", "position": [0, 4], "shapes": [{"circle": 0.5}]}
 GATE = {"id": "gate", "type": "static", "position": [0, 2], "shapes": [{"box": [2, 1], "sensor": True}]}

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from sandbox.engine.commands import ApplyForce, SetVelocity
-from sandbox.engine.joint_commands import BreakJoint, SetJoint, SetLimits, SetMotor, SetTarget
+from sandbox.engine.commands.body_commands import ApplyForce, SetVelocity
+from sandbox.engine.commands.joint_commands import BreakJoint, SetJoint, SetLimits, SetMotor, SetTarget
 from sandbox.engine.world import World
 from sandbox.scene.flat import FlatJoint, FlatScene
 from tests.flat import body, box, circle, ground

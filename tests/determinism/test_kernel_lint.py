@@ -9,7 +9,7 @@ import pytest
 
 import sandbox
 from sandbox._jit import jit_enabled
-from sandbox.engine.softness import soft_coefficients
+from sandbox.engine.contact_solver.soft_constraint import soft_coefficients
 from sandbox.geometry.trig import arctan2, cos_sin
 
 PACKAGE = Path(sandbox.__file__).parent

@@ -11,23 +11,21 @@ from typing import Any
 import numpy as np
 
 from sandbox._jit import entry_point, kernel_argument
-from sandbox.engine import (
-    bounds,
-    broad_phase,
-    census,
-    coloring,
-    contact_prepare,
-    contact_solver,
-    drags,
-    grid,
-    impacts,
-    integrate,
-    islands,
-    look_ahead,
-    narrow_phase,
-)
-from sandbox.engine.scratch import Scratch
-from sandbox.engine.scratch_records import BOX, FLIGHT, OWNER, PAIR
+from sandbox.engine.active import active_set as census
+from sandbox.engine.active import islands
+from sandbox.engine.bodies import integrate
+from sandbox.engine.broad_phase import grid
+from sandbox.engine.broad_phase import pairs as broad_phase
+from sandbox.engine.broad_phase import proxies as bounds
+from sandbox.engine.contact_solver import graph_coloring as coloring
+from sandbox.engine.contact_solver import prepare as contact_prepare
+from sandbox.engine.contact_solver import solve as contact_solver
+from sandbox.engine.joints import mouse_joint as drags
+from sandbox.engine.memory.records import BOX, FLIGHT, OWNER, PAIR
+from sandbox.engine.memory.scratch import Scratch
+from sandbox.engine.narrow_phase import find_contacts as narrow_phase
+from sandbox.engine.narrow_phase import speculative as look_ahead
+from sandbox.engine.restitution import impacts
 from sandbox.engine.world import World
 from sandbox.tables import Integers
 from sandbox.world.records import BODY, CONTACT, DYNAMIC

@@ -8,7 +8,7 @@ import numpy as np
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from sandbox.engine.commands import (
+from sandbox.engine.commands.body_commands import (
     ApplyForce,
     ApplyImpulse,
     EndDrag,
@@ -18,8 +18,8 @@ from sandbox.engine.commands import (
     SetVelocity,
     StartDrag,
 )
+from sandbox.engine.commands.world_commands import Explode, SetGravity
 from sandbox.engine.world import World
-from sandbox.engine.world_commands import Explode, SetGravity
 from sandbox.errors import SandboxError
 from sandbox.scene.flat import FlatSettings
 from tests.flat import body, box, capsule, circle, ground, scene

@@ -7,11 +7,11 @@ import math
 import numpy as np
 import pytest
 
-from sandbox.engine.commands import ApplyForce, EndDrag, MoveDrag, SetPose, SetVelocity, StartDrag
-from sandbox.engine.row_commands import Spawn
-from sandbox.engine.surfaces import SetSurface
+from sandbox.engine.commands.body_commands import ApplyForce, EndDrag, MoveDrag, SetPose, SetVelocity, StartDrag
+from sandbox.engine.commands.row_commands import Spawn
+from sandbox.engine.commands.surfaces import SetSurface
+from sandbox.engine.commands.world_commands import SetGravity
 from sandbox.engine.world import World
-from sandbox.engine.world_commands import SetGravity
 from sandbox.errors import CommandError, SandboxError, UnknownBodyError
 from tests.flat import body, box, circle, ground, world
 

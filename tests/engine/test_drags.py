@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sandbox.engine.commands import MoveDrag, StartDrag
+from sandbox.engine.commands.body_commands import MoveDrag, StartDrag
 from tests.engine.stages import Paused, solve_drags
 from tests.flat import body, box, circle, world
 

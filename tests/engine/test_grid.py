@@ -10,7 +10,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from sandbox.engine.broad_phase import may_collide
+from sandbox.engine.broad_phase.pairs import may_collide
 from tests.engine.stages import Grid
 from tests.naive.grid import Box, all_pairs, may_meet
 

@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sandbox.engine.commands import ApplyImpulse, MoveDrag, SetPose, SetSurface, SetVelocity, StartDrag
-from sandbox.engine.row_commands import Delete
+from sandbox.engine.commands.body_commands import ApplyImpulse, MoveDrag, SetPose, SetSurface, SetVelocity, StartDrag
+from sandbox.engine.commands.row_commands import Delete
+from sandbox.engine.commands.world_commands import SetGravity
 from sandbox.engine.world import World
-from sandbox.engine.world_commands import SetGravity
 from sandbox.errors import SandboxError
 from sandbox.scene.flat import FlatScene, FlatSettings
 from tests.flat import body, box, circle, ground, scene

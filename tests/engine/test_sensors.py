@@ -7,8 +7,8 @@ import random
 import pytest
 
 import sandbox
-from sandbox.engine.body_shapes import body_shapes
-from sandbox.engine.commands import SetPose
+from sandbox.engine.commands.body_commands import SetPose
+from sandbox.engine.views.body_shapes import body_shapes
 from tests.flat import body, box, capsule, circle, ground, polygon, scene, world
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from sandbox.engine.contact_blocks import LANES, MAX_COLORS, VECTOR
-from sandbox.engine.softness import soft_coefficients
+from sandbox.engine.contact_solver.blocks import LANES, MAX_COLORS, VECTOR
+from sandbox.engine.contact_solver.soft_constraint import soft_coefficients
 from sandbox.engine.world import World
 from tests.determinism import busy
 from tests.determinism.test_scratch import laden_plank

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 import sandbox
-from sandbox.engine.commands import SetPose, StartDrag
+from sandbox.engine.commands.body_commands import SetPose, StartDrag
+from sandbox.engine.commands.row_commands import Delete, DeleteJoint, Spawn
 from sandbox.engine.queries.filter import Filter
-from sandbox.engine.row_commands import Delete, DeleteJoint, Spawn
 from sandbox.engine.world import World
 from sandbox.errors import CommandError, UnknownBodyError, UnknownJointError
 from sandbox.geometry.shapes import Circle

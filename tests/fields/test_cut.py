@@ -14,7 +14,7 @@ from sandbox._jit import entry_point, kernel_argument
 from sandbox.engine.fields.area import cut
 from sandbox.engine.fields.boundary import trace
 from sandbox.engine.fields.moments import enclosed
-from sandbox.engine.fields.work import MAX_PIECES, PIECE
+from sandbox.engine.fields.records import MAX_PIECES, PIECE
 from sandbox.scene.flat import FlatRegion, FlatShape
 from sandbox.tables import Records
 from sandbox.world.build_fields import build_regions

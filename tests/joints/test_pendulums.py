@@ -7,7 +7,7 @@ import math
 import mpmath
 import pytest
 
-from sandbox.engine.joints.fine import FEW, FINE
+from sandbox.engine.joints.fine_substeps import FEW, FINE
 from sandbox.engine.world import World
 from tests.flat import body, box, circle
 from tests.joints.jointed import G, energy, gap, joint, jointed

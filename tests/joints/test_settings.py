@@ -7,8 +7,8 @@ import math
 import pytest
 
 import sandbox
-from sandbox.engine.commands import SetVelocity
-from sandbox.engine.joint_commands import SetJoint, SetMotor
+from sandbox.engine.commands.body_commands import SetVelocity
+from sandbox.engine.commands.joint_commands import SetJoint, SetMotor
 from sandbox.errors import CommandError, SandboxError, UnknownJointError
 from sandbox.scene.joints import JOINTS
 

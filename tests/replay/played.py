@@ -5,9 +5,17 @@ from __future__ import annotations
 from typing import Any
 
 import sandbox
-from sandbox.engine.commands import ApplyForce, ApplyImpulse, EndDrag, MoveDrag, SetPose, SetSurface, StartDrag
-from sandbox.engine.joint_commands import SetMotor
-from sandbox.engine.world_commands import Explode, SetGravity
+from sandbox.engine.commands.body_commands import (
+    ApplyForce,
+    ApplyImpulse,
+    EndDrag,
+    MoveDrag,
+    SetPose,
+    SetSurface,
+    StartDrag,
+)
+from sandbox.engine.commands.joint_commands import SetMotor
+from sandbox.engine.commands.world_commands import Explode, SetGravity
 
 STEPS = 150
 

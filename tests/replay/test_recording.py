@@ -13,7 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import sandbox
-from sandbox.engine.commands import ApplyImpulse, MoveDrag, SetPose
+from sandbox.engine.commands.body_commands import ApplyImpulse, MoveDrag, SetPose
 from sandbox.replay.recording.command_words import command_classes, decode, encode, plain_command
 from sandbox.replay.recording.meaning import meaning_of
 from tests.replay.played import COMMANDS, STEPS, recording, scene

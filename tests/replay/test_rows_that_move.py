@@ -6,9 +6,9 @@ from pathlib import Path
 from typing import Any
 
 import sandbox
-from sandbox.engine.commands import SetVelocity
-from sandbox.engine.field_commands import SetRegion, SetThruster
-from sandbox.engine.row_commands import Delete, DeleteJoint, Spawn
+from sandbox.engine.commands.body_commands import SetVelocity
+from sandbox.engine.commands.field_commands import SetRegion, SetThruster
+from sandbox.engine.commands.row_commands import Delete, DeleteJoint, Spawn
 from tests.determinism.processes import other_process
 from tests.replay.played import DATA
 

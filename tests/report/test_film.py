@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import sandbox
-from sandbox.engine.commands import ApplyImpulse
-from sandbox.engine.row_commands import Delete, Spawn
+from sandbox.engine.commands.body_commands import ApplyImpulse
+from sandbox.engine.commands.row_commands import Delete, Spawn
 from sandbox.replay.golden.run import Run
 from sandbox.report.reel import reel
 from sandbox.report.shoot import film_ahead, film_run

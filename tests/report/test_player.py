@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import sandbox
-from sandbox.engine.commands import ApplyImpulse
+from sandbox.engine.commands.body_commands import ApplyImpulse
 from sandbox.replay.golden.run import Run
 from sandbox.report.player_page import player_frame, player_page
 from sandbox.report.shoot import film_run

@@ -13,7 +13,11 @@ import sandbox
 from sandbox.scene import Scene
 from tests.cli.conftest import CRATE, GROUND, cli  # noqa: F401
 
-SOFTER = ("sandbox/engine/contact_solver.py", "push = bias_rate * separation", "push = 0.9 * bias_rate * separation")
+SOFTER = (
+    "sandbox/engine/contact_solver/solve.py",
+    "push = bias_rate * separation",
+    "push = 0.9 * bias_rate * separation",
+)
 """One line of the solver: what overlaps is pushed apart more slowly."""
 
 PUSHED = CRATE | {"position": [0, 0.52], "velocity": [1.0, -0.5]}

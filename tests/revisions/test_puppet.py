@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from sandbox.engine.commands import ApplyImpulse, EndDrag, StartDrag
-from sandbox.engine.row_commands import Delete, Spawn
+from sandbox.engine.commands.body_commands import ApplyImpulse, EndDrag, StartDrag
+from sandbox.engine.commands.row_commands import Delete, Spawn
 from sandbox.errors import SandboxError
 from sandbox.replay.golden.run import Run, Stage
 from sandbox.replay.revisions.against import HERE

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import sandbox
-from sandbox.engine.row_commands import Delete, Spawn
+from sandbox.engine.commands.row_commands import Delete, Spawn
 from sandbox.render.wardrobe import wardrobe_of
 from sandbox.window.session import MOST_STEPS, Session
 

@@ -10,7 +10,7 @@ import pytest
 
 import sandbox
 from sandbox.cli import main
-from sandbox.engine.commands import ApplyImpulse, EndDrag, StartDrag
+from sandbox.engine.commands.body_commands import ApplyImpulse, EndDrag, StartDrag
 from sandbox.window.loader import Loader
 from sandbox.window.play import PlayScreen
 from sandbox.window.session import Session

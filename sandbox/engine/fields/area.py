@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox.engine.fields.cut import cut_disc, cut_line
+from sandbox.engine.fields.clip import cut_disc, cut_line
 from sandbox.tables import Records
 
 OUTSIDE, ACROSS, INSIDE = 0, 1, 2

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from sandbox._jit import kernel
+from sandbox.engine.active.islands import wake_marked_islands
 from sandbox.engine.fields.area import OUTSIDE, place
-from sandbox.engine.islands import wake_marked_islands
 from sandbox.tables import Records
 from sandbox.world.records import DYNAMIC
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox.engine.joints.laws import row_hertz
-from sandbox.engine.joints.work import JointWork
+from sandbox.engine.joints.records import JointWork
+from sandbox.engine.joints.targets import row_hertz
 from sandbox.tables import Records
 from sandbox.world.joint_records import (
     DISTANCE,

@@ -10,17 +10,17 @@ that are torn keep to velocities (`recovery`).
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox.engine.joints.choose import cap_pairs, choose_rows, clamp, release_bounded
-from sandbox.engine.joints.direct import change_impulse, factorize, solve_directly
+from sandbox.engine.joints.errors import measure
+from sandbox.engine.joints.gauss_seidel import solve_by_sweeps
+from sandbox.engine.joints.geometric_stiffness import tame_tension, untame
 from sandbox.engine.joints.jacobian import fill_rows
-from sandbox.engine.joints.measure import measure
-from sandbox.engine.joints.members import gather_members, go_straight, load_members, look, scatter_members
-from sandbox.engine.joints.mending import find_mending, mend
-from sandbox.engine.joints.recovery import give_up_on_places, goes_astray, plan_recovery
-from sandbox.engine.joints.report import accumulate, read_impulses
-from sandbox.engine.joints.sweeps import solve_by_sweeps
-from sandbox.engine.joints.tension import tame_tension, untame
-from sandbox.engine.joints.work import JointWork
+from sandbox.engine.joints.joint_bodies import gather_members, go_straight, load_members, look, scatter_members
+from sandbox.engine.joints.ldl import change_impulse, factorize, solve_directly
+from sandbox.engine.joints.pivoting import cap_pairs, choose_rows, clamp, release_bounded
+from sandbox.engine.joints.position_correction import find_mending, mend
+from sandbox.engine.joints.reactions import accumulate, read_impulses
+from sandbox.engine.joints.records import JointWork
+from sandbox.engine.joints.separated import give_up_on_places, goes_astray, plan_recovery
 from sandbox.tables import Integers, Records
 
 _TURNS = 16

@@ -12,9 +12,9 @@ from sandbox._jit import kernel_argument
 from sandbox.engine.queries.checks import checked_box, checked_place, checked_ways
 from sandbox.engine.queries.filter import Filter
 from sandbox.engine.queries.gap import find_gap
-from sandbox.engine.queries.lay_out import lay_out
-from sandbox.engine.queries.memory import HIT, Memory
+from sandbox.engine.queries.index import lay_out
 from sandbox.engine.queries.proximity import nearest_shape, overlaps
+from sandbox.engine.queries.records import HIT, Memory
 from sandbox.engine.queries.results import BodyDistance, CastHit, Overlap, PointHit, RayHit, RayHits
 from sandbox.engine.queries.subject import POINT, Subject, subject_of, write_filter, write_subject
 from sandbox.engine.queries.sweep import all_hits, first_hits

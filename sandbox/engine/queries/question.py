@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox.engine.queries.memory import MAX_CORE, SPARE_CORES
+from sandbox.engine.queries.records import MAX_CORE, SPARE_CORES
 from sandbox.geometry.depth import signed_distance
 from sandbox.geometry.minkowski import add_cores, touching_side
 from sandbox.geometry.ray import ray_enters, ray_slack

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from sandbox.engine.queries.filter import Filter
-from sandbox.engine.queries.memory import SPARE_CORES, Memory
+from sandbox.engine.queries.records import SPARE_CORES, Memory
 from sandbox.errors import QueryError
 from sandbox.geometry.mass import edge_normals
 from sandbox.geometry.shapes import Core

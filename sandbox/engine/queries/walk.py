@@ -12,8 +12,8 @@ import math
 from typing import Any
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox.engine.grid import LEVELS, bucket
-from sandbox.engine.queries.lay_out import ROUNDING
+from sandbox.engine.broad_phase.grid import LEVELS, bucket
+from sandbox.engine.queries.index import ROUNDING
 from sandbox.tables import Integers, Records
 
 _ANY_CELL = 1 << 62

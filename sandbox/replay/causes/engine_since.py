@@ -8,7 +8,7 @@ from pathlib import Path
 
 import sandbox
 from sandbox import __version__
-from sandbox.engine.arithmetic import ARITHMETIC
+from sandbox.engine.arithmetic_version import ARITHMETIC
 from sandbox.replay.causes.engine_edits import FileEdit, is_engine, told
 from sandbox.replay.causes.history import git, revisions_of
 from sandbox.replay.golden.rerun import version_notes

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Literal
 
-from sandbox.engine.arithmetic import ARITHMETIC, changes_since
+from sandbox.engine.arithmetic_version import ARITHMETIC, changes_since
 from sandbox.errors import SandboxError
 from sandbox.replay.golden.divergence import Divergence, Drift
 from sandbox.replay.golden.heavy import Twin

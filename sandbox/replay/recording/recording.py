@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TypeAlias
 
 from sandbox import __version__
-from sandbox.engine.arithmetic import ARITHMETIC
+from sandbox.engine.arithmetic_version import ARITHMETIC
 from sandbox.notebook import Shown
 from sandbox.replay.recording.checkpoint import Checkpoint
 from sandbox.replay.recording.command_words import TimedCommand

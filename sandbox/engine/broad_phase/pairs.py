@@ -1,0 +1,183 @@
+"""Stage: the uniform grid (`grid.py`) proposes pairs."""
+
+from __future__ import annotations
+
+import math
+
+from sandbox._jit import ZERO, inlined_kernel, kernel
+from sandbox.engine.broad_phase.grid import LEVELS, LOWEST, base_cell, boxes_overlap, bucket, cells_per_metre, fill_grid
+from sandbox.engine.broad_phase.proxies import ACTIVE, DRIVEN, SLEEPS
+from sandbox.tables import Integers, Records
+
+
+@kernel
+def find_pairs(
+    boxes: Records, owners: Records, ordered: Records, heads: Integers, levels: Integers, pairs: Records
+) -> int:
+    """Write every pair of overlapping boxes that may collide, each once, shape_a < shape_b; return how many.
+
+    Pairs past the capacity of `pairs` are counted but not written. `ordered`, `heads` and `levels` (`LEVEL_SPACE`
+    items) are scratch. The order of the pairs follows the grid: see `sort_pairs`.
+    """
+    sparse = levels[2 * LEVELS :]
+    base = base_cell(boxes, levels)
+    used, sparse_count = fill_grid(boxes, base, LOWEST, ordered, heads, levels)
+    count = ZERO
+    for i in range(ordered.shape[0]):
+        count = _pairs_on_own_level(ordered, owners, i, heads, pairs, count)
+        count = _pairs_on_sparse_levels(ordered, owners, i, sparse, sparse_count, pairs, count)
+        for k in range(used):
+            if levels[k] > ordered[i].level:
+                count = pairs_on_level(ordered[i], ordered, owners, base, levels[k], heads, pairs, count)
+    return count
+
+
+@kernel
+def _pairs_on_own_level(ordered: Records, owners: Records, i: int, heads: Integers, pairs: Records, count: int) -> int:
+    """Pairs of box i with later boxes of its own cell and with half of the neighbour cells."""
+    box = ordered[i]
+    x = box.cell_x
+    y = box.cell_y
+    level = box.level
+    own = bucket(x, y, level, heads)
+    count = _pairs_in_cell(box, ordered, owners, i + 1, heads[own + 1], x, y, level, pairs, count)
+    for dx, dy in ((1, 0), (-1, 1), (0, 1), (1, 1)):
+        k = bucket(x + dx, y + dy, level, heads)
+        count = _pairs_in_cell(box, ordered, owners, heads[k], heads[k + 1], x + dx, y + dy, level, pairs, count)
+    return count
+
+
+@kernel
+def _pairs_on_sparse_levels(
+    ordered: Records, owners: Records, i: int, sparse: Integers, sparse_count: int, pairs: Records, count: int
+) -> int:
+    """Pairs of box i with the boxes of coarser levels that hold few boxes."""
+    box = ordered[i]
+    for k in range(sparse_count):
+        other = ordered[sparse[k]]
+        if other.level > box.level and boxes_overlap(box, other):
+            count = propose(owners, box.shape_index, other.shape_index, pairs, count)
+    return count
+
+
+@kernel
+def pairs_on_level(
+    box: Records,
+    ordered: Records,
+    owners: Records,
+    base: float,
+    level: int,
+    heads: Integers,
+    pairs: Records,
+    count: int,
+) -> int:
+    """Pairs of a box with the boxes of another level: their middles are at most half a cell outside of it."""
+    inverse = cells_per_metre(base, level)
+    first_x = math.floor(box.lower_x * inverse - 0.5)
+    first_y = math.floor(box.lower_y * inverse - 0.5)
+    last_x = math.floor(box.upper_x * inverse + 0.5)
+    last_y = math.floor(box.upper_y * inverse + 0.5)
+    for y in range(first_y, last_y + 1):
+        for x in range(first_x, last_x + 1):
+            k = bucket(x, y, level, heads)
+            count = _pairs_in_cell(box, ordered, owners, heads[k], heads[k + 1], x, y, level, pairs, count)
+    return count
+
+
+@inlined_kernel
+def _pairs_in_cell(
+    box: Records,
+    ordered: Records,
+    owners: Records,
+    first: int,
+    end: int,
+    x: int,
+    y: int,
+    level: int,
+    pairs: Records,
+    count: int,
+) -> int:
+    """Pairs of a box with the boxes of one cell within `ordered[first:end]`; other cells may share the bucket."""
+    for j in range(first, end):
+        other = ordered[j]
+        if not boxes_overlap(box, other):
+            continue
+        if other.cell_x == x and other.cell_y == y and other.level == level:
+            count = propose(owners, box.shape_index, other.shape_index, pairs, count)
+    return count
+
+
+@kernel
+def propose(owners: Records, i: int, j: int, pairs: Records, count: int) -> int:
+    """Append the pair of shapes i and j, if they may collide and it matters; return the new count.
+
+    It matters if one of them is active, or if one sleeps and the other is driven into it.
+    """
+    a = owners[i]
+    b = owners[j]
+    moves = a.moves | b.moves
+    if a.body == b.body or not ((moves & ACTIVE) != 0 or moves == SLEEPS | DRIVEN):
+        return count
+    if not may_collide(a.category, a.mask, a.group, b.category, b.mask, b.group):
+        return count
+    if count < pairs.shape[0]:
+        pairs[count].shape_a = i if i < j else j
+        pairs[count].shape_b = j if i < j else i
+    if a.moves & b.moves & ACTIVE == 0:
+        a.hemmed = 1
+        b.hemmed = 1
+    return count + 1
+
+
+@kernel
+def may_collide(category_a: int, mask_a: int, group_a: int, category_b: int, mask_b: int, group_b: int) -> bool:
+    """Collision filter: a shared group decides by its sign; otherwise each mask must accept the other's category."""
+    if group_a == group_b and group_a != 0:
+        return group_a > 0
+    return (category_a & mask_b) != 0 and (category_b & mask_a) != 0
+
+
+@kernel
+def sort_pairs(pairs: Records, count: int, buffer: Records, heads: Integers, shapes: int) -> None:
+    """Sort `pairs[:count]` by (shape_a, shape_b): two stable counting passes. `heads` needs `shapes + 1` items.
+
+    A few pairs among many shapes are inserted one by one.
+    """
+    if count * count < shapes:
+        _insert_in_order(pairs, count)
+        return
+    for turn in range(2):
+        if turn == 0:
+            _counting_pass(pairs, count, buffer, heads, shapes, turn == 1)
+        else:
+            _counting_pass(buffer, count, pairs, heads, shapes, turn == 1)
+
+
+@kernel
+def _insert_in_order(pairs: Records, count: int) -> None:
+    for n in range(1, count):
+        a = pairs[n].shape_a
+        b = pairs[n].shape_b
+        k = n
+        while k > 0 and (pairs[k - 1].shape_a > a or (pairs[k - 1].shape_a == a and pairs[k - 1].shape_b > b)):
+            pairs[k].shape_a = pairs[k - 1].shape_a
+            pairs[k].shape_b = pairs[k - 1].shape_b
+            k -= 1
+        pairs[k].shape_a = a
+        pairs[k].shape_b = b
+
+
+@kernel
+def _counting_pass(source: Records, count: int, target: Records, heads: Integers, shapes: int, by_first: bool) -> None:
+    for k in range(shapes + 1):
+        heads[k] = 0
+    for i in range(count):
+        heads[source[i].shape_a if by_first else source[i].shape_b] += 1
+    total = 0
+    for k in range(shapes + 1):
+        total += heads[k]
+        heads[k] = total
+    for i in range(count - 1, -1, -1):
+        k = source[i].shape_a if by_first else source[i].shape_b
+        heads[k] -= 1
+        target[heads[k]] = source[i]

@@ -1,0 +1,84 @@
+"""What holds for the fields of every command: their types, and the sizes of their numbers."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import fields
+from functools import cache
+from numbers import Integral, Real
+from types import UnionType
+from typing import Any, Union, get_args, get_origin, get_type_hints
+
+import numpy as np
+
+from sandbox.engine.active.quarantine import MAX_COORDINATE
+from sandbox.engine.commands.pushes import SPEED_LIMIT
+from sandbox.errors import CommandError
+
+GRAVITY_LIMIT = 1e6
+"""Strongest gravity a command may set along an axis, in m/s^2."""
+
+_LIMITS = {
+    **dict.fromkeys(("position", "angle", "point", "target", "radius"), MAX_COORDINATE),
+    **dict.fromkeys(("velocity", "angular_velocity", "speed"), SPEED_LIMIT),
+    "gravity": GRAVITY_LIMIT,
+}
+"""Largest size of a number, by the name of its field; the others may be as large as they like."""
+_NOT_NEGATIVE = ("hertz", "damping_ratio", "strongest", "max_force")
+_WORDS = {float: "a number", int: "a whole number", bool: "True or False", str: "a text"}
+_PAIR = "a pair of numbers (x, y)"
+
+
+def title(command: Any) -> str:
+    """How messages begin: the command, and whom it is for."""
+    for field in ("body", "joint", "region"):
+        if hasattr(command, field):
+            return f"{type(command).__name__} of {getattr(command, field)!r}"
+    return type(command).__name__
+
+
+def check_fields(command: Any) -> None:
+    """Raise `CommandError` unless all fields of a command have their types, and every number is finite and within the
+    limit of its field."""
+    kind: Any = type(command)
+    for name, types in _types(kind).items():
+        value = getattr(command, name)
+        if value is None and type(None) in types:
+            continue
+        wanted = [_PAIR if get_origin(one) is tuple else _WORDS[one] for one in types if one is not type(None)]
+        if not any(_is(value, one) for one in types):
+            raise CommandError(f"{title(command)}: {name} must be {' or '.join(wanted)}, not {value!r}")
+        for number in value if wanted[0] is _PAIR else (value,):
+            if isinstance(number, Real) and not isinstance(number, bool):
+                _check(command, name, number)
+
+
+@cache
+def _types(kind: Any) -> dict[str, tuple[Any, ...]]:
+    """For each field of a command, the types that it may have."""
+    hints = get_type_hints(kind)
+    return {
+        item.name: get_args(hint) if get_origin(hint) in (Union, UnionType) else (hint,)
+        for item in fields(kind) for hint in (hints[item.name],)
+    }  # fmt: skip
+
+
+def _is(value: Any, kind: Any) -> bool:
+    """Whether a value may stand for a type; NumPy's numbers, and lists and arrays for pairs, may."""
+    if get_origin(kind) is tuple:
+        return isinstance(value, (tuple, list, np.ndarray)) and len(value) == 2 and all(_is(x, float) for x in value)
+    if kind is bool:
+        return isinstance(value, (bool, np.bool_))
+    if kind in (float, int):
+        return isinstance(value, Real if kind is float else Integral) and not isinstance(value, bool)
+    return isinstance(value, kind)
+
+
+def _check(command: Any, field: str, number: Any) -> None:
+    limit = _LIMITS.get(field, math.inf)
+    if not math.isfinite(number):
+        raise CommandError(f"{title(command)}: {field} must be a finite number, not {number}")
+    if abs(number) > limit:
+        raise CommandError(f"{title(command)}: {field} of {number:g} is past the limit of {limit:g}")
+    if field in _NOT_NEGATIVE and number < 0:
+        raise CommandError(f"{title(command)}: {field} must not be negative")

@@ -1,0 +1,207 @@
+"""What happened during the last step: arrays in a fixed order, worked out only when somebody asks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, fields
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sandbox.engine.events.between_steps import Finder, Interlude, Parting
+from sandbox.tables import Field, Integers, Records, Table
+from sandbox.world.state import State
+
+CONTACT_EVENT = Table(
+    "contact_event",
+    (
+        Field("body_a", "-", "index of the first body in `events.names`", "i8"),
+        Field("body_b", "-", "index of the second body", "i8"),
+        Field("shape_a", "-", "row of the first shape; shape_a < shape_b; -1 if it was deleted", "i8"),
+        Field("shape_b", "-", "row of the second shape; -1 if it was deleted", "i8"),
+        Field("x", "m", "where they touch: the middle of the contact points"),
+        Field("y", "m", ""),
+        Field("normal_x", "1", "unit normal from a to b"),
+        Field("normal_y", "1", ""),
+        Field("impulse", "N s", "normal impulse over the whole step"),
+        Field("speed", "m/s", "at which they closed in when the step began"),
+    ),
+)
+SENSOR_EVENT = Table(
+    "sensor_event",
+    (
+        Field("sensor_body", "-", "index of the sensor's body", "i8"),
+        Field("body", "-", "index of the body that it senses", "i8"),
+        Field("sensor", "-", "row of the sensor shape; -1 if it was deleted", "i8"),
+        Field("shape_index", "-", "row of the shape that it senses; -1 if it was deleted", "i8"),
+    ),
+)
+HIT_SPEED = 1.0
+"""Slower contacts are no hits, in m/s."""
+
+
+@dataclass(frozen=True)
+class Events:
+    """The events of one step, each array sorted by its rows' shapes or bodies.
+
+    `begin` and `end`: shapes began to push or overlap, or came apart by more than the contact margin (2 cm, less for
+    small bodies). `hit`: points that did not push before struck at `HIT_SPEED` or more. All three are `CONTACT_EVENT`
+    rows; an `end` has neither impulse nor speed. `enter` and `leave`: a sensor has, or no longer has, a shape in
+    it (`SENSOR_EVENT` rows). `sleep`, `wake` and `freeze` are body indices,
+    `joint_break` are rows of joints: `joint_names[row]`.
+
+    Contacts and sensings of bodies that were deleted before the step come last in `end` and `leave`. `names` are the
+    ids of the bodies, and after them those of deleted ones of which these rows speak.
+    """
+
+    step: int
+    names: tuple[str, ...]
+    begin: Records
+    end: Records
+    hit: Records
+    enter: Records
+    leave: Records
+    sleep: Integers
+    wake: Integers
+    freeze: Integers
+    joint_break: Integers
+    joint_names: tuple[str, ...] = ()
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """How many there are of each kind."""
+        return {kind: len(getattr(self, kind)) for kind in KINDS}
+
+    def __len__(self) -> int:
+        return sum(self.counts.values())
+
+    def __iter__(self) -> Iterator[dict[str, Any]]:
+        """Every event as plain data: its `event` kind, its `step`, body ids and figures."""
+        for kind in KINDS:
+            for row in getattr(self, kind):
+                plain = {"joint": self.joint_names[row]} if kind == "joint_break" else _plain(row, self.names)
+                yield {"event": kind, "step": self.step, **plain}
+
+
+KINDS = tuple(field.name for field in fields(Events))[2:-1]
+"""The kinds of events, in the order in which they are told."""
+
+
+def _plain(row: Any, names: tuple[str, ...]) -> dict[str, Any]:
+    if not isinstance(row, np.record):
+        return {"body": names[row]}
+    if "sensor" in (row.dtype.names or ()):
+        return {"sensor": names[row.sensor_body], "body": names[row.body]}
+    return {
+        "a": names[row.body_a],
+        "b": names[row.body_b],
+        "point": [float(row.x), float(row.y)],
+        "normal": [float(row.normal_x), float(row.normal_y)],
+        "impulse": float(row.impulse),
+        "speed": float(row.speed),
+    }
+
+
+def nothing(step: int, names: tuple[str, ...]) -> Events:
+    """The events of a step in which nothing happened."""
+    contact, sensor, body = CONTACT_EVENT.zeros(0), SENSOR_EVENT.zeros(0), np.zeros(0, np.int64)
+    return Events(step, names, contact, contact, contact, sensor, sensor, body, body, body, body)
+
+
+def happened(state: State, before: Any, reports: Any, enter: Records, leave: Records, interlude: Interlude) -> Events:
+    """The events of the step that led to `state`: its `reports`, and `before`, the contacts of the step before.
+
+    `interlude` tells what was deleted before the step, and who was put elsewhere since.
+    """
+    counter, bodies = state.counters[0], state.bodies
+    centers, finder = _centers(bodies, interlude), Finder(state)
+    parted = _parted(CONTACT_EVENT, interlude.ends, finder), _parted(SENSOR_EVENT, interlude.leaves, finder)
+    now: Any = np.asarray(state.contacts[: int(counter.contact_count)])
+    old: Any = np.asarray(before)[: int(counter.old_contact_count)]
+    touched, touches = old["touching"] == 1, now["touching"] == 1
+    old_keys, keys = _keys(old[touched]), _keys(now[touches])
+    did: Any = np.asarray(reports)[: len(now)]
+    struck = did["hit_speed"] >= HIT_SPEED
+    fresh = np.flatnonzero(touches)[~_among(keys, old_keys)]
+    ended = np.flatnonzero(touched)[~_among(old_keys, keys)]
+    return Events(
+        int(counter.step_count),
+        finder.names,
+        _contact_rows(now[fresh], did[fresh], centers),
+        _followed_by(_contact_rows(old[ended], None, centers), parted[0]),
+        _contact_rows(now[struck], did[struck], centers),
+        enter,
+        _followed_by(leave, parted[1]),
+        np.flatnonzero(bodies.stirred == -1),
+        np.flatnonzero(bodies.stirred == 1),
+        np.flatnonzero(bodies.frozen_step == counter.step_count - 1),
+        np.flatnonzero(state.joints.broken_step == counter.step_count - 1),
+        state.joint_names,
+    )
+
+
+def differences(before: Any, after: Any) -> tuple[Records, Records]:
+    """`SENSOR_EVENT` rows that are new, and those that are gone."""
+    old, new = _pair_keys(before), _pair_keys(after)
+    return after[~_among(new, old)], before[~_among(old, new)]
+
+
+def _centers(bodies: Records, interlude: Interlude) -> dict[str, Any]:
+    """The centres of mass at the end of the step, whatever commands have moved since."""
+    centers: dict[str, Any] = {"x": bodies.center_x, "y": bodies.center_y}
+    if interlude.places:
+        rows = list(interlude.places)
+        for k, axis in enumerate("xy"):
+            centers[axis] = centers[axis].copy()
+            centers[axis][rows] = [place[k] for place in interlude.places.values()]
+    return centers
+
+
+def _parted(table: Table, parts: list[Parting], finder: Finder) -> Records:
+    rows = table.zeros(len(parts))
+    for row, part in zip(rows, parts, strict=True):
+        # Both tables begin with two bodies and two shapes; a contact goes on with its place and normal.
+        figures = (*finder.rows(part), *part.figures)
+        for name, value in zip(table.dtype.names or (), figures, strict=False):
+            row[name] = value
+    return rows
+
+
+def _followed_by(rows: Records, more: Records) -> Records:
+    return np.concatenate([rows, more]).view(np.recarray) if len(more) else rows
+
+
+def _contact_rows(contacts: Any, did: Any, centers: dict[str, Any]) -> Records:
+    rows: Any = CONTACT_EVENT.zeros(len(contacts))
+    for name in ("body_a", "body_b", "shape_a", "shape_b", "normal_x", "normal_y"):
+        rows[name] = contacts[name]
+    two = contacts["point_count"] == 2
+    for axis in "xy":
+        first, second = contacts[f"anchor_a{axis}1"], contacts[f"anchor_a{axis}2"]
+        rows[axis] = centers[axis][contacts["body_a"]] + np.where(two, 0.5 * (first + second), first)
+    if did is not None:
+        rows["impulse"], rows["speed"] = did["total_impulse"], did["hit_speed"]
+    return rows  # type: ignore[no-any-return]
+
+
+def _keys(contacts: Any) -> Integers:
+    return _joined(contacts["shape_a"], contacts["shape_b"])
+
+
+def _pair_keys(rows: Records) -> Integers:
+    return _joined(rows["sensor"], rows["shape_index"])
+
+
+def _joined(first: Any, second: Any) -> Integers:
+    """One number for a pair of shape rows, in the order of the pairs."""
+    return np.asarray((first << 32) | second, np.int64)
+
+
+def _among(keys: Integers, others: Integers) -> NDArray[np.bool_]:
+    """Which of the sorted keys are also in `others`, sorted as well."""
+    place = np.searchsorted(others, keys)
+    found: NDArray[np.bool_] = np.zeros(len(keys), np.bool_)
+    inside = place < len(others)
+    found[inside] = others[place[inside]] == keys[inside]
+    return found

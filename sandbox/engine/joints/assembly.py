@@ -1,0 +1,238 @@
+"""Which rows the joints of a world need, what hangs together, and in which order it is eliminated."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from sandbox.engine.joints.records import BOND, LINK, MEMBER, PART, ROW, SEAT, JointWork
+from sandbox.engine.joints.symbolic import Pattern, minimum_degree, symbolic
+from sandbox.tables import Integers, Records
+from sandbox.world import joint_records as kinds
+
+_BASE_SLOTS = {
+    kinds.REVOLUTE: (0, 1), kinds.PRISMATIC: (0, 1), kinds.WELD: (0, 1, 2), kinds.WHEEL: (0,), kinds.GEAR: (0,),
+    kinds.PULLEY: (0,), kinds.MOTOR: (0, 1, 2), kinds.TARGET: (0, 1), kinds.FRICTION: (0, 1, 2),
+}  # fmt: skip
+Pair = tuple[int, int]
+UPDATES_A_ROW = 200
+"""A part is factorised up to so many multiplications a row, and a few thousand more."""
+
+
+def slots_of(joint: Any) -> tuple[int, ...]:
+    """The rows a joint needs; see `work.ROW`."""
+    kind = int(joint.kind)
+    if kind == kinds.DISTANCE:
+        base: tuple[int, ...] = () if joint.spring or joint.limit else (0,)
+        driven = joint.limit
+    elif kind == kinds.WHEEL:
+        base = (0, 2) if joint.motor else (0,)
+        driven = joint.limit
+    else:
+        base = _BASE_SLOTS[kind]
+        driven = kind in (kinds.REVOLUTE, kinds.PRISMATIC) and (joint.limit or joint.motor)
+    sprung = joint.spring and kind in (kinds.DISTANCE, kinds.REVOLUTE, kinds.PRISMATIC, kinds.WHEEL)
+    return base + ((3,) if sprung else ()) + ((4,) if driven else ())
+
+
+def _may_be_bounded(joint: Any, slot: int) -> bool:
+    kind = int(joint.kind)
+    brake = kind == kinds.WHEEL and slot == 2
+    return slot == 4 or brake or kind in (kinds.MOTOR, kinds.TARGET, kinds.FRICTION)
+
+
+def holding(joints: Records) -> list[bool]:
+    """Which joints have an effect: neither broken nor switched off, nor a gear on such a joint."""
+    works = [bool(joint.enabled) and joint.broken_step < 0 for joint in joints]
+    return [
+        works[j] and (int(joint.kind) != kinds.GEAR or (works[joint.joint_1] and works[joint.joint_2]))
+        for j, joint in enumerate(joints)
+    ]
+
+
+@dataclass(frozen=True)
+class Joined:
+    """What the step needs to know of joints: the pairs of bodies that do not collide, sorted, a mark on each of their
+    bodies, and the memory of the joint solver, None where no joint holds, so that such worlds pay nothing."""
+
+    bonds: Records
+    joined: Integers
+    joints: JointWork | None
+
+
+def lay_out(joints: Records, bodies: Records) -> Joined:
+    """Scratch memory for all joints that hold.
+
+    It is a function of the two tables alone: a world that goes on and one that is restored solve in the same order.
+    """
+    layout = _Layout(joints, bodies)
+    tied, bound = layout.pairs()
+    marks = np.zeros(len(bodies), np.int64)
+    marks[[body for pair in bound for body in pair]] = 1
+    return Joined(_pair_table(bound), marks, layout.work(_pair_table(tied)) if layout.holding else None)
+
+
+class _Layout:
+    def __init__(self, joints: Records, bodies: Records) -> None:
+        self.joints = joints
+        # A body that bad numbers froze keeps its mass: what hangs together must not depend on that.
+        self.movable = np.asarray(bodies.mass) > 0.0
+        self.holding = [j for j, holds in enumerate(holding(joints)) if holds]
+        self.touched = {j: self._touched(joints[j]) for j in self.holding}
+
+    def _touched(self, joint: Any) -> list[int]:
+        """The bodies of a joint that it can move, in the order of its sides."""
+        return [body for body in self._sides(joint) if body >= 0 and self.movable[body]]
+
+    def _sides(self, joint: Any) -> list[int]:
+        if int(joint.kind) != kinds.GEAR:
+            return [int(joint.body_a), int(joint.body_b)]
+        first, second = self.joints[joint.joint_1], self.joints[joint.joint_2]
+        return [int(first.body_a), int(first.body_b), int(second.body_a), int(second.body_b)]
+
+    def work(self, ties: Records) -> JointWork:
+        """Everything, part after part."""
+        self.ties = ties
+        self.of_body: dict[int, list[int]] = {}
+        for j, touched in self.touched.items():
+            for body in dict.fromkeys(touched):
+                self.of_body.setdefault(body, []).append(j)
+        self.member_of = {-1: 0}
+        self.members: list[tuple[int, int]] = [(-1, -1)]
+        for j in self.holding:
+            for body in self._sides(self.joints[j]):
+                if body >= 0 and not self.movable[body]:
+                    self._add_member(body, -1)
+        self.seats: list[int] = []
+        self.rows: list[tuple[int, int, list[int]]] = []
+        self.parts: list[dict[str, int]] = []
+        self.pattern = Pattern()
+        self.links: list[tuple[int, int, int, int, int]] = []
+        for number, part in enumerate(self._parts()):
+            self._add_part(number, part)
+        return self._tables()
+
+    def _add_member(self, body: int, part: int) -> None:
+        if body not in self.member_of:
+            self.member_of[body] = len(self.members)
+            self.members.append((body, part))
+
+    def _parts(self) -> list[list[int]]:
+        """Joints that hang together by bodies they move, each set in ascending order."""
+        seen = set()
+        found = []
+        for start in self.holding:
+            if start in seen:
+                continue
+            seen.add(start)
+            part = [start]
+            for j in part:  # grows while it is walked
+                for body in self.touched[j]:
+                    fresh = [k for k in self.of_body[body] if k not in seen]
+                    part += fresh
+                    seen.update(fresh)
+            found.append(sorted(part))
+        return found
+
+    def _add_part(self, number: int, part: Sequence[int]) -> None:
+        first_member, first_seat, first_row = len(self.members), len(self.seats), len(self.rows)
+        for j in part:
+            for body in self.touched[j]:
+                self._add_member(body, number)
+        slots = {j: slots_of(self.joints[j]) for j in part}
+        neighbours = {j: sorted({k for body in self.touched[j] for k in self.of_body[body]} - {j}) for j in part}
+        order, direct = minimum_degree(part, neighbours, {j: len(slots[j]) for j in part}, UPDATES_A_ROW)
+        row_numbers: dict[int, list[int]] = {}
+        for j in order:
+            row_numbers[j] = list(range(len(self.rows), len(self.rows) + len(slots[j])))
+            sides = [self.member_of[body] for body in self._sides(self.joints[j])]
+            self.rows += [(len(self.seats), slot, sides) for slot in slots[j]]
+            self.seats.append(j)
+        first_link, first_target = len(self.links), len(self.pattern.targets)
+        self._eliminate(order, row_numbers, neighbours, direct)
+        self.parts.append(
+            {
+                "first_row": first_row, "row_end": len(self.rows), "first_seat": first_seat,
+                "seat_end": len(self.seats),
+                "first_member": first_member, "member_end": len(self.members), "first_link": first_link,
+                "link_end": len(self.links), "first_target": first_target, "direct": int(direct),
+                "anchored": int(any(body not in self.touched[j] for j in part for body in self._sides(self.joints[j]))),
+                "bounded": int(any(_may_be_bounded(self.joints[j], slot) for j in part for slot in slots[j])),
+            }
+        )  # fmt: skip
+
+    def _eliminate(
+        self, order: list[int], rows: dict[int, list[int]], neighbours: dict[int, list[int]], direct: bool
+    ) -> None:
+        """Columns of the factor and the pairs of rows that add to it."""
+        place = {j: k for k, j in enumerate(order)}
+        blocks = [[rows[k] for k in neighbours[j] if place[k] > place[j]] if direct else [] for j in order]
+        entry = symbolic([rows[j] for j in order], blocks, self.pattern, direct)
+        if not direct:
+            return
+        for j in order:
+            later = [j, *(k for k in neighbours[j] if place[k] > place[j])]
+            for r in rows[j]:
+                for s in (s for k in later for s in rows[k] if s >= r):
+                    self._link(r, s, entry[r, s])
+
+    def _link(self, r: int, s: int, entry: int) -> None:
+        for a, member in enumerate(self.rows[r][2]):
+            for b, other in enumerate(self.rows[s][2]):
+                if member == other and self.members[member][1] >= 0:
+                    self.links.append((s, r, b + 1, a + 1, entry))
+
+    def _tables(self) -> JointWork:
+        members, seats = MEMBER.zeros(len(self.members)), SEAT.zeros(len(self.seats))
+        rows, parts, links = ROW.zeros(len(self.rows)), PART.zeros(len(self.parts)), LINK.zeros(len(self.links))
+        members.body, members.part = (list(column) for column in zip(*self.members, strict=True))
+        members.cos = 1.0
+        seat_of = {j: k for k, j in enumerate(self.seats)}
+        part_of_seat = [n for n, part in enumerate(self.parts) for _ in range(part["first_seat"], part["seat_end"])]
+        for k, (row, j) in enumerate(zip(seats, self.seats, strict=True)):
+            joint = self.joints[j]
+            row.joint, row.part = j, part_of_seat[k]
+            row.seat_1, row.seat_2 = seat_of.get(joint.joint_1, -1), seat_of.get(joint.joint_2, -1)
+            row.member_a, row.member_b = (self.member_of[body] for body in self._sides(joint)[:2])
+        for r, (seat, slot, sides) in enumerate(self.rows):
+            rows[r].seat, rows[r].slot, rows[r].sides = seat, slot, len(sides)
+            for k, member in enumerate(sides):
+                rows[r][f"member_{k + 1}"] = member
+            if seats[seat].row_count == 0:
+                seats[seat].first_row = r
+            seats[seat].row_count += 1
+        for row, fields in zip(parts, self.parts, strict=True):
+            for name, value in fields.items():
+                row[name] = value
+        for link, values in zip(links, self.links, strict=True):
+            for name, number in zip(LINK.dtype.names or (), values, strict=True):
+                link[name] = number
+        pattern = self.pattern
+        part_of = np.full(len(self.movable), -1, np.int64)
+        part_of[members.body[1:]] = members.part[1:]
+        starts, row_of = np.array([*pattern.starts, len(pattern.row_of)], np.int64), np.array(pattern.row_of, np.int64)
+        targets, entries = np.array(pattern.targets, np.int64), np.zeros(len(pattern.row_of))
+        return JointWork(
+            self.joints, self.ties, part_of, members, seats, rows, parts, links, starts, row_of, targets, entries
+        )
+
+    def pairs(self) -> tuple[list[Pair], list[Pair]]:
+        """Pairs of bodies with a joint, and those of them that do not collide, both sorted."""
+        tied: set[Pair] = set()
+        bound: set[Pair] = set()
+        for j in self.holding:
+            sides = sorted({body for body in self._sides(self.joints[j]) if body >= 0})
+            tied |= {(a, b) for a in sides for b in sides if a < b}
+            if not self.joints[j].collide and int(self.joints[j].kind) != kinds.GEAR:
+                bound |= {(a, b) for a in sides for b in sides if a < b}
+        return sorted(tied), sorted(bound)
+
+
+def _pair_table(pairs: Sequence[Pair]) -> Records:
+    table = BOND.zeros(len(pairs))
+    if pairs:
+        table.low, table.high = (list(column) for column in zip(*pairs, strict=True))
+    return table

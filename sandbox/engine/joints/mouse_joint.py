@@ -1,0 +1,58 @@
+"""Stage: pull grabbed points toward their targets, softly and with a force limit (the mouse)."""
+
+from __future__ import annotations
+
+import math
+
+from sandbox._jit import kernel
+from sandbox.engine.contact_solver.soft_constraint import soft_coefficients
+from sandbox.tables import Records
+from sandbox.world.records import DYNAMIC
+
+
+@kernel
+def solve_drags(bodies: Records, motions: Records, flights: Records, drags: Records, pace: int, seconds: float) -> None:
+    """Warm start and solve every drag on bodies of a pace once."""
+    for k in range(drags.shape[0]):
+        drag = drags[k]
+        if drag.body >= 0 and bodies[drag.body].type == DYNAMIC and flights[drag.body].pace == pace:
+            _solve(bodies[drag.body], motions[drag.body], drag, seconds)
+
+
+@kernel
+def _solve(body: Records, motion: Records, drag: Records, seconds: float) -> None:
+    c = body.rotation_cos * motion.delta_cos - body.rotation_sin * motion.delta_sin
+    s = body.rotation_sin * motion.delta_cos + body.rotation_cos * motion.delta_sin
+    rx = c * drag.local_x - s * drag.local_y
+    ry = s * drag.local_x + c * drag.local_y
+    _apply(body, motion, rx, ry, drag.impulse_x, drag.impulse_y)
+    bias_rate, mass_scale, impulse_scale = soft_coefficients(drag.hertz, drag.damping_ratio, seconds)
+    error_x = body.center_x + motion.delta_x + rx - drag.target_x
+    error_y = body.center_y + motion.delta_y + ry - drag.target_y
+    speed_x = motion.velocity_x - motion.angular_velocity * ry + bias_rate * error_x
+    speed_y = motion.velocity_y + motion.angular_velocity * rx + bias_rate * error_y
+    k11 = body.inverse_mass + body.inverse_inertia * ry * ry
+    k12 = -body.inverse_inertia * rx * ry
+    k22 = body.inverse_mass + body.inverse_inertia * rx * rx
+    determinant = k11 * k22 - k12 * k12
+    if determinant <= 0.0:
+        return
+    old_x = drag.impulse_x
+    old_y = drag.impulse_y
+    new_x = old_x - mass_scale * (k22 * speed_x - k12 * speed_y) / determinant - impulse_scale * old_x
+    new_y = old_y - mass_scale * (k11 * speed_y - k12 * speed_x) / determinant - impulse_scale * old_y
+    limit = seconds * drag.max_force
+    size = math.sqrt(new_x * new_x + new_y * new_y)
+    if size > limit:
+        new_x = new_x * (limit / size)
+        new_y = new_y * (limit / size)
+    drag.impulse_x = new_x
+    drag.impulse_y = new_y
+    _apply(body, motion, rx, ry, new_x - old_x, new_y - old_y)
+
+
+@kernel
+def _apply(body: Records, motion: Records, rx: float, ry: float, px: float, py: float) -> None:
+    motion.velocity_x += body.inverse_mass * px
+    motion.velocity_y += body.inverse_mass * py
+    motion.angular_velocity += body.inverse_inertia * (rx * py - ry * px)

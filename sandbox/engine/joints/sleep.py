@@ -1,0 +1,57 @@
+"""What joints say about sleep: which bodies rest by them, and which are kept awake."""
+
+from __future__ import annotations
+
+from sandbox._jit import kernel
+from sandbox.engine.active.body_flags import DRIVES, KEPT, RESTS
+from sandbox.engine.joints.records import JointWork
+from sandbox.engine.joints.separated import overrun
+from sandbox.engine.joints.targets import is_rigid
+from sandbox.tables import Integers, Records
+from sandbox.world.joint_records import MOTOR, TARGET
+
+DRAWN = 0.02
+"""Bodies whose joint is farther off than this (m or rad) are being drawn together, which does not count as speed."""
+
+
+@kernel
+def mark_held(marks: Integers, joints: JointWork) -> None:
+    """What hangs from something that does not move rests as well, and what hangs together rests together."""
+    for i in range(1, joints.members.shape[0]):
+        member = joints.members[i]
+        if member.part >= 0 and (joints.parts[member.part].anchored == 1 or joints.parts[member.part].borne == 1):
+            marks[member.body] |= RESTS
+
+
+@kernel
+def keep_driven_awake(marks: Integers, joints: JointWork) -> None:
+    """Bodies that a joint ties to a driven body do not fall asleep."""
+    for i in range(joints.ties.shape[0]):
+        a = joints.ties[i].low
+        b = joints.ties[i].high
+        if (marks[a] | marks[b]) & DRIVES:
+            marks[a] |= KEPT
+            marks[b] |= KEPT
+
+
+@kernel
+def keep_drawn_awake(marks: Integers, joints: JointWork) -> None:
+    """Bodies that a rigid joint or a limit is still drawing to where they belong do not fall asleep."""
+    for r in range(joints.rows.shape[0]):
+        row = joints.rows[r]
+        seat = joints.seats[row.seat]
+        if joints.parts[seat.part].awake == 1 and _is_drawn(row, joints.joints[seat.joint]):
+            a = joints.members[row.member_1].body
+            b = joints.members[row.member_2].body
+            if a >= 0:
+                marks[a] |= KEPT
+            if b >= 0:
+                marks[b] |= KEPT
+
+
+@kernel
+def _is_drawn(row: Records, joint: Records) -> bool:
+    if row.slot == 4:
+        return bool(joint.limit == 1 and abs(overrun(joint, row.error)) > DRAWN)
+    weak = joint.kind == MOTOR or joint.kind == TARGET
+    return bool(not weak and is_rigid(row, joint) and abs(row.error) > DRAWN)

@@ -1,0 +1,123 @@
+"""Where the pairs will be that close in faster than their margin: what will touch within the step has a contact now.
+
+Such a pair is looked at where it will first touch: the axis there is the one that stops it, while the axis at the
+start would deflect bodies that only pass by. Where a body spins so fast that its way bends by more than the margin,
+no axis of now says anything: it is not looked ahead, but caught when it touches (`continuous`).
+"""
+
+from __future__ import annotations
+
+import math
+
+from sandbox._jit import inlined_kernel, kernel
+from sandbox.engine.broad_phase.proxies import ACTIVE, BULLET, FIXED, HEMMED
+from sandbox.geometry.time_of_touch import time_of_touch
+from sandbox.tables import Integers, Records
+
+_SLOP_SHARE = 0.05
+"""Share of the margin within which a fast pair counts as touching already."""
+
+
+@kernel
+def mark_hemmed(owners: Records, movers: Integers, moving: Integers, holds: Records, proxies: Records) -> None:
+    """Tell the proxies of moving shapes whether something immovable may stop their body; the grid knows of which.
+
+    The velocities of two such bodies may change within the step: their difference says too little.
+    """
+    for i in movers:
+        holds[i].hemmed = 0
+    for i in moving:
+        if owners[i].hemmed == 1:
+            holds[owners[i].body].hemmed = 1
+    for i in moving:
+        if holds[owners[i].body].hemmed == 1:
+            proxies[i].traits |= HEMMED
+
+
+@inlined_kernel
+def closing_way(a: Records, b: Records, vx: float, vy: float, seconds: float) -> float:
+    """Most (m) that two proxies can close in within the step; (vx, vy) is the velocity of b against a."""
+    speed = math.sqrt(vx * vx + vy * vy)
+    if (a.traits | b.traits) & HEMMED and a.traits & b.traits & ACTIVE:
+        speed = speed + a.speed
+        speed = speed + b.speed
+    return float(seconds * speed + seconds * (a.swing + b.swing))
+
+
+@kernel
+def look_ahead(
+    bodies: Records,
+    shapes: Records,
+    proxies: Records,
+    turned: Records,
+    i: int,
+    j: int,
+    margin: float,
+    fall: float,
+    seconds: float,
+    manifold: Records,
+) -> tuple[float, float, float, float]:
+    """(time, vx, vy, margin): when a pair whose `closing_way` is more than its margin is to be looked at.
+
+    (vx, vy) is the velocity (m/s) of b against a that brings it there, the margin how far from touching it may be
+    then (m). The time is -1 if it will not touch. `margin` is that of a slow pair.
+    """
+    a = proxies[i]
+    b = proxies[j]
+    vx = b.velocity_x - a.velocity_x
+    vy = b.velocity_y - a.velocity_y
+    watched = (a.traits | b.traits) & (FIXED | BULLET) != 0
+    if watched and _bend(bodies, shapes, i, seconds) + _bend(bodies, shapes, j, seconds) > margin:
+        return 0.0, vx, vy, _SLOP_SHARE * margin
+    slop = _SLOP_SHARE * margin + fall + seconds * (a.swing + b.swing)
+    way = closing_way(a, b, vx, vy, seconds)
+    t = _touch(proxies, turned, i, j, vx, vy, seconds, slop, manifold)
+    if t < 0.0 and (a.traits | b.traits) & HEMMED and a.traits & b.traits & ACTIVE:
+        # Either of them may be stopped within the step: what if only the other one moves?
+        for only_a in range(2):
+            if t < 0.0:
+                vx = -a.velocity_x if only_a == 1 else b.velocity_x
+                vy = -a.velocity_y if only_a == 1 else b.velocity_y
+                t = _touch(proxies, turned, i, j, vx, vy, seconds, slop, manifold)
+    return t, vx, vy, way
+
+
+@inlined_kernel
+def _bend(bodies: Records, shapes: Records, i: int, seconds: float) -> float:
+    """How far the way of a shape's outermost point bends away from its tangent within the step, in metres."""
+    body = bodies[shapes[i].body]
+    turn = seconds * body.angular_velocity
+    return float(0.5 * turn * turn * (body.extent - shapes[i].thin))
+
+
+@kernel
+def _touch(
+    proxies: Records,
+    turned: Records,
+    i: int,
+    j: int,
+    vx: float,
+    vy: float,
+    seconds: float,
+    slop: float,
+    manifold: Records,
+) -> float:
+    """Time until two shapes touch, if b moves against a by (vx, vy) m/s; -1 if they do not within `seconds`."""
+    a = proxies[i]
+    b = proxies[j]
+    return time_of_touch(
+        turned,
+        a.vertex_start,
+        a.vertex_count,
+        a.radius,
+        b.vertex_start,
+        b.vertex_count,
+        b.radius,
+        b.center_x - a.center_x,
+        b.center_y - a.center_y,
+        vx,
+        vy,
+        seconds,
+        slop,
+        manifold,
+    )

@@ -1,0 +1,129 @@
+"""Memory of the queries of one world: made at the first question, never hashed, never saved."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sandbox.engine.broad_phase.grid import LEVEL_SPACE, LEVELS
+from sandbox.engine.memory.records import BOX
+from sandbox.engine.memory.scratch import head_count
+from sandbox.tables import Field, Integers, Records, Table
+from sandbox.world.records import VERTEX
+from sandbox.world.state import State
+
+MAX_CORE = 64
+"""Vertices of a shape that is asked about."""
+SPARE_CORES = 3 * MAX_CORE
+"""Rows at the end of the turned cores: the mirrored core of the question, then its sum with a core of the world."""
+
+REGION = Table(
+    "region",
+    (
+        Field("level", "-", "cells are 2**level times the base cell wide", "i8"),
+        Field("count", "-", "boxes on this level", "i8"),
+        Field("cells_per_metre", "1/m", "inverse width of its cells"),
+        Field("lower_x", "m", "bounds of the middles of its boxes"),
+        Field("lower_y", "m", ""),
+        Field("upper_x", "m", ""),
+        Field("upper_y", "m", ""),
+    ),
+)
+"""One row a level with many boxes: where it is populated. The last row has the bounds of all boxes."""
+
+QUESTION = Table(
+    "question",
+    (
+        Field("region_count", "-", "levels with many boxes", "i8"),
+        Field("sparse_count", "-", "boxes on the other levels", "i8"),
+        Field("mask", "-", "categories that are seen", "i8"),
+        Field("category", "-", "what the query counts as to the masks of shapes; 0 passes over their masks", "i8"),
+        Field("group", "-", "as for shapes", "i8"),
+        Field("types", "-", "bit set of the body types that are seen", "i8"),
+        Field("sensors", "-", "1: sensors are seen too", "i8"),
+        Field("count", "-", "vertices of the mirrored core", "i8"),
+        Field("radius", "m", "rounding of the query shape"),
+        Field("extent", "m", "farthest point of the query shape from its reference point"),
+        Field("lower_x", "m", "bounds of the query shape from its reference point"),
+        Field("lower_y", "m", ""),
+        Field("upper_x", "m", ""),
+        Field("upper_y", "m", ""),
+    ),
+)
+"""What is asked, but for the place: the filter and the query shape."""
+
+WALK = Table(
+    "walk",
+    (
+        Field("x", "m", "where the reference point starts"),
+        Field("y", "m", ""),
+        Field("way_x", "m", "where it goes"),
+        Field("way_y", "m", ""),
+        Field("limit", "1", "fraction of the way that still matters"),
+        Field("lower_x", "m", "bounds of what is swept, from the reference point"),
+        Field("lower_y", "m", ""),
+        Field("upper_x", "m", ""),
+        Field("upper_y", "m", ""),
+        Field("stage", "-", "-1 sparse boxes, then the row of the region", "i8"),
+        Field("by_columns", "-", "1 when lines of cells are columns, 0 rows", "i8"),
+        Field("line", "-", "line of cells under way", "i8"),
+        Field("turn", "-", "1 or -1: to the next line", "i8"),
+        Field("lines_left", "-", "", "i8"),
+        Field("cell", "-", "next cell of the line", "i8"),
+        Field("last_cell", "-", "", "i8"),
+        Field("first", "-", "found: rows of the ordered boxes, from `first` to before `end`", "i8"),
+        Field("end", "-", "", "i8"),
+        Field("level", "-", "found: only boxes of this level count", "i8"),
+        Field("low_x", "-", "found: only boxes of these cells count", "i8"),
+        Field("high_x", "-", "", "i8"),
+        Field("low_y", "-", "", "i8"),
+        Field("high_y", "-", "", "i8"),
+    ),
+)
+"""How far a walk through the grid has come."""
+
+HIT = Table(
+    "hit",
+    (
+        Field("shape_index", "-", "row of the shape; -1 for none", "i8"),
+        Field("body", "-", "index of its body; -1 for none", "i8"),
+        Field("fraction", "1", "of the way; for proximity the distance in metres"),
+        Field("x", "m", "point of the hit"),
+        Field("y", "m", ""),
+        Field("normal_x", "1", "outward unit normal of what was hit"),
+        Field("normal_y", "1", ""),
+    ),
+)
+"""One row an answer."""
+
+
+@dataclass
+class Memory:
+    """The arrays of the grid and of one question at a time."""
+
+    turned: Records
+    boxes: Records
+    ordered: Records
+    heads: Integers
+    levels: Integers
+    regions: Records
+    question: Records
+    walk: Records
+    hidden: Integers
+
+    @classmethod
+    def for_state(cls, state: State) -> Memory:
+        """Memory for all bodies and shapes of `state`."""
+        shapes = len(state.shapes)
+        return cls(
+            turned=VERTEX.zeros(len(state.vertices) + SPARE_CORES),
+            boxes=BOX.zeros(shapes),
+            ordered=BOX.zeros(shapes),
+            heads=np.zeros(head_count(shapes), np.int64),
+            levels=np.zeros(LEVEL_SPACE, np.int64),
+            regions=REGION.zeros(LEVELS + 1),
+            question=QUESTION.zeros(1),
+            walk=WALK.zeros(1),
+            hidden=np.zeros(len(state.bodies), np.int64),
+        )
