@@ -5,20 +5,20 @@ from __future__ import annotations
 from typing import Any
 
 from sandbox._jit import Call, kernel_argument
-from sandbox.engine.continuous_collision.solve_continuous import catch
+from sandbox.engine.continuous_collision.solve_continuous import solve_continuous
 from sandbox.engine.fields.apply import apply_fields
 from sandbox.engine.fields.records import has_fields
-from sandbox.engine.joints.assembly import lay_out
+from sandbox.engine.joints.assembly import assemble
 from sandbox.engine.memory.binding import bind
 from sandbox.engine.memory.scratch import Scratch
-from sandbox.engine.step import MUST_CATCH, find_touching, move
-from sandbox.engine.warm_up import compile_catch, compile_step
+from sandbox.engine.step import NEEDS_CONTINUOUS, collide, solve
+from sandbox.engine.warm_up import compile_continuous, compile_step
 from sandbox.world.records import CONTACT
 from sandbox.world.state import State
 
 
 class Stepper:
-    """Steps a state. Whoever replaces its arrays calls `renew`, whoever switches a joint `lay_out_joints`."""
+    """Steps a state. Whoever replaces its arrays calls `renew`, whoever switches a joint `assemble_joints`."""
 
     scratch: Scratch
     counters: Any
@@ -34,17 +34,17 @@ class Stepper:
         compile_step(self.scratch.joints is not None)
 
     def step(self) -> None:
-        """Take one step. Then `state.contacts` are those of this step, `scratch.contacts` those of the one before."""
+        """Take one step. Then `state.contacts` are those of it, `scratch.contacts.now` those of the step before."""
         if self._fields:
             self._fields[self._turn]()
         while not self._advance():
             pass
         # A step reads the contacts of the last one while it writes the new ones.
         self._turn = 1 - self._turn
-        state, scratch = self._state, self.scratch
-        state.contacts, scratch.contacts = scratch.contacts, state.contacts
+        self._state.contacts = self.scratch.contacts.now
+        self.scratch.contacts = self._contacts[self._turn]
         if self.counters["broken_count"][0] != self._broken:
-            self.lay_out_joints()
+            self.assemble_joints()
 
     def renew(self, blocks: int = 0) -> None:
         """Take new scratch memory, for as many pairs as the state has rows for contacts, and so many solver blocks."""
@@ -53,21 +53,21 @@ class Stepper:
 
     def forget(self) -> None:
         """Look anew at who may move: something was changed from outside."""
-        self.scratch.census.stale = 1
+        self.scratch.active.info.stale = 1
 
-    def lay_out_joints(self) -> None:
+    def assemble_joints(self) -> None:
         """Find out anew what hangs together by joints, after one of them broke or was switched."""
-        vars(self.scratch).update(vars(lay_out(self._state.joints, self._state.bodies)))
+        self.scratch.joint_filter, self.scratch.joints = assemble(self._state.joints, self._state.bodies)
         self._prepare_calls()
 
     def _advance(self) -> bool:
         """Take a step; False if it lacked scratch memory, which it has now: then nothing else has changed."""
-        see, go, take_back = self._parts[self._turn]
-        lacking_pairs = see()
-        lacking_blocks = go() if lacking_pairs == 0 else 0
-        if lacking_blocks == MUST_CATCH:
-            compile_catch()
-            take_back()
+        collide, solve, solve_continuous = self._parts[self._turn]
+        lacking_pairs = collide()
+        lacking_blocks = solve() if lacking_pairs == 0 else 0
+        if lacking_blocks == NEEDS_CONTINUOUS:
+            compile_continuous()
+            solve_continuous()
         elif lacking_pairs or lacking_blocks:
             self._make_room(lacking_pairs, lacking_blocks)
             return False
@@ -77,10 +77,12 @@ class Stepper:
         """Grow scratch memory to that many pairs and blocks, and half as many more."""
         old, contacts = self.scratch, self._state.contacts
         count = int(self.counters["contact_count"][0])
-        self._state.contacts = CONTACT.zeros(max(len(old.pairs), pairs + pairs // 2))
+        self._state.contacts = CONTACT.zeros(max(len(old.grid.pairs), pairs + pairs // 2))
         self._state.contacts[:count] = contacts[:count]
-        self.renew(blocks=max(len(old.blocks), blocks + blocks // 2))
-        self.scratch.flights.buoyed = old.flights.buoyed  # the fields of this step have been applied
+        self.renew(blocks=max(len(old.blocks.blocks), blocks + blocks // 2))
+        self.scratch.solver.free_motions.buoyed = (
+            old.solver.free_motions.buoyed
+        )  # the fields of this step have been applied
 
     def _prepare_calls(self) -> None:
         """The calls of a step: some for even and some for odd steps, as the contact tables swap places."""
@@ -90,9 +92,12 @@ class Stepper:
         self._broken = int(self.counters["broken_count"][0])
         self._parts: list[tuple[Call, ...]] = []
         self._fields: list[Call] = []
-        now, after = state.contacts, scratch.contacts
-        for state.contacts, scratch.contacts in ((after, now), (now, after)):
-            self._parts.insert(0, tuple(self._call(part) for part in (find_touching, move, catch)))
+        first = scratch.contacts._replace(before=state.contacts)
+        second = first._replace(now=first.before, before=first.now)
+        self._contacts = (first, second)
+        for scratch.contacts in (second, first):
+            state.contacts = scratch.contacts.before
+            self._parts.insert(0, tuple(self._call(part) for part in (collide, solve, solve_continuous)))
             if has_fields(state):
                 self._fields.insert(0, self._call(apply_fields))
 

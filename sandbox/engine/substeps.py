@@ -3,18 +3,24 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from sandbox._jit import kernel
-from sandbox.engine.active.body_flags import is_active
-from sandbox.engine.active.quarantine import guard_velocities
-from sandbox.engine.bodies.integrate import begin_pulls, integrate_positions, integrate_velocities
+from sandbox.engine.bodies.flags import is_active
+from sandbox.engine.bodies.integrate import integrate_positions, integrate_velocities, prepare_forces
+from sandbox.engine.bodies.quarantine import guard_velocities
+from sandbox.engine.contact_solver.mouse_joint import solve_mouse_joints
 from sandbox.engine.contact_solver.soft_constraint import soft_coefficients
-from sandbox.engine.contact_solver.solve import solve_contacts, warm_start
-from sandbox.engine.joints.mouse_joint import solve_drags
+from sandbox.engine.contact_solver.solve import solve_contacts
+from sandbox.engine.contact_solver.warm_start import warm_start
 from sandbox.engine.joints.records import JointWork
-from sandbox.engine.joints.solve import let_members_move, relax_joints, select_parts, solve_joints
-from sandbox.engine.restitution.impacts import resolve_impacts, resolve_late_impacts
-from sandbox.tables import Floats, Integers, Records
+from sandbox.engine.joints.solve import prepare_move, relax_joints, select_parts, solve_joints
+from sandbox.engine.records.active_set import ActiveSet
+from sandbox.engine.records.bodies import SolverBodies
+from sandbox.engine.records.contact_blocks import ContactBlocks, SoftContact
+from sandbox.engine.records.state import StateTables
+from sandbox.engine.restitution.impacts import ImpactList, resolve_impacts, resolve_late_impacts
+from sandbox.tables import Integers, Records
 
 WAIT = 1e30
 """Speed (m/s) that a relax pass grants contacts which may bounce: the next substep decides on their impact."""
@@ -23,99 +29,78 @@ RELAX_DEEP = 8
 """Relax passes where bodies overlap deeply: 40 boxes thrown into one place part at 3 m/s instead of 12."""
 
 
+class Pass(NamedTuple):
+    """What is solved: the islands of a substep level, in so many blocks of contacts, with so many relax passes.
+
+    If some contact is `fresh`, a rigid pass comes first, once.
+    """
+
+    level: int
+    block_count: int
+    relax_passes: int
+    fresh: bool
+
+
 @kernel
-def some_fresh(bodies: Records, active: Integers, flights: Records, holds: Records, pace: int) -> bool:
-    """Whether some body of a pace touches something new."""
+def some_new_contact(bodies: Records, rows: Integers, free_motions: Records, ccd_bodies: Records, level: int) -> bool:
+    """Whether some body of a substep level touches something new."""
     found = False
-    for i in active:
-        if holds[i].fresh == 1 and flights[i].pace == pace and is_active(bodies[i]):
+    for i in rows:
+        if ccd_bodies[i].fresh == 1 and free_motions[i].substep_level == level and is_active(bodies[i]):
             found = True
     return found
 
 
 @kernel
 def run_substeps(
-    bodies: Records,
-    active: Integers,
-    motions: Records,
-    flights: Records,
-    pulls: Records,
-    drags: Records,
-    setting: Records,
-    census: Records,
-    counters: Records,
+    state: StateTables,
+    active: ActiveSet,
+    solver: SolverBodies,
     contacts: Records,
-    bouncy: Integers,
-    bouncy_count: int,
-    slots: Records,
-    blocks: Records,
-    block_count: int,
-    lanes: Floats,
-    gathered: Floats,
-    pace: int,
-    relaxes: int,
-    fresh: bool,
+    blocks: ContactBlocks,
+    impacts: ImpactList,
     joints: JointWork | None,
+    todo: Pass,
 ) -> None:
-    """Integrate, solve and relax the islands of one pace, in as many substeps as it asks for.
-
-    If some contact is `fresh`, a rigid pass comes first, once.
-    """
-    substeps = setting.substeps << pace
+    """Integrate, solve and relax the islands of one substep level, in as many substeps as it asks for."""
+    bodies = state.bodies
+    setting = state.settings[0]
+    motions = solver.motions
+    free_motions = solver.free_motions
+    rows = active.bodies[1 : 1 + active.bodies[0]]
+    level = todo.level
+    count = todo.block_count
+    substeps = setting.substeps << level
     seconds = setting.step_seconds / substeps
     rate = 1.0 / seconds
-    hertz = setting.contact_hertz * (1 << pace)
+    hertz = setting.contact_hertz * (1 << level)
     hertz = hertz if hertz < 0.25 * rate else 0.25 * rate
     bias, mass_scale, impulse_scale = soft_coefficients(hertz, setting.contact_damping_ratio, seconds)
-    slowest = -setting.push_out_speed
+    soft = SoftContact(rate, bias, mass_scale, impulse_scale, -setting.push_out_speed, 0.0)
+    rigid = SoftContact(rate, 0.0, 1.0, 0.0, 0.0, 0.0)
+    relax = SoftContact(rate, 0.0, 1.0, 0.0, 0.0, WAIT)
     gravity = math.sqrt(setting.gravity_x * setting.gravity_x + setting.gravity_y * setting.gravity_y)
 
     if joints is not None:
-        select_parts(joints, flights, pace)
-    begin_pulls(bodies, active, flights, pulls, pace, setting.gravity_x, setting.gravity_y, seconds)
+        select_parts(joints, free_motions, level)
+    prepare_forces(bodies, rows, solver, level, setting, seconds)
     for substep in range(substeps):
-        integrate_velocities(active, motions, flights, pulls)
-        guard_velocities(bodies, active, motions, pulls, census, counters)
-        resolve_impacts(
-            bodies, motions, flights, contacts, bouncy, bouncy_count, setting.restitution_threshold, seconds
-        )
-        solve_drags(bodies, motions, flights, drags, pace, seconds)
-        warm_start(motions, slots, blocks, block_count, lanes, gathered)
+        integrate_velocities(rows, solver)
+        guard_velocities(bodies, rows, motions, solver.forces, active.info, state.counters)
+        resolve_impacts(bodies, solver, contacts, impacts, seconds)
+        solve_mouse_joints(state, solver, level, seconds)
+        warm_start(motions, blocks, count)
         if joints is not None:
-            solve_joints(joints, bodies, motions, flights, seconds)
-        if fresh and substep == 0:
+            solve_joints(joints, bodies, motions, free_motions, seconds)
+        if todo.fresh and substep == 0:
             # What was just put there has no impulses yet, and soft contacts alone would let it slip until it has.
-            solve_contacts(motions, slots, blocks, block_count, lanes, gathered, rate, 0.0, 1.0, 0.0, 0.0, 0.0)
-        solve_contacts(
-            motions,
-            slots,
-            blocks,
-            block_count,
-            lanes,
-            gathered,
-            rate,
-            bias,
-            mass_scale,
-            impulse_scale,
-            slowest,
-            0.0,
-        )
+            solve_contacts(motions, blocks, count, rigid)
+        solve_contacts(motions, blocks, count, soft)
         if joints is not None:
-            let_members_move(joints, motions, flights, seconds)
-        integrate_positions(active, motions, flights, pulls, gravity, seconds)
-        resolve_late_impacts(
-            bodies,
-            active,
-            motions,
-            flights,
-            contacts,
-            bouncy,
-            bouncy_count,
-            pace,
-            setting.restitution_threshold,
-            seconds,
-        )
+            prepare_move(joints, motions, free_motions, seconds)
+        integrate_positions(rows, solver, gravity, seconds)
+        resolve_late_impacts(bodies, rows, solver, contacts, impacts, level, seconds)
         if joints is not None:
-            relax_joints(joints, bodies, motions, flights, seconds)
-        for _pass in range(relaxes):
-            solve_contacts(motions, slots, blocks, block_count, lanes, gathered, rate, 0.0, 1.0, 0.0, 0.0, WAIT)
+            relax_joints(joints, bodies, motions, free_motions, seconds)
+        for _pass in range(todo.relax_passes):
+            solve_contacts(motions, blocks, count, relax)

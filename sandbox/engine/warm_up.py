@@ -1,7 +1,8 @@
 """Fill an empty kernel cache with two processes at once: each compiles a part of the step.
 
-`python -m sandbox.engine.warm_up [joints]` is the other process; it says when `move` is there, and goes on to `catch`,
-which few steps need: who needs it before waits then. It may fail, for then this process compiles everything.
+`python -m sandbox.engine.warm_up [joints]` is the other process; it says when `solve` is there, and goes on to
+`solve_continuous`, which few steps need: who needs it before waits then. It may fail, for then this process compiles
+everything.
 """
 
 from __future__ import annotations
@@ -14,10 +15,10 @@ from pathlib import Path
 from typing import Any
 
 from sandbox._jit import cache_is_cold
-from sandbox.engine.continuous_collision.solve_continuous import catch
+from sandbox.engine.continuous_collision.solve_continuous import solve_continuous
 from sandbox.engine.memory.binding import bind
 from sandbox.engine.memory.scratch import Scratch
-from sandbox.engine.step import find_touching, move
+from sandbox.engine.step import collide, solve
 from sandbox.scene.flat import FlatBody, FlatJoint, FlatScene, FlatShape
 from sandbox.world.build import build_state
 
@@ -31,14 +32,14 @@ def compile_step(joints: bool) -> None:
     if not cache_is_cold() or (os.cpu_count() or 1) < 2:
         return
     helper = _start_helper(joints)
-    _run_once(find_touching)
+    _run_once(collide)
     if helper is not None and helper.stdout is not None:
         helper.stdout.readline()
         _helpers.append(helper)
 
 
-def compile_catch() -> None:
-    """Wait until the other process has compiled `catch`, if there is one at it."""
+def compile_continuous() -> None:
+    """Wait until the other process has compiled `solve_continuous`, if there is one at it."""
     while _helpers:
         _helpers.pop().communicate()
 
@@ -69,6 +70,6 @@ def _run_once(part: Any, joints: bool = False) -> None:
 
 
 if __name__ == "__main__":
-    _run_once(move, "joints" in sys.argv[1:])
-    print("move", flush=True)
-    _run_once(catch)
+    _run_once(solve, "joints" in sys.argv[1:])
+    print("solve", flush=True)
+    _run_once(solve_continuous)

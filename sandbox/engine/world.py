@@ -91,7 +91,7 @@ class World(Shown):
             self._follow(moved)
         elif isinstance(command, JointCommand):
             if apply_joint_command(self.state, self.directory.joint(command.joint), command):
-                self._stepper.lay_out_joints()
+                self._stepper.assemble_joints()
         elif isinstance(command, WorldCommand):
             apply_world_command(self, command)
         elif isinstance(command, FieldCommand):
@@ -113,7 +113,7 @@ class World(Shown):
         if not stirs:
             self._stepper.forget()
         self._stepper.counters["still"][0] = 0
-        self._stepper.counters["pace_watch"][0] = 0
+        self._stepper.counters["substep_watch"][0] = 0
 
     @property
     def time(self) -> float:
@@ -175,7 +175,7 @@ class World(Shown):
     @property
     def contact_impulses(self) -> Floats:
         """Normal impulse (N s) of each of `contacts` over the whole last step, impacts included. A copy."""
-        impulses: Floats = self.scratch.reports.total_impulse[: len(self.contacts)].copy()
+        impulses: Floats = self.scratch.contacts.reports.total_impulse[: len(self.contacts)].copy()
         return impulses
 
     @property
@@ -184,8 +184,8 @@ class World(Shown):
         if self._events is None:
             sensing = self._sensing
             enter, leave = differences(sensing.before, sensing.now) if sensing else (SENSOR_EVENT.zeros(0),) * 2
-            reports = self.scratch.reports
-            self._events = happened(self.state, self.scratch.contacts, reports, enter, leave, self._interlude)
+            reports = self.scratch.contacts.reports
+            self._events = happened(self.state, self.scratch.contacts.now, reports, enter, leave, self._interlude)
         return self._events
 
     @property
@@ -231,13 +231,13 @@ class World(Shown):
         if self.layout != layout:
             self._know_rows()
         self._last_switch = last_switch(self.state)
-        if self.layout != layout or len(self.state.contacts) != len(self.scratch.contacts):
+        if self.layout != layout or len(self.state.contacts) != len(self.scratch.contacts.now):
             self._stepper.renew()
         elif len(self.state.joints):
-            self._stepper.lay_out_joints()
+            self._stepper.assemble_joints()
         self._stepper.forget()
         self._events, self._interlude = nothing(self.step_count, self.names), Interlude()
-        self.scratch.reports.total_impulse = 0.0
+        self.scratch.contacts.reports.total_impulse = 0.0
         if self.layout != layout:
             self._sensing = self._make_sensing()
         if self._sensing is not None:
@@ -256,9 +256,9 @@ class World(Shown):
     def _follow(self, moved: Moved) -> None:
         """Bring everything that knows of rows up to date after rows have come or gone."""
         self._know_rows()
-        old, blocks = self.scratch.reports, len(self.scratch.blocks)
+        old, blocks = self.scratch.contacts.reports, len(self.scratch.blocks.blocks)
         self._stepper.renew(blocks=blocks)
-        self.scratch.reports[: len(moved.contacts)] = old[moved.contacts]
+        self.scratch.contacts.reports[: len(moved.contacts)] = old[moved.contacts]
         before, self._sensing = self._sensing, self._make_sensing()
         if self._sensing is not None and before is not None:
             self._sensing.follow(before, moved)

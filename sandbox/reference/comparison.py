@@ -59,7 +59,8 @@ class Observer:
     def step(self) -> None:
         """One step of the world, compared."""
         poses = self._poses()
-        bonds = self.world.scratch.bonds.copy()  # a joint that breaks in the step still keeps its bodies apart in it
+        # A joint that breaks in the step still keeps its bodies apart in it.
+        bonds = self.world.scratch.joint_filter.bonds.copy()
         self.world.step()
         self.tally.steps += 1
         candidates = that_matter(overlapping_pairs(self._search_boxes(poses)), poses.bodies, poses.shapes)
@@ -71,7 +72,7 @@ class Observer:
 
     def _search_boxes(self, poses: Poses) -> Floats:
         """The step's own boxes, which cover margins and ways, widened where a shape sticks out of its box."""
-        rows = self.world.scratch.sorted_boxes  # as the grid had them: `boxes` may have grown since
+        rows = self.world.scratch.grid.ordered  # as the grid had them: `boxes` may have grown since
         boxes = np.zeros((len(rows), 4))
         boxes[rows.shape_index] = np.stack([rows.lower_x, rows.lower_y, rows.upper_x, rows.upper_y], axis=1)
         tight, slack = poses.boxes, ROUNDING * np.abs(poses.boxes).max(axis=1, keepdims=True, initial=0.0)
@@ -79,7 +80,7 @@ class Observer:
         return np.concatenate([np.minimum(boxes[:, :2], lower), np.maximum(boxes[:, 2:], upper)], axis=1)
 
     def _note_misses(self, candidates: Integers) -> None:
-        rows: Any = self.world.scratch.pairs[: int(self.world.state.counters[0].pair_count)]
+        rows: Any = self.world.scratch.grid.pairs[: int(self.world.state.counters[0].pair_count)]
         proposed = np.stack([rows.shape_a, rows.shape_b], axis=1)
         missed = candidates[find_rows(candidates, proposed, len(self.world.state.shapes)) < 0]
         self.tally.missed += len(missed)

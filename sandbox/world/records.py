@@ -207,7 +207,7 @@ COUNTERS = Table(
         Field("asleep_count", "-", "dynamic bodies asleep after the last step", "i8", hashed=False),
         Field("still", "-", "1 when steps change nothing until a command comes", "i8", hashed=False),
         Field(
-            "pace_watch", "-", "how often piles are looked at: 0 unknown, 1 every eighth step, 2 at every step", "i8"
+            "substep_watch", "-", "how often piles are looked at: 0 unknown, 1 every eighth step, 2 at every step", "i8"
         ),
         Field("broken_count", "-", "joints broken so far", "i8", hashed=False),
         Field("frozen_count", "-", "bodies frozen so far", "i8"),

@@ -14,6 +14,7 @@ import pytest
 import sandbox
 from sandbox._jit import entry_point, kernel_argument
 from sandbox.engine.narrow_phase.find_contacts import find_contacts
+from sandbox.engine.records.state import StateTables
 from sandbox.resources import find_scene
 
 SECONDS = 1.0 / 60.0
@@ -21,13 +22,9 @@ TURNS = 60
 
 
 @entry_point
-def find(bodies, movers, stirs, holds, shapes, proxies, turned, seams, pairs, pair_count, fall, seconds, manifold, old,
-         old_count, contacts, live, strikers, keeper, runs):  # fmt: skip
+def find(state, active, colliders, pairs, contacts, ccd_bodies):
     """Inner kernels are not for Python to call."""
-    return find_contacts(
-        bodies, movers, stirs, holds, shapes, proxies, turned, seams, pairs, pair_count, fall, seconds, manifold, old,
-        old_count, contacts, live, strikers, keeper[0], runs,
-    )  # fmt: skip
+    return find_contacts(state, active, colliders, pairs, contacts, ccd_bodies)
 
 
 def nanoseconds_a_pair(world: sandbox.World, turns: int = TURNS) -> tuple[float, int]:
@@ -36,19 +33,14 @@ def nanoseconds_a_pair(world: sandbox.World, turns: int = TURNS) -> tuple[float,
     The lowest tenth of the turns: what else runs on the machine only ever adds.
     """
     state, scratch = world.state, world.scratch
-    count, kept = int(state.counters[0].pair_count), int(state.counters[0].contact_count)
-    tables = (
-        state.bodies, scratch.movers[1:], scratch.stirs, scratch.holds, state.shapes, scratch.proxies, scratch.turned,
-        state.seams, scratch.pairs,
-    )  # fmt: skip
-    head = [kernel_argument(table) for table in tables]
-    tail = [kernel_argument(table) for table in (scratch.manifold, state.contacts)]
-    lists = (scratch.contacts, scratch.live, scratch.strikers, scratch.keeper, scratch.runs)
-    found = [kernel_argument(table) for table in lists]
+    count = int(state.counters[0].pair_count)
+    tables = StateTables(*(getattr(state, name) for name in StateTables._fields))
+    bundles = (tables, scratch.active, scratch.colliders, scratch.grid.pairs, scratch.contacts, scratch.ccd.bodies)
+    arguments = [kernel_argument(bundle) for bundle in bundles]
     times = []
     for _ in range(turns + 1):
         start = time.perf_counter()
-        find(*head, count, 0.5 * 10.0 * SECONDS**2, SECONDS, *tail, kept, *found)
+        find(*arguments)
         times.append(time.perf_counter() - start)
     return statistics.quantiles(times[1:], n=10)[0] / count * 1e9, count
 

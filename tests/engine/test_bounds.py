@@ -37,7 +37,7 @@ def a_world(shape, place, angle, velocity, spin) -> World:
 def test_the_box_holds_the_shape_all_through_the_step(shape, place, angle, velocity, spin):
     p = Paused(a_world(shape, place, angle, velocity, spin))
     p.detect()
-    row, record = p.scratch.boxes[0], p.state.bodies[0]
+    row, record = p.scratch.colliders.boxes[0], p.state.bodies[0]
     core = np.column_stack([p.state.vertices.x, p.state.vertices.y])
     radius = float(p.state.shapes[0].radius)
     lowest, highest = np.full(2, np.inf), np.full(2, -np.inf)
@@ -64,6 +64,6 @@ def test_cores_are_turned_about_the_centre_of_mass(shape, angle):
     rotation = np.array([[c, s], [-s, c]])
     for x, y in (("x", "y"), ("normal_x", "normal_y")):
         source = np.column_stack([p.state.vertices[x], p.state.vertices[y]])
-        assert np.column_stack([p.scratch.turned[x], p.scratch.turned[y]]) == pytest.approx(
+        assert np.column_stack([p.scratch.colliders.cores[x], p.scratch.colliders.cores[y]]) == pytest.approx(
             source @ rotation, abs=1e-14
         )

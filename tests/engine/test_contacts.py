@@ -24,7 +24,7 @@ def gaps(p: Paused) -> dict[tuple[int, int], float]:
     cores = []
     for shape in s.shapes:
         b = s.bodies[shape.body]
-        rows = p.scratch.turned[shape.vertex_start : shape.vertex_start + shape.vertex_count]
+        rows = p.scratch.colliders.cores[shape.vertex_start : shape.vertex_start + shape.vertex_count]
         cores.append(convex.exact([(float(r.x), float(r.y)) for r in rows], float(b.center_x), float(b.center_y)))
     found = {}
     for i, j in itertools.combinations(range(len(s.shapes)), 2):
@@ -45,7 +45,7 @@ def test_every_pair_that_touches_has_a_contact(name, steps):
     w.step(steps)
     p = Paused(w)
     p.detect()
-    contacts = {(int(c.shape_a), int(c.shape_b)): c for c in p.scratch.contacts[: p.count]}
+    contacts = {(int(c.shape_a), int(c.shape_b)): c for c in p.scratch.contacts.now[: p.count]}
     truth = gaps(p)
     assert sum(gap < 0.0 for gap in truth.values()) >= 3
     for pair, gap in truth.items():
@@ -72,7 +72,7 @@ def test_contacts_are_sorted_and_consistent(name):
         assert all(a < b for a, b in keys)
     p = Paused(w)
     p.detect()
-    for c in p.scratch.contacts[: p.count]:
+    for c in p.scratch.contacts.now[: p.count]:
         a, b = p.state.bodies[c.body_a], p.state.bodies[c.body_b]
         assert math.hypot(c.normal_x, c.normal_y) == pytest.approx(1.0, abs=1e-12)
         velocity = np.array([b.velocity_x - a.velocity_x, b.velocity_y - a.velocity_y])
@@ -110,7 +110,7 @@ def test_impulses_carry_over_by_feature():
         old[int(c.shape_a), int(c.shape_b)] = 1000.0 + number
     p.detect()
     carried = 0
-    for c in p.scratch.contacts[: p.count]:
+    for c in p.scratch.contacts.now[: p.count]:
         pair = int(c.shape_a), int(c.shape_b)
         assert c.rolling_impulse == old.get(pair, 0.0)
         for k in range(1, int(c.point_count) + 1):

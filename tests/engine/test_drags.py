@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sandbox.engine.commands.body_commands import MoveDrag, StartDrag
-from tests.engine.stages import Paused, solve_drags
+from tests.engine.stages import Paused, solve_mouse_joints
 from tests.flat import body, box, circle, world
 
 
@@ -42,8 +42,8 @@ def test_a_grab_off_centre_solves_both_axes_at_once(x, y, spin, arm, limit):
     w.apply(MoveDrag("a", (x, y)))
     p = Paused(w)
     p.begin()
-    solve_drags(p.state.bodies, p.scratch.motions, p.scratch.flights, p.state.drags, 0, p.substep)
-    b, m, h = p.state.bodies[0], p.scratch.motions[0], p.substep
+    solve_mouse_joints(p.tables, p.scratch.solver, 0, p.substep)
+    b, m, h = p.state.bodies[0], p.scratch.solver.motions[0], p.substep
     rx, ry = grabbed
     k = b.inverse_mass * np.eye(2) + b.inverse_inertia * np.array([[ry * ry, -rx * ry], [-rx * ry, rx * rx]])
     omega, zeta = 2 * math.pi * 5.0, 0.7

@@ -9,7 +9,8 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from tests.engine.stages import Paused, list_bouncy, resolve_impacts
+from sandbox.engine.restitution.impacts import ImpactList
+from tests.engine.stages import Paused, list_impact_contacts, resolve_impacts
 from tests.flat import body, box, circle, ground, world
 
 
@@ -19,8 +20,9 @@ def struck(w):
     p.detect()
     p.begin()
     s, m = p.state, p.scratch
-    count = list_bouncy(s.bodies, m.flights, m.marks, m.contacts, p.live, m.strikers, 0, 1e9, 0.2, m.colors)
-    resolve_impacts(s.bodies, m.motions, m.flights, m.contacts, m.colors, count, 0.2, p.substep)
+    rows = m.blocks.colors
+    count = list_impact_contacts(s.bodies, m.solver, m.contacts, 0, 1e9, 0.2, rows)
+    resolve_impacts(s.bodies, m.solver, m.contacts.now, ImpactList(rows, count, 0.2), p.substep)
     return p
 
 
@@ -74,7 +76,7 @@ def test_a_disc_strikes_the_corner_of_a_box(va, vb, wa, wb, e, friction, angle, 
     before = [np.array(v) for v in (va, vb)]
     p = struck(w)
     assume(p.count == 1)
-    contact, (a, b), (ma, mb) = p.scratch.contacts[0], p.state.bodies, p.scratch.motions
+    contact, (a, b), (ma, mb) = p.scratch.contacts.now[0], p.state.bodies, p.scratch.solver.motions
     assume(abs(contact.separation1) < 1e-9)
     n = np.array([contact.normal_x, contact.normal_y])
     t = np.array([n[1], -n[0]])
@@ -117,7 +119,7 @@ def test_a_flat_box_rebounds_at_both_corners(e, fall, spin):
         gravity=(0.0, 0.0),
     )  # fmt: skip
     p = struck(w)
-    motion = p.scratch.motions[1]
+    motion = p.scratch.solver.motions[1]
     before = [fall - 0.5 * spin, fall + 0.5 * spin]
     after = [motion.velocity_y - 0.5 * motion.angular_velocity, motion.velocity_y + 0.5 * motion.angular_velocity]
     assume(all(abs(v + 0.2) > 1e-6 for v in before))
@@ -139,7 +141,7 @@ def test_slow_impacts_do_not_bounce():
         gravity=(0.0, 0.0),
     )
     p = struck(w)
-    assert p.scratch.motions[1].velocity_y == -0.19
+    assert p.scratch.solver.motions[1].velocity_y == -0.19
 
 
 def test_a_body_that_moves_away_is_not_struck():
@@ -171,7 +173,7 @@ def test_impacts_in_a_row_of_boxes_keep_momentum_and_never_gain_energy(seed, e, 
         for i in range(4)
     ]  # fmt: skip
     p = struck(world(*boxes, gravity=(0.0, 0.0)))
-    bodies, motions = p.state.bodies, p.scratch.motions
+    bodies, motions = p.state.bodies, p.scratch.solver.motions
     for way in ("velocity_x", "velocity_y"):
         assert np.sum(bodies.mass * motions[way]) == pytest.approx(np.sum(bodies.mass * bodies[way]), abs=1e-11)
     before = sum(energy(b, b) for b in bodies)

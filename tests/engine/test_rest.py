@@ -21,7 +21,7 @@ STACKS = 14
 
 
 def town(sleeping: bool = True) -> FlatScene:
-    """Stacks that will sleep, on tiles, with a pusher, a spinner in the air and a ball in flight."""
+    """Stacks that will sleep, on tiles, with a pusher, a spinner in the air and a ball in free_motion."""
     tiles = [
         body(f"tile{i}", box(2.0, 1.0), type="static", position=(2.0 * i - 40.0, -0.5 - 0.5 * (i % 3 == 0)))
         for i in range(40)
@@ -89,28 +89,29 @@ def test_what_is_kept_is_what_would_be_found(sequence):
             assert events(kept) == events(anew)
 
 
-def test_most_of_the_town_sleeps_and_its_grid_is_parted():
+def test_most_of_the_town_sleeps_and_its_grid_is_split():
     w = World(town())
     w.step(400)
-    census, counts = w.scratch.census[0], w.state.counters[0]
+    active_set, counts = w.scratch.active.info[0], w.state.counters[0]
     assert w.awake_count == 1  # the spinner
-    assert census.parted == 1
-    assert census.moving == 1
-    assert w.scratch.live[0] == 0
+    assert active_set.split == 1
+    assert active_set.moving == 1
+    assert w.scratch.contacts.active[0] == 0
     assert counts.contact_count > STACKS
-    before = w.scratch.keeper[0].era0, w.scratch.keeper[0].era1
+    cursor = w.scratch.contacts.cursor[0]
+    before = cursor.generation0, cursor.generation1
     w.step(10)
-    assert (w.scratch.keeper[0].era0, w.scratch.keeper[0].era1) == before == (census.era, census.era)
+    assert (cursor.generation0, cursor.generation1) == before == (active_set.generation, active_set.generation)
 
 
-def test_who_is_awake_is_dragged_without_a_new_census():
+def test_who_is_awake_is_dragged_without_a_new_active_set():
     kept, anew = World(town()), World(town())
     for each in (kept, anew):
         each.step(400)
         each.apply(StartDrag("spinner", (0.2, 9.0)))
     kept.step(1)
     anew.step(1)
-    era = int(kept.scratch.census[0].era)
+    generation = int(kept.scratch.active.info[0].generation)
     for k in range(30):
         tell([kept, anew], MoveDrag("spinner", (0.1 * k, 9.0)))
         tell([kept, anew], ApplyImpulse("spinner", (0.0, 0.1), 0.0))
@@ -118,7 +119,7 @@ def test_who_is_awake_is_dragged_without_a_new_census():
         kept.step(1)
         anew.step(1)
         assert kept.digest() == anew.digest()
-    assert kept.scratch.census[0].era == era
+    assert kept.scratch.active.info[0].generation == generation
 
 
 @pytest.mark.parametrize("name", ["crate3.0", "tile20", "ball"])

@@ -59,11 +59,11 @@ def twin(p: Paused, bouncy: bool = False) -> tuple[list[naive.Body], list[naive.
     bodies = [
         naive.Body(float(b.inverse_mass), float(b.inverse_inertia), vector(m, "velocity_x", "velocity_y"),
                    float(m.angular_velocity), vector(m, "delta_x", "delta_y"), float(m.delta_cos), float(m.delta_sin))
-        for b, m in zip(p.state.bodies, p.scratch.motions, strict=True)
+        for b, m in zip(p.state.bodies, p.scratch.solver.motions, strict=True)
     ]  # fmt: skip
     contacts = []
     for slot in slots(p):
-        c = p.scratch.contacts[slot]
+        c = p.scratch.contacts.now[slot]
         points = [
             naive.Point(vector(c, f"anchor_ax{k}", f"anchor_ay{k}"), vector(c, f"anchor_bx{k}", f"anchor_by{k}"),
                         float(c[f"separation{k}"]), float(c[f"normal_impulse{k}"]), float(c[f"tangent_impulse{k}"]))
@@ -97,19 +97,19 @@ def closes_hard(p: Paused, c) -> bool:
 
 def slots(p: Paused) -> list[int]:
     """Contacts in the order they are solved in."""
-    blocks = p.scratch.blocks[: p.blocks]
-    return [int(p.scratch.slots[b.first + k].contact) for b in blocks for k in range(b.count)]
+    blocks = p.scratch.blocks.blocks[: p.blocks]
+    return [int(p.scratch.blocks.slots[b.first + k].contact) for b in blocks for k in range(b.count)]
 
 
 def assert_same(p: Paused, bodies: list[naive.Body], contacts: list[naive.Contact]) -> None:
     """Velocities and impulses agree to rounding."""
-    motions = p.scratch.motions
+    motions = p.scratch.solver.motions
     assert motions.velocity_x == pytest.approx(np.array([b.velocity[0] for b in bodies]), abs=1e-11)
     assert motions.velocity_y == pytest.approx(np.array([b.velocity[1] for b in bodies]), abs=1e-11)
     assert motions.angular_velocity == pytest.approx(np.array([b.angular for b in bodies]), abs=1e-10)
     p.store()
     for slot, contact in zip(slots(p), contacts, strict=True):
-        row = p.scratch.contacts[slot]
+        row = p.scratch.contacts.now[slot]
         assert row.rolling_impulse == pytest.approx(contact.rolling, abs=1e-11)
         for k, point in enumerate(contact.points, start=1):
             assert row[f"normal_impulse{k}"] == pytest.approx(point.normal, abs=1e-11)
@@ -136,7 +136,7 @@ def test_a_substep_of_the_solver(paused, bouncy):
         naive.solve(contacts, paused.substep, *soft, 3.0, 0.0)
         assert_same(paused, bodies, contacts)
         paused.move()
-        for body, motion in zip(bodies, paused.scratch.motions, strict=True):
+        for body, motion in zip(bodies, paused.scratch.solver.motions, strict=True):
             body.delta, body.cosine = vector(motion, "delta_x", "delta_y"), float(motion.delta_cos)
             body.sine = float(motion.delta_sin)
         paused.solve(0.0, 1.0, 0.0, 0.0, 1e30)
@@ -153,7 +153,7 @@ def run(p: Paused) -> tuple[list[list[float]], list[list[float]]]:
         p.move()
         p.solve(0.0, 1.0, 0.0, 0.0)
     p.store()
-    return p.scratch.motions.tolist(), p.scratch.contacts[: p.count].tolist()
+    return p.scratch.solver.motions.tolist(), p.scratch.contacts.now[: p.count].tolist()
 
 
 @pytest.mark.parametrize("make", WORLDS.values(), ids=WORLDS)
@@ -168,7 +168,7 @@ def test_lanes_are_independent_to_the_bit(make):
 
 
 def test_colours_share_no_moving_body(paused):
-    bodies, contacts, colors = paused.state.bodies, paused.scratch.contacts, paused.scratch.colors
+    bodies, contacts, colors = paused.state.bodies, paused.scratch.contacts.now, paused.scratch.blocks.colors
     seen: dict[int, set[int]] = {}
     for i in range(paused.count):
         touched = {int(b) for b in (contacts[i].body_a, contacts[i].body_b) if bodies[b].inverse_mass > 0.0}
@@ -185,10 +185,10 @@ def test_colours_share_no_moving_body(paused):
 def test_every_contact_has_one_slot_and_every_block_one_colour(paused):
     assert sorted(slots(paused)) == list(range(paused.count))
     place, last = 0, -1
-    for block in paused.scratch.blocks[: paused.blocks]:
+    for block in paused.scratch.blocks.blocks[: paused.blocks]:
         assert block.first == place
-        members = [int(paused.scratch.slots[place + k].contact) for k in range(block.count)]
-        colors = {int(paused.scratch.colors[m]) for m in members}
+        members = [int(paused.scratch.blocks.slots[place + k].contact) for k in range(block.count)]
+        colors = {int(paused.scratch.blocks.colors[m]) for m in members}
         assert len(colors) == 1
         (color,) = colors
         assert color >= last
@@ -197,8 +197,8 @@ def test_every_contact_has_one_slot_and_every_block_one_colour(paused):
         assert block.stride == (VECTOR if serial else 1)
         assert 1 <= block.count <= (LANES // VECTOR if serial else LANES)
         for k in range(block.count):
-            slot = paused.scratch.slots[place + k]
-            contact = paused.scratch.contacts[slot.contact]
+            slot = paused.scratch.blocks.slots[place + k]
+            contact = paused.scratch.contacts.now[slot.contact]
             assert (slot.body_a, slot.body_b) == (contact.body_a, contact.body_b)
         place, last = place + int(block.count), color
     assert place == paused.count
@@ -208,16 +208,16 @@ def test_the_plank_has_serial_contacts():
     p = Paused(WORLDS["plank"]())
     p.detect()
     p.lay_out()
-    assert (p.scratch.colors[: p.count] == MAX_COLORS).sum() >= 10
+    assert (p.scratch.blocks.colors[: p.count] == MAX_COLORS).sum() >= 10
 
 
 @pytest.mark.parametrize("make", WORLDS.values(), ids=WORLDS)
 def test_rubbish_of_an_earlier_step_reaches_nobody(make):
     clean, dirty = Paused(make()), Paused(make())
-    dirty.scratch.lanes[:] = 1e3
-    dirty.scratch.gathered[:] = 1e3
-    dirty.scratch.heads[:] = 12345
-    dirty.scratch.palettes[:] = -1
+    dirty.scratch.blocks.lanes[:] = 1e3
+    dirty.scratch.blocks.gathered[:] = 1e3
+    dirty.scratch.blocks.heads[:] = 12345
+    dirty.scratch.solver.colors[:] = -1
     for p in (clean, dirty):
         p.detect()
         p.lay_out()

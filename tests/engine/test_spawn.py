@@ -108,7 +108,7 @@ def test_what_comes_and_goes_leaves_nothing_behind():
         world.step()
         quiet.step()
         # Rows are the same; only commands make the engine look at piles anew.
-        world.state.counters["pace_watch"] = quiet.state.counters["pace_watch"]
+        world.state.counters["substep_watch"] = quiet.state.counters["substep_watch"]
         assert world.digest() == quiet.digest(), step
 
 

@@ -13,11 +13,11 @@ from sandbox.engine import warm_up
 
 ROOT = Path(__file__).parents[2]
 SCRIPT = """
-from sandbox.engine.warm_up import compile_catch
+from sandbox.engine.warm_up import compile_continuous
 from tests.flat import body, circle, ground, world
 pile = world(ground(), body("ball", circle(0.5), position=(0.0, 0.6)))
 pile.step(30)
-compile_catch()
+compile_continuous()
 print(pile.digest())
 """
 

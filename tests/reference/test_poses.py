@@ -22,7 +22,7 @@ def test_cores_have_the_bits_of_the_step() -> None:
     for _ in range(40):
         poses = Poses.of(world.state.bodies, world.state.shapes, world.state.vertices)
         world.step()
-        assert poses.cores.tobytes() == world.scratch.turned.tobytes()
+        assert poses.cores.tobytes() == world.scratch.colliders.cores.tobytes()
 
 
 def test_poses_do_not_follow_the_world() -> None:

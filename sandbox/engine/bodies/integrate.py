@@ -3,24 +3,27 @@
 from __future__ import annotations
 
 from sandbox._jit import kernel
+from sandbox.engine.records.bodies import SolverBodies
 from sandbox.geometry.trig import cos_sin
 from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC, KINEMATIC, STATIC
 
-SOLVED, LED = 1, 2
-"""`pull.moves` of the bodies that the solver moves, and of those that follow a velocity of their own."""
+SOLVED = 1
+"""`forces.moves` of a body that the solver moves."""
+LED = 2
+"""`forces.moves` of a body that follows a velocity of its own: kinematic."""
 
 
 @kernel
-def begin_motions(bodies: Records, movers: Integers, motions: Records, flights: Records) -> float:
+def begin_motions(bodies: Records, active_bodies: Integers, solver: SolverBodies) -> float:
     """Load the velocities; nothing has moved yet, and nothing is known to hinder anybody.
 
     Returns the square of the highest speed (m/s) of a point of any body.
     """
     fastest = 0.0
-    for i in movers:
+    for i in active_bodies:
         body = bodies[i]
-        motion = motions[i]
+        motion = solver.motions[i]
         motion.velocity_x = body.velocity_x
         motion.velocity_y = body.velocity_y
         motion.angular_velocity = body.angular_velocity
@@ -30,10 +33,10 @@ def begin_motions(bodies: Records, movers: Integers, motions: Records, flights: 
         motion.delta_sin = 0.0
         motion.delta_angle = 0.0
         body.posed = 0
-        flight = flights[i]
-        flight.start_x = flight.free_x = body.velocity_x
-        flight.start_y = flight.free_y = body.velocity_y
-        flight.start_w = flight.free_w = body.angular_velocity
+        free_motion = solver.free_motions[i]
+        free_motion.start_x = free_motion.free_x = body.velocity_x
+        free_motion.start_y = free_motion.free_y = body.velocity_y
+        free_motion.start_w = free_motion.free_w = body.angular_velocity
         rim = body.angular_velocity * body.extent
         square = body.velocity_x * body.velocity_x + body.velocity_y * body.velocity_y + rim * rim
         fastest = square if square > fastest else fastest
@@ -41,9 +44,9 @@ def begin_motions(bodies: Records, movers: Integers, motions: Records, flights: 
 
 
 @kernel
-def rewind_driven(bodies: Records, movers: Integers, motions: Records) -> None:
-    """Put kinematic bodies back to where the step began, for the islands of the next pace."""
-    for i in movers:
+def rewind_driven(bodies: Records, active_bodies: Integers, motions: Records) -> None:
+    """Put kinematic bodies back to where the step began, for the islands of the next substep level."""
+    for i in active_bodies:
         if bodies[i].type == KINEMATIC:
             motion = motions[i]
             motion.delta_x = 0.0
@@ -54,58 +57,55 @@ def rewind_driven(bodies: Records, movers: Integers, motions: Records) -> None:
 
 
 @kernel
-def begin_pulls(
-    bodies: Records,
-    movers: Integers,
-    flights: Records,
-    pulls: Records,
-    pace: int,
-    gravity_x: float,
-    gravity_y: float,
-    seconds: float,
+def prepare_forces(
+    bodies: Records, active_bodies: Integers, solver: SolverBodies, substep_level: int, setting: Records, seconds: float
 ) -> None:
-    """Work out once what forces and damping do to the bodies of a pace in each of its substeps of `seconds`.
+    """Work out once what forces and damping do to the bodies of a substep level in each of its substeps of `seconds`.
 
     Exact terminal velocity, decay to second order, always stable.
     """
-    for i in movers:
+    for i in active_bodies:
         body = bodies[i]
-        pull = pulls[i]
-        pull.moves = SOLVED if body.type == DYNAMIC else LED
-        if body.type == STATIC or body.awake == 0 or (body.type == DYNAMIC and flights[i].pace != pace):
-            pull.moves = 0
+        force = solver.forces[i]
+        force.moves = SOLVED if body.type == DYNAMIC else LED
+        if (
+            body.type == STATIC
+            or body.awake == 0
+            or (body.type == DYNAMIC and solver.free_motions[i].substep_level != substep_level)
+        ):
+            force.moves = 0
             continue
         lag = 1.0 + 0.5 * seconds * body.linear_damping
-        pull.slow = _decay(seconds * body.linear_damping)
-        ax = body.gravity_scale * gravity_x + body.inverse_mass * body.force_x
-        ay = body.gravity_scale * gravity_y + body.inverse_mass * body.force_y
-        pull.push_x = seconds * ax * lag
-        pull.push_y = seconds * ay * lag
+        force.linear_decay = _decay(seconds * body.linear_damping)
+        ax = body.gravity_scale * setting.gravity_x + body.inverse_mass * body.force_x
+        ay = body.gravity_scale * setting.gravity_y + body.inverse_mass * body.force_y
+        force.change_x = seconds * ax * lag
+        force.change_y = seconds * ay * lag
         turn_lag = 1.0 + 0.5 * seconds * body.angular_damping
-        pull.brake = _decay(seconds * body.angular_damping)
+        force.angular_decay = _decay(seconds * body.angular_damping)
         aw = body.inverse_inertia * body.torque
-        pull.push_w = seconds * aw * turn_lag
-        pull.extent = body.extent
+        force.change_w = seconds * aw * turn_lag
+        force.extent = body.extent
 
 
 @kernel
-def integrate_velocities(movers: Integers, motions: Records, flights: Records, pulls: Records) -> None:
+def integrate_velocities(active_bodies: Integers, solver: SolverBodies) -> None:
     """Gravity, forces and damping over one substep."""
-    for i in movers:
-        pull = pulls[i]
-        if pull.moves != SOLVED:
+    for i in active_bodies:
+        force = solver.forces[i]
+        if force.moves != SOLVED:
             continue
-        flight = flights[i]
-        motion = motions[i]
-        flight.start_x = motion.velocity_x
-        flight.start_y = motion.velocity_y
-        flight.start_w = motion.angular_velocity
-        motion.velocity_x = (motion.velocity_x + pull.push_x) * pull.slow
-        motion.velocity_y = (motion.velocity_y + pull.push_y) * pull.slow
-        motion.angular_velocity = (motion.angular_velocity + pull.push_w) * pull.brake
-        flight.free_x = motion.velocity_x
-        flight.free_y = motion.velocity_y
-        flight.free_w = motion.angular_velocity
+        free_motion = solver.free_motions[i]
+        motion = solver.motions[i]
+        free_motion.start_x = motion.velocity_x
+        free_motion.start_y = motion.velocity_y
+        free_motion.start_w = motion.angular_velocity
+        motion.velocity_x = (motion.velocity_x + force.change_x) * force.linear_decay
+        motion.velocity_y = (motion.velocity_y + force.change_y) * force.linear_decay
+        motion.angular_velocity = (motion.angular_velocity + force.change_w) * force.angular_decay
+        free_motion.free_x = motion.velocity_x
+        free_motion.free_y = motion.velocity_y
+        free_motion.free_w = motion.angular_velocity
 
 
 @kernel
@@ -115,35 +115,33 @@ def _decay(x: float) -> float:
 
 
 @kernel
-def integrate_positions(
-    movers: Integers, motions: Records, flights: Records, pulls: Records, gravity: float, seconds: float
-) -> None:
+def integrate_positions(active_bodies: Integers, solver: SolverBodies, gravity: float, seconds: float) -> None:
     """Move by the velocity the solver left; a body that nothing touched moves by the mean of both ends.
 
     The mean is exact under constant acceleration, so free flight follows the parabola to rounding. A body in
     contact keeps the direction of its end velocity, which is what the solver made safe, but where it is only slowed
-    or sped up, by no more than forces do (`gravity` in m/s^2 is the measure), it goes the mean way along it.
+    or sped up, by no more than forces do (`gravity` in m/s^2 is the measure), it moves by the mean velocity along it.
     """
     gentle = 4.0 * seconds * gravity
-    for i in movers:
-        pull = pulls[i]
-        if pull.moves == 0:
+    for i in active_bodies:
+        force = solver.forces[i]
+        if force.moves == 0:
             continue
-        flight = flights[i]
-        motion = motions[i]
+        free_motion = solver.free_motions[i]
+        motion = solver.motions[i]
         vx = motion.velocity_x
         vy = motion.velocity_y
         w = motion.angular_velocity
-        if pull.moves == SOLVED and vx == flight.free_x and vy == flight.free_y and w == flight.free_w:
-            vx = 0.5 * (flight.start_x + vx)
-            vy = 0.5 * (flight.start_y + vy)
-            w = 0.5 * (flight.start_w + w)
-        elif pull.moves == SOLVED:
-            share = _mean_share(flight.start_x - vx, flight.start_y - vy, vx, vy, gentle)
+        if force.moves == SOLVED and vx == free_motion.free_x and vy == free_motion.free_y and w == free_motion.free_w:
+            vx = 0.5 * (free_motion.start_x + vx)
+            vy = 0.5 * (free_motion.start_y + vy)
+            w = 0.5 * (free_motion.start_w + w)
+        elif force.moves == SOLVED:
+            share = _mean_share(free_motion.start_x - vx, free_motion.start_y - vy, vx, vy, gentle)
             vx = vx * share
             vy = vy * share
-            change = flight.start_w - w
-            if abs(change) * pull.extent <= gentle and abs(change) <= 0.5 * abs(w):
+            change = free_motion.start_w - w
+            if abs(change) * force.extent <= gentle and abs(change) <= 0.5 * abs(w):
                 w = w + 0.5 * change
         motion.delta_x += seconds * vx
         motion.delta_y += seconds * vy
@@ -163,9 +161,9 @@ def _mean_share(change_x: float, change_y: float, vx: float, vy: float, gentle: 
 
 
 @kernel
-def finish_motions(bodies: Records, movers: Integers, motions: Records) -> None:
+def finish_motions(bodies: Records, active_bodies: Integers, motions: Records) -> None:
     """Write the new velocities and poses into the bodies and clear the forces."""
-    for i in movers:
+    for i in active_bodies:
         body = bodies[i]
         if body.type == STATIC or body.awake == 0:
             continue

@@ -156,3 +156,11 @@ def boxes_overlap(a: Records, b: Records) -> bool:
     apart_x = (a.lower_x > b.upper_x) | (b.lower_x > a.upper_x)
     apart_y = (a.lower_y > b.upper_y) | (b.lower_y > a.upper_y)
     return bool(not (apart_x | apart_y))
+
+
+def head_count(shapes: int) -> int:
+    """Buckets of the grid: a power of two, about two a shape, and one more to close the last."""
+    buckets = 128
+    while buckets < 2 * shapes:
+        buckets *= 2
+    return buckets + 1

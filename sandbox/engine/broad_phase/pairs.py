@@ -12,7 +12,7 @@ from sandbox.tables import Integers, Records
 
 @kernel
 def find_pairs(
-    boxes: Records, owners: Records, ordered: Records, heads: Integers, levels: Integers, pairs: Records
+    boxes: Records, filters: Records, ordered: Records, heads: Integers, levels: Integers, pairs: Records
 ) -> int:
     """Write every pair of overlapping boxes that may collide, each once, shape_a < shape_b; return how many.
 
@@ -24,39 +24,39 @@ def find_pairs(
     used, sparse_count = fill_grid(boxes, base, LOWEST, ordered, heads, levels)
     count = ZERO
     for i in range(ordered.shape[0]):
-        count = _pairs_on_own_level(ordered, owners, i, heads, pairs, count)
-        count = _pairs_on_sparse_levels(ordered, owners, i, sparse, sparse_count, pairs, count)
+        count = _pairs_on_own_level(ordered, filters, i, heads, pairs, count)
+        count = _pairs_on_sparse_levels(ordered, filters, i, sparse, sparse_count, pairs, count)
         for k in range(used):
             if levels[k] > ordered[i].level:
-                count = pairs_on_level(ordered[i], ordered, owners, base, levels[k], heads, pairs, count)
+                count = pairs_on_level(ordered[i], ordered, filters, base, levels[k], heads, pairs, count)
     return count
 
 
 @kernel
-def _pairs_on_own_level(ordered: Records, owners: Records, i: int, heads: Integers, pairs: Records, count: int) -> int:
+def _pairs_on_own_level(ordered: Records, filters: Records, i: int, heads: Integers, pairs: Records, count: int) -> int:
     """Pairs of box i with later boxes of its own cell and with half of the neighbour cells."""
     box = ordered[i]
     x = box.cell_x
     y = box.cell_y
     level = box.level
     own = bucket(x, y, level, heads)
-    count = _pairs_in_cell(box, ordered, owners, i + 1, heads[own + 1], x, y, level, pairs, count)
+    count = _pairs_in_cell(box, ordered, filters, i + 1, heads[own + 1], x, y, level, pairs, count)
     for dx, dy in ((1, 0), (-1, 1), (0, 1), (1, 1)):
         k = bucket(x + dx, y + dy, level, heads)
-        count = _pairs_in_cell(box, ordered, owners, heads[k], heads[k + 1], x + dx, y + dy, level, pairs, count)
+        count = _pairs_in_cell(box, ordered, filters, heads[k], heads[k + 1], x + dx, y + dy, level, pairs, count)
     return count
 
 
 @kernel
 def _pairs_on_sparse_levels(
-    ordered: Records, owners: Records, i: int, sparse: Integers, sparse_count: int, pairs: Records, count: int
+    ordered: Records, filters: Records, i: int, sparse: Integers, sparse_count: int, pairs: Records, count: int
 ) -> int:
     """Pairs of box i with the boxes of coarser levels that hold few boxes."""
     box = ordered[i]
     for k in range(sparse_count):
         other = ordered[sparse[k]]
         if other.level > box.level and boxes_overlap(box, other):
-            count = propose(owners, box.shape_index, other.shape_index, pairs, count)
+            count = propose(filters, box.shape_index, other.shape_index, pairs, count)
     return count
 
 
@@ -64,7 +64,7 @@ def _pairs_on_sparse_levels(
 def pairs_on_level(
     box: Records,
     ordered: Records,
-    owners: Records,
+    filters: Records,
     base: float,
     level: int,
     heads: Integers,
@@ -80,7 +80,7 @@ def pairs_on_level(
     for y in range(first_y, last_y + 1):
         for x in range(first_x, last_x + 1):
             k = bucket(x, y, level, heads)
-            count = _pairs_in_cell(box, ordered, owners, heads[k], heads[k + 1], x, y, level, pairs, count)
+            count = _pairs_in_cell(box, ordered, filters, heads[k], heads[k + 1], x, y, level, pairs, count)
     return count
 
 
@@ -88,7 +88,7 @@ def pairs_on_level(
 def _pairs_in_cell(
     box: Records,
     ordered: Records,
-    owners: Records,
+    filters: Records,
     first: int,
     end: int,
     x: int,
@@ -103,18 +103,18 @@ def _pairs_in_cell(
         if not boxes_overlap(box, other):
             continue
         if other.cell_x == x and other.cell_y == y and other.level == level:
-            count = propose(owners, box.shape_index, other.shape_index, pairs, count)
+            count = propose(filters, box.shape_index, other.shape_index, pairs, count)
     return count
 
 
 @kernel
-def propose(owners: Records, i: int, j: int, pairs: Records, count: int) -> int:
+def propose(filters: Records, i: int, j: int, pairs: Records, count: int) -> int:
     """Append the pair of shapes i and j, if they may collide and it matters; return the new count.
 
     It matters if one of them is active, or if one sleeps and the other is driven into it.
     """
-    a = owners[i]
-    b = owners[j]
+    a = filters[i]
+    b = filters[j]
     moves = a.moves | b.moves
     if a.body == b.body or not ((moves & ACTIVE) != 0 or moves == SLEEPS | DRIVEN):
         return count
@@ -124,8 +124,8 @@ def propose(owners: Records, i: int, j: int, pairs: Records, count: int) -> int:
         pairs[count].shape_a = i if i < j else j
         pairs[count].shape_b = j if i < j else i
     if a.moves & b.moves & ACTIVE == 0:
-        a.hemmed = 1
-        b.hemmed = 1
+        a.confined = 1
+        b.confined = 1
     return count + 1
 
 

@@ -5,32 +5,25 @@ from __future__ import annotations
 import math
 
 from sandbox._jit import inlined_kernel, kernel
+from sandbox.engine.broad_phase.margins import shape_margin
+from sandbox.engine.records.colliders import Colliders
+from sandbox.engine.records.state import StateTables
 from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC, STATIC
 
-MARGIN = 0.02
-"""Most that contacts look ahead at low speed, in metres; four times the usual slop of 5 mm."""
-MARGIN_SHARE = 0.1
-"""The same for small bodies, as a share of their extent."""
-
-ACTIVE, SLEEPS, DRIVEN, FIXED, BULLET, HEMMED = 4, 8, 16, 32, 64, 128
-"""How the body of a shape moves, and what it is: bits next to a shape's `SEAMED` and `ONE_WAY`, so that a pair can be
-judged by one `or`."""
-
-
-@kernel
-def shape_margin(extent: float) -> float:
-    """Half of what a pair of bodies looks ahead at low speed, in metres, given the body's extent."""
-    share = MARGIN_SHARE * extent
-    return 0.5 * (share if share < MARGIN else MARGIN)
-
-
-@inlined_kernel
-def pair_margin(a: Records, b: Records) -> float:
-    """How far a pair of slow bodies looks ahead, in metres."""
-    margin_a = shape_margin(a.extent)
-    margin_b = shape_margin(b.extent)
-    return 2.0 * (margin_a if margin_a < margin_b else margin_b)
+# Bits of a proxy's `traits`, next to the `SEAMED` and `ONE_WAY` of its shape, so that a pair can be judged by one `or`.
+ACTIVE = 4
+"""The solver moves its body."""
+SLEEPS = 8
+"""Its body is dynamic and asleep."""
+DRIVEN = 16
+"""Its body is static or kinematic and moves, or has just been put somewhere."""
+FIXED = 32
+"""Its body is static."""
+BULLET = 64
+"""Its body does not pass through moving bodies either."""
+CONFINED = 128
+"""Something immovable may stop its body during the step."""
 
 
 @kernel
@@ -63,33 +56,27 @@ def _how_it_moves(body: Records) -> int:
 
 
 @kernel
-def bound_shapes(
-    bodies: Records,
-    shapes: Records,
-    vertices: Records,
-    rows: Integers,
-    seconds: float,
-    turned: Records,
-    boxes: Records,
-    owners: Records,
-    proxies: Records,
-) -> None:
-    """Turn the cores of some shapes and bound them: core, radius, margin, and the way in `seconds` at their velocity.
+def bound_shapes(state: StateTables, rows: Integers, colliders: Colliders) -> None:
+    """Turn the cores of some shapes and bound them: core, radius, margin, and the displacement of a step.
 
-    Their `OWNER` and `PROXY` rows are filled in too, for the grid and for the narrow phase.
+    Their `FILTER` and `PROXY` rows are filled in too, for the grid and for the narrow phase.
     """
+    bodies = state.bodies
+    shapes = state.shapes
+    cores = colliders.cores
+    seconds = state.settings[0].step_seconds
     for i in rows:
         shape = shapes[i]
         body = bodies[shape.body]
-        _turn_core(body, shape, vertices, turned)
-        first = turned[shape.vertex_start]
+        _turn_core(body, shape, state.vertices, cores)
+        first = cores[shape.vertex_start]
         lower_x = first.x
         lower_y = first.y
         upper_x = first.x
         upper_y = first.y
         for j in range(shape.vertex_start + 1, shape.vertex_start + shape.vertex_count):
-            x = turned[j].x
-            y = turned[j].y
+            x = cores[j].x
+            y = cores[j].y
             lower_x = x if x < lower_x else lower_x
             lower_y = y if y < lower_y else lower_y
             upper_x = x if x > upper_x else upper_x
@@ -98,24 +85,24 @@ def bound_shapes(
         swing = seconds * spin
         swing = body.extent * (swing if swing < 2.0 else 2.0)
         grow = shape.radius + shape_margin(body.extent) + swing
-        way_x = seconds * body.velocity_x
-        way_y = seconds * body.velocity_y
-        box = boxes[i]
-        box.lower_x = body.center_x + lower_x - grow + (way_x if way_x < 0.0 else 0.0)
-        box.lower_y = body.center_y + lower_y - grow + (way_y if way_y < 0.0 else 0.0)
-        box.upper_x = body.center_x + upper_x + grow + (way_x if way_x > 0.0 else 0.0)
-        box.upper_y = body.center_y + upper_y + grow + (way_y if way_y > 0.0 else 0.0)
+        travel_x = seconds * body.velocity_x
+        travel_y = seconds * body.velocity_y
+        box = colliders.boxes[i]
+        box.lower_x = body.center_x + lower_x - grow + (travel_x if travel_x < 0.0 else 0.0)
+        box.lower_y = body.center_y + lower_y - grow + (travel_y if travel_y < 0.0 else 0.0)
+        box.upper_x = body.center_x + upper_x + grow + (travel_x if travel_x > 0.0 else 0.0)
+        box.upper_y = body.center_y + upper_y + grow + (travel_y if travel_y > 0.0 else 0.0)
         box.shape_index = i
         moves = _how_it_moves(body)
-        owner = owners[i]
-        owner.body = shape.body
-        owner.moves = moves
-        owner.hemmed = 0
+        filter = colliders.filters[i]
+        filter.body = shape.body
+        filter.moves = moves
+        filter.confined = 0
         # Nothing is in category 0, so that the grid proposes no pairs of a sensor.
-        owner.category = shape.category if shape.sensor == 0 else 0
-        owner.mask = shape.mask
-        owner.group = shape.group if shape.sensor == 0 else 0
-        _fill_proxy(body, shape, moves, spin, proxies[i])
+        filter.category = shape.category if shape.sensor == 0 else 0
+        filter.mask = shape.mask
+        filter.group = shape.group if shape.sensor == 0 else 0
+        _fill_proxy(body, shape, moves, spin, colliders.proxies[i])
 
 
 @inlined_kernel

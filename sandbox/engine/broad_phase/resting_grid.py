@@ -9,85 +9,75 @@ from __future__ import annotations
 from typing import Any
 
 from sandbox._jit import ZERO, kernel
-from sandbox.engine.active.active_set import STIRS
+from sandbox.engine.active.active_set import AWAKE
 from sandbox.engine.broad_phase.grid import LEVELS, LOWEST, base_cell, boxes_overlap, cells_per_metre, fill_grid
 from sandbox.engine.broad_phase.pairs import find_pairs, pairs_on_level, propose
+from sandbox.engine.records.active_set import ActiveSet
+from sandbox.engine.records.colliders import Colliders, Grid
 from sandbox.tables import Integers, Records
 
 SHARE = 4
-"""The grid is parted when less than one in so many shapes moves."""
+"""The grid is split when less than one in so many shapes moves."""
 LEAST = 64
 """Fewer shapes than this are not worth it."""
 
 
 @kernel
-def part_shapes(shapes: Records, census: Records, stirs: Integers, parts: Integers) -> bool:
-    """Put the rows of the shapes that may move first into `parts`, then the others, if that is not how it is already.
+def order_shapes(shapes: Records, active: ActiveSet) -> bool:
+    """Put the rows of the shapes that may move first into `active.shapes`, then the others, if they are not already.
 
-    Returns whether something has changed. `census` then knows how many move and whether the grid is parted.
+    Returns whether something has changed. `active.info` then knows how many move and whether the grid is split.
     """
-    if census.laid == census.era:
+    info = active.info[0]
+    if info.shapes_generation == info.generation:
         return False
-    census.laid = census.era
+    info.shapes_generation = info.generation
     count = shapes.shape[0]
     moving = ZERO
     for i in range(count):
-        if stirs[shapes[i].body] == STIRS:
-            parts[moving] = i
+        if active.activity[shapes[i].body] == AWAKE:
+            active.shapes[moving] = i
             moving += 1
     resting = moving
     for i in range(count):
-        if stirs[shapes[i].body] != STIRS:
-            parts[resting] = i
+        if active.activity[shapes[i].body] != AWAKE:
+            active.shapes[resting] = i
             resting += 1
-    census.moving = moving
-    census.parted = 1 if count >= LEAST and SHARE * moving < count else 0
+    info.moving = moving
+    info.split = 1 if count >= LEAST and SHARE * moving < count else 0
     return True
 
 
 @kernel
-def find_all_pairs(
-    boxes: Records,
-    owners: Records,
-    parts: Integers,
-    census: Records,
-    anew: bool,
-    spare: Records,
-    ordered: Records,
-    heads: Integers,
-    levels: Integers,
-    rest_heads: Integers,
-    rest_levels: Integers,
-    pairs: Records,
-) -> int:
-    """As `find_pairs`; `anew` if `parts` has changed.
+def find_all_pairs(colliders: Colliders, active: ActiveSet, changed: bool, grid: Grid) -> int:
+    """As `find_pairs`, into `grid.pairs`; `changed` if the order of the shapes has.
 
-    If the grid is parted, `ordered` has the boxes of the resting shapes first, then those of the moving ones. `spare`
-    is scratch.
+    If the grid is split, `grid.ordered` has the boxes of the resting shapes first, then those of the moving ones.
     """
-    apart = census.parted == 1
-    moving = parts[: census.moving]
-    resting = parts[census.moving :]
-    rested = resting.shape[0] if apart else 0
-    still: Any = ordered[:rested]
-    lively: Any = ordered[rested:]
-    some: Any = boxes[:]
-    own_heads = heads[:]
-    if apart:
-        if anew:
-            _gather(boxes, resting, spare)
-            those: Any = spare[:rested]
-            census.cell = base_cell(those, rest_levels)
-            used, sparse = fill_grid(those, census.cell, LOWEST, still, rest_heads, rest_levels)
-            census.used = used
-            census.sparse = sparse
-        _gather(boxes, moving, spare)
-        some = spare[: moving.shape[0]]
-        own_heads = heads[: _bucket_count(moving.shape[0]) + 1]
-    count = find_pairs(some, owners, lively, own_heads, levels, pairs)
-    if apart:
+    info = active.info[0]
+    split = info.split == 1
+    moving = active.shapes[: info.moving]
+    resting = active.shapes[info.moving :]
+    rested = resting.shape[0] if split else 0
+    still: Any = grid.ordered[:rested]
+    lively: Any = grid.ordered[rested:]
+    some: Any = colliders.boxes[:]
+    heads = grid.heads[:]
+    if split:
+        if changed:
+            _gather(colliders.boxes, resting, grid.spare_boxes)
+            those: Any = grid.spare_boxes[:rested]
+            info.cell = base_cell(those, grid.resting_levels)
+            used, sparse = fill_grid(those, info.cell, LOWEST, still, grid.resting_heads, grid.resting_levels)
+            info.used = used
+            info.sparse = sparse
+        _gather(colliders.boxes, moving, grid.spare_boxes)
+        some = grid.spare_boxes[: moving.shape[0]]
+        heads = grid.heads[: _bucket_count(moving.shape[0]) + 1]
+    count = find_pairs(some, colliders.filters, lively, heads, grid.levels, grid.pairs)
+    if split:
         for i in moving:
-            count = _pairs_with_resting(boxes[i], still, owners, census, rest_heads, rest_levels, pairs, count)
+            count = _pairs_with_resting(colliders.boxes[i], still, colliders.filters, info, grid, count)
     return count
 
 
@@ -106,30 +96,24 @@ def _gather(boxes: Records, rows: Integers, spare: Records) -> None:
 
 
 @kernel
-def _pairs_with_resting(
-    box: Records,
-    still: Records,
-    owners: Records,
-    census: Records,
-    heads: Integers,
-    levels: Integers,
-    pairs: Records,
-    count: int,
-) -> int:
+def _pairs_with_resting(box: Records, still: Records, filters: Records, info: Records, grid: Grid, count: int) -> int:
     """Pairs of a moving box with resting ones: cell by cell, or with all of them if it covers more cells than that."""
+    heads = grid.resting_heads
+    levels = grid.resting_levels
+    pairs = grid.pairs
     sparse = levels[2 * LEVELS :]
     cells = 0.0
-    for k in range(census.used):
-        inverse = cells_per_metre(census.cell, levels[k])
+    for k in range(info.used):
+        inverse = cells_per_metre(info.cell, levels[k])
         cells += (2.0 + (box.upper_x - box.lower_x) * inverse) * (2.0 + (box.upper_y - box.lower_y) * inverse)
     if cells > still.shape[0]:
         for k in range(still.shape[0]):
             if boxes_overlap(box, still[k]):
-                count = propose(owners, box.shape_index, still[k].shape_index, pairs, count)
+                count = propose(filters, box.shape_index, still[k].shape_index, pairs, count)
         return count
-    for k in range(census.used):
-        count = pairs_on_level(box, still, owners, census.cell, levels[k], heads, pairs, count)
-    for k in range(census.sparse):
+    for k in range(info.used):
+        count = pairs_on_level(box, still, filters, info.cell, levels[k], heads, pairs, count)
+    for k in range(info.sparse):
         if boxes_overlap(box, still[sparse[k]]):
-            count = propose(owners, box.shape_index, still[sparse[k]].shape_index, pairs, count)
+            count = propose(filters, box.shape_index, still[sparse[k]].shape_index, pairs, count)
     return count

@@ -11,7 +11,7 @@ from typing import Any, Union, get_args, get_origin, get_type_hints
 
 import numpy as np
 
-from sandbox.engine.active.quarantine import MAX_COORDINATE
+from sandbox.engine.bodies.quarantine import MAX_COORDINATE
 from sandbox.engine.commands.pushes import SPEED_LIMIT
 from sandbox.errors import CommandError
 

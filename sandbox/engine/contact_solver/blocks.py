@@ -24,7 +24,7 @@ SURFACE_SPEED = 7 * LANES
 ROLLING_RESISTANCE = 8 * LANES
 ROLLING_MASS = 9 * LANES
 ROLLING_IMPULSE = 10 * LANES
-BOUNCY = 11 * LANES
+MAY_IMPACT = 11 * LANES
 """1 where an impact may follow: such a contact must not be slowed before it strikes."""
 
 RADIUS_A = 12 * LANES

@@ -11,7 +11,7 @@ from sandbox.tables import Records
 
 
 @kernel
-def take_back(body: Records, motion: Records, share: float) -> None:
+def roll_back(body: Records, motion: Records, share: float) -> None:
     """Take back that share of a body's way through the step."""
     body.center_x -= share * motion.delta_x
     body.center_y -= share * motion.delta_y
@@ -23,7 +23,7 @@ def take_back(body: Records, motion: Records, share: float) -> None:
 
 
 @kernel
-def take_back_fall(body: Records, motion: Records, share: float, setting: Records) -> None:
+def roll_back_energy(body: Records, motion: Records, share: float, setting: Records) -> None:
     """Give a body that was taken back the speed along gravity that belongs to the height where it is now.
 
     Or every catch of a bouncing body would lift or lower it for nothing. What stopped it in mid-step knows nothing of

@@ -37,8 +37,8 @@ def apply_fields(
     joint_table: Records,
     settings: Records,
     counters: Records,
-    census: Records,
-    flights: Records,
+    active_set: Records,
+    free_motions: Records,
     pushes: Records,
     pieces: Records,
     spare_pieces: Records,
@@ -46,7 +46,7 @@ def apply_fields(
     """Add the forces of all fields to those of the coming step; wake whom a field begins to push."""
     setting = settings[0]
     step = counters[0].step_count
-    wake_switched(bodies, regions, edges, thrusters, census, step)
+    wake_switched(bodies, regions, edges, thrusters, active_set, step)
     _begin(bodies, pushes, setting)
     _mark_held(pushes, old_contacts, counters[0].contact_count, joint_table)
     for k in range(regions.shape[0]):
@@ -58,7 +58,7 @@ def apply_fields(
         elif acts(regions[k], step) and regions[k].kind == WATER:
             float_bodies(regions[k], edges, bodies, shapes, vertices, pushes, pieces, spare_pieces)
     thrust(thrusters, pushes, step)
-    _finish(bodies, pushes, flights, setting)
+    _finish(bodies, pushes, free_motions, setting)
 
 
 @kernel
@@ -95,12 +95,12 @@ def _mark_held(pushes: Records, contacts: Records, count: int, joints: Records) 
 
 
 @kernel
-def _finish(bodies: Records, pushes: Records, flights: Records, setting: Records) -> None:
+def _finish(bodies: Records, pushes: Records, free_motions: Records, setting: Records) -> None:
     h = setting.step_seconds
     for i in range(bodies.shape[0]):
         body = bodies[i]
         push = pushes[i]
-        flights[i].buoyed = 0
+        free_motions[i].buoyed = 0
         if push.active == 0:
             continue
         scale = body.mass * body.gravity_scale
@@ -108,7 +108,7 @@ def _finish(bodies: Records, pushes: Records, flights: Records, setting: Records
         fy = push.force_y + scale * (push.gravity_y - setting.gravity_y)
         ax = body.gravity_scale * setting.gravity_x + body.inverse_mass * (body.force_x + fx)
         ay = body.gravity_scale * setting.gravity_y + body.inverse_mass * (body.force_y + fy)
-        flights[i].buoyed = push.wet if _balanced(ax, ay, push) else 0
+        free_motions[i].buoyed = push.wet if _balanced(ax, ay, push) else 0
         ahead = 0.0 if push.held == 1 else h
         dx, dy, turn = drag_force(
             push,

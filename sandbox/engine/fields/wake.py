@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox.engine.active.islands import wake_marked_islands
+from sandbox.engine.active.wake_islands import wake_marked_islands
 from sandbox.engine.fields.area import OUTSIDE, place
 from sandbox.tables import Records
 from sandbox.world.records import DYNAMIC
@@ -11,7 +11,7 @@ from sandbox.world.records import DYNAMIC
 
 @kernel
 def wake_switched(
-    bodies: Records, regions: Records, edges: Records, thrusters: Records, census: Records, step: int
+    bodies: Records, regions: Records, edges: Records, thrusters: Records, active_set: Records, step: int
 ) -> None:
     """Wake the islands of all bodies that a region or a thruster begins or ceases to push in this step."""
     found = False
@@ -31,7 +31,7 @@ def wake_switched(
                 body.awake = 1
                 found = True
     if found:
-        wake_marked_islands(bodies, census)
+        wake_marked_islands(bodies, active_set)
 
 
 @kernel

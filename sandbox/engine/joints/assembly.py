@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from sandbox.engine.joints.records import BOND, LINK, MEMBER, PART, ROW, SEAT, JointWork
+from sandbox.engine.joints.pair_filter import JointFilter
+from sandbox.engine.joints.records import BOND, CONSTRAINT, LINK, MEMBER, PART, ROW, JointWork
 from sandbox.engine.joints.symbolic import Pattern, minimum_degree, symbolic
-from sandbox.tables import Integers, Records
+from sandbox.tables import Records
 from sandbox.world import joint_records as kinds
 
 _BASE_SLOTS = {
@@ -53,26 +53,18 @@ def holding(joints: Records) -> list[bool]:
     ]
 
 
-@dataclass(frozen=True)
-class Joined:
-    """What the step needs to know of joints: the pairs of bodies that do not collide, sorted, a mark on each of their
-    bodies, and the memory of the joint solver, None where no joint holds, so that such worlds pay nothing."""
+def assemble(joints: Records, bodies: Records) -> tuple[JointFilter, JointWork | None]:
+    """The pairs of bodies that joints keep from colliding, and scratch memory for all joints that hold.
 
-    bonds: Records
-    joined: Integers
-    joints: JointWork | None
-
-
-def lay_out(joints: Records, bodies: Records) -> Joined:
-    """Scratch memory for all joints that hold.
-
-    It is a function of the two tables alone: a world that goes on and one that is restored solve in the same order.
+    The memory is None where no joint holds, so that such worlds pay nothing. Both are functions of the two tables
+    alone: a world that goes on and one that is restored solve in the same order.
     """
     layout = _Layout(joints, bodies)
     tied, bound = layout.pairs()
-    marks = np.zeros(len(bodies), np.int64)
-    marks[[body for pair in bound for body in pair]] = 1
-    return Joined(_pair_table(bound), marks, layout.work(_pair_table(tied)) if layout.holding else None)
+    joined = np.zeros(len(bodies), np.int64)
+    joined[[body for pair in bound for body in pair]] = 1
+    work = layout.work(_pair_table(tied)) if layout.holding else None
+    return JointFilter(_pair_table(bound), joined), work
 
 
 class _Layout:
@@ -106,7 +98,7 @@ class _Layout:
             for body in self._sides(self.joints[j]):
                 if body >= 0 and not self.movable[body]:
                     self._add_member(body, -1)
-        self.seats: list[int] = []
+        self.constraints: list[int] = []
         self.rows: list[tuple[int, int, list[int]]] = []
         self.parts: list[dict[str, int]] = []
         self.pattern = Pattern()
@@ -138,7 +130,7 @@ class _Layout:
         return found
 
     def _add_part(self, number: int, part: Sequence[int]) -> None:
-        first_member, first_seat, first_row = len(self.members), len(self.seats), len(self.rows)
+        first_member, first_constraint, first_row = len(self.members), len(self.constraints), len(self.rows)
         for j in part:
             for body in self.touched[j]:
                 self._add_member(body, number)
@@ -149,14 +141,14 @@ class _Layout:
         for j in order:
             row_numbers[j] = list(range(len(self.rows), len(self.rows) + len(slots[j])))
             sides = [self.member_of[body] for body in self._sides(self.joints[j])]
-            self.rows += [(len(self.seats), slot, sides) for slot in slots[j]]
-            self.seats.append(j)
+            self.rows += [(len(self.constraints), slot, sides) for slot in slots[j]]
+            self.constraints.append(j)
         first_link, first_target = len(self.links), len(self.pattern.targets)
         self._eliminate(order, row_numbers, neighbours, direct)
         self.parts.append(
             {
-                "first_row": first_row, "row_end": len(self.rows), "first_seat": first_seat,
-                "seat_end": len(self.seats),
+                "first_row": first_row, "row_end": len(self.rows), "first_constraint": first_constraint,
+                "constraint_end": len(self.constraints),
                 "first_member": first_member, "member_end": len(self.members), "first_link": first_link,
                 "link_end": len(self.links), "first_target": first_target, "direct": int(direct),
                 "anchored": int(any(body not in self.touched[j] for j in part for body in self._sides(self.joints[j]))),
@@ -186,24 +178,26 @@ class _Layout:
                     self.links.append((s, r, b + 1, a + 1, entry))
 
     def _tables(self) -> JointWork:
-        members, seats = MEMBER.zeros(len(self.members)), SEAT.zeros(len(self.seats))
+        members, constraints = MEMBER.zeros(len(self.members)), CONSTRAINT.zeros(len(self.constraints))
         rows, parts, links = ROW.zeros(len(self.rows)), PART.zeros(len(self.parts)), LINK.zeros(len(self.links))
         members.body, members.part = (list(column) for column in zip(*self.members, strict=True))
         members.cos = 1.0
-        seat_of = {j: k for k, j in enumerate(self.seats)}
-        part_of_seat = [n for n, part in enumerate(self.parts) for _ in range(part["first_seat"], part["seat_end"])]
-        for k, (row, j) in enumerate(zip(seats, self.seats, strict=True)):
+        seat_of = {j: k for k, j in enumerate(self.constraints)}
+        part_of_seat = [
+            n for n, part in enumerate(self.parts) for _ in range(part["first_constraint"], part["constraint_end"])
+        ]
+        for k, (row, j) in enumerate(zip(constraints, self.constraints, strict=True)):
             joint = self.joints[j]
             row.joint, row.part = j, part_of_seat[k]
-            row.seat_1, row.seat_2 = seat_of.get(joint.joint_1, -1), seat_of.get(joint.joint_2, -1)
+            row.constraint_1, row.constraint_2 = seat_of.get(joint.joint_1, -1), seat_of.get(joint.joint_2, -1)
             row.member_a, row.member_b = (self.member_of[body] for body in self._sides(joint)[:2])
-        for r, (seat, slot, sides) in enumerate(self.rows):
-            rows[r].seat, rows[r].slot, rows[r].sides = seat, slot, len(sides)
+        for r, (constraint, slot, sides) in enumerate(self.rows):
+            rows[r].constraint, rows[r].slot, rows[r].sides = constraint, slot, len(sides)
             for k, member in enumerate(sides):
                 rows[r][f"member_{k + 1}"] = member
-            if seats[seat].row_count == 0:
-                seats[seat].first_row = r
-            seats[seat].row_count += 1
+            if constraints[constraint].row_count == 0:
+                constraints[constraint].first_row = r
+            constraints[constraint].row_count += 1
         for row, fields in zip(parts, self.parts, strict=True):
             for name, value in fields.items():
                 row[name] = value
@@ -216,7 +210,7 @@ class _Layout:
         starts, row_of = np.array([*pattern.starts, len(pattern.row_of)], np.int64), np.array(pattern.row_of, np.int64)
         targets, entries = np.array(pattern.targets, np.int64), np.zeros(len(pattern.row_of))
         return JointWork(
-            self.joints, self.ties, part_of, members, seats, rows, parts, links, starts, row_of, targets, entries
+            self.joints, self.ties, part_of, members, constraints, rows, parts, links, starts, row_of, targets, entries
         )
 
     def pairs(self) -> tuple[list[Pair], list[Pair]]:

@@ -8,12 +8,12 @@ decide what happens.
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox.engine.active.body_flags import is_active
+from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.joints.records import JointWork
 from sandbox.tables import Integers, Records
 
 FINE = 2
-"""Pace of such a part: four times the scene's substeps."""
+"""Substep level of such a part: four times the scene's substeps."""
 SMALL = 2
 """Most bodies of such a part."""
 FEW = 256
@@ -21,8 +21,10 @@ FEW = 256
 
 
 @kernel
-def refine_small_parts(work: JointWork, bodies: Records, flights: Records, contacts: Records, live: Integers) -> int:
-    """Give every small part of which no body has a contact the pace `FINE`; return the paces given, as bits.
+def refine_small_parts(
+    work: JointWork, bodies: Records, free_motions: Records, contacts: Records, active_contacts: Integers
+) -> int:
+    """Give every small part of which no body has a contact the substep level `FINE`; return the levels given, as bits.
 
     As it has no contact, such a part is an island by itself.
     """
@@ -31,7 +33,7 @@ def refine_small_parts(work: JointWork, bodies: Records, flights: Records, conta
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
         part.fine = 1 if part.direct == 1 and part.member_end - part.first_member <= SMALL else 0
-    for i in live:
+    for i in active_contacts:
         for k in range(2):
             touched = work.part_of[contacts[i].body_a if k == 0 else contacts[i].body_b]
             if touched >= 0:
@@ -40,6 +42,6 @@ def refine_small_parts(work: JointWork, bodies: Records, flights: Records, conta
     for i in range(1, work.members.shape[0]):
         member = work.members[i]
         if member.part >= 0 and work.parts[member.part].fine == 1 and is_active(bodies[member.body]):
-            flights[member.body].pace = FINE
+            free_motions[member.body].substep_level = FINE
             used = 1 << FINE
     return used

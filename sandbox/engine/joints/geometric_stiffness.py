@@ -14,17 +14,17 @@ from sandbox.tables import Records
 
 
 @kernel
-def tame_tension(work: JointWork, part: Records, seconds: float, acting: float) -> None:
+def add_geometric_stiffness(work: JointWork, part: Records, seconds: float, acting: float) -> None:
     """Set the inertia of the members of a part for this substep, from the impulses of the one before."""
     for i in range(part.first_member, part.member_end):
         work.members[i].tension = 0.0
     for r in range(part.first_row, part.row_end):
         row = work.rows[r]
-        seat = work.seats[row.seat]
+        constraint = work.constraints[row.constraint]
         if row.sides == 2 and row.stiffness > 0.0:
             force = row.impulse / acting
-            work.members[row.member_1].tension += force * (seat.arm_ax * row.x1 + seat.arm_ay * row.y1)
-            work.members[row.member_2].tension += force * (seat.arm_bx * row.x2 + seat.arm_by * row.y2)
+            work.members[row.member_1].tension += force * (constraint.arm_ax * row.x1 + constraint.arm_ay * row.y1)
+            work.members[row.member_2].tension += force * (constraint.arm_bx * row.x2 + constraint.arm_by * row.y2)
     for i in range(part.first_member, part.member_end):
         member = work.members[i]
         least = 0.5 * seconds * seconds * abs(member.tension)
@@ -33,7 +33,7 @@ def tame_tension(work: JointWork, part: Records, seconds: float, acting: float) 
 
 
 @kernel
-def untame(work: JointWork, part: Records) -> None:
+def remove_geometric_stiffness(work: JointWork, part: Records) -> None:
     """Give the members of a part their own inertia: only with that can passes not add energy."""
     for i in range(part.first_member, part.member_end):
         member = work.members[i]

@@ -23,56 +23,56 @@ def fill_rows(work: JointWork, part: Records) -> None:
     """Jacobian, stiffness and present error of all rows of a part."""
     for r in range(part.first_row, part.row_end):
         row = work.rows[r]
-        seat = work.seats[row.seat]
-        joint = work.joints[seat.joint]
-        _fill(work, row, seat, joint)
+        constraint = work.constraints[row.constraint]
+        joint = work.joints[constraint.joint]
+        _fill(work, row, constraint, joint)
         row.stiffness = _stiffness(work.members, row)
-        row.error = row_error(row, seat)
+        row.error = row_error(row, constraint)
         row.soft = 1 if row.slot == 3 or row_hertz(row, joint) > 0.0 else 0
 
 
 @kernel
-def row_error(row: Records, seat: Records) -> float:
+def row_error(row: Records, constraint: Records) -> float:
     """Error of a row at the pose its joint was measured at; for springs, limits and motors the place."""
     if row.slot >= 3:
-        return float(seat.place)
-    return float(seat.error_0 if row.slot == 0 else (seat.error_1 if row.slot == 1 else seat.error_2))
+        return float(constraint.place)
+    return float(constraint.error_0 if row.slot == 0 else (constraint.error_1 if row.slot == 1 else constraint.error_2))
 
 
 @kernel
-def _fill(work: JointWork, row: Records, seat: Records, joint: Records) -> None:
+def _fill(work: JointWork, row: Records, constraint: Records, joint: Records) -> None:
     kind = joint.kind
     row.levered = 0
     if kind == GEAR:
-        _fill_gear(work, row, seat, joint.ratio)
+        _fill_gear(work, row, constraint, joint.ratio)
     elif kind == PULLEY:
-        _fill_pulley(row, seat, joint.ratio)
+        _fill_pulley(row, constraint, joint.ratio)
     elif kind == DISTANCE:
-        _along(row, seat, seat.axis_x, seat.axis_y)
+        _along(row, constraint, constraint.axis_x, constraint.axis_y)
     elif kind in (PRISMATIC, WHEEL):
         if row.slot == 0:
-            _along(row, seat, -seat.axis_y, seat.axis_x)
+            _along(row, constraint, -constraint.axis_y, constraint.axis_x)
         elif row.slot >= 3:
-            _along(row, seat, seat.axis_x, seat.axis_y)
+            _along(row, constraint, constraint.axis_x, constraint.axis_y)
         else:
             _about(row)
     elif row.slot == 2 or (kind == REVOLUTE and row.slot >= 3):
         _about(row)
-    elif kind in (MOTOR, FRICTION) or _is_close(seat):
+    elif kind in (MOTOR, FRICTION) or _is_close(constraint):
         row.levered = 1
-        _along(row, seat, 1.0 if row.slot == 0 else 0.0, 0.0 if row.slot == 0 else 1.0)
+        _along(row, constraint, 1.0 if row.slot == 0 else 0.0, 0.0 if row.slot == 0 else 1.0)
     elif row.slot == 0:
-        _set(row, -1.0, 0.0, seat.arm_ay, 1.0, 0.0, -seat.arm_by)
+        _set(row, -1.0, 0.0, constraint.arm_ay, 1.0, 0.0, -constraint.arm_by)
     else:
-        _set(row, 0.0, -1.0, -seat.arm_ax, 0.0, 1.0, seat.arm_bx)
+        _set(row, 0.0, -1.0, -constraint.arm_ax, 0.0, 1.0, constraint.arm_bx)
 
 
 @kernel
-def _is_close(seat: Records) -> bool:
+def _is_close(constraint: Records) -> bool:
     """Whether the anchors are together but for half of the longer arm."""
-    arm_a = seat.arm_ax * seat.arm_ax + seat.arm_ay * seat.arm_ay
-    arm_b = seat.arm_bx * seat.arm_bx + seat.arm_by * seat.arm_by
-    gap = seat.gap_x * seat.gap_x + seat.gap_y * seat.gap_y
+    arm_a = constraint.arm_ax * constraint.arm_ax + constraint.arm_ay * constraint.arm_ay
+    arm_b = constraint.arm_bx * constraint.arm_bx + constraint.arm_by * constraint.arm_by
+    gap = constraint.gap_x * constraint.gap_x + constraint.gap_y * constraint.gap_y
     return bool(gap < 0.25 * (arm_a if arm_a > arm_b else arm_b))
 
 
@@ -93,28 +93,36 @@ def _about(row: Records) -> None:
 
 
 @kernel
-def _along(row: Records, seat: Records, x: float, y: float) -> None:
+def _along(row: Records, constraint: Records, x: float, y: float) -> None:
     """Way of anchor b along an axis (x, y) that turns with a.
 
     Both bodies are pushed at anchor b, also while the anchors are apart: no angular momentum comes out of nothing.
     """
-    turn_a = (seat.arm_ax + seat.gap_x) * y - (seat.arm_ay + seat.gap_y) * x
-    _set(row, -x, -y, -turn_a, x, y, seat.arm_bx * y - seat.arm_by * x)
+    turn_a = (constraint.arm_ax + constraint.gap_x) * y - (constraint.arm_ay + constraint.gap_y) * x
+    _set(row, -x, -y, -turn_a, x, y, constraint.arm_bx * y - constraint.arm_by * x)
 
 
 @kernel
-def _fill_pulley(row: Records, seat: Records, ratio: float) -> None:
-    ax = seat.axis_x
-    ay = seat.axis_y
-    bx = ratio * seat.gap_x
-    by = ratio * seat.gap_y
-    _set(row, ax, ay, seat.arm_ax * ay - seat.arm_ay * ax, bx, by, seat.arm_bx * by - seat.arm_by * bx)
+def _fill_pulley(row: Records, constraint: Records, ratio: float) -> None:
+    ax = constraint.axis_x
+    ay = constraint.axis_y
+    bx = ratio * constraint.gap_x
+    by = ratio * constraint.gap_y
+    _set(
+        row,
+        ax,
+        ay,
+        constraint.arm_ax * ay - constraint.arm_ay * ax,
+        bx,
+        by,
+        constraint.arm_bx * by - constraint.arm_by * bx,
+    )
 
 
 @kernel
-def _fill_gear(work: JointWork, row: Records, seat: Records, ratio: float) -> None:
+def _fill_gear(work: JointWork, row: Records, constraint: Records, ratio: float) -> None:
     """The second joint's coordinate goes to sides 3 and 4, the first one's to sides 1 and 2."""
-    second = work.seats[seat.seat_2]
+    second = work.constraints[constraint.constraint_2]
     _fill_coordinate(work, row, second)
     row.x3 = ratio * row.x1
     row.y3 = ratio * row.y1
@@ -122,14 +130,14 @@ def _fill_gear(work: JointWork, row: Records, seat: Records, ratio: float) -> No
     row.x4 = ratio * row.x2
     row.y4 = ratio * row.y2
     row.w4 = ratio * row.w2
-    first = work.seats[seat.seat_1]
+    first = work.constraints[constraint.constraint_1]
     _fill_coordinate(work, row, first)
 
 
 @kernel
-def _fill_coordinate(work: JointWork, row: Records, seat: Records) -> None:
-    if work.joints[seat.joint].kind == PRISMATIC:
-        _along(row, seat, seat.axis_x, seat.axis_y)
+def _fill_coordinate(work: JointWork, row: Records, constraint: Records) -> None:
+    if work.joints[constraint.joint].kind == PRISMATIC:
+        _along(row, constraint, constraint.axis_x, constraint.axis_y)
     else:
         _about(row)
 

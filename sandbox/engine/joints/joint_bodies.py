@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox.engine.active.body_flags import is_active
+from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.joints.records import JointWork
 from sandbox.geometry.trig import cos_sin
 from sandbox.tables import Records
@@ -28,7 +28,7 @@ def load_members(work: JointWork, bodies: Records) -> None:
 
 
 @kernel
-def gather_members(work: JointWork, motions: Records, flights: Records, moving: bool) -> None:
+def gather_members(work: JointWork, motions: Records, free_motions: Records, moving: bool) -> None:
     """Take over velocities. Half of what forces add is held back while bodies are `moving`, and given back after.
 
     That is the velocity Verlet scheme: positions move by the velocity at the middle of the substep.
@@ -41,13 +41,13 @@ def gather_members(work: JointWork, motions: Records, flights: Records, moving: 
         member.velocity_x = motion.velocity_x
         member.velocity_y = motion.velocity_y
         member.angular_velocity = motion.angular_velocity
-        if member.inverse_mass == 0.0 or work.parts[member.part].borne == 1:
+        if member.inverse_mass == 0.0 or work.parts[member.part].supported == 1:
             continue
         if moving:
-            flight = flights[member.body]
-            member.kick_x = 0.5 * (flight.free_x - flight.start_x)
-            member.kick_y = 0.5 * (flight.free_y - flight.start_y)
-            member.kick_w = 0.5 * (flight.free_w - flight.start_w)
+            free_motion = free_motions[member.body]
+            member.kick_x = 0.5 * (free_motion.free_x - free_motion.start_x)
+            member.kick_y = 0.5 * (free_motion.free_y - free_motion.start_y)
+            member.kick_w = 0.5 * (free_motion.free_w - free_motion.start_w)
         sign = -1.0 if moving else 1.0
         member.velocity_x += sign * member.kick_x
         member.velocity_y += sign * member.kick_y
@@ -67,20 +67,20 @@ def scatter_members(work: JointWork, motions: Records) -> None:
 
 
 @kernel
-def go_straight(work: JointWork, motions: Records, flights: Records) -> None:
+def move_by_end_velocity(work: JointWork, motions: Records, free_motions: Records) -> None:
     """Let jointed bodies move by the velocity they have: `integrate_positions` takes the mean with the start."""
     for i in range(1, work.members.shape[0]):
         member = work.members[i]
         if member.inverse_mass > 0.0 and work.parts[member.part].current == 1:
             motion = motions[member.body]
-            flight = flights[member.body]
-            flight.start_x = flight.free_x = motion.velocity_x
-            flight.start_y = flight.free_y = motion.velocity_y
-            flight.start_w = flight.free_w = motion.angular_velocity
+            free_motion = free_motions[member.body]
+            free_motion.start_x = free_motion.free_x = motion.velocity_x
+            free_motion.start_y = free_motion.free_y = motion.velocity_y
+            free_motion.start_w = free_motion.free_w = motion.angular_velocity
 
 
 @kernel
-def look(work: JointWork, part: Records, bodies: Records, motions: Records, ahead: float) -> None:
+def predict_poses(work: JointWork, part: Records, bodies: Records, motions: Records, ahead: float) -> None:
     """Pose of the members of a part, and of what joints cannot move, `ahead` seconds from now."""
     i = 1
     while i < part.member_end:
@@ -90,8 +90,8 @@ def look(work: JointWork, part: Records, bodies: Records, motions: Records, ahea
             continue
         body = bodies[member.body]
         motion = motions[member.body]
-        member.way_x = motion.delta_x + ahead * member.velocity_x
-        member.way_y = motion.delta_y + ahead * member.velocity_y
+        member.displacement_x = motion.delta_x + ahead * member.velocity_x
+        member.displacement_y = motion.delta_y + ahead * member.velocity_y
         turn = motion.delta_angle + ahead * member.angular_velocity
         c, s = cos_sin(turn)
         member.cos = body.rotation_cos * c - body.rotation_sin * s

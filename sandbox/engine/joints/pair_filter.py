@@ -2,27 +2,37 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from sandbox._jit import kernel
 from sandbox.tables import Integers, Records
 
 
+class JointFilter(NamedTuple):
+    """The pairs of bodies that joints keep from colliding, sorted by (low, high body), and 1 for each such body."""
+
+    bonds: Records
+    joined: Integers
+
+
 @kernel
-def drop_joined_pairs(bonds: Records, joined: Integers, shapes: Records, pairs: Records, count: int) -> int:
+def filter_joined_pairs(joint_filter: JointFilter, shapes: Records, pairs: Records, count: int) -> int:
     """Take out of `pairs[:count]` those whose bodies a joint keeps from colliding; return how many are left."""
     kept = 0
     for i in range(count):
         pair = pairs[i]
-        if not are_joined(bonds, joined, shapes[pair.shape_a].body, shapes[pair.shape_b].body):
+        if not are_joined(joint_filter, shapes[pair.shape_a].body, shapes[pair.shape_b].body):
             pairs[kept] = pair
             kept += 1
     return kept
 
 
 @kernel
-def are_joined(bonds: Records, joined: Integers, a: int, b: int) -> bool:
-    """Whether a joint keeps two bodies from colliding. `bonds` are sorted by (low body, high body)."""
-    if joined[a] == 0 or joined[b] == 0:
+def are_joined(joint_filter: JointFilter, a: int, b: int) -> bool:
+    """Whether a joint keeps two bodies from colliding."""
+    if joint_filter.joined[a] == 0 or joint_filter.joined[b] == 0:
         return False
+    bonds = joint_filter.bonds
     low = a if a < b else b
     high = b if a < b else a
     k = _first_bond(bonds, low, high)

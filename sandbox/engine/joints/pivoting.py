@@ -12,7 +12,7 @@ from sandbox._jit import kernel
 from sandbox.engine.joints.jacobian import row_error, row_speed
 from sandbox.engine.joints.ldl import change_impulse
 from sandbox.engine.joints.records import JointWork
-from sandbox.engine.joints.targets import INFINITE, aim_to_move, aim_to_relax, pair_strength
+from sandbox.engine.joints.targets import INFINITE, pair_strength, target_positions, target_velocities
 from sandbox.tables import Records
 
 
@@ -46,15 +46,15 @@ def _aim(work: JointWork, part: Records, seconds: float, acting: float, relaxing
     """Set all laws before any impulse changes: errors ahead belong to the velocities they were looked at with."""
     for r in range(part.first_row, part.row_end):
         row = work.rows[r]
-        seat = work.seats[row.seat]
-        joint = work.joints[seat.joint]
+        constraint = work.constraints[row.constraint]
+        joint = work.joints[constraint.joint]
         if row.stiffness > 0.0 and row.capped == 0:
             speed = row_speed(work.members, row)
             if relaxing:
-                aim_to_relax(row, joint, speed, seconds, part.borne == 0)
+                target_velocities(row, joint, speed, seconds, part.supported == 0)
             else:
-                ahead = row.error + seconds * speed if part.torn == 1 else row_error(row, seat)
-                aim_to_move(row, joint, ahead, speed, seconds, acting)
+                ahead = row.error + seconds * speed if part.separated == 1 else row_error(row, constraint)
+                target_positions(row, joint, ahead, speed, seconds, acting)
 
 
 @kernel
@@ -90,7 +90,7 @@ def cap_pairs(work: JointWork, part: Records, seconds: float, acting: float, rel
     """Shorten forces of two rows that are together past their limit; such a pair has reached it for this pass."""
     for r in range(part.first_row, part.row_end):
         row = work.rows[r]
-        joint = work.joints[work.seats[row.seat].joint]
+        joint = work.joints[work.constraints[row.constraint].joint]
         most = pair_strength(row, joint) if row.slot == 0 and row.stiffness > 0.0 else INFINITE
         if most >= INFINITE:
             continue

@@ -1,4 +1,4 @@
-"""Displacements that bring a torn part together: pseudo-velocities, which move bodies once and are then forgotten.
+"""Displacements that bring a separated part together: pseudo-velocities, which move bodies once and are then forgotten.
 
 E. Guendelman et al., "Nonconvex Rigid Bodies with Stacking", 2003, separate positions from velocities in this way. The
 linear system is damped (K. Levenberg, 1944): joints next to each other come together at once, and what only the whole
@@ -20,12 +20,12 @@ DAMPING = 0.03
 
 
 @kernel
-def find_mending(work: JointWork, part: Records, seconds: float) -> None:
-    """Find what mends a torn part, such that no body moves or turns faster by it than `CORRECTION_SPEED`."""
+def find_corrections(work: JointWork, part: Records, seconds: float) -> None:
+    """Find what mends a separated part, such that no body moves or turns faster by it than `CORRECTION_SPEED`."""
     for r in range(part.first_row, part.row_end):
         row = work.rows[r]
         excess = excess_error(work, row, seconds)
-        rigid = is_rigid(row, work.joints[work.seats[row.seat].joint])
+        rigid = is_rigid(row, work.joints[work.constraints[row.constraint].joint])
         row.active = 1 if rigid or excess != 0.0 else 0
         row.bias = excess / seconds
         row.softness = DAMPING * row.stiffness
@@ -45,9 +45,9 @@ def _set_aside(work: JointWork, part: Records) -> None:
         row.impulse = 0.0
     for i in range(part.first_member, part.member_end):
         member = work.members[i]
-        member.mend_x = member.velocity_x
-        member.mend_y = member.velocity_y
-        member.mend_w = member.angular_velocity
+        member.correction_x = member.velocity_x
+        member.correction_y = member.velocity_y
+        member.correction_w = member.angular_velocity
         member.velocity_x = 0.0
         member.velocity_y = 0.0
         member.angular_velocity = 0.0
@@ -61,12 +61,12 @@ def _take_back(work: JointWork, part: Records) -> None:
         x = member.velocity_x
         y = member.velocity_y
         w = member.angular_velocity
-        member.velocity_x = member.mend_x
-        member.velocity_y = member.mend_y
-        member.angular_velocity = member.mend_w
-        member.mend_x = x
-        member.mend_y = y
-        member.mend_w = w
+        member.velocity_x = member.correction_x
+        member.velocity_y = member.correction_y
+        member.angular_velocity = member.correction_w
+        member.correction_x = x
+        member.correction_y = y
+        member.correction_w = w
     for r in range(part.first_row, part.row_end):
         work.rows[r].impulse = work.rows[r].aside
 
@@ -77,26 +77,26 @@ def _slow_down(work: JointWork, part: Records) -> None:
     fastest = CORRECTION_SPEED
     for i in range(part.first_member, part.member_end):
         member = work.members[i]
-        for speed in (abs(member.mend_x), abs(member.mend_y), abs(member.mend_w)):
+        for speed in (abs(member.correction_x), abs(member.correction_y), abs(member.correction_w)):
             fastest = speed if speed > fastest else fastest
     share = CORRECTION_SPEED / fastest
     for i in range(part.first_member, part.member_end):
         member = work.members[i]
-        member.mend_x *= share
-        member.mend_y *= share
-        member.mend_w *= share
+        member.correction_x *= share
+        member.correction_y *= share
+        member.correction_w *= share
 
 
 @kernel
-def mend(work: JointWork, motions: Records, seconds: float) -> None:
-    """Displace the members of torn parts."""
+def apply_corrections(work: JointWork, motions: Records, seconds: float) -> None:
+    """Displace the members of separated parts."""
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
-        if part.current == 1 and part.torn == 1:
+        if part.current == 1 and part.separated == 1:
             for i in range(part.first_member, part.member_end):
                 member = work.members[i]
                 motion = motions[member.body]
-                motion.delta_x += seconds * member.mend_x
-                motion.delta_y += seconds * member.mend_y
-                motion.delta_angle += seconds * member.mend_w
+                motion.delta_x += seconds * member.correction_x
+                motion.delta_y += seconds * member.correction_y
+                motion.delta_angle += seconds * member.correction_w
                 motion.delta_cos, motion.delta_sin = cos_sin(motion.delta_angle)

@@ -14,12 +14,12 @@ def read_impulses(work: JointWork) -> None:
     """Start from the impulses of the last step: half before and half after the move, or all of it before."""
     for r in range(work.rows.shape[0]):
         row = work.rows[r]
-        seat = work.seats[row.seat]
-        joint = work.joints[seat.joint]
+        constraint = work.constraints[row.constraint]
+        joint = work.joints[constraint.joint]
         found = _slot_impulse(joint, row.slot)
-        part = work.parts[seat.part]
-        row.impulse = found if part.borne == 1 else 0.5 * found
-        row.relaxing = 0.0 if part.borne == 1 else 0.5 * found
+        part = work.parts[constraint.part]
+        row.impulse = found if part.supported == 1 else 0.5 * found
+        row.relaxing = 0.0 if part.supported == 1 else 0.5 * found
         row.total = 0.0
 
 
@@ -57,25 +57,25 @@ def accumulate(work: JointWork, part: Records) -> None:
 @kernel
 def finish_joints(work: JointWork, seconds: float, counter: Records) -> None:
     """Write impulses, forces and breakage of all joints that are awake into the joint table."""
-    for k in range(work.seats.shape[0]):
-        seat = work.seats[k]
-        if work.parts[seat.part].awake == 1:
-            _report(work, seat, work.joints[seat.joint], seconds, counter)
+    for k in range(work.constraints.shape[0]):
+        constraint = work.constraints[k]
+        if work.parts[constraint.part].awake == 1:
+            _report(work, constraint, work.joints[constraint.joint], seconds, counter)
 
 
 @kernel
-def _report(work: JointWork, seat: Records, joint: Records, seconds: float, counter: Records) -> None:
+def _report(work: JointWork, constraint: Records, joint: Records, seconds: float, counter: Records) -> None:
     """Mean force on b over the step, and torque on b about its anchor."""
     force_x = 0.0
     force_y = 0.0
     torque = 0.0
-    for r in range(seat.first_row, seat.first_row + seat.row_count):
+    for r in range(constraint.first_row, constraint.first_row + constraint.row_count):
         row = work.rows[r]
         _set_slot_impulse(joint, row.slot, row.impulse + row.relaxing)
         mean = row.total / seconds
         force_x += row.x2 * mean
         force_y += row.y2 * mean
-        torque += (row.w2 - (seat.arm_bx * row.y2 - seat.arm_by * row.x2)) * mean
+        torque += (row.w2 - (constraint.arm_bx * row.y2 - constraint.arm_by * row.x2)) * mean
     joint.force_x = force_x
     joint.force_y = force_y
     joint.torque = torque

@@ -1,7 +1,7 @@
 """Scratch memory of the joint solver: never hashed, never saved; a pure function of the joint and body tables.
 
-Jointed bodies are gathered into *members*, joints into *seats*, and every scalar constraint is a *row*. What hangs
-together by joints is a *part*; it is solved as one linear system.
+Jointed bodies are gathered into *members*, joints into *constraints*, and every scalar constraint is a *row*. What
+hangs together by joints is a *part*; it is solved as one linear system.
 """
 
 from __future__ import annotations
@@ -26,31 +26,35 @@ MEMBER = Table(
         Field("kick_y", "m/s", "half of what forces add in this substep, held back while it moves"),
         Field("kick_w", "rad/s", "half of what forces add in this substep, held back while it moves"),
         *(
-            Field(f"mend_{axis}", "m/s or rad/s", "what mends torn joints: it moves, and is no velocity")
+            Field(
+                f"correction_{axis}",
+                "m/s or rad/s",
+                "position correction of a separated part: moves it, is no velocity",
+            )
             for axis in "xyw"
         ),
         Field("center_x", "m", "centre of mass when the step began"),
         Field("center_y", "m", "centre of mass when the step began"),
-        Field("way_x", "m", "way of the centre since then, at the pose looked at"),
-        Field("way_y", "m", "way of the centre since then, at the pose looked at"),
-        Field("cos", "1", "rotation at the pose looked at"),
-        Field("sin", "1", "rotation at the pose looked at"),
-        Field("angle", "rad", "angle at the pose looked at"),
+        Field("displacement_x", "m", "displacement of the centre since then, at the predicted pose"),
+        Field("displacement_y", "m", "displacement of the centre since then, at the predicted pose"),
+        Field("cos", "1", "rotation at the predicted pose"),
+        Field("sin", "1", "rotation at the predicted pose"),
+        Field("angle", "rad", "angle at the predicted pose"),
     ),
 )
 
-SEAT = Table(
-    "seat",
+CONSTRAINT = Table(
+    "constraint",
     (
         Field("joint", "-", "row in the joint table", "i8"),
         Field("part", "-", "", "i8"),
         Field("member_a", "-", "", "i8"),
         Field("member_b", "-", "", "i8"),
-        Field("seat_1", "-", "gear: seats of the joints it couples", "i8"),
-        Field("seat_2", "-", "", "i8"),
+        Field("constraint_1", "-", "gear: constraints of the joints it couples", "i8"),
+        Field("constraint_2", "-", "", "i8"),
         Field("first_row", "-", "", "i8"),
         Field("row_count", "-", "", "i8"),
-        Field("arm_ax", "m", "anchor from the centre of a, world axes, at the pose looked at"),
+        Field("arm_ax", "m", "anchor from the centre of a, world axes, at the predicted pose"),
         Field("arm_ay", "m", ""),
         Field("arm_bx", "m", ""),
         Field("arm_by", "m", ""),
@@ -69,7 +73,7 @@ SEAT = Table(
 ROW = Table(
     "row",
     (
-        Field("seat", "-", "the joint it belongs to", "i8"),
+        Field("constraint", "-", "the joint it belongs to", "i8"),
         Field("slot", "-", "0 to 2: what the kind keeps; 3: its spring; 4: its limit and motor", "i8"),
         Field("sides", "-", "members it acts on: 2, or 4 for a gear", "i8"),
         *(Field(f"member_{k}", "-", "", "i8") for k in (1, 2, 3, 4)),
@@ -90,7 +94,7 @@ ROW = Table(
         Field("stop", "-", "1 while the lower limit has a say, -1 for the upper one", "i8"),
         Field("active", "-", "1 while it is part of the linear system", "i8"),
         Field("capped", "-", "1 once its pair has reached the limit of the force", "i8"),
-        Field("aside", "N s", "the impulse, while the recovery of a torn part is found"),
+        Field("aside", "N s", "the impulse, while the recovery of a separated part is found"),
         Field("change", "N s", "solution of the linear system"),
     ),
 )
@@ -100,8 +104,8 @@ PART = Table(
     (
         Field("first_row", "-", "", "i8"),
         Field("row_end", "-", "", "i8"),
-        Field("first_seat", "-", "", "i8"),
-        Field("seat_end", "-", "", "i8"),
+        Field("first_constraint", "-", "", "i8"),
+        Field("constraint_end", "-", "", "i8"),
         Field("first_member", "-", "", "i8"),
         Field("member_end", "-", "", "i8"),
         Field("first_link", "-", "", "i8"),
@@ -111,9 +115,9 @@ PART = Table(
         Field("direct", "-", "1: factorised; 0: too dense for that, solved by sweeps", "i8"),
         Field("awake", "-", "", "i8"),
         Field("anchored", "-", "1 when it is joined to something that does not move", "i8"),
-        Field("current", "-", "1 while it is solved: awake, and its island has the pace under way", "i8"),
-        Field("borne", "-", "1 when something that is not joined to it bears it", "i8"),
-        Field("torn", "-", "1 when its joints must not be mended by velocities", "i8"),
+        Field("current", "-", "1 while it is solved: awake, and its island has the substep level under way", "i8"),
+        Field("supported", "-", "1 when something that is not joined to it bears it", "i8"),
+        Field("separated", "-", "1 when its joints must not be mended by velocities", "i8"),
         Field("fine", "-", "1 when it is small and has no contact: it takes finer substeps", "i8"),
     ),
 )
@@ -149,7 +153,7 @@ class JointWork(NamedTuple):
     ties: Records
     part_of: Integers
     members: Records
-    seats: Records
+    constraints: Records
     rows: Records
     parts: Records
     links: Records

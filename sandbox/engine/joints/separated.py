@@ -1,8 +1,9 @@
-"""What a substep does about joints that a blow or a command has torn apart, or whose links turn too fast to foresee.
+"""What a substep does about joints that are torn apart, or whose links turn too fast to foresee.
 
 A joint that is drawn together moves all that hangs on it, so that the speeds which would mend a long chain at once are
-enormous. A part that is *torn* is therefore solved otherwise: its velocities only keep the errors as they are, which
-takes no look ahead and cannot add energy, and displacements that velocities never see bring it together (`mending`).
+enormous. A part that is *separated*, by an impact or a command, is therefore solved otherwise: its velocities only keep
+the errors as they are, which takes no look ahead and cannot add energy, and displacements that velocities never see
+bring it together (`position_correction`).
 """
 
 from __future__ import annotations
@@ -20,10 +21,10 @@ SHORT = 2
 
 
 @kernel
-def plan_recovery(work: JointWork, part: Records, seconds: float) -> None:
+def detect_separation(work: JointWork, part: Records, seconds: float) -> None:
     """Set what every row may have left of its error after this substep; the impulses are still those of the last.
 
-    A part is torn if its errors come to more than one joint may mend, unless there are but two joints to add up.
+    A part is separated if its errors come to more than one joint may mend, unless there are but two joints to add up.
     """
     total = 0.0
     for r in range(part.first_row, part.row_end):
@@ -32,9 +33,9 @@ def plan_recovery(work: JointWork, part: Records, seconds: float) -> None:
         row.kept = limited(excess, seconds)
         row.apart = _without_yield(row, seconds) if row.slot < 3 else excess
         total += abs(excess)
-    long = part.direct == 1 and part.seat_end - part.first_seat > SHORT
-    part.torn = 1 if long and total > CORRECTION_SPEED * seconds else 0
-    if part.torn == 1:
+    long = part.direct == 1 and part.constraint_end - part.first_constraint > SHORT
+    part.separated = 1 if long and total > CORRECTION_SPEED * seconds else 0
+    if part.separated == 1:
         for r in range(part.first_row, part.row_end):
             work.rows[r].kept = work.rows[r].apart
 
@@ -42,7 +43,7 @@ def plan_recovery(work: JointWork, part: Records, seconds: float) -> None:
 @kernel
 def excess_error(work: JointWork, row: Records, seconds: float) -> float:
     """How far a limit is overrun, or the error of a rigid row beyond what it yields to its impulse, in m or rad."""
-    joint = work.joints[work.seats[row.seat].joint]
+    joint = work.joints[work.constraints[row.constraint].joint]
     if row.slot == 4 and joint.limit == 1 and row.stiffness > 0.0:
         return overrun(joint, row.error)
     return float(row.error - _yielded(row, seconds)) if is_rigid(row, joint) else 0.0
@@ -73,14 +74,14 @@ def _without_yield(row: Records, seconds: float) -> float:
 
 
 @kernel
-def goes_astray(work: JointWork, part: Records, seconds: float) -> bool:
-    """Whether some joint, at the pose looked at, misses its aim by more than a substep could mend."""
+def misses_targets(work: JointWork, part: Records, seconds: float) -> bool:
+    """Whether some joint, at the predicted pose, misses its aim by more than a substep could mend."""
     most = CORRECTION_SPEED * seconds
     for r in range(part.first_row, part.row_end):
         row = work.rows[r]
-        seat = work.seats[row.seat]
-        joint = work.joints[seat.joint]
-        error = row_error(row, seat)
+        constraint = work.constraints[row.constraint]
+        joint = work.joints[constraint.joint]
+        error = row_error(row, constraint)
         missed = 0.0
         if row.slot == 4 and joint.limit == 1 and row.active == 1 and row.stop != 0:
             missed = abs(error - (joint.upper if row.stop < 0 else joint.lower) - row.kept)
@@ -94,9 +95,9 @@ def goes_astray(work: JointWork, part: Records, seconds: float) -> bool:
 
 
 @kernel
-def give_up_on_places(work: JointWork, part: Records) -> None:
-    """Take back what the rows have done in this substep; the part counts as torn."""
-    part.torn = 1
+def solve_velocities_only(work: JointWork, part: Records) -> None:
+    """Take back what the rows have done in this substep; the part counts as separated."""
+    part.separated = 1
     for r in range(part.first_row, part.row_end):
         row = work.rows[r]
         row.kept = row.apart

@@ -3,55 +3,55 @@
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox.engine.active.body_flags import DRIVES, KEPT, RESTS
+from sandbox.engine.bodies.flags import KEPT_AWAKE, MOVING_KINEMATIC, SUPPORTED
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.joints.separated import overrun
 from sandbox.engine.joints.targets import is_rigid
 from sandbox.tables import Integers, Records
 from sandbox.world.joint_records import MOTOR, TARGET
 
-DRAWN = 0.02
+CORRECTED = 0.02
 """Bodies whose joint is farther off than this (m or rad) are being drawn together, which does not count as speed."""
 
 
 @kernel
-def mark_held(marks: Integers, joints: JointWork) -> None:
+def flag_supported(flags: Integers, joints: JointWork) -> None:
     """What hangs from something that does not move rests as well, and what hangs together rests together."""
     for i in range(1, joints.members.shape[0]):
         member = joints.members[i]
-        if member.part >= 0 and (joints.parts[member.part].anchored == 1 or joints.parts[member.part].borne == 1):
-            marks[member.body] |= RESTS
+        if member.part >= 0 and (joints.parts[member.part].anchored == 1 or joints.parts[member.part].supported == 1):
+            flags[member.body] |= SUPPORTED
 
 
 @kernel
-def keep_driven_awake(marks: Integers, joints: JointWork) -> None:
+def keep_awake_at_kinematic(flags: Integers, joints: JointWork) -> None:
     """Bodies that a joint ties to a driven body do not fall asleep."""
     for i in range(joints.ties.shape[0]):
         a = joints.ties[i].low
         b = joints.ties[i].high
-        if (marks[a] | marks[b]) & DRIVES:
-            marks[a] |= KEPT
-            marks[b] |= KEPT
+        if (flags[a] | flags[b]) & MOVING_KINEMATIC:
+            flags[a] |= KEPT_AWAKE
+            flags[b] |= KEPT_AWAKE
 
 
 @kernel
-def keep_drawn_awake(marks: Integers, joints: JointWork) -> None:
+def keep_awake_while_corrected(flags: Integers, joints: JointWork) -> None:
     """Bodies that a rigid joint or a limit is still drawing to where they belong do not fall asleep."""
     for r in range(joints.rows.shape[0]):
         row = joints.rows[r]
-        seat = joints.seats[row.seat]
-        if joints.parts[seat.part].awake == 1 and _is_drawn(row, joints.joints[seat.joint]):
+        constraint = joints.constraints[row.constraint]
+        if joints.parts[constraint.part].awake == 1 and _is_being_corrected(row, joints.joints[constraint.joint]):
             a = joints.members[row.member_1].body
             b = joints.members[row.member_2].body
             if a >= 0:
-                marks[a] |= KEPT
+                flags[a] |= KEPT_AWAKE
             if b >= 0:
-                marks[b] |= KEPT
+                flags[b] |= KEPT_AWAKE
 
 
 @kernel
-def _is_drawn(row: Records, joint: Records) -> bool:
+def _is_being_corrected(row: Records, joint: Records) -> bool:
     if row.slot == 4:
-        return bool(joint.limit == 1 and abs(overrun(joint, row.error)) > DRAWN)
+        return bool(joint.limit == 1 and abs(overrun(joint, row.error)) > CORRECTED)
     weak = joint.kind == MOTOR or joint.kind == TARGET
-    return bool(not weak and is_rigid(row, joint) and abs(row.error) > DRAWN)
+    return bool(not weak and is_rigid(row, joint) and abs(row.error) > CORRECTED)

@@ -4,112 +4,123 @@ Positions are solved by RATTLE (H. Andersen, 1983), the constrained form of velo
 of now bring the members to where every joint is kept *after* the move, and after it the velocities are relaxed along
 the rows of then. It is of second order and symplectic, so that a pendulum keeps its energy. Springs follow the
 implicit midpoint rule. Parts that something else bears take the whole force before the move, as contacts do; parts
-that are torn keep to velocities (`recovery`).
+that are separated keep to velocities (`separated`).
 """
 
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox.engine.joints.errors import measure
+from sandbox.engine.joints.errors import measure_errors
 from sandbox.engine.joints.gauss_seidel import solve_by_sweeps
-from sandbox.engine.joints.geometric_stiffness import tame_tension, untame
+from sandbox.engine.joints.geometric_stiffness import add_geometric_stiffness, remove_geometric_stiffness
 from sandbox.engine.joints.jacobian import fill_rows
-from sandbox.engine.joints.joint_bodies import gather_members, go_straight, load_members, look, scatter_members
+from sandbox.engine.joints.joint_bodies import (
+    gather_members,
+    load_members,
+    move_by_end_velocity,
+    predict_poses,
+    scatter_members,
+)
 from sandbox.engine.joints.ldl import change_impulse, factorize, solve_directly
 from sandbox.engine.joints.pivoting import cap_pairs, choose_rows, clamp, release_bounded
-from sandbox.engine.joints.position_correction import find_mending, mend
+from sandbox.engine.joints.position_correction import apply_corrections, find_corrections
 from sandbox.engine.joints.reactions import accumulate, read_impulses
 from sandbox.engine.joints.records import JointWork
-from sandbox.engine.joints.separated import give_up_on_places, goes_astray, plan_recovery
-from sandbox.tables import Integers, Records
+from sandbox.engine.joints.separated import detect_separation, misses_targets, solve_velocities_only
+from sandbox.engine.records.contacts import Contacts
+from sandbox.tables import Records
 
 _TURNS = 16
 """Most guesses at which rows are at their bounds, in one pass."""
 
 
 @kernel
-def begin_joints(work: JointWork, bodies: Records, contacts: Records, live: Integers) -> None:
+def begin_joints(work: JointWork, bodies: Records, contacts: Contacts) -> None:
     """Load members, find out which parts something bears, and take over the impulses of the last step."""
     load_members(work, bodies)
     for p in range(work.parts.shape[0]):
-        work.parts[p].borne = 0
-    for i in live:
-        contact = contacts[i]
+        work.parts[p].supported = 0
+    for k in range(1, contacts.active[0] + 1):
+        contact = contacts.now[contacts.active[k]]
         if contact.normal_impulse1 > 0.0 or contact.normal_impulse2 > 0.0:
-            for k in range(2):
-                part = work.part_of[contact.body_a if k == 0 else contact.body_b]
+            for side in range(2):
+                part = work.part_of[contact.body_a if side == 0 else contact.body_b]
                 if part >= 0:
-                    work.parts[part].borne = 1
+                    work.parts[part].supported = 1
     read_impulses(work)
 
 
 @kernel
-def select_parts(work: JointWork, flights: Records, pace: int) -> None:
+def select_parts(work: JointWork, free_motions: Records, substep_level: int) -> None:
     """Choose the parts whose islands take their substeps now."""
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
-        same = part.awake == 1 and flights[work.members[part.first_member].body].pace == pace
+        same = part.awake == 1 and free_motions[work.members[part.first_member].body].substep_level == substep_level
         part.current = 1 if same else 0
 
 
 @kernel
-def solve_joints(work: JointWork, bodies: Records, motions: Records, flights: Records, seconds: float) -> None:
+def solve_joints(work: JointWork, bodies: Records, motions: Records, free_motions: Records, seconds: float) -> None:
     """Before the move: change velocities so that joints will be kept after it."""
-    gather_members(work, motions, flights, True)
+    gather_members(work, motions, free_motions, True)
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
         if part.current == 1:
-            acting = seconds if part.borne == 1 else 0.5 * seconds
-            _look_now(work, part, bodies, motions)
-            tame_tension(work, part, seconds, acting)
+            acting = seconds if part.supported == 1 else 0.5 * seconds
+            _update_rows(work, part, bodies, motions)
+            add_geometric_stiffness(work, part, seconds, acting)
             fill_rows(work, part)
-            plan_recovery(work, part, seconds)
-            if part.torn == 1:
-                untame(work, part)
+            detect_separation(work, part, seconds)
+            if part.separated == 1:
+                remove_geometric_stiffness(work, part)
                 fill_rows(work, part)
             _start_warm(work, part, False)
             settled = _solve(work, part, bodies, motions, seconds, acting, False)
-            if part.torn == 0 and part.direct == 1 and not (settled and _arrives(work, part, bodies, motions, seconds)):
-                give_up_on_places(work, part)
-                untame(work, part)
-                _look_now(work, part, bodies, motions)
+            if (
+                part.separated == 0
+                and part.direct == 1
+                and not (settled and _reaches_targets(work, part, bodies, motions, seconds))
+            ):
+                solve_velocities_only(work, part)
+                remove_geometric_stiffness(work, part)
+                _update_rows(work, part, bodies, motions)
                 _solve(work, part, bodies, motions, seconds, acting, False)
-            if part.torn == 1:
-                find_mending(work, part, seconds)
+            if part.separated == 1:
+                find_corrections(work, part, seconds)
     scatter_members(work, motions)
 
 
 @kernel
-def _look_now(work: JointWork, part: Records, bodies: Records, motions: Records) -> None:
+def _update_rows(work: JointWork, part: Records, bodies: Records, motions: Records) -> None:
     """Rows of the present pose."""
-    look(work, part, bodies, motions, 0.0)
-    measure(work, part)
+    predict_poses(work, part, bodies, motions, 0.0)
+    measure_errors(work, part)
     fill_rows(work, part)
 
 
 @kernel
-def _arrives(work: JointWork, part: Records, bodies: Records, motions: Records, seconds: float) -> bool:
+def _reaches_targets(work: JointWork, part: Records, bodies: Records, motions: Records, seconds: float) -> bool:
     """Whether the velocities found bring every joint about where it was meant to be."""
-    look(work, part, bodies, motions, seconds)
-    measure(work, part)
-    return not goes_astray(work, part, seconds)
+    predict_poses(work, part, bodies, motions, seconds)
+    measure_errors(work, part)
+    return not misses_targets(work, part, seconds)
 
 
 @kernel
-def let_members_move(work: JointWork, motions: Records, flights: Records, seconds: float) -> None:
-    """Make `integrate_positions` move members by the velocities that the joints count on; mend what is torn."""
-    go_straight(work, motions, flights)
-    mend(work, motions, seconds)
+def prepare_move(work: JointWork, motions: Records, free_motions: Records, seconds: float) -> None:
+    """Make `integrate_positions` move members by the velocities that the joints count on; correct what is separated."""
+    move_by_end_velocity(work, motions, free_motions)
+    apply_corrections(work, motions, seconds)
 
 
 @kernel
-def relax_joints(work: JointWork, bodies: Records, motions: Records, flights: Records, seconds: float) -> None:
+def relax_joints(work: JointWork, bodies: Records, motions: Records, free_motions: Records, seconds: float) -> None:
     """After the move: change velocities so that they keep the joints, too."""
-    gather_members(work, motions, flights, False)
+    gather_members(work, motions, free_motions, False)
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
         if part.current == 1:
-            _look_now(work, part, bodies, motions)
+            _update_rows(work, part, bodies, motions)
             _start_warm(work, part, True)
             _solve(work, part, bodies, motions, seconds, seconds, True)
             accumulate(work, part)
@@ -129,7 +140,7 @@ def _start_warm(work: JointWork, part: Records, relaxing: bool) -> None:
             row.active = 0
         current = row.relaxing if relaxing else row.impulse
         if relaxing and row.soft == 1:
-            current = 0.0 if part.borne == 1 else row.impulse
+            current = 0.0 if part.supported == 1 else row.impulse
         if relaxing:
             row.relaxing = 0.0
         else:
@@ -153,8 +164,8 @@ def _solve(
     settled = False
     for turn in range(_TURNS):
         if not relaxing:
-            look(work, part, bodies, motions, seconds)
-            measure(work, part)
+            predict_poses(work, part, bodies, motions, seconds)
+            measure_errors(work, part)
         changed = choose_rows(work, part, seconds, acting, relaxing)
         if turn > 0 and not (changed or again):
             settled = True
@@ -170,7 +181,7 @@ def _solve(
         if part.bounded == 0:
             settled = True
             break
-    if part.torn == 1 and not settled:
+    if part.separated == 1 and not settled:
         release_bounded(work, part, relaxing)
         factorize(work, part)
         solve_directly(work, part, relaxing)

@@ -18,7 +18,7 @@ CORRECTION_SPEED = 4.0
 
 
 @kernel
-def aim_to_move(row: Records, joint: Records, ahead: float, speed: float, seconds: float, acting: float) -> None:
+def target_positions(row: Records, joint: Records, ahead: float, speed: float, seconds: float, acting: float) -> None:
     """The law of a row while positions are solved.
 
     `ahead` is its error where the members will be at their present `speed` after `seconds`; forces act for `acting`
@@ -50,7 +50,7 @@ def aim_to_move(row: Records, joint: Records, ahead: float, speed: float, second
 
 
 @kernel
-def aim_to_relax(row: Records, joint: Records, speed: float, seconds: float, halves: bool) -> None:
+def target_velocities(row: Records, joint: Records, speed: float, seconds: float, halves: bool) -> None:
     """The law of a row once its members have moved: only velocities count. Springs have had their say.
 
     Where forces act in `halves`, a row at rest gives the other half here: softness counts from that.

@@ -8,27 +8,24 @@ from functools import cache
 from typing import Any
 
 from sandbox._jit import interpreted, kernel_argument
-from sandbox.engine.joints.records import JointWork
 from sandbox.engine.memory.scratch import Scratch
+from sandbox.engine.records.state import StateTables
 from sandbox.world.state import State
 
 
 def bind(function: Callable[..., Any], state: State, scratch: Scratch) -> tuple[Any, ...]:
-    """What to call `function` with: each parameter is named like the array of `state` or `scratch` it takes.
+    """What to call `function` with: each parameter is named like what it takes.
 
-    `contacts` are those of the step under way, `old_contacts` those of the step before; `joint_table` is that of the
-    state, `joints` the scratch memory of the joint solver, which holds the table, or None.
+    That is `state` for the state's tables, a table of the state, or a bundle or table of the scratch memory.
+    `old_contacts` are those of the step before, `joint_table` is that of the state, `joints` the scratch memory of the
+    joint solver, which holds the table, or None.
     """
-    arrays = {**vars(state), "old_contacts": state.contacts, "joint_table": state.joints, **vars(scratch)}
-    return tuple(_argument(arrays[name]) for name in _parameters(function))
+    tables = StateTables(*(getattr(state, name) for name in StateTables._fields))
+    named = {**vars(state), "old_contacts": state.contacts, "joint_table": state.joints, **vars(scratch)}
+    named |= {"state": tables, "active_set": scratch.active.info, "free_motions": scratch.solver.free_motions}
+    return tuple(kernel_argument(named[name]) for name in _parameters(function))
 
 
 @cache
 def _parameters(function: Callable[..., Any]) -> tuple[str, ...]:
     return tuple(inspect.signature(interpreted(function)).parameters)
-
-
-def _argument(value: Any) -> Any:
-    if isinstance(value, JointWork):
-        return JointWork(*(kernel_argument(array) for array in value))
-    return kernel_argument(value)

@@ -6,79 +6,43 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sandbox.engine.active.active_set import new_census
-from sandbox.engine.active.substep_level import PILE
-from sandbox.engine.broad_phase.grid import LEVEL_SPACE
+from sandbox.engine.active.active_set import new_active_set
+from sandbox.engine.active.pile_stability import PILE
+from sandbox.engine.broad_phase.grid import LEVEL_SPACE, head_count
 from sandbox.engine.contact_solver.blocks import BLOCK_SIZE, GATHER_SIZE, LANES, MAX_COLORS
 from sandbox.engine.fields.records import field_memory
-from sandbox.engine.joints.assembly import lay_out
+from sandbox.engine.joints.assembly import assemble
+from sandbox.engine.joints.pair_filter import JointFilter
 from sandbox.engine.joints.records import JointWork
-from sandbox.engine.memory.records import (
-    BLOCK,
-    BOX,
-    FLIGHT,
-    HOLD,
-    MOTION,
-    OWNER,
-    PAIR,
-    PROXY,
-    PULL,
-    REPORT,
-    SLOT,
-    STOP,
-)
-from sandbox.engine.narrow_phase.sleeping_contacts import KEEPER, RUN
+from sandbox.engine.records.active_set import ActiveSet
+from sandbox.engine.records.bodies import BODY_FORCES, FREE_MOTION, MOTION, SolverBodies
+from sandbox.engine.records.ccd import CCD_BODY, CCD_IMPACT, Ccd
+from sandbox.engine.records.colliders import BOX, FILTER, PAIR, PROXY, Colliders, Grid
+from sandbox.engine.records.contact_blocks import BLOCK, SLOT, ContactBlocks
+from sandbox.engine.records.contacts import REPORT, SLEEPING_CURSOR, SLEEPING_RUN, Contacts
 from sandbox.geometry.manifold import MANIFOLD
 from sandbox.geometry.sweep import SWEEP, SWEPT_ROWS
-from sandbox.tables import Floats, Integers, Records, aligned_zeros
+from sandbox.tables import Records, aligned_zeros
 from sandbox.world.records import CONTACT, VERTEX
 from sandbox.world.state import State
 
 
 @dataclass
 class Scratch:
-    """The arrays of one world's step. `pairs` decides the capacity of everything that grows with contacts."""
+    """The memory of one world's step, a bundle of tables for each concept.
 
-    census: Records
-    movers: Integers
-    stirs: Integers
-    parts: Integers
-    motions: Records
-    flights: Records
-    pulls: Records
-    marks: Integers
-    palettes: Integers
+    After a step, `contacts.now` has the contacts of the step before, which the next one overwrites.
+    """
+
+    active: ActiveSet
+    solver: SolverBodies
     piles: Records
-    holds: Records
-    stops: Records
-    turned: Records
-    boxes: Records
-    owners: Records
-    proxies: Records
-    spare_boxes: Records
-    sorted_boxes: Records
-    heads: Integers
-    levels: Integers
-    rest_heads: Integers
-    rest_levels: Integers
-    pairs: Records
-    sorted_pairs: Records
-    contacts: Records
-    live: Integers
-    strikers: Integers
-    keeper: Records
-    runs: Records
-    reports: Records
-    manifold: Records
-    sweep: Records
-    swept: Records
-    slots: Records
-    blocks: Records
-    colors: Integers
-    lanes: Floats
-    gathered: Floats
-    bonds: Records
-    joined: Integers
+    colliders: Colliders
+    grid: Grid
+    contacts: Contacts
+    blocks: ContactBlocks
+    ccd: Ccd
+    joint_filter: JointFilter
     joints: JointWork | None
     pushes: Records
     pieces: Records
@@ -87,71 +51,93 @@ class Scratch:
     @classmethod
     def for_state(cls, state: State, pair_capacity: int, block_capacity: int = 0) -> Scratch:
         """Scratch for all bodies and shapes of `state`, for so many candidate pairs and so many solver blocks."""
-        shapes = len(state.shapes)
         block_capacity = max(block_capacity, pair_capacity // LANES + MAX_COLORS + 2)
+        joint_filter, joints = assemble(state.joints, state.bodies)
         return cls(
-            census=new_census(),
-            movers=np.zeros(len(state.bodies) + 1, np.int64),
-            stirs=np.zeros(len(state.bodies), np.int64),
-            parts=np.arange(shapes),
-            motions=MOTION.zeros(len(state.bodies)),
-            flights=FLIGHT.zeros(len(state.bodies)),
-            pulls=PULL.zeros(len(state.bodies)),
-            marks=np.zeros(len(state.bodies), np.int64),
-            palettes=np.zeros(len(state.bodies), np.int64),
+            active=_active_set(state),
+            solver=_solver_bodies(len(state.bodies)),
             piles=PILE.zeros(len(state.bodies)),
-            holds=_holds(state),
-            stops=_stops(state),
-            turned=VERTEX.zeros(len(state.vertices)),
-            boxes=BOX.zeros(shapes),
-            owners=OWNER.zeros(shapes),
-            proxies=PROXY.zeros(shapes),
-            spare_boxes=BOX.zeros(shapes),
-            sorted_boxes=BOX.zeros(shapes),
-            heads=np.zeros(head_count(shapes), np.int64),
-            levels=np.zeros(LEVEL_SPACE, np.int64),
-            rest_heads=np.zeros(head_count(shapes), np.int64),
-            rest_levels=np.zeros(LEVEL_SPACE, np.int64),
-            pairs=PAIR.zeros(pair_capacity),
-            sorted_pairs=PAIR.zeros(pair_capacity + 1),  # `catch` keeps one pair apart
-            contacts=CONTACT.zeros(pair_capacity),
-            live=np.zeros(pair_capacity + 1, np.int64),
-            strikers=np.zeros(pair_capacity + 1, np.int64),
-            keeper=KEEPER.zeros(1),
-            runs=RUN.zeros(3 * (pair_capacity + 1)),
-            reports=REPORT.zeros(pair_capacity),
-            manifold=MANIFOLD.zeros(2),
-            sweep=SWEEP.zeros(1),
-            swept=VERTEX.zeros(SWEPT_ROWS),
-            slots=SLOT.zeros(pair_capacity),
-            blocks=BLOCK.zeros(block_capacity),
-            colors=np.zeros(pair_capacity, np.int64),
-            lanes=aligned_zeros(block_capacity * BLOCK_SIZE, np.float64),
-            gathered=aligned_zeros(GATHER_SIZE, np.float64),
-            **vars(lay_out(state.joints, state.bodies)),
+            colliders=_colliders(state),
+            grid=_grid(len(state.shapes), pair_capacity),
+            contacts=_contacts(state, pair_capacity),
+            blocks=_blocks(pair_capacity, block_capacity),
+            ccd=_ccd(state),
+            joint_filter=joint_filter,
+            joints=joints,
             **field_memory(state),
         )
 
 
-def _holds(state: State) -> Records:
-    holds = HOLD.zeros(len(state.bodies))
-    thin = np.full(len(holds), np.inf)
+def _active_set(state: State) -> ActiveSet:
+    bodies = len(state.bodies)
+    lists = np.zeros(bodies + 1, np.int64), np.zeros(bodies, np.int64)
+    return ActiveSet(new_active_set(), *lists, np.arange(len(state.shapes)))
+
+
+def _solver_bodies(bodies: int) -> SolverBodies:
+    return SolverBodies(
+        motions=MOTION.zeros(bodies),
+        free_motions=FREE_MOTION.zeros(bodies),
+        forces=BODY_FORCES.zeros(bodies),
+        flags=np.zeros(bodies, np.int64),
+        colors=np.zeros(bodies, np.int64),
+    )
+
+
+def _colliders(state: State) -> Colliders:
+    shapes = len(state.shapes)
+    return Colliders(
+        cores=VERTEX.zeros(len(state.vertices)),
+        boxes=BOX.zeros(shapes),
+        filters=FILTER.zeros(shapes),
+        proxies=PROXY.zeros(shapes),
+    )
+
+
+def _grid(shapes: int, pairs: int) -> Grid:
+    return Grid(
+        spare_boxes=BOX.zeros(shapes),
+        ordered=BOX.zeros(shapes),
+        heads=np.zeros(head_count(shapes), np.int64),
+        levels=np.zeros(LEVEL_SPACE, np.int64),
+        resting_heads=np.zeros(head_count(shapes), np.int64),
+        resting_levels=np.zeros(LEVEL_SPACE, np.int64),
+        pairs=PAIR.zeros(pairs),
+        sorted_pairs=PAIR.zeros(pairs + 1),  # continuous collision keeps one pair apart
+    )
+
+
+def _contacts(state: State, pairs: int) -> Contacts:
+    return Contacts(
+        now=CONTACT.zeros(pairs),
+        before=state.contacts,
+        active=np.zeros(pairs + 1, np.int64),
+        impact_candidates=np.zeros(pairs + 1, np.int64),
+        cursor=SLEEPING_CURSOR.zeros(1),
+        runs=SLEEPING_RUN.zeros(3 * (pairs + 1)),
+        reports=REPORT.zeros(pairs),
+        manifold=MANIFOLD.zeros(2),
+    )
+
+
+def _blocks(pairs: int, blocks: int) -> ContactBlocks:
+    return ContactBlocks(
+        slots=SLOT.zeros(pairs),
+        blocks=BLOCK.zeros(blocks),
+        colors=np.zeros(pairs, np.int64),
+        lanes=aligned_zeros(blocks * BLOCK_SIZE, np.float64),
+        gathered=aligned_zeros(GATHER_SIZE, np.float64),
+        heads=np.zeros(MAX_COLORS + 2, np.int64),
+    )
+
+
+def _ccd(state: State) -> Ccd:
+    bodies = CCD_BODY.zeros(len(state.bodies))
+    thin = np.full(len(bodies), np.inf)
     np.minimum.at(thin, state.shapes.body, state.shapes.thin)
-    holds.thin = np.where(thin < np.inf, thin, 0.0)
+    bodies.thin = np.where(thin < np.inf, thin, 0.0)
     for rows in (state.joints.body_a, state.joints.body_b):
-        holds.linked[rows[rows >= 0]] = 1
-    return holds
-
-
-def _stops(state: State) -> Records:
-    stops = STOP.zeros(len(state.bodies))
-    stops.time = 1.0
-    return stops
-
-
-def head_count(shapes: int) -> int:
-    """Buckets of the grid: a power of two, about two a shape, and one more to close the last."""
-    buckets = 128
-    while buckets < 2 * shapes:
-        buckets *= 2
-    return buckets + 1
+        bodies.linked[rows[rows >= 0]] = 1
+    impacts = CCD_IMPACT.zeros(len(state.bodies))
+    impacts.time = 1.0
+    return Ccd(bodies, impacts, SWEEP.zeros(1), VERTEX.zeros(SWEPT_ROWS), MANIFOLD.zeros(2))

@@ -2,18 +2,26 @@
 
 from __future__ import annotations
 
+import math
+from typing import NamedTuple
+
 from sandbox._jit import ZERO, inlined_kernel, kernel
 from sandbox.engine.active.active_set import list_contact
+from sandbox.engine.broad_phase.margins import allowed_depth
 from sandbox.engine.broad_phase.proxies import FIXED
-from sandbox.engine.contact_solver.prepare import HARD
-from sandbox.engine.continuous_collision.relative_sweep import allowed_depth
+from sandbox.engine.contact_solver.closing_speed import HARD
 from sandbox.engine.narrow_phase.contact import fill_contact, match_contact
-from sandbox.engine.narrow_phase.internal_edges import mend_contact
+from sandbox.engine.narrow_phase.internal_edges import PlacedPair, fix_internal_edge
 from sandbox.engine.narrow_phase.one_way import comes_from_front, leads_on
-from sandbox.engine.narrow_phase.sleeping_contacts import comes_before, keep_before
-from sandbox.engine.narrow_phase.speculative import closing_way, look_ahead
+from sandbox.engine.narrow_phase.outline import EdgeTables
+from sandbox.engine.narrow_phase.sleeping_contacts import comes_before, keep_sleeping_before
+from sandbox.engine.narrow_phase.speculative import closing_distance, speculative_impact
+from sandbox.engine.records.active_set import ActiveSet
+from sandbox.engine.records.colliders import Colliders
+from sandbox.engine.records.contacts import Contacts
+from sandbox.engine.records.state import StateTables
 from sandbox.geometry.manifold import collide_cores
-from sandbox.tables import Integers, Records
+from sandbox.tables import Records
 from sandbox.world.records import ONE_WAY, SEAMED
 
 FACE_BIAS = 1e-4
@@ -24,94 +32,100 @@ TOUCHING = 1e-6
 """Bodies put onto each other may be so far apart, by rounding (m)."""
 
 
+class Approach(NamedTuple):
+    """Velocity (m/s) of b against a, the time (s) at which the pair is looked at, the length of the step (s), and how
+    far from touching it may be then (m)."""
+
+    vx: float
+    vy: float
+    t: float
+    seconds: float
+    margin: float
+
+
 @kernel
 def find_contacts(
-    bodies: Records,
-    movers: Integers,
-    stirs: Integers,
-    holds: Records,
-    shapes: Records,
-    proxies: Records,
-    turned: Records,
-    seams: Records,
+    state: StateTables,
+    active: ActiveSet,
+    colliders: Colliders,
     pairs: Records,
-    pair_count: int,
-    fall: float,
-    seconds: float,
-    manifold: Records,
-    old: Records,
-    old_count: int,
-    contacts: Records,
-    live: Integers,
-    strikers: Integers,
-    keeper: Records,
-    runs: Records,
+    contacts: Contacts,
+    ccd_bodies: Records,
 ) -> int:
-    """Write a contact for every pair that touches or will touch within `seconds`; return how many.
+    """Write a contact for every pair that touches or will touch within the step; return how many.
 
-    `live` and `strikers` are filled as by `list_live`; `stirs` is of `take_census`, `keeper` and `runs` of `keeping`.
-    `fall` (m) is what gravity adds to a way within that time. Pairs and old contacts are both sorted by (shape_a,
-    shape_b): one walk through both matches them, and impulses of points with the same feature id carry over (warm
-    starting). Contacts among sleeping bodies, which the grid does not propose, are kept as they are.
+    `contacts.active` and `impact_candidates` are filled as by `list_active_contacts`. Pairs and old contacts are both
+    sorted by (shape_a, shape_b): one walk through both matches them, and impulses of points with the same feature id
+    carry over (warm starting). Contacts among sleeping bodies, which the grid does not propose, are kept as they are.
     """
-    for i in movers:
-        holds[i].deep = 0
-        holds[i].fresh = 0
-    live[0] = 0
-    strikers[0] = 0
+    bodies = state.bodies
+    shapes = state.shapes
+    proxies = colliders.proxies
+    cores = colliders.cores
+    manifold = contacts.manifold
+    old = contacts.before
+    old_count = state.counters[0].contact_count
+    setting = state.settings[0]
+    seconds = setting.step_seconds
+    gravity = math.sqrt(setting.gravity_x * setting.gravity_x + setting.gravity_y * setting.gravity_y)
+    fall = 0.5 * gravity * seconds * seconds
+    for i in active.bodies[1 : 1 + active.bodies[0]]:
+        ccd_bodies[i].deep = 0
+        ccd_bodies[i].fresh = 0
+    contacts.active[0] = 0
+    contacts.impact_candidates[0] = 0
     count = ZERO
     k = 0
-    for n in range(pair_count):
+    for n in range(state.counters[0].pair_count):
         i = pairs[n].shape_a
         j = pairs[n].shape_b
         if k < old_count and comes_before(old[k], i, j):
-            k, count = keep_before(
-                bodies, stirs, old, k, old_count, i, j, contacts, count, live, strikers, keeper, runs
-            )  # fmt: skip
+            k, count = keep_sleeping_before(bodies, active.activity, contacts, k, old_count, i, j, count)
         a = proxies[i]
         b = proxies[j]
         margin = 2.0 * (a.margin if a.margin < b.margin else b.margin)
         t = 0.0
         vx = b.velocity_x - a.velocity_x
         vy = b.velocity_y - a.velocity_y
-        way = closing_way(a, b, vx, vy, seconds)
-        if way > margin:
-            t, vx, vy, margin = look_ahead(bodies, shapes, proxies, turned, i, j, margin, fall, seconds, manifold)
-        if t < 0.0 or not _collide(proxies, turned, i, j, vx * t, vy * t, margin, manifold):
+        distance = closing_distance(a, b, vx, vy, seconds)
+        if distance > margin:
+            t, vx, vy, margin = speculative_impact(
+                bodies, shapes, proxies, cores, i, j, margin, fall, seconds, manifold
+            )
+        if t < 0.0 or not _collide(proxies, cores, i, j, vx * t, vy * t, margin, manifold):
             continue
         known = k < old_count and old[k].shape_a == i and old[k].shape_b == j
         if (a.traits | b.traits) & (SEAMED | ONE_WAY):
-            t = _examine(bodies, shapes, proxies, turned, seams, i, j, known, vx, vy, t, seconds, margin, manifold)
+            tables = EdgeTables(bodies, shapes, cores, state.seams)
+            t = _examine(tables, proxies, i, j, known, Approach(vx, vy, t, seconds, margin), manifold)
             if t < 0.0:
                 continue
-        contact = contacts[count]
+        contact = contacts.now[count]
         fill_contact(proxies, i, j, vx * t, vy * t, manifold[0], contact)
-        list_contact(contact, count, way > HARD * seconds, live, strikers)
+        list_contact(contact, count, distance > HARD * seconds, contacts.active, contacts.impact_candidates)
         if known:
             match_contact(old[k], contact)
             k += 1
         elif t == 0.0 and manifold[0].separation <= TOUCHING:
-            holds[a.body].fresh = 1
-            holds[b.body].fresh = 1
+            ccd_bodies[a.body].fresh = 1
+            ccd_bodies[b.body].fresh = 1
         if (a.traits ^ b.traits) & FIXED and manifold[0].separation < 0.0:
-            _mark_deep(holds, shapes, i, j, -manifold[0].separation)
+            _mark_deep(ccd_bodies, shapes, i, j, -manifold[0].separation)
         count += 1
-    k, count = keep_before(
-        bodies, stirs, old, k, old_count, LAST, 0, contacts, count, live, strikers, keeper, runs
-    )  # fmt: skip
+    k, count = keep_sleeping_before(bodies, active.activity, contacts, k, old_count, LAST, 0, count)
     return count
 
 
 @inlined_kernel
 def _collide(
-    proxies: Records, turned: Records, i: int, j: int, shift_x: float, shift_y: float, margin: float, manifold: Records
+    proxies: Records, cores: Records, i: int, j: int, shift_x: float, shift_y: float, margin: float, manifold: Records
 ) -> bool:
     """Manifold of a pair of shapes, with b moved against a by (shift_x, shift_y) metres."""
     a = proxies[i]
     b = proxies[j]
     return (
         collide_cores(
-            turned,
+            cores,
             a.vertex_start,
             a.vertex_count,
             a.radius,
@@ -129,29 +143,16 @@ def _collide(
 
 
 @kernel
-def _mark_deep(holds: Records, shapes: Records, i: int, j: int, overlap: float) -> None:
+def _mark_deep(ccd_bodies: Records, shapes: Records, i: int, j: int, overlap: float) -> None:
     """Mark the bodies of a pair that overlap by more than a little (m)."""
     if overlap > allowed_depth(shapes[i], shapes[j]):
-        holds[shapes[i].body].deep = 1
-        holds[shapes[j].body].deep = 1
+        ccd_bodies[shapes[i].body].deep = 1
+        ccd_bodies[shapes[j].body].deep = 1
 
 
 @kernel
 def _examine(
-    bodies: Records,
-    shapes: Records,
-    proxies: Records,
-    turned: Records,
-    seams: Records,
-    i: int,
-    j: int,
-    known: bool,
-    vx: float,
-    vy: float,
-    t: float,
-    seconds: float,
-    margin: float,
-    manifold: Records,
+    tables: EdgeTables, proxies: Records, i: int, j: int, known: bool, approach: Approach, manifold: Records
 ) -> float:
     """The time of which the manifold of a pair with seams or a one-way shape is, put right; -1 if it does not hold.
 
@@ -160,20 +161,26 @@ def _examine(
     """
     x = proxies[j].center_x - proxies[i].center_x
     y = proxies[j].center_y - proxies[i].center_y
-    traits = shapes[i].traits | shapes[j].traits
+    traits = tables.shapes[i].traits | tables.shapes[j].traits
+    vx = approach.vx
+    vy = approach.vy
+    seconds = approach.seconds
+    t = approach.t
     now = t == 0.0
-    while traits & SEAMED and not mend_contact(
-        bodies, shapes, turned, seams, i, j, x + vx * t, y + vy * t, vx * seconds, vy * seconds, margin, FACE_BIAS,
-        now, manifold,
+    while traits & SEAMED and not fix_internal_edge(
+        tables, PlacedPair(i, j, x + vx * t, y + vy * t), vx * seconds, vy * seconds, approach.margin, FACE_BIAS, now,
+        manifold,
     ):  # fmt: skip
         if now or t == seconds:
             return -1.0
         t = seconds
-        if not _collide(proxies, turned, i, j, vx * t, vy * t, margin, manifold):
+        if not _collide(proxies, tables.cores, i, j, vx * t, vy * t, approach.margin, manifold):
             return -1.0
     if traits & ONE_WAY == 0:
         return t
-    if not leads_on(bodies, shapes, i, j, manifold[0].normal_x, manifold[0].normal_y):
+    if not leads_on(tables.bodies, tables.shapes, i, j, manifold[0].normal_x, manifold[0].normal_y):
         return -1.0
-    slop = allowed_depth(shapes[i], shapes[j])
-    return t if known or comes_from_front(bodies, shapes, turned, i, j, x, y, slop) else -1.0
+    slop = allowed_depth(tables.shapes[i], tables.shapes[j])
+    if known or comes_from_front(tables.bodies, tables.shapes, tables.cores, i, j, x, y, slop):
+        return t
+    return -1.0

@@ -1,7 +1,7 @@
 """Shapes that are solid from one side only: what comes from behind passes, what comes from the front lands.
 
 Decided when a contact begins: what is wholly in front of the shape then is held until it leaves, however deep a load
-presses it in; what is not is let through until it is wholly in front. A contact that exists is one that holds, so
+presses it in; what is not is let through until it is wholly in front. A contact that exists is one that ccd_bodies, so
 nothing else has to be remembered.
 """
 
@@ -35,7 +35,7 @@ def leads_on(bodies: Records, shapes: Records, i: int, j: int, normal_x: float, 
 
 @kernel
 def comes_from_front(
-    bodies: Records, shapes: Records, turned: Records, i: int, j: int, dx: float, dy: float, slop: float
+    bodies: Records, shapes: Records, cores: Records, i: int, j: int, dx: float, dy: float, slop: float
 ) -> bool:
     """Whether each of two shapes is wholly in front of the other, where that is one-way, but for `slop` metres.
 
@@ -45,11 +45,11 @@ def comes_from_front(
     b = shapes[j]
     if a.traits & ONE_WAY:
         x, y = _front(bodies[a.body], a)
-        if _clearance(turned, a, b, dx, dy, x, y) < -slop:
+        if _clearance(cores, a, b, dx, dy, x, y) < -slop:
             return False
     if b.traits & ONE_WAY:
         x, y = _front(bodies[b.body], b)
-        return bool(_clearance(turned, b, a, -dx, -dy, x, y) >= -slop)
+        return bool(_clearance(cores, b, a, -dx, -dy, x, y) >= -slop)
     return True
 
 
@@ -62,71 +62,71 @@ def _front(body: Records, shape: Records) -> tuple[float, float]:
 
 
 @kernel
-def _clearance(turned: Records, a: Records, b: Records, dx: float, dy: float, nx: float, ny: float) -> float:
+def _clearance(cores: Records, a: Records, b: Records, dx: float, dy: float, nx: float, ny: float) -> float:
     """Least height (m, along n) of shape b over the front of shape a, where one lies over the other.
 
     Beside a it counts from the nearer end of its front.
     """
     radius = a.radius + b.radius
     if b.vertex_count == 1:
-        at = turned[b.vertex_start]
+        at = cores[b.vertex_start]
         u = ny * (at.x + dx) - nx * (at.y + dy)
-        return float(nx * (at.x + dx) + ny * (at.y + dy) - _rounded_front(turned, a, u, nx, ny, radius))
+        return float(nx * (at.x + dx) + ny * (at.y + dy) - _rounded_front(cores, a, u, nx, ny, radius))
     if a.vertex_count == 1:
-        at = turned[a.vertex_start]
+        at = cores[a.vertex_start]
         u = ny * (at.x - dx) - nx * (at.y - dy)
-        return float(-(nx * (at.x - dx) + ny * (at.y - dy)) - _rounded_front(turned, b, -u, -nx, -ny, radius))
-    start, end = _reach(turned, a, nx, ny)
-    low, high = _reach(turned, b, nx, ny)
+        return float(-(nx * (at.x - dx) + ny * (at.y - dy)) - _rounded_front(cores, b, -u, -nx, -ny, radius))
+    start, end = _reach(cores, a, nx, ny)
+    low, high = _reach(cores, b, nx, ny)
     shift = ny * dx - nx * dy
     left = low + shift if low + shift > start - radius else start - radius
     right = high + shift if high + shift < end + radius else end + radius
     if left > right:  # beside it: the lowest place of b, over the nearer end of a
         left = low + shift
         right = high + shift
-    least = _height_over(turned, a, b, shift, left, nx, ny)
-    last = _height_over(turned, a, b, shift, right, nx, ny)
+    least = _height_over(cores, a, b, shift, left, nx, ny)
+    last = _height_over(cores, a, b, shift, right, nx, ny)
     least = last if last < least else least
     for k in range(a.vertex_start, a.vertex_start + a.vertex_count):
-        place = ny * turned[k].x - nx * turned[k].y
+        place = ny * cores[k].x - nx * cores[k].y
         if left < place < right:
-            height = _height_over(turned, a, b, shift, place, nx, ny)
+            height = _height_over(cores, a, b, shift, place, nx, ny)
             least = height if height < least else least
     for k in range(b.vertex_start, b.vertex_start + b.vertex_count):
-        place = ny * turned[k].x - nx * turned[k].y + shift
+        place = ny * cores[k].x - nx * cores[k].y + shift
         if left < place < right:
-            height = _height_over(turned, a, b, shift, place, nx, ny)
+            height = _height_over(cores, a, b, shift, place, nx, ny)
             least = height if height < least else least
     return float(least + (nx * dx + ny * dy) - radius)
 
 
 @kernel
-def _height_over(turned: Records, a: Records, b: Records, shift: float, place: float, nx: float, ny: float) -> float:
+def _height_over(cores: Records, a: Records, b: Records, shift: float, place: float, nx: float, ny: float) -> float:
     """Height of the lower side of b, as if it were at a's origin but for `shift`, over the front of a at a place."""
-    return -_front_at(turned, b, shift - place, -nx, -ny) - _front_at(turned, a, place, nx, ny)
+    return -_front_at(cores, b, shift - place, -nx, -ny) - _front_at(cores, a, place, nx, ny)
 
 
 @kernel
-def _reach(turned: Records, shape: Records, nx: float, ny: float) -> tuple[float, float]:
+def _reach(cores: Records, shape: Records, nx: float, ny: float) -> tuple[float, float]:
     """From where to where a core reaches across the direction n."""
     low = FAR
     high = -FAR
     for k in range(shape.vertex_start, shape.vertex_start + shape.vertex_count):
-        along = ny * turned[k].x - nx * turned[k].y
+        along = ny * cores[k].x - nx * cores[k].y
         low = along if along < low else low
         high = along if along > high else high
     return low, high
 
 
 @kernel
-def _front_at(turned: Records, shape: Records, place: float, nx: float, ny: float) -> float:
+def _front_at(cores: Records, shape: Records, place: float, nx: float, ny: float) -> float:
     """Height (m, along n) of the front of a core at a place across n; beyond its ends that of the nearer end."""
-    low, high = _reach(turned, shape, nx, ny)
+    low, high = _reach(cores, shape, nx, ny)
     place = low if place < low else (high if place > high else place)
     top = -FAR
     for k in range(shape.vertex_count):
-        start = turned[shape.vertex_start + k]
-        end = turned[shape.vertex_start + (k + 1 if k + 1 < shape.vertex_count else 0)]
+        start = cores[shape.vertex_start + k]
+        end = cores[shape.vertex_start + (k + 1 if k + 1 < shape.vertex_count else 0)]
         u = ny * start.x - nx * start.y
         v = ny * end.x - nx * end.y
         if u <= place <= v or v <= place <= u:
@@ -138,12 +138,12 @@ def _front_at(turned: Records, shape: Records, place: float, nx: float, ny: floa
 
 
 @kernel
-def _rounded_front(turned: Records, shape: Records, place: float, nx: float, ny: float, radius: float) -> float:
+def _rounded_front(cores: Records, shape: Records, place: float, nx: float, ny: float, radius: float) -> float:
     """Height (m, along n) of the front of a core with a rim of `radius` at a place; beside it that of its end."""
     top = -FAR
     for k in range(shape.vertex_count):
-        start = turned[shape.vertex_start + k]
-        end = turned[shape.vertex_start + (k + 1 if k + 1 < shape.vertex_count else 0)]
+        start = cores[shape.vertex_start + k]
+        end = cores[shape.vertex_start + (k + 1 if k + 1 < shape.vertex_count else 0)]
         u = ny * start.x - nx * start.y
         at_u = nx * start.x + ny * start.y
         away = place - u
@@ -162,4 +162,4 @@ def _rounded_front(turned: Records, shape: Records, place: float, nx: float, ny:
                 rise = along / length if along > 0.0 else -along / length
                 height = at_u + share * up + radius * rise
                 top = height if height > top else top
-    return top if top > -FAR else _front_at(turned, shape, place, nx, ny) + radius
+    return top if top > -FAR else _front_at(cores, shape, place, nx, ny) + radius

@@ -7,93 +7,67 @@ A run of kept rows that has its old place is there already: nothing is copied, n
 from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox.engine.active.active_set import SLEEPS, STIRS, list_contact
-from sandbox.engine.active.body_flags import is_active
-from sandbox.tables import Field, Integers, Records, Table
-
-RUN = Table(
-    "run",
-    (
-        Field("first", "-", "row of its first contact", "i8"),
-        Field("end", "-", "row after its last one", "i8"),
-        Field("rank", "-", "kept contacts before it in the table", "i8"),
-    ),
-)
-"""Contacts among bodies that do not stir, one after the other in a table of contacts."""
-
-KEEPER = Table(
-    "keeper",
-    (
-        Field("turn", "-", "0 or 1: which of the two tables of contacts is written", "i8"),
-        Field("era0", "-", "of the census when table 0 was written; 0 if never", "i8"),
-        Field("era1", "-", "of the census when table 1 was written", "i8"),
-        Field("runs0", "-", "runs in table 0", "i8"),
-        Field("runs1", "-", "runs in table 1", "i8"),
-        Field("written", "-", "runs in the table under way", "i8"),
-        Field("rank", "-", "contacts kept so far", "i8"),
-        Field("old", "-", "next run of the old table", "i8"),
-        Field("here", "-", "next run that is in the table under way from two steps ago", "i8"),
-        Field("quiet", "-", "1 when the runs of the old table hold", "i8"),
-        Field("same", "-", "1 when those in the table under way hold as well", "i8"),
-    ),
-)
-"""One row: where the walk is. `runs` has the runs of table 0, those of table 1, and those of the walk, in thirds."""
+from sandbox.engine.active.active_set import ASLEEP, AWAKE, list_contact
+from sandbox.engine.bodies.flags import is_active
+from sandbox.engine.records.contacts import Contacts
+from sandbox.tables import Integers, Records
 
 
 @kernel
-def begin_keeping(keeper: Records, era: int) -> None:
-    """Begin a walk; `era` counts how often somebody has woken, fallen asleep or been changed."""
-    old_era = keeper.era1 if keeper.turn == 0 else keeper.era0
-    here_era = keeper.era0 if keeper.turn == 0 else keeper.era1
-    keeper.quiet = 1 if old_era == era else 0
-    keeper.same = 1 if here_era == era and keeper.quiet == 1 else 0
-    keeper.written = keeper.rank = keeper.old = keeper.here = 0
+def begin_sleeping_contacts(cursor: Records, generation: int) -> None:
+    """Begin a walk; `generation` is that of the active set."""
+    old = cursor.generation1 if cursor.turn == 0 else cursor.generation0
+    here = cursor.generation0 if cursor.turn == 0 else cursor.generation1
+    cursor.quiet = 1 if old == generation else 0
+    cursor.same = 1 if here == generation and cursor.quiet == 1 else 0
+    cursor.written = cursor.rank = cursor.old = cursor.here = 0
 
 
 @kernel
-def end_keeping(keeper: Records, runs: Records, era: int) -> None:
+def end_sleeping_contacts(cursor: Records, runs: Records, generation: int) -> None:
     """The table is written: its runs are known, and the next step writes the other one."""
     third = runs.shape[0] // 3
-    for r in range(keeper.written):
-        runs[keeper.turn * third + r] = runs[2 * third + r]
-    if keeper.turn == 0:
-        keeper.era0 = era
-        keeper.runs0 = keeper.written
+    for r in range(cursor.written):
+        runs[cursor.turn * third + r] = runs[2 * third + r]
+    if cursor.turn == 0:
+        cursor.generation0 = generation
+        cursor.runs0 = cursor.written
     else:
-        keeper.era1 = era
-        keeper.runs1 = keeper.written
-    keeper.turn = 1 - keeper.turn
+        cursor.generation1 = generation
+        cursor.runs1 = cursor.written
+    cursor.turn = 1 - cursor.turn
 
 
 @kernel
-def keep_before(
+def keep_sleeping_before(
     bodies: Records,
-    stirs: Integers,
-    old: Records,
+    activity: Integers,
+    contacts: Contacts,
     k: int,
     old_count: int,
     shape_a: int,
     shape_b: int,
-    contacts: Records,
     count: int,
-    live: Integers,
-    strikers: Integers,
-    keeper: Records,
-    runs: Records,
 ) -> tuple[int, int]:
-    """Keep what is to be kept of `old[k:]` before the pair (shape_a, shape_b): (the row after it, the new count)."""
+    """Keep what is to be kept of `contacts.before[k:]` before the pair (shape_a, shape_b).
+
+    Returns (the row after it, the new count of contacts).
+    """
+    old = contacts.before
+    cursor = contacts.cursor[0]
+    runs = contacts.runs
     third = runs.shape[0] // 3
-    base = (1 - keeper.turn) * third
-    known = (keeper.runs1 if keeper.turn == 0 else keeper.runs0) if keeper.quiet == 1 else 0
+    base = (1 - cursor.turn) * third
+    known = (cursor.runs1 if cursor.turn == 0 else cursor.runs0) if cursor.quiet == 1 else 0
     while k < old_count and comes_before(old[k], shape_a, shape_b):
-        while keeper.old < known and runs[base + keeper.old].end <= k:
-            keeper.old += 1
-        if keeper.old < known and runs[base + keeper.old].first <= k:
-            end = _first_not_before(old, k, runs[base + keeper.old].end, shape_a, shape_b)
-            count = _keep_run(old, k, end, contacts, count, keeper, runs)
+        while cursor.old < known and runs[base + cursor.old].end <= k:
+            cursor.old += 1
+        if cursor.old < known and runs[base + cursor.old].first <= k:
+            end = _first_not_before(old, k, runs[base + cursor.old].end, shape_a, shape_b)
+            count = _keep_run(old, k, end, contacts.now, count, cursor, runs)
             k = end
         else:
-            count = _keep_one(bodies, stirs, old[k], contacts, count, live, strikers, keeper, runs)
+            count = _keep_one(bodies, activity, contacts, k, count)
             k += 1
     return k, count
 
@@ -118,67 +92,58 @@ def _first_not_before(old: Records, first: int, end: int, shape_a: int, shape_b:
 
 
 @kernel
-def _keep_run(old: Records, first: int, end: int, contacts: Records, count: int, keeper: Records, runs: Records) -> int:
+def _keep_run(old: Records, first: int, end: int, contacts: Records, count: int, cursor: Records, runs: Records) -> int:
     """Keep `old[first:end]`; return the new count."""
     length = end - first
-    if not _is_there(count, length, keeper, runs):
+    if not _is_there(count, length, cursor, runs):
         for n in range(length):
             contacts[count + n] = old[first + n]
-    _note_run(count, length, keeper, runs)
+    _note_run(count, length, cursor, runs)
     return count + length
 
 
 @kernel
-def _is_there(count: int, length: int, keeper: Records, runs: Records) -> bool:
+def _is_there(count: int, length: int, cursor: Records, runs: Records) -> bool:
     """Whether the table under way has the next contacts to keep at row `count` already."""
-    if keeper.same == 0:
+    if cursor.same == 0:
         return False
-    base = keeper.turn * (runs.shape[0] // 3)
-    there = keeper.runs0 if keeper.turn == 0 else keeper.runs1
-    while keeper.here < there and runs[base + keeper.here].end <= count:
-        keeper.here += 1
-    if keeper.here >= there:
+    base = cursor.turn * (runs.shape[0] // 3)
+    there = cursor.runs0 if cursor.turn == 0 else cursor.runs1
+    while cursor.here < there and runs[base + cursor.here].end <= count:
+        cursor.here += 1
+    if cursor.here >= there:
         return False
-    run = runs[base + keeper.here]
-    return bool(run.first <= count and count + length <= run.end and run.rank + count - run.first == keeper.rank)
+    run = runs[base + cursor.here]
+    return bool(run.first <= count and count + length <= run.end and run.rank + count - run.first == cursor.rank)
 
 
 @kernel
-def _note_run(first: int, length: int, keeper: Records, runs: Records) -> None:
+def _note_run(first: int, length: int, cursor: Records, runs: Records) -> None:
     base = 2 * (runs.shape[0] // 3)
-    last = base + keeper.written - 1
-    if keeper.written > 0 and runs[last].end == first:
+    last = base + cursor.written - 1
+    if cursor.written > 0 and runs[last].end == first:
         runs[last].end = first + length
     else:
         run = runs[last + 1]
         run.first = first
         run.end = first + length
-        run.rank = keeper.rank
-        keeper.written += 1
-    keeper.rank += length
+        run.rank = cursor.rank
+        cursor.written += 1
+    cursor.rank += length
 
 
 @kernel
-def _keep_one(
-    bodies: Records,
-    stirs: Integers,
-    old: Records,
-    contacts: Records,
-    count: int,
-    live: Integers,
-    strikers: Integers,
-    keeper: Records,
-    runs: Records,
-) -> int:
-    """Append an old contact if one of its bodies sleeps and none is active; return the new count."""
-    both = stirs[old.body_a] | stirs[old.body_b]
-    if both & SLEEPS == 0:
+def _keep_one(bodies: Records, activity: Integers, contacts: Contacts, k: int, count: int) -> int:
+    """Append old contact k if one of its bodies sleeps and none is active; return the new count."""
+    old = contacts.before[k]
+    both = activity[old.body_a] | activity[old.body_b]
+    if both & ASLEEP == 0:
         return count
-    if both & STIRS and (is_active(bodies[old.body_a]) or is_active(bodies[old.body_b])):
+    if both & AWAKE and (is_active(bodies[old.body_a]) or is_active(bodies[old.body_b])):
         return count
-    contacts[count] = old
-    if both & STIRS:  # a driven body has left the sleeper, who will wake
-        list_contact(old, count, True, live, strikers)
+    contacts.now[count] = old
+    if both & AWAKE:  # a driven body has left the sleeper, who will wake
+        list_contact(old, count, True, contacts.active, contacts.impact_candidates)
     else:
-        _note_run(count, 1, keeper, runs)
+        _note_run(count, 1, contacts.cursor[0], contacts.runs)
     return count + 1

@@ -1,8 +1,8 @@
-"""Where the pairs will be that close in faster than their margin: what will touch within the step has a contact now.
+"""Speculative contacts of pairs that close in faster than their margin: what will touch in the step has one now.
 
 Such a pair is looked at where it will first touch: the axis there is the one that stops it, while the axis at the
 start would deflect bodies that only pass by. Where a body spins so fast that its way bends by more than the margin,
-no axis of now says anything: it is not looked ahead, but caught when it touches (`continuous`).
+no axis of now says anything: it has no speculative contact, but is swept (`continuous_collision`).
 """
 
 from __future__ import annotations
@@ -10,46 +10,50 @@ from __future__ import annotations
 import math
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox.engine.broad_phase.proxies import ACTIVE, BULLET, FIXED, HEMMED
+from sandbox.engine.broad_phase.proxies import ACTIVE, BULLET, CONFINED, FIXED
+from sandbox.engine.records.active_set import ActiveSet
+from sandbox.engine.records.colliders import Colliders
 from sandbox.geometry.time_of_touch import time_of_touch
-from sandbox.tables import Integers, Records
+from sandbox.tables import Records
 
 _SLOP_SHARE = 0.05
 """Share of the margin within which a fast pair counts as touching already."""
 
 
 @kernel
-def mark_hemmed(owners: Records, movers: Integers, moving: Integers, holds: Records, proxies: Records) -> None:
+def mark_confined(colliders: Colliders, active: ActiveSet, ccd_bodies: Records) -> None:
     """Tell the proxies of moving shapes whether something immovable may stop their body; the grid knows of which.
 
     The velocities of two such bodies may change within the step: their difference says too little.
     """
-    for i in movers:
-        holds[i].hemmed = 0
+    filters = colliders.filters
+    moving = active.shapes[: active.info[0].moving]
+    for i in active.bodies[1 : 1 + active.bodies[0]]:
+        ccd_bodies[i].confined = 0
     for i in moving:
-        if owners[i].hemmed == 1:
-            holds[owners[i].body].hemmed = 1
+        if filters[i].confined == 1:
+            ccd_bodies[filters[i].body].confined = 1
     for i in moving:
-        if holds[owners[i].body].hemmed == 1:
-            proxies[i].traits |= HEMMED
+        if ccd_bodies[filters[i].body].confined == 1:
+            colliders.proxies[i].traits |= CONFINED
 
 
 @inlined_kernel
-def closing_way(a: Records, b: Records, vx: float, vy: float, seconds: float) -> float:
+def closing_distance(a: Records, b: Records, vx: float, vy: float, seconds: float) -> float:
     """Most (m) that two proxies can close in within the step; (vx, vy) is the velocity of b against a."""
     speed = math.sqrt(vx * vx + vy * vy)
-    if (a.traits | b.traits) & HEMMED and a.traits & b.traits & ACTIVE:
+    if (a.traits | b.traits) & CONFINED and a.traits & b.traits & ACTIVE:
         speed = speed + a.speed
         speed = speed + b.speed
     return float(seconds * speed + seconds * (a.swing + b.swing))
 
 
 @kernel
-def look_ahead(
+def speculative_impact(
     bodies: Records,
     shapes: Records,
     proxies: Records,
-    turned: Records,
+    cores: Records,
     i: int,
     j: int,
     margin: float,
@@ -57,7 +61,7 @@ def look_ahead(
     seconds: float,
     manifold: Records,
 ) -> tuple[float, float, float, float]:
-    """(time, vx, vy, margin): when a pair whose `closing_way` is more than its margin is to be looked at.
+    """(time, vx, vy, margin): when a pair whose `closing_distance` is more than its margin is to be looked at.
 
     (vx, vy) is the velocity (m/s) of b against a that brings it there, the margin how far from touching it may be
     then (m). The time is -1 if it will not touch. `margin` is that of a slow pair.
@@ -70,16 +74,16 @@ def look_ahead(
     if watched and _bend(bodies, shapes, i, seconds) + _bend(bodies, shapes, j, seconds) > margin:
         return 0.0, vx, vy, _SLOP_SHARE * margin
     slop = _SLOP_SHARE * margin + fall + seconds * (a.swing + b.swing)
-    way = closing_way(a, b, vx, vy, seconds)
-    t = _touch(proxies, turned, i, j, vx, vy, seconds, slop, manifold)
-    if t < 0.0 and (a.traits | b.traits) & HEMMED and a.traits & b.traits & ACTIVE:
+    distance = closing_distance(a, b, vx, vy, seconds)
+    t = _touch(proxies, cores, i, j, vx, vy, seconds, slop, manifold)
+    if t < 0.0 and (a.traits | b.traits) & CONFINED and a.traits & b.traits & ACTIVE:
         # Either of them may be stopped within the step: what if only the other one moves?
         for only_a in range(2):
             if t < 0.0:
                 vx = -a.velocity_x if only_a == 1 else b.velocity_x
                 vy = -a.velocity_y if only_a == 1 else b.velocity_y
-                t = _touch(proxies, turned, i, j, vx, vy, seconds, slop, manifold)
-    return t, vx, vy, way
+                t = _touch(proxies, cores, i, j, vx, vy, seconds, slop, manifold)
+    return t, vx, vy, distance
 
 
 @inlined_kernel
@@ -93,7 +97,7 @@ def _bend(bodies: Records, shapes: Records, i: int, seconds: float) -> float:
 @kernel
 def _touch(
     proxies: Records,
-    turned: Records,
+    cores: Records,
     i: int,
     j: int,
     vx: float,
@@ -106,7 +110,7 @@ def _touch(
     a = proxies[i]
     b = proxies[j]
     return time_of_touch(
-        turned,
+        cores,
         a.vertex_start,
         a.vertex_count,
         a.radius,

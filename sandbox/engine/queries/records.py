@@ -6,9 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sandbox.engine.broad_phase.grid import LEVEL_SPACE, LEVELS
-from sandbox.engine.memory.records import BOX
-from sandbox.engine.memory.scratch import head_count
+from sandbox.engine.broad_phase.grid import LEVEL_SPACE, LEVELS, head_count
+from sandbox.engine.records.colliders import BOX
 from sandbox.tables import Field, Integers, Records, Table
 from sandbox.world.records import VERTEX
 from sandbox.world.state import State

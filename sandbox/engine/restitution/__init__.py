@@ -1,0 +1,6 @@
+"""Restitution: impacts that fall into a substep, resolved before the solver makes them inelastic.
+
+In: contacts that close in, and velocities with and without the forces of the substep.
+Out: velocities after the impacts, and their impulses.
+Source: Newton's and Coulomb's laws applied contact by contact (Mirtich and Canny 1995); a block of two points.
+"""

@@ -1,4 +1,4 @@
-"""Blows without restitution: both points of a contact stop at once, while friction brakes what slides.
+"""Hard impacts without restitution: both points of a contact stop at once, while friction brakes what slides.
 
 Friction turns the bodies, which changes the speeds along the normal again; so both are found in rounds, with impulses
 that accumulate and never pull. A normal round is the last, so that nothing leaves that should stay.
@@ -7,7 +7,9 @@ that accumulate and never pull. A normal round is the last, so that nothing leav
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox.engine.restitution.apply_impulse import push, rub
+from sandbox.engine.contact_solver.law import anchors_of, relative_velocity
+from sandbox.engine.records.bodies import SolverBodies
+from sandbox.engine.restitution.impulses import apply_friction, apply_normal_impulse, start_velocity
 from sandbox.engine.restitution.two_point_block import pair_impulses
 from sandbox.tables import Records
 
@@ -31,40 +33,32 @@ def speed_to_lose(gap: float, start: float, other_end: float, seconds: float) ->
 
 
 @kernel
-def halt(
-    a: Records, b: Records, motions: Records, flights: Records, contact: Records, change1: float, change2: float
-) -> None:
+def stop_inelastic(bodies: Records, solver: SolverBodies, contact: Records, change1: float, change2: float) -> None:
     """Apply the normal impulses that give the wanted changes, and the friction that belongs to them."""
+    a = bodies[contact.body_a]
+    b = bodies[contact.body_b]
     load1 = load2 = drag1 = drag2 = 0.0
     for turn in range(_ROUNDS):
         new1, new2 = pair_impulses(a, b, contact, change1, change2)
-        push(a, b, motions, flights, contact, new1 - load1, 1)
-        push(a, b, motions, flights, contact, new2 - load2, 2)
+        apply_normal_impulse(bodies, solver, contact, new1 - load1, 1)
+        apply_normal_impulse(bodies, solver, contact, new2 - load2, 2)
         load1 = new1
         load2 = new2
         if contact.friction <= 0.0 or turn == _ROUNDS - 1:
             break
-        before1 = _normal_speed(flights, contact, 1)
-        before2 = _normal_speed(flights, contact, 2)
-        drag1 = rub(a, b, motions, flights, contact, load1, drag1, 1)
-        drag2 = rub(a, b, motions, flights, contact, load2, drag2, 2)
+        before1 = _normal_speed(solver.free_motions, contact, 1)
+        before2 = _normal_speed(solver.free_motions, contact, 2)
+        drag1 = apply_friction(bodies, solver, contact, load1, drag1, 1)
+        drag2 = apply_friction(bodies, solver, contact, load2, drag2, 2)
         if change1 > 0.0:
-            change1 += before1 - _normal_speed(flights, contact, 1)
+            change1 += before1 - _normal_speed(solver.free_motions, contact, 1)
         if change2 > 0.0:
-            change2 += before2 - _normal_speed(flights, contact, 2)
+            change2 += before2 - _normal_speed(solver.free_motions, contact, 2)
     contact.impact_impulse += load1 + load2
 
 
 @kernel
-def _normal_speed(flights: Records, contact: Records, point: int) -> float:
+def _normal_speed(free_motions: Records, contact: Records, point: int) -> float:
     """Speed (m/s) at which a point of b leaves that of a."""
-    first = point == 1
-    ax = contact.anchor_ax1 if first else contact.anchor_ax2
-    ay = contact.anchor_ay1 if first else contact.anchor_ay2
-    bx = contact.anchor_bx1 if first else contact.anchor_bx2
-    by = contact.anchor_by1 if first else contact.anchor_by2
-    fa = flights[contact.body_a]
-    fb = flights[contact.body_b]
-    x = fb.start_x - fb.start_w * by - fa.start_x + fa.start_w * ay
-    y = fb.start_y + fb.start_w * bx - fa.start_y - fa.start_w * ax
+    x, y = relative_velocity(start_velocity(free_motions, contact), anchors_of(contact, point))
     return float(x * contact.normal_x + y * contact.normal_y)

@@ -1,22 +1,27 @@
-"""Stage: pull grabbed points toward their targets, softly and with a force limit (the mouse)."""
+"""Stage: mouse joints pull grabbed points toward their targets, softly and with a force limit."""
 
 from __future__ import annotations
 
 import math
 
 from sandbox._jit import kernel
+from sandbox.engine.contact_solver.law import Anchors, PairMass, velocity_change
 from sandbox.engine.contact_solver.soft_constraint import soft_coefficients
+from sandbox.engine.records.bodies import SolverBodies
+from sandbox.engine.records.state import StateTables
 from sandbox.tables import Records
 from sandbox.world.records import DYNAMIC
 
 
 @kernel
-def solve_drags(bodies: Records, motions: Records, flights: Records, drags: Records, pace: int, seconds: float) -> None:
-    """Warm start and solve every drag on bodies of a pace once."""
-    for k in range(drags.shape[0]):
-        drag = drags[k]
-        if drag.body >= 0 and bodies[drag.body].type == DYNAMIC and flights[drag.body].pace == pace:
-            _solve(bodies[drag.body], motions[drag.body], drag, seconds)
+def solve_mouse_joints(state: StateTables, solver: SolverBodies, substep_level: int, seconds: float) -> None:
+    """Warm start and solve every mouse joint on bodies of a substep level once."""
+    for k in range(state.drags.shape[0]):
+        drag = state.drags[k]
+        if drag.body < 0 or state.bodies[drag.body].type != DYNAMIC:
+            continue
+        if solver.free_motions[drag.body].substep_level == substep_level:
+            _solve(state.bodies[drag.body], solver.motions[drag.body], drag, seconds)
 
 
 @kernel
@@ -53,6 +58,8 @@ def _solve(body: Records, motion: Records, drag: Records, seconds: float) -> Non
 
 @kernel
 def _apply(body: Records, motion: Records, rx: float, ry: float, px: float, py: float) -> None:
-    motion.velocity_x += body.inverse_mass * px
-    motion.velocity_y += body.inverse_mass * py
-    motion.angular_velocity += body.inverse_inertia * (rx * py - ry * px)
+    mass = PairMass(0.0, 0.0, body.inverse_mass, body.inverse_inertia)
+    change = velocity_change(mass, Anchors(0.0, 0.0, rx, ry), px, py)
+    motion.velocity_x += change.bx
+    motion.velocity_y += change.by
+    motion.angular_velocity += change.bw

@@ -14,24 +14,26 @@ MAX_COORDINATE = 1e9
 
 @kernel
 def guard_velocities(
-    bodies: Records, movers: Integers, motions: Records, pulls: Records, census: Records, counters: Records
+    bodies: Records, active_bodies: Integers, motions: Records, forces: Records, active_info: Records, counters: Records
 ) -> None:
     """Freeze bodies whose velocity is not a number, or too high, before the solver can pass it on."""
-    for i in movers:
-        if pulls[i].moves == 0:
+    for i in active_bodies:
+        if forces[i].moves == 0:
             continue
         motion = motions[i]
         sound = abs(motion.velocity_x) <= MAX_SPEED and abs(motion.velocity_y) <= MAX_SPEED
         if not (sound and abs(motion.angular_velocity) <= MAX_SPEED):
-            census[0].stale = 1
+            active_info[0].stale = 1
             _freeze(bodies[i], motion, counters[0])
-            pulls[i].moves = 0
+            forces[i].moves = 0
 
 
 @kernel
-def guard_positions(bodies: Records, movers: Integers, motions: Records, census: Records, counters: Records) -> None:
-    """Freeze bodies that would leave the world, or whose way or turn is not a number, before they are moved."""
-    for i in movers:
+def guard_positions(
+    bodies: Records, active_bodies: Integers, motions: Records, active_info: Records, counters: Records
+) -> None:
+    """Freeze bodies that would leave the world, or whose displacement is not a number, before they are moved."""
+    for i in active_bodies:
         body = bodies[i]
         if body.type == STATIC:
             continue
@@ -40,7 +42,7 @@ def guard_positions(bodies: Records, movers: Integers, motions: Records, census:
         y = abs(body.center_y + motion.delta_y)
         turned = abs(body.angle + motion.delta_angle)
         if not (x <= MAX_COORDINATE and y <= MAX_COORDINATE and turned <= MAX_COORDINATE):
-            census[0].stale = 1
+            active_info[0].stale = 1
             _freeze(body, motion, counters[0])
 
 

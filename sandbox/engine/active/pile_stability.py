@@ -1,0 +1,191 @@
+"""How stable piles are: what columns of soft contacts bear before they buckle, and how heavy what lies on light is.
+
+Soft contacts give way under load, so a slender pile buckles like a column of elastic joints, and one solver pass a
+substep cannot carry a heavy body through a light one. Both get better with the square of the substep rate. A column
+is safe while the sum of weight * height^2 over its bodies is less than 2.5 EI (A. G. Greenhill 1881; a load at the
+top is Euler's case), and contacts with the angular frequency w over a width W have EI of about m w^2 W^3.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from sandbox._jit import kernel
+from sandbox.engine.bodies.flags import is_active
+from sandbox.engine.records.contacts import Contacts
+from sandbox.tables import Field, Integers, Records, Table
+from sandbox.world.records import DYNAMIC
+
+MAX_LEVEL = 4
+"""Highest substep level: an island of level p takes 2**p times the scene's substeps."""
+STIFFNESS = 0.6
+"""Measured: a stack of 28 unit boxes just stands at 55 Hz."""
+SAFE = 0.35
+"""Largest share of the buckling load that an island bears at its level."""
+RATIO = 30.0
+"""Largest ratio of a body's mass to that of one below it at level 0; four times as much at each level more."""
+SINK = 0.02
+"""Largest depth, as a share of the lower body's extent, to which a body may sink into that."""
+UPRIGHT = 0.5
+"""Smallest cosine between a contact's normal and gravity at which one body counts as lying on the other."""
+
+PILE = Table(
+    "pile",
+    (
+        Field("weight", "N", "of all bodies"),
+        Field("moment", "N m", "weight times height above the root body"),
+        Field("second_moment", "N m^2", "weight times height squared"),
+        Field("bottom", "m", "lowest contact point, above the root body"),
+        Field("left", "m", "first contact point across gravity, from the root body"),
+        Field("right", "m", "last contact point across gravity"),
+        Field("bodies", "-", "how many", "i8"),
+        Field("heaviest", "kg", "of its bodies"),
+        Field("bearer", "kg", "lightest body that another one lies on"),
+        Field("slight", "m", "smallest extent of such a body"),
+        Field("ratio", "1", "largest mass of a body by that of one below it"),
+    ),
+)
+"""What a pile is made of; in the row of its island's root."""
+
+
+class Load(NamedTuple):
+    """What bears down on piles: the direction of gravity, its size (m/s^2), and the contacts' angular frequency
+    (rad/s)."""
+
+    down_x: float
+    down_y: float
+    gravity: float
+    omega: float
+
+
+@kernel
+def masses_differ(bodies: Records, gravity: float, omega: float) -> bool:
+    """Whether some dynamic body would be too heavy for some other one at level 0."""
+    heaviest = 0.0
+    lightest = slight = 1e300
+    for i in range(bodies.shape[0]):
+        body = bodies[i]
+        if body.type == DYNAMIC:
+            heaviest = body.mass if body.mass > heaviest else heaviest
+            lightest = body.mass if body.mass < lightest else lightest
+            slight = body.extent if body.extent < slight else slight
+    return heaviest > lightest * bearable(slight, gravity, omega)
+
+
+@kernel
+def bearable(slight: float, gravity: float, omega: float) -> float:
+    """Largest ratio of a body's mass to that of one of that extent below it, at level 0."""
+    if SINK * slight * omega * omega < RATIO * gravity:
+        return SINK * slight * omega * omega / gravity
+    return RATIO
+
+
+@kernel
+def measure_bodies(bodies: Records, rows: Integers, free_motions: Records, piles: Records, load: Load) -> None:
+    """Weight and height of every pile; of its width, foot, bearing body and ratio what is worst for it."""
+    down_x = load.down_x
+    down_y = load.down_y
+    for i in rows:
+        pile = piles[i]
+        pile.bodies = 0
+        pile.weight = pile.moment = pile.second_moment = pile.heaviest = 0.0
+        pile.bottom = pile.left = pile.bearer = pile.slight = 1e300
+        pile.right = -1e300
+    for i in rows:
+        body = bodies[i]
+        if not is_active(body):
+            continue
+        root = free_motions[i].island
+        pile = piles[root]
+        x = body.center_x - bodies[root].center_x
+        y = body.center_y - bodies[root].center_y
+        height = -(x * down_x + y * down_y)
+        weight = body.mass * load.gravity * (body.gravity_scale if body.gravity_scale > 0.0 else 0.0)
+        pile.bodies += 1
+        pile.weight += weight
+        pile.moment += weight * height
+        pile.second_moment += weight * height * height
+        _widen(pile, x * down_y - y * down_x)
+        pile.bottom = height - body.extent if height - body.extent < pile.bottom else pile.bottom
+        pile.heaviest = body.mass if body.mass > pile.heaviest else pile.heaviest
+        pile.bearer = body.mass if body.mass < pile.bearer else pile.bearer
+        pile.slight = body.extent if body.extent < pile.slight else pile.slight
+
+
+@kernel
+def _widen(pile: Records, across: float) -> None:
+    pile.left = across if across < pile.left else pile.left
+    pile.right = across if across > pile.right else pile.right
+
+
+@kernel
+def some_pile_may_fall(rows: Integers, free_motions: Records, piles: Records, omega: float, gravity: float) -> bool:
+    """Whether some pile of two or more would need a higher level if it were as bad as its bodies allow."""
+    for i in rows:
+        if free_motions[i].island == i and piles[i].bodies > 1:
+            piles[i].ratio = piles[i].heaviest / piles[i].bearer
+            if level_for(piles[i], omega, gravity) > 0:
+                return True
+    return False
+
+
+@kernel
+def measure_contacts(
+    bodies: Records, rows: Integers, free_motions: Records, piles: Records, contacts: Contacts, load: Load
+) -> None:
+    """Width, foot, bearing bodies and ratio of every pile, as they are; the ratio stays 0 where nothing is borne."""
+    down_x = load.down_x
+    down_y = load.down_y
+    for i in rows:
+        pile = piles[i]
+        pile.ratio = 0.0
+        pile.bottom = pile.left = pile.bearer = pile.slight = 1e300
+        pile.right = -1e300
+    for i in contacts.active[1 : 1 + contacts.active[0]]:
+        contact = contacts.now[i]
+        a = bodies[contact.body_a]
+        b = bodies[contact.body_b]
+        if not (is_active(a) or is_active(b)):
+            continue
+        root = free_motions[contact.body_a].island if is_active(a) else free_motions[contact.body_b].island
+        pile = piles[root]
+        x = a.center_x - bodies[root].center_x
+        y = a.center_y - bodies[root].center_y
+        _add_point(pile, x + contact.anchor_ax1, y + contact.anchor_ay1, down_x, down_y)
+        if contact.point_count == 2:
+            _add_point(pile, x + contact.anchor_ax2, y + contact.anchor_ay2, down_x, down_y)
+        upright = contact.normal_x * down_x + contact.normal_y * down_y
+        if is_active(a) and is_active(b) and abs(upright) >= UPRIGHT:
+            _add_bearer(pile, b if upright > 0.0 else a, a if upright > 0.0 else b)
+
+
+@kernel
+def _add_point(pile: Records, x: float, y: float, down_x: float, down_y: float) -> None:
+    height = -(x * down_x + y * down_y)
+    pile.bottom = height if height < pile.bottom else pile.bottom
+    _widen(pile, x * down_y - y * down_x)
+
+
+@kernel
+def _add_bearer(pile: Records, lower: Records, upper: Records) -> None:
+    ratio = upper.mass * lower.inverse_mass
+    pile.ratio = ratio if ratio > pile.ratio else pile.ratio
+    pile.bearer = lower.mass if lower.mass < pile.bearer else pile.bearer
+    pile.slight = lower.extent if lower.extent < pile.slight else pile.slight
+
+
+@kernel
+def level_for(pile: Records, omega: float, gravity: float) -> int:
+    """How many times the substeps have to be doubled for this pile."""
+    width = pile.right - pile.left
+    width = width if width > 0.5 * pile.slight else 0.5 * pile.slight
+    foot = pile.bottom
+    load = pile.second_moment - 2.0 * foot * pile.moment + foot * foot * pile.weight
+    bears = SAFE * STIFFNESS * pile.bearer * omega * omega * width * width * width
+    ratio = bearable(pile.slight, gravity, omega)
+    level = 0
+    while level < MAX_LEVEL and (load > bears or pile.ratio > ratio):
+        bears = 4.0 * bears
+        ratio = 4.0 * ratio
+        level += 1
+    return level

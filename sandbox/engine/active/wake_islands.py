@@ -1,0 +1,107 @@
+"""Stage: wake every sleeping island that something active touches. An island wakes as a whole."""
+
+from __future__ import annotations
+
+from sandbox._jit import kernel
+from sandbox.engine.bodies.flags import disturbs
+from sandbox.engine.joints.records import JointWork
+from sandbox.engine.records.contacts import Contacts
+from sandbox.tables import Integers, Records
+
+
+@kernel
+def wake_touched(
+    bodies: Records,
+    free_motions: Records,
+    contacts: Contacts,
+    joints: JointWork | None,
+    active_info: Records,
+    counters: Records,
+) -> bool:
+    """Wake every island that has a contact or a joint with an active or a driven body; `undo_waking` takes it back.
+
+    Returns whether there was one: then the active set is out of date.
+    """
+    touched = contacts.active[1 : 1 + contacts.active[0]]
+    active_info[0].woke = 0
+    if counters[0].asleep_count == 0:
+        return False
+    if not (_some_touched(bodies, contacts.now, touched) or _some_joined(bodies, joints)):
+        return False
+    active_info[0].woke = 1
+    for i in range(bodies.shape[0]):
+        free_motions[i].was_awake = bodies[i].awake
+        free_motions[i].was_island = bodies[i].island
+        free_motions[i].was_slow = bodies[i].sleep_time
+    for i in touched:
+        _wake_either(bodies[contacts.now[i].body_a], bodies[contacts.now[i].body_b])
+    if joints is not None:
+        for i in range(joints.ties.shape[0]):
+            _wake_either(bodies[joints.ties[i].low], bodies[joints.ties[i].high])
+    wake_marked_islands(bodies, active_info)
+    return True
+
+
+@kernel
+def _some_touched(bodies: Records, contacts: Records, touched: Integers) -> bool:
+    """Whether a sleeping body has a contact with an active or a driven one."""
+    found = False
+    for i in touched:
+        found = found or _disturbed(bodies[contacts[i].body_a], bodies[contacts[i].body_b])
+    return found
+
+
+@kernel
+def _some_joined(bodies: Records, joints: JointWork | None) -> bool:
+    """Whether a joint ties a sleeping body to an active or a driven one."""
+    found = False
+    if joints is not None:
+        for i in range(joints.ties.shape[0]):
+            found = found or _disturbed(bodies[joints.ties[i].low], bodies[joints.ties[i].high])
+    return found
+
+
+@kernel
+def _disturbed(a: Records, b: Records) -> bool:
+    return bool((a.awake == 0 and disturbs(b)) or (b.awake == 0 and disturbs(a)))
+
+
+@kernel
+def _wake_either(a: Records, b: Records) -> None:
+    if a.awake == 0 and disturbs(b):
+        a.awake = 1
+    elif b.awake == 0 and disturbs(a):
+        b.awake = 1
+
+
+@kernel
+def undo_waking(bodies: Records, free_motions: Records, active_info: Records) -> None:
+    """Put all bodies back to sleep that `wake_touched` has woken, for a step that has to begin again."""
+    if active_info[0].woke == 0:
+        return
+    for i in range(bodies.shape[0]):
+        bodies[i].awake = free_motions[i].was_awake
+        bodies[i].island = free_motions[i].was_island
+        bodies[i].sleep_time = free_motions[i].was_slow
+
+
+@kernel
+def wake_marked_islands(bodies: Records, active_info: Records) -> None:
+    """Wake all bodies of every island in which one body is awake already; that one still carries the island's root.
+
+    `island` is the row of the island's first body plus one, 0 for a body that has not been asleep.
+    """
+    active_info[0].stale = 1
+    for i in range(bodies.shape[0]):
+        body = bodies[i]
+        if body.island > 0 and body.awake == 1:
+            bodies[body.island - 1].sleep_time = -1.0
+    for i in range(bodies.shape[0]):
+        body = bodies[i]
+        if body.island > 0 and bodies[body.island - 1].sleep_time < 0.0:
+            body.awake = 1
+    for i in range(bodies.shape[0]):
+        body = bodies[i]
+        if body.island > 0 and body.awake == 1:
+            body.sleep_time = 0.0
+            body.island = 0

@@ -1,0 +1,116 @@
+"""The laws of a contact point, written once: relative velocity, impulse, effective mass and Coulomb's cone.
+
+An impulse p at the anchors r_a and r_b changes v_b by p / m_b and w_b by (r_b x p) / I_b, and a by the opposite.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from sandbox._jit import inlined_kernel
+from sandbox.tables import Records
+
+
+class PairVelocity(NamedTuple):
+    """Velocities (m/s) and angular velocities (rad/s) of two bodies."""
+
+    ax: float
+    ay: float
+    aw: float
+    bx: float
+    by: float
+    bw: float
+
+
+class PairMass(NamedTuple):
+    """Inverse masses (1/kg) and inverse inertias (1/(kg m^2)) of two bodies."""
+
+    mass_a: float
+    inertia_a: float
+    mass_b: float
+    inertia_b: float
+
+
+class Anchors(NamedTuple):
+    """A contact point as seen from the centres of two bodies, world axes, m."""
+
+    ax: float
+    ay: float
+    bx: float
+    by: float
+
+
+@inlined_kernel
+def relative_velocity(v: PairVelocity, r: Anchors) -> tuple[float, float]:
+    """Velocity (m/s) of b's point against that of a."""
+    x = v.bx - v.bw * r.by - v.ax + v.aw * r.ay
+    y = v.by + v.bw * r.bx - v.ay - v.aw * r.ax
+    return x, y
+
+
+@inlined_kernel
+def velocity_change(m: PairMass, r: Anchors, px: float, py: float) -> PairVelocity:
+    """What the impulse (px, py) N s on b at its anchor, and the opposite on a at its own, add to the velocities."""
+    return PairVelocity(
+        -(m.mass_a * px),
+        -(m.mass_a * py),
+        -(m.inertia_a * (r.ax * py - r.ay * px)),
+        m.mass_b * px,
+        m.mass_b * py,
+        m.inertia_b * (r.bx * py - r.by * px),
+    )
+
+
+@inlined_kernel
+def apply_impulse(v: PairVelocity, m: PairMass, r: Anchors, px: float, py: float) -> PairVelocity:
+    """The velocities after the impulse (px, py) N s on b at its anchor, and the opposite on a at its own."""
+    change = velocity_change(m, r, px, py)
+    return PairVelocity(
+        v.ax + change.ax, v.ay + change.ay, v.aw + change.aw, v.bx + change.bx, v.by + change.by, v.bw + change.bw
+    )
+
+
+@inlined_kernel
+def effective_mass(m: PairMass, r: Anchors, x: float, y: float) -> float:
+    """Effective mass (kg) of two bodies along the unit axis (x, y) at a point; 0 if neither moves."""
+    turn_a = r.ax * y - r.ay * x
+    turn_b = r.bx * y - r.by * x
+    inverse = m.mass_a + m.mass_b + m.inertia_a * turn_a * turn_a + m.inertia_b * turn_b * turn_b
+    return 1.0 / inverse if inverse > 0.0 else 0.0
+
+
+@inlined_kernel
+def clamp_to_cone(impulse: float, limit: float) -> float:
+    """A tangent impulse (N s) within Coulomb's cone, whose half width is friction times normal impulse, the `limit`."""
+    impulse = impulse if impulse < limit else limit
+    return impulse if impulse > -limit else -limit
+
+
+@inlined_kernel
+def pair_mass(a: Records, b: Records) -> PairMass:
+    """The inverse masses of two rows of the body table."""
+    return PairMass(a.inverse_mass, a.inverse_inertia, b.inverse_mass, b.inverse_inertia)
+
+
+@inlined_kernel
+def pair_velocity(a: Records, b: Records) -> PairVelocity:
+    """The velocities of two rows of the body table, or of the motion table."""
+    return PairVelocity(a.velocity_x, a.velocity_y, a.angular_velocity, b.velocity_x, b.velocity_y, b.angular_velocity)
+
+
+@inlined_kernel
+def anchors_of(contact: Records, point: int) -> Anchors:
+    """The anchors of point 1 or 2 of a contact."""
+    first = point == 1
+    return Anchors(
+        contact.anchor_ax1 if first else contact.anchor_ax2,
+        contact.anchor_ay1 if first else contact.anchor_ay2,
+        contact.anchor_bx1 if first else contact.anchor_bx2,
+        contact.anchor_by1 if first else contact.anchor_by2,
+    )
+
+
+@inlined_kernel
+def separation_of(contact: Records, point: int) -> float:
+    """The gap (m) at point 1 or 2 of a contact when the step began; negative where they overlap."""
+    return float(contact.separation1 if point == 1 else contact.separation2)

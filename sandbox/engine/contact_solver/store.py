@@ -1,0 +1,70 @@
+"""Stage: copy what the solver has accumulated back into the contacts, and report on the step."""
+
+from __future__ import annotations
+
+from sandbox._jit import kernel
+from sandbox.engine.bodies.flags import flag_contact
+from sandbox.engine.contact_solver import blocks as cb
+from sandbox.engine.contact_solver.closing_speed import closing_speed
+from sandbox.engine.records.contact_blocks import ContactBlocks
+from sandbox.engine.records.contacts import Contacts
+from sandbox.tables import Integers, Records
+
+BLOCK_SIZE = cb.BLOCK_SIZE
+
+
+@kernel
+def clear_reports(reports: Records, count: int) -> None:
+    """Contacts that are not solved, such as those among sleepers, have nothing to report."""
+    for i in range(count):
+        reports[i].total_impulse = 0.0
+        reports[i].hit_speed = 0.0
+
+
+@kernel
+def store_impulses(
+    bodies: Records, flags: Integers, contacts: Contacts, blocks: ContactBlocks, block_count: int
+) -> None:
+    """Copy the accumulated impulses back into the contacts, to warm start the next step, and report on this one.
+
+    The bodies still have the velocities with which the step began: a point that begins to push has closed in at them.
+    What they bear is flagged as supported.
+    """
+    lanes = blocks.lanes
+    for n in range(block_count):
+        for k in range(blocks.blocks[n].count):
+            slot = blocks.slots[blocks.blocks[n].first + k]
+            contact = contacts.now[slot.contact]
+            report = contacts.reports[slot.contact]
+            at = n * BLOCK_SIZE + k * blocks.blocks[n].stride
+            normal1 = lanes[at + cb.POINT_1 + cb.NORMAL_IMPULSE]
+            normal2 = lanes[at + cb.POINT_2 + cb.NORMAL_IMPULSE]
+            total = lanes[at + cb.TOTAL_IMPULSE] + normal1 + normal2
+            report.total_impulse = contact.impact_impulse + (total if total > 0.0 else 0.0)
+            if report.total_impulse > 0.0:
+                contact.touching = 1
+                if contact.impact_impulse > 0.0 or contact.normal_impulse1 == 0.0 or contact.normal_impulse2 == 0.0:
+                    report.hit_speed = _hit_speed(bodies[contact.body_a], bodies[contact.body_b], contact)
+            elif contact.separation1 < 0.0 or contact.separation2 < 0.0:
+                contact.touching = 1
+            contact.rolling_impulse = lanes[at + cb.ROLLING_IMPULSE]
+            contact.normal_impulse1 = normal1
+            contact.tangent_impulse1 = lanes[at + cb.POINT_1 + cb.TANGENT_IMPULSE]
+            if contact.point_count == 2:
+                contact.normal_impulse2 = normal2
+                contact.tangent_impulse2 = lanes[at + cb.POINT_2 + cb.TANGENT_IMPULSE]
+            pushes = normal1 > 0.0 or normal2 > 0.0
+            flag_contact(flags, slot.body_a, slot.body_b, pushes, contact.surface_speed)
+
+
+@kernel
+def _hit_speed(a: Records, b: Records, contact: Records) -> float:
+    """Speed (m/s) at which the points that did not push before have closed in; 0 if they did not."""
+    struck = contact.impact_impulse > 0.0
+    speed = 0.0
+    if struck or contact.normal_impulse1 == 0.0:
+        speed = closing_speed(a, b, contact, 1)
+    if contact.point_count == 2 and (struck or contact.normal_impulse2 == 0.0):
+        other = closing_speed(a, b, contact, 2)
+        speed = other if other > speed else speed
+    return speed if speed > 0.0 else 0.0

@@ -1,0 +1,55 @@
+"""Stage: warm starting. Every substep begins with the impulses accumulated so far, its best guess.
+
+E. Catto, "Iterative Dynamics with Temporal Coherence", GDC 2005.
+"""
+
+from __future__ import annotations
+
+from sandbox._jit import kernel
+from sandbox.engine.contact_solver import blocks as cb
+from sandbox.engine.contact_solver.gather import gather_velocities, scatter_velocities
+from sandbox.engine.contact_solver.lanes import lane_anchors, lane_mass, lane_velocity, set_lane_velocity
+from sandbox.engine.contact_solver.law import PairVelocity, apply_impulse
+from sandbox.engine.records.contact_blocks import ContactBlocks
+from sandbox.tables import Floats, Records
+
+BLOCK_SIZE = cb.BLOCK_SIZE
+VECTOR = cb.VECTOR
+
+
+@kernel
+def warm_start(motions: Records, blocks: ContactBlocks, block_count: int) -> None:
+    """Apply the accumulated impulses of all contacts, block by block."""
+    slots = blocks.slots
+    gathered = blocks.gathered
+    for n in range(block_count):
+        block = blocks.blocks[n]
+        turns = block.count if block.stride > 1 else 1
+        width = 1 if block.stride > 1 else block.count
+        for turn in range(turns):
+            v = blocks.lanes[n * BLOCK_SIZE + turn * VECTOR : (n + 1) * BLOCK_SIZE]
+            slot = block.first + turn
+            gather_velocities(motions, slots, slot, width, gathered)
+            for first in range(0, width, VECTOR):
+                _warm_start_lanes(v[first:], gathered[first:])
+            scatter_velocities(motions, slots, slot, width, gathered)
+
+
+@kernel
+def _warm_start_lanes(v: Floats, g: Floats) -> None:
+    for k in range(VECTOR):
+        nx = v[cb.NORMAL_X + k]
+        ny = v[cb.NORMAL_Y + k]
+        mass = lane_mass(v, k)
+        before = lane_velocity(g, k)
+        aw = before.aw - mass.inertia_a * v[cb.ROLLING_IMPULSE + k]
+        bw = before.bw + mass.inertia_b * v[cb.ROLLING_IMPULSE + k]
+        velocity = PairVelocity(before.ax, before.ay, aw, before.bx, before.by, bw)
+        v[cb.TOTAL_IMPULSE + k] += v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] + v[cb.POINT_2 + cb.NORMAL_IMPULSE + k]
+        for point in (cb.POINT_1, cb.POINT_2):
+            normal = v[point + cb.NORMAL_IMPULSE + k]
+            tangent = v[point + cb.TANGENT_IMPULSE + k]
+            px = normal * nx + tangent * ny
+            py = normal * ny - tangent * nx
+            velocity = apply_impulse(velocity, mass, lane_anchors(v, point, k), px, py)
+        set_lane_velocity(g, k, velocity)

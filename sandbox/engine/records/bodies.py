@@ -1,0 +1,69 @@
+"""What the step keeps of every body while it solves: velocities, forces, flags and colours."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from sandbox.tables import Field, Integers, Records, Table
+
+MOTION = Table(
+    "motion",
+    (
+        Field("velocity_x", "m/s", "what the solver works on"),
+        Field("velocity_y", "m/s", "what the solver works on"),
+        Field("angular_velocity", "rad/s", "what the solver works on"),
+        Field("delta_x", "m", "displacement of the centre since the step began"),
+        Field("delta_y", "m", "displacement of the centre since the step began"),
+        Field("delta_cos", "1", "rotation since the step began"),
+        Field("delta_sin", "1", "rotation since the step began"),
+        Field("delta_angle", "rad", "rotation since the step began"),
+    ),
+)
+"""One row a body, one cache line: all that the solver gathers and scatters."""
+
+FREE_MOTION = Table(
+    "free_motion",
+    (
+        Field("start_x", "m/s", "velocity when the substep began"),
+        Field("start_y", "m/s", "velocity when the substep began"),
+        Field("start_w", "rad/s", "velocity when the substep began"),
+        Field("free_x", "m/s", "velocity at its end if nothing touches the body"),
+        Field("free_y", "m/s", "velocity at its end if nothing touches the body"),
+        Field("free_w", "rad/s", "velocity at its end if nothing touches the body"),
+        Field("island", "-", "root of its island", "i8"),
+        Field("substep_level", "-", "its island takes 2**substep_level times the substeps of the scene", "i8"),
+        Field("buoyed", "-", "1 when it floats at rest", "i8"),
+        Field("was_awake", "-", "before the step woke anybody", "i8"),
+        Field("was_island", "-", "before the step woke anybody", "i8"),
+        Field("was_slow", "s", "sleep time before the step woke anybody"),
+    ),
+)
+"""One row a body: where an unhindered body would go, and its place in the constraint graph."""
+
+BODY_FORCES = Table(
+    "body_forces",
+    (
+        Field("change_x", "m/s", "what gravity and forces add to the velocity in a substep"),
+        Field("change_y", "m/s", "the same"),
+        Field("change_w", "rad/s", "what torques add to it"),
+        Field("linear_decay", "1", "share of the velocity that damping leaves"),
+        Field("angular_decay", "1", "share of the angular velocity that damping leaves"),
+        Field("extent", "m", "that of the body"),
+        Field("moves", "-", "1 when the solver moves it, 2 when it is kinematic, 0 for the others", "i8"),
+        Field("spare", "-", "fills the cache line", "i8"),
+    ),
+)
+"""One row a body, one cache line: all that the substeps ask of the body itself."""
+
+
+class SolverBodies(NamedTuple):
+    """Scratch memory with a row for each body, beside the body table of the state.
+
+    `flags` holds the bits of `active.body_flags`, `colors` the colours that the contacts of a body have.
+    """
+
+    motions: Records
+    free_motions: Records
+    forces: Records
+    flags: Integers
+    colors: Integers

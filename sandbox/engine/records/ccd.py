@@ -1,0 +1,47 @@
+"""What continuous collision keeps of bodies, and the sweep under way."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from sandbox.tables import Field, Records, Table
+
+CCD_BODY = Table(
+    "ccd_body",
+    (
+        Field("thin", "m", "half the smallest width of its thinnest shape"),
+        Field("linked", "-", "1 when a joint is at it", "i8"),
+        Field("deep", "-", "1 when it overlaps something immovable more than a little", "i8"),
+        Field("fresh", "-", "1 when it touches something that it was not even near to a step before", "i8"),
+        Field("fast", "-", "1 when it has to be swept along its displacement", "i8"),
+        Field("confined", "-", "1 when something immovable may stop it during the step", "i8"),
+    ),
+)
+"""One row a body: what continuous collision asks of it. By itself, as most steps hardly look at it."""
+
+CCD_IMPACT = Table(
+    "ccd_impact",
+    (
+        Field("time", "1", "time of impact, as a share of the step; 1 is none"),
+        Field("bounces", "-", "1 when what stops it bounces it", "i8"),
+        Field("touched", "-", "1 when it has touched what stops it from the start of the step on", "i8"),
+        Field("normal_x", "1", "of what stops it, towards the body"),
+        Field("normal_y", "1", "of what stops it, towards the body"),
+        Field("arm_x", "m", "where it is stopped, from the centre of the body"),
+        Field("arm_y", "m", "where it is stopped, from the centre of the body"),
+        Field("restitution", "1", "of the body and what stops it"),
+        Field("friction", "1", "of the body and what stops it"),
+        Field("surface_speed", "m/s", "of the body and what stops it"),
+    ),
+)
+"""One row a body: where it is stopped in mid-step."""
+
+
+class Ccd(NamedTuple):
+    """Memory of continuous collision; `sweep` has one row, `swept` the cores at the pose looked at."""
+
+    bodies: Records
+    impacts: Records
+    sweep: Records
+    swept: Records
+    manifold: Records

@@ -1,0 +1,63 @@
+"""Contacts in the order in which they are solved, and the memory in which they are."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from sandbox.tables import Field, Floats, Integers, Records, Table
+
+SLOT = Table(
+    "slot",
+    (
+        Field("contact", "-", "row in the contact table", "i8"),
+        Field("body_a", "-", "", "i8"),
+        Field("body_b", "-", "", "i8"),
+    ),
+)
+"""Contacts in the order they are solved in: colour by colour."""
+
+BLOCK = Table(
+    "block",
+    (
+        Field("first", "-", "its first slot", "i8"),
+        Field("count", "-", "lanes in use, 1..64", "i8"),
+        Field(
+            "stride",
+            "-",
+            "lanes from contact to contact; more than 1 when they share bodies and go one by one",
+            "i8",
+        ),
+        Field("rolling", "-", "1 when some contact has rolling resistance", "i8"),
+    ),
+)
+
+
+class ContactBlocks(NamedTuple):
+    """Contact constraints laid out for the solver, see `blocks`.
+
+    `colors` has the colour of each active contact, and afterwards the rows of those that may have an impact;
+    `gathered` the bodies of a block; `heads` is scratch of the counting sort by colour.
+    """
+
+    slots: Records
+    blocks: Records
+    colors: Integers
+    lanes: Floats
+    gathered: Floats
+    heads: Integers
+
+
+class SoftContact(NamedTuple):
+    """How a pass treats contacts, from `soft_coefficients`.
+
+    `slowest_bias` (m/s, negative or zero) bounds the velocity that pushes overlapping bodies apart; zero makes the pass
+    a relax pass, which removes the velocity that the push has added. `impact_allowance` (m/s) is added to the speed at
+    which contacts that may have an impact may close while they are apart.
+    """
+
+    inverse_seconds: float
+    bias_rate: float
+    mass_scale: float
+    impulse_scale: float
+    slowest_bias: float
+    impact_allowance: float

@@ -1,0 +1,62 @@
+"""The contact tables of a step: the contacts found, those of the step before, and which of them are solved."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from sandbox.tables import Field, Integers, Records, Table
+
+SLEEPING_RUN = Table(
+    "sleeping_run",
+    (
+        Field("first", "-", "row of its first contact", "i8"),
+        Field("end", "-", "row after its last one", "i8"),
+        Field("rank", "-", "contacts kept before it in the table", "i8"),
+    ),
+)
+"""Contacts among sleeping bodies, one after the other in a table of contacts."""
+
+SLEEPING_CURSOR = Table(
+    "sleeping_cursor",
+    (
+        Field("turn", "-", "0 or 1: which of the two tables of contacts is written", "i8"),
+        Field("generation0", "-", "of the active set when table 0 was written; 0 if never", "i8"),
+        Field("generation1", "-", "of the active set when table 1 was written", "i8"),
+        Field("runs0", "-", "runs in table 0", "i8"),
+        Field("runs1", "-", "runs in table 1", "i8"),
+        Field("written", "-", "runs in the table under way", "i8"),
+        Field("rank", "-", "contacts kept so far", "i8"),
+        Field("old", "-", "next run of the old table", "i8"),
+        Field("here", "-", "next run that is in the table under way from two steps ago", "i8"),
+        Field("quiet", "-", "1 when the runs of the old table hold", "i8"),
+        Field("same", "-", "1 when those in the table under way hold as well", "i8"),
+    ),
+)
+"""One row: how far the contacts among sleepers have been kept."""
+
+REPORT = Table(
+    "report",
+    (
+        Field("total_impulse", "N s", "normal impulse over the whole step, impacts included, both points"),
+        Field("hit_speed", "m/s", "at which points that did not push before closed in during the step; 0 if none"),
+    ),
+)
+"""What a contact did during the step; same row as the contact."""
+
+
+class Contacts(NamedTuple):
+    """Contacts `now` and those of the step `before`, both sorted by (shape_a, shape_b).
+
+    `active[1:]` are the rows of contacts with an active body, `impact_candidates[1:]` those of them that may have an
+    impact; item 0 of both is how many. `cursor` (one row) and `runs` are of `sleeping_contacts`: the runs of the two
+    tables and those of the walk, in thirds. `manifold` is scratch.
+    """
+
+    now: Records
+    before: Records
+    active: Integers
+    impact_candidates: Integers
+    cursor: Records
+    runs: Records
+    reports: Records
+    manifold: Records
