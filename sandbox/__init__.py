@@ -13,9 +13,10 @@ itself costs nothing.
 from __future__ import annotations
 
 import importlib
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-__version__ = "0.1.0"
+from sandbox._version import __version__
+from sandbox.notebook import render_with
 
 if TYPE_CHECKING:
     from sandbox.engine.events.events import Events
@@ -146,6 +147,14 @@ _HOMES = {
     "World": "sandbox.engine.world",
 }
 """Where each public name lives."""
+
+
+def _html_of(value: Any) -> str:
+    rendered: str = importlib.import_module("sandbox.report.notebook").html_of(value)
+    return rendered
+
+
+render_with(_html_of)
 
 
 def __getattr__(name: str) -> object:

@@ -44,7 +44,7 @@ def _load(name: str) -> Any:
 
 def _show_version(wanted: bool) -> None:
     if wanted:
-        from sandbox import __version__
+        from sandbox._version import __version__
 
         typer.echo(f"sandbox {__version__}")
         raise typer.Exit

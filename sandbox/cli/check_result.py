@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from sandbox import __version__
+from sandbox._version import __version__
 from sandbox.cli.failures import FAILED, HOLDS, UNUSABLE
 from sandbox.errors import Problem, SceneError
 

@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from sandbox import __version__
+from sandbox._version import __version__
 from sandbox.cli.check_result import problems
 from sandbox.cli.failures import FAILED, HOLDS, UNUSABLE
 

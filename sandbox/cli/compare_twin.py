@@ -8,7 +8,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from sandbox import __version__
+from sandbox._version import __version__
 from sandbox.cli.check_result import problems
 from sandbox.cli.failures import HOLDS, UNUSABLE, report
 from sandbox.errors import SandboxError

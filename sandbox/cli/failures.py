@@ -36,7 +36,7 @@ def report(error: Exception) -> int:
 
 
 def _bug_text(error: Exception) -> str:
-    from sandbox import __version__
+    from sandbox._version import __version__
 
     frames = traceback.extract_tb(error.__traceback__)
     place = f" at {frames[-1].filename}:{frames[-1].lineno}" if frames else ""

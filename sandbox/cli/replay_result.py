@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
-from sandbox import __version__
+from sandbox._version import __version__
 from sandbox.cli.replay_words import advice, reasons
 from sandbox.replay.golden.examine import Report
 

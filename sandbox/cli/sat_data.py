@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from sandbox import __version__
+from sandbox._version import __version__
 from sandbox.cli.sat_pair import SatPair
 from sandbox.geometry.sat_table import SatTable
 from sandbox.geometry.shapes import Shape

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TypeAlias
 
-from sandbox import __version__
+from sandbox._version import __version__
 from sandbox.errors import SandboxError
 from sandbox.replay.golden.examine import Report
 from sandbox.replay.recording.environment import environment

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sandbox import __version__
+from sandbox._version import __version__
 from sandbox.engine.arithmetic_version import ARITHMETIC
 from sandbox.replay.recording.environment import environment
 from sandbox.replay.recording.recording import Recording

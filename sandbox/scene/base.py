@@ -7,6 +7,7 @@ from typing import Any
 from pydantic import BaseModel, ConfigDict, ValidationError
 
 from sandbox.errors import SceneError
+from sandbox.scene.wording import findings
 
 
 class Model(BaseModel):
@@ -18,8 +19,6 @@ class Model(BaseModel):
         try:
             super().__init__(**data)
         except ValidationError as error:
-            from sandbox.scene.wording import findings
-
             problems = [finding.problem() for finding in findings(error, type(self))]
             raise SceneError(type(self).__name__, problems) from None
 

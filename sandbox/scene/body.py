@@ -9,6 +9,7 @@ from pydantic import Field
 from sandbox.scene.base import Model
 from sandbox.scene.constraints import Listed
 from sandbox.scene.limits import MAX_SHAPES, MAX_THRUSTERS
+from sandbox.scene.objects import known_as
 from sandbox.scene.quantities import (
     Color,
     Damping,
@@ -73,6 +74,7 @@ class Placed(Model):
     position: Point = Field(default=(0.0, 0.0), description="Of the body's origin, m.")
 
 
+@known_as("a body")
 class Body(Prefab, Placed):
     """One body."""
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import fields
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from sandbox.geometry.decompose import decompose
 from sandbox.geometry.rotation import RADIANS_PER_DEGREE
@@ -17,11 +17,9 @@ from sandbox.scene.flat_shapes import flat_shapes
 from sandbox.scene.generators import Chain, Generator, body_count, body_names, kind_of
 from sandbox.scene.known import NOTHING, Known
 from sandbox.scene.limits import MAX_SHAPES
+from sandbox.scene.scene_fields import SceneFields
 from sandbox.scene.shapes import Polygon
 from sandbox.scene.solidity import faults
-
-if TYPE_CHECKING:
-    from sandbox.scene.scene import Scene
 
 _FARTHEST = 1e9
 _SAME = [
@@ -33,7 +31,7 @@ _SAME = [
 class Flattener:
     """Expands one scene, which may refer to what is `known`; `findings` collects mistakes that show only now."""
 
-    def __init__(self, scene: Scene, known: Known = NOTHING) -> None:
+    def __init__(self, scene: SceneFields, known: Known = NOTHING) -> None:
         self.scene = scene
         self._known = known
         self.findings: list[Finding] = []

@@ -5,9 +5,11 @@ from __future__ import annotations
 from pydantic import Field
 
 from sandbox.scene.base import Model
+from sandbox.scene.objects import known_as
 from sandbox.scene.quantities import Density, Distance, Fraction, Ratio, Velocity
 
 
+@known_as("a material")
 class Material(Model):
     """What a shape is made of, under a name that bodies and shapes refer to."""
 

@@ -8,9 +8,11 @@ from pydantic import Field
 
 from sandbox.scene.base import Model
 from sandbox.scene.constraints import Range
+from sandbox.scene.objects import known_as
 from sandbox.scene.quantities import Hertz, Point, Ratio, Size, Speed
 
 
+@known_as('"settings"')
 class Settings(Model):
     """Simulation settings."""
 
@@ -27,6 +29,7 @@ class Settings(Model):
     )
 
 
+@known_as('"view"')
 class View(Model):
     """What the camera shows at first."""
 

@@ -13,6 +13,7 @@ from sandbox.geometry.polygon import MIN_EDGE, PolygonError
 from sandbox.scene.constraints import Listed, Range
 from sandbox.scene.limits import ALL_BITS, MAX_OUTLINE
 from sandbox.scene.material import Surface
+from sandbox.scene.objects import known_as
 from sandbox.scene.quantities import (
     Bits,
     ChainPoints,
@@ -147,6 +148,7 @@ class Turnable(AnyShape):
     angle: Degrees = Field(default=0.0, description="Turn about `at`, degrees, counter-clockwise.")
 
 
+@known_as("a shape")
 class Box(Turnable):
     """A rectangle, centred on `at`."""
 

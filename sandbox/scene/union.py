@@ -9,6 +9,10 @@ from pydantic import BaseModel, Discriminator
 
 TAG = "\x00"
 """Begins every tag, so that a tag in pydantic's error location cannot be taken for a field name."""
+TAGS: set[str] = set()
+"""All tags that the unions below have."""
+UNIONS: dict[str, Mapping[str, type[BaseModel]]] = {}
+"""The kinds of each union (key -> model), by the word for what they are, such as "shape"."""
 
 
 def by_key(what: str, kinds: Mapping[str, type[BaseModel]]) -> Discriminator:
@@ -19,18 +23,21 @@ def by_key(what: str, kinds: Mapping[str, type[BaseModel]]) -> Discriminator:
         found = [key for key in kinds if key in given]
         return TAG + found[0] if len(found) == 1 else None
 
+    _register(what, kinds)
     return Discriminator(tag_of, custom_error_type="kind", custom_error_message=what)
 
 
 def by_type(what: str) -> Discriminator:
     """A discriminator over number, text and list; `what` completes "must be ..." in its error."""
 
+    tags = ((int, "number"), (str, "text"), ((list, tuple), "list"))
+
     def tag_of(value: Any) -> str | None:
         if isinstance(value, bool):
             return None
-        tags = ((int, "number"), (str, "text"), ((list, tuple), "list"))
         return next((TAG + tag for kind, tag in tags if isinstance(value, kind)), None)
 
+    TAGS.update(TAG + tag for _, tag in tags)
     return Discriminator(tag_of, custom_error_type="choice", custom_error_message=what)
 
 
@@ -41,4 +48,10 @@ def by_value(what: str, field: str, kinds: Mapping[str, type[BaseModel]]) -> Dis
         given = value.get(field) if isinstance(value, dict) else getattr(value, field, None)
         return TAG + given if isinstance(given, str) and given in kinds else None
 
+    _register(what, kinds)
     return Discriminator(tag_of, custom_error_type="kind_value", custom_error_message=what)
+
+
+def _register(what: str, kinds: Mapping[str, type[BaseModel]]) -> None:
+    UNIONS[what] = kinds
+    TAGS.update(TAG + key for key in kinds)

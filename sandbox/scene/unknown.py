@@ -2,56 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from itertools import islice
-from typing import Any
+from types import UnionType
+from typing import Annotated, Any, Union, get_args, get_origin
 
-from pydantic import BaseModel
+from pydantic import BaseModel, Tag
 
-from sandbox.scene.body import Body, Prefab
 from sandbox.scene.constraints import describe
-from sandbox.scene.expect import CONDITIONS
 from sandbox.scene.finding import Finding, Path, did_you_mean, quoted
-from sandbox.scene.generators import GENERATORS
-from sandbox.scene.joints import JOINTS
 from sandbox.scene.limits import MAX_FINDINGS
-from sandbox.scene.material import Material
-from sandbox.scene.regions import REGIONS
-from sandbox.scene.settings import Settings, View
-from sandbox.scene.shapes import SHAPES
-from sandbox.scene.thruster import Thruster
-from sandbox.scene.union import TAG
-
-_UNIONS: dict[str, Mapping[str, type[BaseModel]]] = {
-    "shape": SHAPES,
-    "generator": GENERATORS,
-    "expectation": CONDITIONS,
-    "region": REGIONS,
-}
-_KINDS: dict[str, type[BaseModel]] = {**SHAPES, **GENERATORS, **CONDITIONS, **JOINTS, **REGIONS}
-_FIELDS: dict[str, type[BaseModel]] = {
-    "bodies": Body,
-    "prefabs": Prefab,
-    "materials": Material,
-    "settings": Settings,
-    "view": View,
-}
-TAGS = {TAG + key for key in (*_KINDS, "number", "text", "list")}
-"""What pydantic puts into locations to tell the kinds of a union."""
-
-_HOMES: dict[str, type[BaseModel]] = {
-    "a material": Material,
-    "a shape": SHAPES["box"],
-    "a body": Body,
-    '"settings"': Settings,
-    '"view"': View,
-}
+from sandbox.scene.objects import OBJECTS
+from sandbox.scene.union import TAGS, UNIONS
 
 
 def unknown_field(path: Path, known: list[str]) -> Finding:
     name = str(path[-1])
     hint = did_you_mean(name, known)
-    homes = [home for home, model in _HOMES.items() if name in model.model_fields]
+    homes = [home for home, model in OBJECTS.items() if name in model.model_fields]
     if homes and hint != f'did you mean "{name}"?':
         hint = f"it belongs in {' or '.join(homes)}"
     return Finding(path, f"unknown field {quoted(name)}", hint, on_key=True)
@@ -60,8 +28,8 @@ def unknown_field(path: Path, known: list[str]) -> Finding:
 def no_kind(path: Path, item: Mapping[str, Any]) -> list[Finding]:
     """An object of a union of which no kind, or more than one, can be told."""
     value, what = item["input"], item["msg"]
-    kinds = list(_UNIONS[what])
-    fields = list(dict.fromkeys(name for kind in _UNIONS[what].values() for name in kind.model_fields))
+    kinds = list(UNIONS[what])
+    fields = list(dict.fromkeys(name for kind in UNIONS[what].values() for name in kind.model_fields))
     article = "an" if what[0] in "aeiou" else "a"
     if not isinstance(value, dict):
         return [
@@ -87,7 +55,7 @@ def no_type(path: Path, item: Mapping[str, Any]) -> list[Finding]:
     value, what = item["input"], item["msg"]
     if not isinstance(value, dict):
         return [Finding(path, f'a {what} must be an object such as {{"type": "revolute", ...}}, not {describe(value)}')]
-    kinds = [*JOINTS]
+    kinds = list(UNIONS[what])
     given = value.get("type")
     listed = ", ".join(f'"{key}"' for key in kinds)
     if isinstance(given, str):
@@ -100,17 +68,44 @@ def no_type(path: Path, item: Mapping[str, Any]) -> list[Finding]:
     return [Finding(path, f'a {what} needs a "type", one of {listed}')]
 
 
-def model_at(loc: Path, root: type[BaseModel] | None) -> type[BaseModel] | None:
-    """The model that a pydantic location lies in."""
-    model = root
-    for place, part in enumerate(loc):
+def model_at(loc: Path, root: type[BaseModel]) -> type[BaseModel] | None:
+    """The model that a pydantic location in a `root` lies in; None where it is none."""
+    hint: Any = root
+    for part in loc:
+        hint = _hint_inside(hint, part)
+    return next((kind for kind in _leaves(hint) if isinstance(kind, type) and issubclass(kind, BaseModel)), None)
+
+
+def _hint_inside(hint: Any, part: str | int) -> Any:
+    """The type hint of the value at `part` (a field, key, index or tag) of a value of type `hint`; maybe None."""
+    origin, parts = get_origin(hint), get_args(hint)
+    if origin is Annotated:
+        return _hint_inside(parts[0], part)
+    if origin in (Union, UnionType):
         if part in TAGS:
-            model = _KINDS.get(str(part)[len(TAG) :], model)
-        elif place == 0 and part in _FIELDS:
-            model = _FIELDS[part]
-        elif part == "thrusters":
-            model = Thruster
-    return model
+            return next((kind for kind in parts if _tag(kind) == part), None)
+        return next((found for kind in parts if (found := _hint_inside(kind, part)) is not None), None)
+    if origin is dict:
+        return parts[1]
+    if origin is tuple and isinstance(part, int):
+        return parts[0] if Ellipsis in parts else parts[part] if part < len(parts) else None
+    fields = getattr(hint, "model_fields", {})
+    return next((field.annotation for name, field in fields.items() if part in (name, field.alias)), None)
+
+
+def _leaves(hint: Any) -> Iterator[Any]:
+    """The types of a hint without annotations and `| None`."""
+    if get_origin(hint) is Annotated:
+        yield from _leaves(get_args(hint)[0])
+    elif get_origin(hint) in (Union, UnionType):
+        for kind in get_args(hint):
+            yield from _leaves(kind)
+    else:
+        yield hint
+
+
+def _tag(hint: Any) -> str | None:
+    return next((extra.tag for extra in get_args(hint)[1:] if isinstance(extra, Tag)), None)
 
 
 def names(model: type[BaseModel] | None) -> list[str]:

@@ -11,7 +11,8 @@ from pydantic import BaseModel, ValidationError
 from sandbox.scene.constraints import describe
 from sandbox.scene.finding import Finding, Path, did_you_mean, quoted
 from sandbox.scene.limits import MAX_FINDINGS
-from sandbox.scene.unknown import TAGS, model_at, names, no_kind, no_type, unknown_field
+from sandbox.scene.union import TAGS
+from sandbox.scene.unknown import model_at, names, no_kind, no_type, unknown_field
 
 _WANTED = {
     "float_type": "must be a number",
@@ -24,15 +25,15 @@ _WANTED = {
 }
 
 
-def findings(error: ValidationError, root: type[BaseModel] | None = None) -> list[Finding]:
-    """The findings of a validation of `root` (None: some part of a scene), in pydantic's order."""
+def findings(error: ValidationError, root: type[BaseModel]) -> list[Finding]:
+    """The findings of a validation of `root`, in pydantic's order."""
     found: list[Finding] = []
     for item in error.errors(include_url=False)[:MAX_FINDINGS]:
         found += _reworded(item, root)
     return found
 
 
-def _reworded(item: Mapping[str, Any], root: type[BaseModel] | None) -> list[Finding]:
+def _reworded(item: Mapping[str, Any], root: type[BaseModel]) -> list[Finding]:
     loc = item["loc"]
     path: Path = tuple(part for part in loc if part not in TAGS)
     kind = item["type"]

@@ -7,7 +7,7 @@ from functools import lru_cache
 from pathlib import Path
 
 import sandbox
-from sandbox import __version__
+from sandbox._version import __version__
 from sandbox.engine.arithmetic_version import ARITHMETIC
 from sandbox.replay.causes.engine_edits import FileEdit, is_engine, told
 from sandbox.replay.causes.history import git, revisions_of

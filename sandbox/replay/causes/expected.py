@@ -22,6 +22,7 @@ from sandbox.replay.recording.fingerprint import fingerprint
 from sandbox.replay.recording.meaning import meaning_of
 from sandbox.replay.recording.read import loads_recording
 from sandbox.replay.recording.recording import Recording
+from sandbox.replay.recording.recording_fields import RecordingFields
 from sandbox.resources import shipped_scenes
 from sandbox.scene import Scene
 from sandbox.scene.load import loads_scene
@@ -116,7 +117,7 @@ def _with_other_commands(recording: Recording, scene: Scene) -> Iterator[Expecte
             yield Expected(Run(scene, old.steps, old.commands), f"the commands of {where}", "command", said)
 
 
-def _earlier_recordings(recording: Recording) -> Iterator[tuple[str, Recording]]:
+def _earlier_recordings(recording: Recording) -> Iterator[tuple[str, RecordingFields]]:
     """The file as it stands, for a test may do something else, and earlier versions with the same fingerprints."""
     path = recording.source
     if path is None:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from sandbox.replay.golden.divergence import Divergence, Drift
 from sandbox.replay.recording.checkpoint import Checkpoint
-from sandbox.replay.recording.recording import Pose
+from sandbox.replay.recording.recording_fields import Pose
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from sandbox.replay.recording.file_model import FileModel, SceneEntry
 from sandbox.replay.recording.limits import MAX_BYTES, MAX_STEPS
 from sandbox.replay.recording.meaning import Meaning
 from sandbox.replay.recording.migrate import migrated
-from sandbox.replay.recording.recording import Recording, SceneSource
+from sandbox.replay.recording.recording_fields import RecordingFields, SceneSource
 from sandbox.scene import Scene
 from sandbox.scene.finding import Finding, path_of
 from sandbox.scene.finding import Path as Way
@@ -25,7 +25,7 @@ from sandbox.scene.report import scene_error
 from sandbox.scene.wording import findings
 
 
-def read_recording(path: Path) -> Recording:
+def read_recording(path: Path) -> RecordingFields:
     """The recording in a file. Raises `RecordingError`."""
     try:
         text = read_text(path, "recording", MAX_BYTES).removeprefix("\ufeff")
@@ -56,7 +56,7 @@ def _loads_commands(text: str, path: Path) -> tuple[TimedCommand, ...]:
     return tuple(commands)
 
 
-def loads_recording(text: str, path: Path) -> Recording:
+def loads_recording(text: str, path: Path) -> RecordingFields:
     """The recording in a text that stands in the file `path`. Raises `SceneError`."""
     if not text.strip():
         raise SceneError(str(path), [Problem("the file is empty")])
@@ -129,11 +129,13 @@ def _content(entry: SceneEntry) -> tuple[Scene | None, list[Finding]]:
         return None, [Finding(("scene", "content", *path_of(p.pointer)), p.message, p.hint) for p in error.problems]
 
 
-def _recording(model: FileModel, commands: tuple[TimedCommand, ...], content: Scene | None, path: Path) -> Recording:
+def _recording(
+    model: FileModel, commands: tuple[TimedCommand, ...], content: Scene | None, path: Path
+) -> RecordingFields:
     entry = model.scene
     meaning = Meaning(entry.hash, entry.world, entry.bodies, entry.joints)
     place = path.parent / entry.path if entry.path is not None else None
-    return Recording(
+    return RecordingFields(
         scene=SceneSource(meaning, place, content),
         steps=model.steps,
         step_rate=model.step_rate,

@@ -13,7 +13,8 @@ from sandbox.replay.recording.checkpoint import EVERY, Checkpoint, checkpoint
 from sandbox.replay.recording.command_words import TimedCommand, plain_command
 from sandbox.replay.recording.fingerprint import fingerprint
 from sandbox.replay.recording.meaning import meaning_of
-from sandbox.replay.recording.recording import Recording, SceneSource
+from sandbox.replay.recording.recording import Recording
+from sandbox.replay.recording.recording_fields import SceneSource
 from sandbox.replay.trial import planned_steps
 from sandbox.scene import Scene, load_scene
 

@@ -3,47 +3,18 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TypeAlias
 
-from sandbox import __version__
-from sandbox.engine.arithmetic_version import ARITHMETIC
 from sandbox.notebook import Shown
-from sandbox.replay.recording.checkpoint import Checkpoint
-from sandbox.replay.recording.command_words import TimedCommand
-from sandbox.replay.recording.environment import environment
-from sandbox.replay.recording.meaning import Meaning
-from sandbox.scene import Scene, load_scene
-
-Pose: TypeAlias = tuple[float, float, float]
-"""Position x and y (m) and angle (rad) of a body's origin."""
+from sandbox.replay.recording.read import read_recording
+from sandbox.replay.recording.recording_fields import RecordingFields
+from sandbox.replay.recording.write import write_recording
+from sandbox.scene import Scene
 
 
 @dataclass(frozen=True)
-class SceneSource:
-    """Where a recording's scene is: in a file at `path`, or in `content`; `meaning` is what it came down to then."""
-
-    meaning: Meaning
-    path: Path | None = None
-    content: Scene | None = None
-
-    @property
-    def gone(self) -> bool:
-        """Whether the scene's file is not there any more."""
-        return self.content is None and self.path is not None and not self.path.is_file()
-
-    def load(self) -> Scene:
-        """The scene as it is now. Raises `SceneError`."""
-        if self.content is not None:
-            return self.content
-        assert self.path is not None
-        return load_scene(self.path)
-
-
-@dataclass(frozen=True)
-class Recording(Shown):
+class Recording(Shown, RecordingFields):
     """What a run did, step for step.
 
     `commands` are (step, command) in order: the command comes after that many steps. `digests[k]` is the fingerprint
@@ -51,25 +22,10 @@ class Recording(Shown):
     `version` and `environment` say what it was recorded with, `source` the file it was read from.
     """
 
-    scene: SceneSource
-    steps: int
-    step_rate: float
-    commands: tuple[TimedCommand, ...]
-    digests: tuple[str, ...]
-    checkpoints: tuple[Checkpoint, ...]
-    final: Mapping[str, Pose]
-    digest: str
-    arithmetic: int = ARITHMETIC
-    version: str = __version__
-    environment: str = field(default_factory=environment)
-    source: Path | None = None
-
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Recording:
         """The recording in a file. Raises `RecordingError` with every mistake and its place."""
-        from sandbox.replay.recording.read import read_recording
-
-        return read_recording(Path(path))
+        return cls(**vars(read_recording(Path(path))))
 
     def save(self, path: str | os.PathLike[str], embed: bool | None = None) -> None:
         """Write the recording as JSON. Its scene goes in by path and hash, with `embed` by content.
@@ -77,8 +33,6 @@ class Recording(Shown):
         Without `embed` a scene that has no file, or that comes with the package, goes in by content.
         Raises `RecordingError` if it cannot be written so.
         """
-        from sandbox.replay.recording.write import write_recording
-
         write_recording(self, Path(path), embed)
 
     def load_scene(self) -> Scene:

@@ -13,14 +13,14 @@ from sandbox.errors import Problem, RecordingError
 from sandbox.replay.recording.command_words import encode
 from sandbox.replay.recording.limits import MAX_COMMANDS, MAX_STEPS
 from sandbox.replay.recording.migrate import FORMAT
-from sandbox.replay.recording.recording import Recording, SceneSource
+from sandbox.replay.recording.recording_fields import RecordingFields, SceneSource
 from sandbox.resources import scenes_dir
 from sandbox.scene.pretty import kinds_first
 
 _WIDTH = 100
 
 
-def write_recording(recording: Recording, path: Path, embed: bool | None) -> None:
+def write_recording(recording: RecordingFields, path: Path, embed: bool | None) -> None:
     """Write `recording` to `path`. Raises `RecordingError`, or `OSError` if the file cannot be written."""
     if not 1 <= recording.steps <= MAX_STEPS or len(recording.commands) > MAX_COMMANDS:
         limits = f"a recording has 1 to {MAX_STEPS:,} steps and at most {MAX_COMMANDS:,} commands"
@@ -36,12 +36,12 @@ def write_recording(recording: Recording, path: Path, embed: bool | None) -> Non
         raise
 
 
-def recording_text(recording: Recording, path: Path, embed: bool | None = None) -> str:
+def recording_text(recording: RecordingFields, path: Path, embed: bool | None = None) -> str:
     """The text of the file that is to stand at `path`."""
     return "{\n" + ",\n".join(_members(recording, path, embed)) + "\n}\n"
 
 
-def _members(recording: Recording, path: Path, embed: bool | None) -> Iterator[str]:
+def _members(recording: RecordingFields, path: Path, embed: bool | None) -> Iterator[str]:
     yield _member("format", _json(FORMAT))
     yield _member("sandbox", _json(recording.version))
     yield _member("arithmetic", _json(recording.arithmetic))

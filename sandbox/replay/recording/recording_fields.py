@@ -1,0 +1,63 @@
+"""What a recording holds."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TypeAlias
+
+from sandbox._version import __version__
+from sandbox.engine.arithmetic_version import ARITHMETIC
+from sandbox.replay.recording.checkpoint import Checkpoint
+from sandbox.replay.recording.command_words import TimedCommand
+from sandbox.replay.recording.environment import environment
+from sandbox.replay.recording.meaning import Meaning
+from sandbox.scene import Scene, load_scene
+
+Pose: TypeAlias = tuple[float, float, float]
+"""Position x and y (m) and angle (rad) of a body's origin."""
+
+
+@dataclass(frozen=True)
+class SceneSource:
+    """Where a recording's scene is: in a file at `path`, or in `content`; `meaning` is what it came down to then."""
+
+    meaning: Meaning
+    path: Path | None = None
+    content: Scene | None = None
+
+    @property
+    def gone(self) -> bool:
+        """Whether the scene's file is not there any more."""
+        return self.content is None and self.path is not None and not self.path.is_file()
+
+    def load(self) -> Scene:
+        """The scene as it is now. Raises `SceneError`."""
+        if self.content is not None:
+            return self.content
+        assert self.path is not None
+        return load_scene(self.path)
+
+
+@dataclass(frozen=True)
+class RecordingFields:
+    """The fields of a recording; `Recording` adds loading and saving.
+
+    `commands` are (step, command) in order: the command comes after that many steps. `digests[k]` is the fingerprint
+    after step k + 1, `digest` that of the whole state at the end, `final` the pose of each body there. `arithmetic`,
+    `version` and `environment` say what it was recorded with, `source` the file it was read from.
+    """
+
+    scene: SceneSource
+    steps: int
+    step_rate: float
+    commands: tuple[TimedCommand, ...]
+    digests: tuple[str, ...]
+    checkpoints: tuple[Checkpoint, ...]
+    final: Mapping[str, Pose]
+    digest: str
+    arithmetic: int = ARITHMETIC
+    version: str = __version__
+    environment: str = field(default_factory=environment)
+    source: Path | None = None

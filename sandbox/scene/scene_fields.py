@@ -1,0 +1,51 @@
+"""The fields of a scene, as they stand in a file."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from sandbox.scene.base import Model
+from sandbox.scene.body import Body, Prefab
+from sandbox.scene.constraints import Exactly, Listed
+from sandbox.scene.expect import AnyExpectation
+from sandbox.scene.generators import AnyGenerator
+from sandbox.scene.joints import AnyJoint
+from sandbox.scene.limits import MAX_BODIES, MAX_CATEGORIES, MAX_EXPECTATIONS, MAX_GENERATORS, MAX_JOINTS, MAX_REGIONS
+from sandbox.scene.material import Material
+from sandbox.scene.quantities import Acceleration2, Name
+from sandbox.scene.regions import AnyRegion
+from sandbox.scene.settings import Settings, View
+
+
+class SceneFields(Model):
+    """All that an author writes; `Scene` adds what can be done with it."""
+
+    schema_uri: str | None = Field(default=None, alias="$schema", description="For editors; not read.")
+    format: Annotated[Literal[1], Exactly(1)] = Field(default=1, description="Version of the format.")
+    title: str = Field(default="", description="A line for people.")
+    about: str = Field(default="", description="What to watch for.")
+    gravity: Acceleration2 = Field(default=(0.0, -9.81), description="[x, y], m/s^2; y points up.")
+    categories: Annotated[tuple[Name, ...], Listed('["name", ...]', 0, MAX_CATEGORIES)] = Field(
+        default=(), description='Names of collision categories; "default" is one already.'
+    )
+    materials: dict[Name, Material] = Field(default={}, description="Materials by name.")
+    prefabs: dict[Name, Prefab] = Field(default={}, description="Patterns for bodies and generators, by name.")
+    bodies: Annotated[tuple[Body, ...], Listed("of bodies", 0, MAX_BODIES)] = Field(
+        default=(), description="The bodies."
+    )
+    generate: Annotated[tuple[AnyGenerator, ...], Listed("of generators", 0, MAX_GENERATORS)] = Field(
+        default=(), description="Bodies made by rule, after the written ones."
+    )
+    joints: Annotated[tuple[AnyJoint, ...], Listed("of joints", 0, MAX_JOINTS)] = Field(
+        default=(), description="What holds bodies together."
+    )
+    regions: Annotated[tuple[AnyRegion, ...], Listed("of regions", 0, MAX_REGIONS)] = Field(
+        default=(), description="Areas in which a field pushes: water, gravity, wind."
+    )
+    settings: Settings = Field(default=Settings(), description="How the scene is simulated.")
+    view: View | None = Field(default=None, description="What the camera shows; default: the whole scene.")
+    expect: Annotated[tuple[AnyExpectation, ...], Listed("of expectations", 0, MAX_EXPECTATIONS)] = Field(
+        default=(), description="What must hold when the scene runs."
+    )
