@@ -4,43 +4,17 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any
 
 import typer
 from typer.core import TyperCommand
 
+from sandbox.cli.options import takes
+from sandbox.cli.replay_options import ReplayOptions
 from sandbox.errors import SandboxError
 
 if TYPE_CHECKING:
     from sandbox.replay.golden.examine import Demands
-
-_PATHS = typer.Argument(metavar="PATH", help="Recordings, scenes, or folders to search for *.replay.json.")
-_JOBS = typer.Option("-j", "--jobs", min=0, max=256, metavar="N", help="Processes at a time; 0: one a processor.")
-_TOLERANCE = typer.Option(
-    "--tolerance/--exact", help="Compare energies, counts and places within tolerances instead of bits."
-)
-_UPDATE = typer.Option(
-    metavar="[missing|changed|all]",
-    show_default=False,
-    help="Write new recordings for scenes that lack one, for those that changed as well (the default), or for all.",
-)
-_PRUNE = typer.Option("--prune", help="Remove recordings whose scene is gone.")
-_HEAVY = typer.Option("--heavy", help="Take every step from a restored snapshot as well, and compare.")
-_NO_JIT = typer.Option("--no-jit", help="Run the kernels as plain Python: slow, and the same bits.")
-_JSON = typer.Option("--json", help="Print one JSON document instead of the table.")
-_JUNIT = typer.Option(metavar="FILE", show_default=False, help="Write a JUnit report as well.")
-_REPORT = typer.Option(
-    metavar="FILE.html", show_default=False, help="Write a page that shows what did not pass; it needs no server."
-)
-_LAST = typer.Option("--last-failed", help="Only those that failed the last time, here; all if none did.")
-_SHARD = typer.Option(metavar="I/N", show_default=False, help="Only part I of N: every N-th file.")
-_ONLY = typer.Option("-k", "--only", metavar="TEXT", show_default=False, help="Only files whose path contains TEXT.")
-_AGAINST = typer.Option(
-    metavar="REV", show_default=False, help="Hold them against what the engine did at a git revision, side by side."
-)
-_ENGINE = typer.Option(
-    metavar="FOLDER", show_default=False, help="For --against: a git checkout of the engine, if it is not running."
-)
 
 UPDATES = ("missing", "changed", "all")
 
@@ -53,23 +27,8 @@ class CommandClass(TyperCommand):
         return super().parse_args(ctx, ["--update=changed" if arg == "--update" else arg for arg in args])
 
 
-def replay(
-    paths: Annotated[list[Path], _PATHS],
-    jobs: Annotated[int, _JOBS] = 1,
-    tolerance: Annotated[bool, _TOLERANCE] = False,
-    update: Annotated[str, _UPDATE] = "",
-    prune: Annotated[bool, _PRUNE] = False,
-    heavy: Annotated[bool, _HEAVY] = False,
-    no_jit: Annotated[bool, _NO_JIT] = False,
-    json: Annotated[bool, _JSON] = False,
-    junit: Annotated[Path | None, _JUNIT] = None,
-    report: Annotated[Path | None, _REPORT] = None,
-    last_failed: Annotated[bool, _LAST] = False,
-    shard: Annotated[str, _SHARD] = "",
-    only: Annotated[str, _ONLY] = "",
-    against: Annotated[str, _AGAINST] = "",
-    engine: Annotated[Path | None, _ENGINE] = None,
-) -> None:
+@takes(ReplayOptions)
+def replay(options: ReplayOptions) -> None:
     """Run recordings again without a window and compare every step with what was recorded.
 
     passed: the same bits. diverged: other bits. stale: the scene was edited since. missing: a scene with expectations
@@ -80,18 +39,18 @@ def replay(
     Exit code 2: a file or an option could not be used; the others still ran.
     Exit code 5: nothing was found to run.
     """
-    demands = _demands(tolerance, heavy, update, prune)
-    part = _part(shard)
-    _check_report(report)
-    if against and (tolerance or heavy or update or prune):
+    demands = _demands(options)
+    part = _part(options.shard)
+    _check_report(options.report)
+    if options.against and (options.tolerance or options.heavy or options.update or options.prune):
         raise SandboxError("--against: two revisions are compared bit for bit, and nothing is renewed")
     from sandbox.cli.replay_run import Work, run
 
-    work = Work(tuple(paths), demands, jobs, no_jit, json, junit, last_failed, part, only, report, against, engine)
-    raise typer.Exit(run(work))
+    raise typer.Exit(run(Work(options, demands, part)))
 
 
-def _demands(tolerance: bool, heavy: bool, update: str, prune: bool) -> Demands:
+def _demands(options: ReplayOptions) -> Demands:
+    update, prune = options.update, options.prune
     if update and update not in UPDATES:
         raise SandboxError(f"--update={update}: there are {', '.join(UPDATES)}")
     if (update or prune) and os.environ.get("CI"):
@@ -100,7 +59,7 @@ def _demands(tolerance: bool, heavy: bool, update: str, prune: bool) -> Demands:
     from sandbox.replay.golden.examine import Demands
     from sandbox.replay.golden.tolerance import Tolerance
 
-    return Demands(Tolerance() if tolerance else None, heavy, update, prune)  # type: ignore[arg-type]
+    return Demands(Tolerance() if options.tolerance else None, options.heavy, update, prune)  # type: ignore[arg-type]
 
 
 def _check_report(path: Path | None) -> None:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from rich.console import Console
 
 from sandbox.cli.failures import FAILED, HOLDS, NOTHING, UNUSABLE
+from sandbox.cli.replay_options import ReplayOptions
 from sandbox.replay.golden.cases import Case, find_cases, shard
 from sandbox.replay.golden.examine import Demands, Report
 
@@ -21,20 +22,12 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Work:
-    """What the command line asked for."""
+    """What the command line asked for, checked."""
 
-    paths: tuple[Path, ...]
+    options: ReplayOptions
     demands: Demands
-    jobs: int = 1
-    no_jit: bool = False
-    json: bool = False
-    junit: Path | None = None
-    last_failed: bool = False
-    part: tuple[int, int] = (1, 1)
-    only: str = ""
-    report: Path | None = None
-    against: str = ""
-    engine: Path | None = None
+    part: tuple[int, int]
+    """I and N of `--shard`."""
 
 
 def run(work: Work) -> int:
@@ -45,17 +38,17 @@ def run(work: Work) -> int:
         return NOTHING
     with _other_engine(work) as other:
         start = time.perf_counter()
-        reports = (_run_for_machines if work.json else _run_for_people)(work, cases, other)
+        reports = (_run_for_machines if work.options.json else _run_for_people)(work, cases, other)
         _tell_others(work, reports, time.perf_counter() - start, other)
     return exit_code(reports)
 
 
 def _other_engine(work: Work) -> AbstractContextManager[Against | None]:
-    if not work.against:
+    if not work.options.against:
         return nullcontext()
     from sandbox.cli.against import Against
 
-    return Against(work.against, work.engine, work.no_jit)
+    return Against(work.options.against, work.options.engine, work.options.no_jit)
 
 
 def exit_code(reports: Sequence[Report]) -> int:
@@ -68,14 +61,14 @@ def exit_code(reports: Sequence[Report]) -> int:
 def _chosen(work: Work) -> list[Case]:
     from sandbox.cli.last_failed import only_failed
 
-    cases = shard(find_cases(work.paths, work.only), *work.part)
-    return only_failed(cases) if work.last_failed else cases
+    cases = shard(find_cases(work.options.paths, work.options.only), *work.part)
+    return only_failed(cases) if work.options.last_failed else cases
 
 
 def _nothing(work: Work) -> str:
-    where = ", ".join(path.as_posix() for path in work.paths)
-    if work.only:
-        where += f" with {work.only!r} in the path"
+    where = ", ".join(path.as_posix() for path in work.options.paths)
+    if work.options.only:
+        where += f" with {work.options.only!r} in the path"
     return f"sandbox: nothing to replay: no recording, and no scene that expects something, in {where}"
 
 
@@ -114,7 +107,7 @@ def _report_problems(report: Report) -> None:
 def _run_all(coming: Iterator[Report], work: Work, show: Callable[[Report], None]) -> list[Report]:
     from sandbox.cli.compiling import announce_compilation
 
-    if not work.no_jit:
+    if not work.options.no_jit:
         announce_compilation()
     reports = []
     for report in coming:
@@ -128,7 +121,7 @@ def _reports(work: Work, cases: Sequence[Case], console: Console, other: Against
         return other.reports(cases, console)
     from sandbox.cli.replay_pool import reports_of
 
-    return reports_of(cases, work.demands, work.jobs, work.no_jit, console)
+    return reports_of(cases, work.demands, work.options.jobs, work.options.no_jit, console)
 
 
 def _tell_others(work: Work, reports: Sequence[Report], seconds: float, other: Against | None) -> None:
@@ -138,13 +131,13 @@ def _tell_others(work: Work, reports: Sequence[Report], seconds: float, other: A
     from sandbox.cli.last_failed import remember
 
     remember(reports)
-    annotate(reports, to_stderr=work.json)
-    if work.junit is not None:
-        write_junit(work.junit, reports, seconds)
-    if work.report is not None:
-        _write_page(work, work.report, reports, seconds, other)
-        if not work.json:
-            print(f"{work.report}: a report, {work.report.stat().st_size / 1000:.0f} kB")
+    annotate(reports, to_stderr=work.options.json)
+    if work.options.junit is not None:
+        write_junit(work.options.junit, reports, seconds)
+    if work.options.report is not None:
+        _write_page(work, work.options.report, reports, seconds, other)
+        if not work.options.json:
+            print(f"{work.options.report}: a report, {work.options.report.stat().st_size / 1000:.0f} kB")
 
 
 def _write_page(work: Work, path: Path, reports: Sequence[Report], seconds: float, other: Against | None) -> None:
@@ -155,7 +148,7 @@ def _write_page(work: Work, path: Path, reports: Sequence[Report], seconds: floa
     from sandbox.report.report_page import write_report
     from sandbox.report.section import Entry
 
-    if work.no_jit and not all(report.fine for report in reports):
+    if work.options.no_jit and not all(report.fine for report in reports):
         announce_compilation()  # films are made in this process
     entries = [Entry(report, reasons(report), advice(report)) for report in reports]
     failed = sum(not report.fine for report in reports)

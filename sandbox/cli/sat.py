@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from sandbox.cli.options import takes
 from sandbox.errors import SandboxError
 from sandbox.resources import find_scene
 
@@ -38,37 +40,45 @@ _AXIS = typer.Option(
 _STEPS = typer.Option("--step-by-step", help="Tell the test step by step, down to the contact points.")
 
 
-def sat(
-    scene: Annotated[Path, _SCENE],
-    bodies: Annotated[tuple[str, str] | None, _BODIES] = None,
-    step: Annotated[int, _STEP] = 0,
-    all_axes: Annotated[bool, _ALL] = False,
-    json: Annotated[bool, _JSON] = False,
-    svg: Annotated[Path | None, _SVG] = None,
-    figure: Annotated[str | None, _FIGURE] = None,
-    axis: Annotated[int | None, _AXIS] = None,
-    step_by_step: Annotated[bool, _STEPS] = False,
-) -> None:
+@dataclass(frozen=True)
+class SatOptions:
+    """What `sandbox sat` was asked for."""
+
+    scene: Annotated[Path, _SCENE]
+    bodies: Annotated[tuple[str, str] | None, _BODIES] = None
+    step: Annotated[int, _STEP] = 0
+    all_axes: Annotated[bool, _ALL] = False
+    json: Annotated[bool, _JSON] = False
+    svg: Annotated[Path | None, _SVG] = None
+    figure: Annotated[str | None, _FIGURE] = None
+    axis: Annotated[int | None, _AXIS] = None
+    step_by_step: Annotated[bool, _STEPS] = False
+
+
+@takes(SatOptions)
+def sat(options: SatOptions) -> None:
     """Show the separating-axis test of two bodies, axis by axis.
 
     Each row is an axis: how far the two shapes reach along it, and whether that leaves a gap. The first gap ends the
     test.
     """
-    _check_options(json, svg, figure, axis, step_by_step)
+    _check_options(options)
     from sandbox.cli.sat_pair import pair_in
     from sandbox.geometry.sat_table import sat_table
 
-    pair = pair_in(find_scene(scene), bodies, step)
-    table = sat_table(pair.a, pair.b, all_axes)
+    pair = pair_in(find_scene(options.scene), options.bodies, options.step)
+    table = sat_table(pair.a, pair.b, options.all_axes)
+    svg, axis = options.svg, options.axis
     if svg is not None:
-        _draw(pair, table, svg, figure or ("whole" if axis is None else "axis"), axis)
-    _tell(pair, table, all_axes, json, step_by_step)
-    if svg is not None and not json:
+        _draw(pair, table, svg, options.figure or ("whole" if axis is None else "axis"), axis)
+    _tell(pair, table, options)
+    if svg is not None and not options.json:
         typer.echo(f"{svg}: {svg.stat().st_size / 1000:.0f} kB")
 
 
-def _check_options(json: bool, svg: Path | None, figure: str | None, axis: int | None, step_by_step: bool) -> None:
-    if json and step_by_step:
+def _check_options(options: SatOptions) -> None:
+    svg, figure, axis = options.svg, options.figure, options.axis
+    if options.json and options.step_by_step:
         raise SandboxError("--step-by-step tells it in words, --json gives the data: give one of the two")
     if svg is None and (figure, axis) != (None, None):
         raise SandboxError(f"{'--axis' if figure is None else '--figure'} chooses what --svg FILE draws: give both")
@@ -115,21 +125,21 @@ def _crowd(world: World) -> tuple[Member, ...]:
     return tuple(Member(shape, i, moves) for i, moves, shapes in bodies for shape in shapes)
 
 
-def _tell(pair: SatPair, table: SatTable, wide: bool, as_json: bool, step_by_step: bool) -> None:
-    if as_json:
+def _tell(pair: SatPair, table: SatTable, options: SatOptions) -> None:
+    if options.json:
         import json
 
         from sandbox.cli.sat_data import document
 
         typer.echo(json.dumps(document(pair, table), indent=2, ensure_ascii=False))
         return
-    if step_by_step:
+    if options.step_by_step:
         from sandbox.cli.sat_steps import story
 
         lines = story(pair, table)
     else:
         from sandbox.cli.sat_text import report
 
-        lines = report(pair, table, wide)
+        lines = report(pair, table, options.all_axes)
     for line in lines:
         typer.echo(line)
