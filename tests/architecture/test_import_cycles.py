@@ -9,16 +9,20 @@ import pytest
 from tests.architecture.source import cycles, imports, trees
 
 KNOWN = (
-    {"sandbox.engine.events", "sandbox.engine.interlude", "sandbox.engine.sensors"},
     {
-        "sandbox.engine.body_shapes",
-        "sandbox.engine.field_commands",
-        "sandbox.engine.joint_view",
+        "sandbox.engine.commands.field_commands",
+        "sandbox.engine.commands.row_commands",
+        "sandbox.engine.commands.world_commands",
         "sandbox.engine.queries.queries",
-        "sandbox.engine.row_commands",
-        "sandbox.engine.views",
+        "sandbox.engine.views.bodies",
+        "sandbox.engine.views.body_shapes",
+        "sandbox.engine.views.joint",
         "sandbox.engine.world",
-        "sandbox.engine.world_commands",
+    },
+    {
+        "sandbox.engine.events.between_steps",
+        "sandbox.engine.events.events",
+        "sandbox.engine.events.sensors",
     },
 )
 """Cycles that are still there; one that is cut has to go from this list."""
