@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from sandbox.replay.trial import run_trial
+from sandbox.replay.headless_run import run_headless
 from sandbox.resources import SCENE_SUFFIX, shipped_scenes
 from sandbox.scene import Scene, load_scene
 
@@ -25,7 +25,7 @@ def broken(name: str, change: Change) -> bool:
     """Whether the scene fails an expectation after `change` was made to its data."""
     data = load_scene(FILES[name]).to_data()
     change(data)
-    return not all(verdict.holds for verdict in run_trial(Scene(**data)).verdicts)
+    return not all(verdict.holds for verdict in run_headless(Scene(**data)).verdicts)
 
 
 def _shapes(data: Data) -> Iterator[Data]:

@@ -7,7 +7,7 @@ import re
 
 import pytest
 
-from sandbox.replay.trial import run_trial
+from sandbox.replay.headless_run import run_headless
 from sandbox.resources import SCENE_SUFFIX, scenes_dir, shipped_scenes
 from sandbox.scene import load_scene
 
@@ -21,9 +21,9 @@ every_scene = pytest.mark.parametrize("name", FILES)
 
 @every_scene
 def test_it_keeps_its_promises(name: str) -> None:
-    trial = run_trial(load_scene(FILES[name]))
-    assert [verdict for verdict in trial.verdicts if not verdict.holds] == []
-    assert trial.frozen == ()
+    run = run_headless(load_scene(FILES[name]))
+    assert [verdict for verdict in run.verdicts if not verdict.holds] == []
+    assert run.frozen == ()
 
 
 @every_scene

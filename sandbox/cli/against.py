@@ -12,7 +12,7 @@ from sandbox.cli.progress import SceneProgress
 from sandbox.errors import FileError, Problem, SandboxError
 from sandbox.replay.golden.cases import Case
 from sandbox.replay.golden.examine import Report
-from sandbox.replay.golden.whereabouts import place_in_scene, whereabouts
+from sandbox.replay.golden.source_location import divergence_location, location_in_scene
 from sandbox.replay.recording.recording import Recording
 from sandbox.replay.revisions.against import against
 from sandbox.replay.revisions.worktree import Repository, Worktree
@@ -69,10 +69,10 @@ class Against:
             return Report(case, "unusable", source=str(case.scene or case.replay), problems=(Problem(str(error)),))
         report = Report(case, outcome.word, outcome, scene=str(case.scene or ""))
         if isinstance(what, Recording):
-            return replace(report, where=whereabouts(what, outcome))
+            return replace(report, where=divergence_location(what, outcome))
         return replace(report, where=_where(what, report))
 
 
 def _where(scene: Scene, report: Report) -> str:
     parted = report.outcome.divergence if report.outcome else None
-    return place_in_scene(scene, parted.detail.body) if parted and parted.detail else ""
+    return location_in_scene(scene, parted.detail.body) if parted and parted.detail else ""

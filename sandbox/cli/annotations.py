@@ -7,7 +7,7 @@ import re
 import sys
 from collections.abc import Sequence
 
-from sandbox.cli.replay_words import advice, reasons
+from sandbox.cli.replay_messages import advice, reasons
 from sandbox.replay.golden.examine import Report
 from sandbox.scene.excerpt import line_column
 from sandbox.scene.locate import locate

@@ -121,13 +121,13 @@ def _run_all(
 
 def _results(files: Sequence[Path], steps: int | None, progress: SceneProgress) -> Iterator[Result]:
     from sandbox.cli.check_result import Result
-    from sandbox.replay.trial import planned_steps, run_trial
+    from sandbox.replay.headless_run import planned_steps, run_headless
     from sandbox.scene import load_scene
 
     for file in files:
         try:
             scene = load_scene(file)
             progress.begin(file.name, planned_steps(scene, steps))
-            yield Result(file, scene, run_trial(scene, steps, progress.done))
+            yield Result(file, scene, run_headless(scene, steps, progress.done))
         except (SandboxError, OSError) as error:
             yield Result(file, error=error)

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from sandbox.replay.expectations import Verdict
-    from sandbox.replay.trial import Trial
+    from sandbox.replay.headless_run import HeadlessRun
     from sandbox.scene import Scene
 
 Word = Literal["holds", "failed", "unusable"]
@@ -23,19 +23,19 @@ Word = Literal["holds", "failed", "unusable"]
 
 @dataclass(frozen=True)
 class Result:
-    """One file: its `scene` and `trial`, or the `error` that kept it from running."""
+    """One file: its `scene` and `run`, or the `error` that kept it from running."""
 
     path: Path
     scene: Scene | None = None
-    trial: Trial | None = None
+    run: HeadlessRun | None = None
     error: Exception | None = None
 
     @property
     def word(self) -> Word:
         """The verdict on the file in one word."""
-        if self.trial is None:
+        if self.run is None:
             return "unusable"
-        return "holds" if self.trial.holds else "failed"
+        return "holds" if self.run.holds else "failed"
 
     def text(self, verdict: Verdict) -> str:
         """The expectation that `verdict` is about, as its author wrote it, on one line."""
@@ -51,7 +51,7 @@ class Result:
 def author_text(scene: Scene, index: int) -> str:
     """Expectation `index` as its author wrote it, on one line."""
     if scene.text is None:
-        return json.dumps(scene.expect[index].said(), ensure_ascii=False)
+        return json.dumps(scene.expect[index].given(), ensure_ascii=False)
     line, column = _place(scene, index)
     rest = "\n".join(scene.text.split("\n")[line - 1 :])[column - 1 :]
     end = json.JSONDecoder().raw_decode(rest)[1]
@@ -81,17 +81,17 @@ def document(results: Sequence[Result], seconds: float) -> dict[str, Any]:
 
 def _scene_entry(result: Result) -> dict[str, Any]:
     entry: dict[str, Any] = {"path": result.path.as_posix(), "verdict": result.word}
-    if result.trial is None or result.scene is None:
+    if result.run is None or result.scene is None:
         return {**entry, "problems": problems(result.error)}
-    trial = result.trial
+    run = result.run
     return {
         **entry,
         "title": result.scene.title,
-        "steps": trial.steps,
-        "ms_per_step": round(trial.milliseconds, 6),
-        "digest": trial.digest,
-        "expectations": [_expectation_entry(result, verdict) for verdict in trial.verdicts],
-        "frozen": [{"body": body, "step": step} for body, step in trial.frozen],
+        "steps": run.steps,
+        "ms_per_step": round(run.milliseconds, 6),
+        "digest": run.digest,
+        "expectations": [_expectation_entry(result, verdict) for verdict in run.verdicts],
+        "frozen": [{"body": body, "step": step} for body, step in run.frozen],
     }
 
 

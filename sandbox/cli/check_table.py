@@ -34,8 +34,8 @@ class Table:
 
     def show(self, result: Result) -> None:
         """The line of one file; reasons follow if it failed, or go to stderr if it could not be used."""
-        trial = result.trial
-        cells = (str(trial.steps), f"{trial.milliseconds:.3f}", trial.digest) if trial else ("-", "-", "-")
+        run = result.run
+        cells = (str(run.steps), f"{run.milliseconds:.3f}", run.digest) if run else ("-", "-", "-")
         line = Text(self._row(result.path.as_posix(), *cells))
         self._console.print(line.append(self._word(result), _STYLES[result.word]))
         for reason in reasons(result):
@@ -50,7 +50,7 @@ class Table:
         parts = [f"{count['holds']} hold"]
         parts += [f"{count['failed']} failed"] if count["failed"] else []
         parts += [f"{count['unusable']} could not be used"] if count["unusable"] else []
-        steps = sum(result.trial.steps for result in results if result.trial)
+        steps = sum(result.run.steps for result in results if result.run)
         plural = "" if len(results) == 1 else "s"
         text = f"{len(results)} scene{plural}: {', '.join(parts)}; {steps} steps in {seconds:.1f} s"
         self._console.print(Text(text, style="bold"))
@@ -59,18 +59,18 @@ class Table:
         return f"{name:<{self._width}}  {steps:>7}  {milliseconds:>8}  {digest:<16}  "
 
     def _word(self, result: Result) -> str:
-        if result.trial is not None and result.trial.holds and not result.trial.verdicts:
+        if result.run is not None and result.run.holds and not result.run.verdicts:
             return "holds (expects nothing)"
         return result.word
 
 
 def reasons(result: Result) -> list[str]:
     """Why a scene failed, in lines; empty if it did not."""
-    trial = result.trial
-    if trial is None:
+    run = result.run
+    if run is None:
         return []
-    told = [_reason(result, verdict) for verdict in trial.verdicts if not verdict.holds]
-    return told + [f"  {body} was frozen at step {step}: its numbers went bad" for body, step in trial.frozen]
+    told = [_reason(result, verdict) for verdict in run.verdicts if not verdict.holds]
+    return told + [f"  {body} was frozen at step {step}: its numbers went bad" for body, step in run.frozen]
 
 
 def _reason(result: Result, verdict: Verdict) -> str:

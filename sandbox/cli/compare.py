@@ -136,7 +136,7 @@ def _results(
     from sandbox.cli.compare_result import Result
     from sandbox.reference.comparison import compare
     from sandbox.reference.regression import save_regressions
-    from sandbox.replay.trial import planned_steps
+    from sandbox.replay.headless_run import planned_steps
     from sandbox.scene import load_scene
 
     for file in files:

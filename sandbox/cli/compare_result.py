@@ -14,7 +14,7 @@ from sandbox.cli.failures import FAILED, HOLDS, UNUSABLE
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from sandbox.reference.tally import Comparison, Disagreement
+    from sandbox.reference.comparison_result import Comparison, Disagreement
     from sandbox.scene import Scene
 
 Word = Literal["agrees", "disagrees", "unusable"]
@@ -83,7 +83,7 @@ def _scene_entry(result: Result) -> dict[str, Any]:
 
 
 def _disagreement_entry(found: Disagreement) -> dict[str, Any]:
-    truth = found.settled.truth
+    truth = found.ruling.truth
     return {
         "step": found.step,
         "what": found.what,

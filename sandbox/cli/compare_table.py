@@ -17,7 +17,7 @@ from sandbox.cli.compare_result import Result
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from sandbox.reference.tally import Comparison, Disagreement
+    from sandbox.reference.comparison_result import Comparison, Disagreement
 
 _STYLES = {"agrees": "green", "disagrees": "bold red", "unusable": "bold red"}
 _COLUMNS = (
@@ -99,5 +99,5 @@ def _tell(found: Disagreement) -> str:
     return (
         f"step {found.step}: {found.names[0]} and {found.names[1]} ({found.pair.kinds}), {found.what}:"
         f" {found.who_is_wrong} is wrong{indent}sandbox: {found.ours}{indent}pymunk:  {found.theirs}"
-        f"{indent}exact:   {found.settled.truth}"
+        f"{indent}exact:   {found.ruling.truth}"
     )

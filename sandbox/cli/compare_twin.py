@@ -65,7 +65,7 @@ def _run(
     file: Path, steps: int | None, every: int, plot: Path | None, out: Console | None, progress: Any
 ) -> dict[str, Any]:
     from sandbox.reference.twin import simulate_twin
-    from sandbox.replay.trial import planned_steps
+    from sandbox.replay.headless_run import planned_steps
     from sandbox.scene import load_scene
 
     try:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from xml.etree import ElementTree
 
-from sandbox.cli.replay_words import advice, reasons
+from sandbox.cli.replay_messages import advice, reasons
 from sandbox.replay.golden.examine import Report
 
 

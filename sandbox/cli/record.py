@@ -39,9 +39,9 @@ def record(
     Exit code 2: a file could not be used.
     """
     from sandbox.cli.compiling import announce_compilation
+    from sandbox.replay.headless_run import planned_steps
     from sandbox.replay.recording.read import read_commands
     from sandbox.replay.recording.recorder import record as run
-    from sandbox.replay.trial import planned_steps
     from sandbox.scene import load_scene
 
     _check_name(output)

@@ -77,18 +77,18 @@ def _shoot(world: World, output: Path, step: int, steps: int, fps: float, size: 
     from sandbox.cli.picture_progress import PictureProgress
     from sandbox.render.film import film, gif_seconds
     from sandbox.render.frame import capture
-    from sandbox.render.image import save_gif, studio_of
+    from sandbox.render.image import renderer_of, save_gif
 
     with PictureProgress() as progress:
-        studio = studio_of(world, size)
+        renderer = renderer_of(world, size)
         for _ in progress.count("simulating", range(step)):
             world.step()
         if steps == 0:
-            studio.save_png(capture(world.state), output)
+            renderer.save_png(capture(world.state), output)
             return 1
         seconds = gif_seconds(fps)
         frames = list(film(world, progress.count("simulating", range(steps)), seconds))
-        save_gif(progress.count("drawing", studio.film(frames), len(frames)), output, seconds)
+        save_gif(progress.count("drawing", renderer.film(frames), len(frames)), output, seconds)
         return len(frames)
 
 
@@ -117,8 +117,8 @@ def _write_page(path: Path, output: Path, skip: int, steps: int | None, as_json:
 
     from sandbox.cli.compiling import announce_compilation
     from sandbox.cli.progress import SceneProgress
+    from sandbox.report.filming import film_run
     from sandbox.report.player_page import player_page
-    from sandbox.report.shoot import film_run
 
     title, run = _run(path, skip, steps)
     announce_compilation()
@@ -135,7 +135,7 @@ def _tell_page(as_json: bool, output: Path, film: Film) -> None:
         import json
 
         facts = {"file": str(output), "bytes": size, "first_step": film.start, "last_step": film.end}
-        print(json.dumps({**facts, "every": film.every, "bodies": len(film.cast)}, indent=2))
+        print(json.dumps({**facts, "every": film.every, "bodies": len(film.bodies)}, indent=2))
     else:
         print(f"{output}: a page, {size / 1000:.0f} kB, steps {film.start} to {film.end}")
 

@@ -14,7 +14,7 @@ from sandbox.cli.replay_options import ReplayOptions
 from sandbox.errors import SandboxError
 
 if TYPE_CHECKING:
-    from sandbox.replay.golden.examine import Demands
+    from sandbox.replay.golden.examine import ReplaySettings
 
 UPDATES = ("missing", "changed", "all")
 
@@ -39,27 +39,27 @@ def replay(options: ReplayOptions) -> None:
     Exit code 2: a file or an option could not be used; the others still ran.
     Exit code 5: nothing was found to run.
     """
-    demands = _demands(options)
+    settings = _settings(options)
     part = _part(options.shard)
     _check_report(options.report)
     if options.against and (options.tolerance or options.heavy or options.update or options.prune):
         raise SandboxError("--against: two revisions are compared bit for bit, and nothing is renewed")
     from sandbox.cli.replay_run import Work, run
 
-    raise typer.Exit(run(Work(options, demands, part)))
+    raise typer.Exit(run(Work(options, settings, part)))
 
 
-def _demands(options: ReplayOptions) -> Demands:
+def _settings(options: ReplayOptions) -> ReplaySettings:
     update, prune = options.update, options.prune
     if update and update not in UPDATES:
         raise SandboxError(f"--update={update}: there are {', '.join(UPDATES)}")
     if (update or prune) and os.environ.get("CI"):
         option = "--update" if update else "--prune"
         raise SandboxError(f"{option}: CI is set, and recordings are never written there; run it on your machine")
-    from sandbox.replay.golden.examine import Demands
+    from sandbox.replay.golden.examine import ReplaySettings
     from sandbox.replay.golden.tolerance import Tolerance
 
-    return Demands(Tolerance() if options.tolerance else None, options.heavy, update, prune)  # type: ignore[arg-type]
+    return ReplaySettings(Tolerance() if options.tolerance else None, options.heavy, update, prune)  # type: ignore[arg-type]
 
 
 def _check_report(path: Path | None) -> None:

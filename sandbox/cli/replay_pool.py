@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from sandbox.cli.progress import SceneProgress
 from sandbox.errors import SandboxError
 from sandbox.replay.golden.cases import Case
-from sandbox.replay.golden.examine import Demands, Report, examine
+from sandbox.replay.golden.examine import ReplaySettings, Report, examine
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -22,37 +22,39 @@ if TYPE_CHECKING:
 _SWITCH = "NUMBA_DISABLE_JIT"
 
 
-def reports_of(cases: Sequence[Case], demands: Demands, jobs: int, no_jit: bool, console: Console) -> Iterator[Report]:
+def reports_of(
+    cases: Sequence[Case], settings: ReplaySettings, jobs: int, no_jit: bool, console: Console
+) -> Iterator[Report]:
     """Examine all cases: in this process for one job, else in others. Without the compiler only others will do."""
     workers = min(jobs or os.cpu_count() or 1, len(cases))
     if workers == 1 and not no_jit:
-        yield from _here(cases, demands, console)
+        yield from _here(cases, settings, console)
         return
     with _environment(no_jit), SceneProgress(console, 1, "files") as progress:
         progress.begin("replays", len(cases))
         if not no_jit:
             _compile_first()
-        for done, report in enumerate(_elsewhere(cases, demands, workers), 1):
+        for done, report in enumerate(_elsewhere(cases, settings, workers), 1):
             progress.done(done)
             yield report
 
 
-def _here(cases: Sequence[Case], demands: Demands, console: Console) -> Iterator[Report]:
+def _here(cases: Sequence[Case], settings: ReplaySettings, console: Console) -> Iterator[Report]:
     with SceneProgress(console, len(cases)) as progress:
         for case in cases:
             progress.begin(case.replay.name, None)
-            yield examine(case, demands, progress.done, partial(_tell, progress, case.replay.name))
+            yield examine(case, settings, progress.done, partial(_tell, progress, case.replay.name))
 
 
 def _tell(progress: SceneProgress, name: str, words: str) -> None:
     progress.say(f"{name}: {words}")
 
 
-def _elsewhere(cases: Sequence[Case], demands: Demands, workers: int) -> Iterator[Report]:
+def _elsewhere(cases: Sequence[Case], settings: ReplaySettings, workers: int) -> Iterator[Report]:
     # Fresh processes: a fork would copy locks of threads that it has not got.
     pool = ProcessPoolExecutor(workers, mp_context=get_context("spawn"))
     try:
-        yield from pool.map(partial(examine, demands=demands), cases)
+        yield from pool.map(partial(examine, settings=settings), cases)
     except BrokenProcessPool:
         text = "a process was killed from outside, as a system does that is short of memory; try fewer with -j"
         raise SandboxError(text) from None

@@ -8,7 +8,7 @@ from dataclasses import asdict
 from typing import Any
 
 from sandbox._version import __version__
-from sandbox.cli.replay_words import advice, reasons
+from sandbox.cli.replay_messages import advice, reasons
 from sandbox.replay.golden.examine import Report
 
 

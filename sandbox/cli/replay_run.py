@@ -14,7 +14,7 @@ from rich.console import Console
 from sandbox.cli.failures import FAILED, HOLDS, NOTHING, UNUSABLE
 from sandbox.cli.replay_options import ReplayOptions
 from sandbox.replay.golden.cases import Case, find_cases, shard
-from sandbox.replay.golden.examine import Demands, Report
+from sandbox.replay.golden.examine import ReplaySettings, Report
 
 if TYPE_CHECKING:
     from sandbox.cli.against import Against
@@ -25,7 +25,7 @@ class Work:
     """What the command line asked for, checked."""
 
     options: ReplayOptions
-    demands: Demands
+    settings: ReplaySettings
     part: tuple[int, int]
     """I and N of `--shard`."""
 
@@ -121,7 +121,7 @@ def _reports(work: Work, cases: Sequence[Case], console: Console, other: Against
         return other.reports(cases, console)
     from sandbox.cli.replay_pool import reports_of
 
-    return reports_of(cases, work.demands, work.options.jobs, work.options.no_jit, console)
+    return reports_of(cases, work.settings, work.options.jobs, work.options.no_jit, console)
 
 
 def _tell_others(work: Work, reports: Sequence[Report], seconds: float, other: Against | None) -> None:
@@ -143,7 +143,7 @@ def _tell_others(work: Work, reports: Sequence[Report], seconds: float, other: A
 def _write_page(work: Work, path: Path, reports: Sequence[Report], seconds: float, other: Against | None) -> None:
     from sandbox.cli.compiling import announce_compilation
     from sandbox.cli.progress import SceneProgress
-    from sandbox.cli.replay_words import advice, reasons
+    from sandbox.cli.replay_messages import advice, reasons
     from sandbox.report.failure import failure_of
     from sandbox.report.report_page import write_report
     from sandbox.report.section import Entry

@@ -10,7 +10,7 @@ from rich.console import Console
 from rich.text import Text
 
 from sandbox.cli import failures
-from sandbox.cli.replay_words import advice, reasons
+from sandbox.cli.replay_messages import advice, reasons
 from sandbox.errors import FileError
 from sandbox.replay.golden.cases import Case
 from sandbox.replay.golden.examine import Report

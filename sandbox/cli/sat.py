@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from sandbox.geometry.sat_table import SatTable
     from sandbox.render.sat_page import Member
 
-_CROWD = 1000
+_MOST_SHAPES = 1000
 """Most shapes that `--figure scene` draws."""
 _NAME = 17
 """Letters of a body's name that fit into the headline of a picture."""
@@ -102,25 +102,25 @@ def _check_picture(svg: Path, figure: str | None) -> None:
 def _draw(pair: SatPair, table: SatTable, svg: Path, figure: str, axis: int | None) -> None:
     from sandbox.geometry.sat_table import sat_table
     from sandbox.render.sat_figure import FIGURES
+    from sandbox.render.sat_labels import shortened
     from sandbox.render.sat_page import SatFigure
-    from sandbox.render.sat_words import shortened
 
     if axis is not None and axis > table.axis_count:
         raise SandboxError(f"--axis {axis}: these two shapes have {table.axis_count} axes")
     row = sat_table(pair.a, pair.b, all_axes=True).rows[axis - 1] if axis else None
-    crowd = _crowd(pair.world) if figure == "scene" else ()
+    scene_shapes = _scene_shapes(pair.world) if figure == "scene" else ()
     names = shortened(pair.names[0], _NAME), shortened(pair.names[1], _NAME)
-    FIGURES[figure](SatFigure(table, names, row, crowd)).save(svg)
+    FIGURES[figure](SatFigure(table, names, row, scene_shapes)).save(svg)
 
 
-def _crowd(world: World) -> tuple[Member, ...]:
+def _scene_shapes(world: World) -> tuple[Member, ...]:
     """All shapes of the scene. Raises `SandboxError` if they are too many for a picture."""
     from sandbox.engine.views.body_shapes import body_shapes
     from sandbox.render.sat_page import Member
 
     count = len(world.state.shapes)
-    if count > _CROWD:
-        raise SandboxError(f"--figure scene: {count} shapes are too many for a picture, at most {_CROWD}")
+    if count > _MOST_SHAPES:
+        raise SandboxError(f"--figure scene: {count} shapes are too many for a picture, at most {_MOST_SHAPES}")
     bodies = [(i, world.body(name).type == "dynamic", body_shapes(world, name)) for i, name in enumerate(world.names)]
     return tuple(Member(shape, i, moves) for i, moves, shapes in bodies for shape in shapes)
 
@@ -134,9 +134,9 @@ def _tell(pair: SatPair, table: SatTable, options: SatOptions) -> None:
         typer.echo(json.dumps(document(pair, table), indent=2, ensure_ascii=False))
         return
     if options.step_by_step:
-        from sandbox.cli.sat_steps import story
+        from sandbox.cli.sat_steps import explanation
 
-        lines = story(pair, table)
+        lines = explanation(pair, table)
     else:
         from sandbox.cli.sat_text import report
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from sandbox.cli.sat_pair import SatPair
 from sandbox.geometry.clip_steps import BestFace, Clipping, best_faces, clipping
 from sandbox.geometry.sat_table import SatTable
-from sandbox.render.words import metres, plain, point
+from sandbox.render.number_text import metres, plain, point
 
 
 def clipping_lines(pair: SatPair, table: SatTable) -> list[str]:

@@ -10,11 +10,11 @@ from sandbox.cli.sat_text import aligned, table_lines, verdict
 from sandbox.geometry.sat_rows import SatRow, author_edges, corners_in_order
 from sandbox.geometry.sat_table import SatTable
 from sandbox.geometry.shapes import Shape
-from sandbox.render.sat_words import axis_name
-from sandbox.render.words import metres, plain, point
+from sandbox.render.number_text import metres, plain, point
+from sandbox.render.sat_labels import axis_name
 
 
-def story(pair: SatPair, table: SatTable) -> list[str]:
+def explanation(pair: SatPair, table: SatTable) -> list[str]:
     """All lines of it."""
     lines = [pair.note, ""] if pair.note else []
     for number, (title, body) in enumerate(_steps(pair, table), start=1):

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from sandbox.cli.sat_pair import SatPair
 from sandbox.geometry.sat_rows import SatRow
 from sandbox.geometry.sat_table import SatTable
-from sandbox.render.sat_words import axis_name, headline, way_out
-from sandbox.render.words import metres, plain, point
+from sandbox.render.number_text import metres, plain, point
+from sandbox.render.sat_labels import axis_name, headline, way_out
 
 _TITLES = ("", "amax", "amin", "bmax", "bmin", "gap")
 

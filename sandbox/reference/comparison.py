@@ -1,4 +1,4 @@
-"""A scene run with pymunk looking over its shoulder: every pair of every step is decided twice."""
+"""A scene run and checked: every pair of every step is decided a second time by pymunk."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ import numpy as np
 
 from sandbox.engine.world import World
 from sandbox.reference.answer import Answer
+from sandbox.reference.arbitration import arbitrate
 from sandbox.reference.ask_pymunk import Answers, Probe
 from sandbox.reference.brute_force import not_joined, overlapping_pairs, that_matter
+from sandbox.reference.compare_answers import ComparedPairs, compare_answers, find_rows
+from sandbox.reference.comparison_result import KEEP, Comparison, Disagreement, Miss
 from sandbox.reference.decide import decide
 from sandbox.reference.poses import Poses
-from sandbox.reference.settle import settle
-from sandbox.reference.tally import KEEP, Comparison, Disagreement, Miss
 from sandbox.reference.tolerance import ROUNDING
-from sandbox.reference.weigh import Weighed, find_rows, weigh
 from sandbox.scene import Scene
 from sandbox.scene.flat import FlatScene
 from sandbox.tables import Floats, Integers
@@ -68,7 +68,7 @@ class Observer:
         self._note_misses(candidates)
         pairs = candidates[_overlap(poses.boxes[candidates[:, 0]], poses.boxes[candidates[:, 1]])]
         if len(pairs):
-            self._weigh(poses, pairs)
+            self._compare_pairs(poses, pairs)
 
     def _search_boxes(self, poses: Poses) -> Floats:
         """The step's own boxes, which cover margins and ways, widened where a shape sticks out of its box."""
@@ -87,37 +87,43 @@ class Observer:
         for a, b in missed[: KEEP - len(self.tally.misses)].tolist():
             self.tally.misses.append(Miss(self.world.step_count, self._names(a, b), (a, b)))
 
-    def _weigh(self, poses: Poses, pairs: Integers) -> None:
+    def _compare_pairs(self, poses: Poses, pairs: Integers) -> None:
         separation, normal = decide(poses, pairs)
         theirs = self._probe.ask(poses, pairs)
-        weighed = weigh(poses, pairs, separation, normal, theirs, self.world.contacts)
+        compared = compare_answers(poses, pairs, separation, normal, theirs, self.world.contacts)
         tally = self.tally
         tally.pairs += len(pairs)
-        tally.agreed += int(weighed.agreed.sum())
-        tally.touching += int(weighed.touching.sum())
-        tally.other_axis += weighed.other_axis
-        tally.depth_error = max(tally.depth_error, weighed.depth_error)
-        tally.normal_error = max(tally.normal_error, weighed.normal_error)
-        for found in self._open(poses, pairs, separation, normal, theirs, weighed):
+        tally.agreed += int(compared.agreed.sum())
+        tally.touching += int(compared.touching.sum())
+        tally.other_axis += compared.other_axis
+        tally.depth_error = max(tally.depth_error, compared.depth_error)
+        tally.normal_error = max(tally.normal_error, compared.normal_error)
+        for found in self._open(poses, pairs, separation, normal, theirs, compared):
             self._note(found)
 
     def _open(
-        self, poses: Poses, pairs: Integers, separation: Floats, normal: Floats, theirs: Answers, weighed: Weighed
+        self,
+        poses: Poses,
+        pairs: Integers,
+        separation: Floats,
+        normal: Floats,
+        theirs: Answers,
+        compared: ComparedPairs,
     ) -> Iterator[Disagreement]:
         """Every pair left open, with what the third referee says of it."""
-        for k in np.flatnonzero(~(weighed.agreed | weighed.touching)).tolist():
+        for k in np.flatnonzero(~(compared.agreed | compared.touching)).tolist():
             a, b = pairs[k].tolist()
             pair = poses.pair(a, b)
             ours = Answer.ours(float(separation[k]), (float(normal[k, 0]), float(normal[k, 1])))
             contact = (float(theirs.depth[k]), (float(theirs.normal[k, 0]), float(theirs.normal[k, 1])))
             other = Answer.theirs(contact if theirs.hit[k] else None)
-            what = "no contact" if weighed.lost[k] else "contact axis" if weighed.askew[k] else ""
+            what = "no contact" if compared.no_contact[k] else "contact axis" if compared.wrong_axis[k] else ""
             what = what or ("verdict" if theirs.hit[k] != (separation[k] < 0.0) else "depth or axis")
-            settled = settle(pair, ours, other)
-            yield Disagreement(self.world.step_count, what, self._names(a, b), (a, b), pair, ours, other, settled)
+            ruling = arbitrate(pair, ours, other)
+            yield Disagreement(self.world.step_count, what, self._names(a, b), (a, b), pair, ours, other, ruling)
 
     def _note(self, found: Disagreement) -> None:
-        wrong, trap = found.who_is_wrong, found.settled.trap
+        wrong, trap = found.who_is_wrong, found.ruling.trap
         if wrong == "nobody":
             self.tally.agreed += 1
             return

@@ -7,7 +7,7 @@ from pathlib import Path
 from string import Template
 
 from sandbox.reference.ask_pymunk import PYMUNK_VERSION
-from sandbox.reference.tally import Comparison, Disagreement, Miss
+from sandbox.reference.comparison_result import Comparison, Disagreement, Miss
 from sandbox.resources import SCENE_SUFFIX
 from sandbox.scene import Scene
 
@@ -20,7 +20,7 @@ exact:         $truth
 """
 
 from sandbox.reference.pair import Core, Pair
-from sandbox.reference.settle import faults_of
+from sandbox.reference.arbitration import faults_of
 
 PAIR = $pair
 
@@ -79,7 +79,7 @@ def _of_disagreement(found: Disagreement, stem: str) -> tuple[str, str]:
         ours=found.ours,
         version=PYMUNK_VERSION,
         theirs=found.theirs,
-        truth=found.settled.truth,
+        truth=found.ruling.truth,
         pair=found.pair.source(),
         name=name,
     )

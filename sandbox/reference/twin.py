@@ -1,4 +1,4 @@
-"""A whole scene simulated twice, by this engine and by pymunk, under one ruler."""
+"""A whole scene simulated twice, by this engine and by pymunk, measured by the same code."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import pymunk
 
 from sandbox.engine.world import World
-from sandbox.reference.ruler import Measures, Ruler
+from sandbox.reference.measures import Measurer, Measures
 from sandbox.reference.space import build_space, left_out
 from sandbox.scene import Scene
 from sandbox.scene.flat import FlatScene
@@ -38,7 +38,7 @@ def simulate_twin(
     """
     flat = scene.flatten() if isinstance(scene, Scene) else scene
     world, (space, bodies) = World(flat), build_space(flat)
-    ruler, seconds = Ruler(world.state), 1.0 / flat.settings.step_rate
+    measurer, seconds = Measurer(world.state), 1.0 / flat.settings.step_rate
     times, ours, theirs = [], [], []
     for k in range(steps + 1):
         if k > 0:
@@ -46,8 +46,8 @@ def simulate_twin(
             space.step(seconds)
         if k % every == 0 or k == steps:
             times.append(k * seconds)
-            ours.append(ruler.measure(world.state.bodies))
-            theirs.append(ruler.measure(_as_records(world.state.bodies, bodies)))
+            ours.append(measurer.measure(world.state.bodies))
+            theirs.append(measurer.measure(_as_records(world.state.bodies, bodies)))
         if on_steps is not None and k % _REPORT_EVERY == 0:
             on_steps(k)
     return Twin(tuple(times), tuple(ours), tuple(theirs), left_out(flat))

@@ -8,7 +8,7 @@ from typing import Any
 
 from sandbox.errors import MissingDependencyError
 from sandbox.reference.ask_pymunk import PYMUNK_VERSION
-from sandbox.reference.ruler import Measures
+from sandbox.reference.measures import Measures
 from sandbox.reference.twin import Twin
 
 SUFFIXES = (".svg", ".png")

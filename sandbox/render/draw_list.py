@@ -8,15 +8,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from sandbox.render.body_colors import BodyColors, FrameColors, frame_colors, mix
 from sandbox.render.camera import Camera, Floats
+from sandbox.render.field_drawing import RegionFill, field_strokes, region_fills
 from sandbox.render.frame import Frame
 from sandbox.render.geometry import Ints, Mesh
 from sandbox.render.grid import grid_lines
 from sandbox.render.joint_strokes import joint_strokes
 from sandbox.render.line import Line
 from sandbox.render.theme import Theme
-from sandbox.render.wardrobe import Tints, Wardrobe, mix, tints
-from sandbox.render.washes import Wash, field_strokes, washes
 from sandbox.world.records import DYNAMIC, SEGMENT, STATIC
 
 MIN_HALF_PIXELS = 0.6
@@ -53,7 +53,7 @@ class ShapeItems:
 
 @dataclass(frozen=True)
 class DrawList:
-    """One picture: washes, strokes below, shapes, strokes above. `camera.scale` turns the mesh into pixels."""
+    """One picture: region fills, strokes below, shapes, strokes above. `camera.scale` turns the mesh into pixels."""
 
     camera: Camera
     theme: Theme
@@ -61,16 +61,16 @@ class DrawList:
     below: Sequence[Line]
     shapes: ShapeItems
     above: Sequence[Line]
-    washes: Sequence[Wash] = ()
+    region_fills: Sequence[RegionFill] = ()
 
 
-def build_draw_list(frame: Frame, camera: Camera, wardrobe: Wardrobe, above: Sequence[Line] = ()) -> DrawList:
+def build_draw_list(frame: Frame, camera: Camera, body_colors: BodyColors, above: Sequence[Line] = ()) -> DrawList:
     """The draw list of a frame seen through a camera; `above` are strokes of tools, such as the drag line."""
-    theme, wardrobe = wardrobe.theme, wardrobe.fitting(frame)
-    shapes = _shapes(frame, camera, wardrobe)
+    theme, body_colors = body_colors.theme, body_colors.for_frame(frame)
+    shapes = _shapes(frame, camera, body_colors)
     strokes = [*joint_strokes(frame.joints, camera, theme), *above]
     below = [*grid_strokes(camera, theme), *field_strokes(frame.fields, camera, theme)]
-    return DrawList(camera, theme, frame.mesh, below, shapes, strokes, washes(frame.fields, camera, theme))
+    return DrawList(camera, theme, frame.mesh, below, shapes, strokes, region_fills(frame.fields, camera, theme))
 
 
 def grid_strokes(camera: Camera, theme: Theme) -> list[Line]:
@@ -93,8 +93,8 @@ def stroke_sizes(mesh: Mesh, scale: float) -> tuple[Floats, Floats]:
     return grow, np.where(segment, half + grow, np.clip(0.16 * half, 0.0, 1.4))
 
 
-def _shapes(frame: Frame, camera: Camera, wardrobe: Wardrobe) -> ShapeItems:
-    mesh, colors = frame.mesh, tints(frame, wardrobe)
+def _shapes(frame: Frame, camera: Camera, body_colors: BodyColors) -> ShapeItems:
+    mesh, colors = frame.mesh, frame_colors(frame, body_colors)
     world, axis = frame.shape_poses()
     origin = camera.to_screen(world)
     index = _in_order(frame, _visible(origin, mesh.reach * camera.scale, camera))
@@ -108,15 +108,15 @@ def _shapes(frame: Frame, camera: Camera, wardrobe: Wardrobe) -> ShapeItems:
         axis=axis.take(index, axis=0) * (1.0, -1.0),
         grow=grow[index],
         line=line[index],
-        fill=_faded(_fills(colors, body, mesh.kind[index] == SEGMENT), sensor, wardrobe.theme, SENSOR_FILL),
-        edge=_faded(colors.edge.take(body, axis=0), sensor, wardrobe.theme, SENSOR_EDGE),
+        fill=_faded(_fills(colors, body, mesh.kind[index] == SEGMENT), sensor, body_colors.theme, SENSOR_FILL),
+        edge=_faded(colors.edge.take(body, axis=0), sensor, body_colors.theme, SENSOR_EDGE),
         mark=colors.mark.take(body, axis=0),
         mark_opacity=np.where(sensor, 0.0, _mark_opacity(half, frame.type[body])),
         hatched=np.where(sensor, 1.0, colors.hatched[body]),
     )
 
 
-def _fills(colors: Tints, body: Ints, segment: NDArray[np.bool_]) -> Floats:
+def _fills(colors: FrameColors, body: Ints, segment: NDArray[np.bool_]) -> Floats:
     fill = colors.fill.take(body, axis=0)
     fill[segment] = colors.edge[body[segment]]
     return fill

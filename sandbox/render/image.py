@@ -9,11 +9,11 @@ from typing import Any
 from PIL import Image
 
 from sandbox.engine.world import World
+from sandbox.render.body_colors import BodyColors, body_colors_of
 from sandbox.render.camera import Camera, Size, scene_camera
 from sandbox.render.draw_list import build_draw_list
 from sandbox.render.frame import Frame, capture, interesting_bounds
 from sandbox.render.surface_painter import SurfacePainter
-from sandbox.render.wardrobe import Wardrobe, wardrobe_of
 
 PALETTE_COLORS = 160
 """Colours of a film: fewer make the file smaller, more make antialiased edges smoother."""
@@ -21,18 +21,18 @@ PALETTE_SAMPLES = 6
 """Frames, spread over the film, that the palette is made from."""
 
 
-class Studio:
-    """One camera and one wardrobe: turns frames into Pillow images."""
+class FrameRenderer:
+    """One camera and the colours of the bodies: turns frames into Pillow images."""
 
-    def __init__(self, camera: Camera, wardrobe: Wardrobe) -> None:
+    def __init__(self, camera: Camera, body_colors: BodyColors) -> None:
         self.camera = camera
-        self.wardrobe = wardrobe
+        self.body_colors = body_colors
         self._painter = SurfacePainter()
 
     def picture(self, frame: Frame) -> Any:
         """The frame as a `PIL.Image.Image` in RGB."""
-        self.wardrobe = self.wardrobe.fitting(frame)
-        return self._painter.paint(build_draw_list(frame, self.camera, self.wardrobe))
+        self.body_colors = self.body_colors.for_frame(frame)
+        return self._painter.paint(build_draw_list(frame, self.camera, self.body_colors))
 
     def save_png(self, frame: Frame, path: Path) -> None:
         """Write one frame as a PNG file."""
@@ -54,10 +54,10 @@ class Studio:
         return sheet.quantize(colors=PALETTE_COLORS, method=Image.Quantize.MEDIANCUT, kmeans=1)
 
 
-def studio_of(world: World, size: Size) -> Studio:
-    """The studio for a world at its start: the view and the colours that its scene asks for."""
+def renderer_of(world: World, size: Size) -> FrameRenderer:
+    """The renderer for a world at its start: the view and the colours that its scene asks for."""
     camera = scene_camera(getattr(world.scene, "view", None), interesting_bounds(capture(world.state)), size)
-    return Studio(camera, wardrobe_of(world.state))
+    return FrameRenderer(camera, body_colors_of(world.state))
 
 
 def save_gif(images: Iterable[Any], path: Path, seconds_a_frame: float) -> None:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from sandbox.geometry.clip_steps import Clipping, clipping
 from sandbox.geometry.sat_rows import Vec
 from sandbox.geometry.sat_table import SatTable
+from sandbox.render.sat_labels import headline
 from sandbox.render.sat_page import SatFigure, alone
 from sandbox.render.sat_plane import Plane
-from sandbox.render.sat_words import headline
 from sandbox.render.svg import Svg
 
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from sandbox.render.number_text import point
 from sandbox.render.sat_clipping import draw_clipping
-from sandbox.render.sat_crowd import draw_crowd
+from sandbox.render.sat_labels import axis_name, deciding_row, headline, shortened
 from sandbox.render.sat_page import (
     ALONE,
     EDGE,
@@ -19,9 +20,8 @@ from sandbox.render.sat_page import (
 )
 from sandbox.render.sat_plane import Plane
 from sandbox.render.sat_rails import ROW, RailList, plane_rail, rail_ends
-from sandbox.render.sat_words import axis_name, deciding_row, headline, shortened
+from sandbox.render.sat_scene import draw_scene
 from sandbox.render.svg import Svg
-from sandbox.render.words import point
 
 _PLANE = (440, 440)
 _RAILS = 620.0
@@ -93,6 +93,6 @@ FIGURES: dict[str, Callable[[SatFigure], Svg]] = {
     "axis": draw_axis,
     "mtv": draw_mtv,
     "clipping": draw_clipping,
-    "scene": draw_crowd,
+    "scene": draw_scene,
 }
 """Every figure by its name on the command line."""

@@ -9,9 +9,9 @@ from typing import NamedTuple
 from sandbox.geometry.sat_rows import SatRow, Vec
 from sandbox.geometry.sat_table import SatTable
 from sandbox.geometry.shapes import Shape
+from sandbox.render.sat_labels import deciding_row, headline
 from sandbox.render.sat_plane import Plane
 from sandbox.render.sat_style import style_sheet
-from sandbox.render.sat_words import deciding_row, headline
 from sandbox.render.svg import Svg
 
 ALONE = (680, 420)
@@ -33,13 +33,13 @@ class Member(NamedTuple):
 class SatFigure:
     """What a picture shows: a table, the names of its two bodies, one of the rows, all shapes of the scene.
 
-    `row` is for the figure of one axis, `crowd` for that of the scene.
+    `row` is for the figure of one axis, `scene_shapes` for that of the scene.
     """
 
     table: SatTable
     names: tuple[str, str]
     row: SatRow | None = None
-    crowd: tuple[Member, ...] = ()
+    scene_shapes: tuple[Member, ...] = ()
 
 
 def page(width: float, height: float, figure: SatFigure, subtitle: str = "") -> Svg:
@@ -54,11 +54,11 @@ def page(width: float, height: float, figure: SatFigure, subtitle: str = "") -> 
 
 
 def alone(
-    figure: SatFigure, subtitle: str, more: Sequence[Vec] = (), crowd: bool = False, margin: float = 52.0
+    figure: SatFigure, subtitle: str, more: Sequence[Vec] = (), whole_scene: bool = False, margin: float = 52.0
 ) -> tuple[Svg, Plane]:
     """A page with one window on it: both shapes and the points `more`, or all that can move, and `margin` pixels."""
     svg = page(ALONE[0] + 2 * EDGE, HEAD + ALONE[1] + EDGE, figure, subtitle)
-    seen = [*more, *(_crowd_extent(figure) if crowd else extent(figure.table))]
+    seen = [*more, *(_scene_extent(figure) if whole_scene else extent(figure.table))]
     plane = Plane(svg, (EDGE, HEAD), ALONE, seen, margin)
     return svg, plane
 
@@ -95,8 +95,8 @@ def extent(table: SatTable) -> list[Vec]:
     return [a[:2], a[2:], b[:2], b[2:], (b[0] + dx, b[1] + dy), (b[2] + dx, b[3] + dy)]
 
 
-def _crowd_extent(figure: SatFigure) -> list[Vec]:
-    boxes = [box_of(member.shape) for member in figure.crowd if member.moves]
+def _scene_extent(figure: SatFigure) -> list[Vec]:
+    boxes = [box_of(member.shape) for member in figure.scene_shapes if member.moves]
     return [corner for box in boxes for corner in (box[:2], box[2:])] or extent(figure.table)
 
 

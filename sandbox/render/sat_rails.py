@@ -9,11 +9,11 @@ from itertools import islice
 from sandbox.geometry.sat_rows import SatRow, Vec, sat_rows
 from sandbox.geometry.sat_table import SatTable
 from sandbox.geometry.shapes import Shape
+from sandbox.render.number_text import short
+from sandbox.render.sat_labels import axis_name, way_out
 from sandbox.render.sat_page import in_sight
 from sandbox.render.sat_plane import Plane
-from sandbox.render.sat_words import axis_name, way_out
 from sandbox.render.svg import Pixel, Svg
-from sandbox.render.words import short
 
 ROW = 54.0
 """Height of one rail in a list, in pixels."""

@@ -11,9 +11,9 @@ from PIL import Image
 from sandbox.render.camera import Floats
 from sandbox.render.contour import ContourTable, clip, concave_pieces
 from sandbox.render.draw_list import DrawList, ShapeItems, stroke_sizes
+from sandbox.render.field_drawing import RegionFill
 from sandbox.render.geometry import Mesh, gather
 from sandbox.render.line import Line
-from sandbox.render.washes import Wash
 
 HATCH_PIXELS = 7.0
 """Distance of the stripes on frozen bodies."""
@@ -34,8 +34,8 @@ class SurfacePainter:
         width, height = picture.camera.size
         sheet = pygame.Surface((width * self.samples, height * self.samples), depth=24)
         sheet.fill(_rgb(picture.theme.background))
-        for wash in picture.washes:
-            self._wash(sheet, wash)
+        for fill in picture.region_fills:
+            self._fill_region(sheet, fill)
         for line in picture.below:
             self._stroke(sheet, line, picture.theme.background)
         self._shapes(sheet, picture)
@@ -45,12 +45,12 @@ class SurfacePainter:
         large = Image.frombytes("RGB", sheet.get_size(), pygame.image.tobytes(sheet, "RGB"))
         return large.reduce(self.samples)
 
-    def _wash(self, sheet: Any, wash: Wash) -> None:
-        points = np.rint(wash.points * self.samples)
+    def _fill_region(self, sheet: Any, fill: RegionFill) -> None:
+        points = np.rint(fill.points * self.samples)
         low = points.min(axis=0)
-        glaze = pygame.Surface((np.ptp(points, axis=0) + 1).tolist(), pygame.SRCALPHA)
-        pygame.draw.polygon(glaze, (*_rgb(wash.color), round(255 * wash.opacity)), (points - low).tolist())
-        sheet.blit(glaze, low.tolist())
+        layer = pygame.Surface((np.ptp(points, axis=0) + 1).tolist(), pygame.SRCALPHA)
+        pygame.draw.polygon(layer, (*_rgb(fill.color), round(255 * fill.opacity)), (points - low).tolist())
+        sheet.blit(layer, low.tolist())
 
     def _stroke(self, sheet: Any, line: Line, background: tuple[float, ...]) -> None:
         color = _rgb(_over(line, background))

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from sandbox.replay.conditions import Condition
-from sandbox.replay.demands import conditions
+from sandbox.replay.expectation_conditions import conditions
 from sandbox.scene.expect import Expectation
 from sandbox.world.state import State
 

@@ -6,7 +6,7 @@ from typing import Any
 
 from sandbox.engine.world import World
 from sandbox.errors import CommandError
-from sandbox.replay.golden.run import Run, Stage, run_of
+from sandbox.replay.golden.run import Run, RunStepper, run_of
 from sandbox.replay.keyframes import Keyframe, Keyframes
 from sandbox.replay.recording.command_words import plain_command
 from sandbox.replay.recording.recording import Recording
@@ -31,23 +31,23 @@ class Player:
     @property
     def world(self) -> World:
         """The world as it is at this step: look at it, but step and change it through the player."""
-        return self._stage.world
+        return self._stepper.world
 
     @property
     def step_count(self) -> int:
         """The step at which the player stands."""
-        return self._stage.step
+        return self._stepper.step
 
     @property
     def run(self) -> Run:
         """What has been played and is known, as data."""
-        return Run(self._run.scene, self.length, tuple(self._stage.commands))
+        return Run(self._run.scene, self.length, tuple(self._stepper.commands))
 
     def step(self, n: int = 1) -> None:
         """Go on by `n` steps, past the end if need be. Raises what a command raises that cannot be applied."""
         for _ in range(n):
             self._keep()
-            self._stage.advance()
+            self._stepper.advance()
         self.length = max(self.length, self.step_count)
 
     def seek(self, step: int) -> None:
@@ -61,7 +61,7 @@ class Player:
         frame = self._frames.before(max(step, 1))
         # Forwards from here, unless a keyframe lies between or the way leads back.
         if step <= here or frame.step > here:
-            self._stage.restore(frame.snapshot, frame.applied)
+            self._stepper.restore(frame.snapshot, frame.applied)
         if step > self.step_count:
             self.step(step - self.step_count)
 
@@ -69,25 +69,25 @@ class Player:
         """Apply a command at the end of what is known; elsewhere `branch` first. Raises what `World.apply` does."""
         if self.step_count != self.length:
             raise CommandError(f"the run is known up to step {self.length}: branch() begins another one here")
-        self._stage.apply_due()
-        self._stage.add(plain_command(command))
+        self._stepper.apply_due()
+        self._stepper.add(plain_command(command))
 
     def branch(self) -> Player:
         """Another player that stands where this one does and knows nothing of what came later."""
         player = Player.__new__(Player)
         here = self.step_count
-        commands = [row for row in self._stage.commands if row[0] < here] + self._stage.commands_done_at(here)
+        commands = [row for row in self._stepper.commands if row[0] < here] + self._stepper.commands_done_at(here)
         player._begin(Run(self._run.scene, here, tuple(commands)), self._frames.up_to(here))
         player.length = here
-        player._stage.restore(self.world.snapshot(), self._stage.applied)
+        player._stepper.restore(self.world.snapshot(), self._stepper.applied)
         return player
 
     def _begin(self, run: Run, frames: Keyframes) -> None:
         self._run, self._frames = run, frames
-        self._stage = Stage(run.scene, run.commands)
+        self._stepper = RunStepper(run.scene, run.commands)
         self._keep()
 
     def _keep(self) -> None:
         """Keep a keyframe of this step if one is due."""
         if self._frames.wants(self.step_count):
-            self._frames.add(Keyframe(self.step_count, self._stage.applied, self.world.snapshot()))
+            self._frames.add(Keyframe(self.step_count, self._stepper.applied, self.world.snapshot()))

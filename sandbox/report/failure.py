@@ -9,11 +9,11 @@ import numpy as np
 from sandbox.engine.world import World
 from sandbox.replay.causes.expected import expected_run
 from sandbox.replay.golden.examine import Report
-from sandbox.replay.golden.run import Run, Stage, run_of
+from sandbox.replay.golden.run import Run, RunStepper, run_of
 from sandbox.replay.recording.recording import Recording
 from sandbox.report.film import Film
+from sandbox.report.filming import MOST_POSES, film_run
 from sandbox.report.pairs import Pair, first_pair, pair_at
-from sandbox.report.shoot import MOST_POSES, film_run
 
 
 @dataclass(frozen=True)
@@ -48,26 +48,26 @@ def failure_of(report: Report, most: int = MOST_POSES) -> Failure | None:
         subject = outcome.drifts[0].body if outcome.drifts else ""
         pair = pair_at(got, min(parted.step, film.end), subject)
         return Failure(recording, parted.step, film, ends=_ends(film, recording, got), pair=pair)
-    pair = first_pair(_stage(got), _stage(expected.run), parted)
+    pair = first_pair(_stepper(got), _stepper(expected.run), parted)
     return Failure(recording, parted.step, film, film_run(expected.run, most=most), expected.origin, pair=pair)
 
 
-def _stage(run: Run) -> Stage:
-    return Stage(run.scene, run.commands)
+def _stepper(run: Run) -> RunStepper:
+    return RunStepper(run.scene, run.commands)
 
 
 def _ends(film: Film, recording: Recording, run: Run) -> Film | None:
     """A film of one moment, the last of the recording; bodies of the scene only."""
     world = World(run.scene)
     local = {body.id: _center(world, row) for row, body in enumerate(world.flat.bodies)}
-    known = [k for k, actor in enumerate(film.cast) if actor.id in recording.final and actor.id in local]
+    known = [k for k, body in enumerate(film.bodies) if body.id in recording.final and body.id in local]
     if not known:
         return None
-    poses = np.array([[_moved(recording.final[film.cast[k].id], local[film.cast[k].id])] for k in known])
+    poses = np.array([[_moved(recording.final[film.bodies[k].id], local[film.bodies[k].id])] for k in known])
     there = np.ones(poses.shape[:2], bool)
     return replace(
-        film, start=film.end, end=film.end, cast=tuple(film.cast[k] for k in known), poses=poses, awake=there,
-        frozen=~there, figures=film.figures[-1:], bonds=(), held=np.zeros((0, 1), bool), scenery=((0, [[], []]),),
+        film, start=film.end, end=film.end, bodies=tuple(film.bodies[k] for k in known), poses=poses, awake=there,
+        frozen=~there, figures=film.figures[-1:], joints=(), held=np.zeros((0, 1), bool), fields=((0, [[], []]),),
         commands=(), cut="",
     )  # fmt: skip
 

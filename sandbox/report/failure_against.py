@@ -5,14 +5,14 @@ from __future__ import annotations
 from pathlib import Path
 
 from sandbox.replay.golden.examine import Report
-from sandbox.replay.golden.run import Stage, run_of
+from sandbox.replay.golden.run import RunStepper, run_of
 from sandbox.replay.recording.recording import Recording
-from sandbox.replay.revisions.puppet import Puppet, shots
 from sandbox.replay.revisions.trace import trace
+from sandbox.replay.revisions.trace_playback import TracePlayback, film_samples
 from sandbox.replay.revisions.worktree import Commit
 from sandbox.report.failure import Failure
+from sandbox.report.filming import MOST_POSES, film_run
 from sandbox.report.pairs import first_pair
-from sandbox.report.shoot import MOST_POSES, film_run
 from sandbox.scene import load_scene
 
 
@@ -28,7 +28,7 @@ def failure_against(report: Report, commit: Commit, root: Path, no_jit: bool, mo
     recording = Recording.load(case.replay) if case.scene is None else None
     run = run_of(recording if recording is not None else load_scene(case.scene or case.replay))
     film = film_run(run, most=most)
-    past = trace(root, run, [parted.step], no_jit, shots(film.end, film.every))
-    ghost = film_run(run, most=most, stage=Puppet(run, past))
-    pair = first_pair(Stage(run.scene, run.commands), Puppet(run, past), parted)
+    past = trace(root, run, [parted.step], no_jit, film_samples(film.end, film.every))
+    ghost = film_run(run, most=most, stepper=TracePlayback(run, past))
+    pair = first_pair(RunStepper(run.scene, run.commands), TracePlayback(run, past), parted)
     return Failure(recording, parted.step, film, ghost, f"the engine of {commit}", pair=pair)

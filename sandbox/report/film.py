@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.replay.recording.checkpoint import Checkpoint
-from sandbox.report.cast import Actor
+from sandbox.report.body_data import FilmBody
 from sandbox.tables import Floats
 
 
@@ -18,8 +18,8 @@ class Film:
     """What a page needs to play a run. Sample k is `start + k * every`, but the last one is `end`.
 
     `poses` (bodies, samples, 3) are x, y (m) of the centre and the angle (rad), NaN while a body is not there;
-    `awake` and `frozen` (bodies, samples); `bonds` are the joints, `held` (joints, samples) says when they hold;
-    `scenery` pairs a sample with the regions and flames from then on; `view` is the middle (m) and height (m) of the
+    `awake` and `frozen` (bodies, samples); `joints` are the joints, `held` (joints, samples) says when they hold;
+    `fields` pairs a sample with the regions and flames from then on; `view` is the middle (m) and height (m) of the
     first view; `cut` says why the run ended early, if it did.
     """
 
@@ -27,14 +27,14 @@ class Film:
     end: int
     every: int
     step_rate: float
-    cast: tuple[Actor, ...]
+    bodies: tuple[FilmBody, ...]
     poses: Floats
     awake: NDArray[np.bool_]
     frozen: NDArray[np.bool_]
     figures: tuple[Checkpoint, ...]
-    bonds: tuple[dict[str, Any], ...]
+    joints: tuple[dict[str, Any], ...]
     held: NDArray[np.bool_]
-    scenery: tuple[tuple[int, list[Any]], ...]
+    fields: tuple[tuple[int, list[Any]], ...]
     view: tuple[float, float, float]
     commands: tuple[tuple[int, str], ...] = ()
     cut: str = ""

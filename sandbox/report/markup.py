@@ -9,11 +9,11 @@ from typing import Any, TypeAlias
 from xml.etree import ElementTree
 
 from sandbox.render.theme import DARK
-from sandbox.report.cast import hex_of
+from sandbox.report.body_data import hex_of
 
 Node: TypeAlias = ElementTree.Element
 _FOLDER = Path(__file__).parent / "page"
-_SCRIPTS = ("codec.js", "shapes.js", "joints.js", "stage.js", "plot.js", "player.js", "start.js")
+_SCRIPTS = ("codec.js", "shapes.js", "joints.js", "viewport.js", "plot.js", "player.js", "start.js")
 
 
 def node(tag: str, kind: str = "", *inside: Node | str, **attributes: str) -> Node:

@@ -9,8 +9,8 @@ from sandbox.engine.world import World
 from sandbox.errors import SandboxError
 from sandbox.replay.golden.run import Run, run_of
 from sandbox.replay.recording.recording import Recording
+from sandbox.report.filming import film_ahead, film_run
 from sandbox.report.player_page import player_frame
-from sandbox.report.shoot import film_ahead, film_run
 from sandbox.scene import Scene
 
 AHEAD = 300

@@ -13,7 +13,7 @@ from sandbox.geometry.collide import collide, distance
 from sandbox.geometry.sat_table import SatTable, sat_table
 from sandbox.geometry.shapes import Shape
 from sandbox.replay.golden.divergence import Divergence
-from sandbox.replay.golden.run import Run, Stage
+from sandbox.replay.golden.run import Run, RunStepper
 
 
 @dataclass(frozen=True)
@@ -26,9 +26,9 @@ class Pair:
     expected: SatTable | None
 
 
-def first_pair(got: Stage, expected: Stage, parted: Divergence) -> Pair | None:
+def first_pair(got: RunStepper, expected: RunStepper, parted: Divergence) -> Pair | None:
     """The pair with the first number that differs; None if nothing is near it. Both stages go on to that step."""
-    world, other = _led(got, parted.step), _led(expected, parted.step)
+    world, other = _world_at(got, parted.step), _world_at(expected, parted.step)
     found = parted.detail
     if found is None:
         return None
@@ -37,7 +37,7 @@ def first_pair(got: Stage, expected: Stage, parted: Divergence) -> Pair | None:
 
 def pair_at(got: Run, step: int, body: str) -> Pair | None:
     """The deepest contact of a body after `step` steps; None if it touches nothing."""
-    return _pair(_led(Stage(got.scene, got.commands), step), None, step, body)
+    return _pair(_world_at(RunStepper(got.scene, got.commands), step), None, step, body)
 
 
 def _pair(world: World, other: World | None, step: int, subject: str) -> Pair | None:
@@ -51,13 +51,13 @@ def _pair(world: World, other: World | None, step: int, subject: str) -> Pair | 
         return None
 
 
-def _led(stage: Stage, step: int) -> World:
+def _world_at(stepper: RunStepper, step: int) -> World:
     try:
-        while stage.step < step:
-            stage.advance()
+        while stepper.step < step:
+            stepper.advance()
     except SandboxError:
         pass  # the run ends at a command that is refused
-    return stage.world
+    return stepper.world
 
 
 def _names(world: World, subject: str) -> tuple[str, str] | None:

@@ -5,14 +5,14 @@ from __future__ import annotations
 import html
 
 from sandbox.report.film import Film
+from sandbox.report.film_data import film_data
 from sandbox.report.markup import data_script, node, text_of, whole_page
-from sandbox.report.reel import reel
 
 
 def player_page(title: str, film: Film, small: bool = False) -> str:
     """The HTML of a page that plays a film; `small` leaves out the headline."""
     head = [] if small else [text_of(node("h1", "", title))]
-    body = [*head, text_of(node("div", "player", **{"data-got": "film"})), data_script("film", reel(film))]
+    body = [*head, text_of(node("div", "player", **{"data-got": "film"})), data_script("film", film_data(film))]
     return whole_page(title, body, "alone small" if small else "alone")
 
 

@@ -12,9 +12,9 @@ from sandbox.errors import SandboxError
 from sandbox.replay.golden.examine import Report
 from sandbox.replay.recording.environment import environment
 from sandbox.report.failure import Failure, failure_of
+from sandbox.report.filming import MOST_POSES
 from sandbox.report.markup import Node, node, text_of, whole_page
 from sandbox.report.section import Entry, section
-from sandbox.report.shoot import MOST_POSES
 
 SHOWN = 20
 """Failures that get a player; the others are told in words."""

@@ -6,10 +6,10 @@ import base64
 
 from sandbox.geometry.sat_rows import SatRow
 from sandbox.geometry.sat_table import SatTable
+from sandbox.render.number_text import plain
 from sandbox.render.sat_figure import FIGURES
+from sandbox.render.sat_labels import axis_name, headline, shortened, way_out
 from sandbox.render.sat_page import SatFigure
-from sandbox.render.sat_words import axis_name, headline, shortened, way_out
-from sandbox.render.words import plain
 from sandbox.report.markup import Node, node
 from sandbox.report.pairs import Pair
 

@@ -7,11 +7,11 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 
 from sandbox.replay.golden.examine import Report
+from sandbox.report.environment_table import environment_table
 from sandbox.report.failure import Failure
+from sandbox.report.film_data import film_data
 from sandbox.report.markup import Node, data_script, node, text_of
-from sandbox.report.reel import reel
 from sandbox.report.sat_panel import sat_panel
-from sandbox.report.surroundings import surroundings_table
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ def section(entry: Entry, number: int, failure: Failure | None, trouble: str) ->
     if entry.advice:
         parts += [node("h3", "", "what to do"), node("pre", "", "\n".join(entry.advice))]
     if failure is not None and failure.recording is not None:
-        parts += [node("h3", "", "surroundings"), surroundings_table(failure.recording)]
+        parts += [node("h3", "", "environment"), environment_table(failure.recording)]
     return [text_of(node("section", "failure", *parts, id=f"case-{number}")), *scripts]
 
 
@@ -62,12 +62,12 @@ def _player(failure: Failure, number: int) -> list[Node]:
 
 def _films(failure: Failure, number: int) -> list[str]:
     other = failure.expected or failure.ends
-    got = reel(failure.got)
+    got = film_data(failure.got)
     if failure.expected is None and failure.recording is not None:
         rows = failure.recording.checkpoints
         got["checkpoints"] = [asdict(row) for row in rows if failure.got.start <= row.step <= failure.got.end]
     scripts = [data_script(f"got-{number}", got)]
-    return [*scripts, data_script(f"expected-{number}", reel(other))] if other is not None else scripts
+    return [*scripts, data_script(f"expected-{number}", film_data(other))] if other is not None else scripts
 
 
 def _pair_title(failure: Failure) -> str:

@@ -25,6 +25,6 @@ class Model(BaseModel):
     # Unless it is marked so, pydantic calls this for nested models too, but only the outermost may reword.
     __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
 
-    def said(self) -> dict[str, Any]:
+    def given(self) -> dict[str, Any]:
         """The fields the author gave, by Python name; defaults are left out."""
         return {name: getattr(self, name) for name in type(self).model_fields if name in self.model_fields_set}

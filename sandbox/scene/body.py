@@ -80,7 +80,7 @@ class Body(Prefab, Placed):
 
     def __eq__(self, other: object) -> bool:
         # A field given with its default value wins over a prefab, so what was given is part of a body.
-        return isinstance(other, Body) and self.said() == other.said()
+        return isinstance(other, Body) and self.given() == other.given()
 
     def __hash__(self) -> int:
         return hash(self.id)

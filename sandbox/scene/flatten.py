@@ -97,7 +97,7 @@ class Flattener:
         """A body's fields: its own, else its prefab's, else the defaults."""
         if body.prefab is None:
             return _values(body)
-        return {**_values(self.scene.prefabs[body.prefab]), **body.said()}
+        return {**_values(self.scene.prefabs[body.prefab]), **body.given()}
 
     def _traits(self, values: dict[str, Any], path: Path) -> dict[str, Any]:
         """The fields of a flat body that do not depend on where it is; adds what is wrong with them."""

@@ -74,7 +74,7 @@ class Scene(Shown, SceneFields):
 
     def model_copy(self, *, update: Any = None, deep: bool = False) -> Scene:
         """A new scene with the fields in `update` changed, checked like any other."""
-        changed = {**self.said(), **(update or {})}
+        changed = {**self.given(), **(update or {})}
         aliases = {name: field.alias or name for name, field in type(self).model_fields.items()}
         return type(self)(**{aliases.get(name, name): value for name, value in changed.items()})
 

@@ -72,12 +72,12 @@ class SceneItem(_Item):
         """Run the scene and judge it, as `sandbox check` does."""
         from sandbox.cli.check_result import Result
         from sandbox.cli.check_table import reasons
-        from sandbox.replay.trial import run_trial
+        from sandbox.replay.headless_run import run_headless
         from sandbox.scene import load_scene
 
         path = shown(self.path, self.config)
         scene = load_scene(path)
-        result = Result(path, scene, run_trial(scene))
+        result = Result(path, scene, run_headless(scene))
         if result.word != "holds":
             raise UnmetError("\n".join(["an expectation does not hold:", *reasons(result)]))
 
@@ -92,13 +92,13 @@ class ReplayItem(_Item):
     def runtest(self) -> None:
         """Run it again and compare, as `sandbox replay` does."""
         from sandbox.replay.golden.cases import Case
-        from sandbox.replay.golden.examine import Demands, examine
+        from sandbox.replay.golden.examine import ReplaySettings, examine
         from sandbox.testing.verdict import verdict
 
         scene = shown(self._scene, self.config) if self._scene else None
         case = Case(shown(self._replay, self.config), scene)
         note_judged(self, case.replay.as_posix())
-        report = examine(case, Demands(update=self.config.getoption("replay_update") or ""))
+        report = examine(case, ReplaySettings(update=self.config.getoption("replay_update") or ""))
         if report.action:
             note_written(self, case.replay.as_posix())
         if not report.fine:

@@ -9,7 +9,7 @@ from sandbox.replay.causes.explain import explained
 from sandbox.replay.golden.cases import Case
 from sandbox.replay.golden.examine import Report, Update
 from sandbox.replay.golden.rerun import Outcome, rerun
-from sandbox.replay.golden.whereabouts import whereabouts
+from sandbox.replay.golden.source_location import divergence_location
 from sandbox.replay.recording.recording import Recording
 
 
@@ -33,7 +33,7 @@ def _judged(made: Recording, golden: Recording, case: Case) -> Report:
     tried = replace(golden, scene=source, commands=commands)
     outcome = explained(tried, _with_edits(rerun(tried), _edits(made, golden)))
     scene = str(made.scene.path or "")
-    return Report(case, outcome.word, outcome, scene=scene, where=whereabouts(tried, outcome), recording=tried)
+    return Report(case, outcome.word, outcome, scene=scene, where=divergence_location(tried, outcome), recording=tried)
 
 
 def _with_edits(outcome: Outcome, edits: tuple[str, ...]) -> Outcome:

@@ -61,7 +61,7 @@ def judged_files(terminalreporter: Any) -> list[Judged]:
 
 def write_page(path: Path, judged: Sequence[Judged]) -> None:
     """The page of `sandbox replay --report`; what failed is judged once more for it. Raises `OSError`."""
-    from sandbox.cli.replay_words import reasons
+    from sandbox.cli.replay_messages import reasons
     from sandbox.report.report_page import write_report
     from sandbox.report.section import Entry
     from sandbox.testing.verdict import mend
@@ -77,14 +77,14 @@ def write_page(path: Path, judged: Sequence[Judged]) -> None:
 def _report(one: Judged) -> Report:
     from sandbox.errors import FileError
     from sandbox.replay.golden.cases import Case, find_cases
-    from sandbox.replay.golden.examine import Demands, Report, examine
+    from sandbox.replay.golden.examine import ReplaySettings, Report, examine
     from sandbox.replay.recording.recording import Recording
     from sandbox.testing.own_replay import compare
 
     if one.fine:
         return Report(Case(Path(one.path)), "passed")
     if not one.made:
-        return examine(find_cases([Path(one.path)])[0], Demands())
+        return examine(find_cases([Path(one.path)])[0], ReplaySettings())
     try:
         return compare(Recording.load(one.made), Path(one.path), "")
     except FileError as error:

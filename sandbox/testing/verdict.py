@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sandbox.cli.replay_words import advice, reasons
+from sandbox.cli.replay_messages import advice, reasons
 from sandbox.errors import FileError
 from sandbox.replay.golden.examine import Report
 

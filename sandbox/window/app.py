@@ -17,7 +17,7 @@ from sandbox.window.loading import LoadingScreen
 from sandbox.window.play import PlayScreen
 from sandbox.window.scene_index import scene_entries
 from sandbox.window.scene_list import SceneList
-from sandbox.window.screen import Screen, Stage
+from sandbox.window.screen import Canvas, Screen
 from sandbox.window.session import Session
 
 LOADING_FPS = 20
@@ -43,7 +43,7 @@ def run_window(options: Options) -> None:
     with Display(options.size, "sandbox", visible=options.frames is None) as display:
         gui = Gui(display.driver)
         try:
-            App(Stage(display, GlPainter(display.context), gui, DARK), options).run()
+            App(Canvas(display, GlPainter(display.context), gui, DARK), options).run()
         finally:
             gui.close()
 
@@ -51,8 +51,8 @@ def run_window(options: Options) -> None:
 class App:
     """The loop: events, time, picture."""
 
-    def __init__(self, stage: Stage, options: Options) -> None:
-        self.stage = stage
+    def __init__(self, canvas: Canvas, options: Options) -> None:
+        self.canvas = canvas
         self.options = options
         self._clock = pygame.time.Clock()
         self._list: SceneList | None = None
@@ -68,11 +68,11 @@ class App:
             screen = self._update(screen, elapsed)
             if screen is not None:
                 self._draw(screen)
-                self.stage.display.show()
+                self.canvas.display.show()
                 drawn, last = drawn + screen.counts, screen
         if self.options.screenshot is not None and last is not None:
             self._draw(last)  # once more: what is behind a shown picture is undefined
-            self.stage.display.save(self.options.screenshot)
+            self.canvas.display.save(self.options.screenshot)
 
     def _update(self, screen: Screen, elapsed: float) -> Screen | None:
         """Let time pass; a screen that comes on gets its share at once: one update a picture."""
@@ -84,7 +84,7 @@ class App:
         for event in pygame.event.get():
             if event.type == pygame.QUIT:
                 return False
-            self.stage.gui.process(event)
+            self.canvas.gui.process(event)
             screen.handle(event)
         return True
 
@@ -94,32 +94,32 @@ class App:
         if not screen.counts:
             limit = LOADING_FPS
         else:
-            limit = 0 if counting else self.stage.display.refresh_rate
+            limit = 0 if counting else self.canvas.display.refresh_rate
         elapsed = self._clock.tick(limit) / 1000.0
         return LOCKSTEP_SECONDS if counting and screen.counts else elapsed
 
     def _draw(self, screen: Screen) -> None:
         if isinstance(screen, PlayScreen):
             screen.fps = self._clock.get_fps()
-        self.stage.display.begin()
-        self.stage.gui.begin(self.stage.display.size)
-        screen.draw(self.stage)
-        self.stage.gui.end()
+        self.canvas.display.begin()
+        self.canvas.gui.begin(self.canvas.display.size)
+        screen.draw(self.canvas)
+        self.canvas.gui.end()
 
     def _load(self, path: Path) -> Screen:
         return LoadingScreen(Loader(path, self.options.start_step), self._play, self._failed)
 
     def _play(self, session: Session) -> Screen:
         title = session.scene.title or (self.options.scene or Path()).name
-        self.stage.display.title(f"{title} - sandbox")
+        self.canvas.display.title(f"{title} - sandbox")
         lockstep = self.options.frames is not None
-        return PlayScreen(session, self.stage.display.size, self._back, lockstep)
+        return PlayScreen(session, self.canvas.display.size, self._back, lockstep)
 
     def _back(self) -> Screen | None:
         """From a scene: to the list it was chosen from, or out."""
         if self._list is None:
             return None
-        self.stage.display.title("sandbox")
+        self.canvas.display.title("sandbox")
         return self._list
 
     def _failed(self, error: Exception) -> Screen | None:

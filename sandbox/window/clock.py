@@ -16,28 +16,28 @@ class StepClock:
         self.step_seconds = step_seconds
         self.speed = 1.0
         self.paused = False
-        self._owed = 0.0
+        self._accumulated = 0.0
 
     @property
     def alpha(self) -> float:
         """Where the picture stands between the previous step (0) and the last one (1)."""
-        return min(self._owed / self.step_seconds, 1.0)
+        return min(self._accumulated / self.step_seconds, 1.0)
 
     def advance(self, elapsed: float, most: int) -> int:
         """`elapsed` seconds have passed: the steps due now, at most `most`; time beyond is dropped."""
         if self.paused:
             return 0
-        self._owed += elapsed * self.speed
-        steps = int(self._owed / self.step_seconds)
+        self._accumulated += elapsed * self.speed
+        steps = int(self._accumulated / self.step_seconds)
         if steps > most:
-            self._owed = 0.0
+            self._accumulated = 0.0
             return most
-        self._owed = max(self._owed - steps * self.step_seconds, 0.0)
+        self._accumulated = max(self._accumulated - steps * self.step_seconds, 0.0)
         return steps
 
-    def settle(self) -> None:
+    def snap_to_step(self) -> None:
         """Show the last step exactly; the next one is due at once when time runs again."""
-        self._owed = self.step_seconds
+        self._accumulated = self.step_seconds
 
     def change_speed(self, places: int) -> None:
         """Move `places` along `SPEEDS`; stops at either end."""

@@ -9,8 +9,8 @@ import moderngl
 import numpy as np
 
 from sandbox.render.draw_list import DrawList
+from sandbox.render.field_drawing import RegionFill
 from sandbox.render.geometry import Mesh
-from sandbox.render.washes import Wash
 from sandbox.window.instances import INSTANCE, pack
 
 TEXTURE_WIDTH = 1024
@@ -32,7 +32,7 @@ class GlPainter:
         self._mesh: Mesh | None = None
         self._vertices: Any = None
         self._reserve(1024)
-        self._glaze = context.program(shader("wash.vert.glsl"), shader("wash.frag.glsl"))
+        self._region_program = context.program(shader("region.vert.glsl"), shader("region.frag.glsl"))
 
     def paint(self, picture: DrawList) -> None:
         """Clear the framebuffer and draw the picture; the viewport has to be the size of its camera."""
@@ -45,18 +45,18 @@ class GlPainter:
         self.context.clear(*picture.theme.background)
         self.context.enable_only(moderngl.BLEND)
         self.context.blend_func = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA
-        self._wash(picture)
+        self._fill_region(picture)
         self._vertices.use(0)
         self._quads.render(moderngl.TRIANGLE_STRIP, instances=len(instances))
 
-    def _wash(self, picture: DrawList) -> None:
-        """The washes, as triangles; few, so that their buffer is made anew for each picture."""
-        if not picture.washes:
+    def _fill_region(self, picture: DrawList) -> None:
+        """The fills of regions, as triangles; few, so that their buffer is made anew for each picture."""
+        if not picture.region_fills:
             return
-        corners = np.vstack([_triangles(wash) for wash in picture.washes])
+        corners = np.vstack([_triangles(fill) for fill in picture.region_fills])
         buffer = self.context.buffer(corners.astype("f4").tobytes())
-        triangles = self.context.vertex_array(self._glaze, [(buffer, "2f 4f", "pixel", "paint")])
-        self._glaze["screen"].value = picture.camera.size
+        triangles = self.context.vertex_array(self._region_program, [(buffer, "2f 4f", "pixel", "paint")])
+        self._region_program["screen"].value = picture.camera.size
         triangles.render(moderngl.TRIANGLES)
         triangles.release()
         buffer.release()
@@ -85,8 +85,8 @@ class GlPainter:
         self._mesh = mesh
 
 
-def _triangles(wash: Wash) -> Any:
+def _triangles(fill: RegionFill) -> Any:
     """A convex polygon as a fan (k, 6): x, y in pixels, sRGB, opacity."""
-    points = wash.points
+    points = fill.points
     fan = np.stack([np.broadcast_to(points[0], points[2:].shape), points[1:-1], points[2:]], axis=1).reshape(-1, 2)
-    return np.hstack([fan, np.tile([*wash.color, wash.opacity], (len(fan), 1))])
+    return np.hstack([fan, np.tile([*fill.color, fill.opacity], (len(fan), 1))])

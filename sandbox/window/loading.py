@@ -11,8 +11,8 @@ from sandbox.errors import SandboxError
 from sandbox.render.camera import Size
 from sandbox.window.hud import FAINT, TEXT, WARM
 from sandbox.window.loader import Loader
-from sandbox.window.pen import Pen
-from sandbox.window.screen import Screen, Stage
+from sandbox.window.overlay import Overlay
+from sandbox.window.screen import Canvas, Screen
 from sandbox.window.session import Session
 
 SLOW_SECONDS = 2.0
@@ -51,19 +51,21 @@ class LoadingScreen:
         except (SandboxError, OSError) as error:
             return self._failed(error)
 
-    def draw(self, stage: Stage) -> None:
+    def draw(self, canvas: Canvas) -> None:
         """The arc and what is being done."""
-        stage.clear()
-        width, height = stage.display.size
-        pen = Pen(stage.gui)
+        canvas.clear()
+        width, height = canvas.display.size
+        overlay = Overlay(canvas.gui)
         turn = 2.0 * math.pi * (self._age * 0.8 % 1.0)
-        pen.arc(width / 2, height / 2 - 44.0, 17.0, (turn, turn + 4.2), WARM, 3.0)
-        _center(pen, (width, height), 0.0, self._loader.message + " …", 20.0, TEXT)
-        _center(pen, (width, height), 32.0, self._loader.path.name, 16.0, FAINT)
+        overlay.arc(width / 2, height / 2 - 44.0, 17.0, (turn, turn + 4.2), WARM, 3.0)
+        _center(overlay, (width, height), 0.0, self._loader.message + " …", 20.0, TEXT)
+        _center(overlay, (width, height), 32.0, self._loader.path.name, 16.0, FAINT)
         if self._age > SLOW_SECONDS:
             text = "The first start on a machine compiles the physics engine, which takes 10 to 20 seconds."
-            _center(pen, (width, height), 72.0, text, 16.0, FAINT)
+            _center(overlay, (width, height), 72.0, text, 16.0, FAINT)
 
 
-def _center(pen: Pen, size: Size, down: float, text: str, points: float, color: tuple[float, float, float]) -> None:
-    pen.text((size[0] - pen.width(text, points)) / 2, size[1] / 2 + down, text, color, size=points)
+def _center(
+    overlay: Overlay, size: Size, down: float, text: str, points: float, color: tuple[float, float, float]
+) -> None:
+    overlay.text((size[0] - overlay.width(text, points)) / 2, size[1] / 2 + down, text, color, size=points)

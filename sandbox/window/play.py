@@ -8,15 +8,15 @@ from pathlib import Path
 import pygame
 
 from sandbox.errors import SandboxError
+from sandbox.render.body_colors import body_colors_of
 from sandbox.render.camera import Camera, Size, fit, scene_camera
 from sandbox.render.draw_list import build_draw_list
-from sandbox.render.wardrobe import wardrobe_of
 from sandbox.window import hud
 from sandbox.window.keys import action_of
-from sandbox.window.pen import Pen
-from sandbox.window.screen import Screen, Stage
+from sandbox.window.mouse import Mouse
+from sandbox.window.overlay import Overlay
+from sandbox.window.screen import Canvas, Screen
 from sandbox.window.session import Session
-from sandbox.window.tools import Mouse
 
 TITLE_SECONDS, HELP_SECONDS, NOTE_SECONDS, FADE_SECONDS = 5.0, 9.0, 5.0, 0.8
 
@@ -31,7 +31,7 @@ class PlayScreen:
         self.lockstep = lockstep
         self.mouse = Mouse(session, self._fitted(size))
         self.fps = 0.0
-        self._wardrobe = wardrobe_of(session.world.state)
+        self._body_colors = body_colors_of(session.world.state)
         self._back = back
         self._leaving = False
         self._age = 0.0
@@ -72,28 +72,28 @@ class PlayScreen:
             self.session.trouble = ""
         return self
 
-    def draw(self, stage: Stage) -> None:
+    def draw(self, canvas: Canvas) -> None:
         """The bodies, then the HUD."""
-        self._follow_window(stage.display.size)
+        self._follow_window(canvas.display.size)
         frame = self.session.frame()
-        self._wardrobe = self._wardrobe.fitting(frame)
-        strokes = self.mouse.strokes(frame, stage.theme)
-        stage.painter.paint(build_draw_list(frame, self.mouse.camera, self._wardrobe, strokes))
-        self._draw_hud(Pen(stage.gui), stage.display.size)
+        self._body_colors = self._body_colors.for_frame(frame)
+        strokes = self.mouse.strokes(frame, canvas.theme)
+        canvas.painter.paint(build_draw_list(frame, self.mouse.camera, self._body_colors, strokes))
+        self._draw_hud(Overlay(canvas.gui), canvas.display.size)
 
-    def _draw_hud(self, pen: Pen, size: Size) -> None:
+    def _draw_hud(self, overlay: Overlay, size: Size) -> None:
         clock, scene = self.session.clock, self.session.scene
-        hud.draw_figures(pen, self._figures())
-        hud.draw_time_state(pen, size, clock.paused, clock.speed)
+        hud.draw_figures(overlay, self._figures())
+        hud.draw_time_state(overlay, size, clock.paused, clock.speed)
         title = _fade(TITLE_SECONDS - self._age)
         if title > 0.0:
-            hud.draw_title(pen, size, scene.title, scene.about, title)
+            hud.draw_title(overlay, size, scene.title, scene.about, title)
         noted = _fade(self._note_until - self._age)
         if noted > 0.0:
-            hud.draw_note(pen, size, self.note, noted)
+            hud.draw_note(overlay, size, self.note, noted)
         shown = _fade(self._help_until - self._age)
         if shown > 0.0:
-            hud.draw_help(pen, size, shown)
+            hud.draw_help(overlay, size, shown)
 
     def _figures(self) -> hud.Figures:
         world = self.session.world

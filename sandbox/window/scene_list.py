@@ -11,9 +11,9 @@ from imgui_bundle import imgui
 from sandbox.window.card_grid import Row, card_rows, move
 from sandbox.window.gui import Gui
 from sandbox.window.hud import FAINT, PANEL, TEXT, WARM
-from sandbox.window.pen import Pen, shorten, split_line
+from sandbox.window.overlay import Overlay, shorten, split_line
 from sandbox.window.scene_index import Entry
-from sandbox.window.screen import Screen, Stage
+from sandbox.window.screen import Canvas, Screen
 
 CARD_HEIGHT, CARD_GAP, HEADING_HEIGHT, HEAD_HEIGHT = 86.0, 10.0, 48.0, 104.0
 NARROWEST, WIDEST = 340.0, 1120.0
@@ -72,23 +72,23 @@ class SceneList:
         """Show a message above the cards until the next choice."""
         self.message = message.splitlines()[0]
 
-    def draw(self, stage: Stage) -> None:
+    def draw(self, canvas: Canvas) -> None:
         """Heading, message, cards."""
-        stage.clear()
-        width, height = stage.display.size
+        canvas.clear()
+        width, height = canvas.display.size
         wide = min(WIDEST, width - 48.0)
         left = (width - wide) / 2
-        pen = Pen(stage.gui)
-        pen.text(left, 28.0, "sandbox", TEXT, size=32.0, bold=True)
-        self._subtitle(pen, left, wide)
-        self._cards(stage.gui, left, wide, height)
+        overlay = Overlay(canvas.gui)
+        overlay.text(left, 28.0, "sandbox", TEXT, size=32.0, bold=True)
+        self._subtitle(overlay, left, wide)
+        self._cards(canvas.gui, left, wide, height)
 
-    def _subtitle(self, pen: Pen, left: float, wide: float) -> None:
+    def _subtitle(self, overlay: Overlay, left: float, wide: float) -> None:
         hint = "arrows and Enter, or click  ·  Esc leaves"
         text = self.message or f"{len(self._entries)} scenes"
-        room = wide - pen.width(hint) - 30.0
-        pen.text(left, 68.0, shorten(pen, text, room), WARM if self.message else FAINT)
-        pen.text(left + wide - pen.width(hint), 68.0, hint, FAINT)
+        room = wide - overlay.width(hint) - 30.0
+        overlay.text(left, 68.0, shorten(overlay, text, room), WARM if self.message else FAINT)
+        overlay.text(left + wide - overlay.width(hint), 68.0, hint, FAINT)
 
     def _cards(self, gui: Gui, left: float, wide: float, height: float) -> None:
         imgui.set_next_window_pos(imgui.ImVec2(left - PAD, HEAD_HEIGHT))
@@ -97,24 +97,24 @@ class SceneList:
         columns = max(int((wide + CARD_GAP) / (NARROWEST + CARD_GAP)), 1)
         self._rows = card_rows([entry.theme for entry in self._entries], columns)
         card = (wide - CARD_GAP * (columns - 1)) / columns
-        self._grid(Pen(gui, imgui.get_window_draw_list()), (card, CARD_HEIGHT))
+        self._grid(Overlay(gui, imgui.get_window_draw_list()), (card, CARD_HEIGHT))
         imgui.end()
 
-    def _grid(self, pen: Pen, card: tuple[float, float]) -> None:
+    def _grid(self, overlay: Overlay, card: tuple[float, float]) -> None:
         top = 0.0
         for row in self._rows:
             if row.heading is not None:
                 imgui.set_cursor_pos(imgui.ImVec2(PAD, top))
                 at = imgui.get_cursor_screen_pos()
-                pen.text(at.x, at.y + 14.0, _heading(row.heading), WARM, size=18.0)
+                overlay.text(at.x, at.y + 14.0, _heading(row.heading), WARM, size=18.0)
                 top += HEADING_HEIGHT
             for column, number in enumerate(row.cards):
-                self._card(pen, number, (PAD + column * (card[0] + CARD_GAP), top), card)
+                self._card(overlay, number, (PAD + column * (card[0] + CARD_GAP), top), card)
             top += CARD_HEIGHT + CARD_GAP
         imgui.set_cursor_pos(imgui.ImVec2(PAD, top))
         imgui.dummy(imgui.ImVec2(1.0, 16.0))
 
-    def _card(self, pen: Pen, number: int, at: tuple[float, float], card: tuple[float, float]) -> None:
+    def _card(self, overlay: Overlay, number: int, at: tuple[float, float], card: tuple[float, float]) -> None:
         imgui.set_cursor_pos(imgui.ImVec2(*at))
         corner = imgui.get_cursor_screen_pos()
         if imgui.invisible_button(f"card {number}", imgui.ImVec2(*card)):
@@ -125,20 +125,20 @@ class SceneList:
             imgui.set_scroll_here_y(0.5)
             self._scroll_to_selected = False
         if imgui.is_item_visible():
-            draw_card(pen, self._entries[number], (corner.x, corner.y), card, number == self._selected)
+            draw_card(overlay, self._entries[number], (corner.x, corner.y), card, number == self._selected)
 
 
-def draw_card(pen: Pen, entry: Entry, at: tuple[float, float], card: tuple[float, float], lit: bool) -> None:
+def draw_card(overlay: Overlay, entry: Entry, at: tuple[float, float], card: tuple[float, float], lit: bool) -> None:
     """One card: title above, about below in two lines at most, with an edge of light when it is selected."""
     x, y = at
     if lit:
-        pen.panel((x - 1.5, y - 1.5, x + card[0] + 1.5, y + card[1] + 1.5), WARM, 0.75, 11.5)
-    pen.panel((x, y, x + card[0], y + card[1]), PANEL, 1.0, 10.0)
+        overlay.panel((x - 1.5, y - 1.5, x + card[0] + 1.5, y + card[1] + 1.5), WARM, 0.75, 11.5)
+    overlay.panel((x, y, x + card[0], y + card[1]), PANEL, 1.0, 10.0)
     room = card[0] - 2 * INDENT
-    pen.text(x + INDENT, y + 11.0, shorten(pen, entry.title, room, 18.0), TEXT, size=18.0)
-    first, rest = split_line(pen, entry.about, room, 15.0)
-    pen.text(x + INDENT, y + 37.0, first, FAINT, size=15.0)
-    pen.text(x + INDENT, y + 56.0, shorten(pen, rest, room, 15.0), FAINT, size=15.0)
+    overlay.text(x + INDENT, y + 11.0, shorten(overlay, entry.title, room, 18.0), TEXT, size=18.0)
+    first, rest = split_line(overlay, entry.about, room, 15.0)
+    overlay.text(x + INDENT, y + 37.0, first, FAINT, size=15.0)
+    overlay.text(x + INDENT, y + 56.0, shorten(overlay, rest, room, 15.0), FAINT, size=15.0)
 
 
 def _heading(theme: str) -> str:

@@ -1,4 +1,4 @@
-"""What a screen of the window is: it handles events, lets time pass, and draws itself on a stage."""
+"""What a screen of the window is: it handles events, lets time pass, and draws itself on a canvas."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from sandbox.window.gui import Gui
 
 
 @dataclass(frozen=True)
-class Stage:
+class Canvas:
     """What screens draw with."""
 
     display: Display
@@ -39,5 +39,5 @@ class Screen(Protocol):
     def update(self, elapsed: float) -> Screen | None:
         """Let `elapsed` seconds pass; gives the screen to show now, None to leave the program."""
 
-    def draw(self, stage: Stage) -> None:
+    def draw(self, canvas: Canvas) -> None:
         """Draw the picture, then what lies over it."""

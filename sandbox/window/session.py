@@ -13,7 +13,7 @@ from sandbox.render.camera import Bounds, Vec
 from sandbox.render.frame import Frame, blend, capture, interesting_bounds
 from sandbox.render.pick import pick
 from sandbox.window.clock import StepClock
-from sandbox.window.tape import Tape
+from sandbox.window.session_recorder import SessionRecorder
 
 if TYPE_CHECKING:
     from sandbox.replay.recording.command_words import TimedCommand
@@ -34,7 +34,7 @@ class Session:
         self.scene = scene
         self.world = world
         self._script = script
-        self._tape = Tape(world, script)
+        self._recorder = SessionRecorder(world, script)
         self.trouble = ""
         """What went wrong last, for the user."""
         self.clock = StepClock(float(world.state.settings[0].step_seconds))
@@ -57,19 +57,19 @@ class Session:
     def step_once(self) -> None:
         """Take one step and show it exactly."""
         self._step()
-        self.clock.settle()
+        self.clock.snap_to_step()
 
     def skip(self, steps: int) -> None:
         """Take many steps unseen."""
         for _ in range(steps):
-            self._tape.step()
+            self._recorder.step()
         self.previous = self.current = capture(self.world.state, self.current.mesh)
 
     def restart(self) -> None:
         """Begin again from the scene as it was written."""
         self._held = None
         self.world = World(self.scene)
-        self._tape = Tape(self.world, self._script)
+        self._recorder = SessionRecorder(self.world, self._script)
         self.previous = self.current = capture(self.world.state, self.current.mesh)
 
     def save_recording(self, folder: Path) -> Path:
@@ -77,7 +77,7 @@ class Session:
 
         Raises `RecordingError` if there is nothing to write, `OSError` if it cannot be written.
         """
-        return self._tape.save(folder)
+        return self._recorder.save(folder)
 
     def frame(self) -> Frame:
         """What is to be seen now: between the last two steps, as far as the clock says."""
@@ -113,13 +113,13 @@ class Session:
     def drag(self, point: Vec) -> None:
         """Pull the grabbed body towards `point`."""
         if self.grabbed is not None and point != self.target:
-            self._tape.apply(MoveDrag(self.world.names[self.grabbed], point))
+            self._recorder.apply(MoveDrag(self.world.names[self.grabbed], point))
             self.target = point
 
     def release(self) -> None:
         """Let go."""
         if self.grabbed is not None:
-            self._tape.apply(EndDrag(self.world.names[self.grabbed]))
+            self._recorder.apply(EndDrag(self.world.names[self.grabbed]))
         self._held = None
 
     def grip(self, frame: Frame) -> Vec:
@@ -132,7 +132,7 @@ class Session:
     def _send_grab(self, body: int, point: Vec) -> bool:
         force = DRAG_ACCELERATION * float(self.world.state.bodies[body].mass)
         try:
-            self._tape.apply(StartDrag(self.world.names[body], point, force))
+            self._recorder.apply(StartDrag(self.world.names[body], point, force))
         except CommandError:
             return False
         self.target = point
@@ -140,9 +140,9 @@ class Session:
 
     def _step(self) -> None:
         try:
-            cost = self._tape.step()
+            cost = self._recorder.step()
         except SandboxError as error:
-            self.trouble, cost = str(error), self._tape.step()
+            self.trouble, cost = str(error), self._recorder.step()
         self.step_cost = cost if self.step_cost == 0.0 else 0.9 * self.step_cost + 0.1 * cost
         self.previous, self.current = self.current, capture(self.world.state, self.current.mesh)
 

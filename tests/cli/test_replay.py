@@ -15,7 +15,7 @@ import pytest
 from sandbox.cli import replay_pool
 from sandbox.errors import SandboxError
 from sandbox.replay.golden.cases import Case
-from sandbox.replay.golden.examine import Demands
+from sandbox.replay.golden.examine import ReplaySettings
 from tests.cli.conftest import CRATE, GROUND
 
 HOLDS = {"at": 20, "rests": "crate"}
@@ -38,7 +38,7 @@ def golden(cli: Callable, write_scene: Callable, tmp_path: Path) -> Path:
     return tmp_path / "a.replay.json"
 
 
-class Deadly(Demands):
+class Deadly(ReplaySettings):
     """Ends the process that unpacks it."""
 
     def __reduce__(self) -> Any:

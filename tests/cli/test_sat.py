@@ -1,4 +1,4 @@
-"""`sandbox sat`: the table, the story, the data, and what it says when it cannot."""
+"""`sandbox sat`: the table, the explanation, the data, and what it says when it cannot."""
 
 from __future__ import annotations
 

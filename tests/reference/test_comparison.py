@@ -12,7 +12,7 @@ from sandbox.engine.world import World
 from sandbox.reference import comparison
 from sandbox.reference.ask_pymunk import Answers, Probe
 from sandbox.reference.comparison import Observer, compare
-from sandbox.reference.tally import KEEP, Comparison
+from sandbox.reference.comparison_result import KEEP, Comparison
 from sandbox.resources import find_scene
 from sandbox.scene import load_scene
 from tests import flat

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from hypothesis import given
 
+from sandbox.reference.arbitration import poses_of
 from sandbox.reference.exact_referee import overlap_along
 from sandbox.reference.pair import Pair
 from sandbox.reference.poses import Poses
-from sandbox.reference.settle import poses_of
 from tests import flat
 from tests.reference.pairs import any_pairs, at, box, circle
 

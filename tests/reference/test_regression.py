@@ -13,9 +13,9 @@ import pytest
 import sandbox
 from sandbox.reference import comparison
 from sandbox.reference.comparison import Observer, compare
+from sandbox.reference.comparison_result import Comparison, Miss
 from sandbox.reference.pair import Core, Pair
 from sandbox.reference.regression import save_regressions
-from sandbox.reference.tally import Comparison, Miss
 
 PACKAGE = Path(sandbox.__file__).parent.parent
 

@@ -12,10 +12,10 @@ import pytest
 
 from sandbox.reference import traps
 from sandbox.reference.answer import Answer
+from sandbox.reference.arbitration import arbitrate, faults_of, our_answer, poses_of
 from sandbox.reference.ask_pymunk import PYMUNK_VERSION, Probe, ask_pair, collide, shape_of
 from sandbox.reference.exact_referee import judge, overlap_along
 from sandbox.reference.pair import Core, Pair
-from sandbox.reference.settle import faults_of, our_answer, poses_of, settle
 from tests.reference.pairs import at, box, circle, line
 
 MEASURED_ON = "7.3.1"
@@ -108,8 +108,8 @@ def test_no_axis(pair: Pair) -> None:
     assert judge(pair).overlap == (pair.center_b == (0.0, 0.0))
     expect_trap(traps.NO_AXIS, answer is not None and answer[1] == (0.0, 0.0))
     assert answer is not None
-    settled = settle(pair, our_answer(pair), Answer.theirs(answer))
-    assert settled.trap is traps.NO_AXIS
+    ruling = arbitrate(pair, our_answer(pair), Answer.theirs(answer))
+    assert ruling.trap is traps.NO_AXIS
 
 
 IN_LINE_APART = [
@@ -130,7 +130,7 @@ def test_in_line(pair: Pair) -> None:
     assert faults_of(pair) == []
     wrong = (answer is not None) != truth.overlap or (answer is not None and answer[0] > truth.depth + 0.1)
     expect_trap(traps.IN_LINE, wrong)
-    assert settle(pair, our_answer(pair), Answer.theirs(answer)).trap is traps.IN_LINE
+    assert arbitrate(pair, our_answer(pair), Answer.theirs(answer)).trap is traps.IN_LINE
 
 
 SLIVER = Core(
@@ -155,7 +155,7 @@ def test_clipped_depth() -> None:
     assert answer is not None
     assert overlap_along(CLIPPED, answer[1]) == pytest.approx(truth.depth, rel=1e-12)
     expect_trap(traps.CLIPPED_DEPTH, answer[0] < 0.9 * truth.depth)
-    assert settle(CLIPPED, our_answer(CLIPPED), Answer.theirs(answer)).trap is traps.CLIPPED_DEPTH
+    assert arbitrate(CLIPPED, our_answer(CLIPPED), Answer.theirs(answer)).trap is traps.CLIPPED_DEPTH
 
 
 BLURRED = Pair(
@@ -171,16 +171,16 @@ def test_blurred_normal() -> None:
     assert faults_of(BLURRED) == []
     assert answer is not None
     expect_trap(traps.BLURRED_NORMAL, overlap_along(BLURRED, answer[1]) > truth.depth + 4e-9)
-    assert settle(BLURRED, our_answer(BLURRED), Answer.theirs(answer)).trap is traps.BLURRED_NORMAL
+    assert arbitrate(BLURRED, our_answer(BLURRED), Answer.theirs(answer)).trap is traps.BLURRED_NORMAL
     lie = Answer.theirs((truth.depth, (-0.1, 0.99498743710662)))
-    assert settle(BLURRED, our_answer(BLURRED), lie).trap is None
+    assert arbitrate(BLURRED, our_answer(BLURRED), lie).trap is None
 
 
 def test_a_wrong_answer_without_a_known_reason_has_no_name() -> None:
     pair = at(box(1, 1), box(1, 1), (0.75, 0.125))
-    assert settle(pair, our_answer(pair), Answer(False)).trap is None
-    assert settle(pair, our_answer(pair), Answer.theirs((0.3, (1.0, 0.0)))).trap is None
-    assert settle(pair, our_answer(pair), Answer.theirs((0.25, (0.0, 1.0)))).trap is None
+    assert arbitrate(pair, our_answer(pair), Answer(False)).trap is None
+    assert arbitrate(pair, our_answer(pair), Answer.theirs((0.3, (1.0, 0.0)))).trap is None
+    assert arbitrate(pair, our_answer(pair), Answer.theirs((0.25, (0.0, 1.0)))).trap is None
 
 
 def test_every_trap_has_its_test() -> None:

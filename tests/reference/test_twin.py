@@ -1,4 +1,4 @@
-"""Whole scenes in both engines: closed forms under the ruler, and what is carried over to pymunk."""
+"""Whole scenes in both engines: closed forms as they are measured, and what is carried over to pymunk."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from sandbox.reference.ruler import Ruler
+from sandbox.reference.measures import Measurer
 from sandbox.reference.space import build_space, left_out
 from sandbox.reference.twin import simulate_twin
 from tests import flat
@@ -21,7 +21,7 @@ def test_the_ruler_measures_by_definition() -> None:
         flat.body("ball", flat.circle(1.0, density=1.0), position=(9, 5)),
         flat.body("lift", flat.box(1, 1), type="kinematic", position=(-9, 50), velocity=(0.0, 1.0)),
     )
-    got = Ruler(world.state).measure(world.state.bodies)
+    got = Measurer(world.state).measure(world.state.bodies)
     box_inertia = 6.0 * (1.0 + 4.0) / 12.0
     kinetic = 0.5 * 6.0 * 4.0 + 0.5 * box_inertia * 0.25
     assert got.energy == pytest.approx(kinetic + G * (6.0 * 0.9 + math.pi * 5.0), rel=1e-14)
@@ -33,7 +33,7 @@ def test_the_ruler_measures_by_definition() -> None:
 def test_sleeping_bodies_still_overlap() -> None:
     world = flat.world(flat.ground(), flat.body("a", flat.box(1, 1), position=(0, 0.25)))
     world.state.bodies.awake[:] = 0
-    assert Ruler(world.state).measure(world.state.bodies).penetration == pytest.approx(0.25)
+    assert Measurer(world.state).measure(world.state.bodies).penetration == pytest.approx(0.25)
 
 
 def test_a_scene_without_dynamic_bodies_measures_nothing() -> None:

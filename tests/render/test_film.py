@@ -8,7 +8,7 @@ from PIL import Image
 
 import sandbox
 from sandbox.render.film import film, gif_seconds
-from sandbox.render.image import save_gif, studio_of
+from sandbox.render.image import renderer_of, save_gif
 from sandbox.scene.flat import FlatBody, FlatScene
 from tests.render.stages import box, ground
 
@@ -31,10 +31,10 @@ def test_a_film_shows_the_world_at_even_times() -> None:
 
 def test_a_gif_holds_the_film(tmp_path: Path) -> None:
     world = sandbox.World(SCENE)
-    studio = studio_of(world, (160, 100))
+    renderer = renderer_of(world, (160, 100))
     frames = list(film(world, range(30), 0.04))
     path = tmp_path / "a.gif"
-    save_gif(studio.film(frames), path, 0.04)
+    save_gif(renderer.film(frames), path, 0.04)
     with Image.open(path) as picture:
         assert picture.size == (160, 100)
         assert picture.n_frames == len(frames)
@@ -42,15 +42,15 @@ def test_a_gif_holds_the_film(tmp_path: Path) -> None:
         assert picture.info["loop"] == 0
         picture.seek(picture.n_frames - 1)
         last = np.asarray(picture.convert("RGB")).astype(int)
-    difference = np.abs(last - np.asarray(studio.picture(frames[-1])).astype(int))
+    difference = np.abs(last - np.asarray(renderer.picture(frames[-1])).astype(int))
     assert difference.max() < 40
     assert difference.mean() < 2
 
 
 def test_a_png_is_the_picture(tmp_path: Path) -> None:
     world = sandbox.World(SCENE)
-    studio = studio_of(world, (160, 100))
+    renderer = renderer_of(world, (160, 100))
     frame = next(film(world, range(0), 0.04))
-    studio.save_png(frame, tmp_path / "a.png")
+    renderer.save_png(frame, tmp_path / "a.png")
     with Image.open(tmp_path / "a.png") as picture:
-        assert np.array_equal(np.asarray(picture), np.asarray(studio.picture(frame)))
+        assert np.array_equal(np.asarray(picture), np.asarray(renderer.picture(frame)))

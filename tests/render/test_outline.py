@@ -7,13 +7,13 @@ import shapely
 from hypothesis import given
 from hypothesis import strategies as st
 
+from sandbox.render.body_colors import choose_colors, frame_colors
 from sandbox.render.camera import Camera, fit
 from sandbox.render.draw_list import build_draw_list
 from sandbox.render.frame import capture, interesting_bounds
 from sandbox.render.pick import pick
 from sandbox.render.surface_painter import SurfacePainter
 from sandbox.render.theme import DARK
-from sandbox.render.wardrobe import dress, tints
 from sandbox.world.state import State
 from tests.render.naive import topmost
 from tests.render.stages import letters
@@ -85,10 +85,10 @@ def test_large_ones_are_cut_to_the_window() -> None:
 def test_no_line_is_drawn_where_parts_meet() -> None:
     state = letters("kinematic")
     state.bodies.frozen_step = -1
-    frame, wardrobe = capture(state), dress(state.names, state.bodies.type, DARK)
+    frame, body_colors = capture(state), choose_colors(state.names, state.bodies.type, DARK)
     camera = fit(interesting_bounds(frame), SIZE)
-    picture = np.asarray(SurfacePainter().paint(build_draw_list(frame, camera, wardrobe))).astype(float)
-    fill = tints(frame, wardrobe).fill * 255
+    picture = np.asarray(SurfacePainter().paint(build_draw_list(frame, camera, body_colors))).astype(float)
+    fill = frame_colors(frame, body_colors).fill * 255
     seen = 0
     for k, whole in enumerate(world_outlines(state)):
         inside = whole.buffer(-3.0 / camera.scale)

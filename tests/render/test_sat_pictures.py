@@ -8,12 +8,12 @@ from xml.etree import ElementTree
 import pytest
 
 import sandbox
+from sandbox.render.number_text import short
 from sandbox.render.sat_figure import FIGURES
 from sandbox.render.sat_page import Member, SatFigure
 from sandbox.render.sat_plane import Plane
 from sandbox.render.sat_rails import ROW
 from sandbox.render.svg import Svg
-from sandbox.render.words import short
 from tests.geometry.tutorial_cases import SQUARE_ONE, SQUARE_TWO, TRIANGLE_ONE, TRIANGLE_TWO
 
 NAMES = ("square", "triangle")
@@ -141,8 +141,8 @@ def test_many_axes_make_a_long_list_but_not_an_endless_one():
 
 def test_the_scene_figure_counts_pairs_of_boxes():
     boxes = [sandbox.Box(1, 1, at=(2 * k, 0)) for k in range(4)] + [sandbox.Box(20, 1, at=(0, -0.9))]
-    crowd = tuple(Member(box, k, k < 4) for k, box in enumerate(boxes))
-    root = draw("scene", (boxes[4], boxes[0]), crowd=crowd)
+    scene_shapes = tuple(Member(box, k, k < 4) for k, box in enumerate(boxes))
+    root = draw("scene", (boxes[4], boxes[0]), scene_shapes=scene_shapes)
     assert any("5 shapes make 10 pairs; only the 4 whose boxes overlap are tested" in text for text in words(root))
     assert len(of_class(root, "line", "gap edge")) == 4
 

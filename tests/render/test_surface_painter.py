@@ -3,13 +3,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from sandbox.render.body_colors import choose_colors
 from sandbox.render.camera import Camera, fit
 from sandbox.render.draw_list import build_draw_list
 from sandbox.render.frame import capture, interesting_bounds
 from sandbox.render.line import Line
 from sandbox.render.surface_painter import SurfacePainter
 from sandbox.render.theme import DARK
-from sandbox.render.wardrobe import dress
 from sandbox.scene.flat import FlatBody, FlatScene
 from sandbox.world.build import build_state
 from sandbox.world.state import State
@@ -23,8 +23,8 @@ SHEET = np.array([DARK.background, DARK.grid_minor, DARK.grid_major, DARK.grid_a
 
 
 def paint(state: State, camera: Camera, above: tuple[Line, ...] = ()) -> np.ndarray:
-    wardrobe = dress(state.names, state.bodies.type, DARK)
-    return np.asarray(SurfacePainter().paint(build_draw_list(capture(state), camera, wardrobe, above))).astype(float)
+    body_colors = choose_colors(state.names, state.bodies.type, DARK)
+    return np.asarray(SurfacePainter().paint(build_draw_list(capture(state), camera, body_colors, above))).astype(float)
 
 
 def is_sheet(pixel: np.ndarray) -> bool:
@@ -82,5 +82,5 @@ def test_static_bodies_lie_below_moving_ones() -> None:
     scene = FlatScene((FlatBody("a", "dynamic", shapes), FlatBody("wall", "static", (box(3, 3),))))
     state = build_state(scene)
     camera = Camera((0.0, 0.0), 50.0, (200, 200))
-    color = dress(state.names, state.bodies.type, DARK).base[0] * 255
+    color = choose_colors(state.names, state.bodies.type, DARK).base[0] * 255
     assert paint(state, camera)[90, 90] == pytest.approx(color, abs=2)

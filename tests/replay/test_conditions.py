@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox.replay.conditions import Condition
-from sandbox.replay.demands import conditions
+from sandbox.replay.expectation_conditions import conditions
 from sandbox.scene import expect
 from sandbox.scene.flat import FlatBody, FlatScene, FlatShape
 from sandbox.world.build import build_state

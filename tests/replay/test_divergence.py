@@ -133,13 +133,13 @@ def test_heavy_finds_what_a_snapshot_forgets(monkeypatch: pytest.MonkeyPatch) ->
     assert sandbox.rerun(recorded, heavy=True).passed
     faithful = Twin.step_from
 
-    def forgetful(self: Twin, stage: Any) -> str:
-        if stage.step == 33:
-            self._stage.restore(stage.world.snapshot(), stage.applied)
-            self._stage.world.state.bodies.velocity_x[2] += 1e-12
-            self._stage.advance()
-            return self._stage.world.digest()
-        return faithful(self, stage)
+    def forgetful(self: Twin, stepper: Any) -> str:
+        if stepper.step == 33:
+            self._stepper.restore(stepper.world.snapshot(), stepper.applied)
+            self._stepper.world.state.bodies.velocity_x[2] += 1e-12
+            self._stepper.advance()
+            return self._stepper.world.digest()
+        return faithful(self, stepper)
 
     monkeypatch.setattr(Twin, "step_from", forgetful)
     now = sandbox.rerun(recorded, heavy=True)

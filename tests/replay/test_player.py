@@ -6,7 +6,7 @@ import pytest
 
 import sandbox
 from sandbox.engine.commands.body_commands import ApplyImpulse, SetPose
-from sandbox.replay.golden.run import Stage
+from sandbox.replay.golden.run import RunStepper
 from sandbox.replay.keyframes import Keyframe, Keyframes
 from tests.determinism import busy
 from tests.replay.played import COMMANDS, STEPS, recording, scene
@@ -17,11 +17,11 @@ PLAYED = sandbox.Run(scene(), STEPS, COMMANDS)
 
 def straight(run: sandbox.Run) -> list[str]:
     """The digest at each step, its commands not yet applied, of a run without detours."""
-    stage = Stage(run.scene, run.commands)
-    digests = [stage.world.digest()]
+    stepper = RunStepper(run.scene, run.commands)
+    digests = [stepper.world.digest()]
     for _ in range(run.steps):
-        stage.advance()
-        digests.append(stage.world.digest())
+        stepper.advance()
+        digests.append(stepper.world.digest())
     return digests
 
 

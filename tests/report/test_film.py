@@ -9,8 +9,8 @@ import sandbox
 from sandbox.engine.commands.body_commands import ApplyImpulse
 from sandbox.engine.commands.row_commands import Delete, Spawn
 from sandbox.replay.golden.run import Run
-from sandbox.report.reel import reel
-from sandbox.report.shoot import film_ahead, film_run
+from sandbox.report.film_data import film_data
+from sandbox.report.filming import film_ahead, film_run
 from tests.replay import played
 
 
@@ -48,7 +48,7 @@ def test_bodies_that_come_and_go() -> None:
     ball = {"id": "late", "shapes": [{"circle": 0.3}], "position": [8, 5]}
     commands = ((5, Spawn(ball)), (9, Delete("stone")))
     film = film_run(Run(played.scene(), 20, commands))
-    data = {body["id"]: body for body in reel(film)["bodies"]}
+    data = {body["id"]: body for body in film_data(film)["bodies"]}
     assert data["late"]["there"] == [6]
     assert data["late"]["from"][0] == 8.0
     assert data["stone"]["there"] == [0, 10]

@@ -10,8 +10,8 @@ import pytest
 import sandbox
 from sandbox.engine.commands.body_commands import ApplyImpulse
 from sandbox.replay.golden.run import Run
+from sandbox.report.filming import film_run
 from sandbox.report.player_page import player_frame, player_page
-from sandbox.report.shoot import film_run
 from sandbox.resources import find_scene
 from tests.replay import played
 from tests.report.browser import Browser
@@ -51,27 +51,27 @@ def test_keys_and_the_slider_choose_the_step(show: Browser, tmp_path: Path) -> N
 def test_its_poses_are_those_of_the_world(show: Browser, tmp_path: Path) -> None:
     film = film_run(played.recording())
     opened(show, tmp_path, player_page("", film))
-    quanta = np.array([[actor.quantum, actor.quantum, actor.turn] for actor in film.cast])
+    quanta = np.array([[body.quantum, body.quantum, body.turn] for body in film.bodies])
     for step in (0, 1, 50, 150):
-        script = f"(r => r.bodies.map((_, row) => r.pose(row, {step})))({PLAYER}.player.reel)"
+        script = f"(r => r.bodies.map((_, row) => r.pose(row, {step})))({PLAYER}.player.film)"
         assert (np.abs(np.array(show.value(script)) - film.poses[:, step]) <= 0.51 * quanta).all()
 
 
 def test_between_kept_samples_it_goes_straight(show: Browser, tmp_path: Path) -> None:
     film = film_run(played.recording(), most=200)
     opened(show, tmp_path, player_page("", film))
-    script = f"(r => [6, 9, 12].map(step => r.pose(r.rows.get('ball'), step)[1]))({PLAYER}.player.reel)"
+    script = f"(r => [6, 9, 12].map(step => r.pose(r.rows.get('ball'), step)[1]))({PLAYER}.player.film)"
     before, middle, after = show.value(script)
     assert middle == pytest.approx((before + after) / 2, abs=1e-12)
 
 
 def test_the_wheel_zooms_about_the_pointer(show: Browser, tmp_path: Path) -> None:
     opened(show, tmp_path, player_page("", film_run(played.recording())))
-    stage = f"{PLAYER}.player.stage"
-    before = show.value(f"[{stage}.scale, ...{stage}.metres(200, 100)]")
+    viewport = f"{PLAYER}.player.viewport"
+    before = show.value(f"[{viewport}.scale, ...{viewport}.metres(200, 100)]")
     wheel = "new WheelEvent('wheel', {deltaY: -400, clientX: r.left + 200, clientY: r.top + 100})"
-    show.value(f"(c => {{ const r = c.getBoundingClientRect(); c.dispatchEvent({wheel}); }})({stage}.canvas)")
-    after = show.value(f"[{stage}.scale, ...{stage}.metres(200, 100)]")
+    show.value(f"(c => {{ const r = c.getBoundingClientRect(); c.dispatchEvent({wheel}); }})({viewport}.canvas)")
+    after = show.value(f"[{viewport}.scale, ...{viewport}.metres(200, 100)]")
     assert after[0] > 1.5 * before[0]
     assert after[1:] == pytest.approx(before[1:], abs=1.5 / before[0])
 
@@ -109,7 +109,7 @@ def test_shapes_of_one_body_are_painted_one_by_one(show: Browser, tmp_path: Path
       const red = ([x, y]) => image.data[4 * (Math.round(y) * image.width + Math.round(x))];
       const points = [[0, 0], [1.5, 0], [1.5, 1.5], [9, -2], [9, 1], [7, 2], [15, 0]];
       return points.map((point) => red(s.pixel(...point)));
-    }})({PLAYER}.player.stage)"""
+    }})({PLAYER}.player.viewport)"""
     middle, arm, corner, floor, hole, side, gate = show.value(script)
     assert middle == arm == floor == side == 255
     assert corner < 60

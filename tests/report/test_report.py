@@ -129,8 +129,8 @@ class TestFoundAgain:
         assert show.value(f"{at}.backgroundColor") == "rgb(217, 72, 79)"
         assert show.value(f"Number({at}.getPropertyValue('--at'))") == pytest.approx(parted / 90)
         apart = f"""(p => {{
-          const place = (reel, step) => reel.pose(reel.rows.get('box'), step)[0];
-          return [0, 90].map(step => place(p.reel, step) - place(p.ghost, step));
+          const place = (film, step) => film.pose(film.rows.get('box'), step)[0];
+          return [0, 90].map(step => place(p.film, step) - place(p.ghost, step));
         }})({PLAYER}.player)"""
         start, end = show.value(apart)
         assert start == 0.0

@@ -19,7 +19,7 @@ from sandbox.window.loading import LoadingScreen
 from sandbox.window.play import PlayScreen
 from sandbox.window.scene_index import Entry
 from sandbox.window.scene_list import SceneList
-from sandbox.window.screen import Screen, Stage
+from sandbox.window.screen import Canvas, Screen
 from tests.window.test_session import SCENE
 
 Condition = Callable[[Any], bool]
@@ -36,8 +36,8 @@ def shows(kind: type) -> Condition:
 class Hands(App):
     """The program, with hands that press the next thing as soon as its condition holds."""
 
-    def __init__(self, stage: Stage, options: Options, script: list[tuple[Condition, pygame.event.Event]]) -> None:
-        super().__init__(stage, options)
+    def __init__(self, canvas: Canvas, options: Options, script: list[tuple[Condition, pygame.event.Event]]) -> None:
+        super().__init__(canvas, options)
         self.script = script
         self.seen: list[str] = []
         self.pictures = 0
@@ -54,11 +54,11 @@ class Hands(App):
 
 
 @pytest.fixture
-def stage(display: Any) -> Iterator[Stage]:
+def canvas(display: Any) -> Iterator[Canvas]:
     from sandbox.render.theme import DARK
 
     gui = Gui(display.driver)
-    yield Stage(display, GlPainter(display.context), gui, DARK)
+    yield Canvas(display, GlPainter(display.context), gui, DARK)
     gui.close()
 
 
@@ -71,7 +71,7 @@ def scenes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[Entry]:
     return entries
 
 
-def test_from_the_list_to_a_scene_and_back_and_out(stage: Stage, scenes: list[Entry]) -> None:
+def test_from_the_list_to_a_scene_and_back_and_out(canvas: Canvas, scenes: list[Entry]) -> None:
     steps: list[int] = []
 
     def paused(screen: Any) -> bool:
@@ -87,14 +87,14 @@ def test_from_the_list_to_a_scene_and_back_and_out(stage: Stage, scenes: list[En
         (paused, key(pygame.K_ESCAPE)),
         (shows(SceneList), key(pygame.K_ESCAPE)),
     ]
-    hands = Hands(stage, Options(), script)
+    hands = Hands(canvas, Options(), script)
     hands.run()
     assert hands.script == []
     assert hands.seen == ["SceneList", "PlayScreen", "SceneList"]
     assert len(set(steps)) == 1  # nothing moved while paused
 
 
-def test_a_bad_scene_leads_back_to_the_list_with_a_message(stage: Stage, scenes: list[Entry]) -> None:
+def test_a_bad_scene_leads_back_to_the_list_with_a_message(canvas: Canvas, scenes: list[Entry]) -> None:
     messages: list[str] = []
 
     def told(screen: Any) -> bool:
@@ -102,13 +102,13 @@ def test_a_bad_scene_leads_back_to_the_list_with_a_message(stage: Stage, scenes:
         return bool(messages[-1])
 
     script = [(shows(SceneList), key(pygame.K_RETURN)), (told, key(pygame.K_ESCAPE))]
-    hands = Hands(stage, Options(), script)
+    hands = Hands(canvas, Options(), script)
     hands.run()
     assert hands.seen == ["SceneList"]
     assert "bad.scene.json:1:15" in messages[-1]
 
 
-def test_a_click_on_a_card_opens_it(stage: Stage, scenes: list[Entry]) -> None:
+def test_a_click_on_a_card_opens_it(canvas: Canvas, scenes: list[Entry]) -> None:
     x, y = 200, 190  # inside the first card
     moves = [
         pygame.event.Event(pygame.MOUSEMOTION, pos=(x, y), rel=(1, 1), buttons=(0, 0, 0)),
@@ -117,35 +117,35 @@ def test_a_click_on_a_card_opens_it(stage: Stage, scenes: list[Entry]) -> None:
     ]
     script: list[tuple[Condition, pygame.event.Event]] = [(shows(SceneList), move) for move in moves]
     script.append((lambda s: isinstance(s, SceneList) and bool(s.message), key(pygame.K_ESCAPE)))
-    hands = Hands(stage, Options(), script)
+    hands = Hands(canvas, Options(), script)
     hands.run()
     assert hands.script == []
 
 
-def test_the_loading_screen_says_what_is_being_done(stage: Stage, scenes: list[Entry], tmp_path: Path) -> None:
+def test_the_loading_screen_says_what_is_being_done(canvas: Canvas, scenes: list[Entry], tmp_path: Path) -> None:
     loader = Loader(scenes[1].path)
     screen = LoadingScreen(loader, play=lambda session: pytest.fail("not asked"), failed=pytest.fail)
-    stage.display.begin()
-    stage.gui.begin(stage.display.size)
-    screen.draw(stage)
-    stage.gui.end()
-    stage.display.save(tmp_path / "loading.png")
+    canvas.display.begin()
+    canvas.gui.begin(canvas.display.size)
+    screen.draw(canvas)
+    canvas.gui.end()
+    canvas.display.save(tmp_path / "loading.png")
     with Image.open(tmp_path / "loading.png") as image:
         drawn = np.asarray(image).astype(int)
     bright = (drawn.max(axis=2) > 100).nonzero()
     assert len(bright[0]) > 200  # the arc, what is being done, and the file's name
-    assert abs(bright[1].mean() - stage.display.size[0] / 2) < 20  # centred
+    assert abs(bright[1].mean() - canvas.display.size[0] / 2) < 20  # centred
     assert loader.result().world.step_count == 0
 
 
-def test_what_loads_does_not_count_as_a_picture(stage: Stage, scenes: list[Entry]) -> None:
-    hands = Hands(stage, Options(scene=scenes[1].path, frames=3), [])
+def test_what_loads_does_not_count_as_a_picture(canvas: Canvas, scenes: list[Entry]) -> None:
+    hands = Hands(canvas, Options(scene=scenes[1].path, frames=3), [])
     hands.run()
     assert hands.seen == ["PlayScreen"]
     assert hands.pictures == 3
 
 
-def test_closing_the_window_ends_the_program(stage: Stage, scenes: list[Entry]) -> None:
-    hands = Hands(stage, Options(), [(shows(SceneList), pygame.event.Event(pygame.QUIT))])
+def test_closing_the_window_ends_the_program(canvas: Canvas, scenes: list[Entry]) -> None:
+    hands = Hands(canvas, Options(), [(shows(SceneList), pygame.event.Event(pygame.QUIT))])
     hands.run()
     assert hands.seen == ["SceneList"]

@@ -52,7 +52,7 @@ def test_time_beyond_the_limit_is_dropped() -> None:
 
 def test_settle_shows_the_last_step_and_is_due_for_the_next() -> None:
     clock = StepClock(STEP)
-    clock.settle()
+    clock.snap_to_step()
     assert clock.alpha == 1.0
     assert clock.advance(0.5 * STEP, 8) == 1
     assert clock.alpha == pytest.approx(0.5)

@@ -9,11 +9,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 sys.path.append(str(Path(__file__).parents[1] / "render"))
+from sandbox.render.body_colors import choose_colors
 from sandbox.render.camera import Camera
 from sandbox.render.draw_list import build_draw_list
 from sandbox.render.frame import capture
 from sandbox.render.theme import DARK
-from sandbox.render.wardrobe import dress
 from sandbox.scene.flat import FlatBody, FlatScene
 from sandbox.window.instances import TRIM_PIXELS, pack
 from sandbox.world.build import build_state
@@ -22,8 +22,8 @@ from tests.render.stages import box, zoo
 
 
 def packed(state: State, camera: Camera) -> np.ndarray:
-    wardrobe = dress(state.names, state.bodies.type, DARK)
-    picture = build_draw_list(capture(state), camera, wardrobe)
+    body_colors = choose_colors(state.names, state.bodies.type, DARK)
+    picture = build_draw_list(capture(state), camera, body_colors)
     return pack(picture)[len(picture.below) :]
 
 

@@ -5,7 +5,7 @@ import pytest
 
 import sandbox
 from sandbox.engine.commands.row_commands import Delete, Spawn
-from sandbox.render.wardrobe import wardrobe_of
+from sandbox.render.body_colors import body_colors_of
 from sandbox.window.session import MOST_STEPS, Session
 
 SCENE = sandbox.Scene(
@@ -45,7 +45,7 @@ def test_the_picture_lies_between_the_last_two_steps(session: Session) -> None:
     step = session.clock.step_seconds
     session.update(10.25 * step / 1.0)
     session.update(0.0)
-    session.clock.settle()
+    session.clock.snap_to_step()
     session.update(0.25 * step)
     before, after = session.previous.center[2, 1], session.current.center[2, 1]
     assert session.frame().center[2, 1] == pytest.approx(before + 0.25 * (after - before))
@@ -103,21 +103,21 @@ def test_nothing_is_grabbed_where_nothing_moves(session: Session) -> None:
 
 
 def test_bodies_that_come_and_go_are_seen_at_once(session: Session) -> None:
-    wardrobe = wardrobe_of(session.world.state)
+    body_colors = body_colors_of(session.world.state)
     before = session.frame()
     session.step_once()
     session.world.apply(Spawn({"id": "ball", "shapes": [{"circle": 0.5}], "position": [9, 9], "color": "#ff0000"}))
     frame = session.frame()
     assert len(frame.center) == len(frame.mesh.body) == 4
     assert tuple(frame.center[3]) == (9.0, 9.0)
-    dressed = wardrobe.fitting(frame)
-    assert dressed.base[3].tolist() == [1.0, 0.0, 0.0]
-    assert (dressed.base[:3] == wardrobe.base).all()
+    colors = body_colors.for_frame(frame)
+    assert colors.base[3].tolist() == [1.0, 0.0, 0.0]
+    assert (colors.base[:3] == body_colors.base).all()
     session.world.apply(Delete("crate"))
     after = session.frame()
     assert after.roster.names == ("ground", "other", "ball")
-    assert dressed.fitting(after).base.tolist() == dressed.base[[0, 2, 3]].tolist()
-    assert dressed.fitting(after).fitting(before).base.shape == (3, 3)
+    assert colors.for_frame(after).base.tolist() == colors.base[[0, 2, 3]].tolist()
+    assert colors.for_frame(after).for_frame(before).base.shape == (3, 3)
     session.update(0.1)
     assert session.frame().mesh is after.mesh
 

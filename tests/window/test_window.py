@@ -13,13 +13,13 @@ import pytest
 from PIL import Image
 
 import sandbox
+from sandbox.render.body_colors import choose_colors
 from sandbox.render.camera import fit
 from sandbox.render.draw_list import DrawList, build_draw_list
 from sandbox.render.frame import capture, interesting_bounds
 from sandbox.render.line import Line
 from sandbox.render.surface_painter import SurfacePainter
 from sandbox.render.theme import DARK
-from sandbox.render.wardrobe import dress
 from sandbox.world.state import State
 from tests.render.stages import letters
 from tests.window.test_instances import zoo
@@ -29,14 +29,14 @@ from tests.window.test_session import SCENE
 def picture_of(state: State, size: tuple[int, int]) -> DrawList:
     camera = fit(interesting_bounds(capture(state)), size)
     rope = Line((100.0, 50.0), (200.0, 90.0), 4.0, DARK.drag)
-    return build_draw_list(capture(state), camera, dress(state.names, state.bodies.type, DARK), [rope])
+    return build_draw_list(capture(state), camera, choose_colors(state.names, state.bodies.type, DARK), [rope])
 
 
-@pytest.mark.parametrize("stage", [zoo, letters])
-def test_opengl_draws_what_the_surface_painter_draws(stage: Any, display: Any, tmp_path: Path) -> None:
+@pytest.mark.parametrize("scene", [zoo, letters])
+def test_opengl_draws_what_the_surface_painter_draws(scene: Any, display: Any, tmp_path: Path) -> None:
     from sandbox.window.gl_painter import GlPainter
 
-    picture = picture_of(stage(), display.size)
+    picture = picture_of(scene(), display.size)
     display.begin()
     GlPainter(display.context).paint(picture)
     display.save(tmp_path / "gl.png")
@@ -56,9 +56,9 @@ def test_one_painter_draws_worlds_of_any_size_in_turn(display: Any, tmp_path: Pa
     painter = GlPainter(display.context)
     for state in (zoo(), pyramid(60), zoo()):
         frame = capture(state)
-        wardrobe = dress(state.names, state.bodies.type, DARK)
+        body_colors = choose_colors(state.names, state.bodies.type, DARK)
         display.begin()
-        painter.paint(build_draw_list(frame, fit(interesting_bounds(frame), display.size), wardrobe))
+        painter.paint(build_draw_list(frame, fit(interesting_bounds(frame), display.size), body_colors))
         display.save(tmp_path / "last.png")
         with Image.open(tmp_path / "last.png") as image:
             assert len(image.getcolors(1 << 20)) > 100
@@ -96,7 +96,7 @@ def picture_after(steps: int, size: tuple[int, int]) -> np.ndarray:
     camera = fit(interesting_bounds(capture(world.state)), size)
     world.step(steps)
     state = world.state
-    picture = build_draw_list(capture(state), camera, dress(state.names, state.bodies.type, DARK))
+    picture = build_draw_list(capture(state), camera, choose_colors(state.names, state.bodies.type, DARK))
     return np.asarray(SurfacePainter().paint(picture)).astype(int)
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from sandbox.scene.finding import printable
 
-ROOMS = ("_jit.py", "tables.py", "geometry", "scene", "world", "engine")
+PACKAGES = ("_jit.py", "tables.py", "geometry", "scene", "world", "engine")
 """What of the package decides about the bits of a run."""
 _LINES = 3
 """Changed lines that are shown."""
@@ -67,7 +67,7 @@ def between_folders(old: Path, new: Path) -> list[FileEdit]:
 def is_engine(path: str) -> bool:
     """Whether a path such as `sandbox/engine/step.py` can decide about bits."""
     parts = path.split("/")
-    return len(parts) > 1 and parts[0] == "sandbox" and parts[1] in ROOMS and path.endswith(".py")
+    return len(parts) > 1 and parts[0] == "sandbox" and parts[1] in PACKAGES and path.endswith(".py")
 
 
 def _files(root: Path) -> set[str]:

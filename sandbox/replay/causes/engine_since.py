@@ -17,7 +17,7 @@ from sandbox.replay.recording.recording import Recording
 
 
 @dataclass(frozen=True)
-class EngineNews:
+class EngineChanges:
     """`said` tells what is another, empty if nothing is known to be; `revision` is one whose engine is worth a run
     (`--against`), "" if git knows none; `same` says what was looked at and is the same; `remarks` what is otherwise
     around the engine, and should make no difference.
@@ -29,18 +29,18 @@ class EngineNews:
     remarks: tuple[str, ...] = ()
 
 
-def engine_since(recording: Recording) -> EngineNews:
+def engine_since(recording: Recording) -> EngineChanges:
     """What is known to be another engine than when the recording was made."""
     said = [*_version_news(recording)]
     root = Path(sandbox.__file__).resolve().parents[1]
     revision, why = _revision(recording, root)
     if not revision:
-        return EngineNews(tuple(said), same=why, remarks=_surroundings(recording))
+        return EngineChanges(tuple(said), same=why, remarks=_surroundings(recording))
     edits = _edits_since(root, revision)
     if edits:
         said += [f"its source differs from that of revision {revision}, {why}:", *told(edits)]
     same = f"the engine's source is that of revision {revision}, {why}"
-    return EngineNews(tuple(said), revision, same, _surroundings(recording))
+    return EngineChanges(tuple(said), revision, same, _surroundings(recording))
 
 
 def _version_news(recording: Recording) -> tuple[str, ...]:

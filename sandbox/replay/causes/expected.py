@@ -16,8 +16,8 @@ from sandbox.errors import SandboxError
 from sandbox.replay.causes.command_edits import command_edits, located
 from sandbox.replay.causes.history import earlier_texts
 from sandbox.replay.causes.scene_edits import MOST, edits, edits_in_text
-from sandbox.replay.golden.run import Run, Stage
-from sandbox.replay.golden.whereabouts import posix
+from sandbox.replay.golden.run import Run, RunStepper
+from sandbox.replay.golden.source_location import posix
 from sandbox.replay.recording.fingerprint import fingerprint
 from sandbox.replay.recording.meaning import meaning_of
 from sandbox.replay.recording.read import loads_recording
@@ -136,11 +136,11 @@ def _earlier_recordings(recording: Recording) -> Iterator[tuple[str, RecordingFi
 
 def gives(run: Run, recording: Recording, parted: int) -> bool:
     """Whether a run has the recorded fingerprints up to and past step `parted`."""
-    stage = Stage(run.scene, run.commands)
+    stepper = RunStepper(run.scene, run.commands)
     try:
         for wanted in recording.digests[: parted + _PAST]:
-            stage.advance()
-            if fingerprint(stage.world.state) != wanted:
+            stepper.advance()
+            if fingerprint(stepper.world.state) != wanted:
                 return False
     except SandboxError:
         return False

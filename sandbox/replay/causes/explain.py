@@ -7,14 +7,14 @@ from dataclasses import replace
 from pathlib import Path
 
 from sandbox.errors import SandboxError
-from sandbox.replay.causes.engine_since import EngineNews, engine_since
+from sandbox.replay.causes.engine_since import EngineChanges, engine_since
 from sandbox.replay.causes.expected import Expected, candidates, gives
 from sandbox.replay.causes.history import is_cut, is_kept
 from sandbox.replay.golden.divergence import Cause, Divergence
 from sandbox.replay.golden.rerun import Outcome
 from sandbox.replay.golden.run import run_of
 from sandbox.replay.golden.side_by_side import compare_after
-from sandbox.replay.golden.whereabouts import posix
+from sandbox.replay.golden.source_location import posix
 from sandbox.replay.recording.fingerprint import GROUPS
 from sandbox.replay.recording.recording import Recording
 
@@ -64,17 +64,17 @@ def _without_run(recording: Recording, outcome: Outcome, known: list[Expected]) 
     """What can be said though the recorded run cannot be had again."""
     if outcome.edits:
         return _scene(recording, known)
-    news = engine_since(recording)
-    more = (*_commands(recording), *news.remarks, _how_to_see(recording, news))
-    if news.said:
-        return Cause("engine", (*news.said, *more))
-    return Cause("unknown", (f"the scene is as it was recorded; {news.same}", *more))
+    changes = engine_since(recording)
+    more = (*_commands(recording), *changes.remarks, _how_to_see(recording, changes))
+    if changes.said:
+        return Cause("engine", (*changes.said, *more))
+    return Cause("unknown", (f"the scene is as it was recorded; {changes.same}", *more))
 
 
-def _how_to_see(recording: Recording, news: EngineNews) -> str:
+def _how_to_see(recording: Recording, changes: EngineChanges) -> str:
     """The command that names the number."""
     path = posix(recording.source) if recording.source is not None else "FILE"
-    revision = news.revision or "REV --engine CHECKOUT"
+    revision = changes.revision or "REV --engine CHECKOUT"
     return f"for the first number that differs: sandbox replay {path} --against {revision}"
 
 

@@ -10,8 +10,8 @@ from sandbox.errors import FileError, Problem, SandboxError
 from sandbox.replay.causes.explain import explained
 from sandbox.replay.golden.cases import Case
 from sandbox.replay.golden.rerun import Outcome, rerun
+from sandbox.replay.golden.source_location import divergence_location
 from sandbox.replay.golden.tolerance import Tolerance
-from sandbox.replay.golden.whereabouts import whereabouts
 from sandbox.replay.recording.recorder import record
 from sandbox.replay.recording.recording import Recording
 from sandbox.scene import Scene, load_scene
@@ -21,7 +21,7 @@ Update = Literal["", "missing", "changed", "all"]
 
 
 @dataclass(frozen=True)
-class Demands:
+class ReplaySettings:
     """How to compare, and what may be written: `update` recordings that are missing, or have changed too, or all;
     `prune` away those whose scene is gone.
     """
@@ -58,7 +58,7 @@ class Report:
 
 def examine(
     case: Case,
-    demands: Demands,
+    settings: ReplaySettings,
     on_steps: Callable[[int], None] | None = None,
     tell: Callable[[str], None] | None = None,
 ) -> Report:
@@ -67,7 +67,7 @@ def examine(
     `on_steps` hears now and then how many steps are done, `tell` what is being done after that.
     """
     try:
-        return _missing(case, demands) if case.scene is not None else _recorded(case, demands, on_steps, tell)
+        return _missing(case, settings) if case.scene is not None else _recorded(case, settings, on_steps, tell)
     except FileError as error:
         return Report(case, "unusable", source=error.source, problems=tuple(error.problems))
     except OSError as error:
@@ -80,34 +80,34 @@ def _unusable(case: Case, text: str, source: str) -> Report:
     return Report(case, "unusable", source=source, problems=(Problem(text),))
 
 
-def _missing(case: Case, demands: Demands) -> Report:
+def _missing(case: Case, settings: ReplaySettings) -> Report:
     assert case.scene is not None
     scene = load_scene(case.scene)
     report = Report(case, "missing", scene=str(case.scene))
-    if not demands.update:
+    if not settings.update:
         return report
     record(scene).save(case.replay)
     return replace(report, action="written")
 
 
 def _recorded(
-    case: Case, demands: Demands, on_steps: Callable[[int], None] | None, tell: Callable[[str], None] | None
+    case: Case, settings: ReplaySettings, on_steps: Callable[[int], None] | None, tell: Callable[[str], None] | None
 ) -> Report:
     recording = Recording.load(case.replay)
     if recording.scene.gone:
-        return _orphaned(case, recording, demands)
-    outcome = rerun(recording, tolerance=demands.tolerance, heavy=demands.heavy, on_steps=on_steps)
+        return _orphaned(case, recording, settings)
+    outcome = rerun(recording, tolerance=settings.tolerance, heavy=settings.heavy, on_steps=on_steps)
     report = Report(case, outcome.word, outcome, scene=str(recording.scene.path or ""))
-    if demands.update == "all" or (demands.update == "changed" and not outcome.passed):
+    if settings.update == "all" or (settings.update == "changed" and not outcome.passed):
         _renew(recording, recording.load_scene(), case)
         return replace(report, action="written")
     outcome = explained(recording, outcome, tell)
-    return replace(report, outcome=outcome, where=whereabouts(recording, outcome))
+    return replace(report, outcome=outcome, where=divergence_location(recording, outcome))
 
 
-def _orphaned(case: Case, recording: Recording, demands: Demands) -> Report:
+def _orphaned(case: Case, recording: Recording, settings: ReplaySettings) -> Report:
     report = Report(case, "orphaned", scene=str(recording.scene.path))
-    if not demands.prune:
+    if not settings.prune:
         return report
     case.replay.unlink()
     return replace(report, action="removed")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from sandbox.replay.golden.run import Stage
+from sandbox.replay.golden.run import RunStepper
 from sandbox.replay.recording.command_words import TimedCommand
 from sandbox.scene import Scene
 
@@ -13,10 +13,10 @@ class Twin:
     """A second world of the same scene, which knows of the first only what snapshots tell."""
 
     def __init__(self, scene: Scene, commands: Iterable[TimedCommand]) -> None:
-        self._stage = Stage(scene, commands)
+        self._stepper = RunStepper(scene, commands)
 
-    def step_from(self, stage: Stage) -> str:
-        """Take the step that comes next for `stage` from a snapshot of it; the digest after that."""
-        self._stage.restore(stage.world.snapshot(), stage.applied)
-        self._stage.advance()
-        return self._stage.world.digest()
+    def step_from(self, stepper: RunStepper) -> str:
+        """Take the step that comes next for `stepper` from a snapshot of it; the digest after that."""
+        self._stepper.restore(stepper.world.snapshot(), stepper.applied)
+        self._stepper.advance()
+        return self._stepper.world.digest()

@@ -11,7 +11,7 @@ from sandbox.engine.arithmetic_version import ARITHMETIC, changes_since
 from sandbox.errors import SandboxError
 from sandbox.replay.golden.divergence import Divergence, Drift
 from sandbox.replay.golden.heavy import Twin
-from sandbox.replay.golden.run import Stage
+from sandbox.replay.golden.run import RunStepper
 from sandbox.replay.golden.tolerance import Tolerance, compare_checkpoints, compare_poses, drifts_of
 from sandbox.replay.recording.checkpoint import Checkpoint, checkpoint
 from sandbox.replay.recording.fingerprint import fingerprint, first_difference
@@ -63,19 +63,21 @@ def rerun(
     begin = time.perf_counter()
     scene = recording.load_scene()
     edits = _edits(recording, scene)
-    trial = _Trial(recording, scene, tolerance, heavy)
-    trial.run(on_steps)
-    drifts = () if trial.refused else tuple(drifts_of(recording.final, final_poses(trial.stage.world)))[:_WORST]
-    parted = trial.parted or trial.judge_the_end(drifts)
-    notes = ((trial.refused,) if trial.refused else ()) + (version_notes(recording) if parted else ())
+    rerunning = _Rerun(recording, scene, tolerance, heavy)
+    rerunning.run(on_steps)
+    drifts = (
+        () if rerunning.refused else tuple(drifts_of(recording.final, final_poses(rerunning.stepper.world)))[:_WORST]
+    )
+    parted = rerunning.parted or rerunning.judge_the_end(drifts)
+    notes = ((rerunning.refused,) if rerunning.refused else ()) + (version_notes(recording) if parted else ())
     word: Verdict = "stale" if edits else "diverged" if parted else "passed"
     seconds = time.perf_counter() - begin
     shown = drifts if parted else ()
-    return Outcome(word, trial.stage.step, seconds, parted, shown, edits, notes)
+    return Outcome(word, rerunning.stepper.step, seconds, parted, shown, edits, notes)
 
 
 @dataclass
-class _Trial:
+class _Rerun:
     """The run under way; `parted` is where it left the recording."""
 
     recording: Recording
@@ -87,7 +89,7 @@ class _Trial:
     figures: list[Checkpoint] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        self.stage = Stage(self.scene, self.recording.commands)
+        self.stepper = RunStepper(self.scene, self.recording.commands)
         self.twin = Twin(self.scene, self.recording.commands) if self.heavy else None
 
     def run(self, on_steps: Callable[[int], None] | None) -> None:
@@ -97,12 +99,12 @@ class _Trial:
             for step in range(1, self.recording.steps + 1):
                 self._step()
                 if step in wanted:
-                    self.figures.append(checkpoint(self.stage.world))
+                    self.figures.append(checkpoint(self.stepper.world))
                 if on_steps is not None and step % _REPORT_EVERY == 0:
                     on_steps(step)
-            self.stage.apply_due()
+            self.stepper.apply_due()
         except SandboxError as error:
-            self.refused = f"the run ended after step {self.stage.step}, for a command was refused: {error}"
+            self.refused = f"the run ended after step {self.stepper.step}, for a command was refused: {error}"
             self._part("command", "a command that can be applied", str(error))
 
     def judge_the_end(self, drifts: tuple[Drift, ...]) -> Divergence | None:
@@ -111,26 +113,26 @@ class _Trial:
         if self.tolerance is not None:
             found = compare_checkpoints(recording.checkpoints, self.figures, rate, self.tolerance)
             return found or compare_poses(drifts, recording.steps, rate, self.tolerance)
-        got = self.stage.world.digest()
+        got = self.stepper.world.digest()
         if got != recording.digest:
             return Divergence(recording.steps, recording.steps / rate, "rest", recording.digest, got)
         return None
 
     def _step(self) -> None:
-        expected_by_twin = self.twin.step_from(self.stage) if self.twin is not None else None
-        self.stage.advance()
-        got = fingerprint(self.stage.world.state)
-        if expected_by_twin is not None and expected_by_twin != self.stage.world.digest():
+        expected_by_twin = self.twin.step_from(self.stepper) if self.twin is not None else None
+        self.stepper.advance()
+        got = fingerprint(self.stepper.world.state)
+        if expected_by_twin is not None and expected_by_twin != self.stepper.world.digest():
             self._part("state", "a restored snapshot to go the same way", "another digest after one step")
         if self.tolerance is None:
-            differs = first_difference(self.recording.digests[self.stage.step - 1], got)
+            differs = first_difference(self.recording.digests[self.stepper.step - 1], got)
             if differs is not None:
                 self._part(*differs)
 
     def _part(self, group: str, expected: str, got: str) -> None:
         """Note where the runs part; only the first place counts."""
         if self.parted is None:
-            step = self.stage.step
+            step = self.stepper.step
             self.parted = Divergence(step, step / self.recording.step_rate, group, expected, got)
 
 

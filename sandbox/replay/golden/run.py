@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from sandbox.engine.world import World
+from sandbox.replay.headless_run import planned_steps
 from sandbox.replay.recording.command_words import TimedCommand
 from sandbox.replay.recording.recording import Recording
-from sandbox.replay.trial import planned_steps
 from sandbox.scene import Scene
 from sandbox.scene.flat import FlatScene
 
@@ -32,7 +32,7 @@ def run_of(what: Run | Recording | Scene) -> Run:
     return Run(what.load_scene(), what.steps, what.commands)
 
 
-class Stage:
+class RunStepper:
     """A world that takes a run; `world` is at `step`, its commands of that step not yet applied."""
 
     def __init__(self, scene: Scene | FlatScene, commands: Iterable[TimedCommand]) -> None:

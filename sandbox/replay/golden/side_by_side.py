@@ -12,7 +12,7 @@ from sandbox.engine.world import World
 from sandbox.errors import CommandError, SandboxError
 from sandbox.replay.golden.differences import differences, first_group
 from sandbox.replay.golden.divergence import Divergence, Growth
-from sandbox.replay.golden.run import Run, Stage, run_of
+from sandbox.replay.golden.run import Run, RunStepper, run_of
 from sandbox.replay.recording.fingerprint import fingerprint, first_difference
 from sandbox.replay.recording.recording import Recording
 from sandbox.scene import Scene
@@ -34,7 +34,7 @@ def find_divergence(
     if both runs refuse the same command.
     """
     one, two = run_of(expected), run_of(got)
-    a, b = Stage(one.scene, one.commands), Stage(two.scene, two.commands)
+    a, b = RunStepper(one.scene, one.commands), RunStepper(two.scene, two.commands)
     steps = min(one.steps, two.steps)
     group = first_group(a.world, b.world)
     while group is None and a.step < steps:
@@ -53,7 +53,7 @@ def compare_after(expected: Run, got: Run, parted: Divergence) -> Divergence:
 
     Raises `CommandError` if both runs refuse the same command before.
     """
-    a, b = Stage(expected.scene, expected.commands), Stage(got.scene, got.commands)
+    a, b = RunStepper(expected.scene, expected.commands), RunStepper(got.scene, got.commands)
     while a.step < parted.step:
         if _advance(a, b) is not None:
             return parted
@@ -64,16 +64,16 @@ def compare_after(expected: Run, got: Run, parted: Divergence) -> Divergence:
     return replace(parted, detail=found[0], others=len(found) - 1, growth=growth)
 
 
-def _divergence(group: str, a: Stage, b: Stage, steps: int) -> Divergence:
+def _divergence(group: str, a: RunStepper, b: RunStepper, steps: int) -> Divergence:
     found = list(islice(differences(group, a.world, b.world), COUNTED))
     step, time, detail = a.step, a.world.time, found[0]
-    expected, got = (fingerprint(stage.world.state) for stage in (a, b))
+    expected, got = (fingerprint(stepper.world.state) for stepper in (a, b))
     parts = first_difference(expected, got)
     shown = parts[1:] if parts and parts[0] == group else (a.world.digest(), b.world.digest())
     return Divergence(step, time, group, *shown, detail, len(found) - 1, _growth(a, b, steps))
 
 
-def _growth(a: Stage, b: Stage, steps: int) -> tuple[Growth, ...]:
+def _growth(a: RunStepper, b: RunStepper, steps: int) -> tuple[Growth, ...]:
     start, ahead, rows = a.step, 0, []
     while True:
         rows.append(Growth(a.step, *farthest(a.world, b.world)))
@@ -98,10 +98,10 @@ def farthest(a: World, b: World) -> tuple[str, float]:
     return a.names[ours[worst]], float(away[worst])
 
 
-def _advance(a: Stage, b: Stage) -> Divergence | None:
+def _advance(a: RunStepper, b: RunStepper) -> Divergence | None:
     """Take a step in both; where a command is refused in one only, that is where they part."""
     step, time = a.step, a.world.time
-    refusals = [_try(stage) for stage in (a, b)]
+    refusals = [_try(stepper) for stepper in (a, b)]
     if refusals[0] == refusals[1]:
         if refusals[0]:
             raise CommandError(f"both runs refuse a command after step {step}: {refusals[0]}")
@@ -110,9 +110,9 @@ def _advance(a: Stage, b: Stage) -> Divergence | None:
     return Divergence(step, time, "command", words[0], words[1])
 
 
-def _try(stage: Stage) -> str:
+def _try(stepper: RunStepper) -> str:
     try:
-        stage.advance()
+        stepper.advance()
     except SandboxError as error:
         return str(error)
     return ""

@@ -66,7 +66,7 @@ def decode(entry: Any, path: Path) -> tuple[TimedCommand | None, list[Finding]]:
     except ValidationError as error:
         wrong = findings(error, _model(name))
         return None, found + [dataclasses.replace(one, path=(*path, 2, *one.path)) for one in wrong]
-    return (None, found) if found else ((step, command_classes()[name](**model.said())), [])
+    return (None, found) if found else ((step, command_classes()[name](**model.given())), [])
 
 
 @cache

@@ -9,13 +9,13 @@ from typing import Any
 
 from sandbox.engine.world import World
 from sandbox.errors import Problem, RecordingError
+from sandbox.replay.headless_run import planned_steps
 from sandbox.replay.recording.checkpoint import EVERY, Checkpoint, checkpoint
 from sandbox.replay.recording.command_words import TimedCommand, plain_command
 from sandbox.replay.recording.fingerprint import fingerprint
 from sandbox.replay.recording.meaning import meaning_of
 from sandbox.replay.recording.recording import Recording
 from sandbox.replay.recording.recording_fields import SceneSource
-from sandbox.replay.trial import planned_steps
 from sandbox.scene import Scene, load_scene
 
 _REPORT_EVERY = 16

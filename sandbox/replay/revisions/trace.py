@@ -31,7 +31,7 @@ TABLES: dict[str, Table] = dict(
 
 
 @dataclass(frozen=True)
-class Shots:
+class TraceSamples:
     """What to keep for a film: some `columns` of some tables, after some `steps`."""
 
     steps: tuple[int, ...] = ()
@@ -77,10 +77,12 @@ class Trace:
         return tuple(self.arrays[f"{step}.{key}"].tolist())
 
 
-NO_SHOTS = Shots()
+NO_SAMPLES = TraceSamples()
 
 
-def trace(root: Path, run: Run, dump: Collection[int] = (), no_jit: bool = False, film: Shots = NO_SHOTS) -> Trace:
+def trace(
+    root: Path, run: Run, dump: Collection[int] = (), no_jit: bool = False, film: TraceSamples = NO_SAMPLES
+) -> Trace:
     """Run with the code that lies in `root`, in a process of its own. Raises `RevisionError` if it cannot."""
     if not isinstance(run.scene, Scene):
         raise RevisionError("only a scene can be run by another revision, not a flat one")
@@ -94,7 +96,7 @@ def trace(root: Path, run: Run, dump: Collection[int] = (), no_jit: bool = False
         raise RevisionError(told)
 
 
-def _job(root: Path, run: Run, scene: Scene, dump: Collection[int], film: Shots) -> dict[str, Any]:
+def _job(root: Path, run: Run, scene: Scene, dump: Collection[int], film: TraceSamples) -> dict[str, Any]:
     commands = [[step, *encode(command)] for step, command in run.commands]
     return {
         "root": str(root),

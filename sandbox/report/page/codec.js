@@ -36,14 +36,14 @@ function isOn(changes, sample) {
 }
 
 /** A film that can be asked for any step. */
-class Reel {
+class Film {
   static async open(name) {
     const film = JSON.parse(document.getElementById(name).textContent);
-    return new Reel(film, await unpack(film));
+    return new Film(film, await unpack(film));
   }
 
-  constructor(film, columns) {
-    Object.assign(this, film);
+  constructor(data, columns) {
+    Object.assign(this, data);
     this.columns = columns;
     this.samples = film.energy.length;
     this.shapes = film.bodies.map((body) => new BodyShape(body));
@@ -72,8 +72,8 @@ class Reel {
     return isOn(this.bodies[row].there, this.sampleAt(step));
   }
 
-  sceneryAt(step) {
+  fieldsAt(step) {
     const sample = this.sampleAt(step);
-    return this.scenery.reduce((found, [first, now]) => (first <= sample ? now : found), [[], []]);
+    return this.fields.reduce((found, [first, now]) => (first <= sample ? now : found), [[], []]);
   }
 }

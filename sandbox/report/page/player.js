@@ -1,4 +1,4 @@
-// One player: a stage, a bar of controls and two plots.
+// One player: a viewport, a bar of controls and two plots.
 
 function make(tag, kind, into, words = "") {
   const element = document.createElement(tag);
@@ -11,21 +11,21 @@ function make(tag, kind, into, words = "") {
 const SPEEDS = [0.05, 0.1, 0.25, 0.5, 1, 2, 4];
 
 class Player {
-  constructor(root, reel, ghost) {
+  constructor(root, film, ghost) {
     const parted = root.dataset.parted === undefined ? undefined : Number(root.dataset.parted);
     const names = JSON.parse(root.dataset.names || "[]");
-    Object.assign(this, { root, reel, ghost, parted, step: reel.start, playing: false, moment: 0 });
+    Object.assign(this, { root, film, ghost, parted, step: film.start, playing: false, moment: 0 });
     root.textContent = "";
     this.picture = make("div", "picture", root);
     this.canvas = make("canvas", "view", this.picture);
     this.label = make("div", "label", this.picture);
     this.legend = make("div", "legend", this.picture);
-    this.stage = new Stage(this.canvas, reel, ghost, { parted, names, endOnly: root.dataset.endOnly !== undefined });
+    this.viewport = new Viewport(this.canvas, film, ghost, { parted, names, endOnly: root.dataset.endOnly !== undefined });
     this.buildBar();
     this.buildPlots();
     this.listen();
     // A failure is shown from shortly before the runs part.
-    this.seek(parted === undefined ? reel.start : Math.max(reel.start, parted - 1));
+    this.seek(parted === undefined ? film.start : Math.max(film.start, parted - 1));
     root.dataset.ready = "1";
   }
 
@@ -36,7 +36,7 @@ class Player {
     this.addButton(bar, "›", "One step on (→)", () => this.stepBy(1));
     const track = make("div", "track", bar);
     this.slider = make("input", "slider", track);
-    Object.assign(this.slider, { type: "range", min: this.reel.start, max: this.reel.end, step: 1 });
+    Object.assign(this.slider, { type: "range", min: this.film.start, max: this.film.end, step: 1 });
     this.slider.setAttribute("aria-label", "step");
     this.slider.addEventListener("input", () => this.seek(Number(this.slider.value)));
     this.addTicks(track);
@@ -58,7 +58,7 @@ class Player {
 
   /** Marks on the track: commands, and in red where the runs part. */
   addTicks(track) {
-    const { start, end, commands } = this.reel, length = Math.max(end - start, 1);
+    const { start, end, commands } = this.film, length = Math.max(end - start, 1);
     const tick = (kind, step, title) => {
       const mark = make("i", kind, track);
       mark.style.setProperty("--at", (step - start) / length);
@@ -73,14 +73,14 @@ class Player {
   }
 
   buildPlots() {
-    const runs = this.ghost && !this.stage.options.endOnly ? [this.reel, this.ghost] : [this.reel];
+    const runs = this.ghost && !this.viewport.options.endOnly ? [this.film, this.ghost] : [this.film];
     const grid = make("div", "plots", this.root);
     this.plots = [["energy", "energy", "J"], ["deepest", "deepest overlap", "m"]].map(([field, words, unit]) => {
       const figure = make("figure", "plot", grid), head = make("figcaption", "", figure);
       make("span", "", head, words);
       const value = make("b", "", head), canvas = make("canvas", "curve", figure);
-      const seek = (event) => event.buttons && this.seek(this.reel.start + Math.round(
-        event.offsetX / canvas.clientWidth * (this.reel.end - this.reel.start)));
+      const seek = (event) => event.buttons && this.seek(this.film.start + Math.round(
+        event.offsetX / canvas.clientWidth * (this.film.end - this.film.start)));
       canvas.addEventListener("pointerdown", seek);
       canvas.addEventListener("pointermove", seek);
       return { plot: new Plot(canvas, field, runs, this.parted), value, unit, field, runs };
@@ -88,16 +88,16 @@ class Player {
   }
 
   listen() {
-    const { canvas, stage } = this;
+    const { canvas, viewport } = this;
     const at = (event) => [event.offsetX * devicePixelRatio, event.offsetY * devicePixelRatio];
     canvas.addEventListener("wheel", (event) => {
       event.preventDefault();
-      stage.zoomAt(Math.exp(-event.deltaY * 0.0015), ...at(event));
+      viewport.zoomAt(Math.exp(-event.deltaY * 0.0015), ...at(event));
       this.draw();
     }, { passive: false });
     canvas.addEventListener("pointerdown", (event) => canvas.setPointerCapture(event.pointerId));
     canvas.addEventListener("pointermove", (event) => {
-      if (event.buttons) stage.pan(event.movementX * devicePixelRatio, event.movementY * devicePixelRatio);
+      if (event.buttons) viewport.pan(event.movementX * devicePixelRatio, event.movementY * devicePixelRatio);
       this.pointer = at(event);
       this.draw();
     });
@@ -113,8 +113,8 @@ class Player {
     if (event.target.tagName === "SELECT" || event.ctrlKey || event.metaKey || event.altKey) return;
     const acts = {
       " ": () => this.toggle(), ArrowLeft: () => this.stepBy(event.shiftKey ? -10 : -1),
-      ArrowRight: () => this.stepBy(event.shiftKey ? 10 : 1), Home: () => this.seek(this.reel.start),
-      End: () => this.seek(this.reel.end), g: () => this.ghost && this.flipGhost(), f: () => this.fit(),
+      ArrowRight: () => this.stepBy(event.shiftKey ? 10 : 1), Home: () => this.seek(this.film.start),
+      End: () => this.seek(this.film.end), g: () => this.ghost && this.flipGhost(), f: () => this.fit(),
     };
     if (!acts[event.key]) return;
     event.preventDefault();
@@ -130,30 +130,30 @@ class Player {
   }
 
   fit() {
-    this.stage.reset();
+    this.viewport.reset();
     this.draw();
   }
 
   flipGhost() {
-    this.stage.showGhost = !this.stage.showGhost;
-    this.ghostButton.classList.toggle("on", this.stage.showGhost);
+    this.viewport.showGhost = !this.viewport.showGhost;
+    this.ghostButton.classList.toggle("on", this.viewport.showGhost);
     this.draw();
   }
 
   stepBy(count) {
     this.pause();
-    const { every, start } = this.reel;
+    const { every, start } = this.film;
     this.seek(start + Math.round((this.step - start) / every + count) * every);
   }
 
   seek(step) {
-    this.step = Math.min(Math.max(step, this.reel.start), this.reel.end);
+    this.step = Math.min(Math.max(step, this.film.start), this.film.end);
     this.draw();
   }
 
   toggle() {
     if (this.playing) return this.pause();
-    if (this.step >= this.reel.end) this.step = this.reel.start;
+    if (this.step >= this.film.end) this.step = this.film.start;
     this.playing = true;
     this.moment = performance.now();
     this.button.textContent = "❚❚";
@@ -171,20 +171,20 @@ class Player {
     if (!this.playing) return;
     const seconds = Math.min(Math.max(now - this.moment, 0) / 1000, 0.25);
     this.moment = now;
-    this.seek(this.step + seconds * this.reel.rate * Number(this.speed.value));
-    if (this.step >= this.reel.end) return this.pause();
+    this.seek(this.step + seconds * this.film.rate * Number(this.speed.value));
+    if (this.step >= this.film.end) return this.pause();
     requestAnimationFrame((later) => this.play(later));
   }
 
   draw() {
     if (!this.plots) return;
-    const whole = Math.floor(this.step), sample = this.reel.sampleAt(whole);
+    const whole = Math.floor(this.step), sample = this.film.sampleAt(whole);
     // Where every step was kept, only those are shown; else what lies between two is made up.
-    this.stage.draw(this.reel.every === 1 ? whole : this.step);
+    this.viewport.draw(this.film.every === 1 ? whole : this.step);
     this.slider.value = whole;
     this.root.dataset.step = whole;
-    this.slider.style.setProperty("--at", (whole - this.reel.start) / Math.max(this.reel.end - this.reel.start, 1));
-    this.count.textContent = `step ${whole} / ${this.reel.end}`;
+    this.slider.style.setProperty("--at", (whole - this.film.start) / Math.max(this.film.end - this.film.start, 1));
+    this.count.textContent = `step ${whole} / ${this.film.end}`;
     this.label.textContent = this.words(whole, sample);
     this.label.classList.toggle("parted", this.parted !== undefined && whole >= this.parted);
     this.drawLegend();
@@ -195,20 +195,20 @@ class Player {
   }
 
   words(step, sample) {
-    const { reel } = this, told = this.told.get(step);
-    const parts = [`${(step / reel.rate).toFixed(2)} s`, `${reel.contacts[sample]} contact${reel.contacts[sample] === 1 ? "" : "s"}`, `${reel.awake[sample]} awake`];
+    const { film } = this, told = this.told.get(step);
+    const parts = [`${(step / film.rate).toFixed(2)} s`, `${film.contacts[sample]} contact${film.contacts[sample] === 1 ? "" : "s"}`, `${film.awake[sample]} awake`];
     if (this.parted !== undefined && step >= this.parted) parts.push(`parted at step ${this.parted}`);
     if (told) parts.push(told.slice(0, 3).join(", ") + (told.length > 3 ? " …" : ""));
-    if (step >= reel.end && reel.cut) parts.push(reel.cut);
+    if (step >= film.end && film.cut) parts.push(film.cut);
     return parts.join("  ·  ");
   }
 
   /** The body under the pointer. */
   drawLegend() {
-    const row = this.pointer && this.stage.bodyAt(...this.pointer, this.step);
+    const row = this.pointer && this.viewport.bodyAt(...this.pointer, this.step);
     this.legend.hidden = row === undefined;
     if (row === undefined) return;
-    const [x, y, angle] = this.reel.pose(row, this.step);
-    this.legend.textContent = `${this.reel.bodies[row].id}   ${x.toFixed(3)}, ${y.toFixed(3)} m   ${(angle * 180 / Math.PI).toFixed(1)}°`;
+    const [x, y, angle] = this.film.pose(row, this.step);
+    this.legend.textContent = `${this.film.bodies[row].id}   ${x.toFixed(3)}, ${y.toFixed(3)} m   ${(angle * 180 / Math.PI).toFixed(1)}°`;
   }
 }

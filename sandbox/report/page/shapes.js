@@ -57,12 +57,12 @@ class BodyShape {
         this.marks.lineTo(shape.mark[2], shape.mark[3]);
       }
     });
-    this.awake = this.dressed(body.fill, body.static);
-    this.asleep = body.marked ? this.dressed(mixed(body.fill, theme("background"), 0.26), false) : this.awake;
-    this.frozen = this.dressed(theme("frozen"), false);
+    this.awake = this.colors(body.fill, body.static);
+    this.asleep = body.marked ? this.colors(mixed(body.fill, theme("background"), 0.26), false) : this.awake;
+    this.frozen = this.colors(theme("frozen"), false);
   }
 
-  dressed(fill, still) {
+  colors(fill, still) {
     return { fill, edge: mixed(fill, theme("light"), still ? 0.22 : 0.32), mark: mixed(fill, theme("ink"), 0.55) };
   }
 

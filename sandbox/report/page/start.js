@@ -3,7 +3,7 @@
 async function open(root) {
   try {
     const { got, expected } = root.dataset;
-    root.player = new Player(root, await Reel.open(got), expected ? await Reel.open(expected) : undefined);
+    root.player = new Player(root, await Film.open(got), expected ? await Film.open(expected) : undefined);
   } catch (error) {
     root.textContent = `This film cannot be shown here: ${error.message}`;
     root.classList.add("broken");

@@ -20,27 +20,27 @@ Mask = np.ndarray[Any, np.dtype[np.bool_]]
 
 
 @dataclass(frozen=True)
-class Weighed:
+class ComparedPairs:
     """Masks over the pairs of a step. Every pair is `agreed`, `touching` or neither, that is, open.
 
-    `lost` pairs overlap, but the step has no contact for them; the contacts of `askew` ones push along an axis that is
-    worse than the best by more than the step's preference for a face allows; parts of concave polygons are neither.
-    `depth_error` (m) and `normal_error` (rad) are the worst differences among agreed pairs, `other_axis` counts those
-    with another, equally good axis.
+    `no_contact` pairs overlap, but the step has no contact for them; the contacts of `wrong_axis` ones push along an
+    axis that is worse than the best by more than the step's preference for a face allows; parts of concave polygons are
+    neither. `depth_error` (m) and `normal_error` (rad) are the worst differences among agreed pairs, `other_axis`
+    counts those with another, equally good axis.
     """
 
     agreed: Mask
     touching: Mask
-    lost: Mask
-    askew: Mask
+    no_contact: Mask
+    wrong_axis: Mask
     depth_error: float
     normal_error: float
     other_axis: int
 
 
-def weigh(
+def compare_answers(
     poses: Poses, pairs: Integers, separation: Floats, normal: Floats, theirs: Answers, contacts: Records
-) -> Weighed:
+) -> ComparedPairs:
     """Compare the narrow phase's `separation` and `normal` and the step's `contacts` with pymunk's answers."""
     size, reach = poses.size(pairs), poses.reach(pairs)
     touch, error = touch_tolerance(size, reach), allowed_error(size, reach)
@@ -52,15 +52,15 @@ def weigh(
     is_unit = np.abs((theirs.normal**2).sum(axis=1) - 1.0) < 1e-9
     agreed = (~ours & ~theirs.hit) | (both & (depth_error <= error) & (excess <= error) & is_unit)
     touching = ~agreed & (np.abs(separation) <= touch) & (~theirs.hit | (np.abs(theirs.depth) <= touch))
-    lost, askew = _of_the_step(poses, pairs, separation, contacts, touch, error)
-    agreed &= ~(lost | askew)
+    no_contact, wrong_axis = _of_the_step(poses, pairs, separation, contacts, touch, error)
+    agreed &= ~(no_contact | wrong_axis)
     angles = _angles(normal, theirs.normal)
     single = agreed & both & (angles <= _SAME_AXIS)
-    return Weighed(
+    return ComparedPairs(
         agreed=agreed,
         touching=touching,
-        lost=lost,
-        askew=askew,
+        no_contact=no_contact,
+        wrong_axis=wrong_axis,
         depth_error=float(depth_error[agreed].max(initial=0.0)),
         normal_error=float(angles[single].max(initial=0.0)),
         other_axis=int((agreed & both & ~single).sum()),
@@ -70,7 +70,7 @@ def weigh(
 def _of_the_step(
     poses: Poses, pairs: Integers, separation: Floats, contacts: Records, touch: Floats, error: Floats
 ) -> tuple[Mask, Mask]:
-    """(lost, askew): which overlapping pairs the step has no contact for, and which it would push the wrong way."""
+    """(no_contact, wrong_axis): the overlapping pairs without a contact, and those that it would push the wrong way."""
     # Of the parts of something larger, the step keeps only the contacts that the whole has
     # (`engine/narrow_phase/internal_edges.py`), and of what is solid from one side only, those that come from there.
     deep = (separation < -touch) & (poses.shapes.traits[pairs] == 0).all(axis=1)

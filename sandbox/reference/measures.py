@@ -1,4 +1,4 @@
-"""One ruler for both engines: what a state comes to, measured by the same code whoever simulated it."""
+"""Energy, penetration and heights of a state, measured by the same code whichever engine simulated it."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ class Measures:
     top: float
 
 
-class Ruler:
-    """Measures dynamic bodies of a scene: masses, shapes and gravity are those of `state` when the ruler is made."""
+class Measurer:
+    """Measures dynamic bodies of a scene: masses, shapes and gravity are those of `state` when the measurer is made."""
 
     def __init__(self, state: State) -> None:
         self._shapes, self._vertices = state.shapes, state.vertices

@@ -10,7 +10,7 @@ from sandbox.render.theme import Color
 from sandbox.window.gui import TEXT_SIZE, Gui
 
 
-class Pen:
+class Overlay:
     """Draws text and panels at pixel positions over the picture (or into `target`, an ImGui draw list)."""
 
     def __init__(self, gui: Gui, target: Any = None) -> None:
@@ -29,7 +29,7 @@ class Pen:
     ) -> None:
         """Write one line with its top left corner at (x, y)."""
         font = self.gui.bold if bold else self.gui.regular
-        self._list.add_text(font, size, imgui.ImVec2(round(x), round(y)), pack(color, opacity), text)
+        self._list.add_text(font, size, imgui.ImVec2(round(x), round(y)), packed_color(color, opacity), text)
 
     def width(self, text: str, size: float = TEXT_SIZE, bold: bool = False) -> float:
         """Pixels that a line of text takes."""
@@ -41,35 +41,35 @@ class Pen:
     def panel(self, box: tuple[float, float, float, float], color: Color, opacity: float, rounding: float) -> None:
         """Fill a rectangle (left, top, right, bottom) with round corners."""
         low, high = imgui.ImVec2(box[0], box[1]), imgui.ImVec2(box[2], box[3])
-        self._list.add_rect_filled(low, high, pack(color, opacity), rounding)
+        self._list.add_rect_filled(low, high, packed_color(color, opacity), rounding)
 
     def arc(self, x: float, y: float, radius: float, turn: tuple[float, float], color: Color, width: float) -> None:
         """Stroke a part of a circle between two angles in radians."""
         self._list.path_arc_to(imgui.ImVec2(x, y), radius, turn[0], turn[1], 32)
-        self._list.path_stroke(pack(color, 1.0), thickness=width)
+        self._list.path_stroke(packed_color(color, 1.0), thickness=width)
 
 
-def pack(color: Color, opacity: float) -> int:
+def packed_color(color: Color, opacity: float) -> int:
     """A colour as ImGui's 32-bit number."""
     return int(imgui.color_convert_float4_to_u32(imgui.ImVec4(*color, opacity)))
 
 
-def shorten(pen: Pen, text: str, room: float, size: float = TEXT_SIZE) -> str:
+def shorten(overlay: Overlay, text: str, room: float, size: float = TEXT_SIZE) -> str:
     """`text`, cut with an ellipsis where it would be wider than `room` pixels."""
-    if pen.width(text, size) <= room:
+    if overlay.width(text, size) <= room:
         return text
     low, high = 0, len(text)
     while low < high:
         middle = (low + high + 1) // 2
-        fits = pen.width(text[:middle].rstrip() + "…", size) <= room
+        fits = overlay.width(text[:middle].rstrip() + "…", size) <= room
         low, high = (middle, high) if fits else (low, middle - 1)
     return text[:low].rstrip() + "…"
 
 
-def split_line(pen: Pen, text: str, room: float, size: float = TEXT_SIZE) -> tuple[str, str]:
+def split_line(overlay: Overlay, text: str, room: float, size: float = TEXT_SIZE) -> tuple[str, str]:
     """As many words of `text` as fit into `room` pixels, at least one, and the rest."""
     words = text.split()
     count = len(words)
-    while count > 1 and pen.width(" ".join(words[:count]), size) > room:
+    while count > 1 and overlay.width(" ".join(words[:count]), size) > room:
         count -= 1
     return " ".join(words[:count]), " ".join(words[count:])

@@ -1,4 +1,4 @@
-"""Which body wears which colour: chosen once, then dimmed or marked frame by frame."""
+"""Which body has which colour: chosen once, then dimmed or marked frame by frame."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from sandbox.world.state import State
 
 
 @dataclass(frozen=True)
-class Tints:
+class FrameColors:
     """Colours of every body in one frame, sRGB (n, 3) each; `hatched` (n,) marks frozen bodies."""
 
     fill: Floats
@@ -31,18 +31,18 @@ class Tints:
 
 
 @dataclass(frozen=True)
-class Wardrobe:
+class BodyColors:
     """The awake colour of each body (n, 3), chosen when it comes into the world; `roster` says who they are."""
 
     theme: Theme
     base: Floats = field(repr=False)
     roster: Register[FlatBody] | None = field(default=None, repr=False)
 
-    def fitting(self, frame: Frame) -> Wardrobe:
-        """The wardrobe for a frame: itself, or if bodies came or went, one in which those that stayed keep theirs."""
+    def for_frame(self, frame: Frame) -> BodyColors:
+        """The colours for a frame: itself, or if bodies came or went, others in which those that stayed keep theirs."""
         if self.roster is None or self.roster is frame.roster:
             return self
-        fresh = _dressed(frame.roster, frame.type.tolist(), self.theme)
+        fresh = _colors_for(frame.roster, frame.type.tolist(), self.theme)
         rows = {serial: row for row, serial in enumerate(self.roster.serials)}
         for new, (serial, body) in enumerate(zip(frame.roster.serials, frame.roster.items, strict=True)):
             old = rows.get(serial)
@@ -56,19 +56,19 @@ def family(name: str) -> str:
     return re.sub(r"[\W_]*\d+([\W_]+\d+)*$", "", name) or name
 
 
-def wardrobe_of(state: State, theme: Theme = DARK) -> Wardrobe:
+def body_colors_of(state: State, theme: Theme = DARK) -> BodyColors:
     """The colours of a world's bodies; `color` in the scene overrules."""
-    return _dressed(state.roster.bodies, state.bodies.type, theme)
+    return _colors_for(state.roster.bodies, state.bodies.type, theme)
 
 
-def _dressed(roster: Register[FlatBody], types: Sequence[int], theme: Theme) -> Wardrobe:
+def _colors_for(roster: Register[FlatBody], types: Sequence[int], theme: Theme) -> BodyColors:
     colors = {body.id: body.color for body in roster.items if body.color}
-    return replace(dress(roster.names, types, theme, colors), roster=roster)
+    return replace(choose_colors(roster.names, types, theme, colors), roster=roster)
 
 
-def dress(
+def choose_colors(
     names: Sequence[str], types: Sequence[int], theme: Theme, colors: Mapping[str, str] | None = None
-) -> Wardrobe:
+) -> BodyColors:
     """Choose a colour for every body by its id and type; `colors` (id -> CSS colour) overrules."""
     chosen = colors or {}
     families = [family(name) for name in names]
@@ -79,7 +79,7 @@ def dress(
         hue = hues.get(own, 0.0)
         base[i] = _color(name, chosen) or _base_color(types[i], hue, seen[own], size[own], theme)
         seen[own] += 1
-    return Wardrobe(theme, base)
+    return BodyColors(theme, base)
 
 
 def _color(name: str, chosen: Mapping[str, str]) -> Color | None:
@@ -113,17 +113,17 @@ def _scatter(rank: int, ratio: float) -> float:
     return (rank * ratio + 0.5) % 1.0 - 0.5
 
 
-def tints(frame: Frame, wardrobe: Wardrobe) -> Tints:
+def frame_colors(frame: Frame, body_colors: BodyColors) -> FrameColors:
     """The colours of a frame: sleeping bodies dimmed, frozen bodies red and hatched."""
-    theme = wardrobe.theme
-    fill = wardrobe.base.copy()
+    theme = body_colors.theme
+    fill = body_colors.base.copy()
     fill[frame.frozen] = theme.frozen
     asleep = ~frame.awake & ~frame.frozen & (frame.type == DYNAMIC)
     fill[asleep] = mix(fill[asleep], theme.background, theme.sleep)
     edge = mix(fill, theme.light, theme.outline)
     edge[frame.type == STATIC] = mix(fill[frame.type == STATIC], theme.light, theme.static_outline)
     mark = mix(fill, theme.ink, 0.55)
-    return Tints(fill, edge, mark, frame.frozen.astype(np.float64))
+    return FrameColors(fill, edge, mark, frame.frozen.astype(np.float64))
 
 
 def mix(colors: Floats, other: Color, amount: float) -> Floats:

@@ -26,13 +26,13 @@ _LOOKS = {
 """How each kind is drawn; a gear shows in what it turns."""
 
 
-def holding(state: State) -> NDArray[np.bool_]:
+def held_joints(state: State) -> NDArray[np.bool_]:
     """Which joints hold, row by row: neither broken nor switched off."""
     held: NDArray[np.bool_] = (np.asarray(state.joints.enabled) == 1) & (np.asarray(state.joints.broken_step) < 0)
     return held
 
 
-def bond(row: Any, slots: Sequence[int]) -> dict[str, Any]:
+def joint_data(row: Any, slots: Sequence[int]) -> dict[str, Any]:
     """One joint: how it looks, its bodies (-1: the world) and its anchors in their frames."""
     kind = int(row.kind)
     look = _LOOKS.get(kind, "")

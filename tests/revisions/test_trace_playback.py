@@ -10,12 +10,12 @@ import pytest
 from sandbox.engine.commands.body_commands import ApplyImpulse, EndDrag, StartDrag
 from sandbox.engine.commands.row_commands import Delete, Spawn
 from sandbox.errors import SandboxError
-from sandbox.replay.golden.run import Run, Stage
+from sandbox.replay.golden.run import Run, RunStepper
 from sandbox.replay.revisions.against import HERE
-from sandbox.replay.revisions.puppet import Puppet, shots
 from sandbox.replay.revisions.trace import Trace, trace
-from sandbox.report.pairs import _led, _pair
-from sandbox.report.shoot import film_run
+from sandbox.replay.revisions.trace_playback import TracePlayback, film_samples
+from sandbox.report.filming import film_run
+from sandbox.report.pairs import _pair, _world_at
 from sandbox.scene import Scene
 from tests.cli.conftest import CRATE, GROUND
 
@@ -40,12 +40,12 @@ def run() -> Run:
 @pytest.fixture(scope="module")
 def past(run: Run) -> Trace:
     """The run by this same code in a process of its own."""
-    return trace(HERE, run, [7], no_jit=True, film=shots(LAST, 1))
+    return trace(HERE, run, [7], no_jit=True, film=film_samples(LAST, 1))
 
 
 def test_the_film_is_that_of_the_run(run: Run, past: Trace) -> None:
-    wanted, got = film_run(run), film_run(run, stage=Puppet(run, past))
-    assert [actor.id for actor in got.cast] == ["ground", "post", "crate", "ball"]
+    wanted, got = film_run(run), film_run(run, stepper=TracePlayback(run, past))
+    assert [body.id for body in got.bodies] == ["ground", "post", "crate", "ball"]
     assert np.array_equal(got.poses, wanted.poses, equal_nan=True)
     assert np.array_equal(got.awake, wanted.awake)
     assert np.array_equal(got.held, wanted.held)
@@ -56,18 +56,20 @@ def test_the_film_is_that_of_the_run(run: Run, past: Trace) -> None:
 def test_moments_left_out_are_passed_over(run: Run, past: Trace) -> None:
     few = {key: rows for key, rows in past.arrays.items() if int(key.split(".")[0]) in (6, 12, LAST)}
     thin = Trace(past.columns, past.codes, few)
-    stage, straight = Puppet(run, thin), Stage(run.scene, run.commands)
+    stepper, straight = TracePlayback(run, thin), RunStepper(run.scene, run.commands)
     for step in range(1, LAST + 1):
-        stage.advance()
+        stepper.advance()
         straight.advance()
-        assert stage.step == step
+        assert stepper.step == step
         if step in (6, 12, LAST):
-            same = np.asarray(stage.world.state.bodies.position_x) == np.asarray(straight.world.state.bodies.position_x)
+            same = np.asarray(stepper.world.state.bodies.position_x) == np.asarray(
+                straight.world.state.bodies.position_x
+            )
             assert same.all()
 
 
 def test_a_dumped_moment_has_its_pairs(run: Run, past: Trace) -> None:
-    worlds = [_led(stage, 7) for stage in (Puppet(run, past), Stage(run.scene, run.commands))]
+    worlds = [_world_at(stepper, 7) for stepper in (TracePlayback(run, past), RunStepper(run.scene, run.commands))]
     pair = _pair(worlds[0], worlds[1], 7, "crate")
     assert pair is not None
     assert pair.names == ("ground", "crate")
@@ -75,16 +77,16 @@ def test_a_dumped_moment_has_its_pairs(run: Run, past: Trace) -> None:
 
 
 def test_other_bodies_end_it(run: Run, past: Trace) -> None:
-    other = Puppet(Run(run.scene, LAST), past)  # without the commands, no ball is spawned
+    other = TracePlayback(Run(run.scene, LAST), past)  # without the commands, no ball is spawned
     with pytest.raises(SandboxError, match="other bodies in the other revision"):
         _led_to_the_end(other)
-    film = film_run(run, stage=Puppet(Run(run.scene, LAST), past))
+    film = film_run(run, stepper=TracePlayback(Run(run.scene, LAST), past))
     assert (film.end, "other bodies" in film.cut) == (3, True)
 
 
-def _led_to_the_end(stage: Stage) -> None:
-    while stage.step < LAST:
-        stage.advance()
+def _led_to_the_end(stepper: RunStepper) -> None:
+    while stepper.step < LAST:
+        stepper.advance()
 
 
 def test_the_fingerprints_are_those_of_a_recording(run: Run, past: Trace) -> None:

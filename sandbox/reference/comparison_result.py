@@ -6,8 +6,8 @@ from collections import Counter
 from dataclasses import dataclass, field
 
 from sandbox.reference.answer import Answer
+from sandbox.reference.arbitration import Ruling
 from sandbox.reference.pair import Pair
-from sandbox.reference.settle import Settled
 
 KEEP = 100
 """Disagreements of a scene kept with their poses; more are only counted."""
@@ -28,14 +28,14 @@ class Disagreement:
     pair: Pair
     ours: Answer
     theirs: Answer
-    settled: Settled
+    ruling: Ruling
 
     @property
     def who_is_wrong(self) -> str:
         """`sandbox`; `pymunk` where exact arithmetic confirms this engine; `nobody` where it confirms both."""
-        if self.settled.faults or self.what in ("no contact", "contact axis"):
+        if self.ruling.faults or self.what in ("no contact", "contact axis"):
             return "sandbox"
-        return "pymunk" if self.settled.their_faults else "nobody"
+        return "pymunk" if self.ruling.their_faults else "nobody"
 
 
 @dataclass(frozen=True)

@@ -8,10 +8,10 @@ import pytest
 from hypothesis import assume, given, settings
 
 from sandbox.reference.answer import Answer
+from sandbox.reference.arbitration import arbitrate, faults_of, our_answer, size_and_reach
 from sandbox.reference.ask_pymunk import ask_pair
 from sandbox.reference.exact_referee import judge
 from sandbox.reference.pair import Core, Pair
-from sandbox.reference.settle import faults_of, our_answer, settle, size_and_reach
 from sandbox.reference.tolerance import touch_tolerance
 from tests.geometry.shape_families import FAMILIES
 from tests.reference.pairs import any_pairs, at, between, box, circle, random_pairs, tied_pairs
@@ -29,19 +29,19 @@ def test_pymunk_is_right_or_trapped(pair: Pair) -> None:
     """Whatever pymunk gets wrong has a name: a new kind of error, or a wrong referee, would show here."""
     truth, answer = judge(pair), ask_pair(pair)
     assume(abs(truth.separation) > touch_tolerance(*size_and_reach(pair)))
-    settled = settle(pair, our_answer(pair), Answer.theirs(answer))
-    assert settled.faults == ()
-    assert not settled.their_faults or settled.trap is not None
-    assert settled.their_faults or (answer is not None) == truth.overlap
+    ruling = arbitrate(pair, our_answer(pair), Answer.theirs(answer))
+    assert ruling.faults == ()
+    assert not ruling.their_faults or ruling.trap is not None
+    assert ruling.their_faults or (answer is not None) == truth.overlap
 
 
 @pytest.mark.parametrize("family", FAMILIES)
 def test_of_every_family_pymunk_is_right_or_trapped(family: str) -> None:
     for k in range(150):
         pair = between(*FAMILIES[family](Random(f"compare/{family}/{k}")))
-        settled = settle(pair, our_answer(pair), Answer.theirs(ask_pair(pair)))
-        assert settled.faults == (), pair.source()
-        assert not settled.their_faults or settled.trap is not None, pair.source()
+        ruling = arbitrate(pair, our_answer(pair), Answer.theirs(ask_pair(pair)))
+        assert ruling.faults == (), pair.source()
+        assert not ruling.their_faults or ruling.trap is not None, pair.source()
 
 
 def test_lies_are_found_out() -> None:

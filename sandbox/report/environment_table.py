@@ -1,4 +1,4 @@
-"""In what the surroundings of a recording and of this run differ."""
+"""In what the environments of a recording and of this run differ."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from sandbox.replay.recording.recording import Recording
 from sandbox.report.markup import Node, node
 
 
-def surroundings(recording: Recording) -> list[tuple[str, str, str]]:
+def environment_differences(recording: Recording) -> list[tuple[str, str, str]]:
     """(what, when it was recorded, now) of the version and of everything that `environment` tells."""
     rows = [
         ("sandbox", recording.version, __version__),
@@ -17,7 +17,7 @@ def surroundings(recording: Recording) -> list[tuple[str, str, str]]:
     ]
     before, now = recording.environment.split(", "), environment().split(", ")
     if len(before) != len(now):
-        return [*rows, ("surroundings", recording.environment or "not said", environment())]
+        return [*rows, ("environment", recording.environment or "not said", environment())]
     for old, new in zip(before, now, strict=True):
         what = new.partition(" ")[0]
         # The last part is the system itself, "Linux x86_64".
@@ -27,11 +27,11 @@ def surroundings(recording: Recording) -> list[tuple[str, str, str]]:
     return rows
 
 
-def surroundings_table(recording: Recording) -> Node:
+def environment_table(recording: Recording) -> Node:
     """The same as a table; what differs is red."""
     head = node("tr", "", *(node("th", "", title) for title in ("", "recorded", "here")))
     rows = []
-    for what, before, now in surroundings(recording):
+    for what, before, now in environment_differences(recording):
         cells = node("td", "soft", what), node("td", "", before), node("td", "" if before == now else "other", now)
         rows.append(node("tr", "", *cells))
     return node("div", "wide", node("table", "facts", node("thead", "", head), node("tbody", "", *rows)))

@@ -7,11 +7,11 @@ from typing import Any
 
 from sandbox.engine.world import World
 from sandbox.errors import SandboxError
-from sandbox.replay.golden.run import Run, Stage, run_of
+from sandbox.replay.golden.run import Run, RunStepper, run_of
 from sandbox.replay.recording.command_words import TimedCommand, encode
 from sandbox.replay.recording.recording import Recording
 from sandbox.report.film import Film
-from sandbox.report.lens import Lens
+from sandbox.report.film_recorder import FilmRecorder
 from sandbox.scene import Scene
 
 MOST_POSES = 400_000
@@ -25,39 +25,39 @@ def film_run(
     skip: int = 0,
     most: int = MOST_POSES,
     on_steps: Callable[[int], None] | None = None,
-    stage: Stage | None = None,
+    stepper: RunStepper | None = None,
 ) -> Film:
     """Take a run and film it from step `skip` on; a command that is refused ends it.
 
-    `stage` takes the run instead of a fresh world. `on_steps` hears now and then how many steps are done. Raises
+    `stepper` takes the run instead of a fresh world. `on_steps` hears now and then how many steps are done. Raises
     `SceneError` if the scene cannot be used.
     """
     known = run_of(run)
-    stage = stage or Stage(known.scene, known.commands)
-    while stage.step < min(skip, known.steps):
-        stage.advance()
-    camera = Lens(stage.world, known.steps, most)
+    stepper = stepper or RunStepper(known.scene, known.commands)
+    while stepper.step < min(skip, known.steps):
+        stepper.advance()
+    recorder = FilmRecorder(stepper.world, known.steps, most)
     cut = ""
     try:
-        while stage.step < known.steps:
-            stage.advance()
-            camera.look()
-            if on_steps is not None and stage.step % _REPORT_EVERY == 0:
-                on_steps(stage.step)
+        while stepper.step < known.steps:
+            stepper.advance()
+            recorder.record()
+            if on_steps is not None and stepper.step % _REPORT_EVERY == 0:
+                on_steps(stepper.step)
     except SandboxError as error:
-        cut = f"ended after step {stage.step}: {error}"
-    return camera.film(_told(known.commands), cut)
+        cut = f"ended after step {stepper.step}: {error}"
+    return recorder.film(_told(known.commands), cut)
 
 
 def film_ahead(world: World, steps: int, most: int = MOST_POSES) -> Film:
     """What the next steps of a world will be; they are taken by a copy."""
     copy = World(world.scene)
     copy.restore(world.snapshot())
-    camera = Lens(copy, copy.step_count + steps, most)
+    recorder = FilmRecorder(copy, copy.step_count + steps, most)
     for _ in range(steps):
         copy.step()
-        camera.look()
-    return camera.film((), "")
+        recorder.record()
+    return recorder.film((), "")
 
 
 def _told(commands: Sequence[TimedCommand]) -> tuple[tuple[int, str], ...]:

@@ -10,16 +10,15 @@ from sandbox.render.sat_page import Member, SatFigure, alone, box_of
 from sandbox.render.svg import Svg
 
 
-def draw_crowd(figure: SatFigure) -> Svg:
+def draw_scene(figure: SatFigure) -> Svg:
     """All shapes, their boxes, and a line for every pair of boxes that overlap: what is left to test."""
-    pairs = [pair for pair in combinations(figure.crowd, 2) if _could_collide(*pair)]
+    pairs = [pair for pair in combinations(figure.scene_shapes, 2) if _could_collide(*pair)]
     near = [(p, q) for p, q in pairs if _overlap(box_of(p.shape), box_of(q.shape))]
-    words = (
-        f"{len(figure.crowd)} shapes make {len(pairs):,} pairs; only the {len(near):,} whose boxes overlap are tested"
-    )
-    svg, plane = alone(figure, words, crowd=True)
+    count = len(figure.scene_shapes)
+    words = f"{count} shapes make {len(pairs):,} pairs; only the {len(near):,} whose boxes overlap are tested"
+    svg, plane = alone(figure, words, whole_scene=True)
     with plane:
-        for member in figure.crowd:
+        for member in figure.scene_shapes:
             mine = "a" if member.shape == figure.table.a else "b" if member.shape == figure.table.b else "other"
             plane.shape(member.shape, f"{mine} shape")
             x0, y0, x1, y1 = box_of(member.shape)

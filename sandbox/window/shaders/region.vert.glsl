@@ -1,5 +1,5 @@
 #version 330 core
-// Corners of the washes of regions. Pixels, y points down.
+// Corners of the fills of regions. Pixels, y points down.
 
 uniform vec2 screen;
 

@@ -14,17 +14,17 @@ from sandbox.scene.finding import path_of
 from sandbox.scene.locate import locate
 
 
-def whereabouts(recording: Recording, outcome: Outcome) -> str:
+def divergence_location(recording: Recording, outcome: Outcome) -> str:
     """In words, where the body stands by which `outcome` is best explained; "" if there is none, or it has no place.
 
     That is the body of the first number that differs, else one that was edited, else the one that ended farthest off.
     """
     if outcome.divergence is None:
         return ""
-    return next((text for body in _suspects(recording, outcome) if (text := place_of(recording, body))), "")
+    return next((text for body in _suspects(recording, outcome) if (text := body_location(recording, body))), "")
 
 
-def place_of(recording: Recording, body: str) -> str:
+def body_location(recording: Recording, body: str) -> str:
     """`body NAME: FILE:LINE:COLUMN` of what made the body of that id; "" where that was no scene in a file."""
     try:
         scene = recording.load_scene()
@@ -32,10 +32,10 @@ def place_of(recording: Recording, body: str) -> str:
             return _in_recording(recording.source, scene, body)
     except (SandboxError, OSError):
         return ""
-    return place_in_scene(scene, body)
+    return location_in_scene(scene, body)
 
 
-def place_in_scene(scene: Scene, body: str) -> str:
+def location_in_scene(scene: Scene, body: str) -> str:
     """The same for a scene by itself."""
     pointer = _pointer(scene, body)
     found = scene.locate(pointer) if pointer else None

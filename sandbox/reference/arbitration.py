@@ -18,7 +18,7 @@ from sandbox.world import records
 
 
 @dataclass(frozen=True)
-class Settled:
+class Ruling:
     """The outcome: what is wrong with our answer and with theirs (nothing: it is right), and pymunk's trap if known."""
 
     truth: Truth
@@ -27,12 +27,12 @@ class Settled:
     trap: Trap | None
 
 
-def settle(pair: Pair, ours: Answer, theirs: Answer) -> Settled:
+def arbitrate(pair: Pair, ours: Answer, theirs: Answer) -> Ruling:
     """Hold both answers against exact arithmetic."""
     truth = judge(pair)
     their_faults = tuple(faults_of(pair, theirs, truth))
     trap = recognise(pair, theirs, truth, *size_and_reach(pair)) if their_faults else None
-    return Settled(truth, tuple(faults_of(pair, ours, truth)), their_faults, trap)
+    return Ruling(truth, tuple(faults_of(pair, ours, truth)), their_faults, trap)
 
 
 def faults_of(pair: Pair, answer: Answer | None = None, truth: Truth | None = None) -> list[str]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sandbox.geometry.sat_rows import SatRow
 from sandbox.geometry.sat_table import SatTable
-from sandbox.render.words import metres
+from sandbox.render.number_text import metres
 
 
 def axis_name(row: SatRow, names: tuple[str, str]) -> str:

@@ -1,4 +1,4 @@
-"""A film as the data of a page, and what a page is to show of it."""
+"""A film as the data of a page."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ from sandbox.report.toggles import toggles
 from sandbox.tables import Floats
 
 
-def reel(film: Film) -> dict[str, Any]:
+def film_data(film: Film) -> dict[str, Any]:
     """Everything that the player needs of a film, as plain data."""
     there = ~np.isnan(film.poses[:, :, 0])
     poses = _filled(film.poses, there)
-    quanta = np.array([[actor.quantum, actor.quantum, actor.turn] for actor in film.cast]).reshape(-1, 3)
+    quanta = np.array([[body.quantum, body.quantum, body.turn] for body in film.bodies]).reshape(-1, 3)
     bodies = [
-        {**actor.data, "from": poses[k, 0].tolist(), "quantum": [actor.quantum, actor.turn], "there": toggles(there[k]),
+        {**body.data, "from": poses[k, 0].tolist(), "quantum": [body.quantum, body.turn], "there": toggles(there[k]),
          "awake": toggles(film.awake[k])} | ({"frozen": toggles(film.frozen[k])} if film.frozen[k].any() else {})
-        for k, actor in enumerate(film.cast)
+        for k, body in enumerate(film.bodies)
     ]  # fmt: skip
     return {
         "start": film.start,
@@ -30,8 +30,8 @@ def reel(film: Film) -> dict[str, Any]:
         "rate": film.step_rate,
         "view": list(film.view),
         "bodies": bodies,
-        "joints": [{**bond, "held": toggles(film.held[k])} for k, bond in enumerate(film.bonds)],
-        "scenery": [list(entry) for entry in film.scenery],
+        "joints": [{**joint, "held": toggles(film.held[k])} for k, joint in enumerate(film.joints)],
+        "fields": [list(entry) for entry in film.fields],
         "commands": [list(entry) for entry in film.commands],
         "cut": film.cut,
         "energy": [_finite(row.energy) for row in film.figures],

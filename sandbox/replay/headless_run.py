@@ -14,7 +14,7 @@ _REPORT_EVERY = 16
 
 
 @dataclass(frozen=True)
-class Trial:
+class HeadlessRun:
     """The outcome of a run. `milliseconds` is the mean of a step; `frozen` are (body id, step) pairs."""
 
     steps: int
@@ -35,7 +35,7 @@ def planned_steps(scene: Scene, steps: int | None = None) -> int:
     return max(wanted, *(expectation.last_step for expectation in scene.expect), 0)
 
 
-def run_trial(scene: Scene, steps: int | None = None, on_steps: Callable[[int], None] | None = None) -> Trial:
+def run_headless(scene: Scene, steps: int | None = None, on_steps: Callable[[int], None] | None = None) -> HeadlessRun:
     """Run `scene` for `planned_steps` and judge it; `on_steps` hears now and then how many steps are done."""
     world = World(scene)
     judge = Judge(scene, world)
@@ -50,4 +50,4 @@ def run_trial(scene: Scene, steps: int | None = None, on_steps: Callable[[int], 
         if on_steps is not None and k % _REPORT_EVERY == 0:
             on_steps(k)
     mean = seconds / max(1, total - 1)
-    return Trial(total, 1000.0 * mean, world.digest(), judge.verdicts(), tuple(world.frozen))
+    return HeadlessRun(total, 1000.0 * mean, world.digest(), judge.verdicts(), tuple(world.frozen))

@@ -1,4 +1,4 @@
-"""Who plays in a film: each body's shapes and colour, as plain data that a canvas can draw."""
+"""The bodies of a film: shapes and colour of each, as plain data that a canvas can draw."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from sandbox.render.body_colors import BodyColors
 from sandbox.render.camera import Floats
 from sandbox.render.frame import Frame
 from sandbox.render.geometry import Mesh
 from sandbox.render.theme import Color
-from sandbox.render.wardrobe import Wardrobe
 from sandbox.world.records import DYNAMIC, SEGMENT, STATIC
 
 Plain: TypeAlias = dict[str, Any]
@@ -22,7 +22,7 @@ FINENESS = 2048
 
 
 @dataclass(frozen=True)
-class Actor:
+class FilmBody:
     """A body as one sees it: `data` for the page; `quantum` (m) and `turn` (rad), the least moves that are told."""
 
     id: str
@@ -36,25 +36,25 @@ def hex_of(color: Color | Floats) -> str:
     return "#" + "".join(f"{round(255 * float(part)):02x}" for part in color)
 
 
-def actors_of(frame: Frame, wardrobe: Wardrobe) -> list[Actor]:
+def film_bodies(frame: Frame, body_colors: BodyColors) -> list[FilmBody]:
     """Every body of a frame, row by row."""
     shapes: list[list[int]] = [[] for _ in frame.type]
     for row, body in enumerate(frame.mesh.body.tolist()):
         shapes[body].append(row)
-    return [_actor(frame, wardrobe, body, rows) for body, rows in enumerate(shapes)]
+    return [_film_body(frame, body_colors, body, rows) for body, rows in enumerate(shapes)]
 
 
-def _actor(frame: Frame, wardrobe: Wardrobe, body: int, rows: list[int]) -> Actor:
+def _film_body(frame: Frame, body_colors: BodyColors, body: int, rows: list[int]) -> FilmBody:
     mesh, kind = frame.mesh, int(frame.type[body])
     name = frame.roster.names[body]
-    data: Plain = {"id": name, "fill": hex_of(wardrobe.base[body]), "shapes": [_shape(mesh, row) for row in rows]}
+    data: Plain = {"id": name, "fill": hex_of(body_colors.base[body]), "shapes": [_shape(mesh, row) for row in rows]}
     data |= {"static": True} if kind == STATIC else {}
     data |= {"marked": True} if kind == DYNAMIC else {}
     thick = max((float(mesh.thickness[row]) for row in rows), default=0.0)
     reach = max((float(np.hypot(*mesh.offset[row]) + mesh.reach[row]) for row in rows), default=1.0)
     data |= {"half": _short(thick), "reach": _short(reach)}
     quantum = _short((thick or 0.1 * reach) / FINENESS)
-    return Actor(name, data, quantum, _short(quantum / max(reach, 1e-9)))
+    return FilmBody(name, data, quantum, _short(quantum / max(reach, 1e-9)))
 
 
 def _shape(mesh: Mesh, row: int) -> Plain:

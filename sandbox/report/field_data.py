@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 
 from sandbox.render.camera import Camera
+from sandbox.render.field_drawing import area
 from sandbox.render.field_frame import FieldMarks, RegionMark
 from sandbox.render.theme import Theme
-from sandbox.render.washes import area
-from sandbox.report.cast import hex_of
+from sandbox.report.body_data import hex_of
 from sandbox.world.field_records import WATER, WIND
 from sandbox.world.state import State
 
@@ -21,13 +21,13 @@ _ROOM = 8.0
 
 
 @dataclass(frozen=True)
-class Sight:
+class FieldSampler:
     """The first view and the colours: what it takes to draw regions, which may be without end."""
 
     camera: Camera
     theme: Theme
 
-    def scenery(self, marks: FieldMarks, state: State, slots: Sequence[int]) -> list[Any]:
+    def sample(self, marks: FieldMarks, state: State, slots: Sequence[int]) -> list[Any]:
         """`[regions, flames]` of now; `slots` says which body of the film a row is."""
         if not marks.regions and not len(marks.flames):
             return [[], []]

@@ -3,10 +3,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from sandbox.render.body_colors import choose_colors, family, frame_colors
 from sandbox.render.frame import capture
 from sandbox.render.oklab import oklch_to_srgb
 from sandbox.render.theme import DARK, hex_color
-from sandbox.render.wardrobe import dress, family, tints
 from sandbox.world.records import DYNAMIC, STATIC
 from tests.render.stages import zoo
 
@@ -29,33 +29,33 @@ def test_family_is_the_id_without_counters(name: str, expected: str) -> None:
 def test_colours_depend_on_ids_and_types_alone() -> None:
     names = [f"crate-{i}" for i in range(50)] + ["ball", "ground"]
     types = [DYNAMIC] * 51 + [STATIC]
-    first, second = dress(names, types, DARK).base, dress(names, types, DARK).base
+    first, second = choose_colors(names, types, DARK).base, choose_colors(names, types, DARK).base
     assert np.array_equal(first, second)
     assert tuple(first[-1]) == DARK.static
 
 
 def test_families_get_hues_of_their_own_while_there_are_enough() -> None:
     names = [f"thing{chr(97 + i)}" for i in range(len(DARK.hues))]
-    base = dress(names, [DYNAMIC] * len(names), DARK).base
+    base = choose_colors(names, [DYNAMIC] * len(names), DARK).base
     assert len({tuple(row) for row in base.tolist()}) == len(names)
 
 
 def test_neighbours_in_a_family_can_be_told_apart() -> None:
-    base = dress([f"crate-{i}" for i in range(100)], [DYNAMIC] * 100, DARK).base
+    base = choose_colors([f"crate-{i}" for i in range(100)], [DYNAMIC] * 100, DARK).base
     assert np.abs(np.diff(base, axis=0)).max(axis=1).min() > 0.005
 
 
 def test_a_scene_can_choose_a_colour() -> None:
-    base = dress(["a", "b"], [DYNAMIC, STATIC], DARK, {"b": "#ff8000"}).base
+    base = choose_colors(["a", "b"], [DYNAMIC, STATIC], DARK, {"b": "#ff8000"}).base
     assert tuple(base[1]) == hex_color("#ff8000") == (1.0, 128 / 255, 0.0)
 
 
 def test_sleep_dims_and_bad_numbers_show_red() -> None:
     state = zoo()
-    wardrobe = dress(state.names, state.bodies.type, DARK)
-    colors = tints(capture(state), wardrobe)
+    body_colors = choose_colors(state.names, state.bodies.type, DARK)
+    colors = frame_colors(capture(state), body_colors)
     asleep, frozen = state.names.index("dozer"), state.names.index("broken")
-    assert colors.fill[asleep].mean() < wardrobe.base[asleep].mean()
+    assert colors.fill[asleep].mean() < body_colors.base[asleep].mean()
     assert tuple(colors.fill[frozen]) == DARK.frozen
     assert np.flatnonzero(colors.hatched).tolist() == [frozen]
 

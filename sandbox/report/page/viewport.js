@@ -1,15 +1,15 @@
 // The picture: a camera over the plane, and everything that is drawn through it.
 
-class Stage {
-  constructor(canvas, reel, ghost, options) {
-    Object.assign(this, { canvas, reel, ghost, options });
+class Viewport {
+  constructor(canvas, film, ghost, options) {
+    Object.assign(this, { canvas, film, ghost, options });
     this.context = canvas.getContext("2d");
     this.showGhost = true;
     this.reset();
   }
 
   reset() {
-    const [x, y, height] = this.reel.view;
+    const [x, y, height] = this.film.view;
     Object.assign(this, { x, y, height, zoom: 1 });
   }
 
@@ -57,14 +57,14 @@ class Stage {
   }
 
   draw(step) {
-    const { context, reel } = this;
+    const { context, film } = this;
     this.leave();
     context.globalAlpha = 1;
     context.fillStyle = theme("background");
     context.fillRect(0, 0, this.canvas.width, this.canvas.height);
     this.drawGrid();
-    const [regions, flames] = reel.sceneryAt(step);
-    reel.order.forEach((row) => this.drawBody(row, step));
+    const [regions, flames] = film.fieldsAt(step);
+    film.order.forEach((row) => this.drawBody(row, step));
     regions.forEach((region) => this.drawRegion(region));
     flames.forEach((flame) => this.drawFlame(flame, step));
     drawJoints(this, step);
@@ -88,10 +88,10 @@ class Stage {
   }
 
   drawBody(row, step) {
-    const { context, reel, scale } = this, shape = reel.shapes[row];
-    const pose = reel.pose(row, step);
-    if (!reel.isThere(row, step) || !this.inSight(pose, shape.reach)) return;
-    const looks = shape.looks(reel.bodies[row], reel.sampleAt(step)), half = shape.half * scale;
+    const { context, film, scale } = this, shape = film.shapes[row];
+    const pose = film.pose(row, step);
+    if (!film.isThere(row, step) || !this.inSight(pose, shape.reach)) return;
+    const looks = shape.looks(film.bodies[row], film.sampleAt(step)), half = shape.half * scale;
     this.enter(pose);
     context.fillStyle = looks.fill;
     context.strokeStyle = looks.edge;
@@ -123,13 +123,13 @@ class Stage {
 
   /** The other run, where it is visibly elsewhere. */
   drawGhosts(step) {
-    const { context, ghost, reel, scale } = this;
+    const { context, ghost, film, scale } = this;
     if (this.options.endOnly && step < this.options.parted) return;
     context.strokeStyle = context.fillStyle = theme("ghost");
     ghost.order.forEach((row) => {
-      const shape = ghost.shapes[row], pose = ghost.pose(row, step), own = reel.rows.get(ghost.bodies[row].id);
+      const shape = ghost.shapes[row], pose = ghost.pose(row, step), own = film.rows.get(ghost.bodies[row].id);
       if (!shape.moves || !ghost.isThere(row, step) || !this.inSight(pose, shape.reach)) return;
-      if (own !== undefined && reel.isThere(own, step) && this.looksLike(pose, reel.pose(own, step), shape)) return;
+      if (own !== undefined && film.isThere(own, step) && this.looksLike(pose, film.pose(own, step), shape)) return;
       this.enter(pose);
       const solid = shape.parts.filter((part) => !part.sensor);
       context.globalAlpha = 0.13;
@@ -150,15 +150,15 @@ class Stage {
 
   /** A red outline about the bodies where the runs part. */
   drawSuspects(step) {
-    const { context, reel } = this;
+    const { context, film } = this;
     context.strokeStyle = theme("frozen");
     context.lineJoin = "round";
     context.lineWidth = 3 * devicePixelRatio / this.scale;
     for (const name of this.options.names || []) {
-      const row = reel.rows.get(name);
-      if (row === undefined || !reel.isThere(row, step) || !reel.shapes[row].moves) continue;
-      this.enter(reel.pose(row, step));
-      reel.shapes[row].parts.forEach((part) => context.stroke(part.path));
+      const row = film.rows.get(name);
+      if (row === undefined || !film.isThere(row, step) || !film.shapes[row].moves) continue;
+      this.enter(film.pose(row, step));
+      film.shapes[row].parts.forEach((part) => context.stroke(part.path));
     }
     context.lineJoin = "miter";
   }
@@ -186,9 +186,9 @@ class Stage {
   }
 
   drawFlame([row, x, y, jetX, jetY], step) {
-    const { context, reel, scale } = this;
+    const { context, film, scale } = this;
     const length = Math.min(Math.max(0.6 * scale, 6 * devicePixelRatio), 60 * devicePixelRatio) / scale;
-    this.enter(reel.pose(row, step));
+    this.enter(film.pose(row, step));
     context.lineCap = "round";
     for (const [part, width, color, alpha] of [[1, 0.35, "flame", 0.45], [0.6, 0.16, "light", 0.8]]) {
       context.globalAlpha = alpha;
@@ -204,11 +204,11 @@ class Stage {
 
   /** The id of the body under a pixel, the one drawn last first. */
   bodyAt(px, py, step) {
-    const { reel, context } = this;
-    const found = [...reel.order].reverse().find((row) => {
-      if (!reel.isThere(row, step)) return false;
-      this.enter(reel.pose(row, step));
-      return reel.shapes[row].parts.some((part) => context.isPointInPath(part.path, px, py, "evenodd"));
+    const { film, context } = this;
+    const found = [...film.order].reverse().find((row) => {
+      if (!film.isThere(row, step)) return false;
+      this.enter(film.pose(row, step));
+      return film.shapes[row].parts.some((part) => context.isPointInPath(part.path, px, py, "evenodd"));
     });
     this.leave();
     return found;

@@ -22,7 +22,7 @@ def conditions(wanted: expect.Expectation, start: State) -> list[Condition]:
 
     The first of them is that the bodies it names are there: of a deleted one nothing holds.
     """
-    return [*_missing(wanted, start), *_DEMANDS[type(wanted)](wanted, start)]
+    return [*_missing(wanted, start), *_CONDITIONS[type(wanted)](wanted, start)]
 
 
 def _missing(wanted: expect.Expectation, state: State) -> list[Condition]:
@@ -151,7 +151,7 @@ def _angle(wanted: expect.Turned, start: State) -> list[Condition]:
 
 
 _AT_HEIGHT = "{name} is at y = {value:.4g} m"
-_DEMANDS: dict[type[expect.Expectation], Callable[[Any, State], list[Condition]]] = {
+_CONDITIONS: dict[type[expect.Expectation], Callable[[Any, State], list[Condition]]] = {
     expect.Rests: _rests,
     expect.Stands: _stands,
     expect.Inside: _inside,

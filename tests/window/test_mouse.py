@@ -7,8 +7,8 @@ import sandbox
 from sandbox.render.camera import Camera
 from sandbox.render.theme import DARK
 from sandbox.window.keys import BINDINGS, action_of, help_items
+from sandbox.window.mouse import Mouse
 from sandbox.window.session import Session
-from sandbox.window.tools import Mouse
 from tests.window.test_session import SCENE
 
 CAMERA = Camera((2.0, 2.0), 50.0, (800, 600))

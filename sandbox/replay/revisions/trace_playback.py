@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from sandbox.errors import SandboxError
-from sandbox.replay.golden.run import Run, Stage
-from sandbox.replay.revisions.trace import Shots, Trace
+from sandbox.replay.golden.run import Run, RunStepper
+from sandbox.replay.revisions.trace import Trace, TraceSamples
 from sandbox.world.joint_records import JOINT
 from sandbox.world.records import CONTACT
 
@@ -21,13 +21,13 @@ _COLUMNS = {
 """What is needed to draw a moment and to take its figures."""
 
 
-def shots(end: int, every: int) -> Shots:
+def film_samples(end: int, every: int) -> TraceSamples:
     """Every so many steps up to `end`, and the last one."""
-    return Shots(tuple(dict.fromkeys([*range(every, end + 1, every), end])), _COLUMNS)
+    return TraceSamples(tuple(dict.fromkeys([*range(every, end + 1, every), end])), _COLUMNS)
 
 
-class Puppet(Stage):
-    """A stage whose steps are those of `trace`; where that holds no tables, only the count goes on."""
+class TracePlayback(RunStepper):
+    """A stepper whose steps are those of `trace`; where that holds no tables, only the count goes on."""
 
     def __init__(self, run: Run, trace: Trace) -> None:
         super().__init__(run.scene, run.commands)
@@ -42,10 +42,10 @@ class Puppet(Stage):
             return
         if self._trace.names(step) != self.world.names:
             raise SandboxError("there are other bodies in the other revision from here on")
-        self._wear(step)
+        self._take_tables(step)
 
-    def _wear(self, step: int) -> None:
-        """Put on the tables of a step."""
+    def _take_tables(self, step: int) -> None:
+        """Take over the tables of a step."""
         state, arrays = self.world.state, self._trace.arrays
         for name in ("bodies", "joints"):
             _fill(getattr(state, name), arrays.get(f"{step}.{name}"))

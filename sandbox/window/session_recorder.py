@@ -15,7 +15,7 @@ from sandbox.replay.recording.limits import MAX_STEPS, SUFFIX
 from sandbox.replay.recording.recorder import Recorder
 
 
-class Tape:
+class SessionRecorder:
     """Stands between a session and its fresh `world`.
 
     The commands of `script` are applied as their steps come, until a hand's first command takes over.

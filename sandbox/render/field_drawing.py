@@ -1,4 +1,4 @@
-"""Regions as one sees them: a dim wash over their area, a line on water, streaks in wind, flames of thrusters."""
+"""Regions as one sees them: a dim fill over their area, a line on water, streaks in wind, flames of thrusters."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _LEVEL = 1e-9
 
 
 @dataclass(frozen=True)
-class Wash:
+class RegionFill:
     """A convex polygon (k, 2) in pixels, within the picture, in one colour (sRGB) and opacity."""
 
     points: Floats
@@ -29,11 +29,11 @@ class Wash:
     opacity: float
 
 
-def washes(marks: FieldMarks, camera: Camera, theme: Theme) -> list[Wash]:
+def region_fills(marks: FieldMarks, camera: Camera, theme: Theme) -> list[RegionFill]:
     """The areas of all regions that have one."""
     areas = ((region, area(region, camera)) for region in marks.regions)
     return [
-        Wash(camera.to_screen(points), _color(region, theme), OPACITY)
+        RegionFill(camera.to_screen(points), _color(region, theme), OPACITY)
         for region, points in areas
         if len(points) >= 3 and (len(region.edges) or region.disc[2] > 0.0)
     ]
