@@ -67,7 +67,7 @@ class Against:
             return Report(case, "unusable", source=error.source, problems=tuple(error.problems))
         except (SandboxError, OSError) as error:
             return Report(case, "unusable", source=str(case.scene or case.replay), problems=(Problem(str(error)),))
-        report = Report(case, outcome.word, outcome, scene=str(case.scene or ""))
+        report = Report(case, outcome.verdict, outcome, scene=str(case.scene or ""))
         if isinstance(what, Recording):
             return replace(report, where=divergence_location(what, outcome))
         return replace(report, where=_where(what, report))

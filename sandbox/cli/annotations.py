@@ -29,7 +29,7 @@ def annotate(reports: Sequence[Report], to_stderr: bool) -> None:
 def _note(report: Report) -> str:
     file, line = _place(report)
     place = f",line={line}" if line else ""
-    title = f"replay {report.word}"
+    title = f"replay {report.verdict}"
     text = "\n".join([*reasons(report), *advice(report)])
     return f"::error file={_property(file)}{place},title={_property(title)}::{_data(text)}"
 
@@ -40,7 +40,7 @@ def _place(report: Report) -> tuple[str, int]:
     edited = _EDITED.match(cause.said[0]) if cause is not None and cause.kind in ("scene", "command") else None
     if edited is not None:
         return edited[1], int(edited[2])
-    file = report.scene if report.word == "missing" else report.case.replay.as_posix()
+    file = report.scene if report.verdict == "missing" else report.case.replay.as_posix()
     return file, _line(report)
 
 

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from sandbox.replay.headless_run import HeadlessRun
     from sandbox.scene import Scene
 
-Word = Literal["holds", "failed", "unusable"]
+FileVerdict = Literal["holds", "failed", "unusable"]
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class Result:
     error: Exception | None = None
 
     @property
-    def word(self) -> Word:
+    def verdict(self) -> FileVerdict:
         """The verdict on the file in one word."""
         if self.run is None:
             return "unusable"
@@ -64,7 +64,7 @@ def _place(scene: Scene, index: int) -> tuple[int, int]:
 
 def exit_code(results: Sequence[Result]) -> int:
     """2 if a file could not be used, else 1 if one failed, else 0."""
-    words = {result.word for result in results}
+    words = {result.verdict for result in results}
     return UNUSABLE if "unusable" in words else FAILED if "failed" in words else HOLDS
 
 
@@ -80,7 +80,7 @@ def document(results: Sequence[Result], seconds: float) -> dict[str, Any]:
 
 
 def _scene_entry(result: Result) -> dict[str, Any]:
-    entry: dict[str, Any] = {"path": result.path.as_posix(), "verdict": result.word}
+    entry: dict[str, Any] = {"path": result.path.as_posix(), "verdict": result.verdict}
     if result.run is None or result.scene is None:
         return {**entry, "problems": problems(result.error)}
     run = result.run

@@ -37,7 +37,7 @@ class Table:
         run = result.run
         cells = (str(run.steps), f"{run.milliseconds:.3f}", run.digest) if run else ("-", "-", "-")
         line = Text(self._row(result.path.as_posix(), *cells))
-        self._console.print(line.append(self._word(result), _STYLES[result.word]))
+        self._console.print(line.append(self._verdict(result), _STYLES[result.verdict]))
         for reason in reasons(result):
             self._console.print(Text(reason))
         if result.error is not None:
@@ -46,7 +46,7 @@ class Table:
 
     def summary(self, results: Sequence[Result], seconds: float) -> None:
         """One line over all files."""
-        count = Counter(result.word for result in results)
+        count = Counter(result.verdict for result in results)
         parts = [f"{count['holds']} hold"]
         parts += [f"{count['failed']} failed"] if count["failed"] else []
         parts += [f"{count['unusable']} could not be used"] if count["unusable"] else []
@@ -58,10 +58,10 @@ class Table:
     def _row(self, name: str, steps: str, milliseconds: str, digest: str) -> str:
         return f"{name:<{self._width}}  {steps:>7}  {milliseconds:>8}  {digest:<16}  "
 
-    def _word(self, result: Result) -> str:
+    def _verdict(self, result: Result) -> str:
         if result.run is not None and result.run.holds and not result.run.verdicts:
             return "holds (expects nothing)"
-        return result.word
+        return result.verdict
 
 
 def reasons(result: Result) -> list[str]:

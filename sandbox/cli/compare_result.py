@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from sandbox.reference.comparison_result import Comparison, Disagreement
     from sandbox.scene import Scene
 
-Word = Literal["agrees", "disagrees", "unusable"]
+FileVerdict = Literal["agrees", "disagrees", "unusable"]
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class Result:
     error: Exception | None = None
 
     @property
-    def word(self) -> Word:
+    def verdict(self) -> FileVerdict:
         """The verdict on the file in one word."""
         if self.tally is None:
             return "unusable"
@@ -40,7 +40,7 @@ class Result:
 
 def exit_code(results: Sequence[Result]) -> int:
     """2 if a file could not be used, else 1 if there is a disagreement or a missed pair, else 0."""
-    words = {result.word for result in results}
+    words = {result.verdict for result in results}
     return UNUSABLE if "unusable" in words else FAILED if "disagrees" in words else HOLDS
 
 
@@ -59,7 +59,7 @@ def document(results: Sequence[Result], seconds: float) -> dict[str, Any]:
 
 
 def _scene_entry(result: Result) -> dict[str, Any]:
-    entry: dict[str, Any] = {"path": result.path.as_posix(), "verdict": result.word}
+    entry: dict[str, Any] = {"path": result.path.as_posix(), "verdict": result.verdict}
     tally = result.tally
     if tally is None or result.scene is None:
         return {**entry, "problems": problems(result.error)}

@@ -41,7 +41,7 @@ class Table:
     def show(self, result: Result) -> None:
         """The line of one file; what is wrong follows, or goes to stderr if the file could not be used."""
         line = Text(self._row(result.path.as_posix(), _cells(result.tally)))
-        self._console.print(line.append(result.word, _STYLES[result.word]))
+        self._console.print(line.append(result.verdict, _STYLES[result.verdict]))
         for text, style in _remarks(result):
             self._console.print(Text("  " + text, style=style))
         if result.error is not None:
@@ -50,7 +50,7 @@ class Table:
 
     def summary(self, results: Sequence[Result], seconds: float) -> None:
         """One line over all files."""
-        count = Counter(result.word for result in results)
+        count = Counter(result.verdict for result in results)
         tallies = [result.tally for result in results if result.tally]
         parts = [f"{count['agrees']} agree"]
         parts += [f"{count['disagrees']} disagree"] if count["disagrees"] else []

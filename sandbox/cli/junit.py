@@ -14,8 +14,8 @@ def write_junit(path: Path, reports: Sequence[Report], seconds: float) -> None:
     """Write one test case a report. Raises `OSError` if the file cannot be written."""
     suite = ElementTree.Element("testsuite", name="sandbox replay", time=f"{seconds:.3f}")
     suite.set("tests", str(len(reports)))
-    suite.set("errors", str(sum(report.word == "unusable" for report in reports)))
-    suite.set("failures", str(sum(not report.fine and report.word != "unusable" for report in reports)))
+    suite.set("errors", str(sum(report.verdict == "unusable" for report in reports)))
+    suite.set("failures", str(sum(not report.fine and report.verdict != "unusable" for report in reports)))
     for report in reports:
         suite.append(_case(report))
     root = ElementTree.Element("testsuites")
@@ -31,9 +31,9 @@ def _case(report: Report) -> ElementTree.Element:
     case = ElementTree.Element("testcase", classname=_printable(path.parent.as_posix()), name=name)
     case.set("time", f"{taken:.3f}")
     if not report.fine:
-        kind = "error" if report.word == "unusable" else "failure"
+        kind = "error" if report.verdict == "unusable" else "failure"
         lines = [*reasons(report), *advice(report)]
-        trouble = ElementTree.SubElement(case, kind, type=report.word, message=_printable(lines[0]))
+        trouble = ElementTree.SubElement(case, kind, type=report.verdict, message=_printable(lines[0]))
         trouble.text = "\n".join(_printable(line) for line in lines)
     return case
 

@@ -9,16 +9,16 @@ SHOWN_DRIFTS = 3
 
 def reasons(report: Report) -> list[str]:
     """Why a case did not pass, the most important first; if it did, what is to be known nevertheless."""
-    if report.word == "missing":
+    if report.verdict == "missing":
         return [f"no recording of {report.scene}"]
-    if report.word == "orphaned":
+    if report.verdict == "orphaned":
         return [f"its scene {report.scene} is gone"]
-    if report.word == "unusable":
+    if report.verdict == "unusable":
         return [problem.message for problem in report.problems]
     outcome = report.outcome
     if outcome is None:
         return []
-    if report.word == "passed":
+    if report.verdict == "passed":
         return list(outcome.notes)
     told = [f"since it was recorded, {_some(outcome.edits, 5)}"] if outcome.edits else []
     if outcome.divergence is not None:
@@ -35,11 +35,11 @@ def reasons(report: Report) -> list[str]:
 def advice(report: Report) -> list[str]:
     """The commands that show the trouble and that accept it."""
     path, outcome = report.case.replay.as_posix(), report.outcome
-    if report.fine or report.word == "unusable":
+    if report.fine or report.verdict == "unusable":
         return []
-    if report.word == "missing":
+    if report.verdict == "missing":
         return [f"record it:  sandbox replay --update=missing {path}"]
-    if report.word == "orphaned":
+    if report.verdict == "orphaned":
         return [f"remove it:  sandbox replay --prune {path}"]
     told = []
     if outcome is not None and outcome.divergence is not None:

@@ -27,7 +27,7 @@ def _entry(report: Report) -> dict[str, Any]:
     entry: dict[str, Any] = {
         "path": report.case.replay.as_posix(),
         "scene": report.scene or None,
-        "verdict": report.word,
+        "verdict": report.verdict,
         "action": report.action or None,
         "where": report.where or None,
         "reasons": reasons(report),

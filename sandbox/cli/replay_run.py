@@ -53,7 +53,7 @@ def _other_engine(work: Work) -> AbstractContextManager[Against | None]:
 
 def exit_code(reports: Sequence[Report]) -> int:
     """2 if a file could not be used, else 1 if something is left to be looked at, else 0."""
-    if any(report.word == "unusable" for report in reports):
+    if any(report.verdict == "unusable" for report in reports):
         return UNUSABLE
     return HOLDS if all(report.fine for report in reports) else FAILED
 

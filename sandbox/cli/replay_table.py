@@ -33,8 +33,8 @@ class Table:
         cells = (str(outcome.steps), f"{outcome.seconds:.2f}") if outcome else ("-", "-")
         line = Text(self._row(report.case.replay.as_posix(), *cells))
         done = f" ({report.action})" if report.action else ""
-        self._console.print(line.append(report.word + done, "green" if report.fine else "bold red"))
-        if report.word == "unusable":
+        self._console.print(line.append(report.verdict + done, "green" if report.fine else "bold red"))
+        if report.verdict == "unusable":
             sys.stdout.flush()
             report_problems(report)
             return
@@ -43,7 +43,7 @@ class Table:
 
     def summary(self, reports: Sequence[Report], seconds: float) -> None:
         """One line over all."""
-        count = Counter[str](report.word for report in reports)
+        count = Counter[str](report.verdict for report in reports)
         parts = [f"{count[word]} {word}" for word in ("passed", *_TROUBLES) if count[word] or word == "passed"]
         done = Counter(report.action for report in reports if report.action)
         parts += [f"{number} {action}" for action, number in sorted(done.items())]

@@ -68,7 +68,7 @@ def _found(entry: Entry, most: int, filming: Filming) -> tuple[Failure | None, s
 
 
 def _head(entries: Sequence[Entry], seconds: float) -> Node:
-    count = Counter(str(entry.report.word) for entry in entries)
+    count = Counter(str(entry.report.verdict) for entry in entries)
     parts: list[Node | str] = []
     for word in (word for word in reversed(_ORDER) if count[word]):
         parts += [" · ", node("span", word, f"{count[word]} {word}")]
@@ -82,7 +82,7 @@ def _head(entries: Sequence[Entry], seconds: float) -> Node:
 def _table(entries: Sequence[Entry], failed: Sequence[Entry]) -> Node:
     titles = ("recording", "number:steps", "number:seconds", "verdict", "first difference")
     head = [node("th", kind, name) for kind, _, name in (title.rpartition(":") for title in titles)]
-    ordered = sorted(entries, key=lambda entry: (entry.report.fine, _ORDER.index(entry.report.word)))
+    ordered = sorted(entries, key=lambda entry: (entry.report.fine, _ORDER.index(entry.report.verdict)))
     places = {id(entry): f"#case-{number}" for number, entry in enumerate(failed)}
     rows = [_row(entry, places.get(id(entry))) for entry in ordered]
     table = node("table", "scenes", node("thead", "", node("tr", "", *head)), node("tbody", "", *rows))
@@ -93,8 +93,8 @@ def _row(entry: Entry, place: str | None) -> Node:
     report = entry.report
     name = report.case.replay.as_posix()
     outcome = report.outcome
-    word = report.action or report.word
-    said = f"{report.word}, {report.action}" if report.action else report.word
+    verdict = report.action or report.verdict
+    said = f"{report.verdict}, {report.action}" if report.action else report.verdict
     divergence = outcome.divergence if outcome else None
     first = f"step {divergence.step}: {divergence.group}" if divergence and not report.fine else ""
     return node(
@@ -102,6 +102,6 @@ def _row(entry: Entry, place: str | None) -> Node:
         node("td", "", node("a", "", name, href=place) if place else name),
         node("td", "number", str(outcome.steps) if outcome else "–"),
         node("td", "number", f"{outcome.seconds:.2f}" if outcome else "–"),
-        node("td", "", node("span", f"word {word}", said)),
+        node("td", "", node("span", f"verdict {verdict}", said)),
         node("td", "soft", first),
     )  # fmt: skip

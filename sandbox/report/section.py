@@ -26,7 +26,7 @@ class Entry:
 def section(entry: Entry, number: int, failure: Failure | None, trouble: str) -> list[str]:
     """The HTML of case `number`, in parts; `trouble` says why there is no failure to show, if it could not be had."""
     report = entry.report
-    title = node("h2", "", report.case.replay.as_posix(), node("span", f"word {report.word}", report.word))
+    title = node("h2", "", report.case.replay.as_posix(), node("span", f"verdict {report.verdict}", report.verdict))
     parts = [title]
     if report.scene:
         parts.append(node("p", "soft", f"of {report.scene}"))

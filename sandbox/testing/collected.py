@@ -78,7 +78,7 @@ class SceneItem(_Item):
         path = shown(self.path, self.config)
         scene = load_scene(path)
         result = Result(path, scene, run_headless(scene))
-        if result.word != "holds":
+        if result.verdict != "holds":
             raise UnmetError("\n".join(["an expectation does not hold:", *reasons(result)]))
 
 

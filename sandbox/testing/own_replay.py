@@ -33,11 +33,13 @@ def _judged(made: Recording, golden: Recording, case: Case) -> Report:
     tried = replace(golden, scene=source, commands=commands)
     outcome = explained(tried, _with_edits(rerun(tried), _edits(made, golden)))
     scene = str(made.scene.path or "")
-    return Report(case, outcome.word, outcome, scene=scene, where=divergence_location(tried, outcome), recording=tried)
+    return Report(
+        case, outcome.verdict, outcome, scene=scene, where=divergence_location(tried, outcome), recording=tried
+    )
 
 
 def _with_edits(outcome: Outcome, edits: tuple[str, ...]) -> Outcome:
-    return replace(outcome, word="stale", edits=(*outcome.edits, *edits)) if edits else outcome
+    return replace(outcome, verdict="stale", edits=(*outcome.edits, *edits)) if edits else outcome
 
 
 def _edits(made: Recording, golden: Recording) -> tuple[str, ...]:

@@ -8,11 +8,11 @@ from sandbox.replay.golden.examine import Report
 
 
 def verdict(report: Report, accept: str = "") -> str:
-    """The word, the reasons, and the commands that show it and accept it; `accept` says how, if it is another way."""
+    """Verdict, reasons, and the commands that show it and accept it; `accept` says how, if it is another way."""
     if report.problems:
         return "\n".join(FileError(report.source, list(report.problems)).lines())
     lines = [*reasons(report), *mend(report, accept)]
-    return "\n".join([f"{report.case.replay.as_posix()}: {report.word}", *(f"  {line}" for line in lines)])
+    return "\n".join([f"{report.case.replay.as_posix()}: {report.verdict}", *(f"  {line}" for line in lines)])
 
 
 def mend(report: Report, accept: str = "") -> list[str]:

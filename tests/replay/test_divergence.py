@@ -49,7 +49,7 @@ def test_one_friction_in_a_shipped_scene_is_named() -> None:
     edited = shipped.model_copy(update={"bodies": bodies})
     recorded = sandbox.record(shipped, 200)
     now = sandbox.rerun(replace(recorded, scene=replace(recorded.scene, content=edited)))
-    assert (now.word, now.edits) == ("stale", ("body ball was edited",))
+    assert (now.verdict, now.edits) == ("stale", ("body ball was edited",))
     first_touch = next(k for k in range(1, 200) if _touches(shipped, k, "ball"))
     assert now.divergence is not None
     assert (now.divergence.step, now.divergence.group) == (first_touch, "manifolds")
@@ -73,7 +73,7 @@ def test_one_command_that_differs_is_named() -> None:
     recorded = recording()
     other = [(12, ApplyImpulse("ball", (0.1, 0.75), point=(0.3, 1.0))) if k == 3 else c for k, c in enumerate(COMMANDS)]
     now = sandbox.rerun(replace(recorded, commands=tuple(other)))
-    assert now.word == "diverged"
+    assert now.verdict == "diverged"
     assert now.divergence is not None
     assert now.divergence.step == 13
     assert now.divergence.time == pytest.approx(13 / 60)

@@ -38,7 +38,7 @@ def test_a_file_holds_all_of_a_recording(recorded: sandbox.Recording, tmp_path: 
 def test_it_runs_again_to_the_bit(recorded: sandbox.Recording, tmp_path: Path) -> None:
     recorded.save(tmp_path / "a.replay.json")
     outcome = sandbox.rerun(sandbox.Recording.load(tmp_path / "a.replay.json"))
-    assert (outcome.word, outcome.steps, outcome.divergence, outcome.edits) == ("passed", STEPS, None, ())
+    assert (outcome.verdict, outcome.steps, outcome.divergence, outcome.edits) == ("passed", STEPS, None, ())
 
 
 def test_the_recorder_records_what_goes_through_it() -> None:

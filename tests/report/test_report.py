@@ -59,7 +59,7 @@ class TestWords:
         Path("wrong.replay.json").write_text(text.replace(last, "0123456789abcdef"))
         page = reported(cli)
         for word in ("passed", "missing", "orphaned", "diverged"):
-            assert f'<span class="word {word}">{word}</span>' in page
+            assert f'<span class="verdict {word}">{word}</span>' in page
         assert page.count('<section class="failure"') == 3
         assert 'id="got-' in page
         assert "sandbox replay --update=missing fresh.replay.json" in page

@@ -16,7 +16,7 @@ from sandbox.replay.recording.recorder import record
 from sandbox.replay.recording.recording import Recording
 from sandbox.scene import Scene, load_scene
 
-Word = Literal["passed", "diverged", "missing", "stale", "orphaned", "unusable"]
+Verdict = Literal["passed", "diverged", "missing", "stale", "orphaned", "unusable"]
 Update = Literal["", "missing", "changed", "all"]
 
 
@@ -34,14 +34,14 @@ class ReplaySettings:
 
 @dataclass(frozen=True)
 class Report:
-    """What became of a case, in one `word`, and what was done about it: "", "written" or "removed".
+    """What became of a case, its `verdict`, and what was done about it: "", "written" or "removed".
 
     `outcome` is there if it ran, `problems` if it could not be used; `scene` is its scene's file, if known; `where`
     says where the body stands that parted. `recording` is what was run, if that is not what the file holds.
     """
 
     case: Case
-    word: Word
+    verdict: Verdict
     outcome: Outcome | None = None
     action: Literal["", "written", "removed"] = ""
     source: str = ""
@@ -53,7 +53,7 @@ class Report:
     @property
     def fine(self) -> bool:
         """Whether nothing is left to be looked at."""
-        return self.word == "passed" or bool(self.action)
+        return self.verdict == "passed" or bool(self.action)
 
 
 def examine(
@@ -97,7 +97,7 @@ def _recorded(
     if recording.scene.gone:
         return _orphaned(case, recording, settings)
     outcome = rerun(recording, tolerance=settings.tolerance, heavy=settings.heavy, on_steps=on_steps)
-    report = Report(case, outcome.word, outcome, scene=str(recording.scene.path or ""))
+    report = Report(case, outcome.verdict, outcome, scene=str(recording.scene.path or ""))
     if settings.update == "all" or (settings.update == "changed" and not outcome.passed):
         _renew(recording, recording.load_scene(), case)
         return replace(report, action="written")

@@ -29,12 +29,12 @@ _WORST = 10
 class Outcome:
     """What came of running a recording again.
 
-    `word`: "passed"; "diverged"; or "stale" if the scene was edited since (`edits` say what), whatever the run gave.
+    `verdict`: "passed"; "diverged"; or "stale" if the scene was edited since (`edits` say what), whatever the run gave.
     `divergence` is where the two parted, None if they did not. `drifts` are the bodies that ended farthest from where
     they should, at most ten. `notes` say what else a person should know; `seconds` is the time it took.
     """
 
-    word: Verdict
+    verdict: Verdict
     steps: int
     seconds: float
     divergence: Divergence | None = None
@@ -45,7 +45,7 @@ class Outcome:
     @property
     def passed(self) -> bool:
         """Whether all is as it was recorded."""
-        return self.word == "passed"
+        return self.verdict == "passed"
 
 
 def rerun(
@@ -70,10 +70,10 @@ def rerun(
     )
     parted = rerunning.parted or rerunning.judge_the_end(drifts)
     notes = ((rerunning.refused,) if rerunning.refused else ()) + (version_notes(recording) if parted else ())
-    word: Verdict = "stale" if edits else "diverged" if parted else "passed"
+    verdict: Verdict = "stale" if edits else "diverged" if parted else "passed"
     seconds = time.perf_counter() - begin
     shown = drifts if parted else ()
-    return Outcome(word, rerunning.stepper.step, seconds, parted, shown, edits, notes)
+    return Outcome(verdict, rerunning.stepper.step, seconds, parted, shown, edits, notes)
 
 
 @dataclass
