@@ -20,7 +20,7 @@ COILS = 7
 _CIRCLE = 20
 
 
-class _Sheet:
+class _StrokeList:
     """Collects strokes in pixels: every mark is a light stroke on a dark one, so that it shows on any colour."""
 
     def __init__(self, camera: Camera, theme: Theme) -> None:
@@ -50,13 +50,13 @@ class _Sheet:
 
 def joint_strokes(marks: JointMarks, camera: Camera, theme: Theme) -> list[Line]:
     """The strokes of all joints in sight, dark ones first."""
-    sheet = _Sheet(camera, theme)
+    strokes = _StrokeList(camera, theme)
     if len(marks) == 0:
         return []
     a, b = camera.to_screen(marks.a), camera.to_screen(marks.b)
     for k in _in_sight(a, b, camera):
-        _DRAW[int(marks.kind[k])](sheet, marks, k, a, b)
-    return sheet.dark + sheet.light
+        _DRAW[int(marks.kind[k])](strokes, marks, k, a, b)
+    return strokes.dark + strokes.light
 
 
 def _in_sight(a: Floats, b: Floats, camera: Camera) -> Iterator[int]:
@@ -66,86 +66,86 @@ def _in_sight(a: Floats, b: Floats, camera: Camera) -> Iterator[int]:
     yield from np.flatnonzero(seen).tolist()
 
 
-def _pin(sheet: _Sheet, marks: JointMarks, k: int, a: Floats, b: Floats) -> None:
-    sheet.dot(b[k], sheet.size)
+def _pin(strokes: _StrokeList, marks: JointMarks, k: int, a: Floats, b: Floats) -> None:
+    strokes.dot(b[k], strokes.size)
 
 
-def _weld(sheet: _Sheet, marks: JointMarks, k: int, a: Floats, b: Floats) -> None:
+def _weld(strokes: _StrokeList, marks: JointMarks, k: int, a: Floats, b: Floats) -> None:
     for dx, dy in ((1.0, 1.0), (1.0, -1.0)):
-        arm = np.array([dx, dy]) * sheet.size
-        sheet.path(np.array([b[k] - arm, b[k] + arm]), 0.55 * sheet.size)
+        arm = np.array([dx, dy]) * strokes.size
+        strokes.path(np.array([b[k] - arm, b[k] + arm]), 0.55 * strokes.size)
 
 
-def _distance(sheet: _Sheet, marks: JointMarks, k: int, a: Floats, b: Floats) -> None:
+def _distance(strokes: _StrokeList, marks: JointMarks, k: int, a: Floats, b: Floats) -> None:
     if marks.sprung[k]:
-        sheet.path(zigzag(a[k], b[k], 1.6 * sheet.size), 0.45 * sheet.size)
+        strokes.path(zigzag(a[k], b[k], 1.6 * strokes.size), 0.45 * strokes.size)
     elif np.isfinite(marks.reach[k, 1]):
-        length = float(marks.reach[k, 1]) * sheet.camera.scale
-        sheet.path(sagging(a[k], b[k], length), 0.5 * sheet.size)
+        length = float(marks.reach[k, 1]) * strokes.camera.scale
+        strokes.path(sagging(a[k], b[k], length), 0.5 * strokes.size)
     else:
-        sheet.path(np.array([a[k], b[k]]), 0.75 * sheet.size)
-    sheet.dot(a[k], 0.7 * sheet.size)
-    sheet.dot(b[k], 0.7 * sheet.size)
+        strokes.path(np.array([a[k], b[k]]), 0.75 * strokes.size)
+    strokes.dot(a[k], 0.7 * strokes.size)
+    strokes.dot(b[k], 0.7 * strokes.size)
 
 
-def _prismatic(sheet: _Sheet, marks: JointMarks, k: int, a: Floats, b: Floats) -> None:
-    axis = marks.axis[k] * (1.0, -1.0) * sheet.camera.scale
-    slide = float((b[k] - a[k]) @ axis) / sheet.camera.scale**2
+def _prismatic(strokes: _StrokeList, marks: JointMarks, k: int, a: Floats, b: Floats) -> None:
+    axis = marks.axis[k] * (1.0, -1.0) * strokes.camera.scale
+    slide = float((b[k] - a[k]) @ axis) / strokes.camera.scale**2
     low, high = marks.reach[k]
     low, high = low if np.isfinite(low) else min(slide, 0.0) - 0.5, high if np.isfinite(high) else max(slide, 0.0) + 0.5
-    sheet.path(np.array([a[k] + low * axis, a[k] + high * axis]), 0.5 * sheet.size)
-    side = np.array([-axis[1], axis[0]]) / np.hypot(*axis) * 1.3 * sheet.size
+    strokes.path(np.array([a[k] + low * axis, a[k] + high * axis]), 0.5 * strokes.size)
+    side = np.array([-axis[1], axis[0]]) / np.hypot(*axis) * 1.3 * strokes.size
     for end in (a[k] + low * axis, a[k] + high * axis):
-        sheet.path(np.array([end - side, end + side]), 0.5 * sheet.size)
+        strokes.path(np.array([end - side, end + side]), 0.5 * strokes.size)
     if marks.sprung[k]:
-        sheet.path(zigzag(a[k] + low * axis, b[k], 1.4 * sheet.size), 0.4 * sheet.size)
-    sheet.dot(b[k], sheet.size)
+        strokes.path(zigzag(a[k] + low * axis, b[k], 1.4 * strokes.size), 0.4 * strokes.size)
+    strokes.dot(b[k], strokes.size)
 
 
-def _wheel(sheet: _Sheet, marks: JointMarks, k: int, a: Floats, b: Floats) -> None:
-    up = marks.axis[k] * (1.0, -1.0) * 6.0 * sheet.size
+def _wheel(strokes: _StrokeList, marks: JointMarks, k: int, a: Floats, b: Floats) -> None:
+    up = marks.axis[k] * (1.0, -1.0) * 6.0 * strokes.size
     if marks.sprung[k]:
-        sheet.path(zigzag(a[k] + up, b[k], 1.3 * sheet.size, coils=4), 0.4 * sheet.size)
-    sheet.dot(b[k], 1.1 * sheet.size)
+        strokes.path(zigzag(a[k] + up, b[k], 1.3 * strokes.size, coils=4), 0.4 * strokes.size)
+    strokes.dot(b[k], 1.1 * strokes.size)
 
 
-def _pulley(sheet: _Sheet, marks: JointMarks, k: int, a: Floats, b: Floats) -> None:
-    wheels = sheet.camera.to_screen(marks.points[k])
-    radius = 2.6 * sheet.size
+def _pulley(strokes: _StrokeList, marks: JointMarks, k: int, a: Floats, b: Floats) -> None:
+    wheels = strokes.camera.to_screen(marks.points[k])
+    radius = 2.6 * strokes.size
     # The rope runs over the outer sides of the two wheels and over their tops.
     side = 1.0 if wheels[0][0] <= wheels[1][0] else -1.0
     left, right = wheels[0] - (side * radius, 0.0), wheels[1] + (side * radius, 0.0)
-    sheet.path(np.array([a[k], left]), 0.45 * sheet.size)
-    sheet.path(np.array([right, b[k]]), 0.45 * sheet.size)
+    strokes.path(np.array([a[k], left]), 0.45 * strokes.size)
+    strokes.path(np.array([right, b[k]]), 0.45 * strokes.size)
     top = np.array([0.0, -radius])
-    sheet.path(np.array([wheels[0] + top, wheels[1] + top]), 0.45 * sheet.size)
+    strokes.path(np.array([wheels[0] + top, wheels[1] + top]), 0.45 * strokes.size)
     for wheel in wheels:
-        sheet.ring(wheel, radius, 0.5 * sheet.size)
-        sheet.dot(wheel, 0.5 * sheet.size)
-    sheet.dot(a[k], 0.7 * sheet.size)
-    sheet.dot(b[k], 0.7 * sheet.size)
+        strokes.ring(wheel, radius, 0.5 * strokes.size)
+        strokes.dot(wheel, 0.5 * strokes.size)
+    strokes.dot(a[k], 0.7 * strokes.size)
+    strokes.dot(b[k], 0.7 * strokes.size)
 
 
-def _gear(sheet: _Sheet, marks: JointMarks, k: int, a: Floats, b: Floats) -> None:
+def _gear(strokes: _StrokeList, marks: JointMarks, k: int, a: Floats, b: Floats) -> None:
     """A dashed line from the one joint to the other."""
     first, second = marks.parents[k]
     if first < 0 or second < 0:
         return
     for start in np.arange(0.06, 0.94, 0.1):
         ends = b[first] + (b[second] - b[first]) * np.array([[start], [start + 0.05]])
-        sheet.path(ends, 0.3 * sheet.size)
+        strokes.path(ends, 0.3 * strokes.size)
 
 
-def _to_point(sheet: _Sheet, marks: JointMarks, k: int, a: Floats, b: Floats) -> None:
+def _to_point(strokes: _StrokeList, marks: JointMarks, k: int, a: Floats, b: Floats) -> None:
     """A motor or target: a thin line to where it drives, which is marked by a ring."""
-    goal = sheet.camera.to_screen(marks.points[k, :1])[0]
-    sheet.path(np.array([goal, b[k]]), 0.3 * sheet.size)
-    sheet.ring(goal, 1.3 * sheet.size, 0.4 * sheet.size)
-    sheet.dot(b[k], 0.6 * sheet.size)
+    goal = strokes.camera.to_screen(marks.points[k, :1])[0]
+    strokes.path(np.array([goal, b[k]]), 0.3 * strokes.size)
+    strokes.ring(goal, 1.3 * strokes.size, 0.4 * strokes.size)
+    strokes.dot(b[k], 0.6 * strokes.size)
 
 
-def _friction(sheet: _Sheet, marks: JointMarks, k: int, a: Floats, b: Floats) -> None:
-    sheet.ring(b[k], 0.9 * sheet.size, 0.35 * sheet.size)
+def _friction(strokes: _StrokeList, marks: JointMarks, k: int, a: Floats, b: Floats) -> None:
+    strokes.ring(b[k], 0.9 * strokes.size, 0.35 * strokes.size)
 
 
 def zigzag(start: Floats, end: Floats, side: float, coils: int = COILS) -> Floats:
@@ -173,7 +173,7 @@ def sagging(start: Floats, end: Floats, length: float) -> Floats:
     return line
 
 
-_Draw = Callable[[_Sheet, JointMarks, int, Floats, Floats], None]
+_Draw = Callable[[_StrokeList, JointMarks, int, Floats, Floats], None]
 _DRAW: dict[int, _Draw] = {
     kinds.DISTANCE: _distance,
     kinds.REVOLUTE: _pin,

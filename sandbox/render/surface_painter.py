@@ -32,42 +32,42 @@ class SurfacePainter:
     def paint(self, picture: DrawList) -> Any:
         """Draw the picture; gives a `PIL.Image.Image` in RGB of `picture.camera.size` pixels."""
         width, height = picture.camera.size
-        sheet = pygame.Surface((width * self.samples, height * self.samples), depth=24)
-        sheet.fill(_rgb(picture.theme.background))
+        surface = pygame.Surface((width * self.samples, height * self.samples), depth=24)
+        surface.fill(_rgb(picture.theme.background))
         for fill in picture.region_fills:
-            self._fill_region(sheet, fill)
+            self._fill_region(surface, fill)
         for line in picture.below:
-            self._stroke(sheet, line, picture.theme.background)
-        self._shapes(sheet, picture)
+            self._stroke(surface, line, picture.theme.background)
+        self._shapes(surface, picture)
         for line in picture.above:
-            self._stroke(sheet, line, picture.theme.background)
+            self._stroke(surface, line, picture.theme.background)
         # Pillow's average is exact; pygame's smoothscale darkens colours by about two levels.
-        large = Image.frombytes("RGB", sheet.get_size(), pygame.image.tobytes(sheet, "RGB"))
+        large = Image.frombytes("RGB", surface.get_size(), pygame.image.tobytes(surface, "RGB"))
         return large.reduce(self.samples)
 
-    def _fill_region(self, sheet: Any, fill: RegionFill) -> None:
+    def _fill_region(self, surface: Any, fill: RegionFill) -> None:
         points = np.rint(fill.points * self.samples)
         low = points.min(axis=0)
         layer = pygame.Surface((np.ptp(points, axis=0) + 1).tolist(), pygame.SRCALPHA)
         pygame.draw.polygon(layer, (*_rgb(fill.color), round(255 * fill.opacity)), (points - low).tolist())
-        sheet.blit(layer, low.tolist())
+        surface.blit(layer, low.tolist())
 
-    def _stroke(self, sheet: Any, line: Line, background: tuple[float, ...]) -> None:
+    def _stroke(self, surface: Any, line: Line, background: tuple[float, ...]) -> None:
         color = _rgb(_over(line, background))
         start, end = np.array([line.start, line.end]) * self.samples
         half = max(line.width * self.samples, 1.0) / 2
         if (start == end).all():
-            pygame.draw.circle(sheet, color, np.floor(start).tolist(), half)
+            pygame.draw.circle(surface, color, np.floor(start).tolist(), half)
             return
         if (start == end).any():  # level, or upright: exact as a rectangle
             low, high = np.minimum(start, end) - half, np.maximum(start, end) + half
-            sheet.fill(color, (*np.rint(low), *np.rint(high - low)))
+            surface.fill(color, (*np.rint(low), *np.rint(high - low)))
             return
         side = np.array([start[1] - end[1], end[0] - start[0]]) * (half / np.hypot(*(end - start)))
         corners = np.floor([start + side, end + side, end - side, start - side])
-        pygame.draw.polygon(sheet, color, corners.tolist())
+        pygame.draw.polygon(surface, color, corners.tolist())
 
-    def _shapes(self, sheet: Any, picture: DrawList) -> None:
+    def _shapes(self, surface: Any, picture: DrawList) -> None:
         items = picture.shapes
         outer, inner = self._contours(picture)
         edges = self._placed(outer, picture)
@@ -76,27 +76,27 @@ class SurfacePainter:
         fill, edge, mark = _bytes(items.fill), _bytes(items.edge), _bytes(_mark_colors(items))
         for i in range(len(items.index)):
             if items.index[i] in picture.mesh.outlines:
-                self._concave(sheet, picture, i, fill[i], edge[i])
+                self._concave(surface, picture, i, fill[i], edge[i])
             else:
-                _fill(sheet, edge[i], edges[i])
-                self._inside(sheet, fill[i], fills[i], edge[i] if items.hatched[i] else None)
+                _fill(surface, edge[i], edges[i])
+                self._inside(surface, fill[i], fills[i], edge[i] if items.hatched[i] else None)
             if items.mark_opacity[i] > 0.0:
-                pygame.draw.polygon(sheet, mark[i], marks[i])
+                pygame.draw.polygon(surface, mark[i], marks[i])
 
-    def _inside(self, sheet: Any, color: Any, points: list[Any], hatch: Any) -> None:
-        _fill(sheet, color, points)
+    def _inside(self, surface: Any, color: Any, points: list[Any], hatch: Any) -> None:
+        _fill(surface, color, points)
         if hatch is not None and len(points) >= 3:
-            _hatch(sheet, hatch, np.array(points), HATCH_PIXELS * self.samples)
+            _hatch(surface, hatch, np.array(points), HATCH_PIXELS * self.samples)
 
-    def _concave(self, sheet: Any, picture: DrawList, i: int, color: Any, edge: Any) -> None:
+    def _concave(self, surface: Any, picture: DrawList, i: int, color: Any, edge: Any) -> None:
         """The parts of a concave polygon, which overlap by their boundary pixels, and its outline over them."""
         items, mesh, scale = picture.shapes, picture.mesh, picture.camera.scale
         pieces = concave_pieces(mesh.outlines[items.index[i]], scale, items.grow[i], items.line[i])
         parts, strips = ([self._placed_piece(picture, i, piece) for piece in group] for group in pieces)
         for part in parts:
-            self._inside(sheet, color, part, edge if items.hatched[i] else None)
+            self._inside(surface, color, part, edge if items.hatched[i] else None)
         for strip in strips:
-            _fill(sheet, edge, strip)
+            _fill(surface, edge, strip)
 
     def _placed_piece(self, picture: DrawList, i: int, piece: Floats) -> list[Any]:
         margin, (width, height) = 64.0, picture.camera.size
@@ -106,7 +106,7 @@ class SurfacePainter:
         return inside
 
     def _placed(self, table: ContourTable, picture: DrawList) -> list[Any]:
-        """The contour of every visible shape in pixels of the large sheet."""
+        """The contour of every visible shape in pixels of the large surface."""
         items = picture.shapes
         runs = _place_all(table, items, self.samples)
         margin, size = 64.0, picture.camera.size
@@ -128,9 +128,9 @@ class SurfacePainter:
         return self._tables
 
 
-def _fill(sheet: Any, color: Any, points: list[Any]) -> None:
+def _fill(surface: Any, color: Any, points: list[Any]) -> None:
     if len(points) >= 3:  # else it was clipped away
-        pygame.draw.polygon(sheet, color, points)
+        pygame.draw.polygon(surface, color, points)
 
 
 def _place_all(table: ContourTable, items: ShapeItems, samples: int) -> list[Any]:
@@ -171,7 +171,7 @@ def _mark_colors(items: ShapeItems) -> Floats:
     return items.fill * (1.0 - opacity) + items.mark * opacity
 
 
-def _hatch(sheet: Any, color: Any, polygon: Floats, distance: float) -> None:
+def _hatch(surface: Any, color: Any, polygon: Floats, distance: float) -> None:
     """Diagonal stripes across a convex polygon: each stripe is cut where x + y crosses the boundary."""
     level = polygon.sum(axis=1)
     following = np.roll(polygon, -1, axis=0)
@@ -181,7 +181,7 @@ def _hatch(sheet: Any, color: Any, polygon: Floats, distance: float) -> None:
         part = (stripe - level[cut]) / (after[cut] - level[cut])
         ends = polygon[cut] + (following[cut] - polygon[cut]) * part[:, None]
         if len(ends) == 2:
-            pygame.draw.line(sheet, color, ends[0], ends[1], 3)
+            pygame.draw.line(surface, color, ends[0], ends[1], 3)
 
 
 def _over(line: Line, background: tuple[float, ...]) -> tuple[float, ...]:

@@ -1,4 +1,4 @@
-"""Colours: a calm dark sheet, a hue for each family of bodies, and its members spread gently around it."""
+"""Colours: a calm dark background, a hue for each family of bodies, and its members spread gently around it."""
 
 from __future__ import annotations
 

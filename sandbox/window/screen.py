@@ -23,7 +23,7 @@ class Canvas:
     theme: Theme
 
     def clear(self) -> None:
-        """An empty sheet."""
+        """An empty picture."""
         self.display.context.clear(*self.theme.background)
 
 

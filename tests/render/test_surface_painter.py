@@ -28,12 +28,12 @@ def paint(state: State, camera: Camera, above: tuple[Line, ...] = ()) -> np.ndar
 
 
 def is_sheet(pixel: np.ndarray) -> bool:
-    """Whether a pixel shows the empty sheet: the background or a grid line."""
+    """Whether a pixel shows the empty background: the background or a grid line."""
     return bool((np.abs(SHEET - pixel).max(axis=1) <= 1.0).any())
 
 
 def check_pixels(state: State, camera: Camera) -> None:
-    """Every seventh pixel: painted where a shape is, sheet where none is, either near the rim."""
+    """Every seventh pixel: painted where a shape is, background where none is, either near the rim."""
     picture = paint(state, camera)
     seen = {True: 0, False: 0}
     for row in range(0, camera.size[1], 7):
