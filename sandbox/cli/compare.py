@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from sandbox.cli.options import takes
 from sandbox.errors import SandboxError
 from sandbox.resources import SCENE_SUFFIX
 
@@ -32,16 +34,22 @@ _TWIN = typer.Option("--twin", help="Simulate the whole scene in pymunk too, and
 _PLOT = typer.Option(metavar="FILE", show_default=False, help="With --twin: draw the curves into NAME.svg or NAME.png.")
 
 
-def compare(
-    paths: Annotated[list[Path], _PATHS],
-    steps: Annotated[int | None, _STEPS] = None,
-    every: Annotated[int, _EVERY] = 1,
-    only: Annotated[str, _ONLY] = "",
-    save: Annotated[Path | None, _SAVE] = None,
-    twin: Annotated[bool, _TWIN] = False,
-    plot: Annotated[Path | None, _PLOT] = None,
-    json: Annotated[bool, _JSON] = False,
-) -> None:
+@dataclass(frozen=True)
+class CompareOptions:
+    """What `sandbox compare` was asked for."""
+
+    paths: Annotated[list[Path], _PATHS]
+    steps: Annotated[int | None, _STEPS] = None
+    every: Annotated[int, _EVERY] = 1
+    only: Annotated[str, _ONLY] = ""
+    save: Annotated[Path | None, _SAVE] = None
+    twin: Annotated[bool, _TWIN] = False
+    plot: Annotated[Path | None, _PLOT] = None
+    json: Annotated[bool, _JSON] = False
+
+
+@takes(CompareOptions)
+def compare(options: CompareOptions) -> None:
     """Run scenes without a window and ask pymunk about every pair of shapes whose boxes overlap, at every step.
 
     The pairs are found by looking at all of them, so one that the grid missed shows up. Where the two engines
@@ -54,16 +62,18 @@ def compare(
     from sandbox.cli.check import find_files
     from sandbox.cli.compiling import announce_compilation
 
-    _check_options(twin, plot, save)
-    files = find_files(paths, only, "compare")
+    steps, every, save = options.steps, options.every, options.save
+    _check_options(options.twin, options.plot, save)
+    files = find_files(options.paths, options.only, "compare")
     announce_compilation()
-    if twin:
+    if options.twin:
         from sandbox.cli.compare_twin import run_twins
 
-        raise typer.Exit(run_twins(files, steps, every, plot, json))
+        raise typer.Exit(run_twins(files, steps, every, options.plot, options.json))
     from sandbox.cli.compare_result import exit_code
 
-    results = _run_for_machines(files, steps, every, save) if json else _run_for_people(files, steps, every, save)
+    run = _run_for_machines if options.json else _run_for_people
+    results = run(files, steps, every, save)
     raise typer.Exit(exit_code(results))
 
 

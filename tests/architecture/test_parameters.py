@@ -12,7 +12,6 @@ from tests.architecture.source import trees
 LIMIT, KERNEL_LIMIT = 7, 10
 KERNELS = {"kernel", "inlined_kernel", "entry_point"}
 KNOWN = {
-    "sandbox.cli.compare.compare",
     "sandbox.engine.active.islands.fall_asleep",
     "sandbox.engine.active.substep_level._assign_to_piles",
     "sandbox.engine.active.substep_level.assign_paces",
