@@ -1,11 +1,11 @@
 // Films: unpacking, and what is where at a step.
 
 /** Places and angles of all samples, body by body, from base64 of a deflated text of byte planes (see pack.py). */
-async function unpack(film) {
-  const bodies = film.bodies, samples = film.energy.length, size = bodies.length * samples;
+async function unpack(data) {
+  const bodies = data.bodies, samples = data.energy.length, size = bodies.length * samples;
   const columns = [new Float64Array(size), new Float64Array(size), new Float64Array(size)];
   if (!size) return columns;
-  const packed = Uint8Array.from(atob(film.poses), (letter) => letter.charCodeAt(0));
+  const packed = Uint8Array.from(atob(data.poses), (letter) => letter.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
   const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
   columns.forEach((column, number) => {
@@ -35,20 +35,20 @@ function isOn(changes, sample) {
   return on;
 }
 
-/** A film that can be asked for any step. */
+/** A film that can be asked for any step, from what `film_data` in film_data.py wrote. */
 class Film {
   static async open(name) {
-    const film = JSON.parse(document.getElementById(name).textContent);
-    return new Film(film, await unpack(film));
+    const data = JSON.parse(document.getElementById(name).textContent);
+    return new Film(data, await unpack(data));
   }
 
   constructor(data, columns) {
     Object.assign(this, data);
     this.columns = columns;
-    this.samples = film.energy.length;
-    this.shapes = film.bodies.map((body) => new BodyShape(body));
-    this.rows = new Map(film.bodies.map((body, row) => [body.id, row]));
-    this.order = film.bodies.map((_, row) => row).sort((a, b) => this.shapes[a].rank - this.shapes[b].rank);
+    this.samples = data.energy.length;
+    this.shapes = data.bodies.map((body) => new BodyShape(body));
+    this.rows = new Map(data.bodies.map((body, row) => [body.id, row]));
+    this.order = data.bodies.map((_, row) => row).sort((a, b) => this.shapes[a].rank - this.shapes[b].rank);
   }
 
   /** The last sample that is not after a step. */
