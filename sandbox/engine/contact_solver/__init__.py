@@ -1,4 +1,4 @@
-"""The contact solver: impulses that keep bodies apart and rub, found one colour of contacts after the other.
+"""The contact solver: normal and friction impulses, found one colour of contacts after the other.
 
 In: the contact table and the velocities of the bodies.
 Out: accumulated impulses in the contacts, and velocities that respect them.

@@ -1,4 +1,4 @@
-"""Take a body back along its way through the step."""
+"""Roll a body back along its motion through the step."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from sandbox.tables import Records
 
 @kernel
 def roll_back(body: Records, motion: Records, share: float) -> None:
-    """Take back that share of a body's way through the step."""
+    """Take back that share of a body's motion through the step."""
     body.center_x -= share * motion.delta_x
     body.center_y -= share * motion.delta_y
     if motion.delta_angle != 0.0:

@@ -3,7 +3,7 @@
 The solver stops what the narrow phase has foreseen. What it could not foresee (a spinning rod, a body that another
 one shot off in mid-step, a press of contacts that disagree) is caught here: each body whose displacement in the step
 was long enough to matter is swept along it, and stopped where it first touches if it would have come through, or deep
-into, something immovable. It keeps its velocity, but for what gravity added on the way that is rolled back, so that
+into, something immovable. It keeps its velocity, but for what gravity added on the part that is rolled back, so that
 the next step finds it touching and does the bounce, at the energy that belongs to the height.
 Static bodies hold all dynamic ones, moving bodies hold only those marked as bullets.
 """

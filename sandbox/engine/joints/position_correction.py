@@ -16,12 +16,12 @@ from sandbox.geometry.trig import cos_sin
 from sandbox.tables import Records
 
 DAMPING = 0.03
-"""Softness of rows that are mended, as a share of their stiffness."""
+"""Softness of rows that are corrected, as a share of their stiffness."""
 
 
 @kernel
 def find_corrections(work: JointWork, part: Records, seconds: float) -> None:
-    """Find what mends a separated part, such that no body moves or turns faster by it than `CORRECTION_SPEED`."""
+    """Find what brings a separated part together, such that no body moves or turns faster by it than `CORRECTION_SPEED`."""
     for r in range(part.first_row, part.row_end):
         row = work.rows[r]
         excess = excess_error(work, row, seconds)

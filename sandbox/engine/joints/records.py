@@ -117,7 +117,7 @@ PART = Table(
         Field("anchored", "-", "1 when it is joined to something that does not move", "i8"),
         Field("current", "-", "1 while it is solved: awake, and its island has the substep level under way", "i8"),
         Field("supported", "-", "1 when something that is not joined to it bears it", "i8"),
-        Field("separated", "-", "1 when its joints must not be mended by velocities", "i8"),
+        Field("separated", "-", "1 when its joints must not be brought together by velocities", "i8"),
         Field("fine", "-", "1 when it is small and has no contact: it takes finer substeps", "i8"),
     ),
 )

@@ -1,6 +1,6 @@
 """What a substep does about joints that are torn apart, or whose links turn too fast to foresee.
 
-A joint that is drawn together moves all that hangs on it, so that the speeds which would mend a long chain at once are
+A joint that is drawn together moves all that hangs on it, so that the speeds which would correct a long chain at once are
 enormous. A part that is *separated*, by an impact or a command, is therefore solved otherwise: its velocities only keep
 the errors as they are, which takes no look ahead and cannot add energy, and displacements that velocities never see
 bring it together (`position_correction`).
@@ -24,7 +24,7 @@ SHORT = 2
 def detect_separation(work: JointWork, part: Records, seconds: float) -> None:
     """Set what every row may have left of its error after this substep; the impulses are still those of the last.
 
-    A part is separated if its errors come to more than one joint may mend, unless there are but two joints to add up.
+    A part is separated if its errors come to more than one joint may correct, unless there are but two joints to add up.
     """
     total = 0.0
     for r in range(part.first_row, part.row_end):
@@ -65,7 +65,7 @@ def _yielded(row: Records, seconds: float) -> float:
 
 @kernel
 def _without_yield(row: Records, seconds: float) -> float:
-    """Error of a row less what it yields, which is part of it; an impulse that was a blow says nothing about it."""
+    """Error of a row less what it yields, which is part of it; an impulse that was an impact says nothing about it."""
     size = abs(row.error)
     share = _yielded(row, seconds) if row.error > 0.0 else -_yielded(row, seconds)
     share = share if share > 0.0 else 0.0
@@ -75,7 +75,7 @@ def _without_yield(row: Records, seconds: float) -> float:
 
 @kernel
 def misses_targets(work: JointWork, part: Records, seconds: float) -> bool:
-    """Whether some joint, at the predicted pose, misses its aim by more than a substep could mend."""
+    """Whether some joint, at the predicted pose, misses its aim by more than a substep could correct."""
     most = CORRECTION_SPEED * seconds
     for r in range(part.first_row, part.row_end):
         row = work.rows[r]

@@ -1,7 +1,7 @@
 """Speculative contacts of pairs that close in faster than their margin: what will touch in the step has one now.
 
 Such a pair is looked at where it will first touch: the axis there is the one that stops it, while the axis at the
-start would deflect bodies that only pass by. Where a body spins so fast that its way bends by more than the margin,
+start would deflect bodies that only pass by. Where a body spins so fast that its path bends by more than the margin,
 no axis of now says anything: it has no speculative contact, but is swept (`continuous_collision`).
 """
 
@@ -88,7 +88,7 @@ def speculative_impact(
 
 @inlined_kernel
 def _bend(bodies: Records, shapes: Records, i: int, seconds: float) -> float:
-    """How far the way of a shape's outermost point bends away from its tangent within the step, in metres."""
+    """How far the path of a shape's outermost point bends away from its tangent within the step, in metres."""
     body = bodies[shapes[i].body]
     turn = seconds * body.angular_velocity
     return float(0.5 * turn * turn * (body.extent - shapes[i].thin))
