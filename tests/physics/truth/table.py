@@ -91,7 +91,7 @@ def head(each: Experiment) -> str:
 
 
 def as_markdown(rows: dict[str, Row], experiments: Iterable[Experiment] = EXPERIMENTS) -> str:
-    """The table for `sandbox/ARCHITECTURE.md`, the best of each row in bold."""
+    """The table for `sandbox/TRUTH.md`, the best of each row in bold."""
     names = list(engines())
     lines = ["| experiment | error of | " + " | ".join(names) + " |", "|---|---|" + "---|" * len(names)]
     for each in experiments:
