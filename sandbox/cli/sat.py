@@ -16,10 +16,10 @@ if TYPE_CHECKING:
     from sandbox.cli.sat_pair import SatPair
     from sandbox.engine.world import World
     from sandbox.geometry.sat_table import SatTable
-    from sandbox.render.sat_page import Member
+    from sandbox.render.sat_page import Member, Whole
 
 _MOST_SHAPES = 1000
-"""Most shapes that `--figure scene` draws."""
+"""Most shapes that `--figure scene` draws, and most pairs of them for `--figure parts`."""
 _NAME = 17
 """Letters of a body's name that fit into the headline of a picture."""
 
@@ -32,10 +32,10 @@ _SVG = typer.Option("--svg", show_default=False, metavar="FILE", help="Also draw
 _FIGURE = typer.Option(
     show_default=False,
     metavar="NAME",
-    help="What to draw: whole (the default), edges, perpendiculars, axis, mtv, clipping or scene.",
+    help="What to draw: whole (the default), edges, perpendiculars, dot, parts, tilt, axis, mtv, clipping or scene.",
 )
 _AXIS = typer.Option(
-    min=1, show_default=False, metavar="N", help="The axis that --figure axis draws; default: the deciding one."
+    min=1, show_default=False, metavar="N", help="The axis for --figure axis or dot; default: the deciding one."
 )
 _STEPS = typer.Option("--step-by-step", help="Tell the test step by step, down to the contact points.")
 
@@ -82,8 +82,8 @@ def _check_options(options: SatOptions) -> None:
         raise SandboxError("--step-by-step tells it in words, --json gives the data: give one of the two")
     if svg is None and (figure, axis) != (None, None):
         raise SandboxError(f"{'--axis' if figure is None else '--figure'} chooses what --svg FILE draws: give both")
-    if axis is not None and figure not in (None, "axis"):
-        raise SandboxError(f"--axis is for --figure axis, not for --figure {figure}")
+    if axis is not None and figure not in (None, "axis", "dot"):
+        raise SandboxError(f"--axis is for --figure axis or dot, not for --figure {figure}")
     if svg is not None:
         _check_picture(svg, figure)
 
@@ -109,8 +109,9 @@ def _draw(pair: SatPair, table: SatTable, svg: Path, figure: str, axis: int | No
         raise SandboxError(f"--axis {axis}: these two shapes have {table.axis_count} axes")
     row = sat_table(pair.a, pair.b, all_axes=True).rows[axis - 1] if axis else None
     scene_shapes = _scene_shapes(pair.world) if figure == "scene" else ()
+    wholes = _wholes(pair) if figure == "parts" else ()
     names = shortened(pair.names[0], _NAME), shortened(pair.names[1], _NAME)
-    FIGURES[figure](SatFigure(table, names, row, scene_shapes)).save(svg)
+    FIGURES[figure](SatFigure(table, names, row, scene_shapes, wholes)).save(svg)
 
 
 def _scene_shapes(world: World) -> tuple[Member, ...]:
@@ -123,6 +124,18 @@ def _scene_shapes(world: World) -> tuple[Member, ...]:
         raise SandboxError(f"--figure scene: {count} shapes are too many for a picture, at most {_MOST_SHAPES}")
     bodies = [(i, world.body(name).type == "dynamic", body_shapes(world, name)) for i, name in enumerate(world.names)]
     return tuple(Member(shape, i, moves) for i, moves, shapes in bodies for shape in shapes)
+
+
+def _wholes(pair: SatPair) -> tuple[Whole, ...]:
+    """Both bodies as wholes. Raises `SandboxError` if their shapes make too many pairs for a picture."""
+    from sandbox.cli.sat_whole import whole
+
+    count = pair.counts[0] * pair.counts[1]
+    if count > _MOST_SHAPES:
+        raise SandboxError(
+            f"--figure parts: {count} pairs of shapes are too many for a picture, at most {_MOST_SHAPES}"
+        )
+    return tuple(whole(pair.world, name) for name in pair.names)
 
 
 def _tell(pair: SatPair, table: SatTable, options: SatOptions) -> None:

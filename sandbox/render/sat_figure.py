@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from sandbox.render.number_text import point
 from sandbox.render.sat_clipping import draw_clipping
+from sandbox.render.sat_dot import draw_dot
 from sandbox.render.sat_labels import axis_name, deciding_row, headline, shortened
 from sandbox.render.sat_page import (
     ALONE,
@@ -18,9 +19,11 @@ from sandbox.render.sat_page import (
     extent,
     page,
 )
+from sandbox.render.sat_parts import draw_parts
 from sandbox.render.sat_plane import Plane
 from sandbox.render.sat_rails import ROW, RailList, plane_rail, rail_ends
 from sandbox.render.sat_scene import draw_scene
+from sandbox.render.sat_tilt import draw_tilt
 from sandbox.render.svg import Svg
 
 _PLANE = (440, 440)
@@ -90,6 +93,9 @@ FIGURES: dict[str, Callable[[SatFigure], Svg]] = {
     "whole": draw_whole,
     "edges": draw_edges,
     "perpendiculars": draw_perpendiculars,
+    "dot": draw_dot,
+    "parts": draw_parts,
+    "tilt": draw_tilt,
     "axis": draw_axis,
     "mtv": draw_mtv,
     "clipping": draw_clipping,

@@ -29,17 +29,25 @@ class Member(NamedTuple):
     moves: bool
 
 
+class Whole(NamedTuple):
+    """A body as a whole: its convex `parts`, and the `rings` that are the outlines of its concave polygons (m)."""
+
+    parts: tuple[Shape, ...]
+    rings: tuple[tuple[Vec, ...], ...] = ()
+
+
 @dataclass(frozen=True)
 class SatFigure:
     """What a picture shows: a table, the names of its two bodies, one of the rows, all shapes of the scene.
 
-    `row` is for the figure of one axis, `scene_shapes` for that of the scene.
+    `row` is for the figures of one axis, `scene_shapes` for that of the scene, `wholes` (both bodies) for the parts.
     """
 
     table: SatTable
     names: tuple[str, str]
     row: SatRow | None = None
     scene_shapes: tuple[Member, ...] = ()
+    wholes: tuple[Whole, ...] = ()
 
 
 def page(width: float, height: float, figure: SatFigure, subtitle: str = "") -> Svg:

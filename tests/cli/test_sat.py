@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable
 from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
 
+from sandbox.render.sat_figure import FIGURES
 from tests.geometry.tutorial_cases import TABLE_ONE, TABLE_TWO
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -76,7 +78,7 @@ def test_step_by_step_ends_with_the_gap(cli: Callable) -> None:
     assert "4. " not in out
 
 
-@pytest.mark.parametrize("scene", ["round", "inside", "same-floor", "slanted"])
+@pytest.mark.parametrize("scene", ["round", "inside", "same-floor", "slanted", "cup", "corners"])
 def test_every_case_of_the_lesson_can_be_told(cli: Callable, scene: str) -> None:
     assert cli("sat", scene, "--step-by-step").code == 0
     assert "nan" not in cli("sat", scene, "--step-by-step", "--step", "30").out
@@ -113,13 +115,48 @@ def test_mistakes_are_told_with_their_mend(cli: Callable, write_scene: Callable,
         (("tset-one",), 'there is no such file: did you mean "test-one", which comes with the package?'),
         (("test-one", "--axis", "3"), "--axis chooses what --svg FILE draws: give both"),
         (("test-one", "--figure", "edges"), "--figure chooses what --svg FILE draws: give both"),
-        (("test-one", "--svg", tmp_path / "a.svg", "--figure", "mtv", "--axis", "3"), "--axis is for --figure axis"),
+        (
+            ("test-one", "--svg", tmp_path / "a.svg", "--figure", "mtv", "--axis", "3"),
+            "--axis is for --figure axis or dot",
+        ),
         (("test-one", "--json", "--step-by-step"), "give one of the two"),
     ]:
         done = cli("sat", *arguments)
         assert (done.code, words in done.err) == (2, True), (arguments, done)
         assert "Traceback" not in done.err
         assert done.out == ""
+
+
+def test_more_pairs_of_parts_than_a_picture_holds_are_refused(
+    cli: Callable, write_scene: Callable, tmp_path: Path
+) -> None:
+    balls = [{"circle": 0.1, "at": [k, 0]} for k in range(40)]
+    bodies = [{"id": name, "position": [0, y], "shapes": balls} for name, y in (("low", 0), ("high", 3))]
+    path, svg = write_scene("balls.scene.json", bodies=bodies), tmp_path / "a.svg"
+    done = cli("sat", path, "--svg", svg, "--figure", "parts")
+    assert (done.code, svg.exists()) == (2, False)
+    assert "--figure parts: 1600 pairs of shapes are too many for a picture, at most 1000" in done.err
+
+
+def test_a_concave_body_is_drawn_where_it_is_now(cli: Callable, write_scene: Callable, tmp_path: Path) -> None:
+    notch = {"polygon": [[0, 0], [4, 0], [4, 4], [2, 4], [2, 2], [0, 2]]}
+    bodies = [
+        {"id": "notch", "position": [3, 1], "angle": 90, "shapes": [notch]},
+        {"id": "stone", "position": [2.2, 2], "shapes": [{"circle": 0.25}]},
+    ]
+    path = write_scene("notch.scene.json", bodies=bodies)
+    assert cli("sat", path, "--bodies", "notch", "stone", "--svg", tmp_path / "a.svg", "--figure", "parts").code == 0
+    root = ElementTree.parse(tmp_path / "a.svg").getroot()
+    outline, *parts = [path.get("d") for path in root.iter(f"{SVG}path") if path.get("class") == "a shape"]
+    assert len(parts) == 2
+    # Turned by a quarter, the outline has the box of its parts, one window (440 px and an edge of 24) further left.
+    assert box(outline) == pytest.approx(box(" ".join(parts), left=464.0), abs=0.02)
+
+
+def box(steps: str, left: float = 0.0) -> tuple[float, ...]:
+    numbers = [float(number) for number in re.findall(r"-?[\d.]+", steps)]
+    xs, ys = [x - left for x in numbers[0::2]], numbers[1::2]
+    return min(xs), min(ys), max(xs), max(ys)
 
 
 def test_long_names_fit_into_a_picture(cli: Callable, write_scene: Callable, tmp_path: Path) -> None:
@@ -129,8 +166,8 @@ def test_long_names_fit_into_a_picture(cli: Callable, write_scene: Callable, tmp
     assert f"the edges of {'a' * 16}… and {'b' * 16}…" in (tmp_path / "a.svg").read_text(encoding="utf-8")
 
 
-@pytest.mark.parametrize("figure", ["whole", "edges", "perpendiculars", "axis", "mtv", "clipping", "scene"])
-@pytest.mark.parametrize("scene", ["test-one", "test-two", "round", "inside"])
+@pytest.mark.parametrize("figure", FIGURES)
+@pytest.mark.parametrize("scene", ["test-one", "test-two", "round", "inside", "cup", "corners"])
 def test_every_figure_of_every_case_is_a_picture_with_a_title(
     cli: Callable, tmp_path: Path, scene: str, figure: str
 ) -> None:

@@ -6,14 +6,18 @@ import re
 from xml.etree import ElementTree
 
 import pytest
+from hypothesis import given, settings
 
 import sandbox
+from sandbox.geometry.decompose import decompose
 from sandbox.render.number_text import short
 from sandbox.render.sat_figure import FIGURES
-from sandbox.render.sat_page import Member, SatFigure
+from sandbox.render.sat_page import Member, SatFigure, Whole
 from sandbox.render.sat_plane import Plane
 from sandbox.render.sat_rails import ROW
+from sandbox.render.sat_tilt import strip_of
 from sandbox.render.svg import Svg
+from tests.geometry.convex_cases import numbers, polygons
 from tests.geometry.tutorial_cases import SQUARE_ONE, SQUARE_TWO, TRIANGLE_ONE, TRIANGLE_TWO
 
 NAMES = ("square", "triangle")
@@ -145,6 +149,81 @@ def test_the_scene_figure_counts_pairs_of_boxes():
     root = draw("scene", (boxes[4], boxes[0]), scene_shapes=scene_shapes)
     assert any("5 shapes make 10 pairs; only the 4 whose boxes overlap are tested" in text for text in words(root))
     assert len(of_class(root, "line", "gap edge")) == 4
+
+
+def ends(line: ElementTree.Element) -> tuple[float, float, float, float]:
+    return tuple(float(line.get(name)) for name in ("x1", "y1", "x2", "y2"))
+
+
+def test_every_vertex_has_its_dot_product_at_its_foot_on_the_axis():
+    root = draw("dot", TWO, row=sandbox.sat_table(*TWO).rows[3])
+    shown = words(root)
+    for text in ("35", "5 m", "21", "3 m", "-7", "-1 m"):
+        assert text in shown
+    (start,) = of_class(root, "circle", "a dot")
+    ahead, behind = of_class(root, "circle", "gap dot"), of_class(root, "circle", "out dot")
+    assert {dot.get("cx") for dot in (*ahead, *behind)} == {start.get("cx")}, "the axis is upright"
+    heights = [float(start.get("cy")) - float(dot.get("cy")) for dot in (*ahead, *behind)]
+    assert heights == pytest.approx([heights[0] * k for k in (1, 5 / 3, -1 / 3)], abs=0.02)
+
+
+def test_the_strip_is_turned_onto_the_nearest_edge():
+    corners = sandbox.Polygon(((4, 4), (4, 0), (0, 0), (0, 4))), sandbox.Polygon(((6, 5), (7, 9), (9, 6)))
+    root = draw("tilt", corners)
+    assert "nearest points 2.236 m apart; turned to edge 1 of square, 2 m are left" in words(root)
+    left, right = (ends(line) for line in of_class(root, "line", "gap line"))
+    corner, tip = (float(of_class(root, "circle", kind)[0].get("cx")) for kind in ("a dot", "b dot"))
+    assert (left[0], left[2], right[0], right[2]) == (corner, corner, tip, tip), "both borders are upright"
+
+
+def test_the_strip_needs_no_turn_where_an_edge_is_nearest():
+    root = draw("tilt", ONE)
+    assert "nearest points 1.671 m apart, straight across edge 2 of triangle" in words(root)
+    assert of_class(root, "path", "mtv axis") == []
+
+
+def test_beside_a_disc_nothing_may_be_left_of_the_strip():
+    block, disc = sandbox.Polygon(((0, 0), (4, 0), (4, 3), (0, 3))), sandbox.Circle((4.7, 3.8), 1)
+    root = draw("tilt", (block, disc), ("block", "disc"))
+    assert "nearest points 0.06301 m apart; turned to edge 3 of block, nothing is left" in words(root)
+    assert "nearest points 4.748 m apart, and no edge to turn to" in words(
+        draw("tilt", (disc, sandbox.Circle((9, 9), 1)))
+    )
+    assert of_class(draw("tilt", TWO), "line", "mtv line") == [], "where two overlap there is no strip"
+
+
+@given(polygons(), polygons(), numbers, numbers)
+@settings(max_examples=200)
+def test_the_turned_strip_is_the_gap_of_an_axis(a, b, x, y):
+    """What the lesson argues: wherever two polygons are apart, the axis of an edge has a gap."""
+    pair = sandbox.Polygon(a), sandbox.Polygon(tuple((px + x, py + y) for px, py in b))
+    table = sandbox.sat_table(*pair, all_axes=True)
+    strip = strip_of(SatFigure(table, NAMES))
+    if strip is None or strip.before < 1e-6:
+        return
+    gaps = {f"edge {row.edge} of {NAMES[row.owner == 'b']}": row.separation for row in table.rows}
+    assert 0.0 < strip.after <= strip.before + 1e-12
+    assert gaps[strip.edge] == pytest.approx(strip.after, rel=1e-6, abs=1e-9)
+
+
+CUP = ((2, 0), (8, 0), (10, 7), (8, 7), (7, 2), (3, 2), (2, 7), (0, 7))
+
+
+def test_parts_show_the_gaps_that_the_rubber_band_hides():
+    parts = tuple(sandbox.Polygon(part.vertices) for part in decompose(CUP).parts)
+    stone = sandbox.Polygon(((4, 6), (6, 5), (5, 3)))
+    wholes = Whole(parts, decompose(CUP).rings), Whole((stone,))
+    root = draw("parts", (parts[0], stone), ("cup", "stone"), wholes=wholes)
+    assert "no straight line goes between the two, but each of the 3 pairs of convex parts has a gap" in words(root)
+    assert len(of_class(root, "path", "a shape")) == 1 + 3
+    assert len(of_class(root, "line", "gap line")) == 3
+    (mouth,) = of_class(root, "line", "out line")
+    assert mouth.get("y1") == mouth.get("y2"), "level, from rim to rim"
+
+
+def test_parts_of_shapes_that_overlap_are_counted():
+    assert "pairs of convex parts that overlap: 1 of 1" in words(draw("parts", TWO))
+    assert "one gap is enough" in words(draw("parts", ONE))
 
 
 def test_the_same_table_gives_the_same_file():
