@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import pytest
 from hypothesis import given, settings
 
 import sandbox
@@ -111,6 +112,13 @@ def test_wrong_edges_that_add_up_are_caught_by_their_vertices():
     assert total(printed) == (0, 0), "adding them up is blind here"
     assert edges_of(vertices) == [(3, -5), (-6, 0), (3, 5)]
     assert edges_of(vertices) != printed
+
+
+@pytest.mark.parametrize("case", [ONE, TWO])
+def test_fields_of_another_name_are_caught_by_the_first_run(case):
+    with pytest.raises(AttributeError, match="no attribute 'edge'"):
+        run(*case, Slip.OTHER_FIELD_NAMES)
+    assert run(*case)[0] == collides(*case), "with one name for each field it runs"
 
 
 def total(edges) -> tuple[float, float]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from enum import Enum, auto
 
 Point = tuple[float, float]
@@ -15,6 +16,23 @@ class Slip(Enum):
     MAXIMUM_NEVER_GROWS = auto()
     OTHER_NAME_FOR_B = auto()
     MINIMA_COMPARED = auto()
+    OTHER_FIELD_NAMES = auto()
+
+
+@dataclass(frozen=True)
+class ExplainedPolygon:
+    """A polygon as the first piece of the program declares it."""
+
+    vertices: Sequence[Point]
+    edges: Sequence[Point]
+
+
+@dataclass(frozen=True)
+class Polygon:
+    """A polygon as the test reads it, and as the whole program declares it in the end."""
+
+    vertex: Sequence[Point]
+    edge: Sequence[Point]
 
 
 def edges_of(vertices: Sequence[Point]) -> list[Point]:
@@ -27,17 +45,20 @@ def run(
     a: Sequence[Point], b: Sequence[Point], *slips: Slip, edges_b: Sequence[Point] | None = None
 ) -> tuple[bool, list[Row]]:
     """(colliding, rows of amax, amin, bmax, bmin, gap); `edges_b` as somebody wrote them down, else those of b."""
+    declared = ExplainedPolygon if Slip.OTHER_FIELD_NAMES in slips else Polygon
+    first, second = declared(a, edges_of(a)), declared(b, edges_of(b) if edges_b is None else edges_b)
     stack = []
-    for x, y in edges_of(a):
+    for x, y in first.edge:
         perpendicular = -y, x
         stack.append(perpendicular)
-    for x, y in edges_of(b) if edges_b is None else edges_b:
+    for x, y in second.edge:
         if Slip.OTHER_NAME_FOR_B not in slips:
             perpendicular = -y, x
         stack.append(perpendicular)
     rows: list[Row] = []
     for axis in stack:
-        (amin, amax), (bmin, bmax) = _interval(a, axis, Slip.MAXIMUM_NEVER_GROWS in slips), _interval(b, axis, False)
+        amin, amax = _interval(first.vertex, axis, Slip.MAXIMUM_NEVER_GROWS in slips)
+        bmin, bmax = _interval(second.vertex, axis, False)
         overlap = amin < bmax and bmin < amax
         if Slip.MINIMA_COMPARED in slips:
             overlap = (amin < bmax and amin > bmin) or (bmin < amax and bmin > amin)
