@@ -7,6 +7,8 @@ import math
 from sandbox._jit import entry_point, kernel
 from sandbox.engine.broad_phase.grid import base_cell, box_level, bucket, cells_per_metre, fill_grid, octave
 from sandbox.engine.broad_phase.proxies import turn_cores
+from sandbox.geometry.bounds import core_bounds
+from sandbox.geometry.core import core_of
 from sandbox.geometry.sat import FAR
 from sandbox.tables import Integers, Records
 
@@ -47,14 +49,7 @@ def _bound(bodies: Records, shapes: Records, turned: Records, boxes: Records) ->
     for i in range(shapes.shape[0]):
         shape = shapes[i]
         body = bodies[shape.body]
-        lower_x, lower_y, upper_x, upper_y = FAR, FAR, -FAR, -FAR
-        for j in range(shape.vertex_start, shape.vertex_start + shape.vertex_count):
-            x = turned[j].x
-            y = turned[j].y
-            lower_x = x if x < lower_x else lower_x
-            lower_y = y if y < lower_y else lower_y
-            upper_x = x if x > upper_x else upper_x
-            upper_y = y if y > upper_y else upper_y
+        lower_x, lower_y, upper_x, upper_y = core_bounds(turned, core_of(shape))
         grow = shape.radius + ROUNDING * (abs(body.center_x) + abs(body.center_y) + body.extent)
         box = boxes[i]
         box.lower_x = body.center_x + lower_x - grow
