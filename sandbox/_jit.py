@@ -74,30 +74,46 @@ def entry_point(function: F) -> F:
         config.CACHE_DIR = before
 
 
-class Call:
-    """An entry point with arguments for many calls.
+class Door:
+    """An entry point for calls whose arguments always have the same types.
 
     numba asks at every call which version of the machine code fits the arguments: 0.15 us an array, a tenth of the
     step of a small scene. Here it is asked at the first call only, and compiled then if need be.
     """
 
+    __slots__ = ("_code", "_entry")
+
+    def __init__(self, entry: Callable[..., Any]) -> None:
+        self._entry = entry
+        self._code: Callable[..., Any] | None = None
+
+    def __call__(self, *arguments: Any) -> Any:
+        if self._code is None:
+            self._code = _machine_code(self._entry, arguments)
+        return self._code(*arguments)
+
+
+class Call:
+    """An entry point with arguments for many calls, as by a `Door`."""
+
     __slots__ = ("_arguments", "_code", "_entry")
 
     def __init__(self, entry: Callable[..., Any], arguments: tuple[Any, ...]) -> None:
-        self._entry: Any = entry
+        self._entry = entry
         self._arguments = arguments
         self._code: Callable[..., Any] | None = None
 
     def __call__(self) -> Any:
         if self._code is None:
-            self._code = self._version()
+            self._code = _machine_code(self._entry, self._arguments)
         return self._code(*self._arguments)
 
-    def _version(self) -> Callable[..., Any]:
-        if config.DISABLE_JIT:
-            return cast(Callable[..., Any], self._entry)
-        kinds = tuple(self._entry.typeof_pyval(argument) for argument in self._arguments)
-        return cast(Callable[..., Any], self._entry.compile(kinds))
+
+def _machine_code(entry: Any, arguments: tuple[Any, ...]) -> Callable[..., Any]:
+    """The version of an entry point for arguments of these types."""
+    if config.DISABLE_JIT:
+        return cast(Callable[..., Any], entry)
+    return cast(Callable[..., Any], entry.compile(tuple(entry.typeof_pyval(argument) for argument in arguments)))
 
 
 def interpreted(function: F) -> F:
@@ -109,13 +125,13 @@ def interpreted(function: F) -> F:
 
 
 def kernel_argument(value: Any) -> Any:
-    """What to pass to an entry point for an array, or for a bundle (a NamedTuple) of arrays.
+    """What to pass to an entry point for an array, or for a tuple, plain or named, of arrays and such tuples.
 
     Calls with a plain array are 20 times faster than with a recarray. Without the compiler, kernels need the recarray,
     for `row.field`.
     """
     if isinstance(value, tuple):
-        return type(value)(*map(kernel_argument, value))
+        return getattr(type(value), "_make", tuple)(kernel_argument(each) for each in value)
     if config.DISABLE_JIT or not isinstance(value, np.recarray):
         return value
     return value.base

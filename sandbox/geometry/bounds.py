@@ -15,7 +15,7 @@ def core_bounds(cores: Records, core: CoreRows) -> tuple[float, float, float, fl
     lower_y = first.y
     upper_x = first.x
     upper_y = first.y
-    for i in range(core.start + 1, core.start + core.count):
+    for i in range(core.start + 1, core.start + core.vertex_count):
         x = cores[i].x
         y = cores[i].y
         lower_x = x if x < lower_x else lower_x

@@ -12,6 +12,7 @@ import numpy as np
 
 from sandbox._jit import interpreted
 from sandbox.geometry.collide import Contact
+from sandbox.geometry.core import CoreRows
 from sandbox.geometry.pair import CORE, Pair, pair_of
 from sandbox.geometry.sat import FAR, face_separation, facing_edge
 from sandbox.geometry.sat_rows import Vec
@@ -58,9 +59,9 @@ class Clipping:
 def best_faces(a: Shape, b: Shape) -> tuple[BestFace | None, BestFace | None]:
     """What the kernel makes of the faces of a, and of b; None for a disc, which has none."""
     pair = pair_of(a, b)
-    (m, n), (dx, dy), rows = pair.counts, pair.way, _records(pair)
-    of_a = _face_separation(rows, 0, m, m, n, dx, dy, FAR)
-    of_b = _face_separation(rows, m, n, 0, m, -dx, -dy, FAR)
+    (core_a, core_b), (dx, dy), rows = _core_rows(pair), pair.displacement, _records(pair)
+    of_a = _face_separation(rows, core_a, core_b, dx, dy, FAR)
+    of_b = _face_separation(rows, core_b, core_a, -dx, -dy, FAR)
     return _best(a, *of_a), _best(b, *of_b)
 
 
@@ -73,18 +74,13 @@ def clipping(a: Shape, b: Shape, contact: Contact) -> Clipping | None:
         return None
     sign = 1.0 if contact.axis_owner == "a" else -1.0
     normal = sign * contact.normal[0] + 0.0, sign * contact.normal[1] + 0.0
-    face = _face_towards(mine, contact.axis_edge, normal)
-    reference = mine.vertices[face], mine.vertices[(face + 1) % len(mine.vertices)]
-    facing = _incident(a, b, contact, normal)
-    # Both run counter-clockwise, so the incident edge goes the other way along the face.
-    incident = other.vertices[facing], other.vertices[(facing + 1) % len(other.vertices)]
-    return _clip(contact, normal, mine, face, reference, other, facing, incident)
+    face, facing = _face_towards(mine, contact.axis_edge, normal), _incident(a, b, contact, normal)
+    return _clip(contact.axis_owner, normal, mine, face, other, facing)
 
 
-def _clip(
-    contact: Contact, normal: Vec, mine: Shape, face: int, reference: tuple[Vec, Vec],
-    other: Shape, facing: int, incident: tuple[Vec, Vec],
-) -> Clipping:  # fmt: skip
+def _clip(owner: str, normal: Vec, mine: Shape, face: int, other: Shape, facing: int) -> Clipping:
+    # Both edges run counter-clockwise, so the incident one goes against the direction of the face.
+    reference, incident = _edge(mine, face), _edge(other, facing)
     tangent = -normal[1], normal[0]
     low, high = _dot(tangent, reference[0]), _dot(tangent, reference[1])
     before = _dot(tangent, incident[0]), _dot(tangent, incident[1])
@@ -93,9 +89,13 @@ def _clip(
     offset = _dot(normal, reference[0])
     gaps = _dot(normal, clipped[0]) - offset - radii, _dot(normal, clipped[1]) - offset - radii
     return Clipping(
-        contact.axis_owner, normal, mine.edge_numbers[face] + 1, reference, other.edge_numbers[facing] + 1, incident,
+        owner, normal, mine.edge_numbers[face] + 1, reference, other.edge_numbers[facing] + 1, incident,
         low, high, before, clipped, gaps,
     )  # fmt: skip
+
+
+def _edge(shape: Shape, index: int) -> tuple[Vec, Vec]:
+    return shape.vertices[index], shape.vertices[(index + 1) % len(shape.vertices)]
 
 
 def _cut(edge: tuple[Vec, Vec], ends: Vec, low: float, high: float) -> tuple[Vec, Vec]:
@@ -125,12 +125,17 @@ def _face_towards(shape: Shape, number: int, normal: Vec) -> int:
 
 def _incident(a: Shape, b: Shape, contact: Contact, normal: Vec) -> int:
     pair = pair_of(a, b)
-    start, count = (pair.counts[0], pair.counts[1]) if contact.axis_owner == "a" else (0, pair.counts[0])
-    return int(_facing_edge(_records(pair), start, count, *normal))
+    core_a, core_b = _core_rows(pair)
+    return int(_facing_edge(_records(pair), core_b if contact.axis_owner == "a" else core_a, *normal))
 
 
 def _best(shape: Shape, separation: float, face: int) -> BestFace | None:
     return BestFace(shape.edge_numbers[face] + 1, float(separation)) if face >= 0 else None
+
+
+def _core_rows(pair: Pair) -> tuple[CoreRows, CoreRows]:
+    (m, n), (radius_a, radius_b) = pair.counts, pair.radii
+    return CoreRows(0, m, radius_a), CoreRows(m, n, radius_b)
 
 
 def _records(pair: Pair) -> Records:

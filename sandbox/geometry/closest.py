@@ -5,14 +5,13 @@ from __future__ import annotations
 import math
 
 from sandbox._jit import kernel
+from sandbox.geometry.core import CoreRows
 from sandbox.geometry.sat import FAR
 from sandbox.tables import Records
 
 
 @kernel
-def nearest_on_edges(
-    cores: Records, start: int, count: int, px: float, py: float
-) -> tuple[float, float, float, int, bool]:
+def nearest_on_edges(cores: Records, core: CoreRows, px: float, py: float) -> tuple[float, float, float, int, bool]:
     """Nearest point of a core's boundary to (px, py): (distance squared, x, y, vertex or edge, is it a vertex).
 
     The point is in the frame of the core.
@@ -22,11 +21,11 @@ def nearest_on_edges(
     best_y = 0.0
     feature = 0
     is_vertex = True
-    edges = count if count > 2 else 1
+    edges = core.vertex_count if core.vertex_count > 2 else 1
     for i in range(edges):
-        after = i + 1 if i + 1 < count else 0
-        p = cores[start + i]
-        q = cores[start + after]
+        after = i + 1 if i + 1 < core.vertex_count else 0
+        p = cores[core.start + i]
+        q = cores[core.start + after]
         ex = q.x - p.x
         ey = q.y - p.y
         wx = px - p.x
@@ -58,7 +57,7 @@ def nearest_on_edges(
 
 @kernel
 def closest_points(
-    cores: Records, a: int, a_count: int, b: int, b_count: int, dx: float, dy: float
+    cores: Records, a: CoreRows, b: CoreRows, dx: float, dy: float
 ) -> tuple[float, float, float, float, float, bool, int, int]:
     """Closest points of two disjoint cores: (distance squared, x, y on a, x, y on b, both vertices?, which of a, of b).
 
@@ -73,10 +72,10 @@ def closest_points(
     both = False
     vertex_a = 0
     vertex_b = 0
-    for j in range(b_count):
-        px = cores[b + j].x + dx
-        py = cores[b + j].y + dy
-        square, x, y, feature, is_vertex = nearest_on_edges(cores, a, a_count, px, py)
+    for j in range(b.vertex_count):
+        px = cores[b.start + j].x + dx
+        py = cores[b.start + j].y + dy
+        square, x, y, feature, is_vertex = nearest_on_edges(cores, a, px, py)
         if square < best:
             best = square
             ax = x
@@ -86,10 +85,10 @@ def closest_points(
             both = is_vertex
             vertex_a = feature
             vertex_b = j
-    for i in range(a_count):
-        px = cores[a + i].x
-        py = cores[a + i].y
-        square, x, y, feature, is_vertex = nearest_on_edges(cores, b, b_count, px - dx, py - dy)
+    for i in range(a.vertex_count):
+        px = cores[a.start + i].x
+        py = cores[a.start + i].y
+        square, x, y, feature, is_vertex = nearest_on_edges(cores, b, px - dx, py - dy)
         if square < best:
             best = square
             ax = px
@@ -104,18 +103,18 @@ def closest_points(
 
 @kernel
 def closest_vertices(
-    cores: Records, a: int, a_count: int, b: int, b_count: int, dx: float, dy: float
+    cores: Records, a: CoreRows, b: CoreRows, dx: float, dy: float
 ) -> tuple[bool, int, int, float, float, float]:
     """Whether two disjoint cores are closest at two vertices: (yes, vertex of a, vertex of b, axis x, y, distance).
 
     The unit axis points from a to b. When a vertex faces the inside of an edge instead, the face normals of the
     separating-axis test already hold the right axis and the answer is no.
     """
-    best, _ax, _ay, _bx, _by, both, vertex_a, vertex_b = closest_points(cores, a, a_count, b, b_count, dx, dy)
+    best, _ax, _ay, _bx, _by, both, vertex_a, vertex_b = closest_points(cores, a, b, dx, dy)
     if not both or best <= 0.0:
         return False, 0, 0, 0.0, 0.0, 0.0
-    gx = cores[b + vertex_b].x + dx - cores[a + vertex_a].x
-    gy = cores[b + vertex_b].y + dy - cores[a + vertex_a].y
+    gx = cores[b.start + vertex_b].x + dx - cores[a.start + vertex_a].x
+    gy = cores[b.start + vertex_b].y + dy - cores[a.start + vertex_a].y
     distance = math.sqrt(gx * gx + gy * gy)
     if distance <= 0.0:
         return False, 0, 0, 0.0, 0.0, 0.0

@@ -9,13 +9,13 @@ from sandbox.tables import Records
 
 
 class CoreRows(NamedTuple):
-    """Rows `start` to before `start + count` of a vertex table, counter-clockwise, rounded by `radius` metres.
+    """Rows `start` to before `start + vertex_count` of a vertex table, counter-clockwise, rounded by `radius` metres.
 
     Plain numbers: kernels take it as three scalars.
     """
 
     start: int
-    count: int
+    vertex_count: int
     radius: float
 
 

@@ -1,17 +1,17 @@
 """The contact manifold of two rounded convex cores: minimum translation axis and one or two points.
 
-Faces are the axes of the separating-axis test. Where rounded cores do not overlap and are closest at two vertices,
-the axis between those vertices decides instead. The incident edge is then clipped against the reference face
-(E. Catto, "Contact Manifolds", GDC 2007).
+Two vertices that are closest give one point. A face that is becomes the reference face: the incident edge is clipped
+against its sides (E. Catto, "Contact Manifolds", GDC 2007).
 """
 
 from __future__ import annotations
 
-import math
+from typing import NamedTuple
 
-from sandbox._jit import ZERO, inlined_kernel, kernel
-from sandbox.geometry.closest import closest_vertices
-from sandbox.geometry.sat import face_separation, facing_edge, pair_size, support_vertex
+from sandbox._jit import inlined_kernel, kernel
+from sandbox.geometry.closest_features import APART, FACE_OF_B, VERTICES, closest_features
+from sandbox.geometry.core import CoreRows
+from sandbox.geometry.sat import facing_edge, support_vertex
 from sandbox.tables import Field, Records, Table
 
 MANIFOLD = Table(
@@ -34,24 +34,10 @@ MANIFOLD = Table(
     ),
 )
 
-_ROUNDING = 4e-15
-"""How far a computed separation may be off, as a share of the pair's size."""
-
 
 @inlined_kernel
 def collide_cores(
-    cores: Records,
-    a: int,
-    a_count: int,
-    a_radius: float,
-    b: int,
-    b_count: int,
-    b_radius: float,
-    dx: float,
-    dy: float,
-    margin: float,
-    face_bias: float,
-    out: Records,
+    cores: Records, a: CoreRows, b: CoreRows, dx: float, dy: float, margin: float, face_bias: float, out: Records
 ) -> int:
     """Write the manifold of two cores to `out[0]` (a `MANIFOLD` row); return its number of points.
 
@@ -60,137 +46,65 @@ def collide_cores(
     """
     m = out[0]
     m.point_count = 0
-    radii = a_radius + b_radius
-    if a_count == 1 and b_count == 1:
-        return _collide_points(cores, a, a_radius, b, b_radius, dx, dy, margin, m)
-    reach = radii + margin
-    separation_a, face_a = face_separation(cores, a, a_count, b, b_count, dx, dy, reach)
-    if separation_a > reach:
+    found = closest_features(cores, a, b, dx, dy, margin, face_bias)
+    if found.owner == APART:
         return 0
-    separation_b, face_b = face_separation(cores, b, b_count, a, a_count, -dx, -dy, reach)
-    if separation_b > reach:
-        return 0
-    flip = face_a < 0 or (face_b >= 0 and separation_b > separation_a + face_bias)
-    core_separation = separation_b if flip else separation_a
-    if radii > 0.0 or (a_count <= 2 and b_count <= 2):
-        # Points and lines in one line overlap on all their face normals, however far apart they are, and so do slivers
-        # to rounding: only a clear overlap of the cores rules their corners out.
-        slack = _ROUNDING * pair_size(cores, a, a_count, b, b_count, dx, dy)
-        if core_separation > -slack:
-            corner, i, j, nx, ny, distance = closest_vertices(cores, a, a_count, b, b_count, dx, dy)
-            # Faces flat on each other are as close at their corners: there the face gives the better manifold.
-            if corner and distance > core_separation + 3.0 * slack + face_bias:
-                if distance > reach:
-                    return 0
-                return corner_manifold(cores, a, i, a_radius, j, b_radius, nx, ny, distance, m)
-    m.separation = core_separation - radii
-    face = face_b if flip else face_a
-    return face_manifold(cores, a, a_count, a_radius, b, b_count, b_radius, dx, dy, margin, flip, face, m)
+    if found.owner == VERTICES:
+        return corner_manifold(cores, a, b, found.a, found.b, found.normal_x, found.normal_y, found.distance, m)
+    flip = found.owner == FACE_OF_B
+    m.separation = found.separation
+    return face_manifold(cores, a, b, dx, dy, margin, flip, found.b if flip else found.a, m)
 
 
 @inlined_kernel
 def face_manifold(
-    cores: Records,
-    a: int,
-    a_count: int,
-    a_radius: float,
-    b: int,
-    b_count: int,
-    b_radius: float,
-    dx: float,
-    dy: float,
-    margin: float,
-    flip: bool,
-    face: int,
-    m: Records,
+    cores: Records, a: CoreRows, b: CoreRows, dx: float, dy: float, margin: float, flip: bool, face: int, m: Records
 ) -> int:
     """Fill in the manifold on a face, of b if `flip`; return its number of points. `m.separation` is there already."""
     m.point_count = 0
     m.axis_owner = 1 if flip else 0
     m.axis_edge = face
-    _clip(
-        cores,
-        b if flip else a,
-        b_count if flip else a_count,
-        b_radius if flip else a_radius,
-        face,
-        a if flip else b,
-        a_count if flip else b_count,
-        a_radius if flip else b_radius,
-        -dx if flip else dx,
-        -dy if flip else dy,
-        margin,
-        flip,
-        m,
-    )
+    _clip(cores, b if flip else a, a if flip else b, face, -dx if flip else dx, -dy if flip else dy, margin, flip, m)
     count: int = m.point_count
     return count
 
 
 @kernel
-def _collide_points(
-    cores: Records,
-    a: int,
-    a_radius: float,
-    b: int,
-    b_radius: float,
-    dx: float,
-    dy: float,
-    margin: float,
-    m: Records,
-) -> int:
-    """Two discs. Concentric ones part along +y: some axis has to be chosen, and always the same one."""
-    gx = cores[b].x + dx - cores[a].x
-    gy = cores[b].y + dy - cores[a].y
-    distance = math.sqrt(gx * gx + gy * gy)
-    if distance - a_radius - b_radius > margin:
-        return 0
-    nx = 0.0
-    ny = 1.0
-    if distance > 0.0:
-        nx = gx / distance
-        ny = gy / distance
-    return corner_manifold(cores, a, ZERO, a_radius, ZERO, b_radius, nx, ny, distance, m)
-
-
-@kernel
 def corner_manifold(
-    cores: Records,
-    a: int,
-    i: int,
-    a_radius: float,
-    j: int,
-    b_radius: float,
-    nx: float,
-    ny: float,
-    distance: float,
-    m: Records,
+    cores: Records, a: CoreRows, b: CoreRows, i: int, j: int, nx: float, ny: float, distance: float, m: Records
 ) -> int:
     """One point between vertex i of a and vertex j of b, half way between the rounded surfaces."""
-    middle = 0.5 * (distance + a_radius - b_radius)
+    middle = 0.5 * (distance + a.radius - b.radius)
     m.normal_x = nx
     m.normal_y = ny
-    m.separation = distance - a_radius - b_radius
+    m.separation = distance - a.radius - b.radius
     m.axis_owner = 2
     m.axis_edge = i
-    m.x1 = cores[a + i].x + nx * middle
-    m.y1 = cores[a + i].y + ny * middle
+    m.x1 = cores[a.start + i].x + nx * middle
+    m.y1 = cores[a.start + i].y + ny * middle
     m.separation1 = m.separation
     m.feature1 = 64 * i + j
     m.point_count = 1
     return 1
 
 
+class _Clipping(NamedTuple):
+    """What both points of a clipping have in common: the reference face's normal, and how they are written down."""
+
+    normal_x: float
+    normal_y: float
+    incident_radius: float
+    dx: float
+    dy: float
+    flip: bool
+
+
 @inlined_kernel
 def _clip(
     cores: Records,
-    reference: int,
-    reference_count: int,
-    reference_radius: float,
+    reference: CoreRows,
+    incident: CoreRows,
     face: int,
-    incident: int,
-    incident_count: int,
-    incident_radius: float,
     dx: float,
     dy: float,
     margin: float,
@@ -202,9 +116,9 @@ def _clip(
     A point's id names the corners of both shapes at its end of the face, whichever of them clipped it, so that it
     survives a change of the reference face.
     """
-    after = face + 1 if face + 1 < reference_count else 0
-    v1 = cores[reference + face]
-    v2 = cores[reference + after]
+    after = face + 1 if face + 1 < reference.vertex_count else 0
+    v1 = cores[reference.start + face]
+    v2 = cores[reference.start + after]
     nx = v1.normal_x
     ny = v1.normal_y
     tx = -ny
@@ -213,17 +127,18 @@ def _clip(
     m.normal_y = -ny if flip else ny
     low_limit = tx * v1.x + ty * v1.y
     high_limit = tx * v2.x + ty * v2.y
-    high_end = facing_edge(cores, incident, incident_count, nx, ny)
-    low_end = high_end + 1 if high_end + 1 < incident_count else 0
-    lx = cores[incident + low_end].x + dx
-    ly = cores[incident + low_end].y + dy
-    hx = cores[incident + high_end].x + dx
-    hy = cores[incident + high_end].y + dy
+    high_end = facing_edge(cores, incident, nx, ny)
+    low_end = high_end + 1 if high_end + 1 < incident.vertex_count else 0
+    lx = cores[incident.start + low_end].x + dx
+    ly = cores[incident.start + low_end].y + dy
+    hx = cores[incident.start + high_end].x + dx
+    hy = cores[incident.start + high_end].y + dy
     low = tx * lx + ty * ly
     high = tx * hx + ty * hy
     offset = nx * v1.x + ny * v1.y
-    radii = reference_radius + incident_radius
-    if incident_count > 1 and high >= low_limit and low <= high_limit:
+    radii = reference.radius + incident.radius
+    clipping = _Clipping(nx, ny, incident.radius, dx, dy, flip)
+    if incident.vertex_count > 1 and high >= low_limit and low <= high_limit:
         span = high - low
         ax = lx
         ay = ly
@@ -239,41 +154,30 @@ def _clip(
             by = ly + t * (hy - ly)
         first = nx * ax + ny * ay - offset - radii
         if first <= margin:
-            _add_point(m, ax, ay, nx, ny, first, incident_radius, dx, dy, face, low_end, flip)
+            _add_point(m, clipping, ax, ay, first, face, low_end)
         second = nx * bx + ny * by - offset - radii
         if second <= margin:
-            _add_point(m, bx, by, nx, ny, second, incident_radius, dx, dy, after, high_end, flip)
-    if m.point_count == 0 and (incident_count == 1 or m.separation < 0.0):
-        deepest = support_vertex(cores, incident, incident_count, nx, ny)
-        x = cores[incident + deepest].x + dx
-        y = cores[incident + deepest].y + dy
+            _add_point(m, clipping, bx, by, second, after, high_end)
+    if m.point_count == 0 and (incident.vertex_count == 1 or m.separation < 0.0):
+        deepest = support_vertex(cores, incident, nx, ny)
+        x = cores[incident.start + deepest].x + dx
+        y = cores[incident.start + deepest].y + dy
         gap = nx * x + ny * y - offset - radii
-        _add_point(m, x, y, nx, ny, gap, incident_radius, dx, dy, face, deepest, flip)
+        _add_point(m, clipping, x, y, gap, face, deepest)
 
 
 @inlined_kernel
 def _add_point(
-    m: Records,
-    x: float,
-    y: float,
-    nx: float,
-    ny: float,
-    gap: float,
-    incident_radius: float,
-    dx: float,
-    dy: float,
-    reference_vertex: int,
-    incident_vertex: int,
-    flip: bool,
+    m: Records, clipping: _Clipping, x: float, y: float, gap: float, reference_vertex: int, incident_vertex: int
 ) -> None:
     """Append the point half way between the surfaces, given a point (x, y) of the incident core."""
-    shift = incident_radius + 0.5 * gap
-    px = x - nx * shift
-    py = y - ny * shift
+    shift = clipping.incident_radius + 0.5 * gap
+    px = x - clipping.normal_x * shift
+    py = y - clipping.normal_y * shift
     feature = 64 * reference_vertex + incident_vertex
-    if flip:
-        px = px - dx
-        py = py - dy
+    if clipping.flip:
+        px = px - clipping.dx
+        py = py - clipping.dy
         feature = 64 * incident_vertex + reference_vertex
     if m.point_count == 0:
         m.x1 = px

@@ -7,24 +7,25 @@ a ray against the sum, an overlap a point in it, and a distance that of a point.
 from __future__ import annotations
 
 from sandbox._jit import kernel
+from sandbox.geometry.core import CoreRows
 from sandbox.geometry.sat import FAR
 from sandbox.tables import Records
 
 
 @kernel
-def add_cores(cores: Records, a: int, a_count: int, b: int, b_count: int, target: int) -> int:
-    """Write the sum of two cores from row `target` on; return its number of vertices, at most a_count + b_count.
+def add_cores(cores: Records, a: CoreRows, b: CoreRows, target: int) -> int:
+    """Write the sum of two cores from row `target` on; return its number of vertices, at most as many as both have.
 
     The edges of the sum are those of both, in the order of their directions; edges of one direction become one.
     """
-    i = _first_edge(cores, a, a_count)
-    j = _first_edge(cores, b, b_count)
-    left_a = a_count if a_count > 1 else 0
-    left_b = b_count if b_count > 1 else 0
+    i = _first_edge(cores, a)
+    j = _first_edge(cores, b)
+    left_a = a.vertex_count if a.vertex_count > 1 else 0
+    left_b = b.vertex_count if b.vertex_count > 1 else 0
     count = 0
     while left_a > 0 or left_b > 0 or count == 0:
-        p = cores[a + i]
-        q = cores[b + j]
+        p = cores[a.start + i]
+        q = cores[b.start + j]
         turn = 1 if left_b == 0 else (-1 if left_a == 0 else _turn(p, q))
         row = cores[target + count]
         row.x = p.x + q.x
@@ -34,10 +35,10 @@ def add_cores(cores: Records, a: int, a_count: int, b: int, b_count: int, target
         count += 1
         if turn >= 0 and left_a > 0:
             left_a -= 1
-            i = i + 1 if i + 1 < a_count else 0
+            i = i + 1 if i + 1 < a.vertex_count else 0
         if turn <= 0 and left_b > 0:
             left_b -= 1
-            j = j + 1 if j + 1 < b_count else 0
+            j = j + 1 if j + 1 < b.vertex_count else 0
     return count
 
 
@@ -48,11 +49,11 @@ def _goes_down(row: Records) -> bool:
 
 
 @kernel
-def _first_edge(cores: Records, start: int, count: int) -> int:
+def _first_edge(cores: Records, core: CoreRows) -> int:
     """The first edge of a core by direction, counted from +x: it begins at the lowest vertex."""
-    for i in range(count):
-        before = i - 1 if i > 0 else count - 1
-        if not _goes_down(cores[start + i]) and _goes_down(cores[start + before]):
+    for i in range(core.vertex_count):
+        before = i - 1 if i > 0 else core.vertex_count - 1
+        if not _goes_down(cores[core.start + i]) and _goes_down(cores[core.start + before]):
             return i
     return 0
 
@@ -69,20 +70,18 @@ def _turn(p: Records, q: Records) -> int:
 
 
 @kernel
-def touching_side(
-    cores: Records, start: int, count: int, nx: float, ny: float, slack: float
-) -> tuple[float, float, float]:
+def touching_side(cores: Records, core: CoreRows, nx: float, ny: float, slack: float) -> tuple[float, float, float]:
     """Where a core is farthest along a unit direction: (how far, and from where to where along its left-hand tangent).
 
     Vertices that are farthest to within `slack` metres count.
     """
     far = -FAR
-    for i in range(start, start + count):
+    for i in range(core.start, core.start + core.vertex_count):
         along = nx * cores[i].x + ny * cores[i].y
         far = along if along > far else far
     low = FAR
     high = -FAR
-    for i in range(start, start + count):
+    for i in range(core.start, core.start + core.vertex_count):
         if nx * cores[i].x + ny * cores[i].y >= far - slack:
             across = nx * cores[i].y - ny * cores[i].x
             low = across if across < low else low

@@ -5,8 +5,10 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-from sandbox._jit import entry_point, kernel_argument
+from sandbox._jit import ZERO, entry_point, kernel, kernel_argument
 from sandbox.geometry.closest import closest_points
+from sandbox.geometry.closest_features import FACE_OF_B, VERTICES
+from sandbox.geometry.core import CoreRows
 from sandbox.geometry.exact_axes import Axis
 from sandbox.geometry.manifold import MANIFOLD, collide_cores, corner_manifold, face_manifold
 from sandbox.geometry.mass import edge_normals
@@ -25,93 +27,96 @@ CORE = Table(
 )
 
 Vec = tuple[float, float]
+Counts = tuple[int, int]
 
 
 @entry_point
 def manifold_of_pair(
-    cores: Records,
-    a_count: int,
-    a_radius: float,
-    b_count: int,
-    b_radius: float,
-    dx: float,
-    dy: float,
-    share: float,
-    out: Records,
+    cores: Records, counts: Counts, radii: Vec, displacement: Vec, share: float, out: Records
 ) -> tuple[float, float]:
     """The narrow phase on one pair, a's rows first: fills `out[0]`; returns (separation, size of the pair), metres.
 
+    `counts` and `radii` are those of a and b, `displacement` leads from the centre of a to that of b.
+
     Surfaces farther apart than `share` of the size give no points, and a separation of 1e300 or what it is.
-    """  # fmt: skip
-    size = pair_size(cores, 0, a_count, a_count, b_count, dx, dy) + a_radius + b_radius
+    """
+    a, b = _two_cores(counts, radii)
+    dx, dy = displacement
+    size = pair_size(cores, a, b, dx, dy) + a.radius + b.radius
     out[0].separation = FAR
-    collide_cores(cores, 0, a_count, a_radius, a_count, b_count, b_radius, dx, dy, share * size, 0.0, out)
+    collide_cores(cores, a, b, dx, dy, share * size, 0.0, out)
     return out[0].separation, size
 
 
 @entry_point
 def manifold_on_axis(
     cores: Records,
-    a_count: int,
-    a_radius: float,
-    b_count: int,
-    b_radius: float,
-    dx: float,
-    dy: float,
-    owner: int,
-    edge: int,
-    corner: int,
-    nx: float,
-    ny: float,
+    counts: Counts,
+    radii: Vec,
+    displacement: Vec,
+    named: tuple[int, int, int],
+    normal: Vec,
     out: Records,
 ) -> int:
     """Fill `out[0]` on the axis that (owner, edge, corner of b) name, whether or not it is the best; at least a point.
 
-    `nx, ny` is the unit normal, from a to b.
+    `normal` is the unit normal, from a to b.
     """
     m = out[0]
-    b = a_count
-    if owner == 2:
-        along = nx * (cores[b + corner].x + dx - cores[edge].x) + ny * (cores[b + corner].y + dy - cores[edge].y)
-        return corner_manifold(cores, 0, edge, a_radius, corner, b_radius, nx, ny, along, m)
+    a, b = _two_cores(counts, radii)
+    dx, dy = displacement
+    owner, edge, corner = named
+    nx, ny = normal
+    if owner == VERTICES:
+        p = cores[edge]
+        q = cores[b.start + corner]
+        along = nx * (q.x + dx - p.x) + ny * (q.y + dy - p.y)
+        return corner_manifold(cores, a, b, edge, corner, nx, ny, along, m)
     m.separation = -1.0  # an overlap: it has a point
-    return face_manifold(cores, 0, a_count, a_radius, b, b_count, b_radius, dx, dy, 0.0, owner == 1, edge, m)
+    return face_manifold(cores, a, b, dx, dy, 0.0, owner == FACE_OF_B, edge, m)
 
 
 @entry_point
 def nearest_of_pair(
-    cores: Records, a_count: int, b_count: int, dx: float, dy: float
+    cores: Records, counts: Counts, displacement: Vec
 ) -> tuple[float, float, float, float, float, bool, int, int]:
     """`closest_points` of one pair of disjoint cores."""
-    return closest_points(cores, 0, a_count, a_count, b_count, dx, dy)
+    a, b = _two_cores(counts, (0.0, 0.0))
+    return closest_points(cores, a, b, displacement[0], displacement[1])
+
+
+@kernel
+def _two_cores(counts: Counts, radii: Vec) -> tuple[CoreRows, CoreRows]:
+    """The cores of a pair, a's rows first."""
+    return CoreRows(ZERO, counts[0], radii[0]), CoreRows(counts[0], counts[1], radii[1])
 
 
 class Pair(NamedTuple):
-    """Both cores in one table, each from its own centre; `center` is that of a, `way` leads from it to that of b."""
+    """Both cores in one table, each from its own centre: `center` is that of a, `displacement` leads to that of b."""
 
     cores: Any
-    counts: tuple[int, int]
+    counts: Counts
     radii: Vec
     center: Vec
-    way: Vec
+    displacement: Vec
 
     def manifold(self, share: float) -> tuple[float, float, Any]:
         """`manifold_of_pair`: (separation, size of the pair, manifold row)."""
         out = MANIFOLD.zeros(1)
-        (m, n), (r, q) = self.counts, self.radii
-        separation, size = manifold_of_pair(self.cores, m, r, n, q, *self.way, share, kernel_argument(out))
+        arguments = (self.cores, self.counts, self.radii, self.displacement, share, kernel_argument(out))
+        separation, size = manifold_of_pair(*arguments)
         return separation, size, out[0]
 
     def manifold_on(self, axis: Axis) -> Any:
         """`manifold_on_axis`: the manifold row."""
         out = MANIFOLD.zeros(1)
-        (m, n), (r, q), named = self.counts, self.radii, (axis.owner, axis.edge, axis.corner)
-        manifold_on_axis(self.cores, m, r, n, q, *self.way, *named, *axis.normal, kernel_argument(out))
+        pair, named = (self.cores, self.counts, self.radii, self.displacement), (axis.owner, axis.edge, axis.corner)
+        manifold_on_axis(*pair, named, axis.normal, kernel_argument(out))
         return out[0]
 
     def nearest(self) -> tuple[float, Vec, Vec]:
         """(distance, point of a, point of b) of disjoint cores; points from the centre of a, metres."""
-        square, ax, ay, bx, by, *_vertices = nearest_of_pair(self.cores, *self.counts, *self.way)
+        square, ax, ay, bx, by, *_vertices = nearest_of_pair(self.cores, self.counts, self.displacement)
         return float(square) ** 0.5, (ax, ay), (bx, by)
 
     def in_world(self, x: float, y: float) -> Vec:

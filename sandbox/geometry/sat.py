@@ -1,22 +1,21 @@
 """The separating-axis test on convex cores.
 
 A core is a run of rows in a vertex table (`x, y, normal_x, normal_y`), counter-clockwise, already turned into world
-axes but measured from its own body's centre; `dx, dy` is the way from the centre of a to the centre of b. Working
+axes but measured from its own body's centre; `dx, dy` leads from the centre of a to the centre of b. Working
 with differences keeps the full precision far from the world's origin.
 """
 
 from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
+from sandbox.geometry.core import CoreRows
 from sandbox.tables import Records
 
 FAR = 1e300
 
 
 @inlined_kernel
-def face_separation(
-    cores: Records, a: int, a_count: int, b: int, b_count: int, dx: float, dy: float, stop: float
-) -> tuple[float, int]:
+def face_separation(cores: Records, a: CoreRows, b: CoreRows, dx: float, dy: float, stop: float) -> tuple[float, int]:
     """(largest separation over the face normals of a, that face): each normal is one axis of the test.
 
     On the axis of a face, a ends at the face itself, so only the nearest vertex of b has to be found. Negative
@@ -25,33 +24,33 @@ def face_separation(
     """
     best = -FAR
     face = -1
-    if a_count < 2:
+    if a.vertex_count < 2:
         return best, face
-    for i in range(a, a + a_count):
+    for i in range(a.start, a.start + a.vertex_count):
         edge = cores[i]
         nx = edge.normal_x
         ny = edge.normal_y
         nearest = FAR
-        for j in range(b, b + b_count):
+        for j in range(b.start, b.start + b.vertex_count):
             vertex = cores[j]
             along = nx * vertex.x + ny * vertex.y
             nearest = along if along < nearest else nearest
         separation = nearest - (nx * (edge.x - dx) + ny * (edge.y - dy))
         if separation > best:
             best = separation
-            face = i - a
+            face = i - a.start
             if best > stop:
                 return best, face
     return best, face
 
 
 @inlined_kernel
-def facing_edge(cores: Records, start: int, count: int, nx: float, ny: float) -> int:
+def facing_edge(cores: Records, core: CoreRows, nx: float, ny: float) -> int:
     """Edge of a core that faces most against the direction (nx, ny): the incident edge."""
     lowest = FAR
     facing = 0
-    for i in range(count):
-        row = cores[start + i]
+    for i in range(core.vertex_count):
+        row = cores[core.start + i]
         along = nx * row.normal_x + ny * row.normal_y
         if along < lowest:
             lowest = along
@@ -60,12 +59,12 @@ def facing_edge(cores: Records, start: int, count: int, nx: float, ny: float) ->
 
 
 @kernel
-def support_vertex(cores: Records, start: int, count: int, nx: float, ny: float) -> int:
+def support_vertex(cores: Records, core: CoreRows, nx: float, ny: float) -> int:
     """Vertex of a core that lies deepest along the direction -(nx, ny); the first one of equals."""
     lowest = FAR
     deepest = 0
-    for i in range(count):
-        row = cores[start + i]
+    for i in range(core.vertex_count):
+        row = cores[core.start + i]
         along = nx * row.x + ny * row.y
         if along < lowest:
             lowest = along
@@ -74,16 +73,16 @@ def support_vertex(cores: Records, start: int, count: int, nx: float, ny: float)
 
 
 @kernel
-def core_size(cores: Records, start: int, count: int) -> float:
+def core_size(cores: Records, core: CoreRows) -> float:
     """Farthest vertex of a core from its own centre, |x| + |y| in metres."""
     size = 0.0
-    for i in range(start, start + count):
+    for i in range(core.start, core.start + core.vertex_count):
         reach = abs(cores[i].x) + abs(cores[i].y)
         size = reach if reach > size else size
     return size
 
 
 @kernel
-def pair_size(cores: Records, a: int, a_count: int, b: int, b_count: int, dx: float, dy: float) -> float:
-    """Size of two cores and the way between them in metres: rounding errors of the test are a share of it."""
-    return core_size(cores, a, a_count) + core_size(cores, b, b_count) + abs(dx) + abs(dy)
+def pair_size(cores: Records, a: CoreRows, b: CoreRows, dx: float, dy: float) -> float:
+    """Size of two cores and the distance between them in metres: rounding errors of the test are a share of it."""
+    return core_size(cores, a) + core_size(cores, b) + abs(dx) + abs(dy)

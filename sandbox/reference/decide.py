@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from sandbox._jit import entry_point, kernel_argument
+from sandbox.geometry.core import core_of
 from sandbox.geometry.manifold import MANIFOLD, collide_cores
 from sandbox.reference.poses import Poses
 from sandbox.tables import Floats, Integers, Records
@@ -22,12 +23,8 @@ def _decide_all(
         b = shapes[pairs[k, 1]]
         collide_cores(
             cores,
-            a.vertex_start,
-            a.vertex_count,
-            a.radius,
-            b.vertex_start,
-            b.vertex_count,
-            b.radius,
+            core_of(a),
+            core_of(b),
             bodies[b.body].center_x - bodies[a.body].center_x,
             bodies[b.body].center_y - bodies[a.body].center_y,
             _FAR,

@@ -11,27 +11,6 @@ from tests.architecture.source import trees
 
 LIMIT, KERNEL_LIMIT = 7, 10
 KERNELS = {"kernel", "inlined_kernel", "entry_point"}
-KNOWN = {
-    "sandbox.engine.events.sensors.sense",
-    "sandbox.engine.fields.apply.apply_fields",
-    "sandbox.engine.queries.proximity._answer",
-    "sandbox.engine.queries.proximity._nearest_in_box",
-    "sandbox.engine.queries.proximity.nearest_shape",
-    "sandbox.engine.queries.proximity.overlaps",
-    "sandbox.engine.queries.sweep.all_hits",
-    "sandbox.engine.queries.sweep.first_hits",
-    "sandbox.geometry.clip_steps._clip",
-    "sandbox.geometry.manifold._add_point",
-    "sandbox.geometry.manifold._clip",
-    "sandbox.geometry.manifold.collide_cores",
-    "sandbox.geometry.manifold.face_manifold",
-    "sandbox.geometry.pair.manifold_on_axis",
-    "sandbox.geometry.ray._corner_normal",
-    "sandbox.geometry.ray._enters_corner",
-    "sandbox.geometry.sweep._first_touch",
-    "sandbox.geometry.time_of_touch.time_of_touch",
-}
-"""Functions that have more; one that has not any more must go from this list."""
 
 
 def parameters(function: ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda) -> list[str]:
@@ -54,8 +33,7 @@ def too_long(name: str, tree: ast.Module) -> Iterator[str]:
 
 def test_no_function_has_too_many_parameters() -> None:
     found = {each for name, tree in trees().items() for each in too_long(name, tree)}
-    assert sorted(found - KNOWN) == []
-    assert sorted(KNOWN - found) == []
+    assert sorted(found) == []
 
 
 @pytest.mark.parametrize(

@@ -10,6 +10,7 @@ from hypothesis import assume
 from hypothesis import strategies as st
 
 from sandbox._jit import kernel_argument
+from sandbox.geometry.core import CoreRows
 from sandbox.geometry.manifold import MANIFOLD, collide_cores
 from sandbox.geometry.mass import edge_normals
 from sandbox.world.records import VERTEX
@@ -39,14 +40,16 @@ class Case:
                 rows[i + k] = (*vertex, *normal)
         return rows
 
+    def cores(self) -> tuple[CoreRows, CoreRows]:
+        """Where both lie in the table."""
+        na, nb = len(self.a), len(self.b)
+        return CoreRows(0, na, self.radius_a), CoreRows(na, nb, self.radius_b)
+
     def collide(self, margin: float, face_bias: float = 0.0):
         """The kernel's manifold row, and the number of points it returned."""
         out = MANIFOLD.zeros(1)
-        na, nb = len(self.a), len(self.b)
-        count = collide_cores(
-            kernel_argument(self.table()), 0, na, self.radius_a, na, nb, self.radius_b, *self.way, margin, face_bias,
-            kernel_argument(out),
-        )  # fmt: skip
+        table = kernel_argument(self.table())
+        count = collide_cores(table, *self.cores(), *self.way, margin, face_bias, kernel_argument(out))
         return out[0], count
 
 

@@ -7,6 +7,7 @@ from hypothesis import assume, given
 
 from sandbox._jit import kernel_argument
 from sandbox.geometry.closest import closest_vertices, nearest_on_edges
+from sandbox.geometry.core import CoreRows
 from sandbox.geometry.sat import FAR, face_separation, facing_edge, support_vertex
 from tests.geometry.convex_cases import Case, angles, cases, cores, numbers, random_cases
 from tests.naive import convex
@@ -21,8 +22,7 @@ def exact_pair(case: Case):
 
 @given(cases)
 def test_face_separation_is_the_best_face_normal(case):
-    na, nb = len(case.a), len(case.b)
-    got, face = face_separation(kernel_argument(case.table()), 0, na, na, nb, *case.way, FAR)
+    got, face = face_separation(kernel_argument(case.table()), *case.cores(), *case.way, FAR)
     axes = convex.face_axes(*exact_pair(case))
     if not axes:
         assert (got, face) == (-FAR, -1)
@@ -33,9 +33,8 @@ def test_face_separation_is_the_best_face_normal(case):
 
 @given(cases)
 def test_face_separation_stops_at_an_axis_that_separates_enough(case):
-    na, nb = len(case.a), len(case.b)
-    full, _ = face_separation(kernel_argument(case.table()), 0, na, na, nb, *case.way, FAR)
-    got, face = face_separation(kernel_argument(case.table()), 0, na, na, nb, *case.way, 0.1)
+    full, _ = face_separation(kernel_argument(case.table()), *case.cores(), *case.way, FAR)
+    got, face = face_separation(kernel_argument(case.table()), *case.cores(), *case.way, 0.1)
     assert (got > 0.1) == (full > 0.1)
     if face >= 0:
         assert convex.face_axes(*exact_pair(case))[face].length() == pytest.approx(got, abs=1e-12)
@@ -46,7 +45,7 @@ def test_support_vertex_is_the_deepest_one(core, angle):
     n = math.cos(angle), math.sin(angle)
     table = kernel_argument(Case(core, ((0.0, 0.0),), (0.0, 0.0)).table())
     along = [n[0] * x + n[1] * y for x, y in core]
-    assert along[support_vertex(table, 0, len(core), *n)] == pytest.approx(min(along), abs=1e-15)
+    assert along[support_vertex(table, CoreRows(0, len(core), 0.0), *n)] == pytest.approx(min(along), abs=1e-15)
 
 
 @given(cores, angles)
@@ -57,13 +56,13 @@ def test_facing_edge_looks_most_against_the_direction(core, angle):
     against = []
     for (x0, y0), (x1, y1) in zip(core, [*core[1:], core[0]], strict=True):
         against.append((n[0] * (y1 - y0) + n[1] * (x0 - x1)) / math.hypot(x1 - x0, y1 - y0))
-    assert against[facing_edge(table, 0, len(core), *n)] == pytest.approx(min(against), abs=1e-12)
+    assert against[facing_edge(table, CoreRows(0, len(core), 0.0), *n)] == pytest.approx(min(against), abs=1e-12)
 
 
 @given(cores, numbers, numbers)
 def test_nearest_on_edges_is_the_nearest_boundary_point(core, x, y):
     table = kernel_argument(Case(core, ((0.0, 0.0),), (0.0, 0.0)).table())
-    square, qx, qy, feature, is_vertex = nearest_on_edges(table, 0, len(core), x, y)
+    square, qx, qy, feature, is_vertex = nearest_on_edges(table, CoreRows(0, len(core), 0.0), x, y)
     p, shape = convex.exact([(x, y)])[0], convex.exact(core)
     assert square == pytest.approx(float(convex.square_to_boundary(p, shape)), abs=1e-12)
     assert convex.square_to_boundary(convex.exact([(qx, qy)])[0], shape) < 1e-24
@@ -81,9 +80,8 @@ def test_closest_vertices_are_the_closest_features_or_none(case):
     a, b = exact_pair(case)
     square = convex.square_distance(a, b)
     assume(square > 1e-12)
-    na, nb = len(case.a), len(case.b)
     table = kernel_argument(case.table())
-    yes, i, j, nx, ny, distance = closest_vertices(table, 0, na, na, nb, *case.way)
+    yes, i, j, nx, ny, distance = closest_vertices(table, *case.cores(), *case.way)
     apart = min(convex.square_between(p, q) for p in a for q in b)
     if apart > square * (1 + convex.Fraction(1, 10**9)):
         assert not yes, "an edge is clearly nearer than any pair of vertices"

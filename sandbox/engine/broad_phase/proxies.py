@@ -8,6 +8,8 @@ from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.broad_phase.margins import shape_margin
 from sandbox.engine.records.colliders import Colliders
 from sandbox.engine.records.state import StateTables
+from sandbox.geometry.bounds import core_bounds
+from sandbox.geometry.core import core_of
 from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC, STATIC
 
@@ -69,18 +71,7 @@ def bound_shapes(state: StateTables, rows: Integers, colliders: Colliders) -> No
         shape = shapes[i]
         body = bodies[shape.body]
         _turn_core(body, shape, state.vertices, cores)
-        first = cores[shape.vertex_start]
-        lower_x = first.x
-        lower_y = first.y
-        upper_x = first.x
-        upper_y = first.y
-        for j in range(shape.vertex_start + 1, shape.vertex_start + shape.vertex_count):
-            x = cores[j].x
-            y = cores[j].y
-            lower_x = x if x < lower_x else lower_x
-            lower_y = y if y < lower_y else lower_y
-            upper_x = x if x > upper_x else upper_x
-            upper_y = y if y > upper_y else upper_y
+        lower_x, lower_y, upper_x, upper_y = core_bounds(cores, core_of(shape))
         spin = body.angular_velocity if body.angular_velocity > 0.0 else -body.angular_velocity
         swing = seconds * spin
         swing = body.extent * (swing if swing < 2.0 else 2.0)

@@ -7,7 +7,8 @@ from typing import NamedTuple
 from sandbox._jit import kernel
 from sandbox.engine.broad_phase.margins import allowed_depth
 from sandbox.engine.records.ccd import Ccd
-from sandbox.geometry.sweep import time_of_hit
+from sandbox.geometry.core import core_of
+from sandbox.geometry.time_of_impact import time_of_impact
 from sandbox.tables import Records
 
 CREEP = 0.02
@@ -66,8 +67,5 @@ def sweep_time_of_impact(tables: SweepTables, i: int, j: int) -> float:
     sweep = tables.ccd.sweep
     sweep[0].deep = allowed_depth(a, b)
     sweep[0].thin = a.thin + b.thin
-    t = time_of_hit(
-        tables.cores, a.vertex_start, a.vertex_count, a.radius, b.vertex_start, b.vertex_count, b.radius, sweep,
-        tables.ccd.swept, tables.ccd.manifold,
-    )  # fmt: skip
+    t = time_of_impact(tables.cores, core_of(a), core_of(b), sweep, tables.ccd.swept, tables.ccd.manifold)
     return float(t)

@@ -31,6 +31,8 @@ from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.ccd import Ccd
 from sandbox.engine.records.colliders import Colliders, Grid
 from sandbox.engine.records.state import StateTables
+from sandbox.geometry.bounds import core_bounds
+from sandbox.geometry.core import core_of
 from sandbox.tables import Integers, Records
 from sandbox.world.records import ONE_WAY, STATIC
 
@@ -153,18 +155,7 @@ def _strays(tables: SweepTables, boxes: Records, i: int) -> bool:
     motion = tables.motions[shape.body]
     swing = abs(motion.delta_angle)
     grow = shape.radius + body.extent * (swing if swing < 2.0 else 2.0)
-    first = tables.cores[shape.vertex_start]
-    lower_x = first.x
-    lower_y = first.y
-    upper_x = first.x
-    upper_y = first.y
-    for j in range(shape.vertex_start + 1, shape.vertex_start + shape.vertex_count):
-        x = tables.cores[j].x
-        y = tables.cores[j].y
-        lower_x = x if x < lower_x else lower_x
-        lower_y = y if y < lower_y else lower_y
-        upper_x = x if x > upper_x else upper_x
-        upper_y = y if y > upper_y else upper_y
+    lower_x, lower_y, upper_x, upper_y = core_bounds(tables.cores, core_of(shape))
     dx = motion.delta_x
     dy = motion.delta_y
     lower_x = body.center_x + lower_x - grow - (dx if dx > 0.0 else 0.0)

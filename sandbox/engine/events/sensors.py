@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
-from sandbox._jit import ZERO, entry_point, kernel, kernel_argument
+from sandbox._jit import ZERO, Call, Door, entry_point, kernel, kernel_argument
 from sandbox.engine.broad_phase.pairs import may_collide
 from sandbox.engine.events.events import SENSOR_EVENT
 from sandbox.engine.queries.index import lay_out
-from sandbox.engine.queries.records import Memory
+from sandbox.engine.queries.records import Memory, QueryTables
 from sandbox.engine.queries.walk import begin_walk, next_box
+from sandbox.geometry.core import core_of
 from sandbox.geometry.manifold import MANIFOLD, collide_cores
 from sandbox.tables import Integers, Records, taken
 from sandbox.world.records import STATIC
@@ -25,15 +25,12 @@ class Sensing:
 
     def __init__(self, state: State) -> None:
         self._state = state
-        m = self._memory = Memory.for_state(state)
         self._sensors: Integers = np.flatnonzero(state.shapes.sensor == 1)
         self._manifold: Any = kernel_argument(MANIFOLD.zeros(1))
         self._found: Any = kernel_argument(SENSOR_EVENT.zeros(64))
-        grid = (m.ordered, m.heads, m.levels, m.regions, m.question)
-        laying = (state.bodies, state.shapes, state.vertices, m.turned, m.boxes, *grid)
-        asking = (state.bodies, state.shapes, m.turned, m.boxes, *grid, m.walk)
-        self._laying: Any = tuple(map(kernel_argument, laying))
-        self._asking: Any = tuple(map(kernel_argument, asking))
+        tables, memory = kernel_argument((QueryTables.of(state), Memory.for_state(state)))
+        self._lay_out, self._asking = Call(lay_out, (tables, memory)), (tables, memory)
+        self._sense = Door(sense)
         self.before: Records = SENSOR_EVENT.zeros(0)
         """What they overlapped before the last step."""
         self.now: Records = SENSOR_EVENT.zeros(0)
@@ -41,12 +38,11 @@ class Sensing:
 
     def look(self) -> None:
         """Find what the sensors overlap now; what they overlapped so far becomes `before`."""
-        lay_out(*self._laying)
-        ask: Callable[..., int] = sense
-        count = ask(*self._asking, self._sensors, self._manifold, self._found)
+        self._lay_out()
+        count = self._sense(*self._asking, self._sensors, self._manifold, self._found)
         if count > len(self._found):
             self._found = kernel_argument(SENSOR_EVENT.zeros(count + count // 2))
-            ask(*self._asking, self._sensors, self._manifold, self._found)
+            self._sense(*self._asking, self._sensors, self._manifold, self._found)
         found = np.asarray(self._found)[:count]
         self.before, self.now = self.now, found[np.lexsort((found["shape_index"], found["sensor"]))].view(np.recarray)
 
@@ -70,43 +66,32 @@ class Sensing:
 
 
 @entry_point
-def sense(
-    bodies: Records,
-    shapes: Records,
-    turned: Records,
-    boxes: Records,
-    ordered: Records,
-    heads: Integers,
-    levels: Integers,
-    regions: Records,
-    question: Records,
-    walk: Records,
-    sensors: Integers,
-    manifold: Records,
-    found: Records,
-) -> int:
-    """Write a row for every shape that overlaps a sensor, in the order of the grid; return how many there are.
+def sense(tables: QueryTables, memory: Memory, sensors: Integers, manifold: Records, found: Records) -> int:
+    """Write a row for every shape that overlaps one of `sensors` (rows of shapes), in the order of the grid.
 
-    Rows past the capacity of `found` are counted but not written.
+    Returns how many there are. `found` takes `SENSOR_EVENT` rows; those past its capacity are counted but not written.
+    `manifold` is scratch, a `MANIFOLD` row.
     """
+    question = memory.question[0]
+    walk = memory.walk[0]
     count = ZERO
     for k in range(sensors.shape[0]):
-        box = boxes[sensors[k]]
+        box = memory.boxes[sensors[k]]
         x = 0.5 * (box.lower_x + box.upper_x)
         y = 0.5 * (box.lower_y + box.upper_y)
-        question[0].lower_x = box.lower_x - x
-        question[0].lower_y = box.lower_y - y
-        question[0].upper_x = box.upper_x - x
-        question[0].upper_y = box.upper_y - y
-        begin_walk(walk[0], question[0], x, y, 0.0, 0.0, 0.0)
+        question.lower_x = box.lower_x - x
+        question.lower_y = box.lower_y - y
+        question.upper_x = box.upper_x - x
+        question.upper_y = box.upper_y - y
+        begin_walk(walk, question, x, y, 0.0, 0.0, 0.0)
         while True:
-            row = next_box(walk[0], question[0], ordered, heads, levels, regions)
+            row = next_box(walk, question, memory.grid)
             if row < 0:
                 break
-            other = ordered[row].shape_index
-            if _is_sensed(bodies, shapes, turned, sensors[k], other, manifold):
+            other = memory.grid.ordered[row].shape_index
+            if _is_sensed(tables.bodies, tables.shapes, memory.cores, sensors[k], other, manifold):
                 if count < found.shape[0]:
-                    _write(shapes, sensors[k], other, found[count])
+                    _write(tables.shapes, sensors[k], other, found[count])
                 count += 1
     return count
 
@@ -120,7 +105,7 @@ def _write(shapes: Records, sensor: int, other: int, row: Records) -> None:
 
 
 @kernel
-def _is_sensed(bodies: Records, shapes: Records, turned: Records, sensor: int, other: int, manifold: Records) -> bool:
+def _is_sensed(bodies: Records, shapes: Records, cores: Records, sensor: int, other: int, manifold: Records) -> bool:
     """Whether a solid shape of another body, which the filters let through, overlaps the sensor."""
     a = shapes[sensor]
     b = shapes[other]
@@ -130,18 +115,6 @@ def _is_sensed(bodies: Records, shapes: Records, turned: Records, sensor: int, o
         return False
     if not may_collide(a.category, a.mask, a.group, b.category, b.mask, b.group):
         return False
-    points = collide_cores(
-        turned,
-        a.vertex_start,
-        a.vertex_count,
-        a.radius,
-        b.vertex_start,
-        b.vertex_count,
-        b.radius,
-        body_b.center_x - body_a.center_x,
-        body_b.center_y - body_a.center_y,
-        0.0,
-        0.0,
-        manifold,
-    )
-    return points > 0
+    dx = body_b.center_x - body_a.center_x
+    dy = body_b.center_y - body_a.center_y
+    return collide_cores(cores, core_of(a), core_of(b), dx, dy, 0.0, 0.0, manifold) > 0

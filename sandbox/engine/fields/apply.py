@@ -12,6 +12,7 @@ from sandbox._jit import entry_point, kernel
 from sandbox.engine.fields.area import acts
 from sandbox.engine.fields.drag import drag_force
 from sandbox.engine.fields.gravity import change_gravity
+from sandbox.engine.fields.records import Fields
 from sandbox.engine.fields.thrust import thrust
 from sandbox.engine.fields.wake import wake_switched
 from sandbox.engine.fields.water import float_bodies
@@ -30,34 +31,31 @@ def apply_fields(
     bodies: Records,
     shapes: Records,
     vertices: Records,
-    regions: Records,
-    edges: Records,
-    thrusters: Records,
     old_contacts: Records,
     joint_table: Records,
     settings: Records,
     counters: Records,
-    active_set: Records,
+    active_info: Records,
     free_motions: Records,
-    pushes: Records,
-    pieces: Records,
-    spare_pieces: Records,
+    fields: Fields,
 ) -> None:
     """Add the forces of all fields to those of the coming step; wake whom a field begins to push."""
     setting = settings[0]
     step = counters[0].step_count
-    wake_switched(bodies, regions, edges, thrusters, active_set, step)
+    regions = fields.regions
+    pushes = fields.pushes
+    wake_switched(bodies, fields, active_info, step)
     _begin(bodies, pushes, setting)
     _mark_held(pushes, old_contacts, counters[0].contact_count, joint_table)
     for k in range(regions.shape[0]):
         if acts(regions[k], step) and GRAVITY <= regions[k].kind <= ATTRACTION:
-            change_gravity(regions[k], edges, pushes)
+            change_gravity(regions[k], fields.edges, pushes)
     for k in range(regions.shape[0]):
         if acts(regions[k], step) and regions[k].kind == WIND:
-            blow(regions[k], edges, bodies, shapes, vertices, pushes, pieces, spare_pieces)
+            blow(regions[k], fields, bodies, shapes, vertices)
         elif acts(regions[k], step) and regions[k].kind == WATER:
-            float_bodies(regions[k], edges, bodies, shapes, vertices, pushes, pieces, spare_pieces)
-    thrust(thrusters, pushes, step)
+            float_bodies(regions[k], fields, bodies, shapes, vertices)
+    thrust(fields.thrusters, pushes, step)
     _finish(bodies, pushes, free_motions, setting)
 
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
+from sandbox._jit import ZERO, kernel
+from sandbox.engine.fields.boundary import Circle, trace
 from sandbox.engine.fields.clip import cut_disc, cut_line
+from sandbox.engine.fields.records import Fields
 from sandbox.tables import Records
 
 OUTSIDE, ACROSS, INSIDE = 0, 1, 2
@@ -45,6 +47,26 @@ def place(region: Records, edges: Records, x: float, y: float, reach: float) -> 
 
 
 @kernel
+def boundary_within(
+    region: Records, fields: Fields, bodies: Records, shape: Records, vertices: Records
+) -> tuple[Records, int]:
+    """The boundary of what of a shape lies in a region in mid-step: the pieces and how many, measured from its body.
+
+    None where the shape lies outside, is a sensor, or nothing can push its body.
+    """
+    push = fields.pushes[shape.body]
+    if push.active == 0 or shape.sensor == 1:
+        return fields.pieces, ZERO
+    where = place(region, fields.edges, push.x, push.y, bodies[shape.body].extent)
+    if where == OUTSIDE:
+        return fields.pieces, ZERO
+    count = trace(shape, vertices, push.cos, push.sin, fields.pieces)
+    if where == ACROSS:
+        return cut(region, fields.edges, push.x, push.y, fields.pieces, fields.spare, count)
+    return fields.pieces, count
+
+
+@kernel
 def cut(
     region: Records, edges: Records, x: float, y: float, pieces: Records, spare: Records, count: int
 ) -> tuple[Records, int]:
@@ -58,7 +80,7 @@ def cut(
             count = cut_line(now, count, edge.normal_x, edge.normal_y, offset, other)
             now, other = other, now
     if region.disc_radius > 0.0 and count > 0:
-        count = cut_disc(now, count, region.disc_x - x, region.disc_y - y, region.disc_radius, other)
+        count = cut_disc(now, count, Circle(region.disc_x - x, region.disc_y - y, region.disc_radius), other)
         now, other = other, now
     return now, count
 

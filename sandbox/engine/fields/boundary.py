@@ -2,8 +2,21 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from sandbox._jit import kernel
 from sandbox.tables import Records
+
+
+class Circle(NamedTuple):
+    """The circle that an arc lies on, metres; radius 0 stands for a straight line."""
+
+    x: float
+    y: float
+    radius: float
+
+
+LINE = Circle(0.0, 0.0, 0.0)
 
 
 @kernel
@@ -16,7 +29,7 @@ def trace(shape: Records, vertices: Records, cosine: float, sine: float, pieces:
     if shape.vertex_count == 1:
         x = cosine * first.x - sine * first.y
         y = sine * first.x + cosine * first.y
-        return disc(pieces, 0, x, y, shape.radius, 1)
+        return disc(pieces, 0, Circle(x, y, shape.radius), 1)
     made = 0
     last = vertices[shape.vertex_start + shape.vertex_count - 1]
     before_x = cosine * last.normal_x - sine * last.normal_y
@@ -30,31 +43,31 @@ def trace(shape: Records, vertices: Records, cosine: float, sine: float, pieces:
         after_y = sine * here.normal_x + cosine * here.normal_y
         r = shape.radius
         if r > 0.0:
-            made = arc(
-                pieces, made, x + r * before_x, y + r * before_y, x + r * after_x, y + r * after_y, x, y, r, 1
-            )  # fmt: skip
+            start_x = x + r * before_x
+            start_y = y + r * before_y
+            made = arc(pieces, made, start_x, start_y, x + r * after_x, y + r * after_y, Circle(x, y, r), 1)
         far_x = cosine * there.x - sine * there.y + r * after_x
         far_y = sine * there.x + cosine * there.y + r * after_y
-        made = add(pieces, made, x + r * after_x, y + r * after_y, far_x, far_y, 0.0, 0.0, 0.0, 1)
+        made = add(pieces, made, x + r * after_x, y + r * after_y, far_x, far_y, LINE, 1)
         before_x = after_x
         before_y = after_y
     return made
 
 
 @kernel
-def disc(pieces: Records, made: int, x: float, y: float, radius: float, own: int) -> int:
+def disc(pieces: Records, made: int, circle: Circle, own: int) -> int:
     """Add a whole circle, in quarters."""
-    made = add(pieces, made, x + radius, y, x, y + radius, x, y, radius, own)
-    made = add(pieces, made, x, y + radius, x - radius, y, x, y, radius, own)
-    made = add(pieces, made, x - radius, y, x, y - radius, x, y, radius, own)
-    return add(pieces, made, x, y - radius, x + radius, y, x, y, radius, own)
+    x, y, radius = circle
+    made = add(pieces, made, x + radius, y, x, y + radius, circle, own)
+    made = add(pieces, made, x, y + radius, x - radius, y, circle, own)
+    made = add(pieces, made, x - radius, y, x, y - radius, circle, own)
+    return add(pieces, made, x, y - radius, x + radius, y, circle, own)
 
 
 @kernel
-def arc(
-    pieces: Records, made: int, sx: float, sy: float, ex: float, ey: float, x: float, y: float, radius: float, own: int
-) -> int:
-    """Add the arc about (x, y) from one point counter-clockwise to another, in quarters and a rest."""
+def arc(pieces: Records, made: int, sx: float, sy: float, ex: float, ey: float, circle: Circle, own: int) -> int:
+    """Add the arc of a circle from one point counter-clockwise to another, in quarters and a rest."""
+    x, y, radius = circle
     ux = sx - x
     uy = sy - y
     vx = ex - x
@@ -65,17 +78,15 @@ def arc(
     for _quarter in range(4):
         if ux * vy - uy * vx >= 0.0 and ux * vx + uy * vy >= 0.0:
             break
-        made = add(pieces, made, x + ux, y + uy, x - uy, y + ux, x, y, radius, own)
+        made = add(pieces, made, x + ux, y + uy, x - uy, y + ux, circle, own)
         turned = -uy
         uy = ux
         ux = turned
-    return add(pieces, made, x + ux, y + uy, ex, ey, x, y, radius, own)
+    return add(pieces, made, x + ux, y + uy, ex, ey, circle, own)
 
 
 @kernel
-def add(
-    pieces: Records, made: int, sx: float, sy: float, ex: float, ey: float, x: float, y: float, radius: float, own: int
-) -> int:
+def add(pieces: Records, made: int, sx: float, sy: float, ex: float, ey: float, circle: Circle, own: int) -> int:
     """Add one piece, unless there is no room. Returns how many there are."""
     if made >= pieces.shape[0]:
         return made
@@ -84,8 +95,8 @@ def add(
     piece.start_y = sy
     piece.end_x = ex
     piece.end_y = ey
-    piece.center_x = x
-    piece.center_y = y
-    piece.radius = radius
+    piece.center_x = circle.x
+    piece.center_y = circle.y
+    piece.radius = circle.radius
     piece.own = own
     return made + 1

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import NamedTuple
 
-from sandbox.tables import Field, Table
+from sandbox.tables import Field, Records, Table
 from sandbox.world.field_records import NEVER
 from sandbox.world.state import State
 
@@ -60,14 +60,26 @@ def has_fields(state: State) -> bool:
     return len(state.regions) > 0 or len(state.thrusters) > 0
 
 
-def field_memory(state: State) -> dict[str, Any]:
-    """The tables that the fields of a world need: empty in a world without any."""
-    pieces = MAX_PIECES if len(state.regions) else 0
-    return {
-        "pushes": PUSH.zeros(len(state.bodies) if has_fields(state) else 0),
-        "pieces": PIECE.zeros(pieces),
-        "spare_pieces": PIECE.zeros(pieces),
-    }
+class Fields(NamedTuple):
+    """The regions, their edges and the thrusters of a world, and what working them out needs.
+
+    `pushes` has a row a body; `pieces` and `spare` are the boundary at hand, and where it is cut to.
+    """
+
+    regions: Records
+    edges: Records
+    thrusters: Records
+    pushes: Records
+    pieces: Records
+    spare: Records
+
+    @classmethod
+    def for_state(cls, state: State) -> Fields:
+        """The tables of `state`, and memory for them: empty in a world without any."""
+        pieces = MAX_PIECES if len(state.regions) else 0
+        pushes = PUSH.zeros(len(state.bodies) if has_fields(state) else 0)
+        tables = (state.regions, state.edges, state.thrusters)
+        return cls(*tables, pushes, PIECE.zeros(pieces), PIECE.zeros(pieces))
 
 
 def last_switch(state: State) -> int:

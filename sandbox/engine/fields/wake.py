@@ -5,15 +5,16 @@ from __future__ import annotations
 from sandbox._jit import kernel
 from sandbox.engine.active.wake_islands import wake_marked_islands
 from sandbox.engine.fields.area import OUTSIDE, place
+from sandbox.engine.fields.records import Fields
 from sandbox.tables import Records
 from sandbox.world.records import DYNAMIC
 
 
 @kernel
-def wake_switched(
-    bodies: Records, regions: Records, edges: Records, thrusters: Records, active_set: Records, step: int
-) -> None:
+def wake_switched(bodies: Records, fields: Fields, active_info: Records, step: int) -> None:
     """Wake the islands of all bodies that a region or a thruster begins or ceases to push in this step."""
+    regions = fields.regions
+    thrusters = fields.thrusters
     found = False
     for k in range(thrusters.shape[0]):
         body = bodies[thrusters[k].body]
@@ -27,11 +28,11 @@ def wake_switched(
             body = bodies[i]
             if body.type != DYNAMIC or body.awake == 1:
                 continue
-            if place(regions[k], edges, body.center_x, body.center_y, body.extent) != OUTSIDE:
+            if place(regions[k], fields.edges, body.center_x, body.center_y, body.extent) != OUTSIDE:
                 body.awake = 1
                 found = True
     if found:
-        wake_marked_islands(bodies, active_set)
+        wake_marked_islands(bodies, active_info)
 
 
 @kernel

@@ -8,32 +8,19 @@ about the centroid goes at its own rate. There is no added mass: water that is p
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox.engine.fields.area import ACROSS, OUTSIDE, cut, place
-from sandbox.engine.fields.boundary import trace
+from sandbox.engine.fields.area import boundary_within
 from sandbox.engine.fields.moments import enclosed
+from sandbox.engine.fields.records import Fields
 from sandbox.tables import Records
 
 
 @kernel
-def float_bodies(
-    region: Records, edges: Records, bodies: Records, shapes: Records, vertices: Records, pushes: Records,
-    pieces: Records, spare: Records,
-) -> None:  # fmt: skip
+def float_bodies(region: Records, fields: Fields, bodies: Records, shapes: Records, vertices: Records) -> None:
     """Add the forces of a region of water."""
     for k in range(shapes.shape[0]):
-        shape = shapes[k]
-        push = pushes[shape.body]
-        if push.active == 0 or shape.sensor == 1:
-            continue
-        where = place(region, edges, push.x, push.y, bodies[shape.body].extent)
-        if where == OUTSIDE:
-            continue
-        count = trace(shape, vertices, push.cos, push.sin, pieces)
-        if where == ACROSS:
-            found, count = cut(region, edges, push.x, push.y, pieces, spare, count)
-            area, first_x, first_y, second = enclosed(found, count)
-        else:
-            area, first_x, first_y, second = enclosed(pieces, count)
+        push = fields.pushes[shapes[k].body]
+        found, count = boundary_within(region, fields, bodies, shapes[k], vertices)
+        area, first_x, first_y, second = enclosed(found, count)
         if area > 0.0:
             _lift(region, push, area, first_x, first_y, second)
 

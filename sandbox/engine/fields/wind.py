@@ -13,8 +13,8 @@ from __future__ import annotations
 import math
 
 from sandbox._jit import kernel
-from sandbox.engine.fields.area import ACROSS, OUTSIDE, cut, place
-from sandbox.engine.fields.boundary import trace
+from sandbox.engine.fields.area import boundary_within
+from sandbox.engine.fields.records import Fields
 from sandbox.tables import Records
 
 _GAUSS = 0.21132486540518713
@@ -22,25 +22,12 @@ _GAUSS = 0.21132486540518713
 
 
 @kernel
-def blow(
-    region: Records, edges: Records, bodies: Records, shapes: Records, vertices: Records, pushes: Records,
-    pieces: Records, spare: Records,
-) -> None:  # fmt: skip
+def blow(region: Records, fields: Fields, bodies: Records, shapes: Records, vertices: Records) -> None:
     """Add the drag of a region of air, at the velocities that bodies have now."""
     for k in range(shapes.shape[0]):
-        shape = shapes[k]
-        push = pushes[shape.body]
-        if push.active == 0 or shape.sensor == 1:
-            continue
-        where = place(region, edges, push.x, push.y, bodies[shape.body].extent)
-        if where == OUTSIDE:
-            continue
-        count = trace(shape, vertices, push.cos, push.sin, pieces)
-        if where == ACROSS:
-            found, count = cut(region, edges, push.x, push.y, pieces, spare, count)
-            _press(region, bodies[shape.body], push, found, count)
-        else:
-            _press(region, bodies[shape.body], push, pieces, count)
+        body = shapes[k].body
+        found, count = boundary_within(region, fields, bodies, shapes[k], vertices)
+        _press(region, bodies[body], fields.pushes[body], found, count)
 
 
 @kernel

@@ -21,7 +21,7 @@ DAMPING = 0.03
 
 @kernel
 def find_corrections(work: JointWork, part: Records, seconds: float) -> None:
-    """Find what brings a separated part together, such that no body moves or turns faster by it than `CORRECTION_SPEED`."""
+    """Find what brings a separated part together without moving or turning a body faster than `CORRECTION_SPEED`."""
     for r in range(part.first_row, part.row_end):
         row = work.rows[r]
         excess = excess_error(work, row, seconds)

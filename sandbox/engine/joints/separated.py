@@ -1,9 +1,9 @@
 """What a substep does about joints that are torn apart, or whose links turn too fast to foresee.
 
-A joint that is drawn together moves all that hangs on it, so that the speeds which would correct a long chain at once are
-enormous. A part that is *separated*, by an impact or a command, is therefore solved otherwise: its velocities only keep
-the errors as they are, which takes no look ahead and cannot add energy, and displacements that velocities never see
-bring it together (`position_correction`).
+A joint that is drawn together moves all that hangs on it, so that the speeds which would correct a long chain at once
+are enormous. A part that is *separated*, by an impact or a command, is therefore solved otherwise: its velocities only
+keep the errors as they are, which takes no look ahead and cannot add energy, and displacements that velocities never
+see bring it together (`position_correction`).
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ SHORT = 2
 def detect_separation(work: JointWork, part: Records, seconds: float) -> None:
     """Set what every row may have left of its error after this substep; the impulses are still those of the last.
 
-    A part is separated if its errors come to more than one joint may correct, unless there are but two joints to add up.
+    A part is separated if its errors come to more than one joint may correct, unless it has but two joints.
     """
     total = 0.0
     for r in range(part.first_row, part.row_end):

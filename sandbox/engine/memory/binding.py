@@ -22,8 +22,9 @@ def bind(function: Callable[..., Any], state: State, scratch: Scratch) -> tuple[
     """
     tables = StateTables(*(getattr(state, name) for name in StateTables._fields))
     named = {**vars(state), "old_contacts": state.contacts, "joint_table": state.joints, **vars(scratch)}
-    named |= {"state": tables, "active_set": scratch.active.info, "free_motions": scratch.solver.free_motions}
-    return tuple(kernel_argument(named[name]) for name in _parameters(function))
+    named |= {"state": tables, "active_info": scratch.active.info, "free_motions": scratch.solver.free_motions}
+    arguments: tuple[Any, ...] = kernel_argument(tuple(named[name] for name in _parameters(function)))
+    return arguments
 
 
 @cache

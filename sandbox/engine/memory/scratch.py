@@ -10,7 +10,7 @@ from sandbox.engine.active.active_set import new_active_set
 from sandbox.engine.active.pile_stability import PILE
 from sandbox.engine.broad_phase.grid import LEVEL_SPACE, head_count
 from sandbox.engine.contact_solver.blocks import BLOCK_SIZE, GATHER_SIZE, LANES, MAX_COLORS
-from sandbox.engine.fields.records import field_memory
+from sandbox.engine.fields.records import Fields
 from sandbox.engine.joints.assembly import assemble
 from sandbox.engine.joints.pair_filter import JointFilter
 from sandbox.engine.joints.records import JointWork
@@ -21,7 +21,7 @@ from sandbox.engine.records.colliders import BOX, FILTER, PAIR, PROXY, Colliders
 from sandbox.engine.records.contact_blocks import BLOCK, SLOT, ContactBlocks
 from sandbox.engine.records.contacts import REPORT, SLEEPING_CURSOR, SLEEPING_RUN, Contacts
 from sandbox.geometry.manifold import MANIFOLD
-from sandbox.geometry.sweep import SWEEP, SWEPT_ROWS
+from sandbox.geometry.time_of_impact import POSED_ROWS, SWEEP
 from sandbox.tables import Records, aligned_zeros
 from sandbox.world.records import CONTACT, VERTEX
 from sandbox.world.state import State
@@ -44,9 +44,7 @@ class Scratch:
     ccd: Ccd
     joint_filter: JointFilter
     joints: JointWork | None
-    pushes: Records
-    pieces: Records
-    spare_pieces: Records
+    fields: Fields
 
     @classmethod
     def for_state(cls, state: State, pair_capacity: int, block_capacity: int = 0) -> Scratch:
@@ -64,7 +62,7 @@ class Scratch:
             ccd=_ccd(state),
             joint_filter=joint_filter,
             joints=joints,
-            **field_memory(state),
+            fields=Fields.for_state(state),
         )
 
 
@@ -140,4 +138,4 @@ def _ccd(state: State) -> Ccd:
         bodies.linked[rows[rows >= 0]] = 1
     impacts = CCD_IMPACT.zeros(len(state.bodies))
     impacts.time = 1.0
-    return Ccd(bodies, impacts, SWEEP.zeros(1), VERTEX.zeros(SWEPT_ROWS), MANIFOLD.zeros(2))
+    return Ccd(bodies, impacts, SWEEP.zeros(1), VERTEX.zeros(POSED_ROWS), MANIFOLD.zeros(2))

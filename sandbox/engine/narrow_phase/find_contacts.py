@@ -20,6 +20,7 @@ from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.colliders import Colliders
 from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.state import StateTables
+from sandbox.geometry.core import core_of
 from sandbox.geometry.manifold import collide_cores
 from sandbox.tables import Records
 from sandbox.world.records import ONE_WAY, SEAMED
@@ -126,12 +127,8 @@ def _collide(
     return (
         collide_cores(
             cores,
-            a.vertex_start,
-            a.vertex_count,
-            a.radius,
-            b.vertex_start,
-            b.vertex_count,
-            b.radius,
+            core_of(a),
+            core_of(b),
             b.center_x - a.center_x + shift_x,
             b.center_y - a.center_y + shift_y,
             margin,

@@ -13,6 +13,7 @@ from typing import NamedTuple
 from sandbox._jit import kernel
 from sandbox.engine.broad_phase.margins import pair_margin
 from sandbox.engine.narrow_phase.outline import BEYOND, EdgeTables, along_edge, faces_out, shows
+from sandbox.geometry.core import core_of
 from sandbox.geometry.manifold import face_manifold
 from sandbox.geometry.sat import FAR, support_vertex
 from sandbox.tables import Records
@@ -127,7 +128,7 @@ def _best_face(
             )
             if hidden or sign * (nx * travel_x + ny * travel_y) < -graze:
                 continue
-            near = tables.cores[b.vertex_start + support_vertex(tables.cores, b.vertex_start, b.vertex_count, nx, ny)]
+            near = tables.cores[b.vertex_start + support_vertex(tables.cores, core_of(b), nx, ny)]
             separation = nx * (near.x + sign * pair.dx - row.x) + ny * (near.y + sign * pair.dy - row.y)
             if separation > least and (
                 b.traits & SEAMED == 0 or faces_out(tables, b, 0.0, 0.0, -nx, -ny, 0.0, nowhere)
@@ -146,10 +147,7 @@ def _touch_face(
     """Fill in the manifold on a face, of shape j if `flip`; whether its points lie on that face, where it shows."""
     a = tables.shapes[pair.i]
     b = tables.shapes[pair.j]
-    count = face_manifold(
-        tables.cores, a.vertex_start, a.vertex_count, a.radius, b.vertex_start, b.vertex_count, b.radius, pair.dx,
-        pair.dy, margin, flip, face, m,
-    )  # fmt: skip
+    count = face_manifold(tables.cores, core_of(a), core_of(b), pair.dx, pair.dy, margin, flip, face, m)
     owner = tables.shapes[pair.j] if flip else tables.shapes[pair.i]
     x = pair.dx if flip else 0.0
     y = pair.dy if flip else 0.0

@@ -10,6 +10,7 @@ import math
 from typing import NamedTuple
 
 from sandbox._jit import kernel
+from sandbox.geometry.core import core_of
 from sandbox.geometry.sat import support_vertex
 from sandbox.tables import Records
 
@@ -33,7 +34,7 @@ def faces_out(
     tables: EdgeTables, part: Records, x: float, y: float, nx: float, ny: float, near: float, m: Records
 ) -> bool:
     """Whether the direction n leads out of the whole polygon at the farthest vertex, or edge, of a part along it."""
-    k = support_vertex(tables.cores, part.vertex_start, part.vertex_count, -nx, -ny)
+    k = support_vertex(tables.cores, core_of(part), -nx, -ny)
     if _is_between(tables.bodies[part.body], tables.seams[part.seam_start + k], nx, ny):
         return True
     before = k - 1 if k > 0 else part.vertex_count - 1

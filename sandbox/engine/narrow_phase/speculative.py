@@ -13,7 +13,8 @@ from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.broad_phase.proxies import ACTIVE, BULLET, CONFINED, FIXED
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.colliders import Colliders
-from sandbox.geometry.time_of_touch import time_of_touch
+from sandbox.geometry.core import core_of
+from sandbox.geometry.linear_cast import linear_cast
 from sandbox.tables import Records
 
 _SLOP_SHARE = 0.05
@@ -109,19 +110,14 @@ def _touch(
     """Time until two shapes touch, if b moves against a by (vx, vy) m/s; -1 if they do not within `seconds`."""
     a = proxies[i]
     b = proxies[j]
-    return time_of_touch(
+    return linear_cast(
         cores,
-        a.vertex_start,
-        a.vertex_count,
-        a.radius,
-        b.vertex_start,
-        b.vertex_count,
-        b.radius,
+        core_of(a),
+        core_of(b),
         b.center_x - a.center_x,
         b.center_y - a.center_y,
         vx,
         vy,
         seconds,
         slop,
-        manifold,
     )

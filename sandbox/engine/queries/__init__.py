@@ -1,5 +1,4 @@
-"""Questions to a world: `Queries` is what users see (`world.query`), the kernels behind it have a file a kind.
-
-`lay_out.py` puts all shapes into the grid, `walk.py` visits the cells that something swept along a way could meet,
-`sweep.py` (rays, casts), `proximity.py` (points, overlaps, nearest) and `gap.py` (two bodies) judge what lies in them.
+"""Queries: the tables of a world's state and a question come in; hits, nearest points and gaps go out, sorted.
+Rays and casts walk through a grid (after J. Amanatides, A. Woo 1987); overlaps, casts and gaps are those of a
+point and the Minkowski sum of both shapes (G. van den Bergen, "Collision Detection in Interactive 3D Environments").
 """

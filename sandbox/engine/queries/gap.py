@@ -4,47 +4,44 @@ from __future__ import annotations
 
 from sandbox._jit import entry_point, kernel
 from sandbox.engine.queries.question import ask_about, contact_point, distance_to
+from sandbox.engine.queries.records import Memory, QueryTables
 from sandbox.geometry.sat import FAR
 from sandbox.tables import Integers, Records
 
 
 @entry_point
-def find_gap(
-    bodies: Records,
-    shapes: Records,
-    turned: Records,
-    boxes: Records,
-    question: Records,
-    shapes_a: Integers,
-    shapes_b: Integers,
-    hits: Records,
-) -> None:
+def find_gap(tables: QueryTables, memory: Memory, shapes_a: Integers, shapes_b: Integers, hits: Records) -> None:
     """Fill `hits[0]` with the closest shape and point of a, `hits[1]` with those of b; `fraction` is the distance.
 
     `shapes_a` and `shapes_b` are the shapes of both bodies. Normals point out of each body towards the other. Of equal
     distances the first pair counts.
     """
+    bodies = tables.bodies
+    shapes = tables.shapes
+    cores = memory.cores
+    boxes = memory.boxes
+    question = memory.question[0]
     a = hits[0]
     b = hits[1]
     b.fraction = FAR
     for k in range(shapes_a.shape[0]):
         i = shapes_a[k]
         body = bodies[shapes[i].body]
-        ask_about(turned, shapes[i], body, question[0])
+        ask_about(cores, shapes[i], body, question)
         for m in range(shapes_b.shape[0]):
             j = shapes_b[m]
             if _box_gap(boxes[i], boxes[j]) < b.fraction:
                 other = bodies[shapes[j].body]
                 x = body.center_x
                 y = body.center_y
-                distance, nx, ny, _slack = distance_to(turned, question[0], shapes[j], other, x, y)
-                if distance < b.fraction:
+                gap = distance_to(cores, question, shapes[j], other, x, y)
+                if gap.distance < b.fraction:
                     a.shape_index = i
                     b.shape_index = j
-                    b.fraction = distance
-                    b.normal_x = nx
-                    b.normal_y = ny
-    _place(bodies, shapes, turned, question[0], int(a.shape_index), int(b.shape_index), a, b)
+                    b.fraction = gap.distance
+                    b.normal_x = gap.normal_x
+                    b.normal_y = gap.normal_y
+    _place(tables, cores, question, int(a.shape_index), int(b.shape_index), a, b)
 
 
 @kernel
@@ -56,18 +53,17 @@ def _box_gap(a: Records, b: Records) -> float:
 
 
 @kernel
-def _place(
-    bodies: Records, shapes: Records, turned: Records, question: Records, i: int, j: int, a: Records, b: Records
-) -> None:
+def _place(tables: QueryTables, cores: Records, question: Records, i: int, j: int, a: Records, b: Records) -> None:
     """Fill in the closest points, and a's side of what is known of b's."""
+    shapes = tables.shapes
     shape = shapes[i]
-    body = bodies[int(shape.body)]
-    other = bodies[int(shapes[j].body)]
+    body = tables.bodies[int(shape.body)]
+    other = tables.bodies[int(shapes[j].body)]
     nx = b.normal_x
     ny = b.normal_y
-    ask_about(turned, shape, body, question)
+    ask_about(cores, shape, body, question)
     b.body = shapes[j].body
-    b.x, b.y = contact_point(turned, question, shapes[j], other, body.center_x, body.center_y, nx, ny)
+    b.x, b.y = contact_point(cores, question, shapes[j], other, body.center_x, body.center_y, nx, ny)
     a.body = shape.body
     a.fraction = b.fraction
     a.normal_x = -nx

@@ -7,6 +7,7 @@ import math
 from sandbox._jit import entry_point, kernel
 from sandbox.engine.broad_phase.grid import base_cell, box_level, bucket, cells_per_metre, fill_grid, octave
 from sandbox.engine.broad_phase.proxies import turn_cores
+from sandbox.engine.queries.records import Memory, QueryTables
 from sandbox.geometry.bounds import core_bounds
 from sandbox.geometry.core import core_of
 from sandbox.geometry.sat import FAR
@@ -18,25 +19,17 @@ ROUNDING = 1e-15
 
 
 @entry_point
-def lay_out(
-    bodies: Records,
-    shapes: Records,
-    vertices: Records,
-    turned: Records,
-    boxes: Records,
-    ordered: Records,
-    heads: Integers,
-    levels: Integers,
-    regions: Records,
-    question: Records,
-) -> None:
+def lay_out(tables: QueryTables, memory: Memory) -> None:
     """Turn the cores, bound them tightly, fill the grid, and note where its levels are populated."""
-    turn_cores(bodies, shapes, vertices, turned)
-    _bound(bodies, shapes, turned, boxes)
+    boxes = memory.boxes
+    ordered, heads, levels, regions = memory.grid
+    turn_cores(tables.bodies, tables.shapes, tables.vertices, memory.cores)
+    _bound(tables.bodies, tables.shapes, memory.cores, boxes)
     base = base_cell(boxes, levels)
     used, sparse_count = fill_grid(boxes, base, _finest_level(boxes, base, heads), ordered, heads, levels)
-    question[0].region_count = used
-    question[0].sparse_count = sparse_count
+    question = memory.question[0]
+    question.region_count = used
+    question.sparse_count = sparse_count
     for k in range(used):
         regions[k].level = levels[k]
         regions[k].cells_per_metre = cells_per_metre(base, levels[k])
@@ -44,12 +37,12 @@ def lay_out(
 
 
 @kernel
-def _bound(bodies: Records, shapes: Records, turned: Records, boxes: Records) -> None:
+def _bound(bodies: Records, shapes: Records, cores: Records, boxes: Records) -> None:
     """The box of every shape: core and radius, and what rounding could cut off."""
     for i in range(shapes.shape[0]):
         shape = shapes[i]
         body = bodies[shape.body]
-        lower_x, lower_y, upper_x, upper_y = core_bounds(turned, core_of(shape))
+        lower_x, lower_y, upper_x, upper_y = core_bounds(cores, core_of(shape))
         grow = shape.radius + ROUNDING * (abs(body.center_x) + abs(body.center_y) + body.extent)
         box = boxes[i]
         box.lower_x = body.center_x + lower_x - grow

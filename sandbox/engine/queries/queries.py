@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sandbox._jit import kernel_argument
+from sandbox._jit import Call, Door, kernel_argument
 from sandbox.engine.queries.checks import checked_box, checked_place, checked_ways
 from sandbox.engine.queries.filter import Filter
 from sandbox.engine.queries.gap import find_gap
 from sandbox.engine.queries.index import lay_out
 from sandbox.engine.queries.proximity import nearest_shape, overlaps
-from sandbox.engine.queries.records import HIT, Memory
+from sandbox.engine.queries.records import HIT, Memory, QueryTables
 from sandbox.engine.queries.results import BodyDistance, CastHit, Overlap, PointHit, RayHit, RayHits
 from sandbox.engine.queries.subject import POINT, Subject, subject_of, write_filter, write_subject
 from sandbox.engine.queries.sweep import all_hits, first_hits
@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 Vec = tuple[float, float]
 _EVERYTHING = Filter()
+_FIRST_HITS, _ALL_HITS, _OVERLAPS = Door(first_hits), Door(all_hits), Door(overlaps)
+_NEAREST, _GAP = Door(nearest_shape), Door(find_gap)
 
 
 class Queries:
@@ -70,7 +72,7 @@ class Queries:
         ways = checked_ways(origins, translations)
         hits: Any = kernel_argument(HIT.zeros(len(ways)))
         self._ask(POINT, filter)
-        self._run(first_hits, ways, hits)
+        self._run(_FIRST_HITS, ways, hits)
         point, normal = (np.stack([hits[x], hits[y]], 1) for x, y in (("x", "y"), ("normal_x", "normal_y")))
         return RayHits(hits["body"], hits["shape_index"], point, normal, hits["fraction"])
 
@@ -102,7 +104,7 @@ class Queries:
         if not within >= 0.0:
             raise QueryError(f"nearest: within must be a distance of 0 m or more, not {within}")
         self._ask(POINT, filter)
-        if len(self._memory.boxes) == 0 or not self._run(nearest_shape, x, y, float(within), self._one):
+        if len(self._memory.boxes) == 0 or not self._run(_NEAREST, x, y, float(within), self._one):
             return None
         return PointHit(*self._answer(self._one.tolist()[0]))
 
@@ -128,30 +130,27 @@ class Queries:
             raise QueryError(f"distance: {body_a!r} is given twice")
         self._ask(POINT, None)
         self._asked = None
-        memory, owner = self._memory, np.asarray(self._world.state.shapes)["body"]
-        arrays = (self._world.state.bodies, self._world.state.shapes, memory.turned, memory.boxes, memory.question)
-        parts = (np.flatnonzero(owner == a), np.flatnonzero(owner == b))
-        call: Callable[..., None] = find_gap
-        call(*(kernel_argument(array) for array in arrays), *parts, self._one)
+        owner = np.asarray(self._world.state.shapes)["body"]
+        self._run(_GAP, np.flatnonzero(owner == a), np.flatnonzero(owner == b), self._one)
         of_a, of_b = map(self._answer, self._one.tolist())
         return BodyDistance(of_a[4], of_a[2], of_b[2], of_a[3], of_a[1], of_b[1])
 
     def _first(self, place: Vec, way: Vec, subject: Subject, seen: Filter | None) -> tuple[Any, ...] | None:
         self._ask(subject, seen)
         self._way[0] = (*place, *way)
-        self._run(first_hits, self._way, self._one)
+        self._run(_FIRST_HITS, self._way, self._one)
         hit = self._one.tolist()[0]
         return self._answer(hit) if hit[0] >= 0 else None
 
     def _all(self, place: Vec, way: Vec, subject: Subject, seen: Filter | None) -> list[tuple[Any, ...]]:
         self._ask(subject, seen)
         self._way[0] = (*place, *way)
-        hits = self._collect(lambda room: self._run(all_hits, self._way, room))
+        hits = self._collect(lambda room: self._run(_ALL_HITS, self._way, room))
         return [self._answer(hit) for hit in sorted(hits, key=lambda hit: (hit[2], hit[0]))]
 
     def _overlaps(self, place: Vec, subject: Subject, seen: Filter | None) -> list[tuple[Any, ...]]:
         self._ask(subject, seen)
-        hits = self._collect(lambda room: self._run(overlaps, *place, room))
+        hits = self._collect(lambda room: self._run(_OVERLAPS, *place, room))
         return [self._answer(hit) for hit in sorted(hits)]
 
     def _collect(self, ask: Callable[[Any], int]) -> list[tuple[Any, ...]]:
@@ -163,7 +162,7 @@ class Queries:
         rows: list[tuple[Any, ...]] = self._many[:count].tolist()
         return rows
 
-    def _run(self, kernel: Callable[..., Any], *more: Any) -> Any:
+    def _run(self, kernel: Door, *more: Any) -> Any:
         return kernel(*self._arguments, *more)
 
     def _answer(self, hit: tuple[Any, ...]) -> tuple[str, int, Vec, Vec, float]:
@@ -187,20 +186,17 @@ class Queries:
         state = self._world.state
         if self._layout != state.layout:
             self._use(Memory.for_state(state))
-        lay_out(*self._laying)
+        self._lay_out()
         self._laid_out = self._world.changes
 
     def _use(self, memory: Memory) -> None:
         """Take new memory and prepare what the kernels are called with."""
-        state, m = self._world.state, memory
+        state = self._world.state
         self._memory = memory
         self._asked = None
         self._layout = state.layout
-        grid = (m.ordered, m.heads, m.levels, m.regions, m.question)
-        laying = (state.bodies, state.shapes, state.vertices, m.turned, m.boxes, *grid)
-        asking = (state.bodies, state.shapes, m.turned, *grid, m.walk, m.hidden)
-        self._laying: Any = tuple(kernel_argument(array) for array in laying)
-        self._arguments: Any = tuple(kernel_argument(array) for array in asking)
+        self._arguments = kernel_argument((QueryTables.of(state), memory))
+        self._lay_out = Call(lay_out, self._arguments)
 
 
 def _overlap(hit: tuple[Any, ...]) -> Overlap:

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from sandbox._jit import kernel
 from sandbox.engine.queries.records import MAX_CORE, SPARE_CORES
+from sandbox.geometry.core import CoreRows, core_of
 from sandbox.geometry.depth import signed_distance
 from sandbox.geometry.minkowski import add_cores, touching_side
 from sandbox.geometry.ray import ray_enters, ray_slack
@@ -11,6 +14,16 @@ from sandbox.tables import Records
 
 _FLAT = 1e-10
 """Share of the sizes within which corners count as lying in one line with the touch."""
+
+
+class Gap(NamedTuple):
+    """The signed distance (m) of the query shape from a shape, the outward unit normal of that shape where they are
+    nearest, and what rounding may hide of the distance (m)."""
+
+    distance: float
+    normal_x: float
+    normal_y: float
+    slack: float
 
 
 @kernel
@@ -30,29 +43,29 @@ def ask_about(cores: Records, shape: Records, body: Records, question: Records) 
 
 
 @kernel
-def combined_core(cores: Records, question: Records, shape: Records) -> tuple[int, int]:
-    """(first row, count) of the core that the reference point touches when the query shape touches `shape`.
+def combined_core(cores: Records, question: Records, shape: Records) -> CoreRows:
+    """The core that the reference point touches when the query shape touches `shape`.
 
     A question of a point or a disc needs no sum: its radius is added to that of the shape.
     """
+    radius = shape.radius + question.radius
     mirrored = cores.shape[0] - SPARE_CORES
     if question.count == 1 and cores[mirrored].x == 0.0 and cores[mirrored].y == 0.0:
-        return shape.vertex_start, shape.vertex_count
+        return CoreRows(shape.vertex_start, shape.vertex_count, radius)
     target = mirrored + MAX_CORE
-    return target, add_cores(cores, shape.vertex_start, shape.vertex_count, mirrored, question.count, target)
+    asked = CoreRows(mirrored, question.count, question.radius)
+    return CoreRows(target, add_cores(cores, core_of(shape), asked, target), radius)
 
 
 @kernel
-def distance_to(
-    cores: Records, question: Records, shape: Records, body: Records, x: float, y: float
-) -> tuple[float, float, float, float]:
-    """(signed distance of the query shape at (x, y) from a shape, outward normal x, y, what rounding may hide)."""
-    start, count = combined_core(cores, question, shape)
+def distance_to(cores: Records, question: Records, shape: Records, body: Records, x: float, y: float) -> Gap:
+    """The gap between the query shape at (x, y) and a shape."""
+    core = combined_core(cores, question, shape)
     px = x - body.center_x
     py = y - body.center_y
     slack = ray_slack(px, py, 0.0, 0.0, body.extent + question.extent)
-    distance, nx, ny = signed_distance(cores, start, count, shape.radius + question.radius, px, py, slack)
-    return distance, nx, ny, slack
+    distance, nx, ny = signed_distance(cores, core, px, py, slack)
+    return Gap(distance, nx, ny, slack)
 
 
 @kernel
@@ -63,19 +76,18 @@ def way_to(
 
     Where they touch at the start the fraction is 0; where they overlap there, the normal is 0 as well.
     """
-    start, count = combined_core(cores, question, shape)
-    radius = shape.radius + question.radius
+    core = combined_core(cores, question, shape)
     px = walk.x - body.center_x
     py = walk.y - body.center_y
     slack = ray_slack(px, py, walk.way_x, walk.way_y, body.extent + question.extent)
     if _bounds_meet(walk, box):
         near = ray_slack(px, py, 0.0, 0.0, body.extent + question.extent)
-        distance, nx, ny = signed_distance(cores, start, count, radius, px, py, near)
+        distance, nx, ny = signed_distance(cores, core, px, py, near)
         if distance < -near:
             return 0.0, 0.0, 0.0
         if distance <= near:
             return 0.0, nx, ny
-    return ray_enters(cores, start, count, radius, px, py, walk.way_x, walk.way_y, slack)
+    return ray_enters(cores, core, px, py, walk.way_x, walk.way_y, slack)
 
 
 @kernel
@@ -92,8 +104,9 @@ def contact_point(
     """Point of a shape's surface that meets the query shape at (x, y), given the normal: the middle if it is a line."""
     slack = _FLAT * (body.extent + question.extent)
     mirrored = cores.shape[0] - SPARE_CORES
-    far, low, high = touching_side(cores, shape.vertex_start, shape.vertex_count, nx, ny, slack)
-    _far, mirrored_low, mirrored_high = touching_side(cores, mirrored, question.count, nx, ny, slack)
+    far, low, high = touching_side(cores, core_of(shape), nx, ny, slack)
+    asked = CoreRows(mirrored, question.count, question.radius)
+    _far, mirrored_low, mirrored_high = touching_side(cores, asked, nx, ny, slack)
     across = nx * (y - body.center_y) - ny * (x - body.center_x)
     low = low if low > across - mirrored_high else across - mirrored_high
     high = high if high < across - mirrored_low else across - mirrored_low

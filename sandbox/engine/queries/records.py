@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -97,16 +97,39 @@ HIT = Table(
 """One row an answer."""
 
 
-@dataclass
-class Memory:
-    """The arrays of the grid and of one question at a time."""
+class QueryTables(NamedTuple):
+    """The tables of a world's state that its queries read."""
 
-    turned: Records
-    boxes: Records
+    bodies: Records
+    shapes: Records
+    vertices: Records
+
+    @classmethod
+    def of(cls, state: State) -> QueryTables:
+        """Those of `state`."""
+        return cls(state.bodies, state.shapes, state.vertices)
+
+
+class QueryGrid(NamedTuple):
+    """The grid of all shapes: `ordered` has their boxes bucket by bucket, `heads` tells where each bucket begins,
+    `levels` which levels are in use, `regions` where those are populated."""
+
     ordered: Records
     heads: Integers
     levels: Integers
     regions: Records
+
+
+class Memory(NamedTuple):
+    """The grid, and one question at a time.
+
+    `cores` are those of all shapes in world axes, each from its body's centre, and behind them those of the question;
+    `boxes` has a row a shape, `question` and `walk` have one row, `hidden` a 1 for each body that is passed over.
+    """
+
+    cores: Records
+    boxes: Records
+    grid: QueryGrid
     question: Records
     walk: Records
     hidden: Integers
@@ -116,12 +139,14 @@ class Memory:
         """Memory for all bodies and shapes of `state`."""
         shapes = len(state.shapes)
         return cls(
-            turned=VERTEX.zeros(len(state.vertices) + SPARE_CORES),
+            cores=VERTEX.zeros(len(state.vertices) + SPARE_CORES),
             boxes=BOX.zeros(shapes),
-            ordered=BOX.zeros(shapes),
-            heads=np.zeros(head_count(shapes), np.int64),
-            levels=np.zeros(LEVEL_SPACE, np.int64),
-            regions=REGION.zeros(LEVELS + 1),
+            grid=QueryGrid(
+                ordered=BOX.zeros(shapes),
+                heads=np.zeros(head_count(shapes), np.int64),
+                levels=np.zeros(LEVEL_SPACE, np.int64),
+                regions=REGION.zeros(LEVELS + 1),
+            ),
             question=QUESTION.zeros(1),
             walk=WALK.zeros(1),
             hidden=np.zeros(len(state.bodies), np.int64),

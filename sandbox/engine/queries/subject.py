@@ -53,12 +53,12 @@ def subject_of(shape: Core) -> Subject:
 def write_subject(memory: Memory, subject: Subject) -> None:
     """Put the mirrored core and the bounds of a subject where the kernels look for them."""
     core, radius = subject.core, subject.radius
-    first = len(memory.turned) - SPARE_CORES
+    first = len(memory.cores) - SPARE_CORES
     # 0.0 - x instead of -x, which could be -0.0.
     mirrored = [
         (0.0 - x, 0.0 - y, 0.0 - nx, 0.0 - ny) for (x, y), (nx, ny) in zip(core, edge_normals(core), strict=True)
     ]
-    plain(memory.turned)[first : first + len(core)] = mirrored
+    plain(memory.cores)[first : first + len(core)] = mirrored
     xs, ys = [x for x, _ in core], [y for _, y in core]
     bounds = (min(xs) - radius, min(ys) - radius, max(xs) + radius, max(ys) + radius)
     extent = max(math.sqrt(x * x + y * y) for x, y in core) + radius

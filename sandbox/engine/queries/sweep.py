@@ -5,43 +5,33 @@ from __future__ import annotations
 from sandbox._jit import ZERO, entry_point, kernel
 from sandbox.engine.queries.filter import is_seen
 from sandbox.engine.queries.question import contact_point, distance_to, way_to
+from sandbox.engine.queries.records import Memory, QueryTables
 from sandbox.engine.queries.walk import begin_walk, next_box
-from sandbox.tables import Floats, Integers, Records
+from sandbox.tables import Floats, Records
 
 
 @entry_point
-def first_hits(
-    bodies: Records,
-    shapes: Records,
-    turned: Records,
-    ordered: Records,
-    heads: Integers,
-    levels: Integers,
-    regions: Records,
-    question: Records,
-    walk: Records,
-    hidden: Integers,
-    ways: Floats,
-    hits: Records,
-) -> None:
+def first_hits(tables: QueryTables, memory: Memory, ways: Floats, hits: Records) -> None:
     """The first hit of each way, row by row; a row without one gets shape -1, fraction 1 and the end of its way.
 
     `ways` are rows (x, y, way x, way y) in metres. Of equal fractions the lowest shape counts.
     """
-    w = walk[0]
+    w = memory.walk[0]
+    question = memory.question[0]
+    ordered = memory.grid.ordered
     for k in range(ways.shape[0]):
-        begin_walk(w, question[0], ways[k, 0], ways[k, 1], ways[k, 2], ways[k, 3], 0.0)
+        begin_walk(w, question, ways[k, 0], ways[k, 1], ways[k, 2], ways[k, 3], 0.0)
         hit = hits[k]
         _miss(hit, w)
         while True:
-            row = next_box(w, question[0], ordered, heads, levels, regions)
+            row = next_box(w, question, memory.grid)
             if row < 0:
                 break
             i = ordered[row].shape_index
-            shape = shapes[i]
-            body = bodies[shape.body]
-            if is_seen(question[0], shape, body.type, hidden):
-                t, nx, ny = way_to(turned, question[0], shape, body, w, ordered[row])
+            shape = tables.shapes[i]
+            body = tables.bodies[shape.body]
+            if is_seen(question, shape, body.type, memory.hidden):
+                t, nx, ny = way_to(memory.cores, question, shape, body, w, ordered[row])
                 if t >= 0.0 and (t < w.limit or (t == w.limit and (hit.shape_index < 0 or i < hit.shape_index))):
                     w.limit = t
                     hit.shape_index = i
@@ -49,40 +39,29 @@ def first_hits(
                     hit.normal_x = nx
                     hit.normal_y = ny
         if hit.shape_index >= 0:
-            _place(bodies, shapes, turned, question[0], w, int(hit.shape_index), hit)
+            _place(tables, memory.cores, question, w, int(hit.shape_index), hit)
 
 
 @entry_point
-def all_hits(
-    bodies: Records,
-    shapes: Records,
-    turned: Records,
-    ordered: Records,
-    heads: Integers,
-    levels: Integers,
-    regions: Records,
-    question: Records,
-    walk: Records,
-    hidden: Integers,
-    ways: Floats,
-    hits: Records,
-) -> int:
+def all_hits(tables: QueryTables, memory: Memory, ways: Floats, hits: Records) -> int:
     """Every shape that the first of `ways` meets, in the order of the grid; return how many there are.
 
     Those past the capacity of `hits` are counted but not written.
     """
-    w = walk[0]
-    begin_walk(w, question[0], ways[0, 0], ways[0, 1], ways[0, 2], ways[0, 3], 0.0)
+    w = memory.walk[0]
+    question = memory.question[0]
+    ordered = memory.grid.ordered
+    begin_walk(w, question, ways[0, 0], ways[0, 1], ways[0, 2], ways[0, 3], 0.0)
     count = ZERO
     while True:
-        row = next_box(w, question[0], ordered, heads, levels, regions)
+        row = next_box(w, question, memory.grid)
         if row < 0:
             break
         i = ordered[row].shape_index
-        shape = shapes[i]
-        body = bodies[shape.body]
-        if is_seen(question[0], shape, body.type, hidden):
-            t, nx, ny = way_to(turned, question[0], shape, body, w, ordered[row])
+        shape = tables.shapes[i]
+        body = tables.bodies[shape.body]
+        if is_seen(question, shape, body.type, memory.hidden):
+            t, nx, ny = way_to(memory.cores, question, shape, body, w, ordered[row])
             if t >= 0.0:
                 if count < hits.shape[0]:
                     hit = hits[count]
@@ -90,7 +69,7 @@ def all_hits(
                     hit.fraction = t
                     hit.normal_x = nx
                     hit.normal_y = ny
-                    _place(bodies, shapes, turned, question[0], w, int(hit.shape_index), hit)
+                    _place(tables, memory.cores, question, w, int(hit.shape_index), hit)
                 count += 1
     return count
 
@@ -107,12 +86,10 @@ def _miss(hit: Records, walk: Records) -> None:
 
 
 @kernel
-def _place(
-    bodies: Records, shapes: Records, turned: Records, question: Records, walk: Records, i: int, hit: Records
-) -> None:
+def _place(tables: QueryTables, cores: Records, question: Records, walk: Records, i: int, hit: Records) -> None:
     """Fill in the body and the point of a hit: for a ray where it has come to, for a cast where the shapes touch."""
-    shape = shapes[i]
-    body = bodies[int(shape.body)]
+    shape = tables.shapes[i]
+    body = tables.bodies[int(shape.body)]
     x = walk.x + hit.fraction * walk.way_x
     y = walk.y + hit.fraction * walk.way_y
     nx = hit.normal_x
@@ -122,5 +99,5 @@ def _place(
     hit.y = y
     if question.extent > 0.0:
         if nx == 0.0 and ny == 0.0:
-            _distance, nx, ny, _slack = distance_to(turned, question, shape, body, x, y)
-        hit.x, hit.y = contact_point(turned, question, shape, body, x, y, nx, ny)
+            _distance, nx, ny, _slack = distance_to(cores, question, shape, body, x, y)
+        hit.x, hit.y = contact_point(cores, question, shape, body, x, y, nx, ny)

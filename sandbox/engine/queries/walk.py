@@ -9,14 +9,27 @@ than there are boxes is gone through directly, so that no ray costs more than lo
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.broad_phase.grid import LEVELS, bucket
 from sandbox.engine.queries.index import ROUNDING
+from sandbox.engine.queries.records import QueryGrid
 from sandbox.tables import Integers, Records
 
 _ANY_CELL = 1 << 62
+
+
+class _Axis(NamedTuple):
+    """A sweep and a populated region along one axis: start, way and bounds in metres, `inverse` cells per metre."""
+
+    start: float
+    way: float
+    lower: float
+    upper: float
+    region_lower: float
+    region_upper: float
+    inverse: float
 
 
 @kernel
@@ -41,10 +54,9 @@ def begin_walk(walk: Records, question: Records, x: float, y: float, way_x: floa
 
 
 @kernel
-def next_box(
-    walk: Records, question: Records, ordered: Records, heads: Integers, levels: Integers, regions: Records
-) -> int:
-    """Row in `ordered` of the next box that the sweep meets, each once; -1 when there is none left."""
+def next_box(walk: Records, question: Records, grid: QueryGrid) -> int:
+    """Row in `grid.ordered` of the next box that the sweep meets, each once; -1 when there is none left."""
+    ordered, heads, levels, regions = grid
     while True:
         end = walk.end
         for i in range(walk.first, end):
@@ -105,16 +117,9 @@ def _begin_region(walk: Records, region: Records) -> bool:
     walk.level = region.level
     high = (walk.upper_y - walk.lower_y) * inverse
     walk.by_columns = 1 if abs(walk.way_x) > abs(walk.way_y) and high < 2.0 else 0
-    if walk.by_columns == 1:
-        first, last = _cells(
-            walk.x, walk.way_x, walk.lower_x, walk.upper_x, walk.limit, region.lower_x, region.upper_x, inverse
-        )
-        walk.turn = 1 if walk.way_x >= 0.0 else -1
-    else:
-        first, last = _cells(
-            walk.y, walk.way_y, walk.lower_y, walk.upper_y, walk.limit, region.lower_y, region.upper_y, inverse
-        )
-        walk.turn = 1 if walk.way_y >= 0.0 else -1
+    axis = _along_x(walk, region) if walk.by_columns == 1 else _along_y(walk, region)
+    first, last = _cells(axis, walk.limit)
+    walk.turn = 1 if axis.way >= 0.0 else -1
     walk.line = first if walk.turn > 0 else last
     walk.lines_left = last - first + 1
     if walk.lines_left <= region.count:
@@ -128,21 +133,24 @@ def _begin_region(walk: Records, region: Records) -> bool:
 
 
 @kernel
-def _cells(
-    start: float,
-    way: float,
-    lower: float,
-    upper: float,
-    limit: float,
-    region_lower: float,
-    region_upper: float,
-    inverse: float,
-) -> tuple[int, int]:
+def _along_x(walk: Records, region: Records) -> _Axis:
+    """The sweep and the region along x."""
+    return _Axis(walk.x, walk.way_x, walk.lower_x, walk.upper_x, region.lower_x, region.upper_x, region.cells_per_metre)
+
+
+@kernel
+def _along_y(walk: Records, region: Records) -> _Axis:
+    """The sweep and the region along y."""
+    return _Axis(walk.y, walk.way_y, walk.lower_y, walk.upper_y, region.lower_y, region.upper_y, region.cells_per_metre)
+
+
+@kernel
+def _cells(axis: _Axis, limit: float) -> tuple[int, int]:
     """First and last line of cells along one axis that the sweep meets within the region; last < first if none."""
-    end = limit * way
-    low = (start + (end if end < 0.0 else 0.0) + lower) * inverse - 0.5
-    high = (start + (end if end > 0.0 else 0.0) + upper) * inverse + 0.5
-    return _clipped(low, high, region_lower * inverse, region_upper * inverse)
+    end = limit * axis.way
+    low = (axis.start + (end if end < 0.0 else 0.0) + axis.lower) * axis.inverse - 0.5
+    high = (axis.start + (end if end > 0.0 else 0.0) + axis.upper) * axis.inverse + 0.5
+    return _clipped(low, high, axis.region_lower * axis.inverse, axis.region_upper * axis.inverse)
 
 
 @kernel
@@ -159,13 +167,13 @@ def _clipped(low: float, high: float, least: float, most: float) -> tuple[int, i
 def _begin_line(walk: Records, region: Records) -> None:
     """Find the cells of the next line."""
     if walk.by_columns == 1:
-        begin, end = _fractions(walk, walk.x, walk.way_x, walk.lower_x, walk.upper_x, region.cells_per_metre)
-        _span(walk, begin, end, walk.y, walk.way_y, walk.lower_y, walk.upper_y, region.lower_y, region.upper_y, region)
+        begin, end = _fractions(walk, _along_x(walk, region))
+        _span(walk, begin, end, _along_y(walk, region))
         walk.low_x = walk.line
         walk.high_x = walk.line
     else:
-        begin, end = _fractions(walk, walk.y, walk.way_y, walk.lower_y, walk.upper_y, region.cells_per_metre)
-        _span(walk, begin, end, walk.x, walk.way_x, walk.lower_x, walk.upper_x, region.lower_x, region.upper_x, region)
+        begin, end = _fractions(walk, _along_y(walk, region))
+        _span(walk, begin, end, _along_x(walk, region))
         walk.low_y = walk.line
         walk.high_y = walk.line
     walk.line += walk.turn
@@ -175,47 +183,35 @@ def _begin_line(walk: Records, region: Records) -> None:
 
 
 @kernel
-def _fractions(
-    walk: Records, start: float, way: float, lower: float, upper: float, inverse: float
-) -> tuple[float, float]:
-    """From where to where on the way the widened sweep meets the line: fractions from 0 on."""
-    speed = way * inverse
+def _fractions(walk: Records, axis: _Axis) -> tuple[float, float]:
+    """From where to where on the way the widened sweep meets the line across an axis: fractions from 0 on."""
+    inverse = axis.inverse
+    speed = axis.way * inverse
     if speed == 0.0:
         return 0.0, 1.0
-    near = walk.line if way > 0.0 else walk.line + 1
-    ahead = upper * inverse + 0.5 if way > 0.0 else lower * inverse - 0.5
-    behind = lower * inverse - 0.5 if way > 0.0 else upper * inverse + 0.5
-    begin = (near - ahead - start * inverse) / speed
-    end = (near + walk.turn - behind - start * inverse) / speed
+    near = walk.line if axis.way > 0.0 else walk.line + 1
+    ahead = axis.upper * inverse + 0.5 if axis.way > 0.0 else axis.lower * inverse - 0.5
+    behind = axis.lower * inverse - 0.5 if axis.way > 0.0 else axis.upper * inverse + 0.5
+    begin = (near - ahead - axis.start * inverse) / speed
+    end = (near + walk.turn - behind - axis.start * inverse) / speed
     return begin if begin > 0.0 else 0.0, end if end > 0.0 else 0.0
 
 
 @kernel
-def _span(
-    walk: Records,
-    begin: float,
-    end: float,
-    start: float,
-    way: float,
-    lower: float,
-    upper: float,
-    region_lower: float,
-    region_upper: float,
-    region: Records,
-) -> None:
-    """Cells of a line between two fractions of the way, none if it begins past the limit."""
-    inverse = region.cells_per_metre
+def _span(walk: Records, begin: float, end: float, axis: _Axis) -> None:
+    """Cells of a line along an axis between two fractions of the way, none if it begins past the limit."""
+    inverse = axis.inverse
     walk.cell = 1
     walk.last_cell = 0
     if begin > walk.limit:
         return
-    at_begin = start + begin * way
-    at_end = start + (end if end < walk.limit else walk.limit) * way
+    at_begin = axis.start + begin * axis.way
+    at_end = axis.start + (end if end < walk.limit else walk.limit) * axis.way
     low = at_begin if at_begin < at_end else at_end
     high = at_begin if at_begin > at_end else at_end
-    first, last = _clipped(
-        (low + lower) * inverse - 0.5, (high + upper) * inverse + 0.5, region_lower * inverse, region_upper * inverse
-    )
+    low = (low + axis.lower) * inverse - 0.5
+    high = (high + axis.upper) * inverse + 0.5
+    first, last = _clipped(low, high, axis.region_lower * inverse, axis.region_upper * inverse)
     walk.cell = first
     walk.last_cell = last
 

@@ -8,15 +8,17 @@ import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from sandbox.geometry.core import CoreRows
 from sandbox.geometry.manifold import MANIFOLD
-from sandbox.geometry.sweep import SWEEP, SWEPT_ROWS, time_of_hit
+from sandbox.geometry.time_of_impact import POSED_ROWS, SWEEP, time_of_impact
 from sandbox.world.records import VERTEX
 from tests.engine.stages import stage
 
-sweep_cores = stage(time_of_hit)
+impact_of = stage(time_of_impact)
 WALL = (10.0, 0.01)
 DEEP = 0.002
 CREEP = 0.02
+CORES = CoreRows(0, 4, 0.0), CoreRows(4, 4, 0.0)
 
 
 def rectangles(*sizes: tuple[float, float]):
@@ -48,11 +50,11 @@ def test_a_rod_that_overlaps_a_wall_already_goes_hardly_deeper_on_any_way(
     thin = 0.5 * (WALL[1] + thick)
     overlap = min(overlap, 0.7 * thin)
     y = below(rod, 0.0, 0.0, angle) - overlap
-    sweep, swept, out = SWEEP.zeros(1), VERTEX.zeros(SWEPT_ROWS), MANIFOLD.zeros(1)
+    sweep, posed, out = SWEEP.zeros(1), VERTEX.zeros(POSED_ROWS), MANIFOLD.zeros(1)
     row = sweep[0]
     row.x, row.y, row.angle_b, row.way_x, row.way_y, row.turn_b = 0.0, y, angle, way_x, way_y, turn
     row.deep, row.thin, row.creep = min(DEEP, 0.25 * thin), thin, CREEP
-    t = sweep_cores(rows, 0, 4, 0.0, 4, 4, 0.0, sweep, swept, out)
+    t = impact_of(rows, *CORES, sweep, posed, out)
     assert t == -1.0 or 0.0 <= t < 1.0
     allowed = max(row.deep, overlap + CREEP * row.deep) + 1e-9
     for share in np.linspace(0.0, 1.0 if t < 0.0 else t, 400):
@@ -62,13 +64,13 @@ def test_a_rod_that_overlaps_a_wall_already_goes_hardly_deeper_on_any_way(
 def test_what_is_told_of_a_hit_is_where_it_is():
     """A box that is 1 mm in the floor, hardly tilted, and goes on: it touches from the start, first at one corner."""
     rows = rectangles(WALL, (1.0, 1.0))
-    sweep, swept, out = SWEEP.zeros(1), VERTEX.zeros(SWEPT_ROWS), MANIFOLD.zeros(1)
+    sweep, posed, out = SWEEP.zeros(1), VERTEX.zeros(POSED_ROWS), MANIFOLD.zeros(1)
     row = sweep[0]
     row.y, row.angle_b, row.way_y, row.deep, row.thin = 0.504, 5e-4, -1.0, 0.005, 0.505
-    t = sweep_cores(rows, 0, 4, 0.0, 4, 4, 0.0, sweep, swept, out)
+    t = impact_of(rows, *CORES, sweep, posed, out)
     assert 0.0032 < t < 0.004
     assert (row.normal_x, row.normal_y, row.touched) == (0.0, 1.0, 1)
     assert -0.501 < row.point_x < -0.499
     row.y = 0.55
-    assert 0.044 < sweep_cores(rows, 0, 4, 0.0, 4, 4, 0.0, sweep, swept, out) < 0.0451
+    assert 0.044 < impact_of(rows, *CORES, sweep, posed, out) < 0.0451
     assert row.touched == 0

@@ -9,8 +9,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from sandbox._jit import kernel_argument
-from sandbox.geometry.manifold import MANIFOLD
-from sandbox.geometry.time_of_touch import time_of_touch
+from sandbox.geometry.linear_cast import linear_cast
 from tests.geometry.convex_cases import Case, cases
 from tests.naive import convex
 
@@ -26,11 +25,7 @@ def gap(case: Case, way: tuple[float, float]) -> float:
 
 def touch(case: Case, velocity: tuple[float, float], seconds: float = 1.0) -> float:
     """The kernel's answer."""
-    na, nb = len(case.a), len(case.b)
-    return time_of_touch(
-        kernel_argument(case.table()), 0, na, case.radius_a, na, nb, case.radius_b, *case.way, *velocity, seconds,
-        SLOP, kernel_argument(MANIFOLD.zeros(1)),
-    )  # fmt: skip
+    return linear_cast(kernel_argument(case.table()), *case.cores(), *case.way, *velocity, seconds, SLOP)
 
 
 @given(cases, st.tuples(speeds, speeds))
