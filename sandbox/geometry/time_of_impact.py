@@ -16,12 +16,12 @@ SWEEP = Table(
     (
         Field("x", "m", "centre of b from the centre of a at time 0"),
         Field("y", "m", "centre of b from the centre of a at time 0"),
-        Field("way_x", "m", "translation of b against a until time 1"),
-        Field("way_y", "m", "translation of b against a until time 1"),
+        Field("translation_x", "m", "translation of b against a until time 1"),
+        Field("translation_y", "m", "translation of b against a until time 1"),
         Field("angle_a", "rad", "turn of the given core of a at time 0"),
         Field("angle_b", "rad", "turn of the given core of b at time 0"),
-        Field("turn_a", "rad", "turn of a until time 1"),
-        Field("turn_b", "rad", "turn of b until time 1"),
+        Field("rotation_a", "rad", "turn of a until time 1"),
+        Field("rotation_b", "rad", "turn of b until time 1"),
         Field("deep", "m", "overlap that is let pass"),
         Field("creep", "1", "share of that by which an overlap as deep as that may grow as they move"),
         Field("thin", "m", "half widths of both cores together: past that overlap they part on the other side"),
@@ -60,7 +60,7 @@ def time_of_impact(cores: Records, a: CoreRows, b: CoreRows, sweep: Records, pos
     no more than the rest of a step. `posed` (`POSED_ROWS` vertices) and `out` (a `MANIFOLD` row) are scratch.
     """
     s = sweep[0]
-    rims = abs(s.turn_a) * _rim(cores, a) + abs(s.turn_b) * _rim(cores, b)
+    rims = abs(s.rotation_a) * _rim(cores, a) + abs(s.rotation_b) * _rim(cores, b)
     deep = s.deep
     near = _NEAR * deep
     t = 0.0
@@ -77,7 +77,7 @@ def time_of_impact(cores: Records, a: CoreRows, b: CoreRows, sweep: Records, pos
             break
         if gap > _TOUCHES * s.deep:
             clear = t
-        closing = rims - (s.way_x * nx + s.way_y * ny)
+        closing = rims - (s.translation_x * nx + s.translation_y * ny)
         if closing <= 0.0:
             return -1.0
         t = t + (gap + deep) / closing
@@ -96,7 +96,7 @@ def _answer(posed: Records, a: CoreRows, b: CoreRows, s: Records, t: float, out:
     of_a, of_b = _posed(a, b)
     m = out[0]
     m.x1 = m.y1 = 0.0
-    collide_cores(posed, of_a, of_b, s.x + t * s.way_x, s.y + t * s.way_y, _FAR, 0.0, out)
+    collide_cores(posed, of_a, of_b, s.x + t * s.translation_x, s.y + t * s.translation_y, _FAR, 0.0, out)
     s.normal_x = m.normal_x
     s.normal_y = m.normal_y
     second = m.point_count == 2 and m.separation2 < m.separation1
@@ -123,7 +123,7 @@ def _first_touch(cores: Records, a: CoreRows, b: CoreRows, rims: float, t: float
     for _stride in range(_STRIDES):
         _pose(cores, a, b, s, t, posed)
         gap, nx, ny = _separation(posed, a, b, s, t)
-        closing = rims - (s.way_x * nx + s.way_y * ny)
+        closing = rims - (s.translation_x * nx + s.translation_y * ny)
         if gap <= _NEAR * s.deep or closing <= 0.0:
             return t
         t = t + (gap - 0.5 * _NEAR * s.deep) / closing
@@ -143,10 +143,10 @@ def _rim(cores: Records, core: CoreRows) -> float:
 @kernel
 def _pose(cores: Records, a: CoreRows, b: CoreRows, s: Records, t: float, posed: Records) -> None:
     """Turn both cores to time t: a into `posed[0:]`, b into its second half. What does not turn stays as at time 0."""
-    if t == 0.0 or s.turn_a != 0.0:
-        _turn(cores, a, s.angle_a + t * s.turn_a, posed, ZERO)
-    if t == 0.0 or s.turn_b != 0.0:
-        _turn(cores, b, s.angle_b + t * s.turn_b, posed, ZERO + POSED_ROWS // 2)
+    if t == 0.0 or s.rotation_a != 0.0:
+        _turn(cores, a, s.angle_a + t * s.rotation_a, posed, ZERO)
+    if t == 0.0 or s.rotation_b != 0.0:
+        _turn(cores, b, s.angle_b + t * s.rotation_b, posed, ZERO + POSED_ROWS // 2)
 
 
 @kernel
@@ -171,5 +171,5 @@ def _posed(a: CoreRows, b: CoreRows) -> tuple[CoreRows, CoreRows]:
 def _separation(posed: Records, a: CoreRows, b: CoreRows, s: Records, t: float) -> tuple[float, float, float]:
     """(signed separation in metres, its unit axis x, y from a to b) of the cores posed at time t."""
     of_a, of_b = _posed(a, b)
-    found = closest_features(posed, of_a, of_b, s.x + t * s.way_x, s.y + t * s.way_y, _FAR, 0.0)
+    found = closest_features(posed, of_a, of_b, s.x + t * s.translation_x, s.y + t * s.translation_y, _FAR, 0.0)
     return found.separation, found.normal_x, found.normal_y

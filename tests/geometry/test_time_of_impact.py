@@ -52,7 +52,7 @@ def test_a_rod_that_overlaps_a_wall_already_goes_hardly_deeper_on_any_way(
     y = below(rod, 0.0, 0.0, angle) - overlap
     sweep, posed, out = SWEEP.zeros(1), VERTEX.zeros(POSED_ROWS), MANIFOLD.zeros(1)
     row = sweep[0]
-    row.x, row.y, row.angle_b, row.way_x, row.way_y, row.turn_b = 0.0, y, angle, way_x, way_y, turn
+    row.x, row.y, row.angle_b, row.translation_x, row.translation_y, row.rotation_b = 0.0, y, angle, way_x, way_y, turn
     row.deep, row.thin, row.creep = min(DEEP, 0.25 * thin), thin, CREEP
     t = impact_of(rows, *CORES, sweep, posed, out)
     assert t == -1.0 or 0.0 <= t < 1.0
@@ -66,7 +66,7 @@ def test_what_is_told_of_a_hit_is_where_it_is():
     rows = rectangles(WALL, (1.0, 1.0))
     sweep, posed, out = SWEEP.zeros(1), VERTEX.zeros(POSED_ROWS), MANIFOLD.zeros(1)
     row = sweep[0]
-    row.y, row.angle_b, row.way_y, row.deep, row.thin = 0.504, 5e-4, -1.0, 0.005, 0.505
+    row.y, row.angle_b, row.translation_y, row.deep, row.thin = 0.504, 5e-4, -1.0, 0.005, 0.505
     t = impact_of(rows, *CORES, sweep, posed, out)
     assert 0.0032 < t < 0.004
     assert (row.normal_x, row.normal_y, row.touched) == (0.0, 1.0, 1)

@@ -20,8 +20,8 @@ def record_impact(impact: Records, s: Records, a: Records, b: Records, second: b
     impact.touched = s.touched
     impact.normal_x = s.normal_x if second else -s.normal_x
     impact.normal_y = s.normal_y if second else -s.normal_y
-    impact.arm_x = s.point_x - (s.x + t * s.way_x if second else 0.0)
-    impact.arm_y = s.point_y - (s.y + t * s.way_y if second else 0.0)
+    impact.arm_x = s.point_x - (s.x + t * s.translation_x if second else 0.0)
+    impact.arm_y = s.point_y - (s.y + t * s.translation_y if second else 0.0)
 
 
 @kernel

@@ -50,13 +50,13 @@ def set_relative_sweep(tables: SweepTables, a: int, b: int, interval: Interval) 
     s.y = y - back_b * motion_b.delta_y + back_a * motion_a.delta_y
     long_a = interval.end_a - interval.start_a
     long_b = interval.end_b - interval.start_b
-    s.way_x = long_b * motion_b.delta_x - long_a * motion_a.delta_x
-    s.way_y = long_b * motion_b.delta_y - long_a * motion_a.delta_y
+    s.translation_x = long_b * motion_b.delta_x - long_a * motion_a.delta_x
+    s.translation_y = long_b * motion_b.delta_y - long_a * motion_a.delta_y
     s.angle_a = interval.start_a * motion_a.delta_angle
     s.angle_b = interval.start_b * motion_b.delta_angle
     s.creep = CREEP_LINKED if tables.ccd.bodies[a].linked + tables.ccd.bodies[b].linked > 0 else CREEP
-    s.turn_a = long_a * motion_a.delta_angle
-    s.turn_b = long_b * motion_b.delta_angle
+    s.rotation_a = long_a * motion_a.delta_angle
+    s.rotation_b = long_b * motion_b.delta_angle
 
 
 @kernel
@@ -67,5 +67,5 @@ def sweep_time_of_impact(tables: SweepTables, i: int, j: int) -> float:
     sweep = tables.ccd.sweep
     sweep[0].deep = allowed_depth(a, b)
     sweep[0].thin = a.thin + b.thin
-    t = time_of_impact(tables.cores, core_of(a), core_of(b), sweep, tables.ccd.swept, tables.ccd.manifold)
+    t = time_of_impact(tables.cores, core_of(a), core_of(b), sweep, tables.ccd.posed, tables.ccd.manifold)
     return float(t)

@@ -17,6 +17,7 @@ from sandbox.engine.fields.thrust import thrust
 from sandbox.engine.fields.wake import wake_switched
 from sandbox.engine.fields.water import float_bodies
 from sandbox.engine.fields.wind import blow
+from sandbox.engine.records.state import StateTables
 from sandbox.geometry.trig import cos_sin
 from sandbox.tables import Records
 from sandbox.world.field_records import ATTRACTION, GRAVITY, WATER, WIND
@@ -28,33 +29,31 @@ STILL = 0.002
 
 @entry_point
 def apply_fields(
-    bodies: Records,
-    shapes: Records,
-    vertices: Records,
+    state: StateTables,
     old_contacts: Records,
     joint_table: Records,
-    settings: Records,
-    counters: Records,
     active_info: Records,
     free_motions: Records,
     fields: Fields,
 ) -> None:
     """Add the forces of all fields to those of the coming step; wake whom a field begins to push."""
-    setting = settings[0]
-    step = counters[0].step_count
+    bodies = state.bodies
+    setting = state.settings[0]
+    counter = state.counters[0]
+    step = counter.step_count
     regions = fields.regions
     pushes = fields.pushes
     wake_switched(bodies, fields, active_info, step)
     _begin(bodies, pushes, setting)
-    _mark_held(pushes, old_contacts, counters[0].contact_count, joint_table)
+    _mark_held(pushes, old_contacts, counter.contact_count, joint_table)
     for k in range(regions.shape[0]):
         if acts(regions[k], step) and GRAVITY <= regions[k].kind <= ATTRACTION:
             change_gravity(regions[k], fields.edges, pushes)
     for k in range(regions.shape[0]):
         if acts(regions[k], step) and regions[k].kind == WIND:
-            blow(regions[k], fields, bodies, shapes, vertices)
+            blow(regions[k], fields, bodies, state.shapes, state.vertices)
         elif acts(regions[k], step) and regions[k].kind == WATER:
-            float_bodies(regions[k], fields, bodies, shapes, vertices)
+            float_bodies(regions[k], fields, bodies, state.shapes, state.vertices)
     thrust(fields.thrusters, pushes, step)
     _finish(bodies, pushes, free_motions, setting)
 

@@ -90,9 +90,7 @@ def find_contacts(
         vy = b.velocity_y - a.velocity_y
         distance = closing_distance(a, b, vx, vy, seconds)
         if distance > margin:
-            t, vx, vy, margin = speculative_impact(
-                bodies, shapes, proxies, cores, i, j, margin, fall, seconds, manifold
-            )
+            t, vx, vy, margin = speculative_impact(bodies, shapes, proxies, cores, i, j, margin, fall, seconds)
         if t < 0.0 or not _collide(proxies, cores, i, j, vx * t, vy * t, margin, manifold):
             continue
         known = k < old_count and old[k].shape_a == i and old[k].shape_b == j

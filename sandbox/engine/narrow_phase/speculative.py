@@ -60,7 +60,6 @@ def speculative_impact(
     margin: float,
     fall: float,
     seconds: float,
-    manifold: Records,
 ) -> tuple[float, float, float, float]:
     """(time, vx, vy, margin): when a pair whose `closing_distance` is more than its margin is to be looked at.
 
@@ -76,14 +75,14 @@ def speculative_impact(
         return 0.0, vx, vy, _SLOP_SHARE * margin
     slop = _SLOP_SHARE * margin + fall + seconds * (a.swing + b.swing)
     distance = closing_distance(a, b, vx, vy, seconds)
-    t = _touch(proxies, cores, i, j, vx, vy, seconds, slop, manifold)
+    t = _touch(proxies, cores, i, j, vx, vy, seconds, slop)
     if t < 0.0 and (a.traits | b.traits) & CONFINED and a.traits & b.traits & ACTIVE:
         # Either of them may be stopped within the step: what if only the other one moves?
         for only_a in range(2):
             if t < 0.0:
                 vx = -a.velocity_x if only_a == 1 else b.velocity_x
                 vy = -a.velocity_y if only_a == 1 else b.velocity_y
-                t = _touch(proxies, cores, i, j, vx, vy, seconds, slop, manifold)
+                t = _touch(proxies, cores, i, j, vx, vy, seconds, slop)
     return t, vx, vy, distance
 
 
@@ -105,7 +104,6 @@ def _touch(
     vy: float,
     seconds: float,
     slop: float,
-    manifold: Records,
 ) -> float:
     """Time until two shapes touch, if b moves against a by (vx, vy) m/s; -1 if they do not within `seconds`."""
     a = proxies[i]

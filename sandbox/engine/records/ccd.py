@@ -38,10 +38,10 @@ CCD_IMPACT = Table(
 
 
 class Ccd(NamedTuple):
-    """Memory of continuous collision; `sweep` has one row, `swept` the cores at the pose looked at."""
+    """Memory of continuous collision; `sweep` has one row, `posed` the cores as they lie at the time looked at."""
 
     bodies: Records
     impacts: Records
     sweep: Records
-    swept: Records
+    posed: Records
     manifold: Records
