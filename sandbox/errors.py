@@ -54,6 +54,18 @@ class RecordingError(FileError):
     """A recording cannot be used, made or written."""
 
 
+class ArgumentError(SandboxError, ValueError):
+    """A function was given what it does not take."""
+
+
+class UnknownAttributeError(SandboxError, AttributeError):
+    """An object has no attribute of that name; nothing was set."""
+
+
+class ReadOnlyAttributeError(UnknownAttributeError):
+    """An object has that attribute, but it cannot be set."""
+
+
 class ShapeError(SandboxError, ValueError):
     """A shape cannot be made of the given numbers."""
 

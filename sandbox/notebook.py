@@ -19,5 +19,7 @@ def render_with(renderer: Renderer) -> None:
 class Shown:
     """A notebook shows a player of it."""
 
+    __slots__ = ()
+
     def _repr_html_(self) -> str | None:
         return _renderers[0](self) if _renderers else None  # None: the notebook shows its repr

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 import sandbox
-from sandbox import resources
+from sandbox import _names, resources
 
 
 def _modules_after(code: str) -> set[str]:
@@ -27,7 +27,7 @@ def test_every_public_name_resolves(name: str) -> None:
 
 
 def test_lazy_names_come_from_their_homes() -> None:
-    assert set(sandbox.__all__) == {*sandbox._HOMES, "__version__"}
+    assert set(sandbox.__all__) == {*_names.HOMES, "__version__"}
     assert sandbox.SceneError.__module__ == "sandbox.errors"
     assert issubclass(sandbox.SceneError, sandbox.SandboxError)
 

@@ -116,13 +116,12 @@ def _draw(pair: SatPair, table: SatTable, svg: Path, figure: str, axis: int | No
 
 def _scene_shapes(world: World) -> tuple[Member, ...]:
     """All shapes of the scene. Raises `SandboxError` if they are too many for a picture."""
-    from sandbox.engine.views.body_shapes import body_shapes
     from sandbox.render.sat_page import Member
 
     count = len(world.state.shapes)
     if count > _MOST_SHAPES:
         raise SandboxError(f"--figure scene: {count} shapes are too many for a picture, at most {_MOST_SHAPES}")
-    bodies = [(i, world.body(name).type == "dynamic", body_shapes(world, name)) for i, name in enumerate(world.names)]
+    bodies = [(i, body.type == "dynamic", body.shapes) for i, body in enumerate(map(world.body, world.names))]
     return tuple(Member(shape, i, moves) for i, moves, shapes in bodies for shape in shapes)
 
 

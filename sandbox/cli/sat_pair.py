@@ -55,9 +55,8 @@ def pair_in(path: Path, bodies: tuple[str, str] | None, step: int) -> SatPair:
 
 def chosen_pair(world: World, names: tuple[str, str]) -> SatPair:
     """The deepest pair of shapes of two bodies; if none overlaps, the nearest; the first of equals."""
-    from sandbox.engine.views.body_shapes import body_shapes
 
-    shapes = body_shapes(world, names[0]), body_shapes(world, names[1])
+    shapes = world.body(names[0]).shapes, world.body(names[1]).shapes
     pairs = list(product(enumerate(shapes[0], 1), enumerate(shapes[1], 1)))
     (i, a), (j, b) = pairs[0] if len(pairs) == 1 else min(pairs, key=lambda pair: _apart(pair[0][1], pair[1][1]))
     return SatPair(names, a, b, world, (i, j), (len(shapes[0]), len(shapes[1])))

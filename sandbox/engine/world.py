@@ -2,118 +2,129 @@
 
 from __future__ import annotations
 
-from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from sandbox.engine.commands.body_commands import PUSHES, Command, SetPose, SetSurface, apply_command
-from sandbox.engine.commands.field_commands import FieldCommand, apply_field_command
-from sandbox.engine.commands.joint_commands import JointCommand, apply_joint_command
-from sandbox.engine.commands.row_commands import RowCommand, apply_row_command
-from sandbox.engine.commands.world_commands import WorldCommand, apply_world_command
-from sandbox.engine.events.between_steps import Interlude, Ties
-from sandbox.engine.events.events import SENSOR_EVENT, Events, differences, happened, nothing
+from sandbox.arguments import checked_count, shown
+from sandbox.attributes import FixedAttributes
+from sandbox.engine.commands.base import Command, Touched, Vec
+from sandbox.engine.commands.delete import Delete
+from sandbox.engine.commands.set_gravity import SetGravity
+from sandbox.engine.commands.spawn import Spawn
+from sandbox.engine.events.event_log import EventLog
+from sandbox.engine.events.events import Events
+from sandbox.engine.events.pending import TouchingPairs
 from sandbox.engine.fields.records import last_switch
 from sandbox.engine.memory.scratch import Scratch
 from sandbox.engine.stepper import Stepper
-from sandbox.engine.views.bodies import Bodies, Body
-from sandbox.engine.views.directory import Directory
-from sandbox.engine.views.joint import Joint
-from sandbox.errors import CommandError
+from sandbox.engine.views.bodies import Bodies
+from sandbox.engine.views.body import BodyView
+from sandbox.engine.views.joint import JointView
+from sandbox.errors import ArgumentError, CommandError, SnapshotError
 from sandbox.notebook import Shown
+from sandbox.scene.flat import FlatScene
 from sandbox.tables import Floats
 from sandbox.world.build import build_state
 from sandbox.world.digest import digest
-from sandbox.world.flush import join_tiles
-from sandbox.world.records import DYNAMIC, STATIC
+from sandbox.world.directory import Directory
+from sandbox.world.records import DYNAMIC
 from sandbox.world.roster import Roster
 from sandbox.world.rows import Moved
 from sandbox.world.snapshot import restore, snapshot
 from sandbox.world.state import State
 
 if TYPE_CHECKING:
-    from sandbox.engine.events.sensors import Sensing
+    from collections.abc import Sequence
+
     from sandbox.engine.queries.queries import Queries
     from sandbox.scene import Scene
-    from sandbox.scene.flat import FlatScene
     from sandbox.scene.spawned import Spawning
 
 
-class World(Shown):
+class World(Shown, FixedAttributes):
     """A simulation of one scene.
 
     The same scene and the same commands give the same bits on every machine. `step` advances, `apply` is the only
-    way to change anything from outside, everything else reads.
+    way to change anything from outside, everything else reads; what can be set or called besides applies a command.
+    Units are SI, angles are in radians, y points up.
     """
 
+    __slots__ = (
+        "__weakref__", "_changes", "_directory", "_events", "_last_switch", "_queries", "_spawning", "_stepper",
+        "bodies", "scene", "state",
+    )  # fmt: skip
+
     def __init__(self, scene: Scene | FlatScene) -> None:
+        flat = scene.flatten() if hasattr(scene, "flatten") else scene
+        if not isinstance(flat, FlatScene):
+            raise ArgumentError(f"World: takes a Scene, not {shown(scene)}; load_scene reads one from a file")
         self.scene = scene
-        self.state: State = build_state(scene.flatten() if hasattr(scene, "flatten") else scene)
-        self.changes = 0
-        """Counts steps, commands and restores: while it stays the same, nothing has moved."""
-        self._events: Events | None = nothing(0, self.state.names)
-        self._interlude = Interlude()
-        self._sensing = self._make_sensing()
+        self.state: State = build_state(flat)
+        self._changes = 0
+        self._spawning: Spawning | None = None
+        self._queries: Queries | None = None
+        self._events = EventLog(self.state)
         self._stepper = Stepper(self.state)
         self._know_rows()
         self.bodies = Bodies(self)
 
     def step(self, n: int = 1) -> None:
-        """Advance by `n` steps of `1 / step_rate` seconds each."""
+        """Advance by `n` steps of `1 / step_rate` seconds each. Raises `ArgumentError` unless `n` is a whole number."""
+        n = checked_count("World.step", n)
         self._stepper.compile()
-        self.changes += 1
+        self._changes += 1
         stepper, counters = self._stepper, self._stepper.counters
         for taken in range(n):
             if counters["still"][0] and counters["step_count"][0] > self._last_switch:
                 counters["step_count"][0] += n - taken  # all asleep: nothing else would change
-                self._events = nothing(self.step_count, self.names)
+                self._events.note_quiet_steps()
                 return
             stepper.step()
-            self._events = None
-            self._interlude.close()
-            if self._sensing is not None:
-                self._sensing.look()
+            self._events.note_step()
 
-    def apply(self, command: Command | JointCommand | WorldCommand | RowCommand | FieldCommand) -> None:
+    def apply(self, command: Command) -> None:
         """Apply a command.
 
         Raises `CommandError`, `UnknownBodyError`, `UnknownJointError` or `UnknownRegionError` and changes nothing if it
         can't be done.
         """
-        self.changes += 1
-        stirs = False
-        if isinstance(command, RowCommand):
-            self._events = self.events  # it speaks of the rows that were
-            ties = Ties.of(self.state, self._sensing)
-            moved = apply_row_command(self, command)
-            self._interlude.note_rows(ties, moved)
-            self._follow(moved)
-        elif isinstance(command, JointCommand):
-            if apply_joint_command(self.state, self.directory.joint(command.joint), command):
-                self._stepper.assemble_joints()
-        elif isinstance(command, WorldCommand):
-            apply_world_command(self, command)
-        elif isinstance(command, FieldCommand):
-            apply_field_command(self, command)
-            self._last_switch = last_switch(self.state)
-        elif not isinstance(command, Command):
-            raise CommandError(f"{command!r} is no command; they are in sandbox.engine.commands")
-        else:
-            index = self.directory.body(command.body)
-            body = self.state.bodies[index]
-            stirs = isinstance(command, PUSHES) and body.type == DYNAMIC and body.awake == 1
-            if isinstance(command, SetPose):
-                self._interlude.note_pose(index, self.state.bodies[index])
-            elif isinstance(command, SetSurface) and command.density is not None:
-                self._events = self.events  # places are measured from centres of mass, which may move
-            apply_command(self.state, index, command)
-            if isinstance(command, SetPose) and self.state.bodies[index].type == STATIC:
-                join_tiles(self.state.bodies, self.state.shapes, self.state.vertices, self.state.seams)
-        if not stirs:
-            self._stepper.forget()
-        self._stepper.counters["still"][0] = 0
-        self._stepper.counters["substep_watch"][0] = 0
+        if not isinstance(command, Command):
+            raise CommandError(f"{shown(command)} is no command; commands are such as sandbox.SetPose")
+        self._changes += 1
+        command = command.checked()
+        if command.outdates_events:
+            self._events.events(self.scratch)
+        before = self._events.touching() if command.moves_rows else None
+        self._note(command.apply(self), before)
+
+    @property
+    def gravity(self) -> Vec:
+        """m/s^2. Setting it applies `SetGravity`."""
+        setting = self.state.settings[0]
+        return float(setting.gravity_x), float(setting.gravity_y)
+
+    @gravity.setter
+    def gravity(self, value: Vec) -> None:
+        self.apply(SetGravity(value))
+
+    def spawn(self, bodies: Any = (), joints: Any = ()) -> None:
+        """Bring bodies and joints into the world, in the words of a scene file: `Spawn`."""
+        self.apply(Spawn(bodies, joints))
+
+    def delete(self, bodies: str | Sequence[str]) -> None:
+        """Take bodies out of the world, given by one id or several, with the joints that hold them: `Delete`."""
+        self.apply(Delete(bodies))
+
+    @property
+    def changes(self) -> int:
+        """Counts steps, commands and restores: while it stays the same, nothing has moved."""
+        return self._changes
+
+    @property
+    def directory(self) -> Directory:
+        """From ids to rows, as they are now."""
+        return self._directory
 
     @property
     def time(self) -> float:
@@ -145,21 +156,27 @@ class World(Shown):
         """Counts how often rows have moved: while it stays the same, row `i` of `bodies` is the same body."""
         return self.state.layout
 
-    @cached_property
+    @property
     def spawning(self) -> Spawning:
         """Reads what is spawned."""
-        from sandbox.scene.flat import FlatScene
-        from sandbox.scene.spawned import Spawning  # worlds in which nothing is spawned pay nothing
+        if self._spawning is None:
+            from sandbox.scene.spawned import Spawning  # worlds in which nothing is spawned pay nothing
 
-        return Spawning(self.scene if not isinstance(self.scene, FlatScene) else None)
+            self._spawning = Spawning(self.scene if not isinstance(self.scene, FlatScene) else None)
+        return self._spawning
 
-    def joint(self, name: str) -> Joint:
-        """The joint of that id. Raises `UnknownJointError` with the nearest name."""
-        return Joint(self, self.directory.joint(name))
-
-    def body(self, name: str) -> Body:
+    def body(self, name: str) -> BodyView:
         """The body of that id. Raises `UnknownBodyError` with the nearest name."""
-        return Body(self, self.directory.body(name))
+        return BodyView(self, self.directory.body(name))
+
+    def joint(self, name: str) -> JointView:
+        """The joint of that id. Raises `UnknownJointError` with the nearest name."""
+        return JointView(self, self.directory.joint(name))
+
+    @property
+    def joints(self) -> tuple[JointView, ...]:
+        """All joints, also those without an id, in the order of the scene, then those that were spawned."""
+        return tuple(JointView(self, row) for row in range(len(self.state.joints)))
 
     @property
     def awake_count(self) -> int:
@@ -181,19 +198,14 @@ class World(Shown):
     @property
     def events(self) -> Events:
         """What happened during the last step: contacts that began, ended or struck, sensors, sleep. Ask every step."""
-        if self._events is None:
-            sensing = self._sensing
-            enter, leave = differences(sensing.before, sensing.now) if sensing else (SENSOR_EVENT.zeros(0),) * 2
-            reports = self.scratch.contacts.reports
-            self._events = happened(self.state, self.scratch.contacts.now, reports, enter, leave, self._interlude)
-        return self._events
+        return self._events.events(self.scratch)
 
     @property
     def sensed(self) -> tuple[tuple[str, str], ...]:
         """(sensor's body, other body) for everything that a sensor has in it now, each pair once, in scene order."""
-        if self._sensing is None:
+        rows = self._events.sensed
+        if rows is None:
             return ()
-        rows = self._sensing.now
         pairs = sorted(set(zip(rows.sensor_body.tolist(), rows.body.tolist(), strict=True)))
         return tuple((self.names[a], self.names[b]) for a, b in pairs)
 
@@ -208,12 +220,14 @@ class World(Shown):
         rows = self.state.bodies.frozen_step
         return [(self.names[i], int(rows[i])) for i in range(len(rows)) if rows[i] >= 0]
 
-    @cached_property
+    @property
     def query(self) -> Queries:
         """Rays, casts, overlaps and distances: read-only questions about where things are."""
-        from sandbox.engine.queries.queries import Queries  # worlds that are asked nothing pay nothing
+        if self._queries is None:
+            from sandbox.engine.queries.queries import Queries  # worlds that are asked nothing pay nothing
 
-        return Queries(self)
+            self._queries = Queries(self)
+        return self._queries
 
     def digest(self) -> str:
         """Fingerprint of the whole state, 16 hex digits: equal bits, equal digest."""
@@ -225,9 +239,11 @@ class World(Shown):
 
     def restore(self, data: bytes) -> None:
         """Go back to a snapshot of this scene. Raises `SnapshotError` and changes nothing if it can't."""
-        self.changes += 1
+        if not isinstance(data, (bytes, bytearray, memoryview)):
+            raise SnapshotError(f"a snapshot is bytes, as World.snapshot gives them, not {shown(data)}")
+        self._changes += 1
         layout = self.layout
-        restore(self.state, data, self._read_roster)
+        restore(self.state, bytes(data), self._read_roster)
         if self.layout != layout:
             self._know_rows()
         self._last_switch = last_switch(self.state)
@@ -236,12 +252,8 @@ class World(Shown):
         elif len(self.state.joints):
             self._stepper.assemble_joints()
         self._stepper.forget()
-        self._events, self._interlude = nothing(self.step_count, self.names), Interlude()
         self.scratch.contacts.reports.total_impulse = 0.0
-        if self.layout != layout:
-            self._sensing = self._make_sensing()
-        if self._sensing is not None:
-            self._sensing.forget()
+        self._events.clear(rows_moved=self.layout != layout)
 
     def _read_roster(self, text: bytes) -> Roster:
         from sandbox.world.roster_reading import read_roster
@@ -250,25 +262,31 @@ class World(Shown):
 
     def _know_rows(self) -> None:
         """Note where everybody is now, and when fields begin and end."""
-        self.directory = Directory(self.state)
+        self._directory = Directory(self.state)
         self._last_switch = last_switch(self.state)
 
-    def _follow(self, moved: Moved) -> None:
+    def _note(self, touched: Touched, before: TouchingPairs | None) -> None:
+        """Bring up to date what is worked out from the records; `before` is what touched before rows moved."""
+        if touched.rows is not None and before is not None:
+            self._move_rows(touched.rows)
+            self._events.note_rows(before, touched.rows)
+        if touched.displaced is not None:
+            self._events.note_displaced(*touched.displaced)
+        if touched.joints:
+            self._stepper.assemble_joints()
+        if touched.schedules:
+            self._last_switch = last_switch(self.state)
+        if touched.active_set:
+            self._stepper.forget()
+        counters = self._stepper.counters
+        counters["still"][0] = counters["substep_watch"][0] = 0
+
+    def _move_rows(self, moved: Moved) -> None:
         """Bring everything that knows of rows up to date after rows have come or gone."""
         self._know_rows()
         old, blocks = self.scratch.contacts.reports, len(self.scratch.blocks.blocks)
         self._stepper.renew(blocks=blocks)
         self.scratch.contacts.reports[: len(moved.contacts)] = old[moved.contacts]
-        before, self._sensing = self._sensing, self._make_sensing()
-        if self._sensing is not None and before is not None:
-            self._sensing.follow(before, moved)
-
-    def _make_sensing(self) -> Sensing | None:
-        if not self.state.shapes.sensor.any():
-            return None
-        from sandbox.engine.events.sensors import Sensing  # worlds without sensors pay nothing
-
-        return Sensing(self.state)
 
     def __repr__(self) -> str:
         return f"<World of {len(self.names)} bodies at step {self.step_count}>"

@@ -90,11 +90,11 @@ def sensed_count(carriers: Rows, others: Rows) -> Measure:
     """One value: how many shapes of `others` are in sensors of `carriers`."""
 
     def measure(state: State) -> Values:
-        from sandbox.engine.events.sensors import Sensing
+        from sandbox.engine.events.sensors import SensorOverlaps
 
-        sensing = Sensing(state)
-        sensing.look()
-        rows = sensing.now
+        overlaps = SensorOverlaps(state)
+        overlaps.update()
+        rows = overlaps.now
         inside = np.isin(rows.sensor_body, carriers) & np.isin(rows.body, others)
         return np.array([np.count_nonzero(inside)], dtype=np.float64)
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
+from sandbox.arguments import checked_count
+from sandbox.attributes import FixedAttributes
+from sandbox.engine.commands.base import Command
 from sandbox.engine.world import World
-from sandbox.errors import CommandError
+from sandbox.errors import ArgumentError, CommandError
 from sandbox.replay.golden.run import Run, RunStepper, run_of
 from sandbox.replay.keyframes import Keyframe, Keyframes
 from sandbox.replay.recording.command_words import plain_command
@@ -16,22 +17,29 @@ BUDGET = 64 * 1024 * 1024
 """Bytes of keyframes that a player keeps if it is not told otherwise."""
 
 
-class Player:
+class Player(FixedAttributes):
     """Plays a run in a `world` of its own; `seek` gives the bits of a straight run, whatever came before.
 
     `length` is the last step known; `step` goes on past it, `apply` adds a command at the end, and `branch` begins
     another future in the middle. Keyframes take at most `budget` bytes: with a longer run they stand farther apart.
     """
 
+    __slots__ = ("_frames", "_length", "_run", "_stepper")
+
     def __init__(self, run: Run | Recording | Scene, budget: int = BUDGET) -> None:
-        known = run_of(run)
+        known = run_of(run, "Player")
         self._begin(known, Keyframes(budget))
-        self.length = known.steps
+        self._length = known.steps
 
     @property
     def world(self) -> World:
         """The world as it is at this step: look at it, but step and change it through the player."""
         return self._stepper.world
+
+    @property
+    def length(self) -> int:
+        """The last step that is known."""
+        return self._length
 
     @property
     def step_count(self) -> int:
@@ -45,18 +53,18 @@ class Player:
 
     def step(self, n: int = 1) -> None:
         """Go on by `n` steps, past the end if need be. Raises what a command raises that cannot be applied."""
-        for _ in range(n):
+        for _ in range(checked_count("Player.step", n)):
             self._keep()
             self._stepper.advance()
-        self.length = max(self.length, self.step_count)
+        self._length = max(self.length, self.step_count)
 
     def seek(self, step: int) -> None:
         """Go to a step from 0 to `length`. Its own step is taken, so that its events are known as well.
 
         The commands that come after `step` steps have not been applied then.
         """
-        if not 0 <= step <= self.length:
-            raise ValueError(f"step {step} is not one of 0 to {self.length}")
+        if checked_count("Player.seek", step) > self.length:
+            raise ArgumentError(f"step {step} is not one of 0 to {self.length}")
         here = self.step_count
         frame = self._frames.before(max(step, 1))
         # Forwards from here, unless a keyframe lies between or the way leads back.
@@ -65,7 +73,7 @@ class Player:
         if step > self.step_count:
             self.step(step - self.step_count)
 
-    def apply(self, command: Any) -> None:
+    def apply(self, command: Command) -> None:
         """Apply a command at the end of what is known; elsewhere `branch` first. Raises what `World.apply` does."""
         if self.step_count != self.length:
             raise CommandError(f"the run is known up to step {self.length}: branch() begins another one here")
@@ -78,7 +86,7 @@ class Player:
         here = self.step_count
         commands = [row for row in self._stepper.commands if row[0] < here] + self._stepper.commands_done_at(here)
         player._begin(Run(self._run.scene, here, tuple(commands)), self._frames.up_to(here))
-        player.length = here
+        player._length = here
         player._stepper.restore(self.world.snapshot(), self._stepper.applied)
         return player
 

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from itertools import product
 from typing import Any
 
-from sandbox.engine.views.body_shapes import body_shapes
 from sandbox.engine.world import World
 from sandbox.errors import SandboxError
 from sandbox.geometry.collide import collide, distance
@@ -75,7 +74,7 @@ def _of(world: World, row: Any) -> tuple[str, str]:
 
 def _table(world: World, names: tuple[str, str]) -> SatTable:
     """That of the deepest of all pairs of the two bodies' shapes; if none overlaps, of the nearest."""
-    pairs = list(product(body_shapes(world, names[0]), body_shapes(world, names[1])))
+    pairs = list(product(world.body(names[0]).shapes, world.body(names[1]).shapes))
     a, b = pairs[0] if len(pairs) == 1 else min(pairs, key=lambda pair: _apart(*pair))
     return sat_table(a, b, all_axes=True)
 

@@ -1,36 +1,90 @@
-"""What an author writes: the models of a scene file, loading, checking, and the flat form for a world."""
+"""What an author writes: the models of a scene file, loading, checking, and the flat form for a world.
+
+The models speak as a file does: their fields are a file's keys, and their angles are in degrees.
+"""
 
 from sandbox.scene.body import Body, Prefab
+from sandbox.scene.expect import (
+    Above,
+    Apart,
+    Asleep,
+    Below,
+    Inside,
+    Near,
+    Rests,
+    Senses,
+    Speeding,
+    Stands,
+    Touches,
+    Turned,
+)
 from sandbox.scene.flat import FlatBody, FlatScene, FlatSettings, FlatShape
-from sandbox.scene.generators import Grid, Pyramid, Row, Scatter, Stack
+from sandbox.scene.generators import Chain, Grid, Pyramid, Row, Scatter, Stack
+from sandbox.scene.joints.drives import Friction, Motor, Target
+from sandbox.scene.joints.gear import Gear
+from sandbox.scene.joints.revolute import Revolute, Weld
+from sandbox.scene.joints.ropes import DistanceJoint, Pulley
+from sandbox.scene.joints.slides import Prismatic, Wheel
 from sandbox.scene.load import load_scene, loads_scene
 from sandbox.scene.material import Material
+from sandbox.scene.regions import Attraction, Gravity, GravityScale, Water, Wind
 from sandbox.scene.scene import Scene
 from sandbox.scene.schema import schema
 from sandbox.scene.settings import Settings, View
-from sandbox.scene.shapes import Box, Capsule, Circle, Polygon, Segment
+from sandbox.scene.shapes import BoxShape, CapsuleShape, ChainShape, CircleShape, PolygonShape, SegmentShape
+from sandbox.scene.thruster import Thruster
 
 __all__ = [
+    "Above",
+    "Apart",
+    "Asleep",
+    "Attraction",
+    "Below",
     "Body",
-    "Box",
-    "Capsule",
-    "Circle",
+    "BoxShape",
+    "CapsuleShape",
+    "Chain",
+    "ChainShape",
+    "CircleShape",
+    "DistanceJoint",
     "FlatBody",
     "FlatScene",
     "FlatSettings",
     "FlatShape",
+    "Friction",
+    "Gear",
+    "Gravity",
+    "GravityScale",
     "Grid",
+    "Inside",
     "Material",
-    "Polygon",
+    "Motor",
+    "Near",
+    "PolygonShape",
     "Prefab",
+    "Prismatic",
+    "Pulley",
     "Pyramid",
+    "Rests",
+    "Revolute",
     "Row",
     "Scatter",
     "Scene",
-    "Segment",
+    "SegmentShape",
+    "Senses",
     "Settings",
+    "Speeding",
     "Stack",
+    "Stands",
+    "Target",
+    "Thruster",
+    "Touches",
+    "Turned",
     "View",
+    "Water",
+    "Weld",
+    "Wheel",
+    "Wind",
     "load_scene",
     "loads_scene",
     "schema",

@@ -12,7 +12,16 @@ from sandbox.geometry.rotation import cos_sin_degrees
 from sandbox.scene.flat import FlatShape, Vec
 from sandbox.scene.flat_chain import left_of, links, seams
 from sandbox.scene.material import Material
-from sandbox.scene.shapes import AnyShape, Box, Capsule, Chain, Circle, Polygon, Segment, Turnable
+from sandbox.scene.shapes import (
+    AnyShape,
+    BoxShape,
+    CapsuleShape,
+    ChainShape,
+    CircleShape,
+    PolygonShape,
+    SegmentShape,
+    Turnable,
+)
 
 Kind = Literal["circle", "box", "capsule", "segment", "polygon"]
 
@@ -30,16 +39,16 @@ def flat_shapes(shape: AnyShape, material: Material | None, categories: Sequence
     surface["group"], surface["sensor"] = shape.group, shape.sensor
     if shape.one_way is not None:
         surface["one_way"] = _direction(shape, shape.one_way)
-    if isinstance(shape, Polygon):
+    if isinstance(shape, PolygonShape):
         yield from _polygon(shape, surface)
-    elif isinstance(shape, Chain):
+    elif isinstance(shape, ChainShape):
         yield from _chain(shape, surface)
     else:
         kind, core, radius = _core(shape)
         yield FlatShape(kind, _placed(shape, core), float(radius), **surface)
 
 
-def _polygon(shape: Polygon, surface: dict[str, Any]) -> Iterator[FlatShape]:
+def _polygon(shape: PolygonShape, surface: dict[str, Any]) -> Iterator[FlatShape]:
     """A convex polygon as it is, another one in parts."""
     rings, parts = decompose(shape.polygon, shape.holes)
     if len(parts) == 1:
@@ -52,7 +61,7 @@ def _polygon(shape: Polygon, surface: dict[str, Any]) -> Iterator[FlatShape]:
         yield FlatShape("polygon", core, **surface, part=number, shown=part.shown, outline=outline)
 
 
-def _chain(shape: Chain, surface: dict[str, Any]) -> Iterator[FlatShape]:
+def _chain(shape: ChainShape, surface: dict[str, Any]) -> Iterator[FlatShape]:
     """Its links: segments that are smooth at their joints."""
     points = _placed(shape, shape.chain)
     ghosts = _placed(shape, shape.ghosts) if shape.ghosts else None
@@ -74,14 +83,14 @@ def _direction(shape: AnyShape, way: Vec) -> Vec:
 def _core(shape: AnyShape) -> tuple[Kind, Sequence[Vec], float]:
     """Kind, core about the shape's own origin, and radius; polygons may be several."""
     match shape:
-        case Circle():
+        case CircleShape():
             return "circle", [(0.0, 0.0)], shape.circle
-        case Box():
+        case BoxShape():
             x, y = shape.box[0] / 2 - shape.radius, shape.box[1] / 2 - shape.radius
             return "box", [(-x, -y), (x, -y), (x, y), (-x, y)], shape.radius
-        case Capsule():
+        case CapsuleShape():
             return "capsule", shape.capsule, shape.radius
-        case Segment():
+        case SegmentShape():
             return "segment", shape.segment, shape.radius
     raise TypeError(type(shape).__name__)
 

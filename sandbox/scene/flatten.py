@@ -18,7 +18,7 @@ from sandbox.scene.generators import Chain, Generator, body_count, body_names, k
 from sandbox.scene.known import NOTHING, Known
 from sandbox.scene.limits import MAX_SHAPES
 from sandbox.scene.scene_fields import SceneFields
-from sandbox.scene.shapes import Polygon
+from sandbox.scene.shapes import PolygonShape
 from sandbox.scene.solidity import faults
 
 _FARTHEST = 1e9
@@ -123,7 +123,7 @@ class Flattener:
 
 def _part_count(shapes: tuple[Any, ...]) -> int:
     """How many convex shapes these are."""
-    polygons = (shape for shape in shapes if isinstance(shape, Polygon))
+    polygons = (shape for shape in shapes if isinstance(shape, PolygonShape))
     return len(shapes) + sum(len(decompose(shape.polygon, shape.holes).parts) - 1 for shape in polygons)
 
 

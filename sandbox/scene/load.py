@@ -7,6 +7,7 @@ from pathlib import Path
 
 from pydantic import ValidationError
 
+from sandbox.arguments import check_kind
 from sandbox.scene.flatten import Flattener
 from sandbox.scene.parse import parse
 from sandbox.scene.read import read_text
@@ -18,11 +19,13 @@ from sandbox.scene.wording import findings
 
 def load_scene(path: str | os.PathLike[str]) -> Scene:
     """The scene in a file. Raises `SceneError` with every mistake and its line and column."""
+    check_kind("load_scene", "the path of a file", path, str, os.PathLike)
     return loads_scene(read_text(Path(path)), str(path))
 
 
 def loads_scene(text: str, source: str = "<string>") -> Scene:
     """The scene in a JSON text; `source` names it in messages. Raises `SceneError`."""
+    check_kind("loads_scene", "a text", text, str)
     text = text.removeprefix("\ufeff")
     parsed = parse(text, source)
     found = parsed.repeats + cross_checks(parsed.data)

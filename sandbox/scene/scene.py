@@ -54,10 +54,6 @@ class Scene(Shown, SceneFields):
         assert self._flat is not None
         return self._flat
 
-    def to_data(self) -> dict[str, Any]:
-        """The scene as plain data, as a file holds it; fields that were not given are left out."""
-        return self.model_dump(mode="json", by_alias=True, exclude_unset=True)
-
     def save(self, path: str | FilePath) -> None:
         """Write the scene as JSON (UTF-8) that loads to an equal scene."""
         data = self.to_data()

@@ -136,7 +136,7 @@ class AnyShape(Surface):
     )
 
 
-class Circle(AnyShape):
+class CircleShape(AnyShape):
     """A disc."""
 
     circle: Size = Field(description="Radius, m.")
@@ -149,7 +149,7 @@ class Turnable(AnyShape):
 
 
 @known_as("a shape")
-class Box(Turnable):
+class BoxShape(Turnable):
     """A rectangle, centred on `at`."""
 
     box: Size2 = Field(description="Outer width and height, m.")
@@ -159,21 +159,21 @@ class Box(Turnable):
     )
 
 
-class Capsule(Turnable):
+class CapsuleShape(Turnable):
     """All points within `radius` of the line between two points."""
 
     capsule: Annotated[Ends, AfterValidator(_check_ends)] = Field(description="The two centers [[x, y], [x, y]], m.")
     radius: Size = Field(description="Distance of the outline from the line, m.")
 
 
-class Segment(Turnable):
+class SegmentShape(Turnable):
     """A line between two points, solid from both sides; it has no mass unless it has a radius."""
 
     segment: Annotated[Ends, AfterValidator(_check_ends)] = Field(description="The two ends [[x, y], [x, y]], m.")
     radius: Rounding = Field(default=0.0, description="Thickness to each side, m.")
 
 
-class Polygon(Turnable):
+class PolygonShape(Turnable):
     """A polygon of 3 to 1000 vertices, in either winding; it may be concave and have holes."""
 
     polygon: Annotated[Outline, AfterValidator(_check_polygon)] = Field(
@@ -187,7 +187,7 @@ class Polygon(Turnable):
     )
 
 
-class Chain(Turnable):
+class ChainShape(Turnable):
     """Lines from point to point, smooth at the joints; they have no mass unless they have a radius."""
 
     chain: Annotated[ChainPoints, AfterValidator(_check_chain)] = Field(description="The points [[x, y], ...], m.")
@@ -206,22 +206,22 @@ class Chain(Turnable):
 
 
 SHAPES: dict[str, type[AnyShape]] = {
-    "circle": Circle,
-    "box": Box,
-    "capsule": Capsule,
-    "segment": Segment,
-    "polygon": Polygon,
-    "chain": Chain,
+    "circle": CircleShape,
+    "box": BoxShape,
+    "capsule": CapsuleShape,
+    "segment": SegmentShape,
+    "polygon": PolygonShape,
+    "chain": ChainShape,
 }
 """Every kind of shape by its key."""
 
 Shape = Annotated[
-    Annotated[Circle, Tag(TAG + "circle")]
-    | Annotated[Box, Tag(TAG + "box")]
-    | Annotated[Capsule, Tag(TAG + "capsule")]
-    | Annotated[Segment, Tag(TAG + "segment")]
-    | Annotated[Polygon, Tag(TAG + "polygon")]
-    | Annotated[Chain, Tag(TAG + "chain")],
+    Annotated[CircleShape, Tag(TAG + "circle")]
+    | Annotated[BoxShape, Tag(TAG + "box")]
+    | Annotated[CapsuleShape, Tag(TAG + "capsule")]
+    | Annotated[SegmentShape, Tag(TAG + "segment")]
+    | Annotated[PolygonShape, Tag(TAG + "polygon")]
+    | Annotated[ChainShape, Tag(TAG + "chain")],
     by_key("shape", SHAPES),
 ]
 """Any shape; exactly one of the keys of `SHAPES` tells which."""

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sandbox.engine.commands.body_commands import EndDrag, MoveDrag, StartDrag
+from sandbox.engine.commands.drags import EndDrag, MoveDrag, StartDrag
 from sandbox.engine.world import World
 from sandbox.errors import CommandError, SandboxError
 from sandbox.render.camera import Bounds, Vec

@@ -5,9 +5,9 @@ from __future__ import annotations
 import time
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
-from sandbox.engine.commands.body_commands import EndDrag
+from sandbox.engine.commands.base import Command
+from sandbox.engine.commands.drags import EndDrag
 from sandbox.engine.world import World
 from sandbox.errors import SandboxError
 from sandbox.replay.recording.command_words import TimedCommand
@@ -26,7 +26,7 @@ class SessionRecorder:
         self._recorder = Recorder(world)
         self._script = list(script)
 
-    def apply(self, command: Any) -> None:
+    def apply(self, command: Command) -> None:
         """Apply a command of the user's. Raises what `World.apply` raises."""
         if self._script:
             self._script.clear()

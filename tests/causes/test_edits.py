@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from sandbox.engine.commands.body_commands import ApplyImpulse, SetVelocity
+from sandbox import ApplyImpulse, SetVelocity
 from sandbox.replay.causes.command_edits import command_edits, located
 from sandbox.replay.causes.engine_edits import FileEdit, between_folders, is_engine, told
 from sandbox.replay.causes.scene_edits import edits, edits_in_text

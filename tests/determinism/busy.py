@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sandbox.engine.commands.body_commands import ApplyForce, EndDrag, MoveDrag, SetPose, SetVelocity, StartDrag
+from sandbox import ApplyForce, EndDrag, MoveDrag, SetPose, SetVelocity, StartDrag
 from sandbox.engine.world import World
 from sandbox.scene.flat import FlatScene, FlatSettings
 from tests.flat import body, box, capsule, circle, ground, polygon, segment

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
-from sandbox.engine.commands.body_commands import ApplyForce, SetVelocity
-from sandbox.engine.commands.joint_commands import BreakJoint, SetJoint, SetLimits, SetMotor, SetTarget
+from sandbox import ApplyForce, BreakJoint, SetJoint, SetLimits, SetMotor, SetTarget, SetVelocity
 from sandbox.engine.world import World
 from sandbox.scene.flat import FlatJoint, FlatScene
 from tests.flat import body, box, circle, ground
@@ -19,7 +19,7 @@ COMMANDS: dict[int, Any] = {
     17: SetJoint("weld", False),
     20: SetJoint("weld", True),
     22: SetLimits("hinge", -0.2, 0.2),
-    24: SetJoint("drive", max_force=6.0, offset=(0.3, 0.2), angle=20.0, angular_hertz=2.0),
+    24: SetJoint("drive", max_force=6.0, offset=(0.3, 0.2), angle=math.radians(20.0), angular_hertz=2.0),
     25: SetVelocity("puck", (4.0, 2.0), 5.0),
 }
 """Commands by the step they come before."""

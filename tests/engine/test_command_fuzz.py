@@ -8,17 +8,18 @@ import numpy as np
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from sandbox.engine.commands.body_commands import (
+from sandbox import (
     ApplyForce,
     ApplyImpulse,
     EndDrag,
+    Explode,
     MoveDrag,
+    SetGravity,
     SetPose,
     SetSurface,
     SetVelocity,
     StartDrag,
 )
-from sandbox.engine.commands.world_commands import Explode, SetGravity
 from sandbox.engine.world import World
 from sandbox.errors import SandboxError
 from sandbox.scene.flat import FlatSettings

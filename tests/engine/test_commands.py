@@ -7,10 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from sandbox.engine.commands.body_commands import ApplyForce, EndDrag, MoveDrag, SetPose, SetVelocity, StartDrag
-from sandbox.engine.commands.row_commands import Spawn
-from sandbox.engine.commands.surfaces import SetSurface
-from sandbox.engine.commands.world_commands import SetGravity
+from sandbox import ApplyForce, EndDrag, MoveDrag, SetGravity, SetPose, SetSurface, SetVelocity, Spawn, StartDrag
 from sandbox.engine.world import World
 from sandbox.errors import CommandError, SandboxError, UnknownBodyError
 from tests.flat import body, box, circle, ground, world

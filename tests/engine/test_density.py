@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import sandbox
-from sandbox.engine.commands.body_commands import SetSurface, StartDrag
+from sandbox import SetSurface, StartDrag
 from sandbox.errors import CommandError
 from sandbox.render.frame import capture
 

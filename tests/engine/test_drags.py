@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sandbox.engine.commands.body_commands import MoveDrag, StartDrag
+from sandbox import MoveDrag, StartDrag
 from tests.engine.stages import Paused, solve_mouse_joints
 from tests.flat import body, box, circle, world
 

@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 import sandbox
-from sandbox.engine.commands.body_commands import SetPose, SetVelocity
-from sandbox.engine.commands.joint_commands import BreakJoint
+from sandbox import BreakJoint, SetPose, SetVelocity
 from sandbox.engine.events.events import HIT_SPEED, KINDS
 from sandbox.scene import loads_scene
 from sandbox.scene.flat import FlatSettings

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from sandbox.engine.commands.body_commands import ApplyForce, SetPose, SetVelocity
+from sandbox import ApplyForce, SetPose, SetVelocity
 from sandbox.errors import CommandError
 from tests.flat import body, box, circle, ground, world
 

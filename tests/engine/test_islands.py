@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sandbox.engine.commands.body_commands import ApplyForce, SetPose, SetVelocity
+from sandbox import ApplyForce, SetPose, SetVelocity
 from sandbox.scene.flat import FlatSettings
 from tests.engine.stages import island_roots
 from tests.flat import body, box, circle, ground, world

@@ -6,8 +6,7 @@ import math
 
 import pytest
 
-from sandbox.engine.commands.body_commands import ApplyForce, ApplyImpulse, SetSurface
-from sandbox.engine.commands.world_commands import Explode, SetGravity
+from sandbox import ApplyForce, ApplyImpulse, Explode, SetGravity, SetSurface
 from sandbox.errors import CommandError
 from sandbox.scene.flat import FlatSettings
 from tests.flat import body, box, capsule, circle, ground, world

@@ -9,9 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sandbox.engine.commands.body_commands import ApplyImpulse, MoveDrag, SetPose, SetSurface, SetVelocity, StartDrag
-from sandbox.engine.commands.row_commands import Delete
-from sandbox.engine.commands.world_commands import SetGravity
+from sandbox import ApplyImpulse, Delete, MoveDrag, SetGravity, SetPose, SetSurface, SetVelocity, StartDrag
 from sandbox.engine.world import World
 from sandbox.errors import SandboxError
 from sandbox.scene.flat import FlatScene, FlatSettings

@@ -7,8 +7,7 @@ import random
 import pytest
 
 import sandbox
-from sandbox.engine.commands.body_commands import SetPose
-from sandbox.engine.views.body_shapes import body_shapes
+from sandbox import SetPose
 from tests.flat import body, box, capsule, circle, ground, polygon, scene, world
 
 
@@ -38,8 +37,8 @@ def truth(w):
             for b in w.flat.bodies:
                 solid = [k for k, shape in enumerate(b.shapes) if not shape.sensor]
                 if sensor.sensor and a.id != b.id and {a.type, b.type} != {"static"}:
-                    mine = body_shapes(w, a.id)[i]
-                    if any(sandbox.collide(mine, body_shapes(w, b.id)[k]) for k in solid):
+                    mine = w.body(a.id).shapes[i]
+                    if any(sandbox.collide(mine, w.body(b.id).shapes[k]) for k in solid):
                         found.add((a.id, b.id))
     return found
 

@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 
 import sandbox
-from sandbox.engine.commands.body_commands import SetPose, StartDrag
-from sandbox.engine.commands.row_commands import Delete, DeleteJoint, Spawn
+from sandbox import Delete, DeleteJoint, SetPose, Spawn, StartDrag
 from sandbox.engine.queries.filter import Filter
 from sandbox.engine.world import World
 from sandbox.errors import CommandError, UnknownBodyError, UnknownJointError

@@ -11,8 +11,7 @@ from hypothesis import strategies as st
 from hypothesis.stateful import Bundle, RuleBasedStateMachine, consumes, invariant, rule
 
 import sandbox
-from sandbox.engine.commands.body_commands import SetPose, SetVelocity
-from sandbox.engine.commands.row_commands import Delete, DeleteJoint, Spawn
+from sandbox import Delete, DeleteJoint, SetPose, SetVelocity, Spawn
 from sandbox.engine.world import World
 from sandbox.errors import SandboxError, UnknownBodyError
 from sandbox.world.joint_records import GEAR

@@ -7,7 +7,7 @@ import math
 import pytest
 
 import sandbox
-from sandbox.engine.commands.field_commands import SetRegion, SetThruster
+from sandbox import SetRegion, SetThruster
 from sandbox.engine.world import World
 from sandbox.errors import CommandError, SceneError, UnknownBodyError, UnknownRegionError
 

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from sandbox.engine.commands.body_commands import ApplyForce
+from sandbox import ApplyForce
 from sandbox.engine.world import World
 from sandbox.scene.flat import FlatBody, FlatSettings
 from tests.fields.pools import G, inside, water

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from sandbox.engine.commands.joint_commands import SetTarget
+from sandbox import SetTarget
 from tests.flat import body, box, circle, ground
 from tests.joints.jointed import G, joint, jointed
 

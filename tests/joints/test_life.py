@@ -7,8 +7,7 @@ import math
 import pytest
 
 import sandbox
-from sandbox.engine.commands.body_commands import SetPose
-from sandbox.engine.commands.joint_commands import BreakJoint, SetJoint, SetLimits, SetMotor, SetSpring
+from sandbox import BreakJoint, SetJoint, SetLimits, SetMotor, SetPose, SetSpring
 from sandbox.errors import CommandError, UnknownJointError
 from sandbox.scene.flat import FlatSettings
 from tests.flat import body, box, circle, ground

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sandbox.engine.commands.body_commands import SetPose, SetVelocity
+from sandbox import SetPose, SetVelocity
 from sandbox.engine.world import World
 from sandbox.scene.flat import FlatJoint
 from tests.flat import body, box

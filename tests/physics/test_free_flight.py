@@ -8,7 +8,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from sandbox.engine.commands.body_commands import ApplyForce
+from sandbox import ApplyForce
 from sandbox.scene.flat import FlatSettings
 from tests.flat import body, box, capsule, circle, polygon, world
 

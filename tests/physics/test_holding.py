@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sandbox.engine.commands.body_commands import SetVelocity
+from sandbox import SetVelocity
 from sandbox.engine.world import World
 from sandbox.scene.flat import FlatSettings, FlatShape
 from tests.flat import body, box, capsule, circle, ground, polygon, segment, world

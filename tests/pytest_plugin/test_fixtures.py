@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 PUSH = """
-from sandbox.engine.commands.body_commands import ApplyImpulse
+from sandbox import ApplyImpulse
 
 def test_falls(replay_check):
     replay_check("crate", 30, [(5, ApplyImpulse("crate", ({push}, 0.0)))])

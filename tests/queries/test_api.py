@@ -12,8 +12,7 @@ import numpy as np
 import pytest
 
 import sandbox
-from sandbox import Box, Circle, Filter, QueryError, Segment, UnknownBodyError
-from sandbox.engine.commands.body_commands import SetPose
+from sandbox import Box, Circle, Filter, QueryError, Segment, SetPose, UnknownBodyError
 from sandbox.scene.flat import FlatSettings
 from tests.determinism.busy import STEPS, digests
 from tests.determinism.busy import scene as busy_scene

@@ -5,17 +5,18 @@ from __future__ import annotations
 from typing import Any
 
 import sandbox
-from sandbox.engine.commands.body_commands import (
+from sandbox import (
     ApplyForce,
     ApplyImpulse,
     EndDrag,
+    Explode,
     MoveDrag,
+    SetGravity,
+    SetMotor,
     SetPose,
     SetSurface,
     StartDrag,
 )
-from sandbox.engine.commands.joint_commands import SetMotor
-from sandbox.engine.commands.world_commands import Explode, SetGravity
 
 STEPS = 150
 

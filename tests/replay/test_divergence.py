@@ -16,8 +16,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import sandbox
+from sandbox import ApplyImpulse
 from sandbox.engine import arithmetic_version as arithmetic
-from sandbox.engine.commands.body_commands import ApplyImpulse
 from sandbox.replay.golden.divergence import ulps_between
 from sandbox.replay.golden.heavy import Twin
 from sandbox.resources import find_scene

@@ -9,8 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sandbox.engine.commands.body_commands import SetPose
-from sandbox.engine.commands.row_commands import Delete, Spawn
+from sandbox import Delete, SetPose, Spawn
 from sandbox.engine.world import World
 from sandbox.replay.expectations import Judge, Verdict
 from sandbox.scene import Scene, expect

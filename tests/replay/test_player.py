@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import sandbox
-from sandbox.engine.commands.body_commands import ApplyImpulse, SetPose
+from sandbox import ApplyImpulse, SetPose
 from sandbox.replay.golden.run import RunStepper
 from sandbox.replay.keyframes import Keyframe, Keyframes
 from tests.determinism import busy

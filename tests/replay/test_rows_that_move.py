@@ -6,9 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import sandbox
-from sandbox.engine.commands.body_commands import SetVelocity
-from sandbox.engine.commands.field_commands import SetRegion, SetThruster
-from sandbox.engine.commands.row_commands import Delete, DeleteJoint, Spawn
+from sandbox import Delete, DeleteJoint, SetRegion, SetThruster, SetVelocity, Spawn
 from tests.determinism.processes import other_process
 from tests.replay.played import DATA
 

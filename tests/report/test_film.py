@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 import sandbox
-from sandbox.engine.commands.body_commands import ApplyImpulse
-from sandbox.engine.commands.row_commands import Delete, Spawn
+from sandbox import ApplyImpulse, Delete, Spawn
 from sandbox.replay.golden.run import Run
 from sandbox.report.film_data import film_data
 from sandbox.report.filming import film_ahead, film_run

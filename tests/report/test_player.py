@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import sandbox
-from sandbox.engine.commands.body_commands import ApplyImpulse
+from sandbox import ApplyImpulse
 from sandbox.replay.golden.run import Run
 from sandbox.report.filming import film_run
 from sandbox.report.player_page import player_frame, player_page

@@ -7,8 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from sandbox.engine.commands.body_commands import ApplyImpulse, EndDrag, StartDrag
-from sandbox.engine.commands.row_commands import Delete, Spawn
+from sandbox import ApplyImpulse, Delete, EndDrag, Spawn, StartDrag
 from sandbox.errors import SandboxError
 from sandbox.replay.golden.run import Run, RunStepper
 from sandbox.replay.revisions.against import HERE

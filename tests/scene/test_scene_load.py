@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from sandbox.errors import SceneError
-from sandbox.scene import Body, Box, Circle, FlatBody, FlatSettings, FlatShape, Scene, load_scene, loads_scene
+from sandbox.scene import Body, BoxShape, CircleShape, FlatBody, FlatSettings, FlatShape, Scene, load_scene, loads_scene
 
 RAMP = """{
   "$schema": "../scene.schema.json", "format": 1,
@@ -141,8 +141,8 @@ def test_flattening_twice_gives_the_same_object():
 
 
 def test_models_build_a_scene_in_python():
-    ball = Body(id="ball", position=np.array([1, 2]), shapes=[Circle(circle=np.float64(0.5))])
-    scene = Scene(bodies=[ball, Body(id="box", shapes=[Box(box=(1, 2))])])
+    ball = Body(id="ball", position=np.array([1, 2]), shapes=[CircleShape(circle=np.float64(0.5))])
+    scene = Scene(bodies=[ball, Body(id="box", shapes=[BoxShape(box=(1, 2))])])
     assert scene.flatten().bodies[0].position == (1, 2)
 
 
@@ -154,8 +154,8 @@ def test_models_build_a_scene_in_python():
             lambda: Body(id="a", positoin=(0, 0)),
             'unknown field "positoin" (at /positoin) did you mean "position"?',
         ),
-        (lambda: Circle(circle=-1), "circle must not be below 1e-06 m (at /circle)"),
-        (lambda: Circle(circle=float("nan")), "circle must be a finite number"),
+        (lambda: CircleShape(circle=-1), "circle must not be below 1e-06 m (at /circle)"),
+        (lambda: CircleShape(circle=float("nan")), "circle must be a finite number"),
         (lambda: Scene(bodies=[Body(id="a", prefab="x")]), 'no prefab is named "x" (at /bodies/0/prefab)'),
         (lambda: Scene().model_copy(update={"bodies": [Body(id="a")]}), 'the body "a" has no shapes'),
     ],

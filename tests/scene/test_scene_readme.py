@@ -68,7 +68,7 @@ def test_every_kind_is_explained(kind):
 
 
 def test_the_shipped_schema_is_that_of_the_models():
-    # To write it anew: python -c "import sandbox.scene.schema as s; print(s.schema_text(), end='')" > FILE
+    # To write it anew: python -c "from sandbox.scene.schema import *; print(schema_text(), end='')" > FILE
     assert (SCENES / "scene.schema.json").read_text(encoding="utf-8") == schema_text()
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import sandbox
-from sandbox.engine.commands.row_commands import Delete, Spawn
+from sandbox import Delete, Spawn
 from sandbox.render.body_colors import body_colors_of
 from sandbox.window.session import MOST_STEPS, Session
 

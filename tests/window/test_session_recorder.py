@@ -9,8 +9,8 @@ import pygame
 import pytest
 
 import sandbox
+from sandbox import ApplyImpulse, EndDrag, StartDrag
 from sandbox.cli import main
-from sandbox.engine.commands.body_commands import ApplyImpulse, EndDrag, StartDrag
 from sandbox.window.loader import Loader
 from sandbox.window.play import PlayScreen
 from sandbox.window.session import Session

@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import sandbox
-from sandbox.engine.commands.body_commands import MoveDrag, StartDrag
+from sandbox import MoveDrag, StartDrag
 from sandbox.render.frame import capture
 from sandbox.render.pick import pick
 from tests.geometry.concave_cases import simple, with_holes

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sandbox.engine.commands.row_commands import Delete, Spawn
+from sandbox import Delete, Spawn
 from sandbox.engine.world import World
 from sandbox.errors import SandboxError, SnapshotError
 from sandbox.world.build import build_state

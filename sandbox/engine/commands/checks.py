@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 import math
-from dataclasses import fields
+from dataclasses import fields, replace
 from functools import cache
 from numbers import Integral, Real
 from types import UnionType
-from typing import Any, Union, get_args, get_origin, get_type_hints
+from typing import Any, TypeVar, Union, get_args, get_origin, get_type_hints
 
 import numpy as np
 
+from sandbox.arguments import shown
 from sandbox.engine.bodies.quarantine import MAX_COORDINATE
-from sandbox.engine.commands.pushes import SPEED_LIMIT
 from sandbox.errors import CommandError
 
+T = TypeVar("T")
+
+SPEED_LIMIT = 1e6
+"""Highest velocity a command may set or cause, in m/s or rad/s."""
 GRAVITY_LIMIT = 1e6
 """Strongest gravity a command may set along an axis, in m/s^2."""
 
@@ -37,20 +41,29 @@ def title(command: Any) -> str:
     return type(command).__name__
 
 
-def check_fields(command: Any) -> None:
-    """Raise `CommandError` unless all fields of a command have their types, and every number is finite and within the
-    limit of its field."""
+def checked(command: T) -> T:
+    """A command with Python's own numbers inside.
+
+    Raises `CommandError` unless all fields have their types, and every number is finite and within the limit of its
+    field.
+    """
     kind: Any = type(command)
+    plain: dict[str, Any] = {}
     for name, types in _types(kind).items():
         value = getattr(command, name)
         if value is None and type(None) in types:
             continue
-        wanted = [_PAIR if get_origin(one) is tuple else _WORDS[one] for one in types if one is not type(None)]
-        if not any(_is(value, one) for one in types):
-            raise CommandError(f"{title(command)}: {name} must be {' or '.join(wanted)}, not {value!r}")
-        for number in value if wanted[0] is _PAIR else (value,):
+        wanted = [one for one in types if one is not type(None)]
+        fitting = next((one for one in wanted if _is(value, one)), None)
+        if fitting is None:
+            words = " or ".join(_PAIR if get_origin(one) is tuple else _WORDS[one] for one in wanted)
+            raise CommandError(f"{title(command)}: {name} must be {words}, not {shown(value)}")
+        for number in value if get_origin(fitting) is tuple else (value,):
             if isinstance(number, Real) and not isinstance(number, bool):
                 _check(command, name, number)
+        plain[name] = tuple(map(float, value)) if get_origin(fitting) is tuple else fitting(value)
+    changed: Any = replace(command, **plain)  # type: ignore[type-var]
+    return changed  # type: ignore[no-any-return]
 
 
 @cache
@@ -76,7 +89,11 @@ def _is(value: Any, kind: Any) -> bool:
 
 def _check(command: Any, field: str, number: Any) -> None:
     limit = _LIMITS.get(field, math.inf)
-    if not math.isfinite(number):
+    try:
+        finite = math.isfinite(number)
+    except OverflowError:  # a whole number that no float can hold
+        raise CommandError(f"{title(command)}: {field} must be a number below 1.8e308") from None
+    if not finite:
         raise CommandError(f"{title(command)}: {field} must be a finite number, not {number}")
     if abs(number) > limit:
         raise CommandError(f"{title(command)}: {field} of {number:g} is past the limit of {limit:g}")

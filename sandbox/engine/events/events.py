@@ -9,34 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from sandbox.engine.events.between_steps import Finder, Interlude, Parting
-from sandbox.tables import Field, Integers, Records, Table
+from sandbox.engine.events.pending import DeletedPair, PendingEvents, RowLookup
+from sandbox.engine.events.records import CONTACT_EVENT, SENSOR_EVENT
+from sandbox.tables import Integers, Records, Table
 from sandbox.world.state import State
 
-CONTACT_EVENT = Table(
-    "contact_event",
-    (
-        Field("body_a", "-", "index of the first body in `events.names`", "i8"),
-        Field("body_b", "-", "index of the second body", "i8"),
-        Field("shape_a", "-", "row of the first shape; shape_a < shape_b; -1 if it was deleted", "i8"),
-        Field("shape_b", "-", "row of the second shape; -1 if it was deleted", "i8"),
-        Field("x", "m", "where they touch: the middle of the contact points"),
-        Field("y", "m", ""),
-        Field("normal_x", "1", "unit normal from a to b"),
-        Field("normal_y", "1", ""),
-        Field("impulse", "N s", "normal impulse over the whole step"),
-        Field("speed", "m/s", "at which they closed in when the step began"),
-    ),
-)
-SENSOR_EVENT = Table(
-    "sensor_event",
-    (
-        Field("sensor_body", "-", "index of the sensor's body", "i8"),
-        Field("body", "-", "index of the body that it senses", "i8"),
-        Field("sensor", "-", "row of the sensor shape; -1 if it was deleted", "i8"),
-        Field("shape_index", "-", "row of the shape that it senses; -1 if it was deleted", "i8"),
-    ),
-)
 HIT_SPEED = 1.0
 """Slower contacts are no hits, in m/s."""
 
@@ -103,20 +80,24 @@ def _plain(row: Any, names: tuple[str, ...]) -> dict[str, Any]:
     }
 
 
-def nothing(step: int, names: tuple[str, ...]) -> Events:
+def no_events(step: int, names: tuple[str, ...]) -> Events:
     """The events of a step in which nothing happened."""
     contact, sensor, body = CONTACT_EVENT.zeros(0), SENSOR_EVENT.zeros(0), np.zeros(0, np.int64)
     return Events(step, names, contact, contact, contact, sensor, sensor, body, body, body, body)
 
 
-def happened(state: State, before: Any, reports: Any, enter: Records, leave: Records, interlude: Interlude) -> Events:
+def find_events(
+    state: State, before: Any, reports: Any, sensed: tuple[Records, Records], pending: PendingEvents
+) -> Events:
     """The events of the step that led to `state`: its `reports`, and `before`, the contacts of the step before.
 
-    `interlude` tells what was deleted before the step, and who was put elsewhere since.
+    `sensed` is what sensors overlapped before the step and after it; `pending` tells what was deleted before the step,
+    and who was put elsewhere since.
     """
     counter, bodies = state.counters[0], state.bodies
-    centers, finder = _centers(bodies, interlude), Finder(state)
-    parted = _parted(CONTACT_EVENT, interlude.ends, finder), _parted(SENSOR_EVENT, interlude.leaves, finder)
+    centers, lookup = _centers(bodies, pending), RowLookup(state)
+    ends, leaves = _deleted(CONTACT_EVENT, pending.ends, lookup), _deleted(SENSOR_EVENT, pending.leaves, lookup)
+    enter, leave = _entered_and_left(*sensed)
     now: Any = np.asarray(state.contacts[: int(counter.contact_count)])
     old: Any = np.asarray(before)[: int(counter.old_contact_count)]
     touched, touches = old["touching"] == 1, now["touching"] == 1
@@ -127,12 +108,12 @@ def happened(state: State, before: Any, reports: Any, enter: Records, leave: Rec
     ended = np.flatnonzero(touched)[~_among(old_keys, keys)]
     return Events(
         int(counter.step_count),
-        finder.names,
+        lookup.names,
         _contact_rows(now[fresh], did[fresh], centers),
-        _followed_by(_contact_rows(old[ended], None, centers), parted[0]),
+        _followed_by(_contact_rows(old[ended], None, centers), ends),
         _contact_rows(now[struck], did[struck], centers),
         enter,
-        _followed_by(leave, parted[1]),
+        _followed_by(leave, leaves),
         np.flatnonzero(bodies.stirred == -1),
         np.flatnonzero(bodies.stirred == 1),
         np.flatnonzero(bodies.frozen_step == counter.step_count - 1),
@@ -141,28 +122,28 @@ def happened(state: State, before: Any, reports: Any, enter: Records, leave: Rec
     )
 
 
-def differences(before: Any, after: Any) -> tuple[Records, Records]:
+def _entered_and_left(before: Any, after: Any) -> tuple[Records, Records]:
     """`SENSOR_EVENT` rows that are new, and those that are gone."""
     old, new = _pair_keys(before), _pair_keys(after)
     return after[~_among(new, old)], before[~_among(old, new)]
 
 
-def _centers(bodies: Records, interlude: Interlude) -> dict[str, Any]:
+def _centers(bodies: Records, pending: PendingEvents) -> dict[str, Any]:
     """The centres of mass at the end of the step, whatever commands have moved since."""
     centers: dict[str, Any] = {"x": bodies.center_x, "y": bodies.center_y}
-    if interlude.places:
-        rows = list(interlude.places)
+    if pending.places:
+        rows = list(pending.places)
         for k, axis in enumerate("xy"):
             centers[axis] = centers[axis].copy()
-            centers[axis][rows] = [place[k] for place in interlude.places.values()]
+            centers[axis][rows] = [place[k] for place in pending.places.values()]
     return centers
 
 
-def _parted(table: Table, parts: list[Parting], finder: Finder) -> Records:
-    rows = table.zeros(len(parts))
-    for row, part in zip(rows, parts, strict=True):
+def _deleted(table: Table, pairs: list[DeletedPair], lookup: RowLookup) -> Records:
+    rows = table.zeros(len(pairs))
+    for row, pair in zip(rows, pairs, strict=True):
         # Both tables begin with two bodies and two shapes; a contact goes on with its place and normal.
-        figures = (*finder.rows(part), *part.figures)
+        figures = (*lookup.rows(pair), *pair.figures)
         for name, value in zip(table.dtype.names or (), figures, strict=False):
             row[name] = value
     return rows

@@ -1,4 +1,4 @@
-"""Sensors: shapes that feel what overlaps them and push nothing."""
+"""Sensors: shapes that sense what overlaps them and push nothing."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 
 from sandbox._jit import ZERO, Call, Door, entry_point, kernel, kernel_argument
 from sandbox.engine.broad_phase.pairs import may_collide
-from sandbox.engine.events.events import SENSOR_EVENT
+from sandbox.engine.events.records import SENSOR_EVENT
 from sandbox.engine.queries.index import lay_out
 from sandbox.engine.queries.records import Memory, QueryTables
 from sandbox.engine.queries.walk import begin_walk, next_box
@@ -20,7 +20,7 @@ from sandbox.world.rows import Moved
 from sandbox.world.state import State
 
 
-class Sensing:
+class SensorOverlaps:
     """What the sensors of a world overlap. Made only for worlds that have sensors."""
 
     def __init__(self, state: State) -> None:
@@ -36,7 +36,7 @@ class Sensing:
         self.now: Records = SENSOR_EVENT.zeros(0)
         """What they overlap: `SENSOR_EVENT` rows, sorted by (sensor, shape)."""
 
-    def look(self) -> None:
+    def update(self) -> None:
         """Find what the sensors overlap now; what they overlapped so far becomes `before`."""
         self._lay_out()
         count = self._sense(*self._asking, self._sensors, self._manifold, self._found)
@@ -46,7 +46,7 @@ class Sensing:
         found = np.asarray(self._found)[:count]
         self.before, self.now = self.now, found[np.lexsort((found["shape_index"], found["sensor"]))].view(np.recarray)
 
-    def follow(self, earlier: Sensing, moved: Moved) -> None:
+    def move_rows(self, earlier: SensorOverlaps, moved: Moved) -> None:
         """Take over what sensors overlapped before rows came or went."""
         rows = earlier.now
         left = (moved.shapes[rows.sensor] >= 0) & (moved.shapes[rows.shape_index] >= 0)
@@ -57,11 +57,11 @@ class Sensing:
             self.now[name] = moved.bodies[self.now[name]]
         self.before = self.now
 
-    def forget(self) -> None:
+    def reset(self) -> None:
         """Begin anew at the poses of now: after a restore, nothing enters or leaves that has not moved."""
         self.now = self.before = SENSOR_EVENT.zeros(0)
         if self._state.counters[0].step_count > 0:
-            self.look()
+            self.update()
         self.before = self.now
 
 

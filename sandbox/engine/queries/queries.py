@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from sandbox._jit import Call, Door, kernel_argument
+from sandbox.attributes import FixedAttributes
 from sandbox.engine.queries.checks import checked_box, checked_place, checked_ways
 from sandbox.engine.queries.filter import Filter
 from sandbox.engine.queries.gap import find_gap
@@ -20,9 +21,8 @@ from sandbox.engine.queries.subject import POINT, Subject, subject_of, write_fil
 from sandbox.engine.queries.sweep import all_hits, first_hits
 from sandbox.errors import QueryError
 from sandbox.geometry.shapes import Core
-
-if TYPE_CHECKING:
-    from sandbox.engine.world import World
+from sandbox.world.directory import Directory
+from sandbox.world.state import State
 
 Vec = tuple[float, float]
 _EVERYTHING = Filter()
@@ -30,7 +30,23 @@ _FIRST_HITS, _ALL_HITS, _OVERLAPS = Door(first_hits), Door(all_hits), Door(overl
 _NEAREST, _GAP = Door(nearest_shape), Door(find_gap)
 
 
-class Queries:
+class QueriedWorld(Protocol):
+    """As much of a world as queries know."""
+
+    @property
+    def state(self) -> State:
+        """Its records."""
+
+    @property
+    def directory(self) -> Directory:
+        """From ids to rows."""
+
+    @property
+    def changes(self) -> int:
+        """While it stays the same, nothing has moved."""
+
+
+class Queries(FixedAttributes):
     """Questions to one world. They change nothing: no digest, no snapshot, no step.
 
     Touching counts everywhere: a ray that grazes a corner hits it, and so does whatever the rounding of floats cannot
@@ -40,7 +56,20 @@ class Queries:
     The first question after a step, a command or a restore puts all shapes into a grid; those that follow use it.
     """
 
-    def __init__(self, world: World) -> None:
+    __slots__ = (
+        "_arguments",
+        "_asked",
+        "_laid_out",
+        "_laying",
+        "_layout",
+        "_many",
+        "_memory",
+        "_one",
+        "_way",
+        "_world",
+    )
+
+    def __init__(self, world: QueriedWorld) -> None:
         self._world = world
         self._way = np.zeros((1, 4))
         self._one: Any = kernel_argument(HIT.zeros(2))
@@ -167,7 +196,7 @@ class Queries:
 
     def _answer(self, hit: tuple[Any, ...]) -> tuple[str, int, Vec, Vec, float]:
         shape, body, fraction, x, y, nx, ny = hit
-        return self._world.names[body], shape, (x, y), (nx, ny), fraction
+        return self._world.state.names[body], shape, (x, y), (nx, ny), fraction
 
     def _ask(self, subject: Subject, seen: Filter | None) -> None:
         """Bring the grid up to date and write down what is asked, if it is not what was asked last."""

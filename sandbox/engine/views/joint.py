@@ -3,32 +3,37 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from sandbox.engine.commands.joint_commands import BreakJoint, JointCommand, SetJoint, SetMotor
-from sandbox.errors import UnknownJointError
+from sandbox.arguments import shown
+from sandbox.attributes import FixedAttributes
+from sandbox.engine.commands.base import Command
+from sandbox.engine.commands.delete import DeleteJoint
+from sandbox.engine.commands.joint_parts import BreakJoint, SetLimits, SetMotor, SetTarget
+from sandbox.engine.commands.set_joint import SetJoint
+from sandbox.engine.views.base import ViewedWorld
+from sandbox.errors import CommandError, UnknownJointError
 from sandbox.world import joint_records as kinds
 from sandbox.world.build_joints import KINDS
 from sandbox.world.joint_pose import anchor, angle_between, slide
 
-if TYPE_CHECKING:
-    from sandbox.engine.world import World
-
 _NAMES = {number: name for name, number in KINDS.items()}
 
 
-class Joint:
+class JointView(FixedAttributes):
     """One joint of a world. Setting a property applies a command, so that it can be recorded and refused.
 
     It stays the same joint whatever else comes and goes. Once that joint has been deleted, asking for anything but its
     `id` raises `UnknownJointError`.
     """
 
-    def __init__(self, world: World, row: int) -> None:
-        self.id = world.joint_names[row]
+    __slots__ = ("_layout", "_record", "_serial", "_state", "_world", "id")
+
+    def __init__(self, world: ViewedWorld, row: int) -> None:
+        self.id = world.state.joint_names[row]
         self._world, self._state = world, world.state
         self._serial = world.state.roster.joints.serials[row]
-        self._layout, self._record = world.layout, world.state.joints[row]
+        self._layout, self._record = world.state.layout, world.state.joints[row]
 
     @property
     def _row(self) -> Any:
@@ -39,7 +44,7 @@ class Joint:
             self._layout, self._record = self._state.layout, self._state.joints[row]
         return self._record
 
-    def _apply(self, command: JointCommand) -> None:
+    def _apply(self, command: Command) -> None:
         _ = self._row
         self._world.apply(command)
 
@@ -100,7 +105,7 @@ class Joint:
 
     @enabled.setter
     def enabled(self, value: bool) -> None:
-        self._apply(SetJoint(self.id, bool(value)))
+        self._apply(SetJoint(self.id, value))
 
     @property
     def motor_speed(self) -> float | None:
@@ -109,7 +114,46 @@ class Joint:
 
     @motor_speed.setter
     def motor_speed(self, value: float | None) -> None:
-        self._apply(SetMotor(self.id, None if value is None else float(value)))
+        self._apply(SetMotor(self.id, value))
+
+    @property
+    def limits(self) -> tuple[float | None, float | None]:
+        """(lower, upper), rad or m; None on a side where there is none."""
+        ends = (float(self._row.lower), float(self._row.upper))
+        lower, upper = (end if self._row.limit and math.isfinite(end) else None for end in ends)
+        return lower, upper
+
+    @limits.setter
+    def limits(self, value: tuple[float | None, float | None]) -> None:
+        try:
+            lower, upper = value
+        except (TypeError, ValueError):
+            raise CommandError(f"SetLimits of {self.id!r}: takes a pair (lower, upper), not {shown(value)}") from None
+        self._apply(SetLimits(self.id, lower, upper))
+
+    @property
+    def target(self) -> tuple[float, float] | None:
+        """Where a target joint pulls to, in the world (m); None for other kinds."""
+        if int(self._row.kind) != kinds.TARGET:
+            return None
+        return float(self._row.point_ax), float(self._row.point_ay)
+
+    @target.setter
+    def target(self, value: tuple[float, float]) -> None:
+        self._apply(SetTarget(self.id, value))
+
+    def set(self, **settings: Any) -> None:
+        """Change settings by their names in a scene file; angles in radians. Takes the fields of `SetJoint`."""
+        try:
+            command = SetJoint(self.id, **settings)
+        except TypeError:
+            strays = [name for name in settings if name not in SetJoint.__dataclass_fields__ or name == "joint"]
+            raise CommandError(f"SetJoint of {self.id!r}: there is no setting {strays[0]!r}") from None
+        self._apply(command)
+
+    def delete(self) -> None:
+        """Take it out of the world, with the gears on it."""
+        self._apply(DeleteJoint(self.id))
 
     def break_(self) -> None:
         """Break it for good."""

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Literal
 
+from sandbox.arguments import check_kind
 from sandbox.engine.arithmetic_version import ARITHMETIC, changes_since
 from sandbox.errors import SandboxError
 from sandbox.replay.golden.divergence import Divergence, Drift
@@ -60,6 +61,7 @@ def rerun(
     With `heavy`, every step is also taken from a restored snapshot, and must come out the same. `on_steps` hears now
     and then how many steps are done. Raises `SceneError` if the scene cannot be used.
     """
+    check_kind("rerun", "a Recording", recording, Recording)
     begin = time.perf_counter()
     scene = recording.load_scene()
     edits = _edits(recording, scene)

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
+from sandbox.arguments import check_kind
 from sandbox.engine.world import World
 from sandbox.replay.headless_run import planned_steps
 from sandbox.replay.recording.command_words import TimedCommand
@@ -23,8 +24,12 @@ class Run:
     commands: tuple[TimedCommand, ...] = ()
 
 
-def run_of(what: Run | Recording | Scene) -> Run:
-    """What a recording did, or a scene by itself. Raises `SceneError` if the recording's scene cannot be used."""
+def run_of(what: Run | Recording | Scene, call: str = "to play") -> Run:
+    """What a recording did, or a scene by itself.
+
+    Raises `SceneError` if the recording's scene cannot be used, and `ArgumentError` for anything else.
+    """
+    check_kind(call, "a Run, a Recording or a Scene", what, Run, Recording, Scene)
     if isinstance(what, Run):
         return what
     if isinstance(what, Scene):

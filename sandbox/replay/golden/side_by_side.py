@@ -33,7 +33,7 @@ def find_divergence(
     4, 8, ... steps after the first and at the end. Raises `SceneError` if a scene cannot be used, and `CommandError`
     if both runs refuse the same command.
     """
-    one, two = run_of(expected), run_of(got)
+    one, two = run_of(expected, "find_divergence"), run_of(got, "find_divergence")
     a, b = RunStepper(one.scene, one.commands), RunStepper(two.scene, two.commands)
     steps = min(one.steps, two.steps)
     group = first_group(a.world, b.world)

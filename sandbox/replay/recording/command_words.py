@@ -1,4 +1,4 @@
-"""Commands as words of a recording, `[step, "ApplyImpulse", {...}]`, and back: every one that `World.apply` takes."""
+"""Commands as words of a recording, `[step, "ApplyImpulse", {...}]`, and back: every one of the registry."""
 
 from __future__ import annotations
 
@@ -11,42 +11,36 @@ from typing import Annotated, Any, TypeAlias, Union, get_args, get_origin, get_t
 import numpy as np
 from pydantic import ValidationError, create_model
 
-from sandbox.engine.world import World
+from sandbox.engine.commands.base import Command
+from sandbox.engine.commands.registry import COMMAND_CLASSES
 from sandbox.errors import CommandError
 from sandbox.scene.base import Model
 from sandbox.scene.constraints import Listed, describe
 from sandbox.scene.finding import Finding, Path, did_you_mean, quoted
 from sandbox.scene.wording import findings
 
-TimedCommand: TypeAlias = tuple[int, Any]
+TimedCommand: TypeAlias = tuple[int, Command]
 """How many steps come before the command, and the command."""
 
 _FORM = 'a command is [step, "NAME", {...}]'
 
 
-@cache
-def command_classes() -> dict[str, type[Any]]:
-    """Every class that `World.apply` takes, by name: found by its signature, so that none can be forgotten."""
-    return {kind.__name__: kind for kind in _leaves(get_type_hints(World.apply)["command"])}
-
-
-def plain_command(command: Any) -> Any:
+def plain_command(command: Any) -> Command:
     """The same command with Python's own numbers, texts, tuples, lists and dicts inside: what a file can hold.
 
     Raises `CommandError` for anything else.
     """
     kind = type(command)
-    if command_classes().get(kind.__name__) is not kind:
-        raise CommandError(f"{kind.__name__} is no command; there are {', '.join(sorted(command_classes()))}")
+    if COMMAND_CLASSES.get(kind.__name__) is not kind:
+        raise CommandError(f"{kind.__name__} is no command; there are {', '.join(sorted(COMMAND_CLASSES))}")
     given = {item.name: getattr(command, item.name) for item in dataclasses.fields(command)}
-    return kind(**{name: _plain(value, f"{kind.__name__}: {name}") for name, value in given.items()})
+    plain: Command = kind(**{name: _plain(value, f"{kind.__name__}: {name}") for name, value in given.items()})
+    return plain
 
 
-def encode(command: Any) -> list[Any]:
-    """Name and fields of a plain command, as JSON has them; what is None, and is so by default, is left out."""
-    given = {item.name: getattr(command, item.name) for item in dataclasses.fields(command)}
-    unsaid = {item.name for item in dataclasses.fields(command) if item.default is None}
-    return [type(command).__name__, {name: v for name, v in given.items() if v is not None or name not in unsaid}]
+def encode(command: Command) -> list[Any]:
+    """Name and fields of a plain command, as JSON has them."""
+    return [type(command).__name__, command.to_words()]
 
 
 def decode(entry: Any, path: Path) -> tuple[TimedCommand | None, list[Finding]]:
@@ -57,8 +51,8 @@ def decode(entry: Any, path: Path) -> tuple[TimedCommand | None, list[Finding]]:
     found = []
     if not isinstance(step, int) or isinstance(step, bool) or step < 0:
         found.append(Finding((*path, 0), "a command begins with a step, a whole number from 0"))
-    if not isinstance(name, str) or name not in command_classes():
-        hint = did_you_mean(name, command_classes()) if isinstance(name, str) else ""
+    if not isinstance(name, str) or name not in COMMAND_CLASSES:
+        hint = did_you_mean(name, COMMAND_CLASSES) if isinstance(name, str) else ""
         shown = quoted(name) if isinstance(name, str) else describe(name)
         return None, [*found, Finding((*path, 1), f"there is no command {shown}", hint)]
     try:
@@ -66,13 +60,13 @@ def decode(entry: Any, path: Path) -> tuple[TimedCommand | None, list[Finding]]:
     except ValidationError as error:
         wrong = findings(error, _model(name))
         return None, found + [dataclasses.replace(one, path=(*path, 2, *one.path)) for one in wrong]
-    return (None, found) if found else ((step, command_classes()[name](**model.given())), [])
+    return (None, found) if found else ((step, COMMAND_CLASSES[name].from_words(model.given())), [])
 
 
 @cache
 def _model(name: str) -> type[Model]:
     """The model of a command's fields, made of the dataclass itself."""
-    kind = command_classes()[name]
+    kind = COMMAND_CLASSES[name]
     hints = get_type_hints(kind)
     given: dict[str, Any] = {
         item.name: (_checked(hints[item.name]), ... if _is_needed(item) else item.default)
@@ -95,12 +89,6 @@ def _checked(hint: Any) -> Any:
     count = 0 if Ellipsis in parts else len(parts)
     most = count or 1_000_000
     return Annotated[tuple[parts], Listed(f"of {count}" if count else "", count, most)]  # type: ignore[valid-type]
-
-
-def _leaves(hint: Any) -> list[type[Any]]:
-    if get_origin(hint) in (Union, UnionType):
-        return [leaf for part in get_args(hint) for leaf in _leaves(part)]
-    return [hint]
 
 
 def _plain(value: Any, place: str) -> Any:

@@ -5,8 +5,10 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
-from typing import Any
 
+from sandbox.arguments import check_kind, checked_count
+from sandbox.attributes import FixedAttributes
+from sandbox.engine.commands.base import Command
 from sandbox.engine.world import World
 from sandbox.errors import Problem, RecordingError
 from sandbox.replay.headless_run import planned_steps
@@ -21,10 +23,13 @@ from sandbox.scene import Scene, load_scene
 _REPORT_EVERY = 16
 
 
-class Recorder:
+class Recorder(FixedAttributes):
     """Stands between a user and a fresh `world`: what goes through `apply` and `step` can be replayed."""
 
+    __slots__ = ("_checkpoints", "_commands", "_digests", "scene", "world")
+
     def __init__(self, world: World) -> None:
+        check_kind("Recorder", "a World", world, World)
         if world.changes or world.step_count:
             raise RecordingError("the world", [Problem("has been stepped or changed: record it from its start")])
         if not isinstance(world.scene, Scene):
@@ -35,7 +40,7 @@ class Recorder:
         self._digests: list[str] = []
         self._checkpoints: list[Checkpoint] = []
 
-    def apply(self, command: Any) -> None:
+    def apply(self, command: Command) -> None:
         """Apply a command to the world, and note it if the world takes it."""
         command = plain_command(command)
         self.world.apply(command)
@@ -43,7 +48,7 @@ class Recorder:
 
     def step(self, n: int = 1) -> None:
         """Advance the world by `n` steps."""
-        for _ in range(n):
+        for _ in range(checked_count("Recorder.step", n)):
             self.world.step()
             self.note_step()
 
@@ -91,8 +96,9 @@ def record(
     `steps`, the scene's own number. `on_steps` hears now and then how many are done. Raises `RecordingError` for steps
     out of range, and what `World.apply` raises.
     """
+    check_kind("record", "a Scene or the path of one", scene, Scene, str, os.PathLike)
     loaded = scene if isinstance(scene, Scene) else load_scene(Path(scene))
-    total = planned_steps(loaded) if steps is None else steps
+    total = planned_steps(loaded) if steps is None else checked_count("record", steps)
     script = sorted(commands, key=lambda row: row[0])
     if script and (script[0][0] < 0 or script[-1][0] > total):
         raise RecordingError("the commands", [Problem(f"have steps that do not lie in 0 to {total}")])

@@ -6,6 +6,7 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 
+from sandbox.arguments import check_kind
 from sandbox.notebook import Shown
 from sandbox.replay.recording.read import read_recording
 from sandbox.replay.recording.recording_fields import RecordingFields
@@ -25,6 +26,7 @@ class Recording(Shown, RecordingFields):
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Recording:
         """The recording in a file. Raises `RecordingError` with every mistake and its place."""
+        check_kind("Recording.load", "the path of a file", path, str, os.PathLike)
         return cls(**vars(read_recording(Path(path))))
 
     def save(self, path: str | os.PathLike[str], embed: bool | None = None) -> None:

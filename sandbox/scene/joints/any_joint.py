@@ -10,12 +10,12 @@ from sandbox.scene.joints.base import Joint
 from sandbox.scene.joints.drives import Friction, Motor, Target
 from sandbox.scene.joints.gear import Gear
 from sandbox.scene.joints.revolute import Revolute, Weld
-from sandbox.scene.joints.ropes import Distance, Pulley
+from sandbox.scene.joints.ropes import DistanceJoint, Pulley
 from sandbox.scene.joints.slides import Prismatic, Wheel
 from sandbox.scene.union import TAG, by_value
 
 JOINTS: dict[str, type[Joint]] = {
-    "distance": Distance,
+    "distance": DistanceJoint,
     "revolute": Revolute,
     "prismatic": Prismatic,
     "weld": Weld,
@@ -29,7 +29,7 @@ JOINTS: dict[str, type[Joint]] = {
 """Every kind of joint by its `type`."""
 
 AnyJoint = Annotated[
-    Annotated[Distance, Tag(TAG + "distance")]
+    Annotated[DistanceJoint, Tag(TAG + "distance")]
     | Annotated[Revolute, Tag(TAG + "revolute")]
     | Annotated[Prismatic, Tag(TAG + "prismatic")]
     | Annotated[Weld, Tag(TAG + "weld")]

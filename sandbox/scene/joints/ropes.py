@@ -12,7 +12,7 @@ from sandbox.scene.quantities import Distance as Length
 from sandbox.scene.quantities import Frequency, Ratio
 
 
-class Distance(Joining):
+class DistanceJoint(Joining):
     """A rod between two points; a spring with `hertz`; a rope with `max`."""
 
     type: Literal["distance"] = Field(description="A rod, a spring or a rope.")

@@ -1,21 +1,22 @@
-"""The command that changes the settings of any joint, in the words and units of a scene file."""
+"""The command that changes the settings of any joint, by the names that they have in a scene file."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
-from typing import Any
+from dataclasses import dataclass, fields, replace
+from typing import Any, Self
 
+from sandbox.engine.commands.base import Vec
 from sandbox.engine.commands.checks import title
+from sandbox.engine.commands.joint_command import MOTORS, SPRINGS, JointCommand
 from sandbox.errors import CommandError, SceneError
-from sandbox.scene.flat import FlatJoint, Vec
+from sandbox.geometry.rotation import RADIANS_PER_DEGREE
+from sandbox.scene.flat import FlatJoint
 from sandbox.world import joint_records as kinds
 from sandbox.world.build_joints import KINDS
 from sandbox.world.joint_pose import coordinate, pulley_length
 from sandbox.world.state import State
 
-SPRINGS = (kinds.DISTANCE, kinds.REVOLUTE, kinds.PRISMATIC, kinds.WHEEL)
-MOTORS = (kinds.REVOLUTE, kinds.PRISMATIC, kinds.WHEEL)
 _NAMES = {number: name for name, number in KINDS.items()}
 _FIXED = ("id", "type", "bodies", "joints", "anchor", "anchors", "axis", "wheels")
 """What makes a joint the one that it is: fields of a scene that no command changes."""
@@ -26,18 +27,26 @@ _STAND_IN: dict[str, Any] = {
 }  # fmt: skip
 """Values for fields that a scene needs, but the command does not give."""
 
+ANGLES: dict[str, tuple[str, ...]] = {
+    "revolute": ("lower", "upper", "rest", "motor_speed"),
+    "wheel": ("motor_speed",),
+    "motor": ("angle",),
+}
+"""For each kind of joint, the settings that are angles or angular speeds."""
+_MAY_BE_ANGLES = {name for names in ANGLES.values() for name in names}
+
 
 @dataclass(frozen=True)
-class SetJoint:
+class SetJoint(JointCommand):
     """Change the settings of a joint; what is None stays as it is.
 
-    Fields are those of a scene file, with the same units (angles in degrees) and limits, as far as the kind of joint
-    has them. `enabled` switches the joint on or off; one that is broken stays broken. `hertz` begins a spring and
-    `motor_speed` a motor where there is none. A new `ratio` counts from the pose of now. `offset` and `angle` of a
-    motor, `rest`, `lower` and `upper` count from the pose the joint began with. What the joint holds wakes.
+    Fields are those of a scene file, with the same limits and units, as far as the kind of joint has them; but angles
+    are in radians, as everywhere in Python, unless `radians` is False: then they are degrees, as in a file. `enabled`
+    switches the joint on or off; one that is broken stays broken. `hertz` begins a spring and `motor_speed` a motor
+    where there is none. A new `ratio` counts from the pose of now. `offset` and `angle` of a motor, `rest`, `lower`
+    and `upper` count from the pose the joint began with. What the joint holds wakes.
     """
 
-    joint: str
     enabled: bool | None = None
     collide: bool | None = None
     break_force: float | None = None
@@ -59,25 +68,42 @@ class SetJoint:
     offset: Vec | None = None
     angle: float | None = None
     target: Vec | None = None
+    radians: bool = True
+
+    def __post_init__(self) -> None:
+        if all(getattr(self, name) is None for name in _MAY_BE_ANGLES):  # it says nothing: be equal to one without it
+            object.__setattr__(self, "radians", True)
+
+    def change(self, state: State, joint: Any) -> None:
+        """Write the new settings. Raises `CommandError`, and changes nothing, for what no scene may have."""
+        given = {name: value for name in _SETTINGS if (value := getattr(self, name)) is not None}
+        flat = _checked(joint, given, self)
+        lower = flat.lower if given.keys() & {"lower", "min"} else float(joint.lower)
+        upper = flat.upper if given.keys() & {"upper", "max"} else float(joint.upper)
+        if lower > upper:
+            low, high = ("min", "max") if int(joint.kind) == kinds.DISTANCE else ("lower", "upper")
+            raise CommandError(f"{title(self)}: {low} must not be greater than {high}")
+        if given.keys() & {"lower", "upper", "min", "max"}:
+            joint.lower, joint.upper, joint.limit = lower, upper, 1
+        for name in given.keys() - {"lower", "upper", "min", "max"}:
+            _write(state, joint, name, flat)
+
+    def to_words(self) -> dict[str, Any]:
+        """The fields as a recording has them: angles are degrees, as in a scene file, unless it says otherwise."""
+        words = {name: value for name, value in super().to_words().items() if name != "radians"}
+        return {**words, "radians": True} if self.radians and words.keys() & _MAY_BE_ANGLES else words
+
+    @classmethod
+    def from_words(cls, words: Mapping[str, Any]) -> Self:
+        """The command that the fields of a recording stand for."""
+        return cls(**{"radians": not words.keys() & _MAY_BE_ANGLES, **words})
 
 
-def set_joint(state: State, joint: Any, command: SetJoint) -> None:
-    """Write the new settings. Raises `CommandError`, and changes nothing, for what no scene may have."""
-    given = {field.name: value for field in fields(command)[1:] if (value := getattr(command, field.name)) is not None}
-    flat = _checked(joint, given, command)
-    lower = flat.lower if given.keys() & {"lower", "min"} else float(joint.lower)
-    upper = flat.upper if given.keys() & {"upper", "max"} else float(joint.upper)
-    if lower > upper:
-        low, high = ("min", "max") if int(joint.kind) == kinds.DISTANCE else ("lower", "upper")
-        raise CommandError(f"{title(command)}: {low} must not be greater than {high}")
-    if given.keys() & {"lower", "upper", "min", "max"}:
-        joint.lower, joint.upper, joint.limit = lower, upper, 1
-    for name in given.keys() - {"lower", "upper", "min", "max"}:
-        _write(state, joint, name, flat)
+_SETTINGS = tuple(field.name for field in fields(SetJoint) if field.name not in ("joint", "radians"))
 
 
 def _checked(joint: Any, given: Mapping[str, Any], command: SetJoint) -> FlatJoint:
-    """The fields must be those of the kind, and their values such as a scene may have; gives them in SI units."""
+    """The fields must be those of the kind, and their values such as a scene may have; gives them in radians."""
     from sandbox.scene.joints import JOINTS
 
     kind = _NAMES[int(joint.kind)]
@@ -87,15 +113,13 @@ def _checked(joint: Any, given: Mapping[str, Any], command: SetJoint) -> FlatJoi
     if stray is not None:
         raise CommandError(f"{title(command)}: a {kind} joint has no {stray}; it has {', '.join(known)}")
     needed = {name: _STAND_IN[name] for name in model.model_fields if name in _STAND_IN}
+    angles = {name: given[name] for name in ANGLES.get(kind, ()) if name in given} if command.radians else {}
+    in_degrees = {name: angle / RADIANS_PER_DEGREE for name, angle in angles.items()}
     try:
-        return model(**{**needed, "type": kind, **_plain(given)}).flat()
+        flat = model(**{**needed, "type": kind, **given, **in_degrees}).flat()
     except SceneError as error:
         raise CommandError(f"{title(command)}: {error.problems[0].message}") from None
-
-
-def _plain(given: Mapping[str, Any]) -> dict[str, Any]:
-    """Values as Python's own: scene models are strict."""
-    return {name: value.item() if hasattr(value, "item") else value for name, value in given.items()}
+    return replace(flat, **angles)  # as they were given: there and back they could round
 
 
 def _write(state: State, joint: Any, name: str, flat: FlatJoint) -> None:

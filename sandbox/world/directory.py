@@ -1,4 +1,4 @@
-"""Where everybody is: from ids to rows, and what to say where there is nobody."""
+"""From ids to rows, and what to say where there is nobody."""
 
 from __future__ import annotations
 

@@ -1,27 +1,21 @@
-"""The shapes of a world's body as plain values: where they are now, with the author's numbering of corners."""
+"""The shapes of a body as plain values: where they are now, with the author's numbering of corners."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from sandbox.geometry.shapes import Capsule, Circle, Polygon, Segment, Shape
 from sandbox.scene.flat import FlatShape, Vec
-
-if TYPE_CHECKING:
-    from sandbox.engine.world import World
+from sandbox.world.state import State
 
 
-def body_shapes(world: World, name: str) -> tuple[Shape, ...]:
+def body_shapes(state: State, row: int) -> tuple[Shape, ...]:
     """The shapes of one body in world coordinates (m), in the order of the scene.
 
-    Raises `UnknownBodyError`, and `ShapeError` where a shape is too small to be told apart so far from the origin.
+    Raises `ShapeError` where a shape is too small to be told apart so far from the origin.
     """
-    world.body(name)
-    index = world.names.index(name)
-    row = world.state.bodies[index]
-    place = float(row.position_x), float(row.position_y)
-    turn = float(row.rotation_cos), float(row.rotation_sin)
-    return tuple(_shape(shape, place, turn) for shape in world.flat.bodies[index].shapes)
+    body = state.bodies[row]
+    place = float(body.position_x), float(body.position_y)
+    turn = float(body.rotation_cos), float(body.rotation_sin)
+    return tuple(_shape(shape, place, turn) for shape in state.roster.bodies.items[row].shapes)
 
 
 def _shape(shape: FlatShape, place: Vec, turn: Vec) -> Shape:

@@ -1,4 +1,4 @@
-"""Commands that speak of the whole world: gravity and explosions."""
+"""The command that pushes everything near a point away from it."""
 
 from __future__ import annotations
 
@@ -6,32 +6,19 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import compress
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING
 
-import numpy as np
-
-from sandbox.engine.commands.body_commands import apply_command
-from sandbox.engine.commands.checks import check_fields
+from sandbox.engine.active.wake import wake_body
+from sandbox.engine.commands.base import Command, CommandTarget, Touched, Vec
 from sandbox.engine.commands.pushes import ApplyImpulse
 from sandbox.errors import CommandError
-from sandbox.world.records import DYNAMIC
 
 if TYPE_CHECKING:
-    from sandbox.engine.world import World
     from sandbox.geometry.shapes import Shape
 
-Vec = tuple[float, float]
-
 
 @dataclass(frozen=True)
-class SetGravity:
-    """Change the gravity of the world (m/s^2). Wakes everything."""
-
-    gravity: Vec
-
-
-@dataclass(frozen=True)
-class Explode:
+class Explode(Command):
     """Push all dynamic bodies within `radius` (m) away from `point` (m) at once.
 
     A shape gets `impulse` (N s) for each metre of its width as seen from the point, at its nearest place, less the
@@ -42,54 +29,38 @@ class Explode:
     radius: float
     impulse: float
 
-
-WorldCommand: TypeAlias = SetGravity | Explode
-
-
-def apply_world_command(world: World, command: WorldCommand) -> None:
-    """Apply a command. Raises `CommandError`, and changes nothing, if it cannot be done."""
-    check_fields(command)
-    if isinstance(command, SetGravity):
-        _set_gravity(world, command)
-    else:
-        _explode(world, command)
-
-
-def _set_gravity(world: World, command: SetGravity) -> None:
-    setting = world.state.settings[0]
-    setting.gravity_x, setting.gravity_y = command.gravity
-    bodies = world.state.bodies
-    asleep = np.flatnonzero((bodies.type == DYNAMIC) & (bodies.awake == 0))
-    bodies.awake[asleep], bodies.sleep_time[asleep], bodies.island[asleep] = 1, 0.0, 0
+    def apply(self, target: CommandTarget) -> Touched:
+        """Push all or none: bodies that cannot take their push keep the others from theirs."""
+        if self.radius <= 0.0:
+            raise CommandError(f"Explode: radius must be greater than 0 m, not {self.radius:g}")
+        state = target.state
+        before = state.bodies.copy()
+        try:
+            for row, push in _blasts(target, self):
+                push.checked().change(state, row)
+                wake_body(state, row)
+        except CommandError as error:
+            state.bodies[:] = before
+            raise CommandError(f"Explode: {error}") from None
+        return Touched()
 
 
-def _explode(world: World, command: Explode) -> None:
-    """Push all or none: bodies that cannot take their push keep the others from theirs."""
-    if command.radius <= 0.0:
-        raise CommandError(f"Explode: radius must be greater than 0 m, not {command.radius:g}")
-    before = world.state.bodies.copy()
-    try:
-        for push in _blasts(world, command):
-            apply_command(world.state, world.names.index(push.body), push)
-    except CommandError as error:
-        world.state.bodies[:] = before
-        raise CommandError(f"Explode: {error}") from None
-
-
-def _blasts(world: World, command: Explode) -> Iterator[ApplyImpulse]:
-    """The impulse on every shape in reach, in the order of bodies and shapes."""
+def _blasts(target: CommandTarget, command: Explode) -> Iterator[tuple[int, ApplyImpulse]]:
+    """The impulse on every shape in reach, with the row of its body, in the order of bodies and shapes."""
     from sandbox.engine.queries.filter import Filter
-    from sandbox.engine.views.body_shapes import body_shapes
     from sandbox.geometry.shapes import Circle
+    from sandbox.world.body_shapes import body_shapes
 
-    seen = world.query.overlap_shape(Circle(command.point, command.radius), Filter(types=("dynamic",)))
-    shapes = world.state.shapes
-    for name in sorted({hit.body for hit in seen}, key=world.names.index):
-        solid = (shapes.sensor[shapes.body == world.names.index(name)] == 0).tolist()
-        for shape in compress(body_shapes(world, name), solid):
-            push = _blast(name, shape, world.body(name).center, command)
+    state = target.state
+    seen = target.query.overlap_shape(Circle(command.point, command.radius), Filter(types=("dynamic",)))
+    for row in sorted({target.directory.body(hit.body) for hit in seen}):
+        name, body = state.names[row], state.bodies[row]
+        center = float(body.center_x), float(body.center_y)
+        solid = (state.shapes.sensor[state.shapes.body == row] == 0).tolist()
+        for shape in compress(body_shapes(state, row), solid):
+            push = _blast(name, shape, center, command)
             if push is not None:
-                yield push
+                yield row, push
 
 
 def _blast(name: str, shape: Shape, center: Vec, command: Explode) -> ApplyImpulse | None:

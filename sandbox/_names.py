@@ -1,0 +1,54 @@
+"""Every public name, by the module that it lives in; `sandbox/__init__.py` imports one when it is first asked for."""
+
+from __future__ import annotations
+
+_MODULES = {
+    "sandbox.engine.commands.base": "Command",
+    "sandbox.engine.commands.delete": "Delete DeleteJoint",
+    "sandbox.engine.commands.drags": "EndDrag MoveDrag StartDrag",
+    "sandbox.engine.commands.explode": "Explode",
+    "sandbox.engine.commands.joint_parts": "BreakJoint SetLimits SetMotor SetSpring SetTarget",
+    "sandbox.engine.commands.motion": "SetPose SetVelocity",
+    "sandbox.engine.commands.pushes": "ApplyForce ApplyImpulse",
+    "sandbox.engine.commands.set_gravity": "SetGravity",
+    "sandbox.engine.commands.set_joint": "SetJoint",
+    "sandbox.engine.commands.set_region": "SetRegion",
+    "sandbox.engine.commands.set_surface": "SetSurface",
+    "sandbox.engine.commands.set_thruster": "SetThruster",
+    "sandbox.engine.commands.spawn": "Spawn",
+    "sandbox.engine.events.events": "Events",
+    "sandbox.engine.queries.filter": "Filter",
+    "sandbox.engine.queries.queries": "Queries",
+    "sandbox.engine.queries.results": "BodyDistance CastHit Overlap PointHit RayHit RayHits",
+    "sandbox.engine.views.bodies": "Bodies",
+    "sandbox.engine.views.body": "BodyView",
+    "sandbox.engine.views.joint": "JointView",
+    "sandbox.engine.world": "World",
+    "sandbox.errors": """
+        ArgumentError CommandError FileError MissingDependencyError Problem QueryError
+        ReadOnlyAttributeError RecordingError SandboxError SceneError ShapeError SnapshotError
+        UnknownAttributeError UnknownBodyError UnknownJointError UnknownRegionError
+    """,
+    "sandbox.geometry.collide": "Contact Distance collide contains distance",
+    "sandbox.geometry.sat_rows": "SatRow",
+    "sandbox.geometry.sat_table": "SatTable sat_table",
+    "sandbox.geometry.shapes": "Box Capsule Circle Polygon Segment Shape",
+    "sandbox.replay.expectations": "Judge Verdict",
+    "sandbox.replay.golden.divergence": "Difference Divergence Drift Growth",
+    "sandbox.replay.golden.rerun": "Outcome rerun",
+    "sandbox.replay.golden.run": "Run",
+    "sandbox.replay.golden.side_by_side": "find_divergence",
+    "sandbox.replay.golden.tolerance": "Tolerance",
+    "sandbox.replay.player": "Player",
+    "sandbox.replay.recording.recorder": "Recorder record",
+    "sandbox.replay.recording.recording": "Recording",
+    "sandbox.scene": """
+        Above Apart Asleep Attraction Below Body BoxShape CapsuleShape Chain ChainShape CircleShape
+        DistanceJoint Friction Gear Gravity GravityScale Grid Inside Material Motor Near PolygonShape Prefab
+        Prismatic Pulley Pyramid Rests Revolute Row Scatter Scene SegmentShape Senses Settings Speeding
+        Stack Stands Target Thruster Touches Turned View Water Weld Wheel Wind load_scene loads_scene schema
+    """,
+}
+
+HOMES = {name: module for module, names in _MODULES.items() for name in names.split()}
+"""Where each public name lives."""

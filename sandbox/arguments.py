@@ -1,0 +1,29 @@
+"""Checks on what a function of the public API is given, each with a message that names the call and the mend."""
+
+from __future__ import annotations
+
+from numbers import Integral
+from typing import Any
+
+from sandbox.errors import ArgumentError
+
+
+def checked_count(call: str, value: Any, what: str = "steps") -> int:
+    """`value` as a whole number from 0. Raises `ArgumentError`."""
+    if isinstance(value, bool) or not isinstance(value, Integral) or value < 0:
+        raise ArgumentError(f"{call}: takes a whole number of {what} from 0, not {shown(value)}")
+    return int(value)
+
+
+def check_kind(call: str, wanted: str, value: Any, *kinds: type[Any]) -> None:
+    """Raise `ArgumentError` unless `value` is of one of `kinds`, which are called `wanted`."""
+    if not isinstance(value, kinds):
+        raise ArgumentError(f"{call}: takes {wanted}, not {shown(value)}")
+
+
+def shown(value: Any, most: int = 60) -> str:
+    """A value in a message: its repr, or what it is if that is long."""
+    if isinstance(value, int) and value.bit_length() > 4 * most:
+        return "a number of more than a hundred digits" if value.bit_length() > 340 else "a very large number"
+    text = repr(value)
+    return text if len(text) <= most else f"a {type(value).__name__}"

@@ -1,0 +1,93 @@
+"""What every command is: plain data that knows what it does to a world, and what it touches there."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self
+
+from sandbox.engine.commands.checks import checked
+from sandbox.world.directory import Directory
+from sandbox.world.rows import Moved
+from sandbox.world.state import State
+
+if TYPE_CHECKING:
+    from sandbox.engine.queries.queries import Queries
+    from sandbox.scene.spawned import Spawning
+
+Vec = tuple[float, float]
+
+
+class CommandTarget(Protocol):
+    """What a command is applied to: as much of a world as commands know."""
+
+    @property
+    def state(self) -> State:
+        """Its records."""
+
+    @property
+    def directory(self) -> Directory:
+        """From ids to rows."""
+
+    @property
+    def spawning(self) -> Spawning:
+        """Reads what is spawned."""
+
+    @property
+    def query(self) -> Queries:
+        """Where things are."""
+
+
+@dataclass(frozen=True)
+class Touched:
+    """What a command has touched of that which a world works out from its records and keeps.
+
+    `active_set`: who may move has to be found anew; False if an awake body only goes on in another way. `joints`: what
+    hangs together by joints. `schedules`: when regions and thrusters switch. `rows`: where rows have gone. `displaced`:
+    the row of a body that was put elsewhere, and where its centre of mass was (m).
+    """
+
+    active_set: bool = True
+    joints: bool = False
+    schedules: bool = False
+    rows: Moved | None = None
+    displaced: tuple[int, Vec] | None = None
+
+
+@dataclass(frozen=True)
+class Command(ABC):
+    """A command: a frozen dataclass, to be given to `World.apply`. Its name and fields are those of recordings."""
+
+    moves_rows: ClassVar[bool] = False
+    """Whether rows of bodies, shapes and joints come or go."""
+
+    @property
+    def outdates_events(self) -> bool:
+        """Whether the events of the last step can no longer be worked out afterwards."""
+        return self.moves_rows
+
+    def checked(self) -> Self:
+        """The same command with Python's own numbers inside.
+
+        Raises `CommandError` unless all fields have their types and are finite and within their limits.
+        """
+        return checked(self)
+
+    @abstractmethod
+    def apply(self, target: CommandTarget) -> Touched:
+        """Do it. The command is a `checked` one.
+
+        Raises `CommandError`, `UnknownBodyError`, `UnknownJointError` or `UnknownRegionError`, and changes nothing, if
+        it cannot be done.
+        """
+
+    def to_words(self) -> dict[str, Any]:
+        """The fields as a recording has them; what is None, and is so by default, is left out."""
+        given = {item.name: (getattr(self, item.name), item.default) for item in fields(self)}
+        return {name: value for name, (value, default) in given.items() if value is not None or default is not None}
+
+    @classmethod
+    def from_words(cls, words: Mapping[str, Any]) -> Self:
+        """The command that the fields of a recording stand for."""
+        return cls(**words)

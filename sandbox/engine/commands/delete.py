@@ -1,0 +1,109 @@
+"""Commands by which bodies and joints leave a world."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sandbox.engine.active.wake import wake_bodies
+from sandbox.engine.commands.base import Command, CommandTarget, Touched
+from sandbox.engine.commands.joint_command import joint_bodies
+from sandbox.errors import CommandError
+from sandbox.world.rows import remove_rows
+from sandbox.world.state import State
+
+Flags = NDArray[np.bool_]
+Ids = str | Sequence[str]
+
+
+class _Deletion(Command):
+    """Takes out what it marks, with the joints that cannot be there without it, and wakes what these held."""
+
+    moves_rows = True
+
+    def apply(self, target: CommandTarget) -> Touched:
+        """Take the rows out of all tables."""
+        state = target.state
+        bodies, joints = np.zeros(len(state.bodies), np.bool_), np.zeros(len(state.joints), np.bool_)
+        self.mark(target, bodies, joints)
+        joints |= _hanging_on(state, bodies, joints)
+        held = [row for joint in np.flatnonzero(joints) for row in joint_bodies(state, state.joints[joint])]
+        wake_bodies(state, [*np.flatnonzero(bodies).tolist(), *held])
+        return Touched(rows=remove_rows(state, bodies, joints))
+
+    @abstractmethod
+    def mark(self, target: CommandTarget, bodies: Flags, joints: Flags) -> None:
+        """Mark the rows to delete."""
+
+
+@dataclass(frozen=True)
+class Delete(_Deletion):
+    """Take bodies out of the world, given by one id or several, with all joints that hold them and gears on those.
+
+    What rested on them or hung from them wakes.
+    """
+
+    bodies: Ids
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "bodies", _tidy(self.bodies))
+
+    def checked(self) -> Self:
+        """The same; raises `CommandError` unless it names bodies."""
+        _check_ids(self, self.bodies)
+        return self
+
+    def mark(self, target: CommandTarget, bodies: Flags, joints: Flags) -> None:
+        """Mark the bodies."""
+        bodies[[target.directory.body(name) for name in _listed(self.bodies)]] = True
+
+
+@dataclass(frozen=True)
+class DeleteJoint(_Deletion):
+    """Take joints out of the world, given by one id or several, with all gears on them."""
+
+    joints: Ids
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "joints", _tidy(self.joints))
+
+    def checked(self) -> Self:
+        """The same; raises `CommandError` unless it names joints."""
+        _check_ids(self, self.joints)
+        return self
+
+    def mark(self, target: CommandTarget, bodies: Flags, joints: Flags) -> None:
+        """Mark the joints."""
+        joints[[target.directory.joint(name) for name in _listed(self.joints)]] = True
+
+
+def _tidy(ids: Ids) -> Ids:
+    """A list as a tuple, so that a command is equal to the same one read from a file."""
+    return tuple(ids) if isinstance(ids, list) else ids
+
+
+def _listed(ids: Ids) -> Sequence[str]:
+    return [ids] if isinstance(ids, str) else ids
+
+
+def _check_ids(command: Command, ids: Ids) -> None:
+    names = _listed(ids)
+    if not isinstance(names, (list, tuple)) or not all(isinstance(name, str) for name in names):
+        raise CommandError(f"{type(command).__name__}: what to delete is one id or a list of ids, not {ids!r}")
+    if not names:
+        raise CommandError(f"{type(command).__name__}: there is nothing to delete; give an id")
+
+
+def _hanging_on(state: State, bodies: Flags, joints: Flags) -> Flags:
+    """The joints that cannot be there without the marked bodies and joints."""
+    table = state.joints
+    gone = np.append(bodies, False)  # -1, the world, is the last row
+    going = joints | gone[table.body_a] | gone[table.body_b]
+    gone = np.append(going, False)
+    result: Flags = going | gone[table.joint_1] | gone[table.joint_2]
+    return result

@@ -1,0 +1,65 @@
+"""Commands that say where a body is and how it moves."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from sandbox._jit import interpreted
+from sandbox.engine.bodies.integrate import place_origin as place_origin_kernel
+from sandbox.engine.commands.base import CommandTarget, Touched, Vec
+from sandbox.engine.commands.body_command import BodyCommand
+from sandbox.engine.commands.checks import title
+from sandbox.errors import CommandError
+from sandbox.geometry.trig import cos_sin
+from sandbox.world.flush import join_tiles
+from sandbox.world.records import STATIC
+from sandbox.world.state import State
+
+_place_origin = interpreted(place_origin_kernel)
+_cos_sin = interpreted(cos_sin)
+
+
+@dataclass(frozen=True)
+class SetPose(BodyCommand):
+    """Put a body at `position` (m) and `angle` (rad) at once, without touching its velocity."""
+
+    position: Vec
+    angle: float
+
+    def apply(self, target: CommandTarget) -> Touched:
+        """Move the body, and say where its centre was."""
+        row = target.directory.body(self.body)
+        body = target.state.bodies[row]
+        center = float(body.center_x), float(body.center_y)
+        return replace(super().apply(target), displaced=(row, center))
+
+    def change(self, state: State, row: int) -> None:
+        """Write the pose; static tiles are joined anew."""
+        body = state.bodies[row]
+        body.posed = 1
+        body.angle = self.angle
+        body.rotation_cos, body.rotation_sin = _cos_sin(self.angle)
+        x, y = body.local_center_x, body.local_center_y
+        body.center_x = self.position[0] + (body.rotation_cos * x - body.rotation_sin * y)
+        body.center_y = self.position[1] + (body.rotation_sin * x + body.rotation_cos * y)
+        _place_origin(body)
+        if body.type == STATIC:
+            join_tiles(state.bodies, state.shapes, state.vertices, state.seams)
+
+
+@dataclass(frozen=True)
+class SetVelocity(BodyCommand):
+    """Give a body a velocity (m/s) and an angular velocity (rad/s). Static bodies refuse."""
+
+    velocity: Vec
+    angular_velocity: float
+
+    only_pushes = True
+
+    def change(self, state: State, row: int) -> None:
+        """Write the velocity."""
+        body = state.bodies[row]
+        if body.type == STATIC:
+            raise CommandError(f"{title(self)}: a static body has no velocity; make it kinematic in the scene")
+        body.velocity_x, body.velocity_y = self.velocity
+        body.angular_velocity = self.angular_velocity

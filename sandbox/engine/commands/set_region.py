@@ -1,0 +1,114 @@
+"""The command that changes a region."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from typing import Any
+
+import numpy as np
+
+from sandbox.engine.active.wake import wake_bodies
+from sandbox.engine.commands.base import Command, CommandTarget, Touched, Vec
+from sandbox.engine.commands.checks import title
+from sandbox.engine.commands.switch import switch
+from sandbox.errors import CommandError, SceneError
+from sandbox.tables import Integers
+from sandbox.world.build_fields import KINDS
+from sandbox.world.records import DYNAMIC
+from sandbox.world.state import State
+
+_FLOW = ("flow_x", "flow_y")
+_COLUMNS: dict[str, dict[str, tuple[str, ...]]] = {
+    "water": {
+        "water": ("density",), "surface": (), "drag": ("drag",), "angular_drag": ("angular_drag",), "flow": _FLOW,
+    },
+    "gravity": {"gravity": ("gravity_x", "gravity_y")},
+    "gravity_scale": {"gravity_scale": ("scale",)},
+    "attraction": {
+        "attraction": ("strength",), "at": ("center_x", "center_y"), "falloff": ("falloff",), "core": ("core",),
+        "range": ("range",),
+    },
+    "wind": {"wind": _FLOW, "density": ("density",), "drag": ("drag",)},
+}  # fmt: skip
+"""The fields that a region of each kind has, and where its record keeps them."""
+
+
+@dataclass(frozen=True)
+class SetRegion(Command):
+    """Change a region, given by its id; what is None stays as it is.
+
+    Fields are those of a scene file, with the same units and limits, as far as the kind of region has them: `water`,
+    `surface`, `drag`, `angular_drag`, `flow`; `gravity`; `gravity_scale`; `attraction`, `at`, `falloff`, `core`,
+    `range`; `wind`, `density`, `drag`. `enabled` switches the region on or off from now on, whatever its schedule was.
+    What sleeps in its area wakes.
+    """
+
+    region: str
+    enabled: bool | None = None
+    water: float | None = None
+    surface: float | None = None
+    drag: float | None = None
+    angular_drag: float | None = None
+    flow: Vec | None = None
+    gravity: Vec | None = None
+    gravity_scale: float | None = None
+    attraction: float | None = None
+    at: Vec | None = None
+    falloff: int | None = None
+    core: float | None = None
+    range: float | None = None
+    wind: Vec | None = None
+    density: float | None = None
+
+    def apply(self, target: CommandTarget) -> Touched:
+        """Change the region and wake what sleeps in it, where it was and where it is."""
+        index = target.directory.region(self.region)
+        state, flat = target.state, target.state.roster.flat.regions[index]
+        row = state.regions[index]
+        given = {item.name: value for item in fields(self)[2:] if (value := getattr(self, item.name)) is not None}
+        _check(row, given, self)
+        if "surface" in given and not flat.surfaced:
+            raise CommandError(f"{title(self)}: this water has no surface; give it one in the scene")
+        inside = _inside(state, row)
+        for field, columns in _columns(row).items():
+            if field in given and columns:
+                for column, value in zip(columns, given[field] if len(columns) > 1 else (given[field],), strict=True):
+                    row[column] = value
+        if "surface" in given:
+            state.edges[row.first_edge + row.edge_count - 1].offset = given["surface"]
+        switch(row, self.enabled, state)
+        wake_bodies(state, np.concatenate([inside, _inside(state, row)]))
+        return Touched(schedules=True)
+
+
+def _columns(row: Any) -> Mapping[str, tuple[str, ...]]:
+    return _COLUMNS[next(name for name, number in KINDS.items() if number == row.kind)]
+
+
+def _check(row: Any, given: Mapping[str, Any], command: SetRegion) -> None:
+    """The fields must be those of the kind, and their values such as a scene may have."""
+    from sandbox.scene.regions import REGIONS
+
+    known = _columns(row)
+    kind = next(iter(known))
+    strays = [name for name in given if name not in known]
+    if strays:
+        raise CommandError(f"{title(command)}: a region of {kind} has no {strays[0]}; it has {', '.join(known)}")
+    now = tuple(float(row[column]) for column in known[kind])
+    try:
+        REGIONS[kind](**{kind: now if len(now) > 1 else now[0], **given})
+    except SceneError as error:
+        raise CommandError(f"{title(command)}: {error.problems[0].message}") from None
+
+
+def _inside(state: State, region: Any) -> Integers:
+    """Rows of the sleeping bodies that may reach into a region."""
+    bodies: Any = state.bodies
+    found = (bodies.type == DYNAMIC) & (bodies.awake == 0)
+    for edge in state.edges[region.first_edge : region.first_edge + region.edge_count]:
+        found &= edge.normal_x * bodies.center_x + edge.normal_y * bodies.center_y - edge.offset <= bodies.extent
+    if region.disc_radius > 0.0:
+        x, y = bodies.center_x - region.disc_x, bodies.center_y - region.disc_y
+        found &= np.sqrt(x * x + y * y) <= region.disc_radius + bodies.extent
+    return np.flatnonzero(found)

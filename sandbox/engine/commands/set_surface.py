@@ -1,0 +1,70 @@
+"""The command that changes what the shapes of a body are made of."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sandbox.engine.commands.body_command import BodyCommand
+from sandbox.engine.commands.checks import title
+from sandbox.errors import CommandError, SceneError
+from sandbox.tables import Integers
+from sandbox.world.reweigh import reweigh
+from sandbox.world.state import State
+
+_FIELDS = ("friction", "restitution", "rolling_resistance", "surface_speed")
+
+
+@dataclass(frozen=True)
+class SetSurface(BodyCommand):
+    """Change the surface of a body's shapes; what is None stays as it is.
+
+    `friction` and `restitution` are coefficients, `rolling_resistance` is in m, `surface_speed` in m/s, within the
+    limits of scene files. `shape` is the number of one of the body's shapes, from 0; None means all of them. A new
+    `density` (kg/m^2) changes mass, inertia and centre of mass, as far as the scene does not give those itself; every
+    point of the body goes on as it moved.
+    """
+
+    friction: float | None = None
+    restitution: float | None = None
+    rolling_resistance: float | None = None
+    surface_speed: float | None = None
+    shape: int | None = None
+    density: float | None = None
+
+    @property
+    def outdates_events(self) -> bool:
+        """Their places are measured from centres of mass, which a density may move."""
+        return self.density is not None
+
+    def change(self, state: State, row: int) -> None:
+        """Write the new surface. Raises `CommandError`, and changes nothing, for values that no scene may have."""
+        rows = np.flatnonzero(np.asarray(state.shapes.body) == row)
+        if self.shape is not None:
+            if not 0 <= self.shape < len(rows):
+                raise CommandError(f"{title(self)}: the body has no shape {self.shape}, but {len(rows)}")
+            rows = rows[self.shape : self.shape + 1]
+        given = {name: value for name in _FIELDS if (value := getattr(self, name)) is not None}
+        _check(self, given | ({} if self.density is None else {"density": self.density}))
+        if self.density is not None:
+            _weigh(state, row, rows, self)
+        for name, value in given.items():
+            state.shapes[name][rows] = value
+
+
+def _check(command: SetSurface, given: dict[str, float]) -> None:
+    from sandbox.scene.material import Material
+
+    try:
+        Material(**given)
+    except SceneError as error:
+        raise CommandError(f"{title(command)}: {error.problems[0].message}") from None
+
+
+def _weigh(state: State, row: int, rows: Integers, command: SetSurface) -> None:
+    densities = state.shapes.density.copy()
+    densities[rows] = command.density
+    fault = reweigh(state, row, densities[state.shapes.body == row].tolist())
+    if fault is not None:
+        raise CommandError(f"{title(command)}: {fault}")

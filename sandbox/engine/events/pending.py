@@ -1,0 +1,124 @@
+"""What commands leave for the events to tell: contacts and sensings of deleted bodies, and bodies put elsewhere."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from sandbox.tables import Integers, Records
+from sandbox.world.roster import Roster
+from sandbox.world.rows import Moved
+from sandbox.world.state import State
+
+Vec = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class ShapeKey:
+    """A shape by what no change of rows alters: its body's serial number and id, and which of its shapes it is."""
+
+    serial: int
+    name: str
+    shape: int
+
+
+@dataclass(frozen=True)
+class DeletedPair:
+    """Two shapes that touched until a body of theirs was deleted; `figures` is x, y, normal x and y."""
+
+    first: ShapeKey
+    second: ShapeKey
+    figures: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True)
+class TouchingPairs:
+    """What touched and what sensors sensed before rows came or went."""
+
+    contacts: Any
+    bodies: Records
+    shape_bodies: Integers
+    roster: Roster
+    sensed: Any
+
+    @classmethod
+    def of(cls, state: State, sensed: Records | None) -> TouchingPairs:
+        """Those of now; deletions make new tables of bodies and shapes, but close up that of the contacts."""
+        contacts = np.asarray(state.contacts[: int(state.counters[0].contact_count)])
+        owners: Integers = np.asarray(state.shapes)["body"]
+        return cls(contacts[contacts["touching"] == 1].copy(), state.bodies, owners, state.roster, sensed)
+
+    def key(self, body: int, shape: int) -> ShapeKey:
+        """A shape by what stays the same."""
+        register = self.roster.bodies
+        first = int(np.searchsorted(self.shape_bodies, body))
+        return ShapeKey(register.serials[body], register.names[body], shape - first)
+
+
+class PendingEvents:
+    """What commands did between two steps, as far as the events before and after have to know."""
+
+    __slots__ = ("_next", "ends", "leaves", "places")
+
+    def __init__(self) -> None:
+        self.places: dict[int, Vec] = {}
+        """Where the centres of bodies (by row) were before commands put them elsewhere, m."""
+        self.ends: list[DeletedPair] = []
+        """Contacts that the events of the last step have to tell as ended."""
+        self.leaves: list[DeletedPair] = []
+        """The same for sensors (first) and what they sensed (second)."""
+        self._next: tuple[list[DeletedPair], list[DeletedPair]] = ([], [])
+
+    def begin_step(self) -> None:
+        """A step begins: its events tell what was deleted before it."""
+        (self.ends, self.leaves), self._next = self._next, ([], [])
+        self.places = {}
+
+    def note_displaced(self, row: int, center: Vec) -> None:
+        """A command has put the body of that row elsewhere; `center` is where its centre was."""
+        self.places.setdefault(row, center)
+
+    def note_rows(self, before: TouchingPairs, moved: Moved) -> None:
+        """Rows have moved: what touched deleted bodies, or was sensed with them, does so no more."""
+        self.places = {}
+        gone = moved.bodies < 0
+        rows = before.contacts[gone[before.contacts["body_a"]] | gone[before.contacts["body_b"]]]
+        self._next[0].extend(_contact(before, row) for row in rows)
+        if before.sensed is not None:
+            sensed = before.sensed[gone[before.sensed.sensor_body] | gone[before.sensed.body]]
+            keys = ((before.key(r.sensor_body, r.sensor), before.key(r.body, r.shape_index)) for r in sensed)
+            self._next[1].extend(DeletedPair(*pair) for pair in keys)
+
+
+def _contact(pairs: TouchingPairs, row: Any) -> DeletedPair:
+    center, two = pairs.bodies[row["body_a"]], row["point_count"] == 2
+    x, y = (0.5 * (row[f"anchor_a{k}1"] + row[f"anchor_a{k}2"]) if two else row[f"anchor_a{k}1"] for k in "xy")
+    figures = (center.center_x + x, center.center_y + y, row["normal_x"], row["normal_y"])
+    keys = pairs.key(row["body_a"], row["shape_a"]), pairs.key(row["body_b"], row["shape_b"])
+    return DeletedPair(*keys, tuple(map(float, figures)))
+
+
+class RowLookup:
+    """Finds the rows of shapes now, and gives deleted bodies places after all others in `names`."""
+
+    def __init__(self, state: State) -> None:
+        self._register = state.roster.bodies
+        self._owners: Integers = np.asarray(state.shapes)["body"]
+        self.names: tuple[str, ...] = state.names
+        self._gone: dict[int, int] = {}
+
+    def rows(self, pair: DeletedPair) -> tuple[int, int, int, int]:
+        """The bodies' indices into `names`, and the rows of the shapes; -1 for one that is gone."""
+        (a, shape_a), (b, shape_b) = self._find(pair.first), self._find(pair.second)
+        return a, b, shape_a, shape_b
+
+    def _find(self, key: ShapeKey) -> tuple[int, int]:
+        row = self._register.row_of(key.serial)
+        if row is not None:
+            return row, int(np.searchsorted(self._owners, row)) + key.shape
+        if key.serial not in self._gone:
+            self._gone[key.serial] = len(self.names)
+            self.names = (*self.names, key.name)
+        return self._gone[key.serial], -1
