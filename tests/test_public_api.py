@@ -156,7 +156,7 @@ class TestAttributes:
             (lambda: world().bodies, "position"),
             (lambda: sandbox.Player(world().scene), "length"),
             (lambda: world().scene, "gravity"),
-            (lambda: sandbox.Water(water=1000.0, box=(0, 0, 1, 1)), "water"),
+            (lambda: sandbox.Thruster(force=(1.0, 0.0)), "force"),
         ],
     )
     def test_what_only_reads_is_refused(self, make: Any, name: str) -> None:
@@ -263,9 +263,9 @@ HUGE = 10**400
         (lambda: setattr(world().joint("pin"), "enabled", 3), sandbox.CommandError, "enabled must be True or False"),
         (lambda: world().query.ray("a", (1, 0)), sandbox.QueryError, "the origin"),
         (lambda: sandbox.collide(1, 2), sandbox.ShapeError, "collide: takes a Circle"),
-        (lambda: sandbox.Circle((0, 0), HUGE), sandbox.ShapeError, "the radius must be a number"),
+        (lambda: sandbox.Circle((0, 0), "x"), sandbox.ShapeError, "the radius must be a number"),
         (lambda: sandbox.Scene(bodies=3), sandbox.SceneError, "bodies"),
-        (lambda: sandbox.Scene(gravity=(0, HUGE)), sandbox.SceneError, ""),
+        (lambda: sandbox.Scene(gravity=(0, HUGE)), sandbox.SceneError, "gravity"),
     ],
 )
 def test_wrong_types_get_errors_of_the_package(call: Any, error: type[Exception], words: str) -> None:
