@@ -29,13 +29,14 @@ _LIMITS = {
 }
 """Largest size of a number, by the name of its field; the others may be as large as they like."""
 _NOT_NEGATIVE = ("hertz", "damping_ratio", "strongest", "max_force")
+_IDS = ("body", "joint", "region")
 _WORDS = {float: "a number", int: "a whole number", bool: "True or False", str: "a text"}
 _PAIR = "a pair of numbers (x, y)"
 
 
 def title(command: Any) -> str:
     """How messages begin: the command, and whom it is for."""
-    for field in ("body", "joint", "region"):
+    for field in _IDS:
         if hasattr(command, field):
             return f"{type(command).__name__} of {getattr(command, field)!r}"
     return type(command).__name__
@@ -51,7 +52,7 @@ def checked(command: T) -> T:
     plain: dict[str, Any] = {}
     for name, types in _types(kind).items():
         value = getattr(command, name)
-        if value is None and type(None) in types:
+        if (value is None and type(None) in types) or name in _IDS:  # ids are looked up, and refused, by the directory
             continue
         wanted = [one for one in types if one is not type(None)]
         fitting = next((one for one in wanted if _is(value, one)), None)
