@@ -11,8 +11,10 @@ pytest_plugins = ["pytester"]
 # Tests call single kernels; has to be said before the first of them is imported.
 os.environ["SANDBOX_CALLABLE_KERNELS"] = "1"
 
-# The first call of a kernel compiles it, which no deadline could allow for.
+# `quick` by default, `deep` by --hypothesis-profile=deep: a property test looks at this share, in percent, of what it
+# asks for with `tests.examples`. No time limits, for the first call of a kernel compiles it.
 # Shapes are drawn at random and many do not meet, and CI machines are slow: neither says anything about the code.
 checks = [HealthCheck.filter_too_much, HealthCheck.too_slow]
-settings.register_profile("sandbox", deadline=None, print_blob=True, suppress_health_check=checks)
-settings.load_profile("sandbox")
+for profile, share in (("quick", 20), ("deep", 100)):
+    settings.register_profile(profile, max_examples=share, deadline=None, print_blob=True, suppress_health_check=checks)
+settings.load_profile("quick")

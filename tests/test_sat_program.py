@@ -13,11 +13,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 import sandbox
 from tests.cli.conftest import cli  # noqa: F401
+from tests.examples import examples
 from tests.geometry.convex_cases import numbers, polygons
 
 LESSON = Path(__file__).parents[1] / "scenes" / "sat"
@@ -114,7 +115,7 @@ def moved(polygon: Polygon, x: float, y: float) -> list[tuple[float, float]]:
 
 
 @given(polygons(), polygons(), numbers, numbers)
-@settings(max_examples=400)
+@examples(400)
 def test_random_polygons_get_the_engines_verdict_and_its_way_out(a: Polygon, b: Polygon, x: float, y: float) -> None:
     a, b = list(a), moved(b, x, y)
     table = sandbox.sat_table(shape(a), shape(b), all_axes=True)
@@ -142,7 +143,7 @@ boxes = st.builds(
 
 
 @given(triangles | boxes, triangles | boxes)
-@settings(max_examples=400)
+@examples(400)
 def test_whole_numbers_are_exact_even_where_shapes_touch(a: Polygon, b: Polygon) -> None:
     a, b = list(a), list(b)
     assert program["colliding"](a, b) == (sandbox.collide(shape(a), shape(b)) is not None)

@@ -6,12 +6,13 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox.engine.broad_phase.proxies import MARGIN, MARGIN_SHARE
 from sandbox.engine.world import World
 from tests.engine.stages import Paused
+from tests.examples import examples
 from tests.flat import body, box, capsule, circle, polygon, world
 
 SHAPES = [
@@ -33,7 +34,7 @@ def a_world(shape, place, angle, velocity, spin) -> World:
 
 
 @given(st.integers(0, 4), st.tuples(speeds, speeds), st.floats(-4, 4), st.tuples(speeds, speeds), st.floats(-40, 40))
-@settings(max_examples=200)
+@examples(200)
 def test_the_box_holds_the_shape_all_through_the_step(shape, place, angle, velocity, spin):
     p = Paused(a_world(shape, place, angle, velocity, spin))
     p.detect()

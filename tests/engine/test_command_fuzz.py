@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from sandbox import (
@@ -23,6 +23,7 @@ from sandbox import (
 from sandbox.engine.world import World
 from sandbox.errors import SandboxError
 from sandbox.scene.flat import FlatSettings
+from tests.examples import examples
 from tests.flat import body, box, capsule, circle, ground, scene
 
 BAD = [math.nan, math.inf, -math.inf]
@@ -56,7 +57,7 @@ def finite(w: World) -> bool:
 
 @given(st.lists(commands, max_size=25), st.booleans())
 @example([Explode((0.0, -1e-271), 1.0, 5.0)], False)  # so near to an edge that its square is no number
-@settings(max_examples=150)
+@examples(150)
 def test_no_sequence_of_commands_poisons_the_world(sequence, sleeping):
     parts = (
         ground(),

@@ -6,16 +6,17 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox import MoveDrag, StartDrag
 from tests.engine.stages import Paused, solve_mouse_joints
+from tests.examples import examples
 from tests.flat import body, box, circle, world
 
 
 @given(st.floats(-3, 3), st.floats(-3, 3), st.floats(-5, 5), st.floats(0.5, 9.0))
-@settings(max_examples=60)
+@examples(60)
 def test_a_grab_at_the_centre_is_a_damped_spring(x, y, speed, density):
     w = world(body("a", circle(0.5, density=density), velocity=(speed, 0.0)), gravity=(0.0, 0.0))
     w.apply(StartDrag("a", (0.0, 0.0), 1e9))
@@ -33,7 +34,7 @@ def test_a_grab_at_the_centre_is_a_damped_spring(x, y, speed, density):
 
 
 @given(st.floats(-3, 3), st.floats(-3, 3), st.floats(-4, 4), st.floats(-0.5, 0.5), st.floats(0.1, 1e4))
-@settings(max_examples=100)
+@examples(100)
 def test_a_grab_off_centre_solves_both_axes_at_once(x, y, spin, arm, limit):
     """Impulse = -scale K^-1 (velocity + rate * error) at the grabbed point, no longer than the force allows."""
     w = world(body("a", box(1.0, 0.6), angle=0.4, velocity=(1.0, 2.0), angular_velocity=spin), gravity=(0.0, 0.0))

@@ -6,11 +6,12 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from sandbox.engine.restitution.impacts import ImpactList
 from tests.engine.stages import Paused, list_impact_contacts, resolve_impacts
+from tests.examples import examples
 from tests.flat import body, box, circle, ground, world
 
 
@@ -61,7 +62,7 @@ speeds = st.floats(-5.0, 5.0)
     st.floats(0.05, 1.5),
     st.floats(0.1, 10.0),
 )
-@settings(max_examples=200)
+@examples(200)
 def test_a_disc_strikes_the_corner_of_a_box(va, vb, wa, wb, e, friction, angle, mass):
     """A disc touches a tilted box off its centre: normal impulse with restitution, then Coulomb friction."""
     corner = np.array([0.5 * math.cos(angle) - 0.3 * math.sin(angle), 0.5 * math.sin(angle) + 0.3 * math.cos(angle)])
@@ -110,7 +111,7 @@ def test_a_disc_strikes_the_corner_of_a_box(va, vb, wa, wb, e, friction, angle, 
 
 
 @given(st.floats(0.01, 1.0), st.floats(-9.0, -0.5), st.floats(-2.0, 2.0))
-@settings(max_examples=100)
+@examples(100)
 def test_a_flat_box_rebounds_at_both_corners(e, fall, spin):
     w = world(
         ground(),
@@ -163,7 +164,7 @@ def test_an_impact_within_the_substep_only():
 
 
 @given(st.integers(0, 2**32), st.floats(0.0, 1.0), st.floats(0.0, 1.0))
-@settings(max_examples=60)
+@examples(60)
 def test_impacts_in_a_row_of_boxes_keep_momentum_and_never_gain_energy(seed, e, friction):
     random = np.random.default_rng(seed)
     shape = box(1.0, 1.0, restitution=e, friction=friction)

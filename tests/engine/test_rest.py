@@ -6,13 +6,14 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox import ApplyImpulse, Delete, MoveDrag, SetGravity, SetPose, SetSurface, SetVelocity, StartDrag
 from sandbox.engine.world import World
 from sandbox.errors import SandboxError
 from sandbox.scene.flat import FlatScene, FlatSettings
+from tests.examples import examples
 from tests.flat import body, box, circle, ground, scene
 
 STACKS = 14
@@ -71,7 +72,7 @@ def tell(worlds: list[World], command: Any) -> None:
 
 
 @given(sequences)
-@settings(max_examples=25)
+@examples(25)
 def test_what_is_kept_is_what_would_be_found(sequence):
     kept, anew = World(town()), World(town())
     worlds = [kept, anew]

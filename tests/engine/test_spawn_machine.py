@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import Bundle, RuleBasedStateMachine, consumes, invariant, rule
 
@@ -16,6 +15,7 @@ from sandbox.engine.world import World
 from sandbox.errors import SandboxError, UnknownBodyError
 from sandbox.world.joint_records import GEAR
 from tests.engine.test_spawn import tables
+from tests.examples import examples
 
 SCENE = sandbox.Scene(
     prefabs={
@@ -188,4 +188,4 @@ class Lives(RuleBasedStateMachine):
 
 
 TestLives = Lives.TestCase
-TestLives.settings = settings(max_examples=30, stateful_step_count=25, deadline=None)
+TestLives.settings = examples(30, stateful_step_count=25)

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 import shapely
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox._jit import entry_point, kernel_argument
@@ -18,6 +18,7 @@ from sandbox.engine.fields.records import MAX_PIECES, PIECE
 from sandbox.scene.flat import FlatRegion, FlatShape
 from sandbox.tables import Records
 from sandbox.world.build_fields import build_regions
+from tests.examples import examples
 from tests.fields.pools import inside
 from tests.flat import body, box, capsule, circle, polygon, segment, world
 
@@ -80,7 +81,7 @@ def moments(shape: shapely.Geometry) -> tuple[float, ...]:
 
 
 @pytest.mark.parametrize("shape", SHAPES, ids=lambda shape: f"{shape.kind}-{len(shape.vertices)}-{shape.radius}")
-@settings(max_examples=60, deadline=None)
+@examples(60)
 @given(st.data())
 def test_any_shape_within_any_region(shape, data):
     kind = data.draw(st.sampled_from(["surface", "box", "disc", "disc and surface"]))

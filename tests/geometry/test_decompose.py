@@ -12,11 +12,12 @@ from pymunk.autogeometry import convex_decomposition
 
 from sandbox.geometry.decompose import decompose
 from sandbox.geometry.polygon import MIN_EDGE, convex_corners
+from tests.examples import examples
 from tests.geometry.concave_cases import simple, with_holes
 from tests.naive.partition import least_parts
 
-SLOW = settings(deadline=None, suppress_health_check=list(HealthCheck))
-FEW = settings(SLOW, max_examples=40)
+SLOW = settings(suppress_health_check=list(HealthCheck))
+FEW = examples(40, suppress_health_check=list(HealthCheck))
 L_SHAPE = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]
 FRAME = [(0, 0), (4, 0), (4, 4), (0, 4)]
 WINDOW = [(1, 1), (3, 1), (3, 3), (1, 3)]
@@ -119,7 +120,7 @@ def test_no_more_parts_than_hertel_and_mehlhorn_promise(outline):
     assert least <= len(found.parts) <= 2 * dents(found.rings) + 1
 
 
-@settings(SLOW, max_examples=25)
+@examples(25, suppress_health_check=list(HealthCheck))
 @given(simple.filter(lambda outline: len(outline) <= 14))
 def test_nearly_as_few_parts_as_there_can_be(outline):
     found = decompose(outline)

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from sandbox._jit import kernel_argument
 from sandbox.geometry.linear_cast import linear_cast
+from tests.examples import examples
 from tests.geometry.convex_cases import Case, cases
 from tests.naive import convex
 
@@ -29,7 +30,7 @@ def touch(case: Case, velocity: tuple[float, float], seconds: float = 1.0) -> fl
 
 
 @given(cases, st.tuples(speeds, speeds))
-@settings(max_examples=150)
+@examples(150)
 def test_the_first_touch_is_neither_missed_nor_overstepped(case, velocity):
     assume(gap(case, (0.0, 0.0)) > 0.01)
     assume(math.hypot(*velocity) > 0.1)
@@ -47,7 +48,7 @@ def test_the_first_touch_is_neither_missed_nor_overstepped(case, velocity):
 
 
 @given(cases)
-@settings(max_examples=50)
+@examples(50)
 def test_shapes_that_touch_already_touch_at_once(case):
     assume(gap(case, (0.0, 0.0)) < -1e-9)
     assert touch(case, (1.0, 2.0)) == 0.0

@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 
 import pytest
-from hypothesis import assume, example, given, settings
+from hypothesis import assume, example, given
 
+from tests.examples import examples
 from tests.geometry.convex_cases import Case, box, cases, random_cases, tied_cases
 from tests.naive import convex
 
@@ -33,7 +34,7 @@ def points_of(m) -> list[tuple[float, float, float, int]]:
 
 
 @given(cases)
-@settings(max_examples=400)
+@examples(400)
 @example(Case(((-0.5, 0.0), (0.5, 0.0)), ((-0.5, 0.0), (0.5, 0.0)), (1.515, 0.0), 0.25, 0.25))
 @example(Case(((0.0, 0.0),), ((-0.5, 0.0), (0.5, 0.0)), (1.6, 0.0), 0.5, 0.5))
 def test_shapes_touch_exactly_when_they_overlap(case):
@@ -47,7 +48,7 @@ def test_shapes_touch_exactly_when_they_overlap(case):
 
 
 @given(cases)
-@settings(max_examples=400)
+@examples(400)
 @example(Case(((-0.5, 0.0), (0.5, 0.0)), ((-0.5, 0.0), (0.5, 0.0)), (1.2, 0.0), 0.25, 0.25))
 def test_the_depth_is_the_least_over_all_axes(case):
     depth = truth(case)
@@ -72,7 +73,7 @@ def test_looking_ahead_never_overrates_the_gap(case):
 
 
 @given(cases)
-@settings(max_examples=300)
+@examples(300)
 def test_the_translation_parts_the_shapes_and_no_farther(case):
     assume(truth(case) < -TINY)
     m, _ = case.collide(0.0)
@@ -83,7 +84,7 @@ def test_the_translation_parts_the_shapes_and_no_farther(case):
 
 
 @given(cases)
-@settings(max_examples=400)
+@examples(400)
 def test_every_point_lies_half_way_between_the_surfaces(case):
     m, count = case.collide(0.5)
     a, b = convex.exact(case.a), convex.exact(case.b, *case.way)
@@ -101,7 +102,7 @@ def test_every_point_lies_half_way_between_the_surfaces(case):
 
 
 @given(cases)
-@settings(max_examples=300)
+@examples(300)
 def test_features_name_vertices_at_the_points(case):
     m, count = case.collide(0.5)
     points = points_of(m)[:count]
@@ -118,7 +119,7 @@ def test_features_name_vertices_at_the_points(case):
 
 
 @given(cases)
-@settings(max_examples=300)
+@examples(300)
 def test_two_points_have_the_depth_of_the_manifold_between_them(case):
     m, count = case.collide(0.5)
     for _, _, gap, _ in points_of(m)[:count]:
@@ -127,7 +128,7 @@ def test_two_points_have_the_depth_of_the_manifold_between_them(case):
 
 
 @given(cases)
-@settings(max_examples=400)
+@examples(400)
 def test_swapping_the_shapes_mirrors_the_manifold(case):
     m, count = case.collide(0.5)
     n, other = case.swapped().collide(0.5)
@@ -157,7 +158,7 @@ def best_two_axes_differ(case: Case) -> bool:
 
 
 @given(tied_cases)
-@settings(max_examples=200)
+@examples(200)
 def test_far_from_the_centre_nothing_changes(case):
     """Cores are measured from their bodies' centres: shifting both by whole metres is exact."""
     shifted = Case(

@@ -6,10 +6,11 @@ import math
 from fractions import Fraction
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox.geometry.mass import Moments, edge_normals, moments
+from tests.examples import examples
 from tests.geometry.convex_cases import box, lines, polygons
 from tests.naive.area import polygon_moments, rounded_moments
 
@@ -29,7 +30,7 @@ def test_a_sharp_polygon_is_exact(core, offset):
 
 
 @given(polygons() | lines() | st.just(((0.0, 0.0),)), offsets, st.floats(0.01, 2.0))
-@settings(max_examples=30)
+@examples(30)
 def test_a_rounded_core_is_the_limit_of_polygons(core, offset, radius):
     core = moved(core, offset)
     assert list(moments(core, radius)) == pytest.approx(rounded_moments(core, radius), rel=1e-4, abs=1e-5)

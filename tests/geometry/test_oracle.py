@@ -11,8 +11,9 @@ from collections import Counter
 from random import Random
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 
+from tests.examples import examples
 from tests.geometry.judged import judge
 from tests.geometry.shape_families import FAMILIES, pairs
 
@@ -35,6 +36,6 @@ def test_no_pair_is_judged_wrongly(family: str, chunk: int) -> None:
 
 
 @given(pairs)
-@settings(max_examples=400)
+@examples(400)
 def test_no_pair_is_found_that_is_judged_wrongly(pair):
     judge(*pair)

@@ -6,11 +6,12 @@ import math
 
 import pytest
 import shapely
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, given
 from hypothesis import strategies as st
 
 from sandbox.geometry.decompose import decompose
 from sandbox.geometry.polygon import PolygonError
+from tests.examples import examples
 
 BOX = [(0, 0), (10, 0), (10, 10), (0, 10)]
 DENTED = [(0, 0), (10, 0), (5, 1), (10, 10), (0, 10)]
@@ -55,7 +56,7 @@ coordinate = st.integers(-3, 3)
 small_ring = st.lists(st.tuples(coordinate, coordinate), min_size=3, max_size=5, unique=True)
 
 
-@settings(deadline=None, max_examples=400, suppress_health_check=list(HealthCheck))
+@examples(400, suppress_health_check=list(HealthCheck))
 @given(st.lists(st.tuples(st.integers(-5, 5), st.integers(-5, 5)), min_size=3, max_size=8, unique=True), small_ring)
 def test_shapely_finds_the_same_polygons_valid(outline, hole):
     """On small whole numbers nothing is straight but what is so exactly, and nothing is near but what touches."""

@@ -7,11 +7,12 @@ import math
 from fractions import Fraction
 
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 import sandbox
 from sandbox.geometry.sat_rows import author_edges, count_axes, sat_rows
+from tests.examples import examples
 from tests.geometry.convex_cases import Case, cases
 from tests.geometry.tutorial_cases import (
     SQUARE_ONE,
@@ -83,7 +84,7 @@ def test_all_axes_go_on_after_the_gap_and_remember_where_the_test_stopped():
 
 
 @given(shape_pairs())
-@settings(max_examples=300)
+@examples(300)
 @example((sandbox.Segment(*LINE), sandbox.Segment((2.0, 0.0), (3.0, 0.0))))
 @example((sandbox.Segment(*LINE), sandbox.Segment((1.0, 0.0), (3.0, 0.0))))
 @example((sandbox.Capsule(*LINE, 0.5), sandbox.Circle((3.0, 0.0), 0.5)))

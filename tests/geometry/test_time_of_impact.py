@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox.geometry.core import CoreRows
@@ -13,6 +13,7 @@ from sandbox.geometry.manifold import MANIFOLD
 from sandbox.geometry.time_of_impact import POSED_ROWS, SWEEP, time_of_impact
 from sandbox.world.records import VERTEX
 from tests.engine.stages import stage
+from tests.examples import examples
 
 impact_of = stage(time_of_impact)
 WALL = (10.0, 0.01)
@@ -37,7 +38,7 @@ def below(rod, x: float, y: float, angle: float) -> float:
     return 0.5 * WALL[1] - float((y + math.sin(angle) * rod.x + math.cos(angle) * rod.y).min())
 
 
-@settings(max_examples=300)
+@examples(300)
 @given(
     st.floats(0.1, 2.0), st.floats(0.004, 0.02), st.floats(-0.002, 0.007), st.floats(0.0, 2.0 * math.pi),
     st.floats(-1.0, 1.0), st.floats(-2.0, 2.0), st.floats(-15.0, 15.0),

@@ -6,10 +6,11 @@ import math
 
 import mpmath
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from sandbox.geometry.trig import PI, arctan2, cos_sin
+from tests.examples import examples
 
 mpmath.mp.dps = 60
 
@@ -23,7 +24,7 @@ def quarters(k: int) -> float:
 
 
 @given(moderate | st.integers(-600_000, 600_000).map(quarters) | st.floats(-1.0, 1.0))
-@settings(max_examples=1000)
+@examples(1000)
 @example(0.75)
 @example(-0.75)
 @example(math.pi / 4)
@@ -52,7 +53,7 @@ def test_no_turn_is_exactly_no_turn():
 
 
 @given(coordinates, coordinates)
-@settings(max_examples=1000)
+@examples(1000)
 @example(0.0, -1.0)
 @example(-0.0, -1.0)
 @example(1e-320, 1.0)

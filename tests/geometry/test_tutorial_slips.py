@@ -6,10 +6,11 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 
 import sandbox
 from sandbox.geometry.sat_rows import author_edges
+from tests.examples import examples
 from tests.geometry.convex_cases import Case, numbers, polygons
 from tests.geometry.tutorial_cases import (
     SQUARE_ONE,
@@ -38,7 +39,7 @@ def test_without_slips_the_program_prints_the_tutorials_tables():
 
 
 @given(polygons(), polygons(), numbers, numbers)
-@settings(max_examples=200)
+@examples(200)
 def test_without_slips_the_program_agrees_with_the_table(a, b, x, y):
     moved = tuple((px + x, py + y) for px, py in b)
     table = sandbox.sat_table(sandbox.Polygon(a), sandbox.Polygon(moved))
@@ -98,7 +99,7 @@ def test_equal_minima_part_a_polygon_from_itself():
 
 
 @given(polygons(), polygons(), numbers, numbers)
-@settings(max_examples=200)
+@examples(200)
 def test_random_polygons_are_blind_to_equal_minima(a, b, x, y):
     """The inequality is wrong for equal minima only, which shapes in general position never have."""
     moved = Case(a, tuple((px + x, py + y) for px, py in b), (0.0, 0.0))

@@ -10,12 +10,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox import SetVelocity
 from sandbox.engine.world import World
 from sandbox.scene.flat import FlatSettings, FlatShape
+from tests.examples import examples
 from tests.flat import body, box, capsule, circle, ground, polygon, segment, world
 
 THIN = 0.01
@@ -36,7 +37,7 @@ missiles = st.sampled_from(sorted(MISSILES))
 speeds = st.floats(0.0, 3.0).map(lambda power: float(10.0**power))
 spins = st.tuples(st.sampled_from([-1.0, 0.0, 1.0]), st.floats(0.0, 3.0)).map(lambda s: s[0] * 10.0 ** s[1])
 angles = st.floats(0.0, 2.0 * math.pi)
-many = settings(max_examples=300)
+many = examples(300)
 
 
 def surfaced(shape: FlatShape, **surface: Any) -> FlatShape:
@@ -78,7 +79,7 @@ def overlap(w: World) -> float:
     return float(x.max() + shape.radius - face)
 
 
-@settings(max_examples=100)
+@examples(100)
 @given(st.sampled_from(["rod", "needle", "wedge"]), st.floats(0.13, 1.1), st.floats(0.5, 3.0), st.booleans())
 def test_what_only_spins_stays_on_its_side(kind, away, power, back):
     spin = 10.0**power * (-1.0 if back else 1.0)
@@ -147,7 +148,7 @@ def room(missiles: list[str], seed: int, **surface: Any) -> World:
     return world(*walls, *inside)
 
 
-@settings(max_examples=40)
+@examples(40)
 @given(
     st.lists(missiles, min_size=1, max_size=12), st.integers(0, 10_000), st.sampled_from([0.0, 0.5, 1.0]), angles,
 )  # fmt: skip

@@ -6,9 +6,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.examples import examples
 from tests.flat import body, box, capsule, circle, polygon, world
 
 SHAPES = [
@@ -67,7 +68,7 @@ def test_angular_momentum_is_nearly_kept(seed):
 
 
 @given(st.integers(0, 2**32), st.floats(-5, 5), st.floats(-5, 5), st.floats(-20, 20))
-@settings(max_examples=50)
+@examples(50)
 def test_a_pair_keeps_its_momentum(seed, vx, vy, spin):
     random = np.random.default_rng(seed)
     a, b = random.choice(5, 2)

@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.examples import examples
 from tests.naive.queries import Solid, gap, solids, swept, unit
 from tests.queries.worlds import ways, worlds
 
@@ -38,7 +39,7 @@ def check_hit(hit, solid: Solid, origin, way, apart: float) -> None:
 
 
 @given(st.data())
-@settings(max_examples=400)
+@examples(400)
 def test_all_hits_of_a_ray(data):
     world, at = data.draw(worlds())
     origin, way = data.draw(ways(world, at))
@@ -59,7 +60,7 @@ def test_all_hits_of_a_ray(data):
 
 
 @given(st.data())
-@settings(max_examples=300)
+@examples(300)
 def test_the_first_hit_is_the_first_of_all(data):
     world, at = data.draw(worlds(30))
     origin, way = data.draw(ways(world, at))
@@ -68,7 +69,7 @@ def test_the_first_hit_is_the_first_of_all(data):
 
 
 @given(st.data(), st.integers(0, 9))
-@settings(max_examples=100)
+@examples(100)
 def test_many_rays_at_once_are_many_single_rays(data, count):
     world, at = data.draw(worlds())
     several = [data.draw(ways(world, at)) for _ in range(count)]

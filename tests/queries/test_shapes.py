@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import sandbox
+from tests.examples import examples
 from tests.naive.queries import Solid, gap, solids, swept, unit
 from tests.queries.worlds import angles, places, sizes, spots, ways, worlds
 
@@ -53,7 +54,7 @@ def check_normal(solid: Solid, normal, point, tolerance: float) -> None:
 
 
 @given(st.data())
-@settings(max_examples=300)
+@examples(300)
 def test_which_shapes_hold_a_point(data):
     world, at = data.draw(worlds())
     point = data.draw(spots(world, at))
@@ -71,7 +72,7 @@ def test_which_shapes_hold_a_point(data):
 
 
 @given(st.data(), st.just(math.inf) | st.floats(0.0, 5.0))
-@settings(max_examples=300)
+@examples(300)
 def test_the_nearest_shape(data, within):
     world, at = data.draw(worlds())
     point = data.draw(spots(world, at))
@@ -112,7 +113,7 @@ def check_overlaps(world, shape, hits) -> None:
 
 
 @given(st.data())
-@settings(max_examples=200)
+@examples(200)
 def test_which_shapes_a_shape_overlaps(data):
     world, at = data.draw(worlds(8))
     shape = data.draw(query_shapes(at))
@@ -120,7 +121,7 @@ def test_which_shapes_a_shape_overlaps(data):
 
 
 @given(st.data())
-@settings(max_examples=150)
+@examples(150)
 def test_which_shapes_a_box_overlaps(data):
     world, at = data.draw(worlds(8))
     p, q = data.draw(spots(world, at)), data.draw(spots(world, at))
@@ -136,7 +137,7 @@ def test_which_shapes_a_box_overlaps(data):
 
 
 @given(st.data())
-@settings(max_examples=200)
+@examples(200)
 def test_shape_casts(data):
     world, at = data.draw(worlds(8))
     shape = data.draw(query_shapes(at))
@@ -173,7 +174,7 @@ def check_cast(hit, shape, way, solid: Solid, tolerance: float, size: float) -> 
 
 
 @given(st.data())
-@settings(max_examples=300)
+@examples(300)
 def test_the_distance_of_two_bodies(data):
     world, _at = data.draw(worlds())
     if len(world.names) < 2:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from random import Random
 
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 
 from sandbox.reference.answer import Answer
 from sandbox.reference.arbitration import arbitrate, faults_of, our_answer, size_and_reach
@@ -13,17 +13,18 @@ from sandbox.reference.ask_pymunk import ask_pair
 from sandbox.reference.exact_referee import judge
 from sandbox.reference.pair import Core, Pair
 from sandbox.reference.tolerance import touch_tolerance
+from tests.examples import examples
 from tests.geometry.shape_families import FAMILIES
 from tests.reference.pairs import any_pairs, at, between, box, circle, random_pairs, tied_pairs
 
 
-@settings(max_examples=400)
+@examples(400)
 @given(any_pairs)
 def test_the_narrow_phase_is_right(pair: Pair) -> None:
     assert faults_of(pair) == []
 
 
-@settings(max_examples=300)
+@examples(300)
 @given(random_pairs | tied_pairs)
 def test_pymunk_is_right_or_trapped(pair: Pair) -> None:
     """Whatever pymunk gets wrong has a name: a new kind of error, or a wrong referee, would show here."""

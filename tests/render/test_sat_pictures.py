@@ -6,7 +6,7 @@ import re
 from xml.etree import ElementTree
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 
 import sandbox
 from sandbox.geometry.decompose import decompose
@@ -17,6 +17,7 @@ from sandbox.render.sat_plane import Plane
 from sandbox.render.sat_rails import ROW
 from sandbox.render.sat_tilt import strip_of
 from sandbox.render.svg import Svg
+from tests.examples import examples
 from tests.geometry.convex_cases import numbers, polygons
 from tests.geometry.tutorial_cases import SQUARE_ONE, SQUARE_TWO, TRIANGLE_ONE, TRIANGLE_TWO
 
@@ -193,7 +194,7 @@ def test_beside_a_disc_nothing_may_be_left_of_the_strip():
 
 
 @given(polygons(), polygons(), numbers, numbers)
-@settings(max_examples=200)
+@examples(200)
 def test_the_turned_strip_is_the_gap_of_an_axis(a, b, x, y):
     """What the lesson argues: wherever two polygons are apart, the axis of an edge has a gap."""
     pair = sandbox.Polygon(a), sandbox.Polygon(tuple((px + x, py + y) for px, py in b))

@@ -7,11 +7,12 @@ from collections.abc import Callable
 from copy import deepcopy
 from typing import Any
 
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from sandbox.errors import SceneError
 from sandbox.scene import Scene, loads_scene
+from tests.examples import examples
 from tests.scene.scene_strategies import scenes
 
 FRAGMENTS = [
@@ -104,13 +105,13 @@ def _damage(draw: st.DrawFn, node: Any) -> None:
 
 
 @given(damaged_texts())
-@settings(max_examples=120, deadline=None)
+@examples(120)
 def test_damaged_text_is_a_scene_or_a_scene_error(text):
     load(text)
 
 
 @given(damaged_data())
-@settings(max_examples=200, deadline=None)
+@examples(200)
 @example({"bodies": 5, "generate": 5, "expect": 5, "materials": 5, "prefabs": 5, "categories": 5})
 @example({"bodies": [{"id": "a", "shapes": [{"box": [10**400, 1], "radius": 10**400}]}]})
 @example({"\ud800": 1})
@@ -119,7 +120,7 @@ def test_damaged_values_are_a_scene_or_a_scene_error(data):
 
 
 @given(damaged_data())
-@settings(max_examples=100, deadline=None)
+@examples(100)
 def test_damaged_values_in_python_are_a_scene_or_a_scene_error(data):
     error = refusal(lambda: Scene(**data).flatten())
     assert error is None or error.problems

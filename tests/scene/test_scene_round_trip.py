@@ -8,9 +8,10 @@ from pathlib import Path
 
 import jsonschema
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 
 from sandbox.scene import Scene, load_scene, loads_scene, schema
+from tests.examples import examples
 from tests.scene.scene_strategies import scenes
 
 VALIDATOR = jsonschema.Draft202012Validator(schema())
@@ -38,7 +39,7 @@ def test_python_and_file_build_the_same_scene(data):
 
 
 @given(scenes())
-@settings(max_examples=50)
+@examples(50)
 def test_the_json_schema_accepts_what_the_loader_accepts(data):
     loads_scene(json.dumps(data))
     VALIDATOR.validate(data)

@@ -8,13 +8,14 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import sandbox
 from sandbox import MoveDrag, StartDrag
 from sandbox.render.frame import capture
 from sandbox.render.pick import pick
+from tests.examples import examples
 from tests.geometry.concave_cases import simple, with_holes
 from tests.geometry.test_decompose import gear
 
@@ -46,7 +47,7 @@ def exact_moments(rings) -> tuple[float, float, float, float]:
     return float(area), float(cx), float(cy), float(second - area * (cx * cx + cy * cy))
 
 
-@settings(max_examples=60, deadline=None)
+@examples(60)
 @given(with_holes())
 def test_mass_centroid_and_inertia_are_those_of_the_whole(polygon):
     outline, holes = polygon
@@ -83,7 +84,7 @@ def test_it_is_dragged_as_one_body():
     assert (row.center_x + held[0], row.center_y + held[1]) == pytest.approx((4.5, 3.5), abs=0.01)
 
 
-@settings(max_examples=40, deadline=None)
+@examples(40)
 @given(simple, st.integers(0, 20))
 def test_a_saved_scene_has_the_vertices_of_its_author(outline, turn):
     turned = [*outline[turn % len(outline) :], *outline[: turn % len(outline)]][:: -1 if turn % 2 else 1]

@@ -1,0 +1,13 @@
+"""How many examples a property test looks at."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from hypothesis import settings
+
+
+def examples(count: int, **others: Any) -> settings:
+    """`count` in the profile `deep`, in `quick` a share of it and at least 10; `others` as in `hypothesis.settings`."""
+    share = settings.default.max_examples
+    return settings(max_examples=max(min(count, 10), count * share // 100), **others)
