@@ -43,9 +43,9 @@ _FLAGS: dict[str, Any] = {"error_model": "numpy", "boundscheck": False, "_nrt": 
 # Kernels allocate nothing, so numba's reference counting is off: its atomic counters around every call that takes an
 # array cost more than the arithmetic (the grid ran 7 times slower with them).
 _CALLABLE = os.environ.get("SANDBOX_CALLABLE_KERNELS") == "1"
-_INNER: dict[str, Any] = _FLAGS | {"no_cpython_wrapper": not _CALLABLE, "no_cfunc_wrapper": True}
+_INNER: dict[str, Any] = _FLAGS | {"no_cpython_wrapper": not _CALLABLE, "no_cfunc_wrapper": True, "cache": _CALLABLE}
 # Only entry points are called from Python. The others go without the wrappers for that, which are a sixth of the
-# compile time; tests of single kernels ask for them.
+# compile time, and without files of their own; tests of single kernels ask for both.
 _STALE_SECONDS = 14 * 24 * 3600
 
 ZERO: int = cast(int, np.int64(0))
@@ -54,22 +54,27 @@ ZERO: int = cast(int, np.int64(0))
 
 def kernel(function: F) -> F:
     """Compile `function` for use by other kernels. The same bits as plain Python, only faster."""
-    return cast(F, njit(**_INNER)(function))
+    return cast(F, _compiled(function, **_INNER))
 
 
 def inlined_kernel(function: F) -> F:
     """A `kernel` that is always inlined: for short functions called in the innermost loops with many arrays."""
-    return cast(F, njit(**_INNER, forceinline=True)(function))
+    return cast(F, _compiled(function, **_INNER, forceinline=True))
 
 
 def entry_point(function: F) -> F:
     """Compile `function` for calls from Python and keep its machine code in `cache_folder()`."""
+    return cast(F, _compiled(function, **_FLAGS, cache=True))
+
+
+def _compiled(function: Any, cache: bool, **flags: Any) -> Any:
+    """`function` under numba, which is told here where its machine code is kept if it is."""
     if config.DISABLE_JIT:
         return function
     before = config.CACHE_DIR
     config.CACHE_DIR = str(cache_folder())
     try:
-        return cast(F, njit(**_FLAGS, cache=True)(function))
+        return njit(cache=cache, **flags)(function)
     finally:
         config.CACHE_DIR = before
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 
+import pytest
 from hypothesis import HealthCheck, settings
 
 pytest_plugins = ["pytester"]
@@ -18,3 +19,12 @@ checks = [HealthCheck.filter_too_much, HealthCheck.too_slow]
 for profile, share in (("quick", 20), ("deep", 100)):
     settings.register_profile(profile, max_examples=share, deadline=None, print_blob=True, suppress_health_check=checks)
 settings.load_profile("quick")
+
+
+def pytest_sessionstart(session: pytest.Session) -> None:
+    """Compile before workers are started, for each would do so by itself."""
+    if session.config.getoption("numprocesses", None) and not session.config.option.collectonly:
+        from tests.compiled import compile_all
+
+        terminal = session.config.pluginmanager.getplugin("terminalreporter")
+        compile_all(terminal.write_line)

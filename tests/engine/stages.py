@@ -1,4 +1,4 @@
-"""The stages of a step called one by one, each compiled for calls from Python and kept on disk.
+"""The stages of a step called one by one.
 
 The only place in the tests that knows the signatures of kernels and the layout of scratch memory.
 """
@@ -34,8 +34,8 @@ Pair = tuple[int, int]
 
 
 def stage(kernel: Any) -> Callable[..., Any]:
-    """A kernel to call with record arrays."""
-    compiled = entry_point(getattr(kernel, "py_func", kernel))
+    """A kernel to call with record arrays; or a function, compiled for that."""
+    compiled = kernel if hasattr(kernel, "py_func") else entry_point(kernel)
 
     def call(*arguments: Any) -> Any:
         return compiled(*(plain(argument) for argument in arguments))

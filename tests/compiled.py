@@ -1,0 +1,94 @@
+"""Compile what the tests run once, in two processes, before any of pytest's workers would each do it by itself.
+
+`python -m tests.compiled PART` is one of the processes. What neither thinks of is compiled by the first test that
+needs it, and kept for the others too.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import sandbox
+from sandbox._jit import cache_folder, jit_enabled
+from sandbox.engine.continuous_collision.solve_continuous import solve_continuous
+from sandbox.engine.events.sensors import Sensing
+from sandbox.engine.fields.apply import apply_fields
+from sandbox.engine.memory.binding import bind
+from sandbox.engine.memory.scratch import Scratch
+from sandbox.engine.step import collide, solve
+from sandbox.engine.world import World
+from sandbox.geometry.exact_axes import Axis
+from sandbox.geometry.pair import pair_of
+from sandbox.geometry.shapes import Box
+from sandbox.reference.arbitration import our_answer
+from sandbox.reference.pair import Core, Pair
+from sandbox.scene.flat import FlatScene
+from sandbox.world.build import build_state
+from tests.determinism import busy, floating, jointed
+from tests.flat import body, circle, scene
+
+ROOT = Path(__file__).parents[1]
+
+
+def compile_all(say: Callable[[str], None]) -> None:
+    """Fill an empty kernel cache; at once if it has been done for these very files."""
+    done = cache_folder() / f"tests-{_files()}"
+    if not jit_enabled() or done.exists():
+        return
+    say("compiling the kernels once for all workers; they are kept for the next time")
+    command = [sys.executable, "-m", "tests.compiled"]
+    parts = [subprocess.Popen([*command, part], cwd=ROOT, stdin=subprocess.DEVNULL) for part in PARTS]
+    failed = [part for part in parts if part.wait() != 0]
+    if not failed:
+        done.touch()
+
+
+def _files() -> str:
+    """numba files machine code under the place and the time of its source."""
+    digest = hashlib.blake2b(digest_size=8)
+    for file in sorted(Path(sandbox.__file__).parent.rglob("*.py")):
+        digest.update(f"{file} {file.stat().st_mtime_ns}\n".encode())
+    return digest.hexdigest()
+
+
+def _once(part: Any, of: FlatScene) -> None:
+    """Call a part of the step, as the stepper would."""
+    state = build_state(of)
+    part(*bind(part, state, Scratch.for_state(state, 16)))
+
+
+def _solve() -> None:
+    """What moves bodies and takes back those that went too far, without joints and with them."""
+    for of in (busy.scene(), jointed.scene()):
+        _once(solve, of)
+    _once(solve_continuous, busy.scene())
+
+
+def _others() -> None:
+    """What finds contacts, and whatever else is called from Python."""
+    _once(collide, busy.scene())
+    _once(apply_fields, floating.scene())
+    pair = pair_of(Box(1.0, 1.0), Box(1.0, 1.0, (2.0, 0.0)))
+    pair.manifold(0.0)
+    pair.nearest()
+    pair.manifold_on(Axis(0, 1, 0, 1, 0, 0))
+    our_answer(Pair(Core(((0.0, 0.0),)), Core(((1.0, 0.0),))))
+    both = scene(body("a", circle(1.0, sensor=True)), body("b", circle(1.0)))
+    Sensing(build_state(both)).look()
+    ask = World(both).query
+    ask.ray((-2.0, 0.0), (4.0, 0.0))
+    ask.ray_all((-2.0, 0.0), (4.0, 0.0))
+    ask.nearest((0.0, 0.0))
+    ask.point((0.0, 0.0))
+    ask.distance("a", "b")
+
+
+PARTS = {"solve": _solve, "others": _others}
+
+if __name__ == "__main__":
+    PARTS[sys.argv[1]]()
