@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import errno
-import os
 import subprocess
 import sys
 from collections.abc import Callable
@@ -14,11 +13,12 @@ import pytest
 import sandbox
 from sandbox.cli import app, failures
 from sandbox.errors import Problem, SandboxError, SceneError
+from tests.determinism.processes import of_users
 
 
 def run_process(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
     command = [sys.executable, "-m", "sandbox", *arguments]
-    return subprocess.run(command, capture_output=True, text=True, env={**os.environ, **environment}, timeout=120)
+    return subprocess.run(command, capture_output=True, text=True, env=of_users(**environment))
 
 
 def test_version_in_a_process_of_its_own() -> None:
@@ -132,6 +132,7 @@ def test_check_runs_in_a_process_of_its_own(write_scene: Callable, tmp_path: Pat
     assert "1 scene: 1 hold" in done.stdout
 
 
+@pytest.mark.slow
 def test_a_cold_cache_is_announced_and_a_warm_one_is_not(write_scene: Callable, tmp_path: Path) -> None:
     path = str(write_scene("a.scene.json", {"at": 2, "rests": "crate"}, settings={"steps": 2}))
     cold = run_process("check", path, SANDBOX_CACHE_DIR=str(tmp_path / "cache"))

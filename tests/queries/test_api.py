@@ -59,6 +59,7 @@ print(ask_everything(w))
 """
 
 
+@pytest.mark.slow
 def test_the_same_answers_without_the_compiler():
     answers = [
         subprocess.run(

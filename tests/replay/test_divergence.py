@@ -161,11 +161,12 @@ def test_an_arithmetic_that_was_changed_on_purpose_says_why(monkeypatch: pytest.
     assert "later version, sandbox 9.0" in later.notes[0]
 
 
+@pytest.mark.slow
 def test_one_line_of_the_solver_is_found_by_replay(tmp_path: Path) -> None:
     """A copy of the package in which friction is a little weaker, run without the compiler."""
     package = Path(sandbox.__file__).parent
     shutil.copytree(package, tmp_path / "sandbox", ignore=shutil.ignore_patterns("__pycache__"))
-    source = tmp_path / "sandbox" / "engine" / "contact_prepare.py"
+    source = tmp_path / "sandbox" / "engine" / "contact_solver" / "prepare.py"
     text = source.read_text(encoding="utf-8")
     line = next(line for line in text.splitlines() if ".friction" in line and "=" in line and "*" not in line)
     source.write_text(text.replace(line, line + " * 0.99", 1), encoding="utf-8")

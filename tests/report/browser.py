@@ -14,7 +14,8 @@ from types import TracebackType
 from typing import Any, Self
 
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
-_SECONDS = 60.0
+_SECONDS = 1800.0
+"""After that long a browser hangs; the busiest machine takes no longer."""
 
 
 def find_browser() -> str | None:
@@ -120,6 +121,6 @@ class Browser:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self._process.terminate()
-        self._process.wait(30)
+        self._process.wait(_SECONDS)
         os.close(self._to)
         os.close(self._from)

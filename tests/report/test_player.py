@@ -27,6 +27,7 @@ def opened(show: Browser, folder: Path, page: str) -> None:
     show.until(f"{PLAYER}.dataset.ready")
 
 
+@pytest.mark.slow
 def test_it_plays_by_itself(show: Browser, tmp_path: Path) -> None:
     opened(show, tmp_path, player_page("A box of things", film_run(played.recording())))
     assert show.value("document.title") == "A box of things"
@@ -37,6 +38,7 @@ def test_it_plays_by_itself(show: Browser, tmp_path: Path) -> None:
     show.until(f"!{PLAYER}.player.playing")
 
 
+@pytest.mark.slow
 def test_keys_and_the_slider_choose_the_step(show: Browser, tmp_path: Path) -> None:
     opened(show, tmp_path, player_page("", film_run(played.recording())))
     key = "{0}.dispatchEvent(new KeyboardEvent('keydown', {{key: '{1}', shiftKey: {2}}}))"
@@ -57,6 +59,7 @@ def test_its_poses_are_those_of_the_world(show: Browser, tmp_path: Path) -> None
         assert (np.abs(np.array(show.value(script)) - film.poses[:, step]) <= 0.51 * quanta).all()
 
 
+@pytest.mark.slow
 def test_between_kept_samples_it_goes_straight(show: Browser, tmp_path: Path) -> None:
     film = film_run(played.recording(), most=200)
     opened(show, tmp_path, player_page("", film))
@@ -65,6 +68,7 @@ def test_between_kept_samples_it_goes_straight(show: Browser, tmp_path: Path) ->
     assert middle == pytest.approx((before + after) / 2, abs=1e-12)
 
 
+@pytest.mark.slow
 def test_the_wheel_zooms_about_the_pointer(show: Browser, tmp_path: Path) -> None:
     opened(show, tmp_path, player_page("", film_run(played.recording())))
     viewport = f"{PLAYER}.player.viewport"
@@ -76,6 +80,7 @@ def test_the_wheel_zooms_about_the_pointer(show: Browser, tmp_path: Path) -> Non
     assert after[1:] == pytest.approx(before[1:], abs=1.5 / before[0])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["ragdolls", "harbour", "rocket", "tetrominoes", "gears-and-pulley", "zigzag", "cart"])
 def test_shipped_scenes_of_every_kind(show: Browser, tmp_path: Path, name: str) -> None:
     scene = sandbox.load_scene(find_scene(Path(name)))
@@ -89,6 +94,7 @@ def test_shipped_scenes_of_every_kind(show: Browser, tmp_path: Path, name: str) 
     assert show.value(colors) > 20
 
 
+@pytest.mark.slow
 def test_shapes_of_one_body_are_painted_one_by_one(show: Browser, tmp_path: Path) -> None:
     cross = [{"box": [4, 1]}, {"box": [1, 4]}]
     hoop = [{"polygon": [[-3, -3], [3, -3], [3, 3], [1, 3], [1, -1], [-1, -1], [-1, 3], [-3, 3]]}]
@@ -117,6 +123,7 @@ def test_shapes_of_one_body_are_painted_one_by_one(show: Browser, tmp_path: Path
     assert gate < 90
 
 
+@pytest.mark.slow
 def test_no_text_becomes_markup(show: Browser, tmp_path: Path) -> None:
     scene = played.scene(title=EVIL)
     recording = sandbox.record(scene, 20, [(3, ApplyImpulse("ball", (0.0, 1.0)))])
@@ -128,6 +135,7 @@ def test_no_text_becomes_markup(show: Browser, tmp_path: Path) -> None:
     assert show.value("document.title") == "book"
 
 
+@pytest.mark.slow
 def test_an_empty_world(show: Browser, tmp_path: Path) -> None:
     opened(show, tmp_path, player_page("", film_run(sandbox.Scene(settings={"steps": 5}))))
     assert show.value(f"{PLAYER}.dataset.ready") == "1"

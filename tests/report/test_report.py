@@ -120,6 +120,7 @@ class TestFoundAgain:
         assert "cannot be had again here" in page
         assert "of revision" not in page
 
+    @pytest.mark.slow
     def test_the_ghost_and_the_mark_in_a_browser(self, slid: str, show: Browser) -> None:
         show.open(Path("r.html"))
         show.until(f"{PLAYER}.dataset.ready")
@@ -136,6 +137,7 @@ class TestFoundAgain:
         assert start == 0.0
         assert end > 0.05
 
+    @pytest.mark.slow
     def test_the_ghost_can_be_switched_off(self, slid: str, show: Browser) -> None:
         show.open(Path("r.html"))
         show.until(f"{PLAYER}.dataset.ready")
@@ -148,6 +150,7 @@ class TestFoundAgain:
         assert show.value(picture) == before
 
 
+@pytest.mark.slow
 def test_without_history_the_ghost_is_the_recorded_end(cli: Callable, show: Browser) -> None:  # noqa: F811
     cli("record", write("slide", SLOPE, BOX), "-o", "slide.replay.json")
     write("slide", SLOPE, BOX, friction=0.2)

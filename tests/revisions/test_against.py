@@ -6,6 +6,8 @@ import json
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
+
 from sandbox.replay.golden.run import run_of
 from sandbox.replay.recording.recording import Recording
 from sandbox.replay.revisions.against import HERE
@@ -19,6 +21,7 @@ def test_the_same_code_does_the_same(cli: Callable, history: History, golden: Pa
     assert history.worktrees() == 1
 
 
+@pytest.mark.slow
 def test_one_line_of_the_solver_is_named_by_step_body_and_number(cli: Callable, history: History, golden: Path) -> None:
     done = cli("replay", golden, "--against", "HEAD", "--engine", history.root, "--no-jit", "--json")
     assert done.code == 1, done.err
@@ -35,6 +38,7 @@ def test_one_line_of_the_solver_is_named_by_step_body_and_number(cli: Callable, 
     assert growth[-1] > 0.0
 
 
+@pytest.mark.slow
 def test_what_is_expected_is_what_that_revision_does(cli: Callable, history: History, golden: Path) -> None:
     """The two numbers are those of the two runs, as a run with that code by itself gives them."""
     done = cli("replay", golden, "--against", "HEAD", "--engine", history.root, "--no-jit", "--json")

@@ -6,9 +6,12 @@ import json
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
+
 from tests.revisions.conftest import SOFTER, History
 
 
+@pytest.mark.slow
 def test_it_finds_the_line_of_the_solver(cli: Callable, history: History, golden: Path) -> None:
     first, last = history.commits[0], history.commits[-1]
     done = cli("bisect", golden, "--good", first, "--bad", last, "--engine", history.root, "--no-jit")
@@ -19,6 +22,7 @@ def test_it_finds_the_line_of_the_solver(cli: Callable, history: History, golden
     assert history.worktrees() == 1
 
 
+@pytest.mark.slow
 def test_a_revision_that_cannot_run_is_skipped_and_named(cli: Callable, history: History, golden: Path) -> None:
     first, broken, bad = history.commits[0], history.commits[2], history.commits[4]
     done = cli("bisect", golden, "--good", first, "--bad", bad, "--engine", history.root, "--no-jit", "--json")
@@ -30,6 +34,7 @@ def test_a_revision_that_cannot_run_is_skipped_and_named(cli: Callable, history:
     assert found["divergence"]["detail"]["body"] == "crate"
 
 
+@pytest.mark.slow
 def test_where_some_cannot_run_it_is_one_of_several(cli: Callable, history: History, golden: Path) -> None:
     history.git("checkout", "--quiet", "-b", "side", history.commits[2])
     history.commit("pushes softer, but nothing runs", *SOFTER)
@@ -42,14 +47,32 @@ def test_where_some_cannot_run_it_is_one_of_several(cli: Callable, history: Hist
     assert all(commit[:12] in done.out for commit in [history.commits[2], *side])
 
 
-def test_ends_that_cannot_be(cli: Callable, history: History, golden: Path) -> None:
-    def call(good: str, bad: str) -> tuple[int, str]:
+@pytest.fixture
+def call(cli: Callable, history: History, golden: Path) -> Callable[[str, str], tuple[int, str]]:
+    """Bisects between two revisions; the exit code and all that is printed."""
+
+    def between(good: str, bad: str) -> tuple[int, str]:
         done = cli("bisect", golden, "--good", good, "--bad", bad, "--engine", history.root, "--no-jit")
         return done.code, done.out + done.err
 
-    commits = history.commits
-    code, text = call(commits[4], commits[1])
+    return between
+
+
+def test_of_two_neighbours_the_later_is_the_first_that_differs(call: Callable, history: History) -> None:
+    code, text = call(*history.commits[3:5])
+    assert (code, f"  {history.commits[4][:12]} pushes softer\n" in text) == (0, True)
+
+
+def test_ends_that_cannot_be(call: Callable, history: History) -> None:
+    code, text = call(history.commits[4], history.commits[1])
     assert (code, "is no ancestor of the bad one" in text) == (2, True)
+    code, text = call("nowhere", history.commits[1])
+    assert (code, "there is no revision" in text) == (2, True)
+
+
+@pytest.mark.slow
+def test_ends_that_cannot_run_or_do_not_differ(call: Callable, history: History) -> None:
+    commits = history.commits
     code, text = call(commits[0], commits[2])
     assert (code, "cannot run it" in text) == (2, True)
     code, text = call(commits[0], commits[1])
@@ -57,10 +80,9 @@ def test_ends_that_cannot_be(cli: Callable, history: History, golden: Path) -> N
     assert "\nboth do what was recorded\n" in text
     code, text = call(commits[2], commits[3])
     assert (code, f"the good commit {commits[2][:12]} broken cannot run it: SyntaxError" in text) == (2, True)
-    code, text = call("nowhere", commits[1])
-    assert (code, "there is no revision" in text) == (2, True)
 
 
+@pytest.mark.slow
 def test_a_good_revision_that_does_not_do_what_was_recorded(cli: Callable, history: History, golden: Path) -> None:
     lines = golden.read_text(encoding="utf-8").split("\n")
     lines[lines.index('  "digests": [') + 3] = '    "0000 0000 0000 0000",'

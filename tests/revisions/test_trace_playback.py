@@ -39,7 +39,7 @@ def run() -> Run:
 @pytest.fixture(scope="module")
 def past(run: Run) -> Trace:
     """The run by this same code in a process of its own."""
-    return trace(HERE, run, [7], no_jit=True, film=film_samples(LAST, 1))
+    return trace(HERE, run, [7], film=film_samples(LAST, 1))
 
 
 def test_the_film_is_that_of_the_run(run: Run, past: Trace) -> None:
