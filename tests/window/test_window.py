@@ -67,9 +67,7 @@ def test_one_painter_draws_worlds_of_any_size_in_turn(display: Any, tmp_path: Pa
 def run(tmp_path: Path, *arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
     """`sandbox run ARGUMENTS...` in a process of its own."""
     command = [sys.executable, "-m", "sandbox", "run", *arguments]
-    return subprocess.run(
-        command, capture_output=True, text=True, timeout=120, cwd=tmp_path, env={**os.environ, **environment}
-    )
+    return subprocess.run(command, capture_output=True, text=True, cwd=tmp_path, env={**os.environ, **environment})
 
 
 @pytest.fixture
