@@ -8,10 +8,9 @@ import re
 import pytest
 
 from sandbox.replay.headless_run import run_headless
-from sandbox.resources import SCENE_SUFFIX, scenes_dir, shipped_scenes
-from sandbox.scene import load_scene
+from sandbox.resources import scenes_dir, shipped_scenes
+from tests.shipped import FILES, shipped
 
-FILES = {file.name.removesuffix(SCENE_SUFFIX): file for file in shipped_scenes()}
 PROMISED = {
     "pyramid-10", "pyramid-30", "pyramid-100", "stack-12", "stack-20", "card-house", "arch", "dominoes", "ramp",
     "bouncing-balls", "newtons-cradle", "newtons-cradle-two", "dust", "far-away",
@@ -21,14 +20,14 @@ every_scene = pytest.mark.parametrize("name", FILES)
 
 @every_scene
 def test_it_keeps_its_promises(name: str) -> None:
-    run = run_headless(load_scene(FILES[name]))
+    run = run_headless(shipped(name))
     assert [verdict for verdict in run.verdicts if not verdict.holds] == []
     assert run.frozen == ()
 
 
 @every_scene
 def test_it_is_tidy(name: str) -> None:
-    file, scene = FILES[name], load_scene(FILES[name])
+    file, scene = FILES[name], shipped(name)
     assert re.fullmatch(r"[a-z]+(-[a-z0-9]+)*", name)
     assert re.fullmatch(r"[a-z]+", file.parent.name)
     assert file.parent.parent == scenes_dir()
@@ -41,7 +40,7 @@ def test_it_is_tidy(name: str) -> None:
 
 @every_scene
 def test_it_tells_what_to_watch_for(name: str) -> None:
-    scene = load_scene(FILES[name])
+    scene = shipped(name)
     assert 5 <= len(scene.title) <= 40
     assert not scene.title.endswith(".")
     assert 40 <= len(scene.about) <= 170
@@ -50,7 +49,7 @@ def test_it_tells_what_to_watch_for(name: str) -> None:
 
 @every_scene
 def test_nothing_may_leave_it(name: str) -> None:
-    expect = load_scene(FILES[name]).to_data()["expect"]
+    expect = shipped(name).to_data()["expect"]
     assert any("inside" in wanted and wanted.get("always") and "of" not in wanted for wanted in expect)
     assert len(expect) >= 3
 

@@ -58,6 +58,11 @@ class Judge:
             watch.observe(step, state)
         self._open = [watch for watch in self._open if watch.verdict is None]
 
+    @property
+    def failed(self) -> bool:
+        """Whether an expectation is known by now not to hold, whatever comes."""
+        return any(watch.verdict is not None and not watch.verdict.holds for watch in self._watches)
+
     def verdicts(self) -> tuple[Verdict, ...]:
         """One verdict an expectation, in the order of the scene; the run counts as over."""
         return tuple(watch.conclude(self._world.step_count) for watch in self._watches)

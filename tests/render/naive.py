@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-import math
+from typing import Any
+
+import numpy as np
 
 from sandbox.world.records import DYNAMIC
 from sandbox.world.state import State
 
 
-def distance(state: State, shape: int, x: float, y: float) -> float:
-    """Signed distance in metres of a world point from a shape; negative inside."""
+def distance(state: State, shape: int, x: Any, y: Any) -> Any:
+    """Signed distance in metres of a world point, or of many at once, from a shape; negative inside."""
     row = state.shapes[shape]
     body = state.bodies[row.body]
     dx, dy = x - body.center_x, y - body.center_y
@@ -19,16 +21,16 @@ def distance(state: State, shape: int, x: float, y: float) -> float:
     return _core_distance(corners, u, v) - float(row.radius)
 
 
-def _core_distance(corners: list[tuple[float, float]], u: float, v: float) -> float:
-    nearest, inside = math.inf, len(corners) >= 3
+def _core_distance(corners: list[tuple[float, float]], u: Any, v: Any) -> Any:
+    nearest, inside = np.inf, len(corners) >= 3
     for i, (bx, by) in enumerate(corners):
         ax, ay = corners[i - 1]
         ex, ey = bx - ax, by - ay
         length = ex * ex + ey * ey
-        t = min(max(((u - ax) * ex + (v - ay) * ey) / length, 0.0), 1.0) if length else 0.0
-        nearest = min(nearest, math.hypot(u - ax - t * ex, v - ay - t * ey))
-        inside = inside and ex * (v - ay) - ey * (u - ax) >= 0.0
-    return -nearest if inside else nearest
+        t = np.clip(((u - ax) * ex + (v - ay) * ey) / length, 0.0, 1.0) if length else 0.0
+        nearest = np.minimum(nearest, np.hypot(u - ax - t * ex, v - ay - t * ey))
+        inside = inside & (ex * (v - ay) - ey * (u - ax) >= 0.0)
+    return np.where(inside, -nearest, nearest)
 
 
 def topmost(state: State, x: float, y: float) -> int | None:

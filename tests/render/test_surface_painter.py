@@ -36,13 +36,13 @@ def check_pixels(state: State, camera: Camera) -> None:
     """Every seventh pixel: painted where a shape is, background where none is, either near the rim."""
     picture = paint(state, camera)
     seen = {True: 0, False: 0}
-    for row in range(0, camera.size[1], 7):
-        for column in range(0, camera.size[0], 7):
-            x, y = camera.point((column + 0.5, row + 0.5))
-            gap = min(distance(state, i, x, y) for i in range(len(state.shapes))) * camera.scale
-            if abs(gap) > RIM:
-                seen[gap < 0] += 1
-                assert is_sheet(picture[row, column]) == (gap > 0), (column, row, gap)
+    pixels = [(column, row) for row in range(0, camera.size[1], 7) for column in range(0, camera.size[0], 7)]
+    x, y = np.array([camera.point((column + 0.5, row + 0.5)) for column, row in pixels]).T
+    gaps = np.min([distance(state, i, x, y) for i in range(len(state.shapes))], axis=0) * camera.scale
+    for (column, row), gap in zip(pixels, gaps.tolist(), strict=True):
+        if abs(gap) > RIM:
+            seen[gap < 0] += 1
+            assert is_sheet(picture[row, column]) == (gap > 0), (column, row, gap)
     assert min(seen.values()) > 50
 
 
