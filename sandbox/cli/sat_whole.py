@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from sandbox.engine.views.body_shapes import body_shapes
 from sandbox.engine.world import World
 from sandbox.render.sat_page import Whole
+from sandbox.world.body_shapes import body_shapes
 
 
 def whole(world: World, name: str) -> Whole:
     """Shapes and outlines (m) where the body is now. Raises `UnknownBodyError`."""
-    parts, index = body_shapes(world, name), world.names.index(name)
+    index = world.directory.body(name)
+    parts = body_shapes(world.state, index)
     row = world.state.bodies[index]
     x, y = float(row.position_x), float(row.position_y)
     cos, sin = float(row.rotation_cos), float(row.rotation_sin)

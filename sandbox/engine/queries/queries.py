@@ -60,7 +60,7 @@ class Queries(FixedAttributes):
         "_arguments",
         "_asked",
         "_laid_out",
-        "_laying",
+        "_lay_out",
         "_layout",
         "_many",
         "_memory",
