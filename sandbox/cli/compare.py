@@ -1,4 +1,7 @@
-"""`sandbox compare`: run scenes headless and hold every decision about a pair of shapes against pymunk."""
+"""`sandbox compare`: run scenes headless and hold every decision about a pair of shapes against pymunk.
+
+With `--twin`, hold whole runs against pymunk or the simple solver instead.
+"""
 
 from __future__ import annotations
 
@@ -6,19 +9,21 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
+from typer.core import TyperCommand
 
 from sandbox.cli.options import takes
 from sandbox.errors import SandboxError
-from sandbox.resources import SCENE_SUFFIX
+from sandbox.resources import SCENE_SUFFIX, find_scene
 
 if TYPE_CHECKING:
     from rich.console import Console
 
     from sandbox.cli.compare_result import Result
     from sandbox.cli.progress import SceneProgress
+    from sandbox.reference.others import TwinName
 
 _PATHS = typer.Argument(metavar="PATH", help=f"Scene files, or folders to search for *{SCENE_SUFFIX}.")
 _STEPS = typer.Option(
@@ -30,8 +35,36 @@ _JSON = typer.Option("--json", help="Print one JSON document instead of the tabl
 _SAVE = typer.Option(
     metavar="FOLDER", show_default=False, help="Write each disagreement into this folder as a test for pytest."
 )
-_TWIN = typer.Option("--twin", help="Simulate the whole scene in pymunk too, and show how the two drift apart.")
+_TWIN = typer.Option(
+    "--twin", metavar="[pymunk|simple]", show_default=False,
+    help="Simulate the whole scene in pymunk (the default) or by the simple solver too, and show how they drift apart.",
+)  # fmt: skip
 _PLOT = typer.Option(metavar="FILE", show_default=False, help="With --twin: draw the curves into NAME.svg or NAME.png.")
+
+TWINS = ("pymunk", "simple")
+
+
+class CommandClass(TyperCommand):
+    """`--twin` takes the name of a twin where one follows, and else stands for `--twin=pymunk`."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Give a bare `--twin` its value."""
+        end = args.index("--") if "--" in args else len(args)
+        said: list[str] = []
+        for k, arg in enumerate(args):
+            bare = k < end and k > 0 and args[k - 1] == "--twin"
+            if bare and (arg in TWINS or _is_misspelt(arg)):
+                said[-1] = f"--twin={arg}"
+            else:
+                said.append("--twin=pymunk" if arg == "--twin" and k < end else arg)
+        return super().parse_args(ctx, said)
+
+
+def _is_misspelt(arg: str) -> bool:
+    """Whether it looks like the name of a twin and is no path, nor the name of a shipped scene."""
+    from sandbox.scene.finding import nearest
+
+    return nearest(arg, TWINS) is not None and not find_scene(Path(arg)).exists()
 
 
 @dataclass(frozen=True)
@@ -43,7 +76,7 @@ class CompareOptions:
     every: Annotated[int, _EVERY] = 1
     only: Annotated[str, _ONLY] = ""
     save: Annotated[Path | None, _SAVE] = None
-    twin: Annotated[bool, _TWIN] = False
+    twin: Annotated[str, _TWIN] = ""
     plot: Annotated[Path | None, _PLOT] = None
     json: Annotated[bool, _JSON] = False
 
@@ -55,6 +88,8 @@ def compare(options: CompareOptions) -> None:
     The pairs are found by looking at all of them, so one that the grid missed shows up. Where the two engines
     disagree, exact arithmetic decides; known errors of pymunk are counted by name.
 
+    With --twin, run each scene a second time in other hands and compare energy, overlap and heights over time.
+
     Exit code 0: no disagreement and no missed pair.
     Exit code 1: there is one.
     Exit code 2: a file could not be used; the other scenes still ran.
@@ -62,19 +97,30 @@ def compare(options: CompareOptions) -> None:
     from sandbox.cli.check import find_files
     from sandbox.cli.compiling import announce_compilation
 
-    steps, every, save = options.steps, options.every, options.save
-    _check_options(options.twin, options.plot, save)
+    steps, every, save, name = options.steps, options.every, options.save, _twin_of(options.twin)
+    _check_options(name is not None, options.plot, save)
     files = find_files(options.paths, options.only, "compare")
     announce_compilation()
-    if options.twin:
+    if name is not None:
         from sandbox.cli.compare_twin import run_twins
 
-        raise typer.Exit(run_twins(files, steps, every, options.plot, options.json))
+        raise typer.Exit(run_twins(files, name, steps, every, options.plot, options.json))
     from sandbox.cli.compare_result import exit_code
 
     run = _run_for_machines if options.json else _run_for_people
     results = run(files, steps, every, save)
     raise typer.Exit(exit_code(results))
+
+
+def _twin_of(text: str) -> TwinName | None:
+    """What `--twin` asks for; None without it. Raises `SandboxError` for a name that no twin has."""
+    if not text:
+        return None
+    if text == "pymunk" or text == "simple":
+        return text
+    from sandbox.scene.finding import did_you_mean
+
+    raise SandboxError(f"--twin={text}: no twin of that name; {did_you_mean(text, TWINS) or 'pymunk or simple'}")
 
 
 def _check_options(twin: bool, plot: Path | None, save: Path | None) -> None:

@@ -1,10 +1,10 @@
-"""`sandbox compare --twin`: whole scenes beside pymunk, as a table, JSON or a picture."""
+"""`sandbox compare --twin`: whole scenes beside pymunk or the simple solver, as a table, JSON or a picture."""
 
 from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,6 +16,7 @@ from sandbox.errors import SandboxError
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from sandbox.reference.others import TwinName
     from sandbox.reference.twin import Twin
     from sandbox.scene import Scene
 
@@ -30,8 +31,10 @@ _MEASURES = (
 """Field of the measures, what the table calls it, its unit there and the factor to it."""
 
 
-def run_twins(files: Sequence[Path], steps: int | None, every: int, plot: Path | None, as_json: bool) -> int:
-    """Run every scene in both engines and show what came of it; the exit code."""
+def run_twins(
+    files: Sequence[Path], name: TwinName, steps: int | None, every: int, plot: Path | None, as_json: bool
+) -> int:
+    """Run every scene in the engine and in `name`, and show what came of it; the exit code."""
     from rich.console import Console
 
     from sandbox.cli.progress import SceneProgress
@@ -44,10 +47,11 @@ def run_twins(files: Sequence[Path], steps: int | None, every: int, plot: Path |
     entries: list[dict[str, Any]] = []
     with SceneProgress(out if out.is_terminal and not as_json else Console(stderr=True), len(files)) as progress:
         for file in files:
-            entries.append(_run(file, steps, every, plot, None if as_json else out, progress))
+            one = _Job(file, name, steps, every, plot)
+            entries.append(_run(one, None if as_json else out, progress))
     code = UNUSABLE if any("problems" in entry for entry in entries) else HOLDS
     if as_json:
-        print(json.dumps(_document(entries, code), indent=2, ensure_ascii=False))
+        print(json.dumps(_document(entries, name, code), indent=2, ensure_ascii=False))
     return code
 
 
@@ -61,18 +65,28 @@ def _check_plot(plot: Path, files: Sequence[Path]) -> None:
     require_matplotlib()
 
 
-def _run(
-    file: Path, steps: int | None, every: int, plot: Path | None, out: Console | None, progress: Any
-) -> dict[str, Any]:
+@dataclass(frozen=True)
+class _Job:
+    """One scene: its file, whom it is compared with, how long, how often it is measured, where the curves go."""
+
+    file: Path
+    name: TwinName
+    steps: int | None
+    every: int
+    plot: Path | None
+
+
+def _run(job: _Job, out: Console | None, progress: Any) -> dict[str, Any]:
     from sandbox.reference.twin import simulate_twin
     from sandbox.replay.headless_run import planned_steps
     from sandbox.scene import load_scene
 
+    file, plot = job.file, job.plot
     try:
         scene = load_scene(file)
-        total = planned_steps(scene) if steps is None else steps
+        total = planned_steps(scene) if job.steps is None else job.steps
         progress.begin(file.name, total)
-        twin = simulate_twin(scene, total, every, progress.done)
+        twin = simulate_twin(scene, total, job.every, progress.done, job.name)
         if plot is not None:
             _save(twin, scene, file, plot)
     except (SandboxError, OSError) as error:
@@ -110,7 +124,7 @@ def _table(twin: Twin) -> Any:
     table.add_column("time\ns", justify="right")
     for _, name, unit, _ in _MEASURES:
         table.add_column(f"{name}\n{unit}\nsandbox", justify="right")
-        table.add_column("\n\npymunk", justify="right", style="cyan")
+        table.add_column(f"\n\n{twin.name}", justify="right", style="cyan")
     last = len(twin.times) - 1
     for k in sorted({round(last * i / _ROWS) for i in range(_ROWS + 1)}):
         cells = [f"{twin.times[k]:.2f}"]
@@ -120,10 +134,11 @@ def _table(twin: Twin) -> Any:
     return table
 
 
-def _document(entries: list[dict[str, Any]], code: int) -> dict[str, Any]:
+def _document(entries: list[dict[str, Any]], name: TwinName, code: int) -> dict[str, Any]:
     from sandbox.reference.ask_pymunk import PYMUNK_VERSION
 
-    return {"format": 1, "sandbox": __version__, "pymunk": PYMUNK_VERSION, "exit_code": code, "scenes": entries}
+    versions = {"sandbox": __version__} | ({"pymunk": PYMUNK_VERSION} if name == "pymunk" else {})
+    return {"format": 1, "twin": name, **versions, "exit_code": code, "scenes": entries}
 
 
 def _entry(file: Path, scene: Scene, twin: Twin, plot: Path | None) -> dict[str, Any]:
@@ -134,5 +149,5 @@ def _entry(file: Path, scene: Scene, twin: Twin, plot: Path | None) -> dict[str,
         "plot": plot.as_posix() if plot is not None else None,
         "times": list(twin.times),
         "sandbox": [asdict(each) for each in twin.ours],
-        "pymunk": [asdict(each) for each in twin.theirs],
+        twin.name: [asdict(each) for each in twin.theirs],
     }

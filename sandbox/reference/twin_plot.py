@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import Any
 
 from sandbox.errors import MissingDependencyError
-from sandbox.reference.ask_pymunk import PYMUNK_VERSION
 from sandbox.reference.measures import Measures
 from sandbox.reference.twin import Twin
 
@@ -45,7 +44,7 @@ def save_plot(twin: Twin, title: str, path: Path) -> None:
             _draw(axis, panel, twin)
         axes[-1].set_xlabel("time, s", color=_QUIET)
         axes[-1].set_xlim(twin.times[0], twin.times[-1] or 1.0)
-        _entitle(figure, axes[0], title)
+        _entitle(figure, axes[0], title, twin.label)
         figure.savefig(path, dpi=150, metadata={"Date": None} if path.suffix.lower() == ".svg" else None)
 
 
@@ -87,11 +86,11 @@ def _values(samples: tuple[Measures, ...], panel: _Panel) -> list[float]:
     return [panel.factor * getattr(each, panel.field) for each in samples]
 
 
-def _entitle(figure: Any, first: Any, title: str) -> None:
+def _entitle(figure: Any, first: Any, title: str, other: str) -> None:
     from matplotlib.lines import Line2D
 
     figure.suptitle(title, x=0.016, ha="left", color=_INK, fontsize=15, fontweight="bold")
-    names = (("sandbox", _OURS), (f"pymunk {PYMUNK_VERSION}", _THEIRS))
+    names = (("sandbox", _OURS), (other, _THEIRS))
     lines = [Line2D([], [], color=color, linewidth=2.4, label=name) for name, color in names]
     first.legend(
         handles=lines, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=2, frameon=False, labelcolor=_INK,

@@ -91,6 +91,8 @@ def test_options_that_do_not_fit_are_refused(cli: Callable, write_scene: Callabl
         (["--plot", "a.svg"], "--plot draws the curves of --twin"),
         (["--twin", "--save", tmp_path], "--save writes disagreements"),
         (["--save", tmp_path / "file"], "not a folder"),
+        (["--twin", "simpel"], 'no twin of that name; did you mean "simple"?'),
+        (["--twin=box2d"], "no twin of that name; pymunk or simple"),
         (["--twin", "--plot", tmp_path / "a.jpg"], "must end in .png or .svg"),
         (["--twin", "--plot", tmp_path / "no" / "a.svg"], "does not exist"),
         (["--twin", "--plot", "a.svg", write_scene("b.scene.json")], "draws one scene; 2 were given"),
@@ -130,6 +132,39 @@ def test_a_twin_in_json_and_as_a_picture(cli: Callable, write_scene: Callable, t
         assert [set(each) for each in scene[side]] == [{"energy", "penetration", "height", "top"}] * 3
     assert scene["plot"] == picture.as_posix()
     assert picture.read_text().startswith("<?xml")
+
+
+@pytest.mark.parametrize(
+    "arguments", [["--twin", "simple", "PATH"], ["PATH", "--twin", "simple"], ["--twin=simple", "PATH"]]
+)
+def test_the_simple_solver_is_a_twin_by_name(cli: Callable, write_scene: Callable, arguments: list[str]) -> None:
+    path = write_scene("a.scene.json").as_posix()
+    done = cli("compare", "--json", *(path if part == "PATH" else part for part in arguments))
+    assert done.code == 0
+    document = json.loads(done.out)
+    assert (document["twin"], "pymunk" in document) == ("simple", False)
+    (scene,) = document["scenes"]
+    assert len(scene["simple"]) == len(scene["sandbox"]) == len(scene["times"]) == 21
+    assert "catches nothing in mid-step" in scene["notes"][0]
+
+
+def test_the_picture_and_the_table_name_the_twin(cli: Callable, write_scene: Callable, tmp_path: Path) -> None:
+    done = cli("compare", write_scene("a.scene.json"), "--twin", "simple", "--plot", tmp_path / "twin.svg")
+    assert done.code == 0
+    assert "simple" in done.out
+    assert "pymunk" not in done.out
+    assert (tmp_path / "twin.svg").is_file()
+
+
+def test_a_bare_twin_is_pymunk_and_what_follows_is_a_path(cli: Callable, write_scene: Callable) -> None:
+    done = cli("compare", "--json", "--twin", write_scene("simply.scene.json"))
+    assert json.loads(done.out)["twin"] == "pymunk"
+
+
+def test_what_the_simple_solver_cannot_step_is_told(cli: Callable) -> None:
+    done = cli("compare", "--twin", "simple", "cart", "--steps", 2)
+    assert done.code == 2
+    assert done.err.count("the simple solver knows contacts alone; this scene has 2 joints") == 1
 
 
 def test_a_twin_of_a_bad_file_is_told(cli: Callable, write_scene: Callable) -> None:

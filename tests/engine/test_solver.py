@@ -1,6 +1,8 @@
-"""The block solver against one contact after the other, and blocks of 64 against blocks of one, bit for bit."""
+"""The block solver against the simple one, and blocks of 64 against blocks of one, bit for bit."""
 
 from __future__ import annotations
+
+from dataclasses import dataclass
 
 import numpy as np
 import pytest
@@ -8,10 +10,12 @@ import pytest
 from sandbox.engine.contact_solver.blocks import LANES, MAX_COLORS, VECTOR
 from sandbox.engine.contact_solver.soft_constraint import soft_coefficients
 from sandbox.engine.world import World
+from sandbox.reference.simple.bodies import Body
+from sandbox.reference.simple.contacts import Contact, Point
+from sandbox.reference.simple.solver import Pass, solve, warm_start
 from tests.determinism import busy
 from tests.determinism.test_scratch import laden_plank
 from tests.engine.stages import Paused
-from tests.naive import solver as naive
 from tests.physics.test_momentum import crowd as drifting
 from tests.physics.test_stacks import falling_pile
 
@@ -49,31 +53,46 @@ def paused(request) -> Paused:
     return p
 
 
-def vector(row, x: str, y: str) -> np.ndarray:
+def vector(row, x: str, y: str) -> complex:
     """Two fields of a record."""
-    return np.array([float(row[x]), float(row[y])])
+    return complex(row[x], row[y])
 
 
-def twin(p: Paused, bouncy: bool = False) -> tuple[list[naive.Body], list[naive.Contact]]:
-    """The twin's bodies and its contacts in the order of the slots."""
+@dataclass(eq=False)
+class Waiting(Contact):
+    """Points that are apart may close in faster by `allowance` (m/s), in substeps of `seconds`."""
+
+    allowance: float = 0.0
+    seconds: float = 1.0
+
+    def gap(self, p: Point) -> float:
+        """The gap that leads to the speed it may close at."""
+        gap = super().gap(p)
+        return gap + self.allowance * self.seconds if gap > 0.0 else gap
+
+
+def twin(p: Paused, bouncy: bool = False) -> tuple[list[Body], list[Waiting]]:
+    """The twin's bodies and its contacts in the order of the slots; `bouncy` ones wait for their impact."""
     bodies = [
-        naive.Body(float(b.inverse_mass), float(b.inverse_inertia), vector(m, "velocity_x", "velocity_y"),
-                   float(m.angular_velocity), vector(m, "delta_x", "delta_y"), float(m.delta_cos), float(m.delta_sin))
+        Body(float(b.inverse_mass), float(b.inverse_inertia), vector(m, "velocity_x", "velocity_y"),
+             float(m.angular_velocity), moved=vector(m, "delta_x", "delta_y"),
+             turned=vector(m, "delta_cos", "delta_sin"))
         for b, m in zip(p.state.bodies, p.scratch.solver.motions, strict=True)
     ]  # fmt: skip
     contacts = []
     for slot in slots(p):
         c = p.scratch.contacts.now[slot]
         points = [
-            naive.Point(vector(c, f"anchor_ax{k}", f"anchor_ay{k}"), vector(c, f"anchor_bx{k}", f"anchor_by{k}"),
-                        float(c[f"separation{k}"]), float(c[f"normal_impulse{k}"]), float(c[f"tangent_impulse{k}"]))
+            Point(vector(c, f"anchor_ax{k}", f"anchor_ay{k}"), vector(c, f"anchor_bx{k}", f"anchor_by{k}"),
+                  float(c[f"separation{k}"]), float(c[f"normal_impulse{k}"]), float(c[f"tangent_impulse{k}"]))
             for k in range(1, int(c.point_count) + 1)
         ]  # fmt: skip
+        waits = bouncy and (c.restitution > 0.0 or closes_hard(p, c))
         contacts.append(
-            naive.Contact(
+            Waiting(
                 bodies[c.body_a], bodies[c.body_b], vector(c, "normal_x", "normal_y"), points, float(c.friction),
-                float(c.surface_speed), float(c.rolling_resistance), float(c.rolling_impulse), float(c.radius_a),
-                float(c.radius_b), bouncy and (c.restitution > 0.0 or closes_hard(p, c)),
+                float(c.restitution), float(c.surface_speed), float(c.rolling_resistance), float(c.rolling_impulse),
+                float(c.radius_a), float(c.radius_b), seconds=p.substep if waits else 0.0,
             )
         )  # fmt: skip
     return bodies, contacts
@@ -82,15 +101,14 @@ def twin(p: Paused, bouncy: bool = False) -> tuple[list[naive.Body], list[naive.
 def closes_hard(p: Paused, c) -> bool:
     """Whether two points meet, one of them at more than 2 m/s."""
 
-    def speed(row, k: int, side: str) -> np.ndarray:
+    def speed(row, k: int, side: str) -> complex:
         arm = vector(c, f"anchor_{side}x{k}", f"anchor_{side}y{k}")
-        turning = float(row.angular_velocity) * np.array([-arm[1], arm[0]])
-        return vector(row, "velocity_x", "velocity_y") + turning
+        return vector(row, "velocity_x", "velocity_y") + 1j * float(row.angular_velocity) * arm
 
     a, b = p.state.bodies[c.body_a], p.state.bodies[c.body_b]
+    normal = vector(c, "normal_x", "normal_y")
     closing = [
-        (speed(a, k, "a") - speed(b, k, "b")) @ vector(c, "normal_x", "normal_y")
-        for k in range(1, int(c.point_count) + 1)
+        ((speed(a, k, "a") - speed(b, k, "b")) * normal.conjugate()).real for k in range(1, int(c.point_count) + 1)
     ]
     return len(closing) == 2 and max(closing) > 2.0
 
@@ -101,11 +119,11 @@ def slots(p: Paused) -> list[int]:
     return [int(p.scratch.blocks.slots[b.first + k].contact) for b in blocks for k in range(b.count)]
 
 
-def assert_same(p: Paused, bodies: list[naive.Body], contacts: list[naive.Contact]) -> None:
+def assert_same(p: Paused, bodies: list[Body], contacts: list[Waiting]) -> None:
     """Velocities and impulses agree to rounding."""
     motions = p.scratch.solver.motions
-    assert motions.velocity_x == pytest.approx(np.array([b.velocity[0] for b in bodies]), abs=1e-11)
-    assert motions.velocity_y == pytest.approx(np.array([b.velocity[1] for b in bodies]), abs=1e-11)
+    assert motions.velocity_x == pytest.approx(np.array([b.velocity.real for b in bodies]), abs=1e-11)
+    assert motions.velocity_y == pytest.approx(np.array([b.velocity.imag for b in bodies]), abs=1e-11)
     assert motions.angular_velocity == pytest.approx(np.array([b.angular for b in bodies]), abs=1e-10)
     p.store()
     for slot, contact in zip(slots(p), contacts, strict=True):
@@ -119,7 +137,7 @@ def assert_same(p: Paused, bodies: list[naive.Body], contacts: list[naive.Contac
 def test_warm_start(paused):
     bodies, contacts = twin(paused)
     paused.warm()
-    naive.warm_start(contacts)
+    warm_start(contacts)
     assert_same(paused, bodies, contacts)
 
 
@@ -129,18 +147,22 @@ def test_a_substep_of_the_solver(paused, bouncy):
     paused.prepare(bouncy)
     soft = soft_coefficients(55.0, 1.5, paused.substep)
     bodies, contacts = twin(paused, bouncy)
+    rate = 1.0 / paused.substep
     for _ in range(2):
         paused.warm()
-        naive.warm_start(contacts)
+        warm_start(contacts)
         paused.solve(*soft, -3.0)
-        naive.solve(contacts, paused.substep, *soft, 3.0, 0.0)
+        solve(contacts, Pass(rate, *soft, 3.0))
         assert_same(paused, bodies, contacts)
         paused.move()
         for body, motion in zip(bodies, paused.scratch.solver.motions, strict=True):
-            body.delta, body.cosine = vector(motion, "delta_x", "delta_y"), float(motion.delta_cos)
-            body.sine = float(motion.delta_sin)
+            body.moved, body.turned = vector(motion, "delta_x", "delta_y"), vector(motion, "delta_cos", "delta_sin")
         paused.solve(0.0, 1.0, 0.0, 0.0, 1e30)
-        naive.solve(contacts, paused.substep, 0.0, 1.0, 0.0, 0.0, 1e30)
+        for contact in contacts:
+            contact.allowance = 1e30
+        solve(contacts, Pass(rate))
+        for contact in contacts:
+            contact.allowance = 0.0
         assert_same(paused, bodies, contacts)
 
 
