@@ -10,9 +10,9 @@ from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.bodies.integrate import integrate_positions, integrate_velocities, prepare_forces
 from sandbox.engine.bodies.quarantine import guard_velocities
 from sandbox.engine.contact_solver.mouse_joint import solve_mouse_joints
-from sandbox.engine.contact_solver.soft_constraint import soft_coefficients
+from sandbox.engine.contact_solver.soft_constraint import contact_coefficients
 from sandbox.engine.contact_solver.solve import solve_contacts
-from sandbox.engine.contact_solver.warm_start import warm_start
+from sandbox.engine.contact_solver.warm_start import forget_impulses, warm_start
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.joints.solve import prepare_move, relax_joints, select_parts, solve_joints
 from sandbox.engine.records.active_set import ActiveSet
@@ -24,6 +24,9 @@ from sandbox.tables import Integers, Records
 
 WAIT = 1e30
 """Speed (m/s) that a relax pass grants contacts which may bounce: the next substep decides on their impact."""
+
+AT_ONCE = 1e30
+"""Rate (1/s) at which points apart may close their gap where contacts are not speculative: they are left alone."""
 
 RELAX_DEEP = 8
 """Relax passes where bodies overlap deeply: 40 boxes thrown into one place part at 3 m/s instead of 12."""
@@ -62,7 +65,10 @@ def run_substeps(
     joints: JointWork | None,
     todo: Pass,
 ) -> None:
-    """Integrate, solve and relax the islands of one substep level, in as many substeps as it asks for."""
+    """Integrate, solve and relax the islands of one substep level, in as many substeps as it asks for.
+
+    The settings may switch off any technique of the contact solver.
+    """
     bodies = state.bodies
     setting = state.settings[0]
     motions = solver.motions
@@ -75,10 +81,14 @@ def run_substeps(
     rate = 1.0 / seconds
     hertz = setting.contact_hertz * (1 << level)
     hertz = hertz if hertz < 0.25 * rate else 0.25 * rate
-    bias, mass_scale, impulse_scale = soft_coefficients(hertz, setting.contact_damping_ratio, seconds)
-    soft = SoftContact(rate, bias, mass_scale, impulse_scale, -setting.push_out_speed, 0.0)
-    rigid = SoftContact(rate, 0.0, 1.0, 0.0, 0.0, 0.0)
-    relax = SoftContact(rate, 0.0, 1.0, 0.0, 0.0, WAIT)
+    closing = rate if setting.speculative == 1 else AT_ONCE
+    bias, mass_scale, impulse_scale = contact_coefficients(setting, hertz, seconds)
+    soft = SoftContact(closing, bias, mass_scale, impulse_scale, -setting.push_out_speed, 0.0)
+    rigid = SoftContact(closing, 0.0, 1.0, 0.0, 0.0, 0.0)
+    relax = SoftContact(closing, 0.0, 1.0, 0.0, 0.0, WAIT)
+    accumulate = setting.accumulate == 1
+    warm = accumulate and setting.warm_starting == 1
+    relax_passes = todo.relax_passes if setting.relax == 1 else 0
     gravity = math.sqrt(setting.gravity_x * setting.gravity_x + setting.gravity_y * setting.gravity_y)
 
     if joints is not None:
@@ -89,12 +99,17 @@ def run_substeps(
         guard_velocities(bodies, rows, motions, solver.forces, active.info, state.counters)
         resolve_impacts(bodies, solver, contacts, impacts, seconds)
         solve_mouse_joints(state, solver, level, seconds)
-        warm_start(motions, blocks, count)
+        if warm:
+            warm_start(motions, blocks, count)
+        else:
+            forget_impulses(blocks, count)
         if joints is not None:
             solve_joints(joints, bodies, motions, free_motions, seconds)
         if todo.fresh and substep == 0:
             # What was just put there has no impulses yet, and soft contacts alone would let it slip until it has.
             solve_contacts(motions, blocks, count, rigid)
+            if not accumulate:
+                forget_impulses(blocks, count)
         solve_contacts(motions, blocks, count, soft)
         if joints is not None:
             prepare_move(joints, motions, free_motions, seconds)
@@ -102,5 +117,7 @@ def run_substeps(
         resolve_late_impacts(bodies, rows, solver, contacts, impacts, level, seconds)
         if joints is not None:
             relax_joints(joints, bodies, motions, free_motions, seconds)
-        for _pass in range(todo.relax_passes):
+        for _pass in range(relax_passes):
+            if not accumulate:
+                forget_impulses(blocks, count)
             solve_contacts(motions, blocks, count, relax)

@@ -171,7 +171,10 @@ class FlatJoint:
 
 @dataclass(frozen=True)
 class FlatSettings:
-    """Simulation settings; the defaults are the ones a scene gets when it says nothing."""
+    """Simulation settings; the defaults are the ones a scene gets when it says nothing.
+
+    The last five switch a technique of the contact solver off; `scenes/solver/README.md` explains them.
+    """
 
     step_rate: float = 60.0
     substeps: int = 4
@@ -180,6 +183,11 @@ class FlatSettings:
     push_out_speed: float = 3.0
     restitution_threshold: float = 0.2
     sleeping: bool = True
+    warm_starting: bool = True
+    accumulate: bool = True
+    soft: bool = True
+    relax: bool = True
+    speculative: bool = True
 
 
 @dataclass(frozen=True)

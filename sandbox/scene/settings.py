@@ -23,6 +23,17 @@ class Settings(Model):
     push_out_speed: Speed = Field(default=3.0, description="Fastest recovery of an overlap, m/s.")
     restitution_threshold: Speed = Field(default=0.2, description="Slower impacts do not bounce, m/s.")
     sleeping: bool = Field(default=True, description="false: resting bodies never fall asleep.")
+    warm_starting: bool = Field(
+        default=True, description="false: a substep does not begin with the last one's impulses."
+    )
+    accumulate: bool = Field(
+        default=True, description="false: each impulse is clamped by itself instead of their sum, and none is kept."
+    )
+    soft: bool = Field(
+        default=True, description="false: contacts are rigid, and a fifth of an overlap is taken back in a substep."
+    )
+    relax: bool = Field(default=True, description="false: the speed that pushes overlaps apart stays.")
+    speculative: bool = Field(default=True, description="false: contacts push only where shapes overlap already.")
     steps: Annotated[int, Range(1, 1_000_000)] = Field(
         default=300,
         description="How many steps a headless check runs; more if an expectation names a later step.",

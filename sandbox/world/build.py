@@ -242,4 +242,6 @@ def _settings(scene: FlatScene) -> Records:
     row.push_out_speed = settings.push_out_speed
     row.restitution_threshold = settings.restitution_threshold
     row.sleeping = int(settings.sleeping)
+    row.warm_starting, row.accumulate = int(settings.warm_starting), int(settings.accumulate)
+    row.soft, row.relax, row.speculative = int(settings.soft), int(settings.relax), int(settings.speculative)
     return table

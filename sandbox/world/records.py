@@ -191,6 +191,13 @@ SETTINGS = Table(
         Field("push_out_speed", "m/s", "fastest overlap recovery"),
         Field("restitution_threshold", "m/s", "slower impacts do not bounce"),
         Field("sleeping", "-", "1 lets resting islands fall asleep", "i8"),
+        Field("warm_starting", "-", "1 begins a substep with the impulses of the last one", "i8", hashed=False),
+        Field("accumulate", "-", "1 clamps the sum of a point's impulses, 0 each of them", "i8", hashed=False),
+        Field(
+            "soft", "-", "1 makes contacts springs with dampers, 0 corrects overlaps by Baumgarte", "i8", hashed=False
+        ),
+        Field("relax", "-", "1 takes the speed back that pushes overlaps apart", "i8", hashed=False),
+        Field("speculative", "-", "1 lets contacts work before the shapes touch", "i8", hashed=False),
     ),
 )
 

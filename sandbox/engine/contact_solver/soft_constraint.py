@@ -7,6 +7,10 @@ from __future__ import annotations
 
 from sandbox._jit import kernel
 from sandbox.geometry.trig import PI
+from sandbox.tables import Records
+
+BAUMGARTE = 0.2
+"""Share of an overlap that is taken back in a substep where contacts are not soft."""
 
 
 @kernel
@@ -23,3 +27,15 @@ def soft_coefficients(hertz: float, damping_ratio: float, seconds: float) -> tup
     a2 = seconds * omega * a1
     a3 = 1.0 / (1.0 + a2)
     return omega / a1, a2 * a3, a3
+
+
+@kernel
+def contact_coefficients(setting: Records, hertz: float, seconds: float) -> tuple[float, float, float]:
+    """`soft_coefficients` of contacts; where `setting` wants them rigid, those of a correction by Baumgarte.
+
+    That one turns a fifth of the overlap into a speed that would take it back in `seconds` (J. W. Baumgarte, 1972).
+    """
+    if setting.soft == 0:
+        return BAUMGARTE / seconds, 1.0, 0.0
+    bias, mass_scale, impulse_scale = soft_coefficients(hertz, setting.contact_damping_ratio, seconds)
+    return bias, mass_scale, impulse_scale

@@ -53,3 +53,17 @@ def _warm_start_lanes(v: Floats, g: Floats) -> None:
             py = normal * ny - tangent * nx
             velocity = apply_impulse(velocity, mass, lane_anchors(v, point, k), px, py)
         set_lane_velocity(g, k, velocity)
+
+
+@kernel
+def forget_impulses(blocks: ContactBlocks, block_count: int) -> None:
+    """Begin with no impulses; those of now are added to what has been given in the step so far."""
+    for n in range(block_count):
+        block = blocks.blocks[n]
+        for k in range(block.count):
+            v = blocks.lanes[n * BLOCK_SIZE + k * block.stride : (n + 1) * BLOCK_SIZE]
+            v[cb.TOTAL_IMPULSE] += v[cb.POINT_1 + cb.NORMAL_IMPULSE] + v[cb.POINT_2 + cb.NORMAL_IMPULSE]
+            v[cb.ROLLING_IMPULSE] = 0.0
+            for point in (cb.POINT_1, cb.POINT_2):
+                v[point + cb.NORMAL_IMPULSE] = 0.0
+                v[point + cb.TANGENT_IMPULSE] = 0.0

@@ -67,7 +67,8 @@ def find_contacts(
     old = contacts.before
     old_count = state.counters[0].contact_count
     setting = state.settings[0]
-    seconds = setting.step_seconds
+    # Without speculative contacts, a pair is looked at where it is now and nowhere else.
+    seconds = setting.step_seconds if setting.speculative == 1 else 0.0
     gravity = math.sqrt(setting.gravity_x * setting.gravity_x + setting.gravity_y * setting.gravity_y)
     fall = 0.5 * gravity * seconds * seconds
     for i in active.bodies[1 : 1 + active.bodies[0]]:
