@@ -8,7 +8,20 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
-COMMANDS = ("run", "check", "record", "replay", "diff", "bisect", "render", "sat", "compare", "events", "cache")
+COMMANDS = (
+    "run",
+    "check",
+    "record",
+    "replay",
+    "diff",
+    "bisect",
+    "render",
+    "sat",
+    "solver",
+    "compare",
+    "events",
+    "cache",
+)
 """Command names in the order of the help text; `name` is the function `name` in `sandbox/cli/name.py`."""
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 
 from sandbox.geometry.mass import edge_normals
 from sandbox.geometry.sat_rows import Vec, author_edges
-from sandbox.geometry.shapes import Shape
+from sandbox.geometry.shapes import Core, Shape
 from sandbox.render.camera import Camera, fit
 from sandbox.render.svg import Pixel, Svg, number
 
@@ -54,7 +54,7 @@ class Plane:
             top = self.pixel((0.0, k * spacing))[1]
             self.svg.line((x, top), (x + width, top), "grid")
 
-    def shape(self, shape: Shape, kind: str, shift: Vec = (0.0, 0.0)) -> None:
+    def shape(self, shape: Core, kind: str, shift: Vec = (0.0, 0.0)) -> None:
         """A shape filled in the colour `kind`, moved by `shift` metres."""
         core = [(x + shift[0], y + shift[1]) for x, y in shape.vertices]
         if len(core) == 1:
