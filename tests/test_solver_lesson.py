@@ -70,7 +70,7 @@ def test_the_figures_between_the_tables_follow_from_the_formulas() -> None:
     for said in ("0.344 kg", "3 - 1.032 = 1.968 m/s", "112 passes", "0.48 m/s", "19 m/s", "15 Hz", "0.0124 m/s"):
         assert said in TEXT
     assert round(math.log(0.5) / math.log(math.cos(math.pi / 40.0) ** 2)) == 112
-    assert 0.2 * 0.01 * 240 == pytest.approx(0.48)
+    assert pytest.approx(0.48) == 0.2 * 0.01 * 240
     assert round(0.2 * 0.4 * 240) == 19
     first = 1.0 / (1.0 + 6.0 / 16.0)
     second = first * (1.0 - first * (1.0 - 6.0 / 16.0))

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from sandbox.cli.options import takes
 from sandbox.errors import SandboxError
 from sandbox.resources import find_scene
 
@@ -37,18 +39,24 @@ _SVG = typer.Option("--svg", show_default=False, metavar="FILE", help="Also draw
 _JSON = typer.Option("--json", help="Print one JSON document instead.")
 
 
-def solver(
-    scene: Annotated[Path, _SCENE],
-    vary: Annotated[list[str] | None, _VARY] = None,
-    step: Annotated[int, _STEP] = 1,
-    iterations: Annotated[int, _ITERATIONS] = 1,
-    over_time: Annotated[bool, _TIME] = False,
-    steps: Annotated[int | None, _STEPS] = None,
-    measure: Annotated[str, _MEASURE] = "",
-    figure: Annotated[str, _FIGURE] = "",
-    svg: Annotated[Path | None, _SVG] = None,
-    json: Annotated[bool, _JSON] = False,
-) -> None:
+@dataclass(frozen=True)
+class SolverOptions:
+    """What `sandbox solver` was asked for."""
+
+    scene: Annotated[Path, _SCENE]
+    vary: Annotated[list[str] | None, _VARY] = None
+    step: Annotated[int, _STEP] = 1
+    iterations: Annotated[int, _ITERATIONS] = 1
+    over_time: Annotated[bool, _TIME] = False
+    steps: Annotated[int | None, _STEPS] = None
+    measure: Annotated[str, _MEASURE] = ""
+    figure: Annotated[str, _FIGURE] = ""
+    svg: Annotated[Path | None, _SVG] = None
+    json: Annotated[bool, _JSON] = False
+
+
+@takes(SolverOptions)
+def solver(options: SolverOptions) -> None:
     """Show sequential impulses at work: the simple solver, which is written to be read, on a scene of contacts.
 
     Without --over-time: the normal impulse of every contact point after each pass, in the first substep of one step,
@@ -56,16 +64,14 @@ def solver(
 
     Exit code 2: the scene, or an option, could not be used.
     """
-    _check_options(over_time, steps, measure, figure, svg)
+    _check_options(options)
     from sandbox.cli.solver_text import passes_lines, time_lines, to_json
 
-    if over_time:
-        shown = _over_time(scene, vary or [], iterations, steps, measure or "top")
-    else:
-        shown = _passes(scene, vary or [], iterations, step)
+    over_time, svg = options.over_time, options.svg
+    shown = _over_time(options) if over_time else _passes(options)
     if svg is not None:
-        _draw(shown, figure, svg)
-    if json:
+        _draw(shown, options.figure, svg)
+    if options.json:
         typer.echo(to_json(shown))
         return
     for line in time_lines(shown) if over_time else passes_lines(shown):
@@ -74,11 +80,12 @@ def solver(
         typer.echo(f"{svg}: {svg.stat().st_size / 1000:.0f} kB")
 
 
-def _check_options(over_time: bool, steps: int | None, measure: str, figure: str, svg: Path | None) -> None:
+def _check_options(options: SolverOptions) -> None:
     from sandbox.cli.picture_options import writable_picture
     from sandbox.render.solver_figure import MEASURES, STEP_FIGURES, TIME_FIGURES
 
-    if not over_time and (steps is not None or measure):
+    over_time, measure, figure, svg = options.over_time, options.measure, options.figure, options.svg
+    if not over_time and (options.steps is not None or measure):
         raise SandboxError(f"{'--measure' if measure else '--steps'} is for --over-time: give both")
     if figure and svg is None:
         raise SandboxError("--figure chooses what --svg FILE draws: give both")
@@ -100,22 +107,22 @@ def _check_name(option: str, name: str, known: Iterable[str]) -> None:
         raise SandboxError(f"{option} {name}: there is none of that name; {hint}")
 
 
-def _passes(path: Path, vary: list[str], iterations: int, step: int) -> SolverFigure:
+def _passes(options: SolverOptions) -> SolverFigure:
     from sandbox.cli.solver_runs import runs_of
     from sandbox.reference.simple.trace import settled, watch_passes
     from sandbox.render.solver_page import Run, SolverFigure
     from sandbox.scene import load_scene
 
-    scene = load_scene(find_scene(path))
-    flat = scene.flatten()
+    scene = load_scene(find_scene(options.scene))
+    flat, step = scene.flatten(), options.step
     runs = []
-    for label, techniques in runs_of(flat, vary, iterations):
+    for label, techniques in runs_of(flat, options.vary or [], options.iterations):
         passes = watch_passes(flat, techniques, step)
         runs.append(Run(label, passes, settled(flat, techniques, step)))
-    return SolverFigure(scene.title or path.name, tuple(runs), step=step)
+    return SolverFigure(scene.title or options.scene.name, tuple(runs), step=step)
 
 
-def _over_time(path: Path, vary: list[str], iterations: int, steps: int | None, measure: str) -> SolverFigure:
+def _over_time(options: SolverOptions) -> SolverFigure:
     from rich.console import Console
 
     from sandbox.cli.progress import SceneProgress
@@ -125,16 +132,16 @@ def _over_time(path: Path, vary: list[str], iterations: int, steps: int | None, 
     from sandbox.replay.trial import planned_steps
     from sandbox.scene import load_scene
 
-    scene = load_scene(find_scene(path))
+    scene = load_scene(find_scene(options.scene))
     flat = scene.flatten()
-    total = planned_steps(scene) if steps is None else steps
-    wanted = runs_of(flat, vary, iterations)
+    total = planned_steps(scene) if options.steps is None else options.steps
+    wanted = runs_of(flat, options.vary or [], options.iterations)
     runs = []
     with SceneProgress(Console(stderr=True), len(wanted)) as progress:
         for label, techniques in wanted:
             progress.begin(label, total)
             runs.append(Run(label, course=run_course(flat, techniques, total, progress.done)))
-    return SolverFigure(scene.title or path.name, tuple(runs), measure=measure)
+    return SolverFigure(scene.title or options.scene.name, tuple(runs), measure=options.measure or "top")
 
 
 def _draw(shown: SolverFigure, figure: str, svg: Path) -> None:

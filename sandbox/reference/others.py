@@ -1,4 +1,4 @@
-"""Who else steps a scene: pymunk, and the simple solver. Each gives its bodies as records, so that one code measures all."""
+"""Who else steps a scene: pymunk, and the simple solver. Each gives its bodies as records, to be measured alike."""
 
 from __future__ import annotations
 

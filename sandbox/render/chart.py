@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 
+from sandbox.render.number_text import plain
 from sandbox.render.svg import Pixel, Svg, number
-from sandbox.render.words import plain
 
 Range = tuple[float, float]
 

@@ -8,10 +8,10 @@ from sandbox.reference.simple.collisions import Placed
 from sandbox.reference.simple.trace import Course, Passes, Spot
 from sandbox.reference.simple.vectors import Vec
 from sandbox.render.chart import Chart, legend
+from sandbox.render.number_text import plain, short
 from sandbox.render.sat_plane import Plane
 from sandbox.render.solver_page import EDGE, HEAD, KINDS, Run, SolverFigure, card
 from sandbox.render.svg import Svg
-from sandbox.render.words import plain, short
 
 _WIDE, _HIGH = 680, 420
 _PANEL = (360.0, 330.0)

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from sandbox.errors import SandboxError
-from sandbox.reference.ruler import Measures, Ruler
+from sandbox.reference.measures import Measurer, Measures
 from sandbox.reference.simple.collisions import Placed
 from sandbox.reference.simple.contacts import Contact, Point
 from sandbox.reference.simple.techniques import Techniques
@@ -92,13 +92,13 @@ def settled(scene: FlatScene, techniques: Techniques, step: int) -> tuple[float,
 def run_course(scene: FlatScene, techniques: Techniques, steps: int, on_steps: Callable[[int], None]) -> Course:
     """Run a scene and measure it at the start and after each step."""
     world = SimpleWorld(scene, techniques)
-    ruler = Ruler(world.state)
+    measurer = Measurer(world.state)
     times, measures = [], []
     for k in range(steps + 1):
         if k > 0:
             world.step()
         times.append(k * world.numbers.seconds)
-        measures.append(ruler.measure(world.records()))
+        measures.append(measurer.measure(world.records()))
         on_steps(k)
     return Course(tuple(times), tuple(measures), world.placed())
 
