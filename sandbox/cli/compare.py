@@ -41,7 +41,7 @@ _TWIN = typer.Option(
 )  # fmt: skip
 _PLOT = typer.Option(metavar="FILE", show_default=False, help="With --twin: draw the curves into NAME.svg or NAME.png.")
 
-TWINS = ("pymunk", "simple")
+TWINS: tuple[TwinName, ...] = ("pymunk", "simple")
 
 
 class CommandClass(TyperCommand):
@@ -116,8 +116,9 @@ def _twin_of(text: str) -> TwinName | None:
     """What `--twin` asks for; None without it. Raises `SandboxError` for a name that no twin has."""
     if not text:
         return None
-    if text == "pymunk" or text == "simple":
-        return text
+    for twin in TWINS:
+        if text == twin:
+            return twin
     from sandbox.scene.finding import did_you_mean
 
     raise SandboxError(f"--twin={text}: no twin of that name; {did_you_mean(text, TWINS) or 'pymunk or simple'}")

@@ -107,7 +107,7 @@ def _body(row: Any) -> Body:
 
 
 def _shape(row: Any, bodies: list[Body], state: State) -> Shape:
-    vertices = state.vertices[row.vertex_start : row.vertex_start + row.vertex_count]
+    vertices: Any = state.vertices[row.vertex_start : row.vertex_start + row.vertex_count]
     return Shape(
         bodies[row.body], tuple(complex(x, y) for x, y in zip(vertices.x, vertices.y, strict=True)), float(row.radius),
         float(row.friction), float(row.restitution), float(row.rolling_resistance), float(row.surface_speed),
