@@ -53,7 +53,7 @@ def require_matplotlib() -> Any:
     try:
         import matplotlib
     except ImportError as error:
-        text = "--plot draws with matplotlib, which is not installed: pip install 'sandbox2d[plot]'"
+        text = "--plot draws with matplotlib, which is not installed: python -m pip install matplotlib"
         raise MissingDependencyError(text) from error
     return matplotlib
 

@@ -6,7 +6,13 @@ import importlib
 
 from sandbox.errors import MissingDependencyError
 
-PACKAGES = ("pygame", "moderngl", "imgui_bundle", "OpenGL")
+PACKAGES = {
+    "pygame": "pygame-ce>=2.5",
+    "moderngl": "moderngl>=5.10",
+    "imgui_bundle": "imgui-bundle>=1.92",
+    "OpenGL": "PyOpenGL>=3.1",
+}
+"""What the window imports, and what pip calls it."""
 
 LIBRARIES_HINT = "On Debian or Ubuntu: sudo apt install libgl1 libegl1 libgl1-mesa-dri"
 SCREEN_HINTS = (
@@ -17,7 +23,7 @@ SCREEN_HINTS = (
 
 
 def check_packages() -> None:
-    """Raise `MissingDependencyError` unless every package of the extra `window` can be imported."""
+    """Raise `MissingDependencyError` unless every one of `PACKAGES` can be imported."""
     for name in PACKAGES:
         try:
             importlib.import_module(name)
@@ -29,9 +35,10 @@ def check_packages() -> None:
 
 
 def _package_text(name: str) -> str:
+    wanted = " ".join(f'"{package}"' for package in PACKAGES.values())
     return (
         f"the window needs the Python package {name.partition('.')[0]}, which is not installed. "
-        "In a checkout: pip install -e '.[window]'; else: pip install 'sandbox2d[window]'"
+        f"All that it needs: python -m pip install {wanted}"
     )
 
 

@@ -52,5 +52,5 @@ def test_without_matplotlib_the_message_says_what_to_install(
     twin: Twin, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(sys.modules, "matplotlib", None)
-    with pytest.raises(MissingDependencyError, match=r"sandbox2d\[plot\]"):
+    with pytest.raises(MissingDependencyError, match=r"python -m pip install matplotlib$"):
         save_plot(twin, "A fall", tmp_path / "a.svg")

@@ -22,7 +22,8 @@ def migrated(data: dict[str, Any]) -> tuple[dict[str, Any], list[Finding]]:
         return data, [Finding(where, f'a recording begins with "format": {FORMAT}')]
     if given > FORMAT:
         text = f"the file has format {given} and this version of sandbox reads up to {FORMAT}"
-        return data, [Finding(("format",), text, "update sandbox: pip install -U sandbox2d")]
+        hint = "update sandbox: python -m pip install -U FOLDER, where FOLDER is a newer checkout of it"
+        return data, [Finding(("format",), text, hint)]
     for version in range(given, FORMAT):
         data = {**MIGRATIONS[version](data), "format": version + 1}
     return data, []
