@@ -45,7 +45,9 @@ class SceneFields(Model):
         default=(), description="Areas in which a field pushes: water, gravity, wind."
     )
     settings: Settings = Field(default=Settings(), description="How the scene is simulated.")
-    view: View | None = Field(default=None, description="What the camera shows; default: the whole scene.")
+    view: View | None = Field(
+        default=None, description="What the camera shows at first; default: what can move, and what is static near it."
+    )
     expect: Annotated[tuple[AnyExpectation, ...], Listed("of expectations", 0, MAX_EXPECTATIONS)] = Field(
         default=(), description="What must hold when the scene runs."
     )

@@ -45,4 +45,4 @@ class View(Model):
     """What the camera shows at first."""
 
     center: Point = Field(default=(0.0, 0.0), description="Middle of the picture, m.")
-    height: Size | None = Field(default=None, description="Height of the picture, m; default: the whole scene.")
+    height: Size | None = Field(default=None, description="Height of the picture, m; default: as without a view.")
