@@ -8,6 +8,9 @@ from pathlib import Path
 
 import pytest
 
+import sandbox
+
+GUIDE = Path(sandbox.__file__).with_name("replay") / "README.md"
 PUSH = """
 from sandbox import ApplyImpulse
 
@@ -164,3 +167,15 @@ class TestReplayCheck:
         put("crate.scene.json")
         write_test(home, "def test_it(replay_check):\n    replay_check('crate', 5)\n    replay_check('crate', 6)\n")
         home.runpytest("--replay-update").stdout.fnmatch_lines(["*needs another name=*"])
+
+
+class TestGuide:
+    def test_the_tests_that_the_guide_shows_pass(self, home: pytest.Pytester, put: Callable) -> None:
+        put("scenes/yard.scene.json")
+        text = GUIDE.read_text(encoding="utf-8")
+        (code,) = re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+        (home.path / "test_yard.py").write_text(code, encoding="utf-8")
+        home.runpytest("--replay-update").assert_outcomes(passed=2)
+        home.runpytest().assert_outcomes(passed=2)
+        (written,) = home.path.glob("*.replay.json")
+        assert f"`{written.name}`" in text
