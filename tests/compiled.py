@@ -16,7 +16,7 @@ from typing import Any
 import sandbox
 from sandbox._jit import cache_folder, jit_enabled
 from sandbox.engine.continuous_collision.solve_continuous import solve_continuous
-from sandbox.engine.events.sensors import Sensing
+from sandbox.engine.events.sensors import SensorOverlaps
 from sandbox.engine.fields.apply import apply_fields
 from sandbox.engine.memory.binding import bind
 from sandbox.engine.memory.scratch import Scratch
@@ -79,7 +79,7 @@ def _others() -> None:
     pair.manifold_on(Axis(0, 1, 0, 1, 0, 0))
     our_answer(Pair(Core(((0.0, 0.0),)), Core(((1.0, 0.0),))))
     both = scene(body("a", circle(1.0, sensor=True)), body("b", circle(1.0)))
-    Sensing(build_state(both)).look()
+    SensorOverlaps(build_state(both)).update()
     ask = World(both).query
     ask.ray((-2.0, 0.0), (4.0, 0.0))
     ask.ray_all((-2.0, 0.0), (4.0, 0.0))

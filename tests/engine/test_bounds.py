@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sandbox.engine.broad_phase.proxies import MARGIN, MARGIN_SHARE
+from sandbox.engine.broad_phase.margins import MARGIN, MARGIN_SHARE
 from sandbox.engine.world import World
 from tests.engine.stages import Paused
 from tests.examples import examples
