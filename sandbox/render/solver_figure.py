@@ -15,6 +15,8 @@ from sandbox.render.svg import Svg
 
 _WIDE, _HIGH = 680, 420
 _PANEL = (360.0, 330.0)
+_NAMED = 4
+"""Most contact points that a legend names."""
 _ARROW = 90.0
 """Pixels of the longest arrow of a velocity."""
 
@@ -50,12 +52,14 @@ def draw_impulse(figure: SolverFigure) -> Svg:
 
 def draw_passes(figure: SolverFigure) -> Svg:
     """The impulses given so far after each pass, a panel for each run; dashes where many passes lead to."""
-    width, height = _PANEL
     count = len(figure.runs)
+    width, height = (float(_WIDE) if count == 1 else _PANEL[0]), _PANEL[1]
     words = f"normal impulse given so far, after each pass over the contacts; step {figure.step}"
     svg = card(EDGE + count * (width + EDGE), HEAD + 44 + height + EDGE, figure.title, words)
     spots = _passes(figure.runs[0]).spots
-    legend(svg, (EDGE, HEAD - 2), [(point_name(spots, k), KINDS[k % len(KINDS)]) for k in range(min(len(spots), 6))])
+    legend(
+        svg, (EDGE, HEAD - 2), [(point_name(spots, k), KINDS[k % len(KINDS)]) for k in range(min(len(spots), _NAMED))]
+    )
     given = [value for run in figure.runs for row in (*_passes(run).rows, run.settled) for value in row]
     for k, run in enumerate(figure.runs):
         rows = _passes(run).rows
