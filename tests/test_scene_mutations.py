@@ -16,9 +16,11 @@ from tests.shipped import FILES, shipped
 Data = dict[str, Any]
 Change = Callable[[Data], None]
 
-CONTACTLESS = {"cantilevers", "pendulums", "planets"}
-"""Only joints or fields hold these together."""
-WEIGHTLESS = {"billiards", "bullets", "planets"} | {name for name, file in FILES.items() if file.parent.name == "sat"}
+CONTACTLESS = {"cantilevers", "corners", "pendulums", "planets", "without-speculation"}
+"""Only joints or fields hold these together, or they show what does not touch."""
+WEIGHTLESS = {"billiards", "bullets", "fast-ball", "planets", "without-speculation"} | {
+    name for name, file in FILES.items() if file.parent.name == "sat"
+}
 WITH_GRAVITY = sorted(FILES.keys() - WEIGHTLESS)
 
 

@@ -151,7 +151,7 @@ def test_a_body_that_moves_away_is_not_struck():
         body("a", circle(0.5), position=(0.0, 0.5), velocity=(0.0, 3.0)),
         gravity=(0.0, 0.0),
     )
-    assert struck(w).scratch.motions[1].velocity_y == 3.0
+    assert struck(w).scratch.solver.motions[1].velocity_y == 3.0
 
 
 def test_an_impact_within_the_substep_only():
@@ -159,7 +159,9 @@ def test_an_impact_within_the_substep_only():
     speeds = []
     for gap in (0.02, 0.03):
         ball = body("a", circle(0.5), position=(0.0, 0.5 + gap), velocity=(0.0, -5.0))
-        speeds.append(float(struck(world(ground(restitution=1.0), ball, gravity=(0, 0))).scratch.motions[1].velocity_y))
+        speeds.append(
+            float(struck(world(ground(restitution=1.0), ball, gravity=(0, 0))).scratch.solver.motions[1].velocity_y)
+        )
     assert speeds == pytest.approx([5.0, -5.0])
 
 

@@ -45,9 +45,10 @@ def overlapping() -> World:
 
 def after_step(world: World, spoil: Callable[[World], None]) -> Comparison:
     """What the comparison of one step finds if `spoil` changes what the step left behind."""
-    observer, step = Observer(world), world.step
-    world.step = lambda n=1: (step(n), spoil(world))[0]  # type: ignore[method-assign]
-    observer.step()
+    observer, step = Observer(world), World.step
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(World, "step", lambda world, n=1: (step(world, n), spoil(world))[0])
+        observer.step()
     return observer.tally
 
 

@@ -121,8 +121,11 @@ def test_commands_are_applied_at_the_end_only() -> None:
     player = sandbox.Player(PLAYED)
     with pytest.raises(sandbox.CommandError, match=r"known up to step 150: branch\(\)"):
         player.apply(COMMANDS[0][1])
-    for step in (-1, STEPS + 1):
-        with pytest.raises(ValueError, match=f"step {step} is not one of 0 to {STEPS}"):
+    for step, told in (
+        (-1, "takes a whole number of steps from 0, not -1"),
+        (STEPS + 1, f"is not one of 0 to {STEPS}"),
+    ):
+        with pytest.raises(ValueError, match=told):
             player.seek(step)
     player.seek(STEPS)
     player.apply(ApplyImpulse("ball", (1.0, 0.0)))

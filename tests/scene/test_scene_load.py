@@ -176,7 +176,7 @@ def test_a_changed_copy_is_another_scene():
 
 
 def test_a_scene_does_not_change():
-    with pytest.raises(ValueError, match="frozen"):
+    with pytest.raises(AttributeError, match="title of Scene is read-only"):
         Scene().title = "x"
 
 
