@@ -1,0 +1,208 @@
+"""A substep of jointed bodies that touch nothing, by dense matrices, written from the laws.
+
+Half of the force acts before the move, half after it. Before it, impulses along the rows of now bring the members to
+where the joints are kept after it; after it, impulses along the rows of then make the speeds keep them, too. Springs
+follow the implicit midpoint rule: their force is that of the place and speed in the middle of the substep.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from sandbox.world import joint_records as kinds
+from tests.naive.complementarity import INF, Law, Piece, driven, impulses, striving
+from tests.naive.joint_rows import ANGLE, DRIVE, SPRING, errors, is_levered, jacobian
+
+Array = np.ndarray
+YIELD = 1e-4
+"""A rigid row gives way to its impulse by this share of what its bodies would."""
+DRAWN = 4.0
+"""Most (m or rad) of an error that a second takes away."""
+NEWTON = 40
+
+
+@dataclass
+class Jointed:
+    """Bodies: pose, velocity and inverse masses, three numbers each. Impulses of every row (joint, slot) are those
+    before the last move and those after it. `reach` is how far (m/s or rad/s) Newton's method had to go for the last
+    move."""
+
+    joints: Any
+    rows: list[tuple[int, int]]
+    pose: Array
+    velocity: Array
+    inverse: Array
+    before: Array
+    after: Array
+    reach: float = 0.0
+
+    def row_joints(self) -> list[tuple[Any, int]]:
+        """Joint and slot of every row."""
+        return [(self.joints[j], slot) for j, slot in self.rows]
+
+
+def substep(part: Jointed, force: Array, seconds: float) -> None:
+    """Advance by `seconds` under an acceleration `force`."""
+    moved = part.velocity + 0.5 * seconds * force
+    part.before, moved = before_the_move(part, moved, seconds)
+    part.pose = part.pose + seconds * moved
+    part.after, part.velocity = after_the_move(part, moved + 0.5 * seconds * force, seconds)
+
+
+def before_the_move(part: Jointed, velocity: Array, seconds: float) -> tuple[Array, Array]:
+    """Impulses and velocities that bring the bodies to where their joints are kept.
+
+    Where the joints will be is no linear function of the velocities: Newton's method, with the derivatives of now. It
+    begins with the impulses of the last substep, and one turn of it is enough where nothing is at a bound.
+    """
+    rows = jacobian(part.pose, part.joints, part.rows)
+    push = part.inverse[:, None] * rows.T
+    matrix = rows @ push
+    ease = np.diag(matrix).copy()
+    now = errors(part.pose, part.joints, part.rows)
+    found = part.before
+    tried = velocity + push @ found
+    for _ in range(1 if not any(map(may_be_bounded, *zip(*part.row_joints(), strict=True))) else NEWTON):
+        ahead = errors(part.pose + seconds * tried, part.joints, part.rows)
+        laws = []
+        for r, (joint, slot) in enumerate(part.row_joints()):
+            bent = (ahead[r] - now[r]) / seconds - rows[r] @ tried
+            bend = bent if is_levered(part.pose, joint, slot) else 0.0
+            kept = left_over(joint, slot, now[r], float(ease[r]) * part.before[r], seconds)
+            laws.append(_law_before(joint, slot, Ahead(now[r], bent, bend, kept, float(ease[r])), seconds))
+        last, found = found, impulses(matrix, rows @ velocity, laws)
+        assert found is not None, "no choice of pieces fits"
+        tried = velocity + push @ found
+        if np.max(np.abs(found - last)) <= 1e-13 * np.max(np.abs(found)):
+            break
+    part.reach = float(np.max(np.abs(push @ (found - part.before)), initial=0.0))
+    return found, tried
+
+
+def after_the_move(part: Jointed, velocity: Array, seconds: float) -> tuple[Array, Array]:
+    """Impulses and velocities that keep the joints. A spring pushes after the move as it has pushed before it."""
+    rows = jacobian(part.pose, part.joints, part.rows)
+    push = part.inverse[:, None] * rows.T
+    matrix = rows @ push
+    now = errors(part.pose, part.joints, part.rows)
+    so_far = part.before
+    laws = [
+        _law_after(joint, slot, now[r], so_far[r], float(matrix[r, r]), seconds)
+        for r, (joint, slot) in enumerate(part.row_joints())
+    ]
+    both = impulses(matrix, rows @ (velocity - push @ so_far), laws)
+    assert both is not None, "no choice of pieces fits"
+    return both - so_far, velocity + push @ (both - so_far)
+
+
+def may_be_bounded(joint: Any, slot: int) -> bool:
+    """Whether a row has a limit of some kind."""
+    return slot == DRIVE or is_brake(joint, slot) or joint.kind in (kinds.MOTOR, kinds.TARGET, kinds.FRICTION)
+
+
+def is_brake(joint: Any, slot: int) -> bool:
+    """Whether a row keeps a speed, and no place."""
+    return bool(joint.kind == kinds.FRICTION or (joint.kind == kinds.WHEEL and slot == ANGLE))
+
+
+def strength(joint: Any, slot: int) -> float:
+    """Most force (N) or torque (N m) of a row that keeps something."""
+    if joint.kind == kinds.WHEEL and slot == ANGLE:
+        return float(joint.max_motor)
+    if joint.kind in (kinds.MOTOR, kinds.TARGET, kinds.FRICTION):
+        return float(joint.max_torque if slot == ANGLE else joint.max_force)
+    return INF
+
+
+def spring(joint: Any, slot: int) -> tuple[float, float] | None:
+    """(frequency 1/s, damping ratio) of a soft row."""
+    if slot == SPRING:
+        return float(joint.hertz), float(joint.damping_ratio)
+    if joint.kind not in (kinds.WELD, kinds.MOTOR, kinds.TARGET) or slot == DRIVE:
+        return None
+    hertz, ratio = (
+        (joint.angular_hertz, joint.angular_damping_ratio) if slot == ANGLE else (joint.hertz, joint.damping_ratio)
+    )
+    return (float(hertz), float(ratio)) if hertz > 0.0 else None
+
+
+def left_over(joint: Any, slot: int, error: float, push: float, seconds: float) -> float:
+    """What a rigid row, or a limit that is overrun, may have left of its error: what is too much for one substep.
+
+    What it yields to the push that it has borne, the speed (m/s) of its impulse by itself, is no error.
+    """
+    if slot == DRIVE:
+        error = max(error - float(joint.upper), 0.0) + min(error - float(joint.lower), 0.0) if joint.limit else 0.0
+    else:
+        error = error + seconds * YIELD * push
+    return math.copysign(max(abs(error) - DRAWN * seconds, 0.0), error)
+
+
+@dataclass(frozen=True)
+class Ahead:
+    """What a row is before the move: its error `now` (m or rad), how much faster that grows than the speed along the
+    row says at the pose looked at, how much of this springs are told, what it may have left, and 1 / mass."""
+
+    now: float
+    bent: float
+    bend: float
+    kept: float
+    ease: float
+
+
+def _law_before(joint: Any, slot: int, row: Ahead, seconds: float) -> Law:
+    acting = 0.5 * seconds
+    if slot == DRIVE:
+        slowest, fastest = -INF, INF
+        if joint.limit:
+            slowest = (joint.lower + min(row.kept, 0.0) - row.now) / seconds - row.bent
+            fastest = (joint.upper + max(row.kept, 0.0) - row.now) / seconds - row.bent
+        return _drive(joint, acting, slowest, fastest)
+    most = acting * strength(joint, slot)
+    if is_brake(joint, slot):
+        return striving(float(joint.motor_speed) if joint.kind == kinds.WHEEL else 0.0, 0.0, most)
+    soft = spring(joint, slot)
+    if soft is not None:
+        place = row.now - (_rest(joint) if slot == SPRING else 0.0) + acting * row.bend
+        return _midpoint(*soft, place, 1.0 / row.ease, acting, most)
+    return striving((row.kept - row.now) / seconds - row.bent, YIELD * row.ease, most)
+
+
+def _midpoint(hertz: float, ratio: float, place: float, mass: float, acting: float, strong: float) -> Law:
+    """-(k (x + t u) + c u) t, the impulse of a spring and a damper in the time t at the speed u, solved for u."""
+    omega = 2.0 * math.pi * hertz
+    k, c = mass * omega * omega, 2.0 * ratio * mass * omega
+    if k == 0.0 and c == 0.0:
+        return [Piece(given=0.0)]
+    slope = acting * (acting * k + c)
+    return striving(-acting * k * place / slope, 1.0 / slope, strong)
+
+
+def _rest(joint: Any) -> float:
+    return float(joint.length if joint.kind == kinds.DISTANCE else joint.rest)
+
+
+def _drive(joint: Any, acting: float, slowest: float, fastest: float) -> Law:
+    runs = bool(joint.motor) and joint.kind != kinds.WHEEL
+    if joint.limit and joint.lower >= joint.upper:
+        return [Piece(slowest)]
+    aim = float(joint.motor_speed) if runs else None
+    return driven(aim, acting * float(joint.max_motor) if runs else 0.0, slowest, fastest)
+
+
+def _law_after(joint: Any, slot: int, now: float, so_far: float, ease: float, seconds: float) -> Law:
+    """Of the impulses before and after the move together, which may be as strong as the whole substep allows."""
+    if slot == DRIVE:
+        slowest, fastest = -INF, INF
+        if joint.limit:
+            slowest, fastest = min((joint.lower - now) / seconds, 0.0), max((joint.upper - now) / seconds, 0.0)
+        return _drive(joint, seconds, slowest, fastest)
+    if spring(joint, slot) is not None:
+        return [Piece(given=2.0 * so_far)]
+    aim = float(joint.motor_speed) if is_brake(joint, slot) and joint.kind == kinds.WHEEL else 0.0
+    softness = YIELD * ease  # the part before the move has had its yield: a row at rest gives both halves alike
+    return striving(aim + 2.0 * softness * so_far, softness, seconds * strength(joint, slot))
