@@ -258,14 +258,16 @@ class TestUpdate:
 
 
 class TestHowItRuns:
-    def test_processes_and_no_jit_come_to_the_same(self, cli: Callable, write_scene: Callable, tmp_path: Path) -> None:
+    @pytest.mark.parametrize("options", [["-j", 2], pytest.param(["--no-jit"], marks=pytest.mark.slow), ["--heavy"]])
+    def test_processes_and_no_jit_come_to_the_same(
+        self, cli: Callable, write_scene: Callable, tmp_path: Path, options: list[object]
+    ) -> None:
         for name in "abc":
             write_scene(f"{name}.scene.json", HOLDS, settings={"steps": 4})
         cli("replay", "--update", tmp_path)
-        for options in (["-j", 2], ["--no-jit"], ["--heavy"]):
-            done = cli("replay", tmp_path, *options)
-            assert done.code == 0, options
-            assert [name[-1] for name in words(done.out)] == ["a", "b", "c"]
+        done = cli("replay", tmp_path, *options)
+        assert done.code == 0
+        assert [name[-1] for name in words(done.out)] == ["a", "b", "c"]
 
     def test_tolerance_passes_what_is_near(self, cli: Callable, golden: Path) -> None:
         text = golden.read_text()

@@ -25,7 +25,9 @@ def straight(run: sandbox.Run) -> list[str]:
     return digests
 
 
-@pytest.mark.parametrize("budget", [1, 60_000, 400_000, 1 << 40])
+@pytest.mark.parametrize(
+    "budget", [pytest.param(1, marks=pytest.mark.slow), 60_000, pytest.param(400_000, marks=pytest.mark.slow), 1 << 40]
+)
 @pytest.mark.parametrize("run", [BUSY, PLAYED], ids=["busy", "played"])
 def test_every_step_from_end_to_start_is_that_of_a_straight_run(run: sandbox.Run, budget: int) -> None:
     expected = straight(run)

@@ -164,6 +164,7 @@ def test_without_history_the_ghost_is_the_recorded_end(cli: Callable, show: Brow
     assert show.value(f"{PLAYER}.player.plots[0].plot.dots.length") == 2
 
 
+@pytest.mark.slow
 @needs_git
 def test_500_bodies_and_600_steps_weigh_less_than_5_megabytes(cli: Callable) -> None:  # noqa: F811
     prefabs = {"box": {"material": "stuff", "shapes": [{"box": [1, 0.8]}]}}
