@@ -118,7 +118,22 @@ def _machine_code(entry: Any, arguments: tuple[Any, ...]) -> Callable[..., Any]:
     """The version of an entry point for arguments of these types."""
     if config.DISABLE_JIT:
         return cast(Callable[..., Any], entry)
-    return cast(Callable[..., Any], entry.compile(tuple(entry.typeof_pyval(argument) for argument in arguments)))
+    key = (entry, *map(_kind, arguments))
+    if key not in _versions:
+        _versions[key] = entry.compile(tuple(entry.typeof_pyval(argument) for argument in arguments))
+    return _versions[key]
+
+
+_versions: dict[tuple[Any, ...], Callable[..., Any]] = {}
+# Every world asks for the same few versions. For numba to tell the types of all its tables takes longer than 30 steps.
+
+
+def _kind(value: Any) -> Any:
+    """Equal for values of which numba says that they have the same type."""
+    if isinstance(value, np.ndarray):
+        flags = value.flags
+        return value.dtype, value.ndim, flags.c_contiguous, flags.f_contiguous, flags.writeable, flags.aligned
+    return (type(value), *map(_kind, value)) if isinstance(value, tuple) else type(value)
 
 
 def interpreted(function: F) -> F:
