@@ -173,6 +173,7 @@ def test_a_twin_of_a_bad_file_is_told(cli: Callable, write_scene: Callable) -> N
     assert "bad.scene.json:" in done.err
 
 
+@pytest.mark.slow
 def test_no_shipped_scene_disagrees_or_misses_a_pair(cli: Callable) -> None:
     """At three steps of the first second; `sandbox compare scenes/` looks at all."""
     done = cli("compare", scenes_dir(), "--steps", 61, "--every", 30, "--json")

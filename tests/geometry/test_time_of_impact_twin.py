@@ -81,15 +81,17 @@ def test_a_hit_is_told_where_the_shapes_touch_last_before_it(meeting, deep, from
     if from_touch:
         meeting = _from_touch(meeting, deep)
     start = meeting.separation(0.0)
-    assume(start > -(1.0 - 2.0 * LET_PASS) * deep)
+    if start <= -(1.0 - 2.0 * LET_PASS) * deep:
+        return
     t, touched = time_of_hit(meeting, deep)
-    assume(t >= 0.0)
+    if t < 0.0:
+        return
     there, fine = meeting.exact_separation(t), 0.02 * deep
     try:
         hit = meeting.first_below(-(1.0 - LET_PASS) * deep, fine)
         assert hit is not None
     except TooCloseError:
-        assume(False)
+        return
     if touched:
         assert start <= 2.0 * LET_PASS * deep
         assert -deep * 1.001 <= there <= -(1.0 - 1.001 * LET_PASS) * deep

@@ -51,6 +51,7 @@ def test_opengl_draws_what_the_surface_painter_draws(scene: Any, display: Any, t
     assert difference.mean() < 1.0
 
 
+@pytest.mark.slow
 def test_one_painter_draws_worlds_of_any_size_in_turn(display: Any, tmp_path: Path) -> None:
     from sandbox.window.gl_painter import GlPainter
     from tests.render.stages import pyramid
@@ -100,6 +101,7 @@ def picture_after(steps: int, size: tuple[int, int]) -> np.ndarray:
     return np.asarray(SurfacePainter().paint(picture)).astype(int)
 
 
+@pytest.mark.slow
 def test_run_can_start_later(display: Any, tmp_path: Path, scene_file: str) -> None:
     options = ("--screenshot", "shot.png", "--size", "640x400")
     assert run(tmp_path, scene_file, "--frames", "30", *options).returncode == 0
@@ -117,6 +119,7 @@ def test_run_without_a_scene_lists_the_scenes(display: Any, tmp_path: Path) -> N
         assert len(image.getcolors(1 << 20)) > 30
 
 
+@pytest.mark.slow
 def test_run_leaves_nothing_behind(display: Any, tmp_path: Path, scene_file: str) -> None:
     assert run(tmp_path, scene_file, "--frames", "2").returncode == 0
     assert [path.name for path in tmp_path.iterdir()] == ["two.scene.json"]
