@@ -1,4 +1,4 @@
-"""The only file that imports numba: how kernels are compiled and where the machine code is kept.
+"""The only file, with `_linking.py`, that imports numba: how kernels are compiled and where the machine code is kept.
 
 `kernel` marks a function that other kernels call; `entry_point` marks one that Python calls, whose machine code is
 kept on disk. numba's own cache looks only at the file of the entry point, so the cache folder is named by a hash
@@ -26,12 +26,15 @@ from numba import njit
 from numba.core import config as _config
 from platformdirs import user_cache_path
 
+from sandbox._linking import EntryPointCompiler, KernelCompiler, take_literals_as_values
+
 config: Any = _config
 
 F = TypeVar("F", bound=Callable[..., Any])
 
 _ROOMS = (
     "_jit.py",
+    "_linking.py",
     "tables.py",
     "geometry",
     "world/records.py",
@@ -42,10 +45,7 @@ _ROOMS = (
 _FLAGS: dict[str, Any] = {"error_model": "numpy", "boundscheck": False, "_nrt": False}
 # Kernels allocate nothing, so numba's reference counting is off: its atomic counters around every call that takes an
 # array cost more than the arithmetic (the grid ran 7 times slower with them).
-_CALLABLE = os.environ.get("SANDBOX_CALLABLE_KERNELS") == "1"
-_INNER: dict[str, Any] = _FLAGS | {"no_cpython_wrapper": not _CALLABLE, "no_cfunc_wrapper": True, "cache": _CALLABLE}
-# Only entry points are called from Python. The others go without the wrappers for that, which are a sixth of the
-# compile time, and without files of their own; tests of single kernels ask for both.
+_INNER: dict[str, Any] = _FLAGS | {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 _STALE_SECONDS = 14 * 24 * 3600
 
 ZERO: int = cast(int, np.int64(0))
@@ -54,29 +54,31 @@ ZERO: int = cast(int, np.int64(0))
 
 def kernel(function: F) -> F:
     """Compile `function` for use by other kernels. The same bits as plain Python, only faster."""
-    return cast(F, _compiled(function, **_INNER))
+    return cast(F, _compiled(function, KernelCompiler, **_INNER))
 
 
 def inlined_kernel(function: F) -> F:
     """A `kernel` that is always inlined: for short functions called in the innermost loops with many arrays."""
-    return cast(F, _compiled(function, **_INNER, forceinline=True))
+    return cast(F, _compiled(function, KernelCompiler, **_INNER, forceinline=True))
 
 
 def entry_point(function: F) -> F:
     """Compile `function` for calls from Python and keep its machine code in `cache_folder()`."""
-    return cast(F, _compiled(function, **_FLAGS, cache=True))
+    return cast(F, _compiled(function, EntryPointCompiler, **_FLAGS, cache=True))
 
 
-def _compiled(function: Any, cache: bool, **flags: Any) -> Any:
+def _compiled(function: Any, compiler: type, **flags: Any) -> Any:
     """`function` under numba, which is told here where its machine code is kept if it is."""
     if config.DISABLE_JIT:
         return function
     before = config.CACHE_DIR
     config.CACHE_DIR = str(cache_folder())
     try:
-        return njit(cache=cache, **flags)(function)
+        dispatcher = njit(pipeline_class=compiler, **flags)(function)
     finally:
         config.CACHE_DIR = before
+    take_literals_as_values(dispatcher)
+    return dispatcher
 
 
 class Door:

@@ -2,15 +2,10 @@
 
 from __future__ import annotations
 
-import os
-
 import pytest
 from hypothesis import HealthCheck, settings
 
 pytest_plugins = ["pytester"]
-
-# Tests call single kernels; has to be said before the first of them is imported.
-os.environ["SANDBOX_CALLABLE_KERNELS"] = "1"
 
 # `quick` by default, `deep` by --hypothesis-profile=deep: a property test looks at this share, in percent, of what it
 # asks for with `tests.examples`. No time limits, for the first call of a kernel compiles it.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import os
 import subprocess
 import sys
 from collections.abc import Callable
@@ -13,12 +14,11 @@ import pytest
 import sandbox
 from sandbox.cli import app, failures
 from sandbox.errors import Problem, SandboxError, SceneError
-from tests.determinism.processes import of_users
 
 
 def run_process(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
     command = [sys.executable, "-m", "sandbox", *arguments]
-    return subprocess.run(command, capture_output=True, text=True, env=of_users(**environment))
+    return subprocess.run(command, capture_output=True, text=True, env=os.environ | environment)
 
 
 def test_version_in_a_process_of_its_own() -> None:

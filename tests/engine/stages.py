@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from sandbox._jit import entry_point, kernel_argument
+from sandbox._jit import kernel_argument
 from sandbox.engine.active import active_set, islands
 from sandbox.engine.bodies import integrate
 from sandbox.engine.broad_phase import grid, pairs, proxies
@@ -28,6 +28,7 @@ from sandbox.engine.world import World
 from sandbox.tables import Integers
 from sandbox.world.records import BODY, CONTACT, DYNAMIC
 from sandbox.world.state import State
+from tests.kernels import called_from_python
 from tests.naive.grid import Box
 
 Pair = tuple[int, int]
@@ -35,7 +36,7 @@ Pair = tuple[int, int]
 
 def stage(kernel: Any) -> Callable[..., Any]:
     """A kernel to call with record arrays; or a function, compiled for that."""
-    compiled = kernel if hasattr(kernel, "py_func") else entry_point(kernel)
+    compiled = called_from_python(kernel)
 
     def call(*arguments: Any) -> Any:
         return compiled(*(plain(argument) for argument in arguments))

@@ -10,11 +10,13 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from sandbox.engine.broad_phase.pairs import may_collide
+from sandbox.engine.broad_phase import pairs
 from tests.engine.stages import Grid
 from tests.examples import examples
+from tests.kernels import called_from_python
 from tests.naive.grid import Box, all_pairs, may_meet
 
+may_collide = called_from_python(pairs.may_collide)
 coordinates = st.integers(-20, 20).map(float) | st.floats(-20.0, 20.0)
 exponents = st.floats(-6.0, 0.0).map(lambda e: 10.0**e)
 sizes = st.sampled_from([0.5, 1.0, 2.0]) | st.floats(0.001, 4.0)

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
+from sandbox.engine.contact_solver import soft_constraint
 from sandbox.engine.contact_solver.blocks import LANES, MAX_COLORS, VECTOR
-from sandbox.engine.contact_solver.soft_constraint import soft_coefficients
 from sandbox.engine.world import World
 from sandbox.reference.simple.bodies import Body
 from sandbox.reference.simple.contacts import Contact, Point
@@ -16,8 +16,11 @@ from sandbox.reference.simple.solver import Pass, solve, warm_start
 from tests.determinism import busy
 from tests.determinism.test_scratch import laden_plank
 from tests.engine.stages import Paused
+from tests.kernels import called_from_python
 from tests.physics.test_momentum import crowd as drifting
 from tests.physics.test_stacks import falling_pile
+
+soft_coefficients = called_from_python(soft_constraint.soft_coefficients)
 
 
 def busy_world(steps: int) -> World:

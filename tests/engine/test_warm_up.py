@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -9,7 +10,6 @@ from pathlib import Path
 import pytest
 
 from sandbox.engine import warm_up
-from tests.determinism.processes import of_users
 
 ROOT = Path(__file__).parents[2]
 SCRIPT = """
@@ -24,7 +24,7 @@ print(pile.digest())
 
 @pytest.mark.slow
 def test_a_cold_cache_is_filled_and_the_bits_are_the_same(tmp_path: Path) -> None:
-    environment = of_users(SANDBOX_CACHE_DIR=str(tmp_path), PYTHONPATH=str(ROOT))
+    environment = os.environ | {"SANDBOX_CACHE_DIR": str(tmp_path), "PYTHONPATH": str(ROOT)}
     cold, warm = (
         subprocess.run([sys.executable, "-c", SCRIPT], cwd=ROOT, env=environment, capture_output=True, text=True)
         for _ in range(2)

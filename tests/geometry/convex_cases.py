@@ -10,11 +10,14 @@ from hypothesis import assume
 from hypothesis import strategies as st
 
 from sandbox._jit import kernel_argument
+from sandbox.geometry import manifold
 from sandbox.geometry.core import CoreRows
-from sandbox.geometry.manifold import MANIFOLD, collide_cores
+from sandbox.geometry.manifold import MANIFOLD
 from sandbox.geometry.mass import edge_normals
 from sandbox.world.records import VERTEX
+from tests.kernels import called_from_python
 
+collide_cores = called_from_python(manifold.collide_cores)
 Core = tuple[tuple[float, float], ...]
 
 

@@ -9,11 +9,13 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from sandbox._jit import kernel_argument
-from sandbox.geometry.linear_cast import linear_cast
+from sandbox.geometry import linear_cast as linear_casting
 from tests.examples import examples
 from tests.geometry.convex_cases import Case, cases
+from tests.kernels import called_from_python
 from tests.naive import convex
 
+linear_cast = called_from_python(linear_casting.linear_cast)
 SLOP = 1e-3
 speeds = st.floats(-8.0, 8.0)
 

@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 from hypothesis import assume, given
 
 from sandbox._jit import kernel_argument
-from sandbox.geometry.closest import closest_vertices, nearest_on_edges
+from sandbox.geometry import closest, sat
 from sandbox.geometry.core import CoreRows
-from sandbox.geometry.sat import FAR, face_separation, facing_edge, support_vertex
+from sandbox.geometry.sat import FAR
 from tests.geometry.convex_cases import Case, angles, cases, cores, numbers, random_cases
+from tests.kernels import called_from_python
 from tests.naive import convex
 
-import math  # isort: skip
+face_separation = called_from_python(sat.face_separation)
+facing_edge = called_from_python(sat.facing_edge)
+support_vertex = called_from_python(sat.support_vertex)
+closest_vertices = called_from_python(closest.closest_vertices)
+nearest_on_edges = called_from_python(closest.nearest_on_edges)
 
 
 def exact_pair(case: Case):

@@ -9,11 +9,14 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from sandbox.geometry.trig import PI, arctan2, cos_sin
+from sandbox.geometry import trig
+from sandbox.geometry.trig import PI
 from tests.examples import examples
+from tests.kernels import called_from_python
 
 mpmath.mp.dps = 60
 
+arctan2, cos_sin = called_from_python(trig.arctan2), called_from_python(trig.cos_sin)
 moderate = st.floats(-1e6, 1e6)
 coordinates = st.floats(-1e9, 1e9)
 
