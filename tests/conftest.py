@@ -2,16 +2,28 @@
 
 from __future__ import annotations
 
+import os
+import sys
+
 import pytest
 from hypothesis import HealthCheck, settings
 
+from sandbox._jit import cache_root
+
 pytest_plugins = ["pytester"]
+
+# These tests start hundreds of processes. Where the environment asks for no bytecode beside the sources, each would
+# compile all of them again: it lies in the cache folder then.
+if sys.dont_write_bytecode:
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+    os.environ["PYTHONPYCACHEPREFIX"] = sys.pycache_prefix = str(cache_root() / "bytecode")
+    sys.dont_write_bytecode = False
 
 # `quick` by default, `deep` by --hypothesis-profile=deep: a property test looks at this share, in percent, of what it
 # asks for with `tests.examples`. No time limits, for the first call of a kernel compiles it.
 # Shapes are drawn at random and many do not meet, and CI machines are slow: neither says anything about the code.
 checks = [HealthCheck.filter_too_much, HealthCheck.too_slow]
-for profile, share in (("quick", 20), ("deep", 100)):
+for profile, share in (("quick", 10), ("deep", 100)):
     settings.register_profile(profile, max_examples=share, deadline=None, print_blob=True, suppress_health_check=checks)
 settings.load_profile("quick")
 

@@ -76,30 +76,37 @@ class _World:
         self._normal_x = cos * vertices.normal_x - sin * vertices.normal_y
         self._normal_y = sin * vertices.normal_x + cos * vertices.normal_y
         starts = shapes.vertex_start
+        self._starts, self._counts = starts.tolist(), shapes.vertex_count.tolist()
+        self._outlines: dict[int, tuple[Floats, Floats]] = {}
         self.lower = np.stack([np.minimum.reduceat(each, starts) for each in (self._x, self._y)], axis=1)[tiles]
         self.upper = np.stack([np.maximum.reduceat(each, starts) for each in (self._x, self._y)], axis=1)[tiles]
 
     def corners(self, i: int) -> Floats:
         """(n, 2) of a tile, m."""
-        return np.stack([self._x[self._rows(i)], self._y[self._rows(i)]], axis=1)
+        return self._outline(i)[0]
 
     def normals(self, i: int) -> Floats:
         """(n, 2) of a tile's edges."""
-        return np.stack([self._normal_x[self._rows(i)], self._normal_y[self._rows(i)]], axis=1)
+        return self._outline(i)[1]
 
-    def _rows(self, i: int) -> slice:
-        start = int(self.shapes[i].vertex_start)
-        return slice(start, start + int(self.shapes[i].vertex_count))
+    def _outline(self, i: int) -> tuple[Floats, Floats]:
+        if i not in self._outlines:
+            rows = slice(self._starts[i], self._starts[i] + self._counts[i])
+            corners = np.stack([self._x[rows], self._y[rows]], axis=1)
+            self._outlines[i] = corners, np.stack([self._normal_x[rows], self._normal_y[rows]], axis=1)
+        return self._outlines[i]
 
     def depth(self, i: int, point: Floats) -> float:
         """How far a point lies within a tile; negative outside."""
-        return -float(((point - self.corners(i)) * self.normals(i)).sum(axis=1).max())
+        corners, normals = self._outline(i)
+        return -float(((point - corners) * normals).sum(axis=1).max())
 
     def covered(self, edge: tuple[Floats, Floats], i: int) -> tuple[float, float]:
         """From where to where, as shares of its length, an edge runs within a tile; from 1 to 0 if nowhere."""
         start, end = edge
-        at = ((start - self.corners(i)) * self.normals(i)).sum(axis=1) - _NEAR
-        slope = ((end - start) * self.normals(i)).sum(axis=1)
+        corners, normals = self._outline(i)
+        at = ((start - corners) * normals).sum(axis=1) - _NEAR
+        slope = ((end - start) * normals).sum(axis=1)
         first, last = 0.0, 1.0
         for height, rise in zip(at.tolist(), slope.tolist(), strict=True):
             if abs(rise) <= 1e-12 * abs(height) or rise == 0.0:

@@ -84,8 +84,8 @@ def test_what_is_kept_is_what_would_be_found(sequence):
             anew._stepper.forget()
             for each in worlds:
                 each.step()
-            assert kept.digest() == anew.digest()
             assert events(kept) == events(anew)
+        assert kept.digest() == anew.digest()  # a bit that differs once does so for ever
 
 
 def test_most_of_the_town_sleeps_and_its_grid_is_split():

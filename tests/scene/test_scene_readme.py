@@ -22,6 +22,9 @@ SCENES = Path(__file__).parents[2] / "scenes"
 README = (SCENES / "README.md").read_text(encoding="utf-8")
 
 
+SCHEMA = schema()
+
+
 def blocks(language: str) -> list[str]:
     return re.findall(rf"^```{language}\n(.*?)^```", README, re.MULTILINE | re.DOTALL)
 
@@ -73,16 +76,16 @@ def test_the_shipped_schema_is_that_of_the_models():
 
 
 def test_every_property_of_the_schema_is_described():
-    definitions = schema()["$defs"]
+    definitions = SCHEMA["$defs"]
     for name, definition in definitions.items():
         for field, value in definition["properties"].items():
             assert value.get("description"), (name, field)
-    assert json.loads(schema_text()) == schema()
+    assert json.loads(schema_text()) == SCHEMA
 
 
 @pytest.mark.parametrize("path", sorted(SCENES.rglob("*.scene.json")), ids=lambda path: path.name)
 def test_every_shipped_scene_follows_the_schema(path):
-    jsonschema.Draft202012Validator(schema()).validate(json.loads(path.read_text(encoding="utf-8")))
+    jsonschema.Draft202012Validator(SCHEMA).validate(json.loads(path.read_text(encoding="utf-8")))
     scene = load_scene(path)
     assert scene.schema_uri == "../scene.schema.json"
     assert scene.title
