@@ -30,6 +30,7 @@ from sandbox.reference.pair import Core, Pair
 from sandbox.scene.flat import FlatScene
 from sandbox.world.build import build_state
 from tests.determinism import busy, floating, jointed
+from tests.engine.stages import Paused, island_roots, solve_mouse_joints
 from tests.flat import body, circle, scene
 
 ROOT = Path(__file__).parents[1]
@@ -63,15 +64,26 @@ def _once(part: Any, of: FlatScene) -> None:
 
 
 def _solve() -> None:
-    """What moves bodies and takes back those that went too far, without joints and with them."""
+    """What moves bodies, without joints and with them, and the stages of it that are tested by themselves."""
     for of in (busy.scene(), jointed.scene()):
         _once(solve, of)
-    _once(solve_continuous, busy.scene())
+    stages = Paused(World(busy.scene()))
+    stages.lay_out()
+    stages.begin()
+    stages.warm()
+    stages.solve(0.0, 1.0, 0.0, 0.0)
+    stages.move()
+    stages.store()
+    stages.strike()
+    solve_mouse_joints(stages.tables, stages.scratch.solver, 0, stages.substep)
+    island_roots(2, [(0, 1)], [True, True])
 
 
 def _others() -> None:
-    """What finds contacts, and whatever else is called from Python."""
+    """What finds contacts and takes back who went too far, and whatever else is called from Python."""
     _once(collide, busy.scene())
+    Paused(World(busy.scene())).detect()
+    _once(solve_continuous, busy.scene())
     _once(apply_fields, floating.scene())
     pair = pair_of(Box(1.0, 1.0), Box(1.0, 1.0, (2.0, 0.0)))
     pair.manifold(0.0)

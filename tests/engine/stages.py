@@ -24,6 +24,7 @@ from sandbox.engine.records.colliders import BOX, FILTER, PAIR
 from sandbox.engine.records.contact_blocks import SoftContact
 from sandbox.engine.records.state import StateTables
 from sandbox.engine.restitution import impacts
+from sandbox.engine.restitution.impacts import ImpactList
 from sandbox.engine.world import World
 from sandbox.tables import Integers
 from sandbox.world.records import BODY, CONTACT, DYNAMIC
@@ -201,6 +202,13 @@ class Paused:
         m = self.scratch
         soft = SoftContact(1.0 / self.substep, bias, mass, impulse, slowest, allowance)
         solve_contacts(m.solver.motions, m.blocks, self.blocks, soft)
+
+    def strike(self) -> None:
+        """Resolve the impacts of contacts that close at more than 0.2 m/s."""
+        m = self.scratch
+        rows = m.blocks.colors
+        count = list_impact_contacts(self.state.bodies, m.solver, m.contacts, 0, 1e9, 0.2, rows)
+        resolve_impacts(self.state.bodies, m.solver, m.contacts.now, ImpactList(rows, count, 0.2), self.substep)
 
     def move(self) -> None:
         """Integrate positions over a substep."""

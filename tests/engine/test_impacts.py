@@ -9,8 +9,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from sandbox.engine.restitution.impacts import ImpactList
-from tests.engine.stages import Paused, list_impact_contacts, resolve_impacts
+from tests.engine.stages import Paused
 from tests.examples import examples
 from tests.flat import body, box, circle, ground, world
 
@@ -20,10 +19,7 @@ def struck(w):
     p = Paused(w)
     p.detect()
     p.begin()
-    s, m = p.state, p.scratch
-    rows = m.blocks.colors
-    count = list_impact_contacts(s.bodies, m.solver, m.contacts, 0, 1e9, 0.2, rows)
-    resolve_impacts(s.bodies, m.solver, m.contacts.now, ImpactList(rows, count, 0.2), p.substep)
+    p.strike()
     return p
 
 
