@@ -22,7 +22,13 @@ PRINTED = dict(re.findall(r"^```text\n\$ sandbox (solver [^\n]*)\n(.*?)^```", TE
 ALONE = [command for command in PRINTED if command not in {drawn for drawn, _ in DRAWN}]
 
 
-@pytest.mark.parametrize(("command", "name"), DRAWN, ids=[name for _, name in DRAWN])
+LONG = {"ends.svg", "soft.svg", "substeps.svg"}
+
+
+@pytest.mark.parametrize(
+    ("command", "name"),
+    [pytest.param(*each, marks=[pytest.mark.slow] if each[1] in LONG else [], id=each[1]) for each in DRAWN],
+)
 def test_every_picture_is_what_its_command_draws_today(cli: Callable, tmp_path: Path, command: str, name: str) -> None:  # noqa: F811
     done = cli(*shlex.split(command), "--svg", tmp_path / name)
     assert done.code == 0

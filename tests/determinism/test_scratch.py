@@ -27,7 +27,8 @@ def crowd(sleeping: bool) -> FlatScene:
     return FlatScene((ground(60.0), hub, *rim, *towers), settings=FlatSettings(sleeping=sleeping))
 
 
-@pytest.mark.parametrize("sleeping", [True, pytest.param(False, marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("sleeping", [True, False])
 def test_scratch_that_has_grown_makes_no_difference(sleeping):
     """A fresh world has little room and grows; a restored one has what the snapshot needs: the same bits."""
     long = World(crowd(sleeping))

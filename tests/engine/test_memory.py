@@ -5,9 +5,12 @@ from __future__ import annotations
 import tracemalloc
 from pathlib import Path
 
+import pytest
+
 from tests.flat import body, box, circle, ground, world
 
 
+@pytest.mark.slow
 def test_memory_does_not_grow_over_100_000_steps():
     w = world(
         ground(),

@@ -81,8 +81,8 @@ def test_a_gear_between_free_bodies_keeps_both(coupled, ratio):
     gear = joint("j", "gear", None, None, joints=("first", "second"), ratio=-1.5)
     world = jointed(parts, (first, second, gear), gravity=(0.0, 0.0))
     before, largest = momenta(world)
-    for _ in range(120):
-        world.step()
+    for _ in range(30):
+        world.step(4)
         now, sizes = momenta(world)
         largest = np.maximum(largest, sizes)
         assert np.all(np.abs(now - before) <= 1e-9 * largest)
@@ -99,8 +99,8 @@ def test_a_free_pair_keeps_its_momentum_and_its_angular_momentum(name, ratio, st
         world = pair(name, ratio, seed, still)
         before, _ = momenta(world)
         largest = np.ones(3)
-        for _ in range(120):
-            world.step()
+        for _ in range(30):
+            world.step(4)
             now, sizes = momenta(world)
             largest = np.maximum(largest, sizes)
             assert np.all(np.abs(now - before) <= bound * largest)

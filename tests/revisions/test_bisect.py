@@ -58,6 +58,7 @@ def call(cli: Callable, history: History, golden: Path) -> Callable[[str, str], 
     return between
 
 
+@pytest.mark.slow
 def test_of_two_neighbours_the_later_is_the_first_that_differs(call: Callable, history: History) -> None:
     code, text = call(*history.commits[3:5])
     assert (code, f"  {history.commits[4][:12]} pushes softer\n" in text) == (0, True)
