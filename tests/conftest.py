@@ -23,7 +23,7 @@ if sys.dont_write_bytecode:
 # asks for with `tests.examples`. No time limits, for the first call of a kernel compiles it.
 # Shapes are drawn at random and many do not meet, and CI machines are slow: neither says anything about the code.
 checks = [HealthCheck.filter_too_much, HealthCheck.too_slow]
-for profile, share in (("quick", 10), ("deep", 100)):
+for profile, share in (("quick", 5), ("deep", 100)):
     settings.register_profile(profile, max_examples=share, deadline=None, print_blob=True, suppress_health_check=checks)
 settings.load_profile("quick")
 

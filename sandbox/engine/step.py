@@ -1,6 +1,6 @@
 """The step: every stage of the engine, in order. Window, replay, benchmark and test all come through here.
 
-It has two halves, so that an empty kernel cache can be filled by two processes at once (`warm_up.py`).
+It has two halves, so that an empty kernel cache can be filled by two processes at once (`compile_step.py`).
 """
 
 from __future__ import annotations

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from sandbox._jit import Call, kernel_argument
+from sandbox.engine.compile_step import compile_continuous, compile_step
 from sandbox.engine.continuous_collision.solve_continuous import solve_continuous
 from sandbox.engine.fields.apply import apply_fields
 from sandbox.engine.fields.records import has_fields
@@ -12,7 +13,6 @@ from sandbox.engine.joints.assembly import assemble
 from sandbox.engine.memory.binding import bind
 from sandbox.engine.memory.scratch import Scratch
 from sandbox.engine.step import NEEDS_CONTINUOUS, collide, solve
-from sandbox.engine.warm_up import compile_continuous, compile_step
 from sandbox.world.records import CONTACT
 from sandbox.world.state import State
 

@@ -203,6 +203,7 @@ class TestManners:
         keep(put("a.scene.json", RESTS))
         home.runpytest(".", "a.scene.json").assert_outcomes(passed=2)
 
+    @pytest.mark.slow
     def test_workers_keep_the_list_of_what_was_written(self, home: pytest.Pytester, put: Callable) -> None:
         put("a.scene.json", RESTS)
         done = home.runpytest("-p", "xdist.plugin", "-n", "1", "--replay-update")

@@ -54,6 +54,7 @@ def test_a_saved_pair_is_the_pair_to_the_bit(
         assert f"sandbox:       {found.ours}" in text
 
 
+@pytest.mark.slow
 def test_saved_files_run_as_they_are(scene: sandbox.Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     tally = spoiled(scene, monkeypatch)
     tally.misses.append(Miss(2, ("ground", "a-ball"), (0, 1)))

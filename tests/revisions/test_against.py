@@ -15,6 +15,7 @@ from sandbox.replay.revisions.trace import trace
 from tests.revisions.conftest import History
 
 
+@pytest.mark.slow
 def test_the_same_code_does_the_same(cli: Callable, history: History, golden: Path) -> None:
     done = cli("replay", golden, "--against", history.commits[1], "--engine", history.root, "--no-jit")
     assert done.code == 0, done.out + done.err

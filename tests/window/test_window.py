@@ -133,6 +133,7 @@ def test_a_bad_scene_is_told_without_a_traceback(display: Any, tmp_path: Path) -
     assert "Traceback" not in done.stderr
 
 
+@pytest.mark.slow
 def test_without_opengl_it_says_what_to_install(tmp_path: Path, scene_file: str) -> None:
     done = run(tmp_path, scene_file, "--frames", "2", SDL_VIDEODRIVER="dummy")
     assert done.returncode == 2

@@ -1,6 +1,6 @@
 """Fill an empty kernel cache with two processes at once: each compiles a part of the step.
 
-`python -m sandbox.engine.warm_up [joints]` is the other process; it says when `solve` is there, and goes on to
+`python -m sandbox.engine.compile_step [joints]` is the other process; it says when `solve` is there, and goes on to
 `solve_continuous`, which few steps need: who needs it before waits then. It may fail, for then this process compiles
 everything.
 """
@@ -53,7 +53,7 @@ def _start_helper(joints: bool) -> subprocess.Popen[bytes] | None:
     home = str(Path(__file__).parents[2])
     paths = [home, os.environ.get("PYTHONPATH", "")]
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, paths))}
-    command = [sys.executable, "-m", "sandbox.engine.warm_up", *(["joints"] if joints else [])]
+    command = [sys.executable, "-m", "sandbox.engine.compile_step", *(["joints"] if joints else [])]
     quiet: dict[str, Any] = dict.fromkeys(("stdin", "stderr"), subprocess.DEVNULL)
     try:
         return subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, **quiet)

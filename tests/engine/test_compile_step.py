@@ -9,11 +9,11 @@ from pathlib import Path
 
 import pytest
 
-from sandbox.engine import warm_up
+from sandbox.engine import compile_step
 
 ROOT = Path(__file__).parents[2]
 SCRIPT = """
-from sandbox.engine.warm_up import compile_continuous
+from sandbox.engine.compile_step import compile_continuous
 from tests.flat import body, circle, ground, world
 pile = world(ground(), body("ball", circle(0.5), position=(0.0, 0.6)))
 pile.step(30)
@@ -42,4 +42,4 @@ def test_a_cold_cache_is_filled_and_the_bits_are_the_same(tmp_path: Path) -> Non
 @pytest.mark.parametrize("executable", ["/no/such/python", ""])
 def test_without_a_second_process_the_first_goes_on_alone(monkeypatch: pytest.MonkeyPatch, executable: str) -> None:
     monkeypatch.setattr(sys, "executable", executable)
-    assert warm_up._start_helper(joints=False) is None
+    assert compile_step._start_helper(joints=False) is None
