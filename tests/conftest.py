@@ -19,12 +19,16 @@ if sys.dont_write_bytecode:
     os.environ["PYTHONPYCACHEPREFIX"] = sys.pycache_prefix = str(cache_root() / "bytecode")
     sys.dont_write_bytecode = False
 
-# `quick` by default, `deep` by --hypothesis-profile=deep: a property test looks at this share, in percent, of what it
-# asks for with `tests.examples`. No time limits, for the first call of a kernel compiles it.
-# Shapes are drawn at random and many do not meet, and CI machines are slow: neither says anything about the code.
+# `quick` by default, `deep` in CI, `thorough` by --hypothesis-profile=thorough: a property test looks at this share, in
+# percent, of what it asks for with `tests.examples`. The first two look at the same examples in every run, so that a
+# red run is due to a change and not to chance. No time limits, for the first call of a kernel compiles it. Shapes are
+# drawn at random and many do not meet, and CI machines are slow: neither says anything about the code.
 checks = [HealthCheck.filter_too_much, HealthCheck.too_slow]
-for profile, share in (("quick", 5), ("deep", 100)):
-    settings.register_profile(profile, max_examples=share, deadline=None, print_blob=True, suppress_health_check=checks)
+for profile, share in (("quick", 5), ("deep", 25), ("thorough", 100)):
+    settings.register_profile(
+        profile, max_examples=share, derandomize=profile != "thorough", deadline=None, print_blob=True,
+        suppress_health_check=checks,
+    )  # fmt: skip
 settings.load_profile("quick")
 
 

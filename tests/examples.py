@@ -8,6 +8,6 @@ from hypothesis import settings
 
 
 def examples(count: int, **others: Any) -> settings:
-    """`count` in the profile `deep`, in `quick` a share of it and at least 5; `others` as in `hypothesis.settings`."""
+    """`count` in the profile `thorough`, else a share of it and at least 5; `others` as in `hypothesis.settings`."""
     share = settings.default.max_examples
     return settings(max_examples=max(min(count, 5), count * share // 100), **others)
