@@ -22,7 +22,7 @@ PRINTED = dict(re.findall(r"^```text\n\$ sandbox (solver [^\n]*)\n(.*?)^```", TE
 ALONE = [command for command in PRINTED if command not in {drawn for drawn, _ in DRAWN}]
 
 
-LONG = {"ends.svg", "soft.svg", "substeps.svg"}
+LONG = {"ends.svg", "soft.svg", "substeps.svg", "warm-starting.svg"}
 
 
 @pytest.mark.parametrize(

@@ -27,6 +27,7 @@ GROUNDS: dict[str, list[dict[str, Any]]] = {
     ],
     "tiles that overlap": [{"box": [1.3, 1], "at": [-9.5 + k, -0.5]} for k in range(31)],
 }
+LIKE_OTHERS = {"one-sided", "tiles of many heights"}
 PLAIN = [{"box": [31, 1], "at": [5.5, -0.5]}]
 
 
@@ -61,7 +62,9 @@ def slide_on_plain_ground(sled: str, speed: float, friction: float) -> tuple[flo
     return slide(PLAIN, sled, speed, friction)
 
 
-@pytest.mark.parametrize("ground", GROUNDS)
+@pytest.mark.parametrize(
+    "ground", [pytest.param(name, marks=pytest.mark.slow if name in LIKE_OTHERS else ()) for name in GROUNDS]
+)
 @pytest.mark.parametrize("sled", SLEDS)
 def test_as_over_one_long_box(ground, sled):
     for speed in (1.0, 5.0, 30.0, 300.0):
