@@ -45,8 +45,8 @@ class Shape(ABC):
             object.__setattr__(self, name, value)
 
     @abstractmethod
-    def moved(self, way: Sequence[float]) -> Self:
-        """The same shape moved by `way` (x, y) in metres; coordinates are rounded to the nearest floats."""
+    def moved(self, translation: Sequence[float]) -> Self:
+        """The same shape moved by `translation` (x, y) in metres; coordinates are rounded to the nearest floats."""
 
 
 def edge_numbers(given: tuple[Vec, ...], corners: tuple[int, ...]) -> tuple[int, ...]:

@@ -36,9 +36,9 @@ class Circle(Shape):
         radius = checked_size("Circle", "the radius", self.radius)
         self._set(center=center, radius=radius, vertices=(center,), given=(center,), edge_numbers=())
 
-    def moved(self, way: Sequence[float]) -> Self:
-        """The disc about a centre moved by `way` (m)."""
-        return replace(self, center=_plus(self.center, way))
+    def moved(self, translation: Sequence[float]) -> Self:
+        """The disc about a centre moved by `translation` (m)."""
+        return replace(self, center=_plus(self.center, translation))
 
 
 @dataclass(frozen=True)
@@ -54,9 +54,9 @@ class Capsule(Shape):
         radius = checked_size("Capsule", "the radius", self.radius)
         self._set(p=ends[0], q=ends[1], radius=radius, vertices=ends, given=ends, edge_numbers=(0, 0))
 
-    def moved(self, way: Sequence[float]) -> Self:
-        """The capsule with both ends moved by `way` (m)."""
-        return replace(self, p=_plus(self.p, way), q=_plus(self.q, way))
+    def moved(self, translation: Sequence[float]) -> Self:
+        """The capsule with both ends moved by `translation` (m)."""
+        return replace(self, p=_plus(self.p, translation), q=_plus(self.q, translation))
 
 
 @dataclass(frozen=True)
@@ -70,9 +70,9 @@ class Segment(Shape):
         ends = _checked_ends("Segment", self.p, self.q)
         self._set(p=ends[0], q=ends[1], vertices=ends, given=ends, edge_numbers=(0, 0))
 
-    def moved(self, way: Sequence[float]) -> Self:
-        """The segment with both ends moved by `way` (m)."""
-        return replace(self, p=_plus(self.p, way), q=_plus(self.q, way))
+    def moved(self, translation: Sequence[float]) -> Self:
+        """The segment with both ends moved by `translation` (m)."""
+        return replace(self, p=_plus(self.p, translation), q=_plus(self.q, translation))
 
 
 @dataclass(frozen=True, repr=False)
@@ -104,9 +104,9 @@ class Polygon(Shape):
         rounded = f", radius={self.radius!r}" if self.radius else ""
         return f"Polygon({self.given!r}{rounded})"
 
-    def moved(self, way: Sequence[float]) -> Self:
-        """The polygon with every vertex moved by `way` (m)."""
-        return replace(self, vertices=tuple(_plus(point, way) for point in self.given))
+    def moved(self, translation: Sequence[float]) -> Self:
+        """The polygon with every vertex moved by `translation` (m)."""
+        return replace(self, vertices=tuple(_plus(point, translation) for point in self.given))
 
 
 @dataclass(frozen=True)
@@ -135,13 +135,13 @@ class Box(Shape):
         self._set(width=width, height=height, at=at, angle=angle)
         self._set(vertices=corners, given=corners, edge_numbers=(0, 1, 2, 3))
 
-    def moved(self, way: Sequence[float]) -> Self:
-        """The box about a middle moved by `way` (m)."""
-        return replace(self, at=_plus(self.at, way))
+    def moved(self, translation: Sequence[float]) -> Self:
+        """The box about a middle moved by `translation` (m)."""
+        return replace(self, at=_plus(self.at, translation))
 
 
-def _plus(point: Vec, way: Sequence[float]) -> Vec:
-    x, y = checked_point("moved", "the way", way)
+def _plus(point: Vec, translation: Sequence[float]) -> Vec:
+    x, y = checked_point("moved", "the translation", translation)
     return point[0] + x, point[1] + y
 
 

@@ -141,7 +141,7 @@ WRONG = [
     (lambda: Polygon(SQUARE, radius=-1), "the radius must be 0 or 1e-06 to"),
     (lambda: Polygon("abc"), "the vertices must be a list"),
     (lambda: Polygon([1, 2, 3]), "vertex 0 must be a pair"),
-    (lambda: Circle((0, 0), 1).moved((1, None)), "y of the way must be a number"),
+    (lambda: Circle((0, 0), 1).moved((1, None)), "y of the translation must be a number"),
 ]
 
 

@@ -48,11 +48,11 @@ def checked_box(lower: Sequence[float], upper: Sequence[float]) -> UprightBox:
     return UprightBox(tuple(dict.fromkeys(corners)))
 
 
-def checked_ways(origins: ArrayLike, translations: ArrayLike) -> Floats:
-    """Rows (x, y, way x, way y) of many rays. Raises `QueryError`."""
+def checked_rays(origins: ArrayLike, translations: ArrayLike) -> Floats:
+    """Rows (x, y, translation x, translation y) of many rays. Raises `QueryError`."""
     try:
-        starts, ways = (np.asarray(value, dtype=np.float64) for value in (origins, translations))
-        both = np.broadcast_arrays(np.atleast_2d(starts), np.atleast_2d(ways))
+        starts, rays = (np.asarray(value, dtype=np.float64) for value in (origins, translations))
+        both = np.broadcast_arrays(np.atleast_2d(starts), np.atleast_2d(rays))
         rows: Floats = np.ascontiguousarray(np.concatenate(both, axis=1))
     except (TypeError, ValueError):
         raise QueryError("rays: origins and translations must be arrays of pairs, (n, 2)") from None

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from sandbox._jit import Call, Door, kernel_argument
 from sandbox.attributes import FixedAttributes
-from sandbox.engine.queries.checks import checked_box, checked_place, checked_ways
+from sandbox.engine.queries.checks import checked_box, checked_place, checked_rays
 from sandbox.engine.queries.filter import Filter
 from sandbox.engine.queries.gap import find_gap
 from sandbox.engine.queries.index import lay_out
@@ -65,13 +65,13 @@ class Queries(FixedAttributes):
         "_many",
         "_memory",
         "_one",
-        "_way",
+        "_rays",
         "_world",
     )
 
     def __init__(self, world: QueriedWorld) -> None:
         self._world = world
-        self._way = np.zeros((1, 4))
+        self._rays = np.zeros((1, 4))
         self._one: Any = kernel_argument(HIT.zeros(2))
         self._many: Any = kernel_argument(HIT.zeros(64))
         self._laid_out = -1
@@ -84,8 +84,8 @@ class Queries(FixedAttributes):
         A ray of length 0 hits what its origin touches. Raises `QueryError`.
         """
         x, y = checked_place("ray", "the origin", origin)
-        way = checked_place("ray", "the translation", translation)
-        hit = self._first((x, y), way, POINT, filter)
+        translation = checked_place("ray", "the translation", translation)
+        hit = self._first((x, y), translation, POINT, filter)
         return None if hit is None else RayHit(*hit)
 
     def ray_all(
@@ -93,15 +93,15 @@ class Queries(FixedAttributes):
     ) -> tuple[RayHit, ...]:
         """Every shape the ray meets, where it enters, sorted by (fraction, shape)."""
         place = checked_place("ray_all", "the origin", origin)
-        way = checked_place("ray_all", "the translation", translation)
-        return tuple(RayHit(*hit) for hit in self._all(place, way, POINT, filter))
+        translation = checked_place("ray_all", "the translation", translation)
+        return tuple(RayHit(*hit) for hit in self._all(place, translation, POINT, filter))
 
     def rays(self, origins: ArrayLike, translations: ArrayLike, filter: Filter | None = None) -> RayHits:
         """The first hits of many rays at once: `origins` and `translations` are (n, 2) or one pair for all (m)."""
-        ways = checked_ways(origins, translations)
-        hits: Any = kernel_argument(HIT.zeros(len(ways)))
+        rays = checked_rays(origins, translations)
+        hits: Any = kernel_argument(HIT.zeros(len(rays)))
         self._ask(POINT, filter)
-        self._run(_FIRST_HITS, ways, hits)
+        self._run(_FIRST_HITS, rays, hits)
         point, normal = (np.stack([hits[x], hits[y]], 1) for x, y in (("x", "y"), ("normal_x", "normal_y")))
         return RayHits(hits["body"], hits["shape_index"], point, normal, hits["fraction"])
 
@@ -114,8 +114,8 @@ class Queries(FixedAttributes):
     def cast_all(self, shape: Core, translation: Sequence[float], filter: Filter | None = None) -> tuple[CastHit, ...]:
         """Every shape that the moving shape meets, sorted by (fraction, shape)."""
         subject = subject_of(shape)
-        way = checked_place("cast_all", "the translation", translation)
-        return tuple(CastHit(*hit) for hit in self._all(subject.place, way, subject, filter))
+        translation = checked_place("cast_all", "the translation", translation)
+        return tuple(CastHit(*hit) for hit in self._all(subject.place, translation, subject, filter))
 
     def point(self, point: Sequence[float], filter: Filter | None = None) -> tuple[PointHit, ...]:
         """Every shape that holds the point (m), on its outline or inside, sorted by shape."""
@@ -164,17 +164,17 @@ class Queries(FixedAttributes):
         of_a, of_b = map(self._answer, self._one.tolist())
         return BodyDistance(of_a[4], of_a[2], of_b[2], of_a[3], of_a[1], of_b[1])
 
-    def _first(self, place: Vec, way: Vec, subject: Subject, seen: Filter | None) -> tuple[Any, ...] | None:
+    def _first(self, place: Vec, translation: Vec, subject: Subject, seen: Filter | None) -> tuple[Any, ...] | None:
         self._ask(subject, seen)
-        self._way[0] = (*place, *way)
-        self._run(_FIRST_HITS, self._way, self._one)
+        self._rays[0] = (*place, *translation)
+        self._run(_FIRST_HITS, self._rays, self._one)
         hit = self._one.tolist()[0]
         return self._answer(hit) if hit[0] >= 0 else None
 
-    def _all(self, place: Vec, way: Vec, subject: Subject, seen: Filter | None) -> list[tuple[Any, ...]]:
+    def _all(self, place: Vec, translation: Vec, subject: Subject, seen: Filter | None) -> list[tuple[Any, ...]]:
         self._ask(subject, seen)
-        self._way[0] = (*place, *way)
-        hits = self._collect(lambda room: self._run(_ALL_HITS, self._way, room))
+        self._rays[0] = (*place, *translation)
+        hits = self._collect(lambda room: self._run(_ALL_HITS, self._rays, room))
         return [self._answer(hit) for hit in sorted(hits, key=lambda hit: (hit[2], hit[0]))]
 
     def _overlaps(self, place: Vec, subject: Subject, seen: Filter | None) -> list[tuple[Any, ...]]:

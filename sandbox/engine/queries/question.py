@@ -69,7 +69,7 @@ def distance_to(cores: Records, question: Records, shape: Records, body: Records
 
 
 @kernel
-def way_to(
+def cast_against(
     cores: Records, question: Records, shape: Records, body: Records, walk: Records, box: Records
 ) -> tuple[float, float, float]:
     """(fraction of the way at which the query shape touches a shape, outward normal x, y); `MISS` if it does not.
@@ -79,7 +79,7 @@ def way_to(
     core = combined_core(cores, question, shape)
     px = walk.x - body.center_x
     py = walk.y - body.center_y
-    slack = ray_slack(px, py, walk.way_x, walk.way_y, body.extent + question.extent)
+    slack = ray_slack(px, py, walk.translation_x, walk.translation_y, body.extent + question.extent)
     if _bounds_meet(walk, box):
         near = ray_slack(px, py, 0.0, 0.0, body.extent + question.extent)
         distance, nx, ny = signed_distance(cores, core, px, py, near)
@@ -87,7 +87,7 @@ def way_to(
             return 0.0, 0.0, 0.0
         if distance <= near:
             return 0.0, nx, ny
-    return ray_enters(cores, core, px, py, walk.way_x, walk.way_y, slack)
+    return ray_enters(cores, core, px, py, walk.translation_x, walk.translation_y, slack)
 
 
 @kernel

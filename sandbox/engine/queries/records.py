@@ -57,8 +57,8 @@ WALK = Table(
     (
         Field("x", "m", "where the reference point starts"),
         Field("y", "m", ""),
-        Field("way_x", "m", "where it goes"),
-        Field("way_y", "m", ""),
+        Field("translation_x", "m", "where it goes"),
+        Field("translation_y", "m", ""),
         Field("limit", "1", "fraction of the way that still matters"),
         Field("lower_x", "m", "bounds of what is swept, from the reference point"),
         Field("lower_y", "m", ""),

@@ -21,10 +21,10 @@ _ANY_CELL = 1 << 62
 
 
 class _Axis(NamedTuple):
-    """A sweep and a populated region along one axis: start, way and bounds in metres, `inverse` cells per metre."""
+    """A sweep and a populated region along one axis: start, translation and bounds (m), `inverse` cells per metre."""
 
     start: float
-    way: float
+    translation: float
     lower: float
     upper: float
     region_lower: float
@@ -33,13 +33,15 @@ class _Axis(NamedTuple):
 
 
 @kernel
-def begin_walk(walk: Records, question: Records, x: float, y: float, way_x: float, way_y: float, grow: float) -> None:
-    """Start at (x, y) towards (x + way_x, y + way_y) with the bounds of the query shape, `grow` metres wider."""
-    grow = grow + ROUNDING * (abs(x) + abs(y) + abs(way_x) + abs(way_y) + question.extent)
+def begin_walk(
+    walk: Records, question: Records, x: float, y: float, translation_x: float, translation_y: float, grow: float
+) -> None:
+    """Start at (x, y) and go by the translation, with the bounds of the query shape, `grow` metres wider."""
+    grow = grow + ROUNDING * (abs(x) + abs(y) + abs(translation_x) + abs(translation_y) + question.extent)
     walk.x = x
     walk.y = y
-    walk.way_x = way_x
-    walk.way_y = way_y
+    walk.translation_x = translation_x
+    walk.translation_y = translation_y
     walk.limit = 1.0
     walk.lower_x = question.lower_x - grow
     walk.lower_y = question.lower_y - grow
@@ -75,12 +77,12 @@ def meets_sweep(walk: Records, box: Records) -> bool:
     low_y = box.lower_y - walk.upper_y - walk.y
     high_x = box.upper_x - walk.lower_x - walk.x
     high_y = box.upper_y - walk.lower_y - walk.y
-    end_x = walk.limit * walk.way_x
-    end_y = walk.limit * walk.way_y
+    end_x = walk.limit * walk.translation_x
+    end_y = walk.limit * walk.translation_y
     apart_x = ((end_x if end_x < 0.0 else 0.0) > high_x) | ((end_x if end_x > 0.0 else 0.0) < low_x)
     apart_y = ((end_y if end_y < 0.0 else 0.0) > high_y) | ((end_y if end_y > 0.0 else 0.0) < low_y)
-    side = abs(walk.way_x * (low_y + high_y) - walk.way_y * (low_x + high_x))
-    reach = abs(walk.way_x) * (high_y - low_y) + abs(walk.way_y) * (high_x - low_x)
+    side = abs(walk.translation_x * (low_y + high_y) - walk.translation_y * (low_x + high_x))
+    reach = abs(walk.translation_x) * (high_y - low_y) + abs(walk.translation_y) * (high_x - low_x)
     return bool(not (apart_x | apart_y | (side > reach)))
 
 
@@ -116,10 +118,10 @@ def _begin_region(walk: Records, region: Records) -> bool:
     inverse = region.cells_per_metre
     walk.level = region.level
     high = (walk.upper_y - walk.lower_y) * inverse
-    walk.by_columns = 1 if abs(walk.way_x) > abs(walk.way_y) and high < 2.0 else 0
+    walk.by_columns = 1 if abs(walk.translation_x) > abs(walk.translation_y) and high < 2.0 else 0
     axis = _along_x(walk, region) if walk.by_columns == 1 else _along_y(walk, region)
     first, last = _cells(axis, walk.limit)
-    walk.turn = 1 if axis.way >= 0.0 else -1
+    walk.turn = 1 if axis.translation >= 0.0 else -1
     walk.line = first if walk.turn > 0 else last
     walk.lines_left = last - first + 1
     if walk.lines_left <= region.count:
@@ -135,19 +137,23 @@ def _begin_region(walk: Records, region: Records) -> bool:
 @kernel
 def _along_x(walk: Records, region: Records) -> _Axis:
     """The sweep and the region along x."""
-    return _Axis(walk.x, walk.way_x, walk.lower_x, walk.upper_x, region.lower_x, region.upper_x, region.cells_per_metre)
+    return _Axis(
+        walk.x, walk.translation_x, walk.lower_x, walk.upper_x, region.lower_x, region.upper_x, region.cells_per_metre
+    )
 
 
 @kernel
 def _along_y(walk: Records, region: Records) -> _Axis:
     """The sweep and the region along y."""
-    return _Axis(walk.y, walk.way_y, walk.lower_y, walk.upper_y, region.lower_y, region.upper_y, region.cells_per_metre)
+    return _Axis(
+        walk.y, walk.translation_y, walk.lower_y, walk.upper_y, region.lower_y, region.upper_y, region.cells_per_metre
+    )
 
 
 @kernel
 def _cells(axis: _Axis, limit: float) -> tuple[int, int]:
     """First and last line of cells along one axis that the sweep meets within the region; last < first if none."""
-    end = limit * axis.way
+    end = limit * axis.translation
     low = (axis.start + (end if end < 0.0 else 0.0) + axis.lower) * axis.inverse - 0.5
     high = (axis.start + (end if end > 0.0 else 0.0) + axis.upper) * axis.inverse + 0.5
     return _clipped(low, high, axis.region_lower * axis.inverse, axis.region_upper * axis.inverse)
@@ -186,12 +192,12 @@ def _begin_line(walk: Records, region: Records) -> None:
 def _fractions(walk: Records, axis: _Axis) -> tuple[float, float]:
     """From where to where on the way the widened sweep meets the line across an axis: fractions from 0 on."""
     inverse = axis.inverse
-    speed = axis.way * inverse
+    speed = axis.translation * inverse
     if speed == 0.0:
         return 0.0, 1.0
-    near = walk.line if axis.way > 0.0 else walk.line + 1
-    ahead = axis.upper * inverse + 0.5 if axis.way > 0.0 else axis.lower * inverse - 0.5
-    behind = axis.lower * inverse - 0.5 if axis.way > 0.0 else axis.upper * inverse + 0.5
+    near = walk.line if axis.translation > 0.0 else walk.line + 1
+    ahead = axis.upper * inverse + 0.5 if axis.translation > 0.0 else axis.lower * inverse - 0.5
+    behind = axis.lower * inverse - 0.5 if axis.translation > 0.0 else axis.upper * inverse + 0.5
     begin = (near - ahead - axis.start * inverse) / speed
     end = (near + walk.turn - behind - axis.start * inverse) / speed
     return begin if begin > 0.0 else 0.0, end if end > 0.0 else 0.0
@@ -205,8 +211,8 @@ def _span(walk: Records, begin: float, end: float, axis: _Axis) -> None:
     walk.last_cell = 0
     if begin > walk.limit:
         return
-    at_begin = axis.start + begin * axis.way
-    at_end = axis.start + (end if end < walk.limit else walk.limit) * axis.way
+    at_begin = axis.start + begin * axis.translation
+    at_end = axis.start + (end if end < walk.limit else walk.limit) * axis.translation
     low = at_begin if at_begin < at_end else at_end
     high = at_begin if at_begin > at_end else at_end
     low = (low + axis.lower) * inverse - 0.5
