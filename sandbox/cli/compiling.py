@@ -10,5 +10,5 @@ def announce_compilation() -> None:
     from sandbox._jit import cache_is_cold
 
     if cache_is_cold():
-        text = "compiling the engine's kernels, once for this machine and version; this takes about 20 s, with joints 40 s ..."
+        text = "compiling the engine's kernels, once for this machine and version: about 20 s, with joints 40 s ..."
         print(f"sandbox: {text}", file=sys.stderr, flush=True)

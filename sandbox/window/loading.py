@@ -61,7 +61,7 @@ class LoadingScreen:
         _center(overlay, (width, height), 0.0, self._loader.message + " …", 20.0, TEXT)
         _center(overlay, (width, height), 32.0, self._loader.path.name, 16.0, FAINT)
         if self._age > SLOW_SECONDS:
-            text = "The first start on a machine compiles the physics engine, which takes about 20 seconds, with joints 40."
+            text = "The first start on a machine compiles the engine: about 20 seconds, with joints 40."
             _center(overlay, (width, height), 72.0, text, 16.0, FAINT)
 
 
