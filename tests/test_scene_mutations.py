@@ -13,6 +13,8 @@ from sandbox.replay.headless_run import planned_steps
 from sandbox.scene import Scene
 from tests.shipped import FILES, shipped
 
+pytestmark = pytest.mark.slow
+
 Data = dict[str, Any]
 Change = Callable[[Data], None]
 

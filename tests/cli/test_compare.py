@@ -120,6 +120,7 @@ def test_a_twin_is_a_table(cli: Callable, write_scene: Callable) -> None:
     assert "…" not in done.out
 
 
+@pytest.mark.slow
 def test_a_twin_in_json_and_as_a_picture(cli: Callable, write_scene: Callable, tmp_path: Path) -> None:
     picture = tmp_path / "twin.svg"
     done = cli(

@@ -88,7 +88,7 @@ def test_a_gear_between_free_bodies_keeps_both(coupled, ratio):
         assert np.all(np.abs(now - before) <= 1e-9 * largest)
 
 
-@pytest.mark.parametrize("still", [False, True], ids=["moving", "still"])
+@pytest.mark.parametrize("still", [False, pytest.param(True, marks=pytest.mark.slow)], ids=["moving", "still"])
 @pytest.mark.parametrize("ratio", MASSES)
 @pytest.mark.parametrize("name", KINDS)
 def test_a_free_pair_keeps_its_momentum_and_its_angular_momentum(name, ratio, still):

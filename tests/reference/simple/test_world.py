@@ -37,6 +37,7 @@ def test_scenes_go_as_in_the_engine(name: str, steps: int, most: float) -> None:
     assert np.abs(ours - theirs).max() < most
 
 
+@pytest.mark.slow
 def test_a_twin_of_a_pyramid_stays_beside_the_engine() -> None:
     twin = simulate_twin(load_scene(find_scene(Path("pyramid-10"))), 60, every=6, name="simple")
     assert (twin.name, twin.label) == ("simple", "simple solver")
