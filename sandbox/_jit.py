@@ -48,9 +48,6 @@ _FLAGS: dict[str, Any] = {"error_model": "numpy", "boundscheck": False, "_nrt": 
 _INNER: dict[str, Any] = _FLAGS | {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 _STALE_SECONDS = 14 * 24 * 3600
 
-ZERO: int = cast(int, np.int64(0))
-"""A zero to count from. numba types a bare 0 as a literal and compiles whatever takes it a second time."""
-
 
 def kernel(function: F) -> F:
     """Compile `function` for use by other kernels. The same bits as plain Python, only faster."""

@@ -4,7 +4,8 @@ By itself numba optimises every kernel together with all that it calls and makes
 for the kernel that calls it: a leaf is compiled as often as the calls above it are deep, which took half of the time
 of a first run. Here kernels that only kernels call are typed and lowered to LLVM's language and left at that.
 
-By numba's own door for this: https://numba.readthedocs.io/en/stable/extending/entrypoints.html and
+Pipelines of one's own are a documented part of numba; its code libraries and dispatchers are not, so `pyproject.toml`
+names the newest version that this was tried with.
 https://numba.readthedocs.io/en/stable/developer/custom_pipeline.html
 """
 

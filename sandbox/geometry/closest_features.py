@@ -9,13 +9,13 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from sandbox._jit import ZERO, inlined_kernel, kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.geometry.closest import closest_vertices
 from sandbox.geometry.core import CoreRows
 from sandbox.geometry.sat import face_separation, pair_size
 from sandbox.tables import Records
 
-APART, FACE_OF_A, FACE_OF_B, VERTICES = ZERO - 1, ZERO, ZERO + 1, ZERO + 2
+APART, FACE_OF_A, FACE_OF_B, VERTICES = -1, 0, 1, 2
 """Whose feature gives the axis of two cores; `APART` if they are too far apart to ask."""
 
 _ROUNDING = 4e-15
@@ -84,10 +84,10 @@ def _closest_discs(cores: Records, a: CoreRows, b: CoreRows, dx: float, dy: floa
     distance = math.sqrt(gx * gx + gy * gy)
     separation = distance - a.radius - b.radius
     if separation > margin:
-        return Features(APART, ZERO, ZERO, 0.0, 0.0, distance, separation)
+        return Features(APART, 0, 0, 0.0, 0.0, distance, separation)
     nx = 0.0
     ny = 1.0
     if distance > 0.0:
         nx = gx / distance
         ny = gy / distance
-    return Features(VERTICES, ZERO, ZERO, nx, ny, distance, separation)
+    return Features(VERTICES, 0, 0, nx, ny, distance, separation)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-from sandbox._jit import ZERO, entry_point, kernel, kernel_argument
+from sandbox._jit import entry_point, kernel, kernel_argument
 from sandbox.geometry.closest import closest_points
 from sandbox.geometry.closest_features import FACE_OF_B, VERTICES
 from sandbox.geometry.core import CoreRows
@@ -88,7 +88,7 @@ def nearest_of_pair(
 @kernel
 def _two_cores(counts: Counts, radii: Vec) -> tuple[CoreRows, CoreRows]:
     """The cores of a pair, a's rows first."""
-    return CoreRows(ZERO, counts[0], radii[0]), CoreRows(counts[0], counts[1], radii[1])
+    return CoreRows(0, counts[0], radii[0]), CoreRows(counts[0], counts[1], radii[1])
 
 
 class Pair(NamedTuple):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from sandbox._jit import ZERO, kernel
+from sandbox._jit import kernel
 from sandbox.geometry.closest_features import closest_features
 from sandbox.geometry.core import CoreRows
 from sandbox.geometry.manifold import collide_cores
@@ -144,9 +144,9 @@ def _rim(cores: Records, core: CoreRows) -> float:
 def _pose(cores: Records, a: CoreRows, b: CoreRows, s: Records, t: float, posed: Records) -> None:
     """Turn both cores to time t: a into `posed[0:]`, b into its second half. What does not turn stays as at time 0."""
     if t == 0.0 or s.rotation_a != 0.0:
-        _turn(cores, a, s.angle_a + t * s.rotation_a, posed, ZERO)
+        _turn(cores, a, s.angle_a + t * s.rotation_a, posed, 0)
     if t == 0.0 or s.rotation_b != 0.0:
-        _turn(cores, b, s.angle_b + t * s.rotation_b, posed, ZERO + POSED_ROWS // 2)
+        _turn(cores, b, s.angle_b + t * s.rotation_b, posed, POSED_ROWS // 2)
 
 
 @kernel
@@ -164,7 +164,7 @@ def _turn(cores: Records, core: CoreRows, angle: float, target: Records, at: int
 @kernel
 def _posed(a: CoreRows, b: CoreRows) -> tuple[CoreRows, CoreRows]:
     """Both cores as they lie in `posed`."""
-    return CoreRows(ZERO, a.vertex_count, a.radius), CoreRows(ZERO + POSED_ROWS // 2, b.vertex_count, b.radius)
+    return CoreRows(0, a.vertex_count, a.radius), CoreRows(POSED_ROWS // 2, b.vertex_count, b.radius)
 
 
 @kernel

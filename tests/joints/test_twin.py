@@ -133,16 +133,16 @@ def test_bounds_are_met_where_going_through_all_of_them_says(linkage):
         both = step_both(world)
         assume(both is not None)
         wanted, miss = both
-        found, off = twin(world), 1e-6 + 4.0 * miss
-        assert found.pose == pytest.approx(wanted.pose, abs=SECONDS * off)  # poses go with the velocities
-        assert found.velocity == pytest.approx(wanted.velocity, abs=off)
+        found = twin(world)
+        assert found.pose == pytest.approx(wanted.pose, abs=SECONDS * (1e-6 + miss))
+        assert found.velocity == pytest.approx(wanted.velocity, abs=1e-6 + 4.0 * miss)
 
 
 @given(linkages(FREE + BOUND))
 @examples(100)
 def test_after_the_move_every_row_is_on_its_law(linkage):
     """That pass is linear: the impulses of the twin are those of the solver to rounding, also at bounds."""
-    assume(not linkage.gear)  # between bounds: see the last test
+    assume(not (linkage.gear and all(kind in BOUND for kind, *_ in linkage.joints[:2])))  # see the last test
     world = linkage.world()
     for _ in range(3):
         assume(move_and_relax(world))
@@ -177,9 +177,9 @@ def test_a_motor_drives_away_from_a_stop_it_has_been_thrown_at():
         if both is None:
             pytest.fail("the example says nothing")
         wanted, miss = both
-        found, off = twin(world), 1e-6 + 4.0 * miss
-        assert found.pose == pytest.approx(wanted.pose, abs=SECONDS * off)  # poses go with the velocities
-        assert found.velocity == pytest.approx(wanted.velocity, abs=off)
+        found = twin(world)
+        assert found.pose == pytest.approx(wanted.pose, abs=SECONDS * (1e-6 + miss))
+        assert found.velocity == pytest.approx(wanted.velocity, abs=1e-6 + 4.0 * miss)
 
 
 @UNSETTLED

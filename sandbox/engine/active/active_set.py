@@ -5,7 +5,7 @@ What Box2D v3 keeps in its awake and its sleeping solver sets, these lists tell 
 
 from __future__ import annotations
 
-from sandbox._jit import ZERO, kernel
+from sandbox._jit import kernel
 from sandbox.engine.bodies.flags import IMMOVABLE, disturbs, is_active
 from sandbox.engine.records.active_set import ACTIVE_SET, ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
@@ -33,9 +33,9 @@ def update_active_set(bodies: Records, active: ActiveSet, solver: SolverBodies, 
     info = active.info[0]
     if info.stale == 0:
         return False
-    count = ZERO
-    asleep = ZERO
-    posed = ZERO
+    count = 0
+    asleep = 0
+    posed = 0
     for i in range(bodies.shape[0]):
         body = bodies[i]
         posed |= body.posed

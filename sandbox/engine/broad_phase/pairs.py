@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from sandbox._jit import ZERO, inlined_kernel, kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.broad_phase.grid import LEVELS, LOWEST, base_cell, boxes_overlap, bucket, cells_per_metre, fill_grid
 from sandbox.engine.broad_phase.proxies import ACTIVE, DRIVEN, SLEEPS
 from sandbox.tables import Integers, Records
@@ -22,7 +22,7 @@ def find_pairs(
     sparse = levels[2 * LEVELS :]
     base = base_cell(boxes, levels)
     used, sparse_count = fill_grid(boxes, base, LOWEST, ordered, heads, levels)
-    count = ZERO
+    count = 0
     for i in range(ordered.shape[0]):
         count = _pairs_on_own_level(ordered, filters, i, heads, pairs, count)
         count = _pairs_on_sparse_levels(ordered, filters, i, sparse, sparse_count, pairs, count)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from sandbox._jit import ZERO, kernel
+from sandbox._jit import kernel
 from sandbox.engine.active.active_set import AWAKE
 from sandbox.engine.broad_phase.grid import LEVELS, LOWEST, base_cell, boxes_overlap, cells_per_metre, fill_grid
 from sandbox.engine.broad_phase.pairs import find_pairs, pairs_on_level, propose
@@ -33,7 +33,7 @@ def order_shapes(shapes: Records, active: ActiveSet) -> bool:
         return False
     info.shapes_generation = info.generation
     count = shapes.shape[0]
-    moving = ZERO
+    moving = 0
     for i in range(count):
         if active.activity[shapes[i].body] == AWAKE:
             active.shapes[moving] = i

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sandbox._jit import ZERO, kernel
+from sandbox._jit import kernel
 from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.broad_phase.margins import shape_margin
 from sandbox.tables import Integers, Records
@@ -32,7 +32,7 @@ def mark_fast(bodies: Records, active_bodies: Integers, motions: Records, ccd_bo
 
     Bullets always: something fast may have passed over them. `mark_fast_at_start` has marked some already.
     """
-    count = ZERO
+    count = 0
     for i in active_bodies:
         body = bodies[i]
         motion = motions[i]

@@ -10,7 +10,7 @@ Static bodies hold all dynamic ones, moving bodies hold only those marked as bul
 
 from __future__ import annotations
 
-from sandbox._jit import ZERO, entry_point, kernel
+from sandbox._jit import entry_point, kernel
 from sandbox.engine.broad_phase.grid import boxes_overlap
 from sandbox.engine.broad_phase.margins import allowed_depth
 from sandbox.engine.broad_phase.pairs import propose
@@ -58,12 +58,12 @@ def solve_continuous(
     _forget_impacts(colliders.filters, rows, ccd.impacts, fast, count)
     for k in range(count):
         carry_bullet(tables, fast[k])
-    bullets = ZERO
+    bullets = 0
     for k in range(count):
         bullets += _stop_at_static(tables, fast[k])
     _stop_strays(tables, active, colliders, fast, count, joint_filter)
     changed = bullets > 0
-    turn = ZERO
+    turn = 0
     while changed:
         changed = False
         for k in range(count):
@@ -139,7 +139,7 @@ def _forget_impact(impact: Records) -> None:
 @kernel
 def _list_fast(ccd_bodies: Records, filters: Records, pairs: Records, pair_count: int, fast: Records) -> int:
     """List the pairs of which a body is fast, in order; return how many. The rest of the table stays free for one."""
-    count = ZERO
+    count = 0
     for k in range(pair_count):
         if ccd_bodies[filters[pairs[k].shape_a].body].fast + ccd_bodies[filters[pairs[k].shape_b].body].fast > 0:
             fast[count] = pairs[k]

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from sandbox._jit import ZERO, Call, Door, entry_point, kernel, kernel_argument
+from sandbox._jit import Call, Door, entry_point, kernel, kernel_argument
 from sandbox.engine.broad_phase.pairs import may_collide
 from sandbox.engine.events.records import SENSOR_EVENT
 from sandbox.engine.queries.index import lay_out
@@ -74,7 +74,7 @@ def sense(tables: QueryTables, memory: Memory, sensors: Integers, manifold: Reco
     """
     question = memory.question[0]
     walk = memory.walk[0]
-    count = ZERO
+    count = 0
     for k in range(sensors.shape[0]):
         box = memory.boxes[sensors[k]]
         x = 0.5 * (box.lower_x + box.upper_x)

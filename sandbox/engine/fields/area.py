@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sandbox._jit import ZERO, kernel
+from sandbox._jit import kernel
 from sandbox.engine.fields.boundary import Circle, trace
 from sandbox.engine.fields.clip import cut_disc, cut_line
 from sandbox.engine.fields.records import Fields
@@ -56,10 +56,10 @@ def boundary_within(
     """
     push = fields.pushes[shape.body]
     if push.active == 0 or shape.sensor == 1:
-        return fields.pieces, ZERO
+        return fields.pieces, 0
     where = place(region, fields.edges, push.x, push.y, bodies[shape.body].extent)
     if where == OUTSIDE:
-        return fields.pieces, ZERO
+        return fields.pieces, 0
     count = trace(shape, vertices, push.cos, push.sin, fields.pieces)
     if where == ACROSS:
         return cut(region, fields.edges, push.x, push.y, fields.pieces, fields.spare, count)

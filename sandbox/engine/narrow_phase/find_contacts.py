@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from sandbox._jit import ZERO, inlined_kernel, kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.active.active_set import list_contact
 from sandbox.engine.broad_phase.margins import allowed_depth
 from sandbox.engine.broad_phase.proxies import FIXED
@@ -76,7 +76,7 @@ def find_contacts(
         ccd_bodies[i].fresh = 0
     contacts.active[0] = 0
     contacts.impact_candidates[0] = 0
-    count = ZERO
+    count = 0
     k = 0
     for n in range(state.counters[0].pair_count):
         i = pairs[n].shape_a

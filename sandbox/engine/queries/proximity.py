@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sandbox._jit import ZERO, entry_point, kernel
+from sandbox._jit import entry_point, kernel
 from sandbox.engine.queries.filter import is_seen
 from sandbox.engine.queries.question import Gap, contact_point, distance_to
 from sandbox.engine.queries.records import Memory, QueryTables
@@ -19,7 +19,7 @@ def overlaps(tables: QueryTables, memory: Memory, x: float, y: float, hits: Reco
     walk = memory.walk[0]
     question = memory.question[0]
     begin_walk(walk, question, x, y, 0.0, 0.0, 0.0)
-    count = ZERO
+    count = 0
     while True:
         row = next_box(walk, question, memory.grid)
         if row < 0:

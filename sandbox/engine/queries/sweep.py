@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sandbox._jit import ZERO, entry_point, kernel
+from sandbox._jit import entry_point, kernel
 from sandbox.engine.queries.filter import is_seen
 from sandbox.engine.queries.question import cast_against, contact_point, distance_to
 from sandbox.engine.queries.records import Memory, QueryTables
@@ -52,7 +52,7 @@ def all_hits(tables: QueryTables, memory: Memory, rays: Floats, hits: Records) -
     question = memory.question[0]
     ordered = memory.grid.ordered
     begin_walk(w, question, rays[0, 0], rays[0, 1], rays[0, 2], rays[0, 3], 0.0)
-    count = ZERO
+    count = 0
     while True:
         row = next_box(w, question, memory.grid)
         if row < 0:

@@ -1,0 +1,64 @@
+"""What the pipeline for numba promises: one version of a kernel, and machine code for entry points alone."""
+
+from __future__ import annotations
+
+import gc
+from typing import Any
+
+import pytest
+
+from sandbox import _jit
+from sandbox._jit import kernel
+
+pytestmark = pytest.mark.skipif(not _jit.jit_enabled(), reason="there is no machine code without the compiler")
+
+
+@pytest.fixture
+def functions() -> tuple[Any, Any, Any]:
+    """An entry point, a kernel that it calls and one that both call; compiled anew, for a cache has no kernels."""
+
+    @kernel
+    def leaf(number: int) -> int:
+        return 2 * number
+
+    @kernel
+    def middle(number: int) -> int:
+        return leaf(number) + leaf(5)
+
+    def top(number: int) -> int:
+        return middle(number) + leaf(0)
+
+    return _jit._compiled(top, _jit.EntryPointCompiler, **_jit._FLAGS), middle, leaf
+
+
+def test_literals_make_no_versions_of_their_own(functions: tuple[Any, Any, Any]) -> None:
+    top, middle, leaf = functions
+    assert top(3) == 16
+    assert len(top.overloads) == len(middle.overloads) == len(leaf.overloads) == 1
+
+
+def test_only_the_entry_point_becomes_machine_code(
+    functions: tuple[Any, Any, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from numba.core.codegen import JITCodeLibrary
+
+    made, usual = [], JITCodeLibrary._finalize_specific
+
+    def noted(library: Any) -> None:
+        made.append(library.name.split(".")[-1])
+        usual(library)
+
+    monkeypatch.setattr(JITCodeLibrary, "_finalize_specific", noted)
+    assert functions[0](4) == 18
+    assert "top" in made
+    assert not {"middle", "leaf"} & set(made)
+
+
+@pytest.mark.parametrize("on", [True, False])
+def test_garbage_is_collected_after_compiling_if_it_was_before(functions: tuple[Any, Any, Any], on: bool) -> None:
+    (gc.enable if on else gc.disable)()
+    try:
+        assert functions[0](1) == 12
+        assert gc.isenabled() == on
+    finally:
+        gc.enable()
