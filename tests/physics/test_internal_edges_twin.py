@@ -6,7 +6,6 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
-import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
@@ -147,11 +146,6 @@ def differ(first: Vec, second: Vec) -> float:
     return math.dist(first, second)
 
 
-def slips_by(whole: Whole, normal: Vec) -> bool:
-    """Whether a disc that a corner pushes in that direction is so near to the end of a side that LIMITS has a word."""
-    return any(1e-6 < differ(normal, outward(*side)) < FLAT for side in sides(whole.rings))
-
-
 @given(wholes, st.data())
 @examples(150)
 def test_a_disc_is_pushed_along_its_shortest_ways_out_and_no_others(whole, data):
@@ -162,7 +156,6 @@ def test_a_disc_is_pushed_along_its_shortest_ways_out_and_no_others(whole, data)
     center = point[0] + far * (c * normal[0] - s * normal[1]), point[1] + far * (s * normal[0] + c * normal[1])
     assume(not holds(whole.rings, center) and distance(whole.rings, center) > RADIUS - 0.015)
     ways = ways_out(whole.rings, center, RADIUS + NEAR)
-    assume(not any(slips_by(whole, way.normal) for way in ways))
     speed = data.draw(st.sampled_from([0.0, 0.0, 0.9, -0.9]))
     found = contacts(whole, ROUND, center, velocity=(-speed * normal[1], speed * normal[0]))
     for axis, points, _gap in found:
@@ -186,7 +179,6 @@ def test_a_disc_at_a_corner_is_pushed_straight_away_from_it(whole, data):
     c, s = math.cos(angle), math.sin(angle)
     x, y = outward(before, corner)
     normal, far = (c * x - s * y, s * x + c * y), RADIUS - data.draw(st.floats(0.002, 0.01))
-    assume(not slips_by(whole, normal))
     center = corner[0] + far * normal[0], corner[1] + far * normal[1]
     assume(not holds(whole.rings, center) and distance(whole.rings, center) > RADIUS - 0.015)
     speed = data.draw(st.sampled_from([0.0, 0.9]))
@@ -194,7 +186,6 @@ def test_a_disc_at_a_corner_is_pushed_straight_away_from_it(whole, data):
     assert any(differ(axis, normal) <= FLAT for axis, _points, _gap in found), (normal, found)
 
 
-@pytest.mark.xfail(strict=True, reason="the face is taken for as good as the corner, but does not show there: LIMITS")
 def test_a_disc_just_past_a_side_is_pushed_by_its_corner() -> None:
     """The side of this star is upright; the disc overlaps its upper end by 8 mm, 7e-5 m less than the side's line."""
     ring = tuple((math.cos(k * TURN / 9), math.sin(k * TURN / 9)) for k in range(9))

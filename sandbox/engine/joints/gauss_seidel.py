@@ -1,28 +1,90 @@
-"""Parts that hang together too densely to be factorised (nets, cloth): projected Gauss-Seidel sweeps, warm started."""
+"""Soft joints, for what hangs together too densely to be factorised (nets, cloth): sweeps over rows, warm started.
+
+A sweep carries a load one joint further, so a net that strives for no error at all after each substep never gets there,
+and what is left over comes back as energy. Its rigid rows are therefore stiff damped springs, taken implicitly, and the
+speed that their push has added is taken away again after the move: the soft step and relaxing of E. Catto, "Solver2D",
+2024. Several sweeps share a substep, so that small nets are nearly as stiff as if they were factorised.
+"""
 
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox.engine.joints.jacobian import row_speed
+from sandbox.engine.contact_solver.soft_constraint import soft_coefficients
+from sandbox.engine.joints.errors import measure_errors
+from sandbox.engine.joints.jacobian import fill_rows, push_row, row_speed
+from sandbox.engine.joints.joint_bodies import predict_poses
 from sandbox.engine.joints.ldl import change_impulse
+from sandbox.engine.joints.pivoting import cap_pairs
 from sandbox.engine.joints.records import JointWork
+from sandbox.engine.joints.targets import target_softly
 from sandbox.tables import Records
 
-SWEEPS = 8
+SWEEPS = 960.0
+"""Sweeps for each second: 4 in a substep of 1/240 s; longer ones have more to carry."""
+FEWEST = 2
+MOST = 64
+STIFFNESS = 0.5
+"""Frequency of rigid rows as a share of the rate of substeps: the most that they can follow."""
+DAMPING_RATIO = 2.0
+FAR = 0.5
+"""Turn of a member (rad) within a substep after which an impulse of the substep before points elsewhere."""
 
 
 @kernel
-def solve_by_sweeps(work: JointWork, part: Records, relaxing: bool) -> None:
-    """Solve the active rows of a part one after another, forwards and backwards in turn."""
-    for sweep in range(SWEEPS):
+def solve_softly(
+    work: JointWork, part: Records, bodies: Records, motions: Records, seconds: float, pushing: bool
+) -> None:
+    """Sweep over the rows of a part: before the move with their push (`pushing`), and after it without."""
+    predict_poses(work, part, bodies, motions, 0.0)
+    measure_errors(work, part)
+    fill_rows(work, part)
+    bias_rate, mass_scale, impulse_scale = soft_coefficients(STIFFNESS / seconds, DAMPING_RATIO, seconds)
+    push = bias_rate if pushing else 0.0
+    give = impulse_scale / mass_scale if pushing else 0.0
+    if pushing:
+        _warm_start(work, part, seconds)
+    for sweep in range(_sweeps(seconds)):
         for k in range(part.row_end - part.first_row):
             r = part.first_row + k if sweep % 2 == 0 else part.row_end - 1 - k
             row = work.rows[r]
-            if row.active == 0:
-                continue
-            current = row.relaxing if relaxing else row.impulse
-            wanted = row_speed(work.members, row) + row.bias + row.softness * current
-            after = current - wanted / (row.stiffness + row.softness)
-            after = after if after < row.high else row.high
-            after = after if after > row.low else row.low
-            change_impulse(work, row, after - current, relaxing)
+            if row.stiffness > 0.0:
+                _solve_row(work, row, seconds, push, give)
+        cap_pairs(work, part, seconds, seconds, False)
+
+
+@kernel
+def _sweeps(seconds: float) -> int:
+    wanted = int(SWEEPS * seconds + 0.5)
+    wanted = wanted if wanted < MOST else MOST
+    return wanted if wanted > FEWEST else FEWEST
+
+
+@kernel
+def _warm_start(work: JointWork, part: Records, seconds: float) -> None:
+    """Apply the impulses of the substep before, but at what spins: there they would add energy."""
+    for r in range(part.first_row, part.row_end):
+        row = work.rows[r]
+        if row.stiffness == 0.0 or seconds * _spin(work.members, row) > FAR:
+            row.impulse = 0.0
+        row.stop = 1 if row.impulse > 0.0 else (-1 if row.impulse < 0.0 else 0)
+        push_row(work.members, row, row.impulse)
+
+
+@kernel
+def _spin(members: Records, row: Records) -> float:
+    """The higher angular speed (rad/s) of the first two members of a row."""
+    a = abs(members[row.member_1].angular_velocity)
+    b = abs(members[row.member_2].angular_velocity)
+    return float(a if a > b else b)
+
+
+@kernel
+def _solve_row(work: JointWork, row: Records, seconds: float, push: float, give: float) -> None:
+    """Give one row the impulse that it strives for, within its bounds."""
+    joint = work.joints[work.constraints[row.constraint].joint]
+    speed = row_speed(work.members, row)
+    target_softly(row, joint, speed, seconds, push, give)
+    after = row.impulse - (speed + row.bias + row.softness * row.impulse) / (row.stiffness + row.softness)
+    after = after if after < row.high else row.high
+    after = after if after > row.low else row.low
+    change_impulse(work, row, after - row.impulse, False)

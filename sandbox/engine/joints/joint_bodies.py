@@ -41,7 +41,7 @@ def gather_members(work: JointWork, motions: Records, free_motions: Records, mov
         member.velocity_x = motion.velocity_x
         member.velocity_y = motion.velocity_y
         member.angular_velocity = motion.angular_velocity
-        if member.inverse_mass == 0.0 or work.parts[member.part].supported == 1:
+        if member.inverse_mass == 0.0 or work.parts[member.part].halves == 0:
             continue
         if moving:
             free_motion = free_motions[member.body]

@@ -51,7 +51,7 @@ def _aim(work: JointWork, part: Records, seconds: float, acting: float, relaxing
         if row.stiffness > 0.0 and row.capped == 0:
             speed = row_speed(work.members, row)
             if relaxing:
-                target_velocities(row, joint, speed, seconds, part.supported == 0)
+                target_velocities(row, joint, speed, seconds, part.halves == 1)
             else:
                 ahead = row.error + seconds * speed if part.separated == 1 else row_error(row, constraint)
                 target_positions(row, joint, ahead, speed, seconds, acting)

@@ -18,8 +18,8 @@ def read_impulses(work: JointWork) -> None:
         joint = work.joints[constraint.joint]
         found = _slot_impulse(joint, row.slot)
         part = work.parts[constraint.part]
-        row.impulse = found if part.supported == 1 else 0.5 * found
-        row.relaxing = 0.0 if part.supported == 1 else 0.5 * found
+        row.impulse = 0.5 * found if part.halves == 1 else found
+        row.relaxing = 0.5 * found if part.halves == 1 else 0.0
         row.total = 0.0
 
 

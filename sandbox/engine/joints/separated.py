@@ -33,7 +33,7 @@ def detect_separation(work: JointWork, part: Records, seconds: float) -> None:
         row.kept = limited(excess, seconds)
         row.apart = _without_yield(row, seconds) if row.slot < 3 else excess
         total += abs(excess)
-    long = part.direct == 1 and part.constraint_end - part.first_constraint > SHORT
+    long = part.constraint_end - part.first_constraint > SHORT
     part.separated = 1 if long and total > CORRECTION_SPEED * seconds else 0
     if part.separated == 1:
         for r in range(part.first_row, part.row_end):

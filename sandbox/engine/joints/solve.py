@@ -4,14 +4,15 @@ Positions are solved by RATTLE (H. Andersen, 1983), the constrained form of velo
 of now bring the members to where every joint is kept *after* the move, and after it the velocities are relaxed along
 the rows of then. It is of second order and symplectic, so that a pendulum keeps its energy. Springs follow the
 implicit midpoint rule. Parts that something else bears take the whole force before the move, as contacts do; parts
-that are separated keep to velocities (`separated`).
+that are separated keep to velocities (`separated`); parts that are too dense to be factorised have soft joints
+(`gauss_seidel`).
 """
 
 from __future__ import annotations
 
 from sandbox._jit import kernel
 from sandbox.engine.joints.errors import measure_errors
-from sandbox.engine.joints.gauss_seidel import solve_by_sweeps
+from sandbox.engine.joints.gauss_seidel import solve_softly
 from sandbox.engine.joints.geometric_stiffness import add_geometric_stiffness, remove_geometric_stiffness
 from sandbox.engine.joints.jacobian import fill_rows
 from sandbox.engine.joints.joint_bodies import (
@@ -47,6 +48,8 @@ def begin_joints(work: JointWork, bodies: Records, contacts: Contacts) -> None:
                 part = work.part_of[contact.body_a if side == 0 else contact.body_b]
                 if part >= 0:
                     work.parts[part].supported = 1
+    for p in range(work.parts.shape[0]):
+        work.parts[p].halves = work.parts[p].direct * (1 - work.parts[p].supported)
     read_impulses(work)
 
 
@@ -65,8 +68,10 @@ def solve_joints(work: JointWork, bodies: Records, motions: Records, free_motion
     gather_members(work, motions, free_motions, True)
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
-        if part.current == 1:
-            acting = seconds if part.supported == 1 else 0.5 * seconds
+        if part.current == 1 and part.direct == 0:
+            solve_softly(work, part, bodies, motions, seconds, True)
+        elif part.current == 1:
+            acting = 0.5 * seconds if part.halves == 1 else seconds
             _update_rows(work, part, bodies, motions)
             add_geometric_stiffness(work, part, seconds, acting)
             fill_rows(work, part)
@@ -76,11 +81,7 @@ def solve_joints(work: JointWork, bodies: Records, motions: Records, free_motion
                 fill_rows(work, part)
             _start_warm(work, part, False)
             settled = _solve(work, part, bodies, motions, seconds, acting, False)
-            if (
-                part.separated == 0
-                and part.direct == 1
-                and not (settled and _reaches_targets(work, part, bodies, motions, seconds))
-            ):
+            if part.separated == 0 and not (settled and _reaches_targets(work, part, bodies, motions, seconds)):
                 solve_velocities_only(work, part)
                 remove_geometric_stiffness(work, part)
                 _update_rows(work, part, bodies, motions)
@@ -119,7 +120,10 @@ def relax_joints(work: JointWork, bodies: Records, motions: Records, free_motion
     gather_members(work, motions, free_motions, False)
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
-        if part.current == 1:
+        if part.current == 1 and part.direct == 0:
+            solve_softly(work, part, bodies, motions, seconds, False)
+            accumulate(work, part)
+        elif part.current == 1:
             _update_rows(work, part, bodies, motions)
             _start_warm(work, part, True)
             _solve(work, part, bodies, motions, seconds, seconds, True)
@@ -140,7 +144,7 @@ def _start_warm(work: JointWork, part: Records, relaxing: bool) -> None:
             row.active = 0
         current = row.relaxing if relaxing else row.impulse
         if relaxing and row.soft == 1:
-            current = 0.0 if part.supported == 1 else row.impulse
+            current = row.impulse if part.halves == 1 else 0.0
         if relaxing:
             row.relaxing = 0.0
         else:
@@ -171,12 +175,9 @@ def _solve(
             settled = True
             break
         again = changed and turn > 0  # then the pose looked at was that of a wrong guess
-        if part.direct == 1:
-            if changed:
-                factorize(work, part)
-            solve_directly(work, part, relaxing)
-        else:
-            solve_by_sweeps(work, part, relaxing)
+        if changed:
+            factorize(work, part)
+        solve_directly(work, part, relaxing)
         cap_pairs(work, part, seconds, acting, relaxing)
         if part.bounded == 0:
             settled = True

@@ -74,6 +74,48 @@ def target_velocities(row: Records, joint: Records, speed: float, seconds: float
 
 
 @kernel
+def target_softly(row: Records, joint: Records, speed: float, seconds: float, push: float, give: float) -> None:
+    """The law of a row of a part whose joints are soft; errors are those of now.
+
+    `push` (1/s) turns an error into the speed that takes it back, `give` is the softness of rigid rows as a share of
+    their stiffness. Without push nothing but velocities counts, and springs have had their say.
+    """
+    row.softness = 0.0
+    row.low = -INFINITE
+    row.high = INFINITE
+    sprung = row.slot == 3 or row_hertz(row, joint) > 0.0
+    if row.slot == 4:
+        slowest = -INFINITE
+        fastest = INFINITE
+        if joint.limit == 1:
+            slowest = _speed_to_limit(joint.lower - row.error, seconds, push)
+            fastest = -_speed_to_limit(row.error - joint.upper, seconds, push)
+        _drive(row, joint, speed, slowest, fastest, seconds, row.impulse)
+    elif sprung and push == 0.0:
+        row.low = row.high = row.impulse
+        row.bias = 0.0
+    elif sprung or is_brake(row, joint):
+        target_positions(row, joint, row.error + seconds * speed, speed, seconds, seconds)
+    else:
+        row.bias = push * limited_push(row.error, push)
+        row.softness = give * row.stiffness
+        _bound(row, seconds * strength(row, joint))
+
+
+@kernel
+def _speed_to_limit(beyond: float, seconds: float, push: float) -> float:
+    """Least speed away from a limit that has been passed by so much: less than zero while it is not."""
+    return beyond / seconds if beyond < 0.0 else push * limited_push(beyond, push)
+
+
+@kernel
+def limited_push(error: float, push: float) -> float:
+    """An error, as far as it may be pushed back with `CORRECTION_SPEED`."""
+    most = CORRECTION_SPEED / push if push > 0.0 else 0.0
+    return most if error > most else (-most if error < -most else error)
+
+
+@kernel
 def limited(error: float, seconds: float) -> float:
     """What is left of an error after one substep: nothing, unless it is large."""
     most = CORRECTION_SPEED * seconds

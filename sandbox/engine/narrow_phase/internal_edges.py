@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from sandbox._jit import kernel
 from sandbox.engine.broad_phase.margins import pair_margin
-from sandbox.engine.narrow_phase.outline import BEYOND, EdgeTables, along_edge, faces_out, shows
+from sandbox.engine.narrow_phase.outline import BEYOND, EdgeTables, along_edge, faces_out, is_past_end, shows
 from sandbox.geometry.core import core_of
 from sandbox.geometry.manifold import face_manifold
 from sandbox.geometry.sat import FAR, support_vertex
@@ -89,7 +89,8 @@ def _is_whole(tables: EdgeTables, pair: PlacedPair, near: float, m: Records) -> 
         y = pair.dy if side == 1 else 0.0
         sign = 1.0 - 2.0 * side
         if m.axis_owner == side:
-            if not shows(tables, part, m.axis_edge, x, y, near, m):
+            on_face = shows(tables, part, m.axis_edge, x, y, near, m)
+            if not (on_face or is_past_end(tables, part, m.axis_edge, x, y, m)):
                 return False
         elif not faces_out(tables, part, x, y, sign * m.normal_x, sign * m.normal_y, near, m):
             return False

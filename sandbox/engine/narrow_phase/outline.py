@@ -90,6 +90,28 @@ def shows(tables: EdgeTables, part: Records, edge: int, x: float, y: float, near
 
 
 @kernel
+def is_past_end(tables: EdgeTables, part: Records, edge: int, x: float, y: float, m: Records) -> bool:
+    """Whether point 1 of a manifold lies past the end of an edge where that ends in a corner which juts out.
+
+    There the normal of the edge leads out as well, being the first of the corner's own.
+    """
+    along = along_edge(tables.cores, part, edge, m.x1 - x, m.y1 - y)
+    seam = tables.seams[part.seam_start + edge]
+    k = edge
+    if along > 1.0:
+        k = edge + 1 if edge + 1 < part.vertex_count else 0
+        if seam.shown_to < 1.0:
+            return False
+    elif along >= 0.0 or seam.shown_from > 0.0:
+        return False
+    corner = tables.seams[part.seam_start + k]
+    if corner.before_x * corner.after_y - corner.before_y * corner.after_x < 0.0:
+        return False
+    row = tables.cores[part.vertex_start + edge]
+    return _is_between(tables.bodies[part.body], corner, row.normal_x, row.normal_y)
+
+
+@kernel
 def _length(cores: Records, shape: Records, edge: int) -> float:
     """Length of an edge, m."""
     start = cores[shape.vertex_start + edge]

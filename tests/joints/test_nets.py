@@ -1,0 +1,116 @@
+"""Nets that are too dense to be factorised: they gain no energy, come to rest, and do what factorised ones do."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from sandbox.engine.joints import assembly
+from tests.joints.jointed import G, energy, gap
+from tests.joints.nets import KINDS, kinetic_energy, net, soft_parts, throw
+
+LIMITED = 0.2
+"""How far the sliders of a net may slide, in m."""
+
+
+@pytest.fixture
+def never_factorised(monkeypatch):
+    """Makes all joints soft, those of a single rod too."""
+    monkeypatch.setattr(assembly, "UPDATES_A_ROW", -1000)
+
+
+@pytest.mark.usefixtures("never_factorised")
+@pytest.mark.parametrize("substeps", [1, 4])
+@pytest.mark.parametrize("hung", ["top", "middle", "corner"])
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_hanging_net_gains_no_energy(kind, hung, substeps):
+    world = net(12, 12, kind, hung, substeps)
+    assert soft_parts(world) == 1
+    start = energy(world)
+    weight = float(world.state.bodies.mass.sum()) * G
+    for _ in range(12):
+        world.step(10)
+        assert energy(world) < start + 1e-3 * weight
+    assert len(world.frozen) == 0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("across", "down"), [(40, 40), (100, 100), (300, 6)])
+@pytest.mark.parametrize("kind", ["hinge", "weld", "slider", "rod"])
+def test_a_large_net_gains_no_energy(kind, across, down):
+    world = net(across, down, kind, "top")
+    start = energy(world)
+    weight = float(world.state.bodies.mass.sum()) * G
+    for _ in range(6):
+        world.step(10)
+        assert energy(world) < start + 1e-3 * weight
+    if kind != "slider":
+        assert gap(world) < (1.05 if kind == "rod" else 0.2)
+
+
+@pytest.mark.usefixtures("never_factorised")
+@pytest.mark.parametrize("braced", [False, True])
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_net_thrown_about_comes_to_less_energy(kind, braced):
+    random = np.random.default_rng(len(kind))
+    for speed, apart in ((30.0, 0.0), (1000.0, 0.3)):
+        world = net(12, 12, kind, "nothing", braced=braced)
+        world.state.settings.gravity_y = 0.0
+        assert soft_parts(world) == 1
+        throw(world, random, speed, apart)
+        start = kinetic_energy(world)
+        for _ in range(6):
+            world.step(5)
+            assert kinetic_energy(world) < {"spring": 0.9, "friction": 1.0}.get(kind, 0.5) * start
+        assert len(world.frozen) == 0
+
+
+@pytest.mark.parametrize("kind", ["hinge", "weld", "slider", "stopped hinge"])
+def test_a_net_drawn_apart_comes_together(kind):
+    world = net(12, 12, kind, "nothing")
+    world.state.settings.gravity_y = 0.0
+    throw(world, np.random.default_rng(3), 0.0, 0.3)
+    assert gap(world) > 0.5
+    world.step(180)
+    assert gap(world) < LIMITED if kind == "slider" else gap(world) < 1e-3
+
+
+@pytest.mark.parametrize("kind", ["hinge", "weld", "rod", "stopped hinge"])
+def test_a_net_at_rest_hangs_as_a_factorised_one_does(monkeypatch, kind):
+    rigid = net(5, 5, kind)
+    assert soft_parts(rigid) == 0
+    monkeypatch.setattr(assembly, "UPDATES_A_ROW", -1000)
+    soft = net(5, 5, kind)
+    assert soft_parts(soft) == 1
+    for world in (rigid, soft):
+        world.step(120)
+    apart = np.abs(np.array(rigid.bodies.position) - np.array(soft.bodies.position))
+    assert apart.max() < 5e-3
+
+
+@pytest.mark.parametrize("kind", ["hinge", "rod"])
+def test_a_net_swings_as_a_factorised_one_does(monkeypatch, kind):
+    rigid = net(6, 6, kind, "middle")
+    monkeypatch.setattr(assembly, "UPDATES_A_ROW", -1000)
+    soft = net(6, 6, kind, "middle")
+    for _ in range(6):
+        for world in (rigid, soft):
+            world.step(10)
+        apart = np.abs(np.array(rigid.bodies.position) - np.array(soft.bodies.position))
+        assert apart.max() < 0.05
+
+
+def test_free_nets_keep_their_momentum():
+    world = net(14, 14, "hinge", "nothing")
+    world.state.settings.gravity_y = 0.0
+    throw(world, np.random.default_rng(5), 5.0, 0.0)
+    b = world.state.bodies
+
+    def momentum() -> tuple[float, float, float]:
+        turning = b.inertia * b.angular_velocity + b.mass * (b.center_x * b.velocity_y - b.center_y * b.velocity_x)
+        return float((b.mass * b.velocity_x).sum()), float((b.mass * b.velocity_y).sum()), float(turning.sum())
+
+    start = momentum()
+    size = float((b.mass * np.abs(b.velocity_x)).sum())
+    world.step(60)
+    assert np.allclose(momentum()[:2], start[:2], rtol=0.0, atol=1e-10 * size)
