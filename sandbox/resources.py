@@ -7,6 +7,9 @@ from pathlib import Path
 
 _PACKAGE = Path(__file__).resolve().parent
 SCENE_SUFFIX = ".scene.json"
+"""What the files of scenes end in, so that folders can be searched for them."""
+
+_BENCHMARKS, _BENCHMARK_SUFFIX = "benchmarks", ".json"
 
 
 def scenes_dir() -> Path:
@@ -24,12 +27,25 @@ def shipped_scenes() -> list[Path]:
     return sorted(scenes_dir().rglob("*" + SCENE_SUFFIX))
 
 
+def benchmark_scenes() -> list[Path]:
+    """Every scene that `sandbox bench` runs by itself, sorted by name.
+
+    They are large. Their names do not end in `SCENE_SUFFIX`, so that nobody who searches a folder meets them.
+    """
+    return sorted((scenes_dir() / _BENCHMARKS).glob("*" + _BENCHMARK_SUFFIX))
+
+
+def scene_name(path: Path) -> str:
+    """The name of a scene file by which it is found: `pyramid-10`."""
+    return path.name.removesuffix(SCENE_SUFFIX).removesuffix(_BENCHMARK_SUFFIX)
+
+
 def find_scene(path: Path) -> Path:
-    """`path` itself if it exists, else the shipped scene of that name (`pyramid-10`), else `path`."""
+    """`path` itself if it exists, else the scene of that name that comes with the package, else `path`."""
     if path.exists():
         return path
-    wanted = path.name.removesuffix(SCENE_SUFFIX) + SCENE_SUFFIX
-    return next((scene for scene in shipped_scenes() if scene.name == wanted), path)
+    wanted = scene_name(path)
+    return next((scene for scene in (*shipped_scenes(), *benchmark_scenes()) if scene_name(scene) == wanted), path)
 
 
 def files_below(folder: Path, ending: str) -> list[Path]:

@@ -19,6 +19,7 @@ COMMANDS = (
     "sat",
     "solver",
     "compare",
+    "bench",
     "events",
     "cache",
 )

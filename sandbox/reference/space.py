@@ -24,11 +24,12 @@ def build_space(scene: FlatScene) -> tuple[pymunk.Space, list[pymunk.Body]]:
     """
     space = pymunk.Space()
     space.gravity = scene.gravity
-    bodies = [_build_body(space, body) for body in scene.bodies]
+    bodies = [add_body(space, body) for body in scene.bodies]
     return space, bodies
 
 
-def _build_body(space: pymunk.Space, flat: FlatBody) -> pymunk.Body:
+def add_body(space: pymunk.Space, flat: FlatBody, solid: bool = False) -> pymunk.Body:
+    """A body in `space`. With `solid`, one-way shapes are there and hold from both sides; else they are left out."""
     total = Moments(0.0, 0.0, 0.0, 0.0)
     for shape in flat.shapes:
         density = 0.0 if shape.sensor else shape.density
@@ -50,7 +51,7 @@ def _build_body(space: pymunk.Space, flat: FlatBody) -> pymunk.Body:
         body.velocity, body.angular_velocity = flat.velocity, flat.angular_velocity
     if flat.gravity_scale != 1.0 or flat.linear_damping or flat.angular_damping:
         body.velocity_func = _own_motion(flat)
-    space.add(body, *(_build_shape(body, shape) for shape in flat.shapes if not any(shape.one_way)))
+    space.add(body, *(_build_shape(body, shape) for shape in flat.shapes if solid or not any(shape.one_way)))
     return body
 
 

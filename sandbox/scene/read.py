@@ -6,7 +6,7 @@ import os
 from pathlib import Path
 
 from sandbox.errors import Problem, SceneError
-from sandbox.resources import SCENE_SUFFIX, shipped_scenes
+from sandbox.resources import benchmark_scenes, scene_name, shipped_scenes
 from sandbox.scene.finding import nearest
 from sandbox.scene.limits import MAX_BYTES
 from sandbox.scene.report import syntax_error
@@ -39,7 +39,7 @@ def _read_bytes(path: Path, what: str, limit: int) -> bytes:
 
 
 def _shipped_names() -> list[str]:
-    return [file.name.removesuffix(SCENE_SUFFIX) for file in shipped_scenes()]
+    return [scene_name(file) for file in (*shipped_scenes(), *benchmark_scenes())]
 
 
 def _nearest_file(path: Path) -> str:

@@ -1,0 +1,180 @@
+"""The race: a scene in several engines, a few steps each in turns, all in one process.
+
+Times are CPU times of this process: other work on the machine slows it down, but is not counted. As a slow moment meets
+all engines alike, the median of the turns' ratios is steadier than any time.
+"""
+
+from __future__ import annotations
+
+import statistics
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+
+from sandbox.bench.contestants import ENGINES, Contestant, Ours
+from sandbox.bench.course import Change, Course
+from sandbox.bench.memory import peak_resident_bytes, table_bytes
+from sandbox.bench.quality import Judge, Quality
+from sandbox.engine.compile_step import compile_continuous
+from sandbox.scene import Scene
+from sandbox.world.build import build_state
+
+TURNS = 10
+
+_clock = time.process_time
+
+
+@dataclass(frozen=True)
+class Own:
+    """What is known of this engine alone. `stages` are milliseconds a step by part, empty unless it was profiled."""
+
+    digest: str
+    contacts: int
+    awake: int
+    frozen: int
+    table_bytes: int
+    stages: dict[str, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Result:
+    """One engine's race. Times in milliseconds: to `build` it, of the `first` step, and a step in each of the `turns`.
+
+    Changes between steps are part of both. `ratio` is the median over the turns of our time over this engine's; None
+    without us, or without turns.
+    """
+
+    name: str
+    label: str
+    notes: tuple[str, ...]
+    build: float
+    first: float
+    turns: tuple[float, ...]
+    ratio: float | None
+    quality: Quality
+    own: Own | None
+
+    @property
+    def step(self) -> float | None:
+        """The median of the turns, ms; None if there was but one step."""
+        return statistics.median(self.turns) if self.turns else None
+
+
+@dataclass(frozen=True)
+class Race:
+    """All engines on one scene, and how large it was at the end."""
+
+    steps: int
+    bodies: int
+    shapes: int
+    joints: int
+    peak_resident_bytes: int | None
+    results: tuple[Result, ...]
+
+
+class _Lane:
+    """One engine and its times, in seconds."""
+
+    def __init__(self, name: str, course: Course, profile: bool) -> None:
+        self.name = name
+        start = _clock()
+        self.contestant: Contestant = ENGINES[name](course, profile)
+        self.build = _clock() - start
+        self.first = 0.0
+        self.turns: list[float] = []
+
+    def go(self, changes: Sequence[Change | None]) -> float:
+        """Take a step for each of `changes`, after it; how long one took, on the mean."""
+        contestant = self.contestant
+        start = _clock()
+        for change in changes:
+            if change is not None:
+                contestant.apply(change)
+            contestant.step()
+        return (_clock() - start) / len(changes)
+
+
+def run_race(
+    course: Course, engines: Sequence[str], steps: int, profile: bool, on_steps: Callable[[int], None] | None = None
+) -> Race:
+    """Put `engines` through so many steps (1 or more) of a new course, in up to `TURNS` turns after the first step.
+
+    `on_steps` hears how many steps all have taken. Raises `MissingDependencyError` for an engine that is not installed,
+    and what a scene may raise that cannot be stepped.
+    """
+    _warm_up(engines, bool(course.flat.joints))
+    lanes = [_Lane(name, course, profile) for name in engines]
+    first = [course.change(0)]
+    for lane in lanes:
+        lane.first = lane.go(first)
+        _forget_times(lane.contestant)
+    for begin, end in _turns(steps):
+        changes = [course.change(step) for step in range(begin, end)]
+        for lane in lanes:
+            lane.turns.append(lane.go(changes))
+        lanes.append(lanes.pop(0))  # nobody always goes first
+        if on_steps is not None:
+            on_steps(end)
+    return _finished(course, sorted(lanes, key=lambda lane: engines.index(lane.name)), steps)
+
+
+def _turns(steps: int) -> list[tuple[int, int]]:
+    """(first step, step after the last) of each turn; the very first step is none of them."""
+    count = min(TURNS, steps - 1)
+    return list(pairwise(1 + (steps - 1) * k // count for k in range(count + 1))) if count else []
+
+
+def _finished(course: Course, lanes: Sequence[_Lane], steps: int) -> Race:
+    ours = next((lane for lane in lanes if isinstance(lane.contestant, Ours)), None)
+    state = ours.contestant.world.state if ours and isinstance(ours.contestant, Ours) else build_state(course.now)
+    judge = Judge(state, course.inside)
+    results = tuple(_result(lane, ours, judge.judge(lane.contestant.poses(state.names)), steps) for lane in lanes)
+    sizes = len(state.bodies), len(state.shapes), len(state.joints)
+    return Race(steps, *sizes, peak_resident_bytes(), results)
+
+
+def _result(lane: _Lane, ours: _Lane | None, quality: Quality, steps: int) -> Result:
+    contestant = lane.contestant
+    return Result(
+        lane.name, contestant.label, contestant.notes, 1e3 * lane.build, 1e3 * lane.first,
+        tuple(1e3 * seconds for seconds in lane.turns), _ratio(ours, lane), quality,
+        _own(contestant, steps) if isinstance(contestant, Ours) else None,
+    )  # fmt: skip
+
+
+def _ratio(ours: _Lane | None, lane: _Lane) -> float | None:
+    if ours is None:
+        return None
+    # A clock that ticks slowly may not have seen a turn.
+    ratios = [a / b for a, b in zip(ours.turns, lane.turns, strict=True) if b > 0.0]
+    return statistics.median(ratios) if ratios else None
+
+
+def _own(contestant: Ours, steps: int) -> Own:
+    world, stages = contestant.world, {}
+    if contestant.stages is not None and steps > 1:
+        stages = {name: 1e3 * seconds / (steps - 1) for name, seconds in contestant.stages.seconds.items()}
+    digest, contacts, frozen = world.digest(), len(world.contacts), len(world.frozen)
+    return Own(digest, contacts, world.awake_count, frozen, table_bytes(world), stages)
+
+
+def _forget_times(contestant: Contestant) -> None:
+    if isinstance(contestant, Ours) and contestant.stages is not None:
+        contestant.stages.forget_times()
+
+
+def _warm_up(engines: Sequence[str], joints: bool) -> None:
+    """Import, compile or load what a step needs before anything is timed, so that a first step is the scene's own."""
+    shapes = [{"circle": 0.5}]
+    bodies = [
+        {"id": "ball", "shapes": shapes},
+        {"id": "shot", "shapes": shapes, "position": [0.0, 9.0], "velocity": [0.0, -900.0], "bullet": True},
+    ]
+    pins = [{"id": "pin", "type": "revolute", "bodies": ["ball", None], "anchor": [0.0, 0.0]}] if joints else []
+    scene = Scene(bodies=bodies, joints=pins)
+    for name in engines:
+        contestant = ENGINES[name](Course(scene, ""), False)
+        contestant.step()
+        contestant.step()
+    compile_continuous()

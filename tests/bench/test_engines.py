@@ -1,0 +1,214 @@
+"""The same scene means the same in every engine, and the same code judges them."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import pytest
+
+import sandbox
+from sandbox.bench.contestants import ENGINES, Ours
+from sandbox.bench.course import Course
+from sandbox.bench.memory import table_bytes
+from sandbox.bench.quality import Judge
+from sandbox.bench.race import run_race
+from sandbox.reference.run import Pose
+
+BOX2D = "box2d"
+every_engine = pytest.mark.parametrize("engine", list(ENGINES))
+DISC = [{"circle": 0.5}]
+
+
+@pytest.fixture(autouse=True)
+def _without_box2d(request: pytest.FixtureRequest) -> None:
+    if BOX2D in getattr(getattr(request.node, "callspec", None), "params", {}).values():
+        pytest.importorskip("pyb2d3")
+
+
+def after(engine: str, steps: int, *names: str, **fields: Any) -> list[Pose]:
+    """Where bodies of a scene are after so many steps."""
+    contestant = ENGINES[engine](Course(sandbox.Scene(**fields), ""), False)
+    for _ in range(steps):
+        contestant.step()
+    return contestant.poses(names)
+
+
+def angle(pose: Pose) -> float:
+    return math.atan2(pose.sin, pose.cos)
+
+
+@every_engine
+def test_a_throw(engine: str) -> None:
+    bodies = [{"id": "ball", "shapes": DISC, "velocity": [3, 4], "angular_velocity": 90}]
+    (ball,) = after(engine, 60, "ball", bodies=bodies, gravity=[0, -10])
+    assert ball[:2] == pytest.approx((3.0, -1.0), abs=0.1)
+    assert (ball.velocity_x, ball.velocity_y) == pytest.approx((3.0, -6.0), abs=1e-3)
+    assert ball.spin == pytest.approx(math.pi / 2)
+    assert angle(ball) == pytest.approx(math.pi / 2, abs=2e-3)
+
+
+@every_engine
+def test_every_kind_of_shape_lands_on_ground_and_chain(engine: str) -> None:
+    shapes: list[dict[str, Any]] = [
+        {"circle": 0.5},
+        {"box": [1, 1], "radius": 0.1},
+        {"capsule": [[-1, 0], [1, 0]], "radius": 0.5},
+        {"polygon": [[-1, -0.5], [1, -0.5], [0, 1]]},
+        {"polygon": [[0.5 * math.cos(0.1 * k * math.pi), 0.5 * math.sin(0.1 * k * math.pi)] for k in range(20)]},
+    ]
+    bodies: list[dict[str, Any]] = [
+        {"id": "ground", "type": "static", "shapes": [{"box": [20, 1]}], "position": [0, -0.5]},
+        {"id": "hills", "type": "static", "shapes": [{"chain": [[20, 0], [30, 0], [40, 0]], "one_sided": True}]},
+    ]
+    names = [f"body-{place}-{k}" for place in (0, 30) for k in range(len(shapes))]
+    for name in names:
+        place, k = map(int, name.split("-")[1:])
+        bodies.append({"id": name, "position": [place - 8 + 4 * k, 1.2], "shapes": [shapes[k]]})
+    for pose in after(engine, 120, *names, bodies=bodies):
+        assert 0.3 < pose.y < 0.75
+        assert abs(pose.velocity_y) < 0.2
+
+
+@every_engine
+def test_a_pendulum_with_its_bodies_turned(engine: str) -> None:
+    bodies = [
+        {"id": "post", "type": "static", "shapes": DISC, "position": [1, 1], "angle": 30},
+        {"id": "bob", "shapes": DISC, "position": [3, 1], "angle": 50},
+    ]
+    hinge = {"id": "hinge", "type": "revolute", "bodies": ["post", "bob"], "anchor": [1, 1]}
+    (bob,) = after(engine, 40, "bob", bodies=bodies, joints=[hinge], gravity=[0, -10])
+    assert math.hypot(bob.x - 1.0, bob.y - 1.0) == pytest.approx(2.0, abs=0.02)
+    (ours,) = after("sandbox", 40, "bob", bodies=bodies, joints=[hinge], gravity=[0, -10])
+    assert bob[:4] == pytest.approx(ours[:4], abs=0.06)
+
+
+@every_engine
+@pytest.mark.parametrize(
+    ("fields", "low", "high"),
+    [
+        ({"motor_speed": 90}, 88, 92),
+        ({"motor_speed": 90, "max_torque": 1, "upper": 30}, 29, 32),
+        ({"hertz": 4, "damping_ratio": 1, "rest": -20}, -21, -19),
+    ],
+)
+def test_motor_limit_and_spring_of_a_hinge_count_from_the_start(
+    engine: str, fields: dict[str, float], low: float, high: float
+) -> None:
+    bodies = [{"id": "wheel", "shapes": [{"box": [2, 1]}], "angle": 20, "sleep_speed": 0}]
+    hinge = {"id": "hinge", "type": "revolute", "bodies": [None, "wheel"], "anchor": [0, 0], **fields}
+    (wheel,) = after(engine, 60, "wheel", bodies=bodies, joints=[hinge], gravity=[0, 0])
+    assert low < math.degrees(angle(wheel)) - 20.0 < high
+
+
+@every_engine
+def test_rods_ropes_and_welds(engine: str) -> None:
+    bodies = [{"id": name, "shapes": DISC, "position": [x, 0]} for name, x in (("rod", 2), ("rope", 12), ("weld", 22))]
+    joints = [
+        {"id": "rod", "type": "distance", "bodies": [None, "rod"], "anchors": [[0, 0], [2, 0]]},
+        {"id": "rope", "type": "distance", "bodies": [None, "rope"], "anchors": [[10, 0], [12, 0]], "max": 3},
+        {"id": "weld", "type": "weld", "bodies": [None, "weld"], "anchor": [20, 0]},
+    ]
+    rod, rope, weld = after(engine, 45, "rod", "rope", "weld", bodies=bodies, joints=joints)
+    assert math.hypot(rod.x, rod.y) == pytest.approx(2.0, abs=0.02)
+    assert math.hypot(rope.x - 10.0, rope.y) < 3.1
+    assert rope.y < -1.0
+    assert weld[:2] == pytest.approx((22.0, 0.0), abs=0.05)
+
+
+@every_engine
+def test_who_goes_and_comes(engine: str) -> None:
+    from sandbox.bench.drivers import DRIVERS, Driver
+
+    done = {1: [sandbox.Delete("old"), sandbox.Spawn({"id": "new", "shapes": DISC, "position": [5, 5]})],
+            2: [sandbox.SetVelocity("new", (7.0, 0.0), 1.0)]}  # fmt: skip
+    DRIVERS["a test"] = Driver(commands=lambda step: done.get(step, ()))
+    try:
+        scene = sandbox.Scene(bodies=[{"id": "old", "shapes": DISC}], gravity=[0, 0], settings={"sleeping": False})
+        course = Course(scene, "a test")
+        contestant = ENGINES[engine](course, False)
+        for step in range(3):
+            change = course.change(step)
+            if change is not None:
+                contestant.apply(change)
+            contestant.step()
+    finally:
+        del DRIVERS["a test"]
+    (new,) = contestant.poses(["new"])
+    assert (new.x, new.y, new.velocity_x, new.spin) == pytest.approx((5.0 + 7.0 / 60.0, 5.0, 7.0, 1.0))
+
+
+@pytest.mark.parametrize(("engine", "count"), [("sandbox", 0), ("pymunk", 4), ("box2d", 6)])
+def test_what_an_engine_leaves_out_is_told(engine: str, count: int) -> None:
+    fields: dict[str, Any] = {
+        "bodies": [
+            {"id": "a", "shapes": DISC, "mass": 3, "thrusters": [{"force": [0, 1]}]},
+            {"id": "shelf", "type": "static", "shapes": [{"box": [2, 1], "one_way": [0, 1]}], "position": [9, 9]},
+        ],
+        "joints": [
+            {"id": "push", "type": "target", "bodies": ["a"], "anchor": [0, 0], "target": [1, 0]},
+            {"id": "bent", "type": "revolute", "bodies": [None, "a"], "anchor": [0, 0], "hertz": 2, "rest": 30},
+        ],
+        "regions": [{"wind": [1, 0]}],
+    }
+    notes = ENGINES[engine](Course(sandbox.Scene(**fields), ""), False).notes
+    assert len(notes) == count
+    assert ("joints of the kind target are left out" in notes) == (count > 0)
+
+
+def two_discs(joined: bool) -> sandbox.World:
+    bodies = [{"id": name, "shapes": DISC, "position": [x, 0]} for name, x in (("a", 0), ("b", 0.75), ("c", 9))]
+    rod = {"id": "rod", "type": "distance", "bodies": ["a", "b"], "anchors": [[0, 0], [0.75, 0]]}
+    return sandbox.World(sandbox.Scene(bodies=bodies, joints=[rod] if joined else []))
+
+
+@pytest.mark.parametrize(("joined", "depth", "pairs"), [(False, 0.25, 1), (True, 0.0, 0)])
+def test_the_judge_sees_overlap_energy_and_who_has_escaped(joined: bool, depth: float, pairs: int) -> None:
+    world = two_discs(joined)
+    poses = [Pose(x, 0.0, 1.0, 0.0, speed, 0.0, 0.0) for x, speed in ((0.0, 2.0), (0.75, 0.0), (9.0, 0.0))]
+    seen = Judge(world.state, (-1.0, -1.0, 5.0, 1.0)).judge(poses)
+    assert seen.deepest == pytest.approx(depth)
+    assert seen.overlapping == pairs
+    assert seen.kinetic == pytest.approx(0.5 * world.body("a").mass * 4.0)
+    assert (seen.escaped, seen.lost) == (1, 0)
+
+
+def test_the_judge_survives_numbers_that_are_none() -> None:
+    poses = [Pose(math.nan, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0)] * 2 + [Pose(9.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0)]
+    seen = Judge(two_discs(False).state, (-1.0, -1.0, 50.0, 1.0)).judge(poses)
+    assert (seen.lost, seen.escaped, seen.overlapping) == (2, 2, 0)
+    assert math.isfinite(seen.kinetic)
+
+
+def test_a_profile_changes_no_bit_and_times_every_part() -> None:
+    scene = two_discs(True).scene
+    plain, timed = Ours(Course(scene, "")), Ours(Course(scene, ""), profile=True)
+    for _ in range(5):
+        plain.step()
+        timed.step()
+    assert plain.world.digest() == timed.world.digest()
+    assert timed.stages is not None
+    assert plain.stages is None
+    assert dict(timed.stages.calls) == {"collide": 5, "solve": 5}
+
+
+def test_tables_are_counted_once() -> None:
+    world = two_discs(False)
+    own = sum(table.nbytes for table in world.state.arrays)
+    assert own < table_bytes(world) < 50 * own + 2**24
+
+
+def test_a_race_of_many_turns_ends_as_a_run_of_our_own() -> None:
+    scene = two_discs(True).scene
+    heard: list[int] = []
+    race = run_race(Course(scene, ""), ["pymunk", "sandbox"], 24, False, heard.append)
+    world = sandbox.World(scene)
+    world.step(24)
+    pymunk, ours = race.results
+    assert ours.own is not None
+    assert ours.own.digest == world.digest()
+    assert [len(each.turns) for each in race.results] == [10, 10]
+    assert heard[-1] == 24
+    assert (race.steps, race.bodies, race.shapes, race.joints) == (24, 3, 3, 1)
+    assert ours.ratio == 1.0
+    assert pymunk.own is None
