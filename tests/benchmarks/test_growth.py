@@ -1,0 +1,164 @@
+"""How the cost of each stage grows with the size of a scene: twice as much four times over, and the exponent of it.
+
+`python -m pytest -m benchmark -s tests/benchmarks/test_growth.py`
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable
+from functools import cache
+
+import numpy as np
+import pytest
+
+import sandbox
+from sandbox._jit import entry_point, kernel_argument
+from sandbox.bench.stages import TimedStepper
+from sandbox.engine.broad_phase.pairs import sort_pairs
+from sandbox.engine.broad_phase.proxies import bound_shapes
+from sandbox.engine.broad_phase.resting_grid import find_all_pairs
+from sandbox.engine.records.state import StateTables
+from tests.benchmarks.test_narrow_phase import nanoseconds_a_pair
+
+pytestmark = pytest.mark.benchmark
+
+ROWS = 10
+BOXES = ROWS * (ROWS + 1) // 2
+PYRAMIDS = (8, 16, 32, 64, 128)
+"""Pyramids side by side: contacts, islands and colours of each are those of one."""
+TURNS = 30
+
+Words = dict[str, object]
+
+
+def pyramids(count: int) -> sandbox.Scene:
+    width = 12.0 * count
+    return sandbox.Scene(
+        prefabs={"box": {"shapes": [{"box": [1, 1], "friction": 0.6}]}},
+        bodies=[{"id": "ground", "type": "static", "shapes": [{"box": [width, 1]}], "position": [width / 2, -0.5]}],
+        generate=[{"id": f"p{k}", "pyramid": "box", "rows": ROWS, "at": [12.0 * k + 6.0, 0.5]} for k in range(count)],
+        settings={"sleeping": False},
+    )
+
+
+@cache
+def settled(count: int) -> sandbox.World:
+    """A world of pyramids after 20 steps, whose stages are timed."""
+    world = sandbox.World(pyramids(count))
+    TimedStepper.in_place(world)
+    world.step(20)
+    return world
+
+
+@entry_point
+def broad_phase(state, active, colliders, grid):
+    """Inner kernels are not for Python to call: boxes and proxies, the grid, the pairs and their order."""
+    bound_shapes(state, active.shapes, colliders)
+    pair_count = find_all_pairs(colliders, active, True, grid)
+    sort_pairs(grid.pairs, pair_count, grid.sorted_pairs, grid.heads, state.shapes.shape[0])
+    return pair_count
+
+
+def fastest(run: Callable[[], object], turns: int = TURNS) -> float:
+    """Seconds of the quickest turn, as what else runs on the machine only ever adds; the first of all compiles."""
+    run()
+    times = []
+    for _ in range(turns):
+        start = time.perf_counter()
+        run()
+        times.append(time.perf_counter() - start)
+    return min(times)
+
+
+def tell(stage: str, seconds: dict[int, float]) -> float:
+    """Print microseconds for each number of boxes, and the exponent of growth: 1 is in proportion, 2 quadratic."""
+    sizes, costs = np.log(list(seconds)), np.log(list(seconds.values()))
+    exponent = float(np.polyfit(sizes, costs, 1)[0])
+    told = ", ".join(f"{size:,}: {1e6 * cost:,.0f}" for size, cost in seconds.items())
+    print(f"\n{stage}, us by boxes: {told}; exponent {exponent:.2f}")
+    return exponent
+
+
+def test_broad_phase() -> None:
+    seconds, pairs = {}, {}
+    for count in PYRAMIDS:
+        world = settled(count)
+        tables = StateTables(*(getattr(world.state, name) for name in StateTables._fields))
+        scratch = world.scratch
+        bundles = (tables, scratch.active, scratch.colliders, scratch.grid)
+        arguments = [kernel_argument(bundle) for bundle in bundles]
+        seconds[count * BOXES] = fastest(lambda arguments=arguments: broad_phase(*arguments))
+        pairs[count] = broad_phase(*arguments)
+    assert math.isfinite(tell("proxies, grid and pairs", seconds))
+    assert [pairs[count] for count in PYRAMIDS] == [count // PYRAMIDS[0] * pairs[PYRAMIDS[0]] for count in PYRAMIDS]
+
+
+def test_narrow_phase() -> None:
+    found = {count: nanoseconds_a_pair(settled(count)) for count in PYRAMIDS}
+    seconds = {count * BOXES: 1e-9 * cost * pairs for count, (cost, pairs) in found.items()}
+    assert math.isfinite(tell("narrow phase", seconds))
+    assert found[PYRAMIDS[-1]][1] == PYRAMIDS[-1] // PYRAMIDS[0] * found[PYRAMIDS[0]][1]
+
+
+@pytest.mark.parametrize("part", ["collide", "solve"])
+def test_half_of_the_step(part: str) -> None:
+    seconds = {}
+    for count in PYRAMIDS:
+        world = settled(count)
+        stepper = world._stepper
+        assert isinstance(stepper, TimedStepper)
+        times = []
+        for _ in range(TURNS):
+            stepper.forget_times()
+            world.step()
+            times.append(stepper.seconds[part])
+            assert stepper.calls[part] == 1
+        seconds[count * BOXES] = min(times)
+    assert math.isfinite(tell(f"{part}, a step", seconds))
+
+
+def test_building_a_world() -> None:
+    seconds = {}
+    for count in PYRAMIDS:
+        scene = pyramids(count)
+        seconds[count * BOXES] = fastest(lambda scene=scene: sandbox.World(scene), turns=3)
+        assert len(sandbox.World(scene).bodies) == count * BOXES + 1
+    assert math.isfinite(tell("building a World", seconds))
+
+
+def test_reading_a_scene() -> None:
+    seconds = {}
+    for count in PYRAMIDS:
+        text = pyramids(count).model_dump_json(by_alias=True, exclude_unset=True)
+        seconds[count * BOXES] = fastest(lambda text=text: sandbox.loads_scene(text), turns=3)
+        assert len(sandbox.loads_scene(text).flatten().bodies) == count * BOXES + 1
+    assert math.isfinite(tell("reading a scene", seconds))
+
+
+def test_spawning_one_among_many() -> None:
+    seconds = {}
+    for count in PYRAMIDS:
+        world = sandbox.World(pyramids(count))
+        turn = iter(range(1000))
+
+        def spawn(world: sandbox.World = world, turn: object = turn) -> None:
+            world.spawn({"id": f"new-{next(turn)}", "shapes": [{"circle": 0.5}], "position": [0, 50]})
+
+        seconds[count * BOXES] = fastest(spawn, turns=10)
+        assert len(world.bodies) == count * BOXES + 1 + 11
+    assert math.isfinite(tell("spawning one body among so many", seconds))
+
+
+def test_spawning_many_at_once() -> None:
+    seconds = {}
+    for count in PYRAMIDS:
+        many = [
+            {"id": f"new-{k}", "shapes": [{"circle": 0.5}], "position": [float(k), 50.0]} for k in range(count * BOXES)
+        ]
+        worlds = [sandbox.World(pyramids(1)) for _ in range(4)]
+        fresh = iter(worlds)
+        seconds[count * BOXES] = fastest(lambda fresh=fresh, many=many: next(fresh).spawn(many), turns=3)
+        assert all(len(world.bodies) == BOXES + 1 + count * BOXES for world in worlds)
+    assert math.isfinite(tell("spawning so many bodies at once", seconds))
