@@ -41,8 +41,8 @@ class Own:
 class Result:
     """One engine's race. Times in milliseconds: to `build` it, of the `first` step, and a step in each of the `turns`.
 
-    Changes between steps are part of both. `ratio` is the median over the turns of our time over this engine's; None
-    without us, or without turns.
+    What is changed between steps is part of both; `changes` is its share of a step in the turns, ms. `ratio` is the
+    median over the turns of our time over this engine's; None without us, or without turns.
     """
 
     name: str
@@ -51,6 +51,7 @@ class Result:
     build: float
     first: float
     turns: tuple[float, ...]
+    changes: float
     ratio: float | None
     quality: Quality
     own: Own | None
@@ -81,8 +82,14 @@ class _Lane:
         start = _clock()
         self.contestant: Contestant = ENGINES[name](course, profile)
         self.build = _clock() - start
-        self.first = 0.0
+        self.first = self.changing = 0.0
         self.turns: list[float] = []
+
+    def begin_turns(self) -> None:
+        """The turns begin: what the first step took is not theirs."""
+        self.changing = 0.0
+        if isinstance(self.contestant, Ours) and self.contestant.stages is not None:
+            self.contestant.stages.forget_times()
 
     def go(self, changes: Sequence[Change | None]) -> float:
         """Take a step for each of `changes`, after it; how long one took, on the mean."""
@@ -90,7 +97,9 @@ class _Lane:
         start = _clock()
         for change in changes:
             if change is not None:
+                before = _clock()
                 contestant.apply(change)
+                self.changing += _clock() - before
             contestant.step()
         return (_clock() - start) / len(changes)
 
@@ -108,7 +117,7 @@ def run_race(
     first = [course.change(0)]
     for lane in lanes:
         lane.first = lane.go(first)
-        _forget_times(lane.contestant)
+        lane.begin_turns()
     for begin, end in _turns(steps):
         changes = [course.change(step) for step in range(begin, end)]
         for lane in lanes:
@@ -138,7 +147,8 @@ def _result(lane: _Lane, ours: _Lane | None, quality: Quality, steps: int) -> Re
     contestant = lane.contestant
     return Result(
         lane.name, contestant.label, contestant.notes, 1e3 * lane.build, 1e3 * lane.first,
-        tuple(1e3 * seconds for seconds in lane.turns), _ratio(ours, lane), quality,
+        tuple(1e3 * seconds for seconds in lane.turns), 1e3 * lane.changing / max(1, steps - 1), _ratio(ours, lane),
+        quality,
         _own(contestant, steps) if isinstance(contestant, Ours) else None,
     )  # fmt: skip
 
@@ -157,11 +167,6 @@ def _own(contestant: Ours, steps: int) -> Own:
         stages = {name: 1e3 * seconds / (steps - 1) for name, seconds in contestant.stages.seconds.items()}
     digest, contacts, frozen = world.digest(), len(world.contacts), len(world.frozen)
     return Own(digest, contacts, world.awake_count, frozen, table_bytes(world), stages)
-
-
-def _forget_times(contestant: Contestant) -> None:
-    if isinstance(contestant, Ours) and contestant.stages is not None:
-        contestant.stages.forget_times()
 
 
 def _warm_up(engines: Sequence[str], joints: bool) -> None:

@@ -69,6 +69,7 @@ def _engine_entry(result: Result) -> dict[str, Any]:
         "first_step_ms": result.first,
         "ms_per_step": result.step,
         "turns_ms_per_step": list(result.turns),
+        "changes_ms_per_step": result.changes,
         "sandbox_over_this": result.ratio,
         "deepest_overlap_m": quality.deepest,
         "overlapping_pairs": quality.overlapping,

@@ -74,6 +74,11 @@ def _cells(result: Result) -> list[str]:
 def _below(race: Race) -> list[str]:
     lines = [f"  {each.label}: {note}" for each in race.results for note in each.notes]
     lines += [
+        f"  {each.label}: what is changed between steps takes {each.changes:.3f} ms a step of the turns"
+        for each in race.results
+        if each.changes
+    ]
+    lines += [
         f"  {each.label}: the numbers of {_count(each.quality.lost, 'body', 'bodies')} are none"
         for each in race.results
         if each.quality.lost

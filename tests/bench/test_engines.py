@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -14,6 +15,7 @@ from sandbox.bench.memory import table_bytes
 from sandbox.bench.quality import Judge
 from sandbox.bench.race import run_race
 from sandbox.reference.run import Pose
+from sandbox.resources import find_scene
 
 BOX2D = "box2d"
 every_engine = pytest.mark.parametrize("engine", list(ENGINES))
@@ -190,6 +192,17 @@ def test_a_profile_changes_no_bit_and_times_every_part() -> None:
     assert timed.stages is not None
     assert plain.stages is None
     assert dict(timed.stages.calls) == {"collide": 5, "solve": 5}
+
+
+def test_what_is_changed_between_steps_is_timed_beside_the_turns() -> None:
+    scene = sandbox.load_scene(find_scene(Path("pymunk-tumbler")))
+    driven, left = (run_race(Course(scene, name), ["sandbox"], 6, True) for name in ("pymunk-tumbler", "another"))
+    assert (driven.bodies, left.bodies) == (6, 1)
+    (one,), (other,) = driven.results, left.results
+    assert 0.0 < one.changes * 5.0 <= sum(one.turns) * 1.001
+    assert other.changes == 0.0
+    assert one.own is not None
+    assert one.own.stages.keys() >= {"collide", "solve"}
 
 
 def test_tables_are_counted_once() -> None:
