@@ -36,6 +36,9 @@ class Contestant(Protocol):
     def poses(self, names: Sequence[str]) -> list[Pose]:
         """Where bodies are and how they move."""
 
+    def close(self) -> None:
+        """Give back what it holds; nothing else may be asked after it."""
+
 
 class Ours:
     """The scene in this engine; with `profile`, the parts of its step are timed."""
@@ -58,6 +61,9 @@ class Ours:
         rows = self.world.state.bodies[[self.world.directory.body(name) for name in names]]
         columns = np.stack([rows[column] for column in _POSE_COLUMNS], axis=1)
         return [Pose(*row) for row in columns.tolist()]
+
+    def close(self) -> None:
+        """There is nothing to give back."""
 
 
 class Theirs:
@@ -83,6 +89,10 @@ class Theirs:
     def poses(self, names: Sequence[str]) -> list[Pose]:
         """Where bodies are and how they move."""
         return [self._run.pose(name) for name in names]
+
+    def close(self) -> None:
+        """Give back what it holds; nothing else may be asked after it."""
+        self._run.close()
 
 
 def _sandbox(course: Course, profile: bool) -> Contestant:

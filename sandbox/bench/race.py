@@ -140,6 +140,8 @@ def _finished(course: Course, lanes: Sequence[_Lane], steps: int) -> Race:
     judge = Judge(state, course.inside)
     results = tuple(_result(lane, ours, judge.judge(lane.contestant.poses(state.names)), steps) for lane in lanes)
     sizes = len(state.bodies), len(state.shapes), len(state.joints)
+    for lane in lanes:
+        lane.contestant.close()
     return Race(steps, *sizes, peak_resident_bytes(), results)
 
 

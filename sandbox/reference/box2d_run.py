@@ -89,6 +89,10 @@ class Box2dRun:
         at, velocity, turn = body.position, body.linear_velocity, body.rotation
         return Pose(at.x, at.y, turn.c, turn.s, velocity.x, velocity.y, body.angular_velocity)
 
+    def close(self) -> None:
+        """Give back what it holds; nothing else may be asked after it."""
+        self._bodies.clear()
+
     def _add_body(self, flat: FlatBody) -> Any:
         definition = self._b2.body_def(
             type=self._types[flat.type], position=flat.position, rotation=self._b2.Rot(flat.angle),

@@ -14,6 +14,7 @@ from sandbox.reference.space_joints import KINDS, add_joint
 from sandbox.scene.flat import FlatBody, FlatJoint, FlatScene, Vec
 
 _SECONDS_TO_SLEEP = 0.5
+_NOBODY = pymunk.ShapeFilter(categories=0, mask=0)
 
 
 class PymunkRun:
@@ -64,3 +65,14 @@ class PymunkRun:
         """Where a body is and how it moves."""
         body = self._bodies[name]
         return Pose(*body.position, math.cos(body.angle), math.sin(body.angle), *body.velocity, body.angular_velocity)
+
+    def close(self) -> None:
+        """Let go of all contacts. Nothing can be done with the run after it.
+
+        Chipmunk frees a space shape by shape and goes through all contacts for each: minutes, where there are many.
+        """
+        for shape in self._space.shapes:
+            shape.filter = _NOBODY
+        self._space.collision_persistence = 0
+        self._space.step(self._seconds)
+        self._space.step(self._seconds)

@@ -44,6 +44,9 @@ class OtherRun(Protocol):
     def pose(self, name: str) -> Pose:
         """Where a body is and how it moves."""
 
+    def close(self) -> None:
+        """Give back what it holds; nothing else may be asked after it."""
+
 
 def left_out(scene: FlatScene) -> Iterator[str]:
     """What of a scene no other engine has."""

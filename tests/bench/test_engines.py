@@ -14,6 +14,7 @@ from sandbox.bench.course import Course
 from sandbox.bench.memory import table_bytes
 from sandbox.bench.quality import Judge
 from sandbox.bench.race import run_race
+from sandbox.reference.pymunk_run import PymunkRun
 from sandbox.reference.run import Pose
 from sandbox.resources import find_scene
 
@@ -192,6 +193,20 @@ def test_a_profile_changes_no_bit_and_times_every_part() -> None:
     assert timed.stages is not None
     assert plain.stages is None
     assert dict(timed.stages.calls) == {"collide": 5, "solve": 5}
+
+
+def test_pymunk_lets_go_of_all_contacts_when_it_is_closed() -> None:
+    bodies = [{"id": f"disc-{k}", "shapes": DISC, "position": [0.01 * k, 0]} for k in range(20)]
+    run = PymunkRun(sandbox.Scene(bodies=bodies).flatten())
+    touching: list[object] = []
+    run.step()
+    for close in (False, True):
+        if close:
+            run.close()
+        for body in run._space.bodies:
+            body.each_arbiter(touching.append)
+        assert (len(touching) > 100) != close
+        touching.clear()
 
 
 def test_what_is_changed_between_steps_is_timed_beside_the_turns() -> None:
