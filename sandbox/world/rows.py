@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from sandbox.scene.flat import FlatBody, FlatJoint
 from sandbox.tables import Integers, Records, Table, taken
 from sandbox.world import records
-from sandbox.world.build import body_tables
+from sandbox.world.body_rows import body_tables
 from sandbox.world.build_fields import build_thrusters
 from sandbox.world.build_joints import build_joints
 from sandbox.world.field_records import THRUSTER
