@@ -11,7 +11,7 @@ from sandbox.geometry.trig import cos_sin
 from sandbox.scene.flat import FlatBody
 from sandbox.tables import Floats, Integers, Records
 from sandbox.world import records
-from sandbox.world.shape_rows import Pattern, Patterns, build_patterns
+from sandbox.world.shape_rows import Patterns, build_patterns
 
 _cos_sin = interpreted(cos_sin)
 _TYPES = {"static": records.STATIC, "kinematic": records.KINEMATIC, "dynamic": records.DYNAMIC}
@@ -23,15 +23,18 @@ def body_tables(bodies: Sequence[FlatBody]) -> tuple[Records, Records, Records, 
 
     All bodies are awake. Those that share a tuple of shapes are worked out once.
     """
-    numbers: dict[tuple[int, object], int] = {}
-    found: list[Pattern] = []
-    of_body = np.zeros(len(bodies), np.int64)
-    for row, body in enumerate(bodies):
-        number = of_body[row] = numbers.setdefault((id(body.shapes), body.center), len(found))
+    numbers: dict[object, int] = {}
+    found: list[FlatBody] = []
+    of_body: list[int] = []
+    for body in bodies:
+        key = id(body.shapes) if body.center is None else (id(body.shapes), body.center)
+        number = numbers.setdefault(key, len(found))
+        of_body.append(number)
         if number == len(found):
-            found.append((body.shapes, body.center))
+            found.append(body)
     patterns = build_patterns(found)
-    return _body_rows(bodies, patterns, of_body), *patterns.placed(of_body)
+    rows = np.array(of_body, np.int64)
+    return _body_rows(bodies, patterns, rows), *patterns.placed(rows)
 
 
 def _body_rows(bodies: Sequence[FlatBody], patterns: Patterns, of_body: Integers) -> Records:

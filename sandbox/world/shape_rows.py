@@ -10,14 +10,12 @@ from typing import Any
 import numpy as np
 
 from sandbox.geometry.mass import edge_normals
-from sandbox.scene.flat import FlatShape, Vec
+from sandbox.scene.flat import FlatBody, FlatShape, Vec
 from sandbox.tables import Floats, Integers, Records, taken
 from sandbox.world import records
 from sandbox.world.moments import Columns, Cores, core_moments, half_widths, sums
 from sandbox.world.runs import owners, run_starts, runs
 
-Pattern = tuple[tuple[FlatShape, ...], Vec | None]
-"""The shapes of a body, and what overrides its centre of mass."""
 _KINDS = {
     "circle": records.CIRCLE, "box": records.BOX, "capsule": records.CAPSULE,
     "segment": records.SEGMENT, "polygon": records.POLYGON,
@@ -30,8 +28,8 @@ _SAME = (
 
 @dataclass(frozen=True)
 class Patterns:
-    """What patterns come to: their rows, pattern after pattern, and a mass (kg), inertia (kg m^2), centre of mass and
-    extent (m) for each. `counts` are the shapes of each pattern, `seam_counts` the seam rows of each shape."""
+    """What the shapes of some bodies come to: their rows, body after body, and each body's mass (kg), inertia (kg m^2),
+    centre of mass and extent (m). `counts` are the shapes of each, `seam_counts` the seam rows of each shape."""
 
     counts: Integers
     shapes: Records
@@ -60,21 +58,21 @@ class Patterns:
         return shapes, vertices, outlines, seams
 
 
-def build_patterns(patterns: Sequence[Pattern]) -> Patterns:
-    """Rows and masses of bodies with those shapes."""
-    shapes = [shape for pattern, _ in patterns for shape in pattern]
-    counts = np.array([len(pattern) for pattern, _ in patterns], np.int64)
+def build_patterns(bodies: Sequence[FlatBody]) -> Patterns:
+    """Rows and masses of bodies with shapes, and overrides of the centre of mass, like those of `bodies`."""
+    shapes = [shape for body in bodies for shape in body.shapes]
+    counts = np.array([len(body.shapes) for body in bodies], np.int64)
     owner = owners(counts)
     cores = _cores(shapes)
     rows = _shape_rows(shapes, cores)
-    mass, inertia, center_x, center_y = _masses(rows, cores, owner, [center for _, center in patterns])
+    mass, inertia, center_x, center_y = _masses(rows, cores, owner, [body.center for body in bodies])
     vertices = records.VERTEX.zeros(len(cores.x))
     of_vertex = np.repeat(owner, cores.counts)
     vertices.x, vertices.y = cores.x - center_x[of_vertex], cores.y - center_y[of_vertex]
     vertices.normal_x, vertices.normal_y = cores.normal_x, cores.normal_y
     outlines = _outlines(rows, shapes, center_x[owner], center_y[owner])
     seams, seam_counts = _seams(rows, shapes)
-    extent = _extents(rows, vertices, owner, len(patterns))
+    extent = _extents(rows, vertices, owner, len(bodies))
     return Patterns(
         counts, rows, vertices, outlines, seams, seam_counts, mass, inertia, center_x, center_y, extent
     )  # fmt: skip
@@ -104,7 +102,7 @@ def _shape_rows(shapes: Sequence[FlatShape], cores: Cores) -> Records:
 
 
 def _masses(rows: Records, cores: Cores, owner: Integers, centers: Sequence[Vec | None]) -> Columns:
-    """Mass, inertia and centre of mass of each pattern; sensors weigh nothing."""
+    """Mass, inertia and centre of mass of each body; sensors weigh nothing."""
     density = np.where(rows.sensor == 0, rows.density, 0.0)
     count = len(centers)
     mass, first_x, first_y, second = (sums(density * each, owner, count) for each in core_moments(cores))
@@ -119,7 +117,7 @@ def _masses(rows: Records, cores: Cores, owner: Integers, centers: Sequence[Vec 
 
 
 def _extents(rows: Records, vertices: Records, owner: Integers, count: int) -> Floats:
-    """How far each pattern reaches from its centre of mass; its sensors do not count, unless it has nothing else."""
+    """How far each body reaches from its centre of mass; its sensors do not count, unless it has nothing else."""
     has_solid = np.zeros(count, np.bool_)
     has_solid[owner[rows.sensor == 0]] = True
     reach = np.sqrt(vertices.x * vertices.x + vertices.y * vertices.y) + np.repeat(rows.radius, rows.vertex_count)
