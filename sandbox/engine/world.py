@@ -292,7 +292,10 @@ class World(Shown, FixedAttributes):
 
     def _move_rows(self, moved: Moved) -> None:
         """Bring everything that knows of rows up to date after rows have come or gone."""
-        self._know_rows()
+        if self._directory.is_complete:
+            self._last_switch = last_switch(self.state)
+        else:
+            self._know_rows()
         old, blocks = self.scratch.contacts.reports, len(self.scratch.blocks.blocks)
         self._stepper.renew(blocks=blocks)
         self.scratch.contacts.reports[: len(moved.contacts)] = old[moved.contacts]

@@ -24,6 +24,8 @@ def build_state(scene: FlatScene) -> State:
     drags.body = -1
     regions, edges = build_regions(scene.regions, scene.settings.step_rate)
     roster = Roster.of(scene)
+    rows = {name: row for row, name in enumerate(roster.bodies.names)}
+    joint_rows = {name: row for row, name in enumerate(roster.joints.names)}
     return State(
         bodies=bodies,
         shapes=shapes,
@@ -31,7 +33,7 @@ def build_state(scene: FlatScene) -> State:
         outlines=sides,
         seams=seams,
         contacts=records.CONTACT.zeros(max(16, 4 * len(shapes))),
-        joints=build_joints(scene.joints, bodies, roster.bodies.names),
+        joints=build_joints(scene.joints, bodies, rows.__getitem__, joint_rows.__getitem__),
         drags=drags,
         regions=regions,
         edges=edges,
