@@ -102,7 +102,8 @@ class Stepper:
         old, contacts = self.scratch, self._state.contacts
         now = len(old.grid.pairs), len(old.blocks.blocks)
         spare = max(now[0], pairs + pairs // 2), max(now[1], blocks + blocks // 2)
-        pairs, blocks = room_for(max(now[0], pairs), max(now[1], blocks), spare)
+        found = pairs or int(self.counters["pair_count"][0])
+        pairs, blocks = room_for((max(now[0], pairs), max(now[1], blocks)), spare, found)
         count = int(self.counters["contact_count"][0])
         self._state.contacts = CONTACT.zeros(pairs)
         self._state.contacts[:count] = contacts[:count]

@@ -34,12 +34,12 @@ def test_a_pile_with_too_many_pairs():
 
 
 def test_a_pile_whose_contacts_share_too_many_bodies(monkeypatch):
-    monkeypatch.setattr(limit, "MAX_STEP_BYTES", limit.step_bytes(150 * 149 // 2, 0) * 4 // 3)
+    monkeypatch.setattr(limit, "MAX_STEP_BYTES", limit.step_bytes(150 * 149 // 2 * 3 // 2, 0) + 1000)
     monkeypatch.setattr(stepper, "_FEW", 100)
     w = pile(150)
     digest = w.digest()
     for _ in range(2):
-        with pytest.raises(CapacityError, match=r"11,175 pairs"):
+        with pytest.raises(CapacityError, match=r"with 11,175 pairs"):
             w.step()
         assert w.digest() == digest
     monkeypatch.undo()
@@ -67,5 +67,5 @@ def test_fields_push_once_where_a_step_is_refused(monkeypatch):
 
 def test_room_that_would_be_too_much_is_what_is_needed():
     most = next(k for k in range(10**6, 10**8, 10**4) if limit.step_bytes(k, 0) > limit.MAX_STEP_BYTES) - 10**4
-    assert limit.room_for(most, 1, (2 * most, 1)) == (most, 1)
-    assert limit.room_for(1000, 1, (2000, 1)) == (2000, 1)
+    assert limit.room_for((most, 1), (2 * most, 1), most) == (most, 1)
+    assert limit.room_for((1000, 1), (2000, 1), 1000) == (2000, 1)

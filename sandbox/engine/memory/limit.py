@@ -13,8 +13,8 @@ from sandbox.errors import CapacityError
 from sandbox.world.records import CONTACT
 
 MAX_STEP_BYTES = 4 * 1024**3
-"""Memory of all tables that grow with pairs and contacts, in bytes: about 4 million pairs, or 1 million contacts among
-bodies that overlap too many others to be solved side by side."""
+"""Memory of all tables that grow with pairs and contacts, in bytes: about 4 million pairs, or 900,000 contacts of
+bodies that touch too many others to be solved side by side."""
 _WORD = 8
 _PAIR_BYTES = 3 * _WORD + sum(
     table.dtype.itemsize
@@ -33,16 +33,16 @@ def step_bytes(pairs: int, blocks: int) -> int:
     return pairs * _PAIR_BYTES + max(blocks, least_blocks(pairs)) * _BLOCK_BYTES
 
 
-def room_for(pairs: int, blocks: int, spare: tuple[int, int]) -> tuple[int, int]:
+def room_for(needed: tuple[int, int], spare: tuple[int, int], found: int) -> tuple[int, int]:
     """For how many pairs and blocks memory is to be taken: `spare`, or what is needed if that would be too much.
 
-    Raises `CapacityError` if what is needed is.
+    Raises `CapacityError` if what is needed is, for the pairs that were `found`.
     """
-    needed = step_bytes(pairs, blocks)
-    if needed > MAX_STEP_BYTES:
+    size = step_bytes(*needed)
+    if size > MAX_STEP_BYTES:
         raise CapacityError(
-            f"a step with {pairs:,} pairs of shapes that may touch needs {needed / 1e9:.1f} GB of tables; the limit is "
+            f"a step with {found:,} pairs of shapes that may touch needs {size / 1e9:.1f} GB of tables; the limit is "
             f"{MAX_STEP_BYTES / 1e9:.1f} GB. Too many bodies are in one place: spread them, or give them categories "
             "that do not collide. The world is as before the step"
         )
-    return spare if step_bytes(*spare) <= MAX_STEP_BYTES else (pairs, blocks)
+    return spare if step_bytes(*spare) <= MAX_STEP_BYTES else needed
