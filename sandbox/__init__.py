@@ -60,6 +60,7 @@ if TYPE_CHECKING:
     from sandbox.engine.views.joint import JointView as JointView
     from sandbox.engine.world import World as World
     from sandbox.errors import ArgumentError as ArgumentError
+    from sandbox.errors import CapacityError as CapacityError
     from sandbox.errors import CommandError as CommandError
     from sandbox.errors import FileError as FileError
     from sandbox.errors import MissingDependencyError as MissingDependencyError

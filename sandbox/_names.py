@@ -25,7 +25,7 @@ _MODULES = {
     "sandbox.engine.views.joint": "JointView",
     "sandbox.engine.world": "World",
     "sandbox.errors": """
-        ArgumentError CommandError FileError MissingDependencyError Problem QueryError
+        ArgumentError CapacityError CommandError FileError MissingDependencyError Problem QueryError
         ReadOnlyAttributeError RecordingError SandboxError SceneError ShapeError SnapshotError
         UnknownAttributeError UnknownBodyError UnknownJointError UnknownRegionError
     """,

@@ -74,6 +74,10 @@ class QueryError(SandboxError, ValueError):
     """A query cannot be answered as it was asked."""
 
 
+class CapacityError(SandboxError):
+    """A step would need more memory than is allowed; the world is as before the step."""
+
+
 class CommandError(SandboxError):
     """A command was refused; the world is unchanged."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from sandbox._jit import Call, kernel_argument
@@ -10,11 +11,18 @@ from sandbox.engine.continuous_collision.solve_continuous import solve_continuou
 from sandbox.engine.fields.apply import apply_fields
 from sandbox.engine.fields.records import has_fields
 from sandbox.engine.joints.assembly import assemble
+from sandbox.engine.joints.part_layout import PartLayouts
 from sandbox.engine.memory.binding import bind
+from sandbox.engine.memory.limit import room_for
 from sandbox.engine.memory.scratch import Scratch
 from sandbox.engine.step import NEEDS_CONTINUOUS, collide, solve
+from sandbox.errors import CapacityError
+from sandbox.tables import Records
 from sandbox.world.records import CONTACT
 from sandbox.world.state import State
+
+_FEW = 1000
+"""So many shapes never make too many pairs."""
 
 
 class Stepper:
@@ -27,6 +35,7 @@ class Stepper:
     def __init__(self, state: State) -> None:
         self._state = state
         self._turn = self._broken = 0
+        self._layouts = PartLayouts()
         self.renew()
 
     def compile(self) -> None:
@@ -34,11 +43,21 @@ class Stepper:
         compile_step(self.scratch.joints is not None)
 
     def step(self) -> None:
-        """Take one step. Then `state.contacts` are those of it, `scratch.contacts.now` those of the step before."""
+        """Take one step. Then `state.contacts` are those of it, `scratch.contacts.now` those of the step before.
+
+        Raises `CapacityError`, and leaves the state as it was, if there are too many pairs.
+        """
+        before = self._copies() if self._crowded else ()
         if self._fields:
             self._fields[self._turn]()
-        while not self._advance():
-            pass
+        try:
+            while not self._advance():
+                pass
+        except CapacityError:
+            for table, copy in before:
+                table[:] = copy
+            self.forget()
+            raise
         # A step reads the contacts of the last one while it writes the new ones.
         self._turn = 1 - self._turn
         self._state.contacts = self.scratch.contacts.now
@@ -48,7 +67,7 @@ class Stepper:
 
     def renew(self, blocks: int = 0) -> None:
         """Take new scratch memory, for as many pairs as the state has rows for contacts, and so many solver blocks."""
-        self.scratch = Scratch.for_state(self._state, len(self._state.contacts), blocks)
+        self.scratch = Scratch.for_state(self._state, len(self._state.contacts), blocks, self._layouts)
         self._prepare_calls()
 
     def forget(self) -> None:
@@ -57,8 +76,13 @@ class Stepper:
 
     def assemble_joints(self) -> None:
         """Find out anew what hangs together by joints, after one of them broke or was switched."""
-        self.scratch.joint_filter, self.scratch.joints = assemble(self._state.joints, self._state.bodies)
+        self.scratch.joint_filter, self.scratch.joints = assemble(self._state.joints, self._state.bodies, self._layouts)
         self._prepare_calls()
+
+    def _copies(self) -> Sequence[tuple[Records, Records]]:
+        """What a step has changed by the time that it may be refused, with copies."""
+        tables = (self._state.counters, *((self._state.bodies,) if self._fields else ()))
+        return [(table, table.copy()) for table in tables]
 
     def _advance(self) -> bool:
         """Take a step; False if it lacked scratch memory, which it has now: then nothing else has changed."""
@@ -74,12 +98,16 @@ class Stepper:
         return True
 
     def _make_room(self, pairs: int, blocks: int) -> None:
-        """Grow scratch memory to that many pairs and blocks, and half as many more."""
+        """Grow scratch memory to that many pairs and blocks, and half as many more if there is room for that."""
         old, contacts = self.scratch, self._state.contacts
+        now = len(old.grid.pairs), len(old.blocks.blocks)
+        spare = max(now[0], pairs + pairs // 2), max(now[1], blocks + blocks // 2)
+        found = pairs or int(self.counters["pair_count"][0])
+        pairs, blocks = room_for((max(now[0], pairs), max(now[1], blocks)), spare, found)
         count = int(self.counters["contact_count"][0])
-        self._state.contacts = CONTACT.zeros(max(len(old.grid.pairs), pairs + pairs // 2))
+        self._state.contacts = CONTACT.zeros(pairs)
         self._state.contacts[:count] = contacts[:count]
-        self.renew(blocks=max(len(old.blocks.blocks), blocks + blocks // 2))
+        self.renew(blocks)
         self.scratch.solver.free_motions.buoyed = (
             old.solver.free_motions.buoyed
         )  # the fields of this step have been applied
@@ -88,6 +116,7 @@ class Stepper:
         """The calls of a step: some for even and some for odd steps, as the contact tables swap places."""
         state, scratch = self._state, self.scratch
         self._turn = 0
+        self._crowded = len(state.shapes) > _FEW
         self.counters = kernel_argument(state.counters)
         self._broken = int(self.counters["broken_count"][0])
         self._parts: list[tuple[Call, ...]] = []

@@ -21,7 +21,7 @@ from sandbox.engine.stepper import Stepper
 from sandbox.engine.views.bodies import Bodies
 from sandbox.engine.views.body import BodyView
 from sandbox.engine.views.joint import JointView
-from sandbox.errors import ArgumentError, CommandError, SnapshotError
+from sandbox.errors import ArgumentError, CapacityError, CommandError, SnapshotError
 from sandbox.notebook import Shown
 from sandbox.scene.flat import FlatScene
 from sandbox.tables import Floats
@@ -70,7 +70,12 @@ class World(Shown, FixedAttributes):
         self.bodies = Bodies(self)
 
     def step(self, n: int = 1) -> None:
-        """Advance by `n` steps of `1 / step_rate` seconds each. Raises `ArgumentError` unless `n` is a whole number."""
+        """Advance by `n` steps of `1 / step_rate` seconds each.
+
+        Raises `ArgumentError` unless `n` is a whole number, and `CapacityError` before a step in which so many shapes
+        overlap that its tables would not fit into memory; the world is then as after the step before, but for its
+        events.
+        """
         n = checked_count("World.step", n)
         self._stepper.compile()
         self._changes += 1
@@ -80,7 +85,11 @@ class World(Shown, FixedAttributes):
                 counters["step_count"][0] += n - taken  # all asleep: nothing else would change
                 self._events.note_quiet_steps()
                 return
-            stepper.step()
+            try:
+                stepper.step()
+            except CapacityError:
+                self._events.clear(rows_moved=False)
+                raise
             self._events.note_step()
 
     def apply(self, command: Command) -> None:
@@ -283,7 +292,10 @@ class World(Shown, FixedAttributes):
 
     def _move_rows(self, moved: Moved) -> None:
         """Bring everything that knows of rows up to date after rows have come or gone."""
-        self._know_rows()
+        if self._directory.is_complete:
+            self._last_switch = last_switch(self.state)
+        else:
+            self._know_rows()
         old, blocks = self.scratch.contacts.reports, len(self.scratch.blocks.blocks)
         self._stepper.renew(blocks=blocks)
         self.scratch.contacts.reports[: len(moved.contacts)] = old[moved.contacts]

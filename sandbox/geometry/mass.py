@@ -41,14 +41,6 @@ def edge_normals(vertices: Sequence[Vec]) -> list[Vec]:
     return normals
 
 
-def half_width(vertices: Sequence[Vec]) -> float:
-    """Half the smallest width of a convex core in metres; 0 for one or two vertices."""
-    if len(vertices) < 3:
-        return 0.0
-    pairs = zip(vertices, edge_normals(vertices), strict=True)
-    return 0.5 * min(max(nx * (x - qx) + ny * (y - qy) for qx, qy in vertices) for (x, y), (nx, ny) in pairs)
-
-
 def moments(vertices: Sequence[Vec], radius: float) -> Moments:
     """Moments of the core `vertices` ((x, y) in metres, counter-clockwise) rounded by `radius` metres."""
     normals = edge_normals(vertices)

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
+import numpy as np
+
 from sandbox.scene.flat import FlatJoint, Vec
-from sandbox.tables import Records
+from sandbox.tables import Floats, Records, taken
 from sandbox.world import joint_records as kinds
 from sandbox.world.joint_records import JOINT
 
@@ -17,64 +19,105 @@ KINDS = {
     "target": kinds.TARGET, "friction": kinds.FRICTION,
 }  # fmt: skip
 """The number of each kind of joint."""
+_SAME = (
+    "ratio", "rest", "damping_ratio", "angular_hertz", "angular_damping_ratio", "lower", "upper", "max_motor",
+    "max_force", "max_torque", "break_force", "break_torque", "collide", "enabled",
+)  # fmt: skip
 
 
 def build_joints(
-    joints: Sequence[FlatJoint], bodies: Records, names: Sequence[str], earlier: Sequence[str] = ()
+    joints: Sequence[FlatJoint],
+    bodies: Records,
+    body_row: Callable[[str], int],
+    joint_row: Callable[[str], int],
 ) -> Records:
-    """The joint table, in the order given, measured at the pose of now. `names` are the ids of `bodies`.
+    """The joint table, in the order given, measured at the pose of now.
 
-    The rows come after those of the `earlier` joints, given by their ids.
+    `body_row` gives the row of a body by its id, `joint_row` that of a joint, in the table in which these come to lie.
     """
     table = JOINT.zeros(len(joints))
-    body_index = {name: i for i, name in enumerate(names)}
-    joint_index = {name: i for i, name in enumerate([*earlier, *(joint.id for joint in joints)])}
-    for row, joint in zip(table, joints, strict=True):
-        row.kind, row.joint_1, row.joint_2, row.broken_step = KINDS[joint.kind], -1, -1, -1
-        row.body_a, row.body_b = _index(joint.body_a, body_index), _index(joint.body_b, body_index)
-        _copy_numbers(row, joint)
-        if joint.joints is None:
-            _measure(row, joint, bodies)
-        else:
-            row.joint_1, row.joint_2 = (joint_index[name] for name in joint.joints)
+    table.kind = [KINDS[joint.kind] for joint in joints]
+    table.broken_step = -1
+    table.body_a = [_row(joint.body_a, body_row) for joint in joints]
+    table.body_b = [_row(joint.body_b, body_row) for joint in joints]
+    for name in _SAME:
+        table[name] = np.array([getattr(joint, name) for joint in joints], table[name].dtype)
+    _switch_on(table, joints)
+    table.joint_1 = [joint_row(joint.joints[0]) if joint.joints else -1 for joint in joints]
+    table.joint_2 = [joint_row(joint.joints[1]) if joint.joints else -1 for joint in joints]
+    measured = np.array([joint.joints is None for joint in joints], np.bool_)
+    table[measured] = _measured(taken(table, measured), [joint for joint in joints if joint.joints is None], bodies)
     return table
 
 
-def _index(name: str | None, known: Mapping[str, int]) -> int:
-    return -1 if name is None else known[name]
+def _row(name: str | None, body_row: Callable[[str], int]) -> int:
+    return -1 if name is None else body_row(name)
 
 
-def _copy_numbers(row: Any, joint: FlatJoint) -> None:
-    row.ratio, row.rest = joint.ratio, joint.rest
-    row.spring, row.hertz, row.damping_ratio = joint.hertz is not None, joint.hertz or 0.0, joint.damping_ratio
-    row.angular_hertz, row.angular_damping_ratio = joint.angular_hertz, joint.angular_damping_ratio
-    row.limit = joint.lower > -math.inf or joint.upper < math.inf
-    row.lower, row.upper = joint.lower, joint.upper
-    row.motor, row.motor_speed = joint.motor_speed is not None, joint.motor_speed or 0.0
-    row.max_motor, row.max_force, row.max_torque = joint.max_motor, joint.max_force, joint.max_torque
-    row.break_force, row.break_torque = joint.break_force, joint.break_torque
-    row.collide, row.enabled = joint.collide, joint.enabled
+def _switch_on(table: Records, joints: Sequence[FlatJoint]) -> None:
+    """Springs, limits and motors, where a joint has them."""
+    for name, given in (("spring", "hertz"), ("motor", "motor_speed")):
+        values = [getattr(joint, given) for joint in joints]
+        table[name] = np.array([value is not None for value in values], np.int64)
+        table[given] = np.array([value or 0.0 for value in values], float)
+    table.limit = (table.lower > -math.inf) | (table.upper < math.inf)
 
 
-def _measure(row: Any, joint: FlatJoint, bodies: Records) -> None:
+def _measured(table: Records, joints: Sequence[FlatJoint], bodies: Records) -> Records:
     """Anchors and axis in the frames of their bodies, and the lengths and angles that count as zero."""
-    row.anchor_ax, row.anchor_ay = into_frame(bodies, row.body_a, joint.anchor_a)
-    row.anchor_bx, row.anchor_by = into_frame(bodies, row.body_b, joint.anchor_b)
-    row.axis_x, row.axis_y = _turn_back(bodies, row.body_a, joint.axis)
-    row.reference_angle = _angle(bodies, row.body_b) - _angle(bodies, row.body_a) + joint.angle
+    frames = _Frames(bodies)
+    anchors = [_points(joint.anchor_a for joint in joints), _points(joint.anchor_b for joint in joints)]
+    table.anchor_ax, table.anchor_ay = frames.into(table.body_a, *anchors[0])
+    table.anchor_bx, table.anchor_by = frames.into(table.body_b, *anchors[1])
+    table.axis_x, table.axis_y = frames.turned_back(table.body_a, *_points(joint.axis for joint in joints))
+    angles = np.array([joint.angle for joint in joints], float)
+    table.reference_angle = frames.angles[table.body_b] - frames.angles[table.body_a] + angles
+    for k, joint in enumerate(joints):
+        if joint.kind == "distance":
+            own = joint.length
+            table.length[k] = own if own is not None else _distance(joint.anchor_a, joint.anchor_b)
+        elif joint.kind in ("pulley", "target", "motor"):
+            _aim(table[k], joint, frames)
+    return table
+
+
+def _aim(row: Any, joint: FlatJoint, frames: _Frames) -> None:
+    """What only few kinds have: wheels, a target, a wanted place."""
     if joint.kind == "pulley":
         (row.point_ax, row.point_ay), (row.point_bx, row.point_by) = joint.points
         row.length = _distance(joint.points[0], joint.anchor_a)
         row.length += joint.ratio * _distance(joint.points[1], joint.anchor_b)
     elif joint.kind == "target":
         row.point_ax, row.point_ay = joint.points[0]
-    elif joint.kind == "motor":
+    else:
         offset = joint.points[0][0] - joint.anchor_a[0], joint.points[0][1] - joint.anchor_a[1]
-        row.point_ax, row.point_ay = _turn_back(bodies, row.body_a, offset)
+        row.point_ax, row.point_ay = frames.turned_back(row.body_a, *offset)
         row.rest = joint.angle
-    elif joint.kind == "distance":
-        length = joint.length if joint.length is not None else _distance(joint.anchor_a, joint.anchor_b)
-        row.length = length
+
+
+class _Frames:
+    """The frames of all bodies, and after them, in the row -1, that of the world."""
+
+    def __init__(self, bodies: Records) -> None:
+        world = (0.0, 0.0, 1.0, 0.0, 0.0)
+        names = ("center_x", "center_y", "rotation_cos", "rotation_sin", "angle")
+        columns = [np.append(bodies[name], value) for name, value in zip(names, world, strict=True)]
+        self._x, self._y, self._cos, self._sin, self.angles = columns
+
+    def into(self, rows: Any, x: Any, y: Any) -> tuple[Any, Any]:
+        """World points (m) from the centres of bodies, in their frames."""
+        inside: tuple[Any, Any] = self.turned_back(rows, x - self._x[rows], y - self._y[rows])
+        return inside
+
+    def turned_back(self, rows: Any, x: Any, y: Any) -> tuple[Any, Any]:
+        """Directions in the frames of bodies."""
+        c, s = self._cos[rows], self._sin[rows]
+        return np.where(rows < 0, x, c * x + s * y), np.where(rows < 0, y, c * y - s * x)
+
+
+def _points(points: Iterable[Vec]) -> tuple[Floats, Floats]:
+    columns = np.array(list(points), float).reshape(-1, 2)
+    return columns[:, 0], columns[:, 1]
 
 
 def into_frame(bodies: Records, index: int, point: Vec) -> Vec:
@@ -90,10 +133,6 @@ def _turn_back(bodies: Records, index: int, vector: Vec) -> Vec:
         return vector
     c, s = float(bodies[index].rotation_cos), float(bodies[index].rotation_sin)
     return c * vector[0] + s * vector[1], c * vector[1] - s * vector[0]
-
-
-def _angle(bodies: Records, index: int) -> float:
-    return float(bodies[index].angle) if index >= 0 else 0.0
 
 
 def _distance(a: Vec, b: Vec) -> float:

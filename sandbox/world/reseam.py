@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from sandbox.tables import Integers, Records, taken
+from sandbox.tables import Records, taken
 from sandbox.world.flush import find_tiles, join_tiles, with_room_for_tiles
 from sandbox.world.records import SEAMED
+from sandbox.world.runs import runs
 from sandbox.world.state import State
 
 
@@ -38,10 +39,3 @@ def own_seams(shapes: Records) -> NDArray[np.bool_]:
     """Which shapes have rows that came with them: parts of concave polygons, and links of chains."""
     own: NDArray[np.bool_] = ((shapes.traits & SEAMED) != 0) & ((shapes.part > 0) | (shapes.vertex_count < 3))
     return own
-
-
-def runs(starts: Integers, counts: Integers) -> Integers:
-    """The numbers from each start on, as many as its count, one run after the other."""
-    before = np.cumsum(counts) - counts
-    numbers: Integers = np.repeat(starts - before, counts) + np.arange(int(counts.sum()))
-    return numbers

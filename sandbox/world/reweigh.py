@@ -9,11 +9,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from sandbox.scene.solidity import faults
-from sandbox.world.build import Build, build_shapes, fill_mass
+from sandbox.world.body_rows import body_tables
 from sandbox.world.records import DYNAMIC
 
 if TYPE_CHECKING:
     from sandbox.world.state import State
+
+_WEIGHT = ("mass", "inertia", "inverse_mass", "inverse_inertia")
 
 
 def reweigh(state: State, index: int, densities: Sequence[float]) -> str | None:
@@ -28,16 +30,16 @@ def reweigh(state: State, index: int, densities: Sequence[float]) -> str | None:
     fault = next(iter(faults({**vars(body), "velocity": (0.0, 0.0), "angular_velocity": 0.0})), None)
     if fault is not None:
         return f"{fault[0]}: {fault[1]}"
-    build = build_shapes(shapes, body.center)
-    row = state.bodies[index]
-    _move_center(state, index, row, build)
-    if row.type == DYNAMIC:
-        fill_mass(row, body, build)
+    bodies, fresh_shapes, vertices, outlines, _ = body_tables((body,))
+    row, fresh_row = state.bodies[index], bodies[0]
+    _move_center(state, index, row, fresh_row)
+    for name in _WEIGHT if row.type == DYNAMIC else ():
+        row[name] = fresh_row[name]
     rows = np.flatnonzero(state.shapes.body == index)
     state.shapes.density[rows] = densities
-    for shape, fresh in zip(state.shapes[rows], build.shape_rows, strict=True):
-        _copy(state.vertices, shape.vertex_start, build.vertex_rows, fresh.vertex_start, shape.vertex_count)
-        _copy(state.outlines, shape.outline_start, build.side_rows, fresh.outline_start, shape.outline_count)
+    for shape, fresh in zip(state.shapes[rows], fresh_shapes, strict=True):
+        _copy(state.vertices, shape.vertex_start, vertices, fresh.vertex_start, shape.vertex_count)
+        _copy(state.outlines, shape.outline_start, outlines, fresh.outline_start, shape.outline_count)
     state.layout += 1  # pictures and queries measure from the centre, too
     return None
 
@@ -46,9 +48,10 @@ def _copy(table: Any, start: int, source: Any, first: int, count: int) -> None:
     table[start : start + count] = source[first : first + count]
 
 
-def _move_center(state: State, index: int, row: Any, build: Build) -> None:
+def _move_center(state: State, index: int, row: Any, fresh: Any) -> None:
     """Put the centre of mass to its new place, and measure from there what hangs on the body."""
-    x, y = build.center[0] - row.local_center_x, build.center[1] - row.local_center_y
+    cx, cy = fresh.local_center_x, fresh.local_center_y
+    x, y = cx - row.local_center_x, cy - row.local_center_y
     for table, column in ((state.thrusters, "local_"), (state.drags, "local_")):
         _shift(table, table.body == index, column, "", x, y)
     for side in "ab":
@@ -59,14 +62,13 @@ def _move_center(state: State, index: int, row: Any, build: Build) -> None:
     for side in "ab":
         for point in "12":
             _shift(contacts, contacts[f"body_{side}"] == index, f"anchor_{side}", point, dx, dy)
-    row.local_center_x, row.local_center_y = build.center
-    cx, cy = build.center
+    row.local_center_x, row.local_center_y = cx, cy
     row.center_x, row.center_y = row.position_x + (c * cx - s * cy), row.position_y + (s * cx + c * cy)
     row.velocity_x, row.velocity_y = (
         row.velocity_x - row.angular_velocity * dy,
         row.velocity_y + row.angular_velocity * dx,
     )
-    row.extent = build.extent
+    row.extent = fresh.extent
 
 
 def _shift(table: Any, rows: Any, column: str, point: str, x: float, y: float) -> None:

@@ -46,13 +46,18 @@ class Register(Generic[T]):
         """With further rows at the end."""
         fresh = range(self.next, self.next + len(items))
         known = {**self.words, **dict(zip(fresh, words, strict=True))}
-        return Register((*self.items, *items), (*self.serials, *fresh), known, self.next + len(items))
+        more = Register((*self.items, *items), (*self.serials, *fresh), known, self.next + len(items))
+        vars(more)["names"] = (*self.names, *(item.id for item in items))  # instead of asking everybody again
+        return more
 
     def only(self, rows: Sequence[int]) -> Register[T]:
         """With only those rows."""
-        serials = tuple(self.serials[row] for row in rows)
-        words = {serial: self.words[serial] for serial in serials if serial in self.words}
-        return replace(self, items=tuple(self.items[row] for row in rows), serials=serials, words=words)
+        serials = tuple(map(self.serials.__getitem__, rows))
+        left = set(serials) if self.words else ()
+        words = {serial: text for serial, text in self.words.items() if serial in left}
+        fewer = replace(self, items=tuple(map(self.items.__getitem__, rows)), serials=serials, words=words)
+        vars(fewer)["names"] = tuple(map(self.names.__getitem__, rows))
+        return fewer
 
     def plain(self, of_scene: int) -> dict[str, Any]:
         """As plain data: runs of rows of the scene that are left, and the words of the others."""

@@ -16,9 +16,10 @@ from numpy.typing import NDArray
 from sandbox.scene.flat import FlatBody, FlatJoint
 from sandbox.tables import Integers, Records, Table, taken
 from sandbox.world import records
-from sandbox.world.build import body_tables
+from sandbox.world.body_rows import body_tables
 from sandbox.world.build_fields import build_thrusters
 from sandbox.world.build_joints import build_joints
+from sandbox.world.directory import Directory
 from sandbox.world.field_records import THRUSTER
 from sandbox.world.flush import find_tiles
 from sandbox.world.joint_pose import coordinate
@@ -40,16 +41,23 @@ class Moved:
 
 
 def add_rows(
-    state: State, bodies: Sequence[FlatBody], joints: Sequence[FlatJoint], words: tuple[Sequence[str], Sequence[str]]
+    state: State,
+    directory: Directory,
+    bodies: Sequence[FlatBody],
+    joints: Sequence[FlatJoint],
+    words: tuple[Sequence[str], Sequence[str]],
 ) -> Moved:
-    """Add bodies and joints after all others; `words` are what each of them can be read from again."""
+    """Add bodies and joints after all others; `words` are what each of them can be read from again.
+
+    `directory` knows those that are there, and then these as well.
+    """
     count, shape_count = len(state.bodies), len(state.shapes)
     tables = body_tables(bodies)
     sleepers = bool((state.bodies.awake == 0).any())
     _append_bodies(state, tables, bodies, sleepers)
     roster = state.roster
-    names = (*roster.bodies.names, *(body.id for body in bodies))
-    _append_joints(state, build_joints(joints, state.bodies, names, roster.joints.names))
+    directory.add([body.id for body in bodies], [joint.id for joint in joints])
+    _append_joints(state, build_joints(joints, state.bodies, directory.body, directory.joint))
     state.roster = type(roster)(
         roster.scene, roster.bodies.plus(bodies, words[0]), roster.joints.plus(joints, words[1])
     )

@@ -51,7 +51,8 @@ class Spawn(Command):
         except SceneError as error:
             raise CommandError(str(error)) from None
         first = len(state.joints)
-        moved = add_rows(state, found.bodies, found.joints, (found.body_words, found.joint_words))
+        words = found.body_words, found.joint_words
+        moved = add_rows(state, target.directory, found.bodies, found.joints, words)
         held = [row for joint in state.joints[first:] for row in joint_bodies(state, joint)]
         if held:
             wake_bodies(state, held)

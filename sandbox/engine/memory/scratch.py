@@ -9,11 +9,13 @@ import numpy as np
 from sandbox.engine.active.active_set import new_active_set
 from sandbox.engine.active.pile_stability import PILE
 from sandbox.engine.broad_phase.grid import LEVEL_SPACE, head_count
-from sandbox.engine.contact_solver.blocks import BLOCK_SIZE, GATHER_SIZE, LANES, MAX_COLORS
+from sandbox.engine.contact_solver.blocks import BLOCK_SIZE, GATHER_SIZE, MAX_COLORS
 from sandbox.engine.fields.records import Fields
 from sandbox.engine.joints.assembly import assemble
 from sandbox.engine.joints.pair_filter import JointFilter
+from sandbox.engine.joints.part_layout import PartLayouts
 from sandbox.engine.joints.records import JointWork
+from sandbox.engine.memory.limit import least_blocks
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import BODY_FORCES, FREE_MOTION, MOTION, SolverBodies
 from sandbox.engine.records.ccd import CCD_BODY, CCD_IMPACT, Ccd
@@ -47,10 +49,15 @@ class Scratch:
     fields: Fields
 
     @classmethod
-    def for_state(cls, state: State, pair_capacity: int, block_capacity: int = 0) -> Scratch:
-        """Scratch for all bodies and shapes of `state`, for so many candidate pairs and so many solver blocks."""
-        block_capacity = max(block_capacity, pair_capacity // LANES + MAX_COLORS + 2)
-        joint_filter, joints = assemble(state.joints, state.bodies)
+    def for_state(
+        cls, state: State, pair_capacity: int, block_capacity: int = 0, layouts: PartLayouts | None = None
+    ) -> Scratch:
+        """Scratch for all bodies and shapes of `state`, for so many candidate pairs and so many solver blocks.
+
+        `layouts` are those of parts that joints hold together, as far as they are known.
+        """
+        block_capacity = max(block_capacity, least_blocks(pair_capacity))
+        joint_filter, joints = assemble(state.joints, state.bodies, layouts or PartLayouts())
         return cls(
             active=_active_set(state),
             solver=_solver_bodies(len(state.bodies)),

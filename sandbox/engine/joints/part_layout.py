@@ -1,0 +1,159 @@
+"""The layout of one part, in numbers of its own: which rows its joints need, and in which order they are eliminated.
+
+Parts that are built alike have the same layout, wherever they are; it is found once (`PartLayouts`).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cache
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sandbox.engine.joints.symbolic import Pattern, minimum_degree, symbolic
+from sandbox.tables import Integers
+from sandbox.world import joint_records as kinds
+
+_BASE_SLOTS = {
+    kinds.REVOLUTE: (0, 1), kinds.PRISMATIC: (0, 1), kinds.WELD: (0, 1, 2), kinds.WHEEL: (0,), kinds.GEAR: (0,),
+    kinds.PULLEY: (0,), kinds.MOTOR: (0, 1, 2), kinds.TARGET: (0, 1), kinds.FRICTION: (0, 1, 2),
+}  # fmt: skip
+_SPRUNG = (kinds.DISTANCE, kinds.REVOLUTE, kinds.PRISMATIC, kinds.WHEEL)
+UPDATES_A_ROW = 200
+"""A part is factorised up to so many multiplications a row, and a few thousand more."""
+WORLD = -1
+"""In the place of a member: something that joints cannot move."""
+NOBODY = -2
+"""In the place of a member: the joint has no such side."""
+COLUMNS = 8
+"""Columns of what a layout depends on, for each joint: kind, spring, limit, motor, and the members of up to 4 sides."""
+
+
+@dataclass(frozen=True)
+class PartLayout:
+    """All numbers count from the part's first joint, member, constraint, row or entry.
+
+    `order` are its joints as they are eliminated: constraint by constraint. Each row has a constraint and a slot;
+    `links` are rows of the link table; `starts`, `row_of` and `targets` are as in `Pattern`.
+    """
+
+    order: Integers
+    constraints: Integers
+    slots: Integers
+    links: Integers
+    starts: Integers
+    row_of: Integers
+    targets: Integers
+    direct: bool
+    anchored: bool
+    bounded: bool
+
+
+@dataclass
+class PartLayouts:
+    """The layouts of the parts of a world, by what they depend on."""
+
+    known: dict[bytes, PartLayout] = field(default_factory=dict)
+
+    def of_parts(self, joints: NDArray[np.int32], ends: Integers) -> list[PartLayout]:
+        """The layout of each part; `joints` has `COLUMNS` for each joint, part after part, up to `ends`.
+
+        Layouts that no part has any longer are forgotten.
+        """
+        keys = [joints[first:end].tobytes() for first, end in pairwise([0, *ends.tolist()])]
+        kept = {key: self.known.get(key) or part_layout(key) for key in dict.fromkeys(keys)}
+        self.known = kept
+        return [kept[key] for key in keys]
+
+
+@cache
+def slots_of(kind: int, spring: bool, limit: bool, motor: bool) -> tuple[int, ...]:
+    """The rows a joint needs; see `records.ROW`."""
+    if kind == kinds.DISTANCE:
+        base: tuple[int, ...] = () if spring or limit else (0,)
+        driven = limit
+    elif kind == kinds.WHEEL:
+        base = (0, 2) if motor else (0,)
+        driven = limit
+    else:
+        base = _BASE_SLOTS[kind]
+        driven = kind in (kinds.REVOLUTE, kinds.PRISMATIC) and (limit or motor)
+    return base + ((3,) if spring and kind in _SPRUNG else ()) + ((4,) if driven else ())
+
+
+def _may_be_bounded(kind: int, slot: int) -> bool:
+    brake = kind == kinds.WHEEL and slot == 2
+    return slot == 4 or brake or kind in (kinds.MOTOR, kinds.TARGET, kinds.FRICTION)
+
+
+def part_layout(key: bytes) -> PartLayout:
+    """The layout of a part of those joints: rows of `COLUMNS` 32-bit numbers."""
+    joints: list[list[int]] = np.frombuffer(key, np.int32).reshape(-1, COLUMNS).tolist()
+    slots = [slots_of(kind, bool(spring), bool(limit), bool(motor)) for kind, spring, limit, motor, *_ in joints]
+    sides = [[member for member in joint[4:] if member != NOBODY] for joint in joints]
+    neighbours = _neighbours(sides)
+    weights = {j: len(each) for j, each in enumerate(slots)}
+    order, direct = minimum_degree(range(len(joints)), neighbours, weights, UPDATES_A_ROW)
+    seats = [(seat, slot) for seat, j in enumerate(order) for slot in slots[j]]
+    pattern, links = _eliminate(order, slots, sides, neighbours, direct)
+    return PartLayout(
+        _column(order),
+        _column([seat for seat, _ in seats]),
+        _column([slot for _, slot in seats]),
+        np.array(links, np.int64).reshape(-1, 5),
+        _column(pattern.starts),
+        _column(pattern.row_of),
+        _column(pattern.targets),
+        direct,
+        any(WORLD in each for each in sides),
+        any(_may_be_bounded(joint[0], slot) for joint, each in zip(joints, slots, strict=True) for slot in each),
+    )
+
+
+def _column(numbers: list[int]) -> Integers:
+    return np.array(numbers, np.int64)
+
+
+def _neighbours(sides: list[list[int]]) -> dict[int, list[int]]:
+    """For each joint the others that share a member with it, in ascending order."""
+    of_member: dict[int, list[int]] = {}
+    for j, members in enumerate(sides):
+        for member in dict.fromkeys(members):
+            of_member.setdefault(member, []).append(j)
+    of_member[WORLD] = []
+    return {j: sorted({k for member in each for k in of_member[member]} - {j}) for j, each in enumerate(sides)}
+
+
+def _eliminate(
+    order: list[int],
+    slots: list[tuple[int, ...]],
+    sides: list[list[int]],
+    neighbours: dict[int, list[int]],
+    direct: bool,
+) -> tuple[Pattern, list[tuple[int, ...]]]:
+    """Columns of the factor and the pairs of rows that add to it."""
+    rows: dict[int, list[int]] = {}
+    count = 0
+    for j in order:
+        rows[j] = list(range(count, count + len(slots[j])))
+        count += len(slots[j])
+    place = {j: k for k, j in enumerate(order)}
+    later = {j: [k for k in neighbours[j] if place[k] > place[j]] if direct else [] for j in order}
+    pattern = Pattern()
+    entry = symbolic([rows[j] for j in order], [[rows[k] for k in later[j]] for j in order], pattern, direct)
+    links: list[tuple[int, ...]] = []
+    for j in order if direct else ():
+        for r in rows[j]:
+            for k in (j, *later[j]):
+                shared = _shared_sides(sides[j], sides[k])
+                links += [(s, r, b, a, entry[r, s]) for s in rows[k] if s >= r for a, b in shared]
+    return pattern, links
+
+
+def _shared_sides(one: list[int], two: list[int]) -> list[tuple[int, int]]:
+    """Sides, from 1, at which two joints have the same member that they move."""
+    return [
+        (a, b) for a, member in enumerate(one, 1) for b, other in enumerate(two, 1) if member == other and member >= 0
+    ]

@@ -1,0 +1,172 @@
+"""Rows of the shape, vertex, outline and seam tables for many bodies at once, and what their shapes weigh."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+from sandbox.geometry.mass import edge_normals
+from sandbox.scene.flat import FlatBody, FlatShape, Vec
+from sandbox.tables import Floats, Integers, Records, taken
+from sandbox.world import records
+from sandbox.world.moments import Columns, Cores, core_moments, half_widths, sums
+from sandbox.world.runs import owners, run_starts, runs
+
+_KINDS = {
+    "circle": records.CIRCLE, "box": records.BOX, "capsule": records.CAPSULE,
+    "segment": records.SEGMENT, "polygon": records.POLYGON,
+}  # fmt: skip
+_SAME = (
+    "radius", "density", "friction", "restitution", "rolling_resistance", "surface_speed", "category", "mask", "group",
+    "sensor", "part",
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Patterns:
+    """What the shapes of some bodies come to: their rows, body after body, and each body's mass (kg), inertia (kg m^2),
+    centre of mass and extent (m). `counts` are the shapes of each, `seam_counts` the seam rows of each shape."""
+
+    counts: Integers
+    shapes: Records
+    vertices: Records
+    outlines: Records
+    seams: Records
+    seam_counts: Integers
+    mass: Floats
+    inertia: Floats
+    center_x: Floats
+    center_y: Floats
+    extent: Floats
+
+    def placed(self, of_body: Integers) -> tuple[Records, Records, Records, Records]:
+        """The tables of shapes, vertices, outlines and seams of bodies with the patterns of those numbers."""
+        counts = self.counts[of_body]
+        rows = runs(run_starts(self.counts)[of_body], counts)
+        shapes, seam_counts = taken(self.shapes, rows), self.seam_counts[rows]
+        vertices = taken(self.vertices, runs(shapes.vertex_start, shapes.vertex_count))
+        outlines = taken(self.outlines, runs(shapes.outline_start, shapes.outline_count))
+        seams = taken(self.seams, runs(shapes.seam_start, seam_counts))
+        shapes.body = owners(counts)
+        shapes.vertex_start = run_starts(shapes.vertex_count)
+        shapes.outline_start = run_starts(shapes.outline_count)
+        shapes.seam_start = run_starts(seam_counts)
+        return shapes, vertices, outlines, seams
+
+
+def build_patterns(bodies: Sequence[FlatBody]) -> Patterns:
+    """Rows and masses of bodies with shapes, and overrides of the centre of mass, like those of `bodies`."""
+    shapes = [shape for body in bodies for shape in body.shapes]
+    counts = np.array([len(body.shapes) for body in bodies], np.int64)
+    owner = owners(counts)
+    cores = _cores(shapes)
+    rows = _shape_rows(shapes, cores)
+    mass, inertia, center_x, center_y = _masses(rows, cores, owner, [body.center for body in bodies])
+    vertices = records.VERTEX.zeros(len(cores.x))
+    of_vertex = np.repeat(owner, cores.counts)
+    vertices.x, vertices.y = cores.x - center_x[of_vertex], cores.y - center_y[of_vertex]
+    vertices.normal_x, vertices.normal_y = cores.normal_x, cores.normal_y
+    outlines = _outlines(rows, shapes, center_x[owner], center_y[owner])
+    seams, seam_counts = _seams(rows, shapes)
+    extent = _extents(rows, vertices, owner, len(bodies))
+    return Patterns(
+        counts, rows, vertices, outlines, seams, seam_counts, mass, inertia, center_x, center_y, extent
+    )  # fmt: skip
+
+
+def _cores(shapes: Sequence[FlatShape]) -> Cores:
+    counts = np.array([len(shape.vertices) for shape in shapes], np.int64)
+    corners = np.array([vertex for shape in shapes for vertex in shape.vertices], float).reshape(-1, 2)
+    return Cores.of(counts, corners[:, 0].copy(), corners[:, 1].copy(), _column(shapes, "radius", float))
+
+
+def _column(items: Sequence[Any], name: str, kind: type) -> Any:
+    return np.array([getattr(item, name) for item in items], kind)
+
+
+def _shape_rows(shapes: Sequence[FlatShape], cores: Cores) -> Records:
+    rows = records.SHAPE.zeros(len(shapes))
+    rows.kind = [_KINDS[shape.kind] for shape in shapes]
+    rows.vertex_start, rows.vertex_count = run_starts(cores.counts), cores.counts
+    for name in _SAME:
+        rows[name] = _column(shapes, name, rows[name].dtype.type)
+    rows.thin = half_widths(cores) + cores.radius
+    one_way = np.array([shape.one_way for shape in shapes], float).reshape(-1, 2)
+    rows.one_way_x, rows.one_way_y = one_way.T
+    rows.traits = np.where((one_way != 0.0).any(axis=1), records.ONE_WAY, 0)
+    return rows
+
+
+def _masses(rows: Records, cores: Cores, owner: Integers, centers: Sequence[Vec | None]) -> Columns:
+    """Mass, inertia and centre of mass of each body; sensors weigh nothing."""
+    density = np.where(rows.sensor == 0, rows.density, 0.0)
+    count = len(centers)
+    mass, first_x, first_y, second = (sums(density * each, owner, count) for each in core_moments(cores))
+    heavy = mass > 0.0
+    divisor = np.where(heavy, mass, 1.0)
+    x, y = np.where(heavy, first_x / divisor, 0.0), np.where(heavy, first_y / divisor, 0.0)
+    given = [k for k, center in enumerate(centers) if center is not None]
+    for k in given:
+        x[k], y[k] = centers[k]  # type: ignore[misc]
+    shift = x * (x * mass - 2.0 * first_x) + y * (y * mass - 2.0 * first_y)
+    return mass, second + shift, x, y
+
+
+def _extents(rows: Records, vertices: Records, owner: Integers, count: int) -> Floats:
+    """How far each body reaches from its centre of mass; its sensors do not count, unless it has nothing else."""
+    has_solid = np.zeros(count, np.bool_)
+    has_solid[owner[rows.sensor == 0]] = True
+    reach = np.sqrt(vertices.x * vertices.x + vertices.y * vertices.y) + np.repeat(rows.radius, rows.vertex_count)
+    counts = np.repeat((rows.sensor == 0) | ~has_solid[owner], rows.vertex_count)
+    extent = np.zeros(count)
+    np.maximum.at(extent, np.repeat(owner, rows.vertex_count)[counts], reach[counts])
+    return extent
+
+
+def _outlines(rows: Records, shapes: Sequence[FlatShape], center_x: Floats, center_y: Floats) -> Records:
+    """Rows of the outline table for concave polygons; notes in the shape rows where each begins."""
+    sides: list[tuple[float, float, float, float]] = []
+    for k in np.flatnonzero(rows.part == 1).tolist():
+        middle_x, middle_y = float(center_x[k]), float(center_y[k])
+        before = len(sides)
+        for ring in shapes[k].outline:
+            moved = [(x - middle_x, y - middle_y) for x, y in ring]
+            sides += [(*a, *b) for a, b in zip(moved, [*moved[1:], moved[0]], strict=True)]
+        rows.outline_count[k] = len(sides) - before
+    rows.outline_start = run_starts(rows.outline_count)
+    table = records.OUTLINE.zeros(len(sides))
+    table[:] = sides
+    return table
+
+
+def _seams(rows: Records, shapes: Sequence[FlatShape]) -> tuple[Records, Integers]:
+    """Rows of the seam table for parts of concave polygons and chains, and how many each shape has."""
+    seams: list[tuple[float, ...]] = []
+    counts = np.zeros(len(shapes), np.int64)
+    for k, shape in enumerate(shapes):
+        if shape.part > 0:
+            normals = _corner_normals(shape.outline)
+            seams += [(*normals[v], *shown) for v, shown in zip(shape.vertices, shape.shown, strict=True)]
+        elif not shape.seam:
+            continue
+        seams += shape.seam
+        counts[k] = (len(shape.vertices) if shape.part > 0 else 0) + len(shape.seam)
+        rows.traits[k] |= records.SEAMED
+    rows.seam_start = run_starts(counts)
+    table = records.SEAM.zeros(len(seams))
+    table[:] = seams
+    return table, counts
+
+
+@lru_cache(maxsize=1)
+def _corner_normals(outline: tuple[tuple[Vec, ...], ...]) -> dict[Vec, tuple[float, ...]]:
+    """The normals of both sides that meet in a corner of a polygon: x, y of the one before, x, y of the one after."""
+    found: dict[Vec, tuple[float, ...]] = {}
+    for ring in outline:
+        normals = edge_normals(ring)
+        found.update({vertex: (*normals[k - 1], *normals[k]) for k, vertex in enumerate(ring)})
+    return found

@@ -1,0 +1,123 @@
+"""Between which sides of the whole the corners of tiles lie, where other tiles go on from there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sandbox.tables import Floats, Integers
+from sandbox.world.runs import owners, runs
+from sandbox.world.tile_edges import NEAR, OUT
+from sandbox.world.tile_outlines import Corners, Outlines, Tiles
+
+_FAR = 1e-4
+"""A tile this far from a corner, in metres, has no say there."""
+_NONE = -1
+"""In the place of an edge: no side of the whole ends or begins there."""
+
+
+def sides_at_corners(
+    outlines: Outlines, one: Tiles, two: Tiles, first: Floats, last: Floats
+) -> tuple[Corners, Corners]:
+    """For each corner of the tiles in `one`, the edges with whose normals sides of the whole end and begin there.
+
+    `first` and `last` are where the edges of these tiles show, as `shown_edges` has them; -1 stands for no edge: the
+    corner lies within the whole.
+    """
+    tiles = np.unique(one)
+    corners, own = outlines.corners(tiles), np.repeat(tiles, outlines.counts[tiles])
+    ends = last[np.searchsorted(corners, outlines.before[corners])] == 1.0
+    begins = (first == 0.0) & (last > 0.0)
+    arriving, leaving = np.where(ends, outlines.before[corners], _NONE), np.where(begins, corners, _NONE)
+    near = _Company.of(outlines, (corners, own, np.flatnonzero(~(ends & begins))), one, two)
+    buried = np.zeros(len(corners), np.bool_)
+    buried[near.places[near.heights < -NEAR]] = True
+    _Search(outlines, corners, own, near.only(~buried[near.places])).go_on(arriving, leaving)
+    before = np.where(arriving == _NONE, leaving, arriving)
+    after = np.where(leaving == _NONE, arriving, leaving)
+    return np.where(buried, _NONE, before), np.where(buried, _NONE, after)
+
+
+@dataclass(frozen=True)
+class _Company:
+    """Who is near corners: the place of each corner in a list, the tile, and how far the corner is outside of it (m).
+
+    Sorted by place and tile.
+    """
+
+    places: Integers
+    tiles: Tiles
+    heights: Floats
+
+    @classmethod
+    def of(cls, outlines: Outlines, asking: tuple[Corners, Tiles, Integers], one: Tiles, two: Tiles) -> _Company:
+        """Those of the places in a list of corners and their tiles, among the tiles beside their own."""
+        corners, own, places = asking
+        starts = np.searchsorted(one, own[places])
+        counts = np.searchsorted(one, own[places], side="right") - starts
+        where, tiles = np.repeat(places, counts), two[runs(starts, counts)]
+        rows, heights = outlines.within(outlines.x[corners[where]], outlines.y[corners[where]], tiles, _FAR)
+        return cls(where[rows], tiles[rows], heights)
+
+    def only(self, kept: NDArray[np.bool_]) -> _Company:
+        return _Company(self.places[kept], self.tiles[kept], self.heights[kept])
+
+
+@dataclass(frozen=True)
+class _Search:
+    """Looks for the tile with whose edges the outline of the whole goes on from a corner."""
+
+    outlines: Outlines
+    corners: Corners
+    own: Tiles
+    near: _Company
+
+    def go_on(self, arriving: Corners, leaving: Corners) -> None:
+        """Fill in the edges that lack: of the first tile that touches the corner and whose edge shows there."""
+        touching = self.near.only(self.near.heights <= NEAR)
+        found, first, counts = np.unique(touching.places, return_index=True, return_counts=True)
+        for k in range(int(counts.max(initial=0))):
+            places, tiles = found[counts > k], touching.tiles[first[counts > k] + k]
+            lacking = (arriving[places] == _NONE) | (leaving[places] == _NONE)
+            places, tiles = places[lacking], tiles[lacking]
+            to, off = self._through(places, tiles)
+            for edges, ahead, sides in ((to, -1.0, arriving), (off, 1.0, leaving)):
+                asked = sides[places] == _NONE
+                free = self._is_free(places[asked], tiles[asked], edges[asked], ahead)
+                sides[places[asked][free]] = edges[asked][free]
+
+    def _through(self, places: Integers, tiles: Tiles) -> tuple[Corners, Corners]:
+        """The edges of tiles that arrive at and leave corners on their outlines: the same one between two corners."""
+        outlines, corners = self.outlines, self.corners[places]
+        x, y = outlines.x[corners], outlines.y[corners]
+        highest, best, at = np.full(len(tiles), -np.inf), outlines.starts[tiles], np.full(len(tiles), _NONE)
+        for k in range(int(outlines.counts[tiles].max(initial=0))):
+            rows = np.flatnonzero(outlines.counts[tiles] > k)
+            edge = outlines.starts[tiles[rows]] + k
+            across, up = outlines.x[edge] - x[rows], outlines.y[edge] - y[rows]
+            here = (np.sqrt(across * across + up * up) <= 2.0 * NEAR) & (at[rows] == _NONE)
+            at[rows[here]] = edge[here]
+            height = outlines.height(x[rows], y[rows], edge)
+            higher = height > highest[rows]
+            highest[rows[higher]], best[rows[higher]] = height[higher], edge[higher]
+        between = at == _NONE
+        return np.where(between, best, outlines.before[at]), np.where(between, best, at)
+
+    def _is_free(self, places: Integers, tiles: Tiles, edges: Corners, ahead: float) -> NDArray[np.bool_]:
+        """Whether edges of tiles show just ahead of (1) or behind (-1) corners."""
+        outlines, corners = self.outlines, self.corners[places]
+        normal_x, normal_y = outlines.normal_x[edges], outlines.normal_y[edges]
+        x = outlines.x[corners] + 4.0 * OUT * ahead * -normal_y + OUT * normal_x
+        y = outlines.y[corners] + 4.0 * OUT * ahead * normal_x + OUT * normal_y
+        starts = np.searchsorted(self.near.places, places)
+        counts = np.searchsorted(self.near.places, places, side="right") - starts
+        asked, others = owners(counts), self.near.tiles[runs(starts, counts)]
+        others_only = others != tiles[asked]
+        asked = np.concatenate([asked[others_only], np.arange(len(places))])
+        others = np.concatenate([others[others_only], self.own[places]])
+        blocking, _ = outlines.within(x[asked], y[asked], others, NEAR)
+        free = np.ones(len(places), np.bool_)
+        free[asked[blocking]] = False
+        return free

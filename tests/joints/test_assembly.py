@@ -1,0 +1,117 @@
+"""The tables of the joint solver, put together part by part, against those of all joints at once."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from sandbox import Delete, Spawn
+from sandbox.engine.joints import part_layout
+from sandbox.engine.joints.assembly import assemble
+from sandbox.engine.joints.components import components
+from sandbox.engine.joints.part_layout import PartLayouts
+from sandbox.world.build import build_state
+from sandbox.world.joint_records import GEAR, JOINT
+from sandbox.world.records import BODY
+from tests.flat import world
+from tests.naive import assembly as naive
+from tests.shipped import FILES, shipped
+
+JOINTED = [name for name in sorted(FILES) if shipped(name).flatten().joints]
+
+
+def same(joints: Any, bodies: Any, layouts: PartLayouts) -> None:
+    """Both ways give the same tables, to the byte."""
+    (bonds, joined), work = assemble(joints, bodies, layouts)
+    expected = naive.assemble(joints, bodies)
+    assert (bonds.tobytes(), joined.tobytes()) == (expected[0].bonds.tobytes(), expected[0].joined.tobytes())
+    assert (work is None) == (expected[1] is None)
+    for name in work._fields if work is not None else ():
+        one, two = getattr(work, name), getattr(expected[1], name)
+        assert (one.dtype, one.tobytes()) == (two.dtype, two.tobytes()), name
+
+
+@st.composite
+def tables(draw: st.DrawFn) -> tuple[Any, Any]:
+    """Any joints between some bodies, a few of which do not move; gears among them."""
+    bodies = BODY.zeros(draw(st.integers(2, 9)))
+    bodies.mass = draw(st.lists(st.sampled_from((0.0, 1.0, 1.0, 1.0)), min_size=len(bodies), max_size=len(bodies)))
+    joints = JOINT.zeros(draw(st.integers(0, 14)))
+    side = st.integers(-1, len(bodies) - 1)
+    flags = st.sampled_from((0, 0, 0, 1))
+    for row in joints:
+        row.kind = draw(st.integers(0, 9).filter(lambda kind: kind != GEAR))
+        row.body_a, row.body_b = draw(st.tuples(side, side).filter(lambda pair: pair[0] != pair[1]))
+        row.spring, row.limit, row.motor, row.collide = (draw(flags) for _ in range(4))
+        row.enabled, row.broken_step = 1 - draw(flags), -draw(st.sampled_from((1, 1, 1, 0)))
+        row.joint_1 = row.joint_2 = -1
+    plain = st.integers(0, max(len(joints) // 2 - 1, 0))
+    for row in joints[len(joints) // 2 :] if len(joints) > 1 else ():
+        if draw(flags):
+            row.kind, row.body_a, row.body_b = GEAR, -1, -1
+            row.joint_1, row.joint_2 = draw(plain), draw(plain)
+    return joints, bodies
+
+
+@given(st.lists(tables(), max_size=3))
+def test_random_joints(drawn):
+    layouts = PartLayouts()
+    for joints, bodies in drawn:
+        same(joints, bodies, layouts)
+
+
+@pytest.mark.parametrize("name", JOINTED)
+def test_shipped_scenes(name):
+    built = build_state(shipped(name).flatten())
+    same(built.joints, built.bodies, PartLayouts())
+
+
+def rope(name: str, x: float, links: int) -> tuple[list[Any], list[Any]]:
+    """A hanging rope."""
+    bodies = [{"id": f"{name}{k}", "position": [x, -k], "shapes": [{"box": [0.2, 0.8]}]} for k in range(links)]
+    ties = [
+        {"id": f"{name}j{k}", "type": "revolute", "bodies": [f"{name}{k - 1}" if k else None, f"{name}{k}"],
+         "anchor": [x, 0.5 - k]}
+        for k in range(links)
+    ]  # fmt: skip
+    return bodies, ties
+
+
+def test_only_parts_of_a_new_kind_are_laid_out(monkeypatch):
+    asked = []
+    layout = part_layout.part_layout
+    monkeypatch.setattr(part_layout, "part_layout", lambda key: asked.append(key) or layout(key))
+    w = world()
+    w.apply(Spawn(*rope("a", 0.0, 5)))
+    w.apply(Spawn(*rope("b", 3.0, 5)))
+    assert len(asked) == 1
+    w.apply(Spawn(*rope("c", 6.0, 7)))
+    assert len(asked) == 2
+    w.apply(Delete("b4"))
+    assert len(asked) == 3
+    layouts = w._stepper._layouts
+    assert len(layouts.known) == 3
+    w.apply(Delete(tuple(f"c{k}" for k in range(7))))
+    assert len(layouts.known) == 2
+    same(w.state.joints, w.state.bodies, layouts)
+
+
+@given(st.integers(1, 30), st.lists(st.tuples(st.integers(0, 29), st.integers(0, 29)), max_size=40))
+def test_components(count, edges):
+    edges = [(a % count, b % count) for a, b in edges]
+    found = components(count, *(np.array(column, np.int64) for column in (list(zip(*edges, strict=True)) or ([], []))))
+    labels = list(range(count))
+    for _ in range(count):
+        for a, b in edges:
+            labels[a] = labels[b] = min(labels[a], labels[b])
+    assert found.tolist() == labels
+
+
+@pytest.mark.parametrize("count", [2, 3000])
+def test_components_of_a_long_line_whose_numbers_jump(count):
+    order = np.random.default_rng(1).permutation(count)
+    assert components(count, order[1:], order[:-1]).tolist() == [0] * count

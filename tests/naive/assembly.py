@@ -1,0 +1,219 @@
+"""The tables of the joint solver for a whole world at once, joint by joint: the judge of `joints/assembly.py`.
+
+Only the elimination of a part (`symbolic.py`) is the engine's own; all numbers are those of the world from the start.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from sandbox.engine.joints.pair_filter import JointFilter
+from sandbox.engine.joints.part_layout import UPDATES_A_ROW, slots_of
+from sandbox.engine.joints.records import BOND, CONSTRAINT, LINK, MEMBER, PART, ROW, JointWork
+from sandbox.engine.joints.symbolic import Pattern, minimum_degree, symbolic
+from sandbox.tables import Records
+from sandbox.world import joint_records as kinds
+
+Pair = tuple[int, int]
+
+
+def slots_of_joint(joint: Any) -> tuple[int, ...]:
+    """The rows a joint needs."""
+    return slots_of(int(joint.kind), bool(joint.spring), bool(joint.limit), bool(joint.motor))
+
+
+def _may_be_bounded(joint: Any, slot: int) -> bool:
+    kind = int(joint.kind)
+    brake = kind == kinds.WHEEL and slot == 2
+    return slot == 4 or brake or kind in (kinds.MOTOR, kinds.TARGET, kinds.FRICTION)
+
+
+def holding(joints: Records) -> list[bool]:
+    """Which joints have an effect: neither broken nor switched off, nor a gear on such a joint."""
+    works = [bool(joint.enabled) and joint.broken_step < 0 for joint in joints]
+    return [
+        works[j] and (int(joint.kind) != kinds.GEAR or (works[joint.joint_1] and works[joint.joint_2]))
+        for j, joint in enumerate(joints)
+    ]
+
+
+def assemble(joints: Records, bodies: Records) -> tuple[JointFilter, JointWork | None]:
+    """The pairs of bodies that joints keep from colliding, and scratch memory for all joints that hold.
+
+    The memory is None where no joint holds, so that such worlds pay nothing. Both are functions of the two tables
+    alone: a world that goes on and one that is restored solve in the same order.
+    """
+    layout = _Layout(joints, bodies)
+    tied, bound = layout.pairs()
+    joined = np.zeros(len(bodies), np.int64)
+    joined[[body for pair in bound for body in pair]] = 1
+    work = layout.work(_pair_table(tied)) if layout.holding else None
+    return JointFilter(_pair_table(bound), joined), work
+
+
+class _Layout:
+    def __init__(self, joints: Records, bodies: Records) -> None:
+        self.joints = joints
+        # A body that bad numbers froze keeps its mass: what hangs together must not depend on that.
+        self.movable = np.asarray(bodies.mass) > 0.0
+        self.holding = [j for j, holds in enumerate(holding(joints)) if holds]
+        self.touched = {j: self._touched(joints[j]) for j in self.holding}
+
+    def _touched(self, joint: Any) -> list[int]:
+        """The bodies of a joint that it can move, in the order of its sides."""
+        return [body for body in self._sides(joint) if body >= 0 and self.movable[body]]
+
+    def _sides(self, joint: Any) -> list[int]:
+        if int(joint.kind) != kinds.GEAR:
+            return [int(joint.body_a), int(joint.body_b)]
+        first, second = self.joints[joint.joint_1], self.joints[joint.joint_2]
+        return [int(first.body_a), int(first.body_b), int(second.body_a), int(second.body_b)]
+
+    def work(self, ties: Records) -> JointWork:
+        """Everything, part after part."""
+        self.ties = ties
+        self.of_body: dict[int, list[int]] = {}
+        for j, touched in self.touched.items():
+            for body in dict.fromkeys(touched):
+                self.of_body.setdefault(body, []).append(j)
+        self.member_of = {-1: 0}
+        self.members: list[tuple[int, int]] = [(-1, -1)]
+        for j in self.holding:
+            for body in self._sides(self.joints[j]):
+                if body >= 0 and not self.movable[body]:
+                    self._add_member(body, -1)
+        self.constraints: list[int] = []
+        self.rows: list[tuple[int, int, list[int]]] = []
+        self.parts: list[dict[str, int]] = []
+        self.pattern = Pattern()
+        self.links: list[tuple[int, int, int, int, int]] = []
+        for number, part in enumerate(self._parts()):
+            self._add_part(number, part)
+        return self._tables()
+
+    def _add_member(self, body: int, part: int) -> None:
+        if body not in self.member_of:
+            self.member_of[body] = len(self.members)
+            self.members.append((body, part))
+
+    def _parts(self) -> list[list[int]]:
+        """Joints that hang together by bodies they move, each set in ascending order."""
+        seen = set()
+        found = []
+        for start in self.holding:
+            if start in seen:
+                continue
+            seen.add(start)
+            part = [start]
+            for j in part:  # grows while it is walked
+                for body in self.touched[j]:
+                    fresh = [k for k in self.of_body[body] if k not in seen]
+                    part += fresh
+                    seen.update(fresh)
+            found.append(sorted(part))
+        return found
+
+    def _add_part(self, number: int, part: Sequence[int]) -> None:
+        first_member, first_constraint, first_row = len(self.members), len(self.constraints), len(self.rows)
+        for j in part:
+            for body in self.touched[j]:
+                self._add_member(body, number)
+        slots = {j: slots_of_joint(self.joints[j]) for j in part}
+        neighbours = {j: sorted({k for body in self.touched[j] for k in self.of_body[body]} - {j}) for j in part}
+        order, direct = minimum_degree(part, neighbours, {j: len(slots[j]) for j in part}, UPDATES_A_ROW)
+        row_numbers: dict[int, list[int]] = {}
+        for j in order:
+            row_numbers[j] = list(range(len(self.rows), len(self.rows) + len(slots[j])))
+            sides = [self.member_of[body] for body in self._sides(self.joints[j])]
+            self.rows += [(len(self.constraints), slot, sides) for slot in slots[j]]
+            self.constraints.append(j)
+        first_link, first_target = len(self.links), len(self.pattern.targets)
+        self._eliminate(order, row_numbers, neighbours, direct)
+        self.parts.append(
+            {
+                "first_row": first_row, "row_end": len(self.rows), "first_constraint": first_constraint,
+                "constraint_end": len(self.constraints),
+                "first_member": first_member, "member_end": len(self.members), "first_link": first_link,
+                "link_end": len(self.links), "first_target": first_target, "direct": int(direct),
+                "anchored": int(any(body not in self.touched[j] for j in part for body in self._sides(self.joints[j]))),
+                "bounded": int(any(_may_be_bounded(self.joints[j], slot) for j in part for slot in slots[j])),
+            }
+        )  # fmt: skip
+
+    def _eliminate(
+        self, order: list[int], rows: dict[int, list[int]], neighbours: dict[int, list[int]], direct: bool
+    ) -> None:
+        """Columns of the factor and the pairs of rows that add to it."""
+        place = {j: k for k, j in enumerate(order)}
+        blocks = [[rows[k] for k in neighbours[j] if place[k] > place[j]] if direct else [] for j in order]
+        entry = symbolic([rows[j] for j in order], blocks, self.pattern, direct)
+        if not direct:
+            return
+        for j in order:
+            later = [j, *(k for k in neighbours[j] if place[k] > place[j])]
+            for r in rows[j]:
+                for s in (s for k in later for s in rows[k] if s >= r):
+                    self._link(r, s, entry[r, s])
+
+    def _link(self, r: int, s: int, entry: int) -> None:
+        for a, member in enumerate(self.rows[r][2]):
+            for b, other in enumerate(self.rows[s][2]):
+                if member == other and self.members[member][1] >= 0:
+                    self.links.append((s, r, b + 1, a + 1, entry))
+
+    def _tables(self) -> JointWork:
+        members, constraints = MEMBER.zeros(len(self.members)), CONSTRAINT.zeros(len(self.constraints))
+        rows, parts, links = ROW.zeros(len(self.rows)), PART.zeros(len(self.parts)), LINK.zeros(len(self.links))
+        members.body, members.part = (list(column) for column in zip(*self.members, strict=True))
+        members.cos = 1.0
+        seat_of = {j: k for k, j in enumerate(self.constraints)}
+        part_of_seat = [
+            n for n, part in enumerate(self.parts) for _ in range(part["first_constraint"], part["constraint_end"])
+        ]
+        for k, (row, j) in enumerate(zip(constraints, self.constraints, strict=True)):
+            joint = self.joints[j]
+            row.joint, row.part = j, part_of_seat[k]
+            row.constraint_1, row.constraint_2 = seat_of.get(joint.joint_1, -1), seat_of.get(joint.joint_2, -1)
+            row.member_a, row.member_b = (self.member_of[body] for body in self._sides(joint)[:2])
+        for r, (constraint, slot, sides) in enumerate(self.rows):
+            rows[r].constraint, rows[r].slot, rows[r].sides = constraint, slot, len(sides)
+            for k, member in enumerate(sides):
+                rows[r][f"member_{k + 1}"] = member
+            if constraints[constraint].row_count == 0:
+                constraints[constraint].first_row = r
+            constraints[constraint].row_count += 1
+        for row, fields in zip(parts, self.parts, strict=True):
+            for name, value in fields.items():
+                row[name] = value
+        for link, values in zip(links, self.links, strict=True):
+            for name, number in zip(LINK.dtype.names or (), values, strict=True):
+                link[name] = number
+        pattern = self.pattern
+        part_of = np.full(len(self.movable), -1, np.int64)
+        part_of[members.body[1:]] = members.part[1:]
+        starts, row_of = np.array([*pattern.starts, len(pattern.row_of)], np.int64), np.array(pattern.row_of, np.int64)
+        targets, entries = np.array(pattern.targets, np.int64), np.zeros(len(pattern.row_of))
+        return JointWork(
+            self.joints, self.ties, part_of, members, constraints, rows, parts, links, starts, row_of, targets, entries
+        )
+
+    def pairs(self) -> tuple[list[Pair], list[Pair]]:
+        """Pairs of bodies with a joint, and those of them that do not collide, both sorted."""
+        tied: set[Pair] = set()
+        bound: set[Pair] = set()
+        for j in self.holding:
+            sides = sorted({body for body in self._sides(self.joints[j]) if body >= 0})
+            tied |= {(a, b) for a in sides for b in sides if a < b}
+            if not self.joints[j].collide and int(self.joints[j].kind) != kinds.GEAR:
+                bound |= {(a, b) for a in sides for b in sides if a < b}
+        return sorted(tied), sorted(bound)
+
+
+def _pair_table(pairs: Sequence[Pair]) -> Records:
+    table = BOND.zeros(len(pairs))
+    if pairs:
+        table.low, table.high = (list(column) for column in zip(*pairs, strict=True))
+    return table

@@ -1,0 +1,98 @@
+"""Abutting tiles, to the bit, against loops over all of them; and that many do not take long."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from sandbox import SetPose
+from sandbox.scene.flat import FlatBody, FlatShape
+from sandbox.world.build import build_state
+from sandbox.world.records import SEAMED
+from sandbox.world.state import State
+from tests.flat import body, box, polygon, scene, world
+from tests.naive.tiles import read_tiles, seams
+from tests.shipped import FILES, shipped
+
+halves = st.integers(-6, 6).map(lambda k: 0.5 * k)
+near = st.sampled_from((0.0, 0.0, 0.0, 4e-7, 2e-6, 3e-5, 0.1))
+places = st.builds(lambda x, y, dx, dy: (x + dx, y + dy), halves, halves, near, near)
+sizes = st.sampled_from((0.5, 1.0, 1.5, 4.0))
+turns = st.sampled_from((0.0, 0.0, 0.0, np.pi / 2, 0.3, np.pi / 4))
+wedge = polygon((0.0, 0.0), (1.0, 0.0), (0.0, 1.0))
+hexagon = polygon(*((float(np.cos(k * np.pi / 3)), float(np.sin(k * np.pi / 3))) for k in range(6)))
+shapes = st.builds(box, sizes, sizes, category=st.sampled_from((1, 1, 1, 1, 2))) | st.sampled_from((wedge, hexagon))
+
+
+def tiles(drawn: list[tuple[FlatShape, tuple[float, float], float]]) -> list[FlatBody]:
+    return [body(f"{k}", shape, type="static", position=at, angle=turn) for k, (shape, at, turn) in enumerate(drawn)]
+
+
+tilings = st.lists(st.tuples(shapes, places, turns), max_size=12).map(tiles)
+
+
+def check(state: State) -> int:
+    """Every tile has the rows that the judge finds; returns how many have any."""
+    found, seamed = read_tiles(state), 0
+    for row, tile in found.items():
+        shape = state.shapes[row]
+        expected = seams(found, row)
+        if not tile.alone:
+            continue
+        assert bool(shape.traits & SEAMED) == (expected is not None), row
+        if expected is not None:
+            seamed += 1
+            table = state.seams[shape.seam_start : shape.seam_start + shape.vertex_count]
+            assert table.tobytes() == rows(state, row, expected), row
+    return seamed
+
+
+def rows(state: State, row: int, expected) -> bytes:
+    """The rows of the seam table, as bytes."""
+    turn = state.bodies[int(state.shapes[row].body)]
+    c, s = float(turn.rotation_cos), float(turn.rotation_sin)
+    found = [
+        [value for x, y in sides for value in (c * x + s * y, c * y - s * x)] + [*shown]
+        for sides, shown in zip(expected.sides, expected.shown, strict=True)
+    ]
+    return np.array(found, float).tobytes()
+
+
+@given(tilings)
+def test_random_tilings(bodies):
+    check(build_state(scene(*bodies)))
+
+
+@pytest.mark.parametrize("name", sorted(FILES))
+def test_shipped_scenes(name):
+    check(build_state(shipped(name).flatten()))
+
+
+@given(tilings.filter(len), places)
+def test_a_tile_that_is_moved(bodies, place):
+    w = world(*bodies)
+    w.apply(SetPose("0", place, 0.0))
+    check(w.state)
+
+
+def floor(count: int, size: float = 1.0) -> list[FlatBody]:
+    """A square of so many tiles."""
+    wide = int(count**0.5)
+    return [
+        body(f"{k}", box(size, size), type="static", position=(size * (k % wide), size * (k // wide)))
+        for k in range(count)
+    ]
+
+
+def test_a_floor_of_many_tiles_is_seamed_within():
+    assert check(build_state(scene(*floor(144)))) == 144
+
+
+def test_tiles_of_all_sizes_find_each_other():
+    bodies = [
+        body(f"{k}", box(2.0**k, 3.0 ** (k - 9)), type="static", position=(0.5 * 2.0**k, 0.5 * 3.0 ** (k - 9)))
+        for k in range(-9, 10)
+    ]
+    assert check(build_state(scene(*bodies, *floor(49)))) > 0
