@@ -181,7 +181,7 @@ class Paused:
         m.blocks = m.blocks._replace(blocks=roomy.blocks.blocks, lanes=roomy.blocks.lanes)
         for k in range(self.count):
             block = m.blocks.blocks[k]
-            block.first, block.count, block.stride = k, 1, 1
+            block.first, block.count, block.serial = k, 1, 0
         self.blocks = self.count
         self.prepare()
 
