@@ -14,7 +14,7 @@ SLOT = Table(
         Field("body_b", "-", "", "i8"),
     ),
 )
-"""Contacts in the order they are solved in: colour by colour."""
+"""Contacts in the order they are solved in: colour by colour, and those that may have an impact as they come."""
 
 BLOCK = Table(
     "block",
@@ -30,8 +30,8 @@ BLOCK = Table(
 class ContactBlocks(NamedTuple):
     """Contact constraints laid out for the solver, see `blocks`.
 
-    `colors` has the colour of each active contact, and afterwards the rows of those that may have an impact;
-    `gathered` the bodies of a block; `heads` is scratch of the counting sort by colour.
+    `colors` has the colour of each active contact, `gathered` the bodies of a block; `heads` is scratch of the counting
+    sort by colour. `impacts` has the contacts that may have an impact.
     """
 
     slots: Records
@@ -40,6 +40,7 @@ class ContactBlocks(NamedTuple):
     lanes: Floats
     gathered: Floats
     heads: Integers
+    impacts: Records
 
 
 class SoftContact(NamedTuple):
