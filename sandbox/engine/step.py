@@ -129,10 +129,10 @@ def solve(
             color_count = color_contacts(bodies, active, solver, contacts, level, levels > 1, blocks)
             block_count = fill_blocks(contacts, blocks, color_count)
         threshold = setting.restitution_threshold
-        impact_count = list_impact_contacts(bodies, solver, contacts, level, fastest, threshold, blocks.colors)
+        impact_count = list_impact_contacts(bodies, solver, contacts, level, fastest, threshold, blocks.impacts)
         deep = prepare_contacts(bodies, contacts.now, blocks, block_count, impact_count > 0)
         fresh = some_new_contact(bodies, rows, solver.free_motions, ccd.bodies, level)
-        impacts = ImpactList(blocks.colors, impact_count, threshold)
+        impacts = ImpactList(blocks.impacts, impact_count, threshold)
         todo = Pass(level, block_count, RELAX_DEEP if deep else 1, fresh)
         run_substeps(state, active, solver, contacts.now, blocks, impacts, joints, todo)
         store_impulses(bodies, solver.flags, contacts, blocks, block_count)

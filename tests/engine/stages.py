@@ -181,7 +181,7 @@ class Paused:
         m.blocks = m.blocks._replace(blocks=roomy.blocks.blocks, lanes=roomy.blocks.lanes)
         for k in range(self.count):
             block = m.blocks.blocks[k]
-            block.first, block.count, block.stride = k, 1, 1
+            block.first, block.count, block.serial = k, 1, 0
         self.blocks = self.count
         self.prepare()
 
@@ -206,9 +206,9 @@ class Paused:
     def strike(self) -> None:
         """Resolve the impacts of contacts that close at more than 0.2 m/s."""
         m = self.scratch
-        rows = m.blocks.colors
-        count = list_impact_contacts(self.state.bodies, m.solver, m.contacts, 0, 1e9, 0.2, rows)
-        resolve_impacts(self.state.bodies, m.solver, m.contacts.now, ImpactList(rows, count, 0.2), self.substep)
+        slots = m.blocks.impacts
+        count = list_impact_contacts(self.state.bodies, m.solver, m.contacts, 0, 1e9, 0.2, slots)
+        resolve_impacts(self.state.bodies, m.solver, m.contacts.now, ImpactList(slots, count, 0.2), self.substep)
 
     def move(self) -> None:
         """Integrate positions over a substep."""

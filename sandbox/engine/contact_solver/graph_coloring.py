@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.bodies.flags import IMMOVABLE, is_active
-from sandbox.engine.contact_solver.blocks import LANES, MAX_COLORS, VECTOR
+from sandbox.engine.contact_solver.blocks import LANES, MAX_COLORS
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contact_blocks import ContactBlocks
@@ -89,8 +89,7 @@ def fill_blocks(contacts: Contacts, blocks: ContactBlocks, color_count: int) -> 
         slot.body_b = contacts.now[rows[k]].body_b
     needed = 0
     for c in range(color_count):
-        most = LANES // VECTOR if c == MAX_COLORS else LANES
-        needed += (heads[c + 1] - heads[c] + most - 1) // most
+        needed += (heads[c + 1] - heads[c] + LANES - 1) // LANES
     if needed > blocks.blocks.shape[0]:
         return needed
     used = 0
@@ -100,9 +99,8 @@ def fill_blocks(contacts: Contacts, blocks: ContactBlocks, color_count: int) -> 
             left = heads[c + 1] - first
             block = blocks.blocks[used]
             block.first = first
-            block.stride = VECTOR if c == MAX_COLORS else 1
-            most = LANES // block.stride
-            block.count = left if left < most else most
+            block.serial = 1 if c == MAX_COLORS else 0
+            block.count = left if left < LANES else LANES
             first += block.count
             used += 1
     return used

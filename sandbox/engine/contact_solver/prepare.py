@@ -37,14 +37,14 @@ def prepare_contacts(
         for k in range(block.count):
             slot = blocks.slots[block.first + k]
             contact = contacts[slot.contact]
-            at = base + k * block.stride
+            at = base + k
             _prepare_lane(bodies[slot.body_a], bodies[slot.body_b], contact, lanes[at:])
             if contact.separation1 < _SHALLOW or contact.separation2 < _SHALLOW:
                 deep = deep or _is_deep(bodies[slot.body_a], bodies[slot.body_b], contact)
             strikes = impacts and (contact.restitution > 0.0 or closes_hard(bodies, contact))
             lanes[at + cb.MAY_IMPACT] = 1.0 if strikes else 0.0
             if contact.rolling_resistance > 0.0:
-                block.rolling = 1
+                block.rolling |= 1 << (k // cb.ROLLING_GROUP)
     return deep
 
 
@@ -57,8 +57,8 @@ def _is_deep(a: Records, b: Records, contact: Records) -> bool:
 @kernel
 def _clear_last_vector(block: Records, lanes: Floats, base: int) -> None:
     """Zero the lanes that no contact fills but the arithmetic runs over."""
-    first = 0 if block.stride > 1 else block.count & ~(VECTOR - 1)
-    end = LANES if block.stride > 1 or block.count > LANES - VECTOR else first + VECTOR
+    first = block.count & ~(VECTOR - 1)
+    end = LANES if block.count > LANES - VECTOR else first + VECTOR
     for field in range(0, BLOCK_SIZE, LANES):
         for k in range(first, end):
             lanes[base + field + k] = 0.0

@@ -7,7 +7,7 @@ soft contacts with a relax pass after the positions have moved (Box2D v3's soft 
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.gather import gather_deltas, gather_velocities, scatter_velocities
 from sandbox.engine.contact_solver.lanes import lane_anchors, lane_mass, lane_velocity, set_lane_velocity
@@ -16,6 +16,7 @@ from sandbox.engine.records.contact_blocks import ContactBlocks, SoftContact
 from sandbox.tables import Floats, Records
 
 BLOCK_SIZE = cb.BLOCK_SIZE
+ROLLING_GROUP = cb.ROLLING_GROUP
 VECTOR = cb.VECTOR
 
 
@@ -26,16 +27,21 @@ def solve_contacts(motions: Records, blocks: ContactBlocks, block_count: int, so
     gathered = blocks.gathered
     for n in range(block_count):
         block = blocks.blocks[n]
-        turns = block.count if block.stride > 1 else 1
-        width = 1 if block.stride > 1 else block.count
+        turns = block.count if block.serial == 1 else 1
+        width = 1 if block.serial == 1 else block.count
         for turn in range(turns):
-            v = blocks.lanes[n * BLOCK_SIZE + turn * VECTOR : (n + 1) * BLOCK_SIZE]
+            v = blocks.lanes[n * BLOCK_SIZE + turn : (n + 1) * BLOCK_SIZE]
             slot = block.first + turn
             gather_velocities(motions, slots, slot, width, gathered)
             gather_deltas(motions, slots, slot, width, gathered)
-            for first in range(0, width, VECTOR):
-                _solve_lanes(v[first:], gathered[first:], soft)
-            if block.rolling == 1:
+            rolling = block.rolling
+            if block.serial == 1:
+                _solve_lane(v, gathered, 0, soft)
+                rolling = (rolling >> (turn // ROLLING_GROUP)) & 1
+            else:
+                for first in range(0, width, VECTOR):
+                    _solve_lanes(v[first:], gathered[first:], soft)
+            if rolling != 0:
                 _resist_rolling(v, gathered, width)
             scatter_velocities(motions, slots, slot, width, gathered)
 
@@ -43,44 +49,49 @@ def solve_contacts(motions: Records, blocks: ContactBlocks, block_count: int, so
 @kernel
 def _solve_lanes(v: Floats, g: Floats, soft: SoftContact) -> None:
     for k in range(VECTOR):
-        velocity = lane_velocity(g, k)
-        mass = lane_mass(v, k)
-        nx = v[cb.NORMAL_X + k]
-        ny = v[cb.NORMAL_Y + k]
-        rounding = v[cb.RADIUS_A + k] * g[cb.COS_A + k] + v[cb.RADIUS_B + k] * g[cb.COS_B + k]
-        for point in (cb.POINT_1, cb.POINT_2):
-            r = lane_anchors(v, point, k)
-            gap_x = g[cb.DELTA_X + k] + (g[cb.COS_B + k] * r.bx - g[cb.SIN_B + k] * r.by)
-            gap_x = gap_x - (g[cb.COS_A + k] * r.ax - g[cb.SIN_A + k] * r.ay)
-            gap_y = g[cb.DELTA_Y + k] + (g[cb.SIN_B + k] * r.bx + g[cb.COS_B + k] * r.by)
-            gap_y = gap_y - (g[cb.SIN_A + k] * r.ax + g[cb.COS_A + k] * r.ay)
-            separation = gap_x * nx + gap_y * ny + rounding + v[point + cb.SEPARATION + k]
-            overlaps = separation <= 0.0
-            push = soft.bias_rate * separation
-            push = push if push > soft.slowest_bias else soft.slowest_bias
-            ahead = separation * soft.inverse_seconds + v[cb.MAY_IMPACT + k] * soft.impact_allowance
-            bias = push if overlaps else ahead
-            scale = soft.mass_scale if overlaps else 1.0
-            softness = soft.impulse_scale if overlaps else 0.0
-            vx, vy = relative_velocity(velocity, r)
-            speed = vx * nx + vy * ny
-            before = v[point + cb.NORMAL_IMPULSE + k]
-            after = before - v[point + cb.NORMAL_MASS + k] * scale * (speed + bias) - softness * before
-            after = after if after > 0.0 else 0.0
-            v[point + cb.NORMAL_IMPULSE + k] = after
-            impulse = after - before
-            velocity = apply_impulse(velocity, mass, r, impulse * nx, impulse * ny)
-        for point in (cb.POINT_1, cb.POINT_2):
-            r = lane_anchors(v, point, k)
-            vx, vy = relative_velocity(velocity, r)
-            speed = vx * ny - vy * nx - v[cb.SURFACE_SPEED + k]
-            before = v[point + cb.TANGENT_IMPULSE + k]
-            limit = v[cb.FRICTION + k] * v[point + cb.NORMAL_IMPULSE + k]
-            after = clamp_to_cone(before - v[point + cb.TANGENT_MASS + k] * speed, limit)
-            v[point + cb.TANGENT_IMPULSE + k] = after
-            impulse = after - before
-            velocity = apply_impulse(velocity, mass, r, impulse * ny, -impulse * nx)
-        set_lane_velocity(g, k, velocity)
+        _solve_lane(v, g, k, soft)
+
+
+@inlined_kernel
+def _solve_lane(v: Floats, g: Floats, k: int, soft: SoftContact) -> None:
+    velocity = lane_velocity(g, k)
+    mass = lane_mass(v, k)
+    nx = v[cb.NORMAL_X + k]
+    ny = v[cb.NORMAL_Y + k]
+    rounding = v[cb.RADIUS_A + k] * g[cb.COS_A + k] + v[cb.RADIUS_B + k] * g[cb.COS_B + k]
+    for point in (cb.POINT_1, cb.POINT_2):
+        r = lane_anchors(v, point, k)
+        gap_x = g[cb.DELTA_X + k] + (g[cb.COS_B + k] * r.bx - g[cb.SIN_B + k] * r.by)
+        gap_x = gap_x - (g[cb.COS_A + k] * r.ax - g[cb.SIN_A + k] * r.ay)
+        gap_y = g[cb.DELTA_Y + k] + (g[cb.SIN_B + k] * r.bx + g[cb.COS_B + k] * r.by)
+        gap_y = gap_y - (g[cb.SIN_A + k] * r.ax + g[cb.COS_A + k] * r.ay)
+        separation = gap_x * nx + gap_y * ny + rounding + v[point + cb.SEPARATION + k]
+        overlaps = separation <= 0.0
+        push = soft.bias_rate * separation
+        push = push if push > soft.slowest_bias else soft.slowest_bias
+        ahead = separation * soft.inverse_seconds + v[cb.MAY_IMPACT + k] * soft.impact_allowance
+        bias = push if overlaps else ahead
+        scale = soft.mass_scale if overlaps else 1.0
+        softness = soft.impulse_scale if overlaps else 0.0
+        vx, vy = relative_velocity(velocity, r)
+        speed = vx * nx + vy * ny
+        before = v[point + cb.NORMAL_IMPULSE + k]
+        after = before - v[point + cb.NORMAL_MASS + k] * scale * (speed + bias) - softness * before
+        after = after if after > 0.0 else 0.0
+        v[point + cb.NORMAL_IMPULSE + k] = after
+        impulse = after - before
+        velocity = apply_impulse(velocity, mass, r, impulse * nx, impulse * ny)
+    for point in (cb.POINT_1, cb.POINT_2):
+        r = lane_anchors(v, point, k)
+        vx, vy = relative_velocity(velocity, r)
+        speed = vx * ny - vy * nx - v[cb.SURFACE_SPEED + k]
+        before = v[point + cb.TANGENT_IMPULSE + k]
+        limit = v[cb.FRICTION + k] * v[point + cb.NORMAL_IMPULSE + k]
+        after = clamp_to_cone(before - v[point + cb.TANGENT_MASS + k] * speed, limit)
+        v[point + cb.TANGENT_IMPULSE + k] = after
+        impulse = after - before
+        velocity = apply_impulse(velocity, mass, r, impulse * ny, -impulse * nx)
+    set_lane_velocity(g, k, velocity)
 
 
 @kernel

@@ -36,7 +36,7 @@ def store_impulses(
             slot = blocks.slots[blocks.blocks[n].first + k]
             contact = contacts.now[slot.contact]
             report = contacts.reports[slot.contact]
-            at = n * BLOCK_SIZE + k * blocks.blocks[n].stride
+            at = n * BLOCK_SIZE + k
             normal1 = lanes[at + cb.POINT_1 + cb.NORMAL_IMPULSE]
             normal2 = lanes[at + cb.POINT_2 + cb.NORMAL_IMPULSE]
             total = lanes[at + cb.TOTAL_IMPULSE] + normal1 + normal2

@@ -5,7 +5,7 @@ E. Catto, "Iterative Dynamics with Temporal Coherence", GDC 2005.
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.gather import gather_velocities, scatter_velocities
 from sandbox.engine.contact_solver.lanes import lane_anchors, lane_mass, lane_velocity, set_lane_velocity
@@ -24,35 +24,43 @@ def warm_start(motions: Records, blocks: ContactBlocks, block_count: int) -> Non
     gathered = blocks.gathered
     for n in range(block_count):
         block = blocks.blocks[n]
-        turns = block.count if block.stride > 1 else 1
-        width = 1 if block.stride > 1 else block.count
+        turns = block.count if block.serial == 1 else 1
+        width = 1 if block.serial == 1 else block.count
         for turn in range(turns):
-            v = blocks.lanes[n * BLOCK_SIZE + turn * VECTOR : (n + 1) * BLOCK_SIZE]
+            v = blocks.lanes[n * BLOCK_SIZE + turn : (n + 1) * BLOCK_SIZE]
             slot = block.first + turn
             gather_velocities(motions, slots, slot, width, gathered)
-            for first in range(0, width, VECTOR):
-                _warm_start_lanes(v[first:], gathered[first:])
+            if block.serial == 1:
+                _warm_start_lane(v, gathered, 0)
+            else:
+                for first in range(0, width, VECTOR):
+                    _warm_start_lanes(v[first:], gathered[first:])
             scatter_velocities(motions, slots, slot, width, gathered)
 
 
 @kernel
 def _warm_start_lanes(v: Floats, g: Floats) -> None:
     for k in range(VECTOR):
-        nx = v[cb.NORMAL_X + k]
-        ny = v[cb.NORMAL_Y + k]
-        mass = lane_mass(v, k)
-        before = lane_velocity(g, k)
-        aw = before.aw - mass.inertia_a * v[cb.ROLLING_IMPULSE + k]
-        bw = before.bw + mass.inertia_b * v[cb.ROLLING_IMPULSE + k]
-        velocity = PairVelocity(before.ax, before.ay, aw, before.bx, before.by, bw)
-        v[cb.TOTAL_IMPULSE + k] += v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] + v[cb.POINT_2 + cb.NORMAL_IMPULSE + k]
-        for point in (cb.POINT_1, cb.POINT_2):
-            normal = v[point + cb.NORMAL_IMPULSE + k]
-            tangent = v[point + cb.TANGENT_IMPULSE + k]
-            px = normal * nx + tangent * ny
-            py = normal * ny - tangent * nx
-            velocity = apply_impulse(velocity, mass, lane_anchors(v, point, k), px, py)
-        set_lane_velocity(g, k, velocity)
+        _warm_start_lane(v, g, k)
+
+
+@inlined_kernel
+def _warm_start_lane(v: Floats, g: Floats, k: int) -> None:
+    nx = v[cb.NORMAL_X + k]
+    ny = v[cb.NORMAL_Y + k]
+    mass = lane_mass(v, k)
+    before = lane_velocity(g, k)
+    aw = before.aw - mass.inertia_a * v[cb.ROLLING_IMPULSE + k]
+    bw = before.bw + mass.inertia_b * v[cb.ROLLING_IMPULSE + k]
+    velocity = PairVelocity(before.ax, before.ay, aw, before.bx, before.by, bw)
+    v[cb.TOTAL_IMPULSE + k] += v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] + v[cb.POINT_2 + cb.NORMAL_IMPULSE + k]
+    for point in (cb.POINT_1, cb.POINT_2):
+        normal = v[point + cb.NORMAL_IMPULSE + k]
+        tangent = v[point + cb.TANGENT_IMPULSE + k]
+        px = normal * nx + tangent * ny
+        py = normal * ny - tangent * nx
+        velocity = apply_impulse(velocity, mass, lane_anchors(v, point, k), px, py)
+    set_lane_velocity(g, k, velocity)
 
 
 @kernel
@@ -61,7 +69,7 @@ def forget_impulses(blocks: ContactBlocks, block_count: int) -> None:
     for n in range(block_count):
         block = blocks.blocks[n]
         for k in range(block.count):
-            v = blocks.lanes[n * BLOCK_SIZE + k * block.stride : (n + 1) * BLOCK_SIZE]
+            v = blocks.lanes[n * BLOCK_SIZE + k : (n + 1) * BLOCK_SIZE]
             v[cb.TOTAL_IMPULSE] += v[cb.POINT_1 + cb.NORMAL_IMPULSE] + v[cb.POINT_2 + cb.NORMAL_IMPULSE]
             v[cb.ROLLING_IMPULSE] = 0.0
             for point in (cb.POINT_1, cb.POINT_2):

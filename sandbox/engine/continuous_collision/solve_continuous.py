@@ -11,30 +11,19 @@ Static bodies hold all dynamic ones, moving bodies hold only those marked as bul
 from __future__ import annotations
 
 from sandbox._jit import entry_point, kernel
-from sandbox.engine.broad_phase.grid import boxes_overlap
-from sandbox.engine.broad_phase.margins import allowed_depth
-from sandbox.engine.broad_phase.pairs import propose
-from sandbox.engine.broad_phase.proxies import ACTIVE, SLEEPS
 from sandbox.engine.continuous_collision.bullets import carry_bullet, stop_bullet
-from sandbox.engine.continuous_collision.contact_impulse import apply_contact_impulse, record_impact
-from sandbox.engine.continuous_collision.relative_sweep import (
-    Interval,
-    SweepTables,
-    set_relative_sweep,
-    sweep_time_of_impact,
-)
+from sandbox.engine.continuous_collision.contact_impulse import apply_contact_impulse
+from sandbox.engine.continuous_collision.relative_sweep import SweepTables
 from sandbox.engine.continuous_collision.roll_back import roll_back, roll_back_energy
-from sandbox.engine.joints.pair_filter import JointFilter, are_joined
-from sandbox.engine.narrow_phase.one_way import comes_from_front
+from sandbox.engine.continuous_collision.static_impact import stop_at_static
+from sandbox.engine.continuous_collision.strays import stop_strays
+from sandbox.engine.joints.pair_filter import JointFilter
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.ccd import Ccd
 from sandbox.engine.records.colliders import Colliders, Grid
 from sandbox.engine.records.state import StateTables
-from sandbox.geometry.bounds import core_bounds
-from sandbox.geometry.core import core_of
 from sandbox.tables import Integers, Records
-from sandbox.world.records import ONE_WAY, STATIC
 
 
 @entry_point
@@ -60,8 +49,8 @@ def solve_continuous(
         carry_bullet(tables, fast[k])
     bullets = 0
     for k in range(count):
-        bullets += _stop_at_static(tables, fast[k])
-    _stop_strays(tables, active, colliders, fast, count, joint_filter)
+        bullets += stop_at_static(tables, fast[k])
+    stop_strays(tables, active, colliders, grid, count, joint_filter)
     changed = bullets > 0
     turn = 0
     while changed:
@@ -71,38 +60,6 @@ def solve_continuous(
                 changed = True
         turn += 1
     _roll_back_all(state, rows, solver.motions, ccd.impacts)
-
-
-@kernel
-def _stop_strays(
-    tables: SweepTables,
-    active: ActiveSet,
-    colliders: Colliders,
-    fast: Records,
-    count: int,
-    joint_filter: JointFilter,
-) -> None:
-    """Stop the fast shapes that have left the box which the grid knew: at what is not among their pairs.
-
-    `fast[count]` is scratch.
-    """
-    boxes = colliders.boxes
-    filters = colliders.filters
-    shape_count = tables.shapes.shape[0]
-    info = active.info[0]
-    known = info.shapes_generation == info.generation  # otherwise somebody has woken in this step
-    for k in range(info.moving if known else shape_count):
-        i = active.shapes[k]
-        if tables.ccd.bodies[filters[i].body].fast == 0:
-            continue
-        woke = filters[i].moves == SLEEPS  # the grid has asked for no pairs of sleepers with what does not move
-        filters[i].moves = ACTIVE
-        if _strays(tables, boxes, i) or woke:
-            for j in range(shape_count):
-                if not boxes_overlap(boxes[i], boxes[j]) or are_joined(joint_filter, filters[i].body, filters[j].body):
-                    continue
-                if propose(filters, i, j, fast, count) > count:
-                    _stop_at_static(tables, fast[count])
 
 
 @kernel
@@ -145,57 +102,3 @@ def _list_fast(ccd_bodies: Records, filters: Records, pairs: Records, pair_count
             fast[count] = pairs[k]
             count += 1
     return count
-
-
-@kernel
-def _strays(tables: SweepTables, boxes: Records, i: int) -> bool:
-    """Whether a shape has left the box that the grid knew: its box becomes that of its true displacement then."""
-    shape = tables.shapes[i]
-    body = tables.bodies[shape.body]
-    motion = tables.motions[shape.body]
-    swing = abs(motion.delta_angle)
-    grow = shape.radius + body.extent * (swing if swing < 2.0 else 2.0)
-    lower_x, lower_y, upper_x, upper_y = core_bounds(tables.cores, core_of(shape))
-    dx = motion.delta_x
-    dy = motion.delta_y
-    lower_x = body.center_x + lower_x - grow - (dx if dx > 0.0 else 0.0)
-    lower_y = body.center_y + lower_y - grow - (dy if dy > 0.0 else 0.0)
-    upper_x = body.center_x + upper_x + grow - (dx if dx < 0.0 else 0.0)
-    upper_y = body.center_y + upper_y + grow - (dy if dy < 0.0 else 0.0)
-    box = boxes[i]
-    inside_x = lower_x >= box.lower_x and upper_x <= box.upper_x
-    if inside_x and lower_y >= box.lower_y and upper_y <= box.upper_y:
-        return False
-    box.lower_x = lower_x
-    box.lower_y = lower_y
-    box.upper_x = upper_x
-    box.upper_y = upper_y
-    return True
-
-
-@kernel
-def _stop_at_static(tables: SweepTables, pair: Records) -> int:
-    """Stop the fast body of a pair at the other one, if that is immovable; 1 if the pair is for `stop_bullet`."""
-    sweep = tables.ccd.sweep[0]
-    a = tables.shapes[pair.shape_a].body
-    b = tables.shapes[pair.shape_b].body
-    if tables.ccd.bodies[a].fast + tables.ccd.bodies[b].fast == 0:
-        return 0
-    if tables.bodies[a].type != STATIC and tables.bodies[b].type != STATIC:
-        return int(tables.bodies[a].bullet + tables.bodies[b].bullet > 0)
-    mover = b if tables.bodies[a].type == STATIC else a
-    set_relative_sweep(tables, a, b, Interval(0.0, 0.0, 1.0, 1.0))
-    if (tables.shapes[pair.shape_a].traits | tables.shapes[pair.shape_b].traits) & ONE_WAY:
-        # What is caught may sink on.
-        slop = 2.0 * allowed_depth(tables.shapes[pair.shape_a], tables.shapes[pair.shape_b])
-        if not comes_from_front(
-            tables.bodies, tables.shapes, tables.cores, pair.shape_a, pair.shape_b, sweep.x, sweep.y, slop
-        ):
-            return 0
-    t = sweep_time_of_impact(tables, pair.shape_a, pair.shape_b)
-    if t >= 0.0 and t < tables.ccd.impacts[mover].time:
-        tables.ccd.impacts[mover].time = t
-        shape_a = tables.shapes[pair.shape_a]
-        shape_b = tables.shapes[pair.shape_b]
-        record_impact(tables.ccd.impacts[mover], sweep, shape_a, shape_b, mover == b, t)
-    return 0

@@ -86,6 +86,7 @@ def _solver_bodies(bodies: int) -> SolverBodies:
         forces=BODY_FORCES.zeros(bodies),
         flags=np.zeros(bodies, np.int64),
         colors=np.zeros(bodies, np.int64),
+        struck=np.zeros(bodies, np.int64),
     )
 
 
@@ -133,6 +134,7 @@ def _blocks(pairs: int, blocks: int) -> ContactBlocks:
         lanes=aligned_zeros(blocks * BLOCK_SIZE, np.float64),
         gathered=aligned_zeros(GATHER_SIZE, np.float64),
         heads=np.zeros(MAX_COLORS + 2, np.int64),
+        impacts=SLOT.zeros(pairs),
     )
 
 

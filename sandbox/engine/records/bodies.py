@@ -59,7 +59,8 @@ BODY_FORCES = Table(
 class SolverBodies(NamedTuple):
     """Scratch memory with a row for each body, beside the body table of the state.
 
-    `flags` holds the bits of `active.body_flags`, `colors` the colours that the contacts of a body have.
+    `flags` holds the bits of `active.body_flags`, `colors` the colours that the contacts of a body have, `struck` how
+    many contacts the stage of impacts had looked at when it last changed a body.
     """
 
     motions: Records
@@ -67,3 +68,4 @@ class SolverBodies(NamedTuple):
     forces: Records
     flags: Integers
     colors: Integers
+    struck: Integers

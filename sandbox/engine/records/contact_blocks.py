@@ -14,20 +14,15 @@ SLOT = Table(
         Field("body_b", "-", "", "i8"),
     ),
 )
-"""Contacts in the order they are solved in: colour by colour."""
+"""Contacts in the order they are solved in: colour by colour, and those that may have an impact as they come."""
 
 BLOCK = Table(
     "block",
     (
         Field("first", "-", "its first slot", "i8"),
         Field("count", "-", "lanes in use, 1..64", "i8"),
-        Field(
-            "stride",
-            "-",
-            "lanes from contact to contact; more than 1 when they share bodies and go one by one",
-            "i8",
-        ),
-        Field("rolling", "-", "1 when some contact has rolling resistance", "i8"),
+        Field("serial", "-", "1 when its contacts may share bodies and are solved one by one", "i8"),
+        Field("rolling", "-", "bit k: some contact of the `ROLLING_GROUP` k has rolling resistance", "i8"),
     ),
 )
 
@@ -35,8 +30,8 @@ BLOCK = Table(
 class ContactBlocks(NamedTuple):
     """Contact constraints laid out for the solver, see `blocks`.
 
-    `colors` has the colour of each active contact, and afterwards the rows of those that may have an impact;
-    `gathered` the bodies of a block; `heads` is scratch of the counting sort by colour.
+    `colors` has the colour of each active contact, `gathered` the bodies of a block; `heads` is scratch of the counting
+    sort by colour. `impacts` has the contacts that may have an impact.
     """
 
     slots: Records
@@ -45,6 +40,7 @@ class ContactBlocks(NamedTuple):
     lanes: Floats
     gathered: Floats
     heads: Integers
+    impacts: Records
 
 
 class SoftContact(NamedTuple):

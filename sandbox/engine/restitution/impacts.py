@@ -13,7 +13,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from sandbox._jit import kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.active.substep_level import contact_substep_level
 from sandbox.engine.bodies.flags import HARD_IMPACT
 from sandbox.engine.contact_solver.closing_speed import HARD, closes_hard
@@ -30,9 +30,9 @@ _SWEEPS = 32
 
 
 class ImpactList(NamedTuple):
-    """The contacts that may have an impact in a step: `rows[:length]`, and the speed (m/s) below which none does."""
+    """The contacts that may have an impact in a step: `slots[:length]`, and the speed (m/s) below which none does."""
 
-    rows: Integers
+    slots: Records
     length: int
     threshold: float
 
@@ -45,12 +45,12 @@ def list_impact_contacts(
     substep_level: int,
     fastest: float,
     threshold: float,
-    rows: Integers,
+    slots: Records,
 ) -> int:
     """List the contacts of a substep level that may strike, or none when no body is fast enough for any to matter.
 
     Those are the `impact_candidates` (see `list_contact`) with restitution, and all contacts of what is struck hard
-    without. `fastest` is the square of the highest speed (m/s) of a point. Returns how many `rows` are used.
+    without. `fastest` is the square of the highest speed (m/s) of a point. Returns how many `slots` are used.
     """
     used = 0
     candidates = contacts.impact_candidates
@@ -62,16 +62,23 @@ def list_impact_contacts(
             struck = (solver.flags[contact.body_a] | solver.flags[contact.body_b]) & HARD_IMPACT != 0
             strikes = bounces if contact.restitution > 0.0 else struck
             if strikes and contact_substep_level(bodies, free_motions, contact) == substep_level:
-                rows[used] = contacts.active[k]
+                _list(contact, contacts.active[k], slots[used])
                 used += 1
     elif bounces:
         for k in range(1, candidates[0] + 1):
             contact = contacts.now[candidates[k]]
             level = contact_substep_level(bodies, free_motions, contact)
             if contact.restitution > 0.0 and level == substep_level:
-                rows[used] = candidates[k]
+                _list(contact, candidates[k], slots[used])
                 used += 1
     return used
+
+
+@inlined_kernel
+def _list(contact: Records, row: int, slot: Records) -> None:
+    slot.contact = row
+    slot.body_a = contact.body_a
+    slot.body_b = contact.body_b
 
 
 @kernel
@@ -96,15 +103,37 @@ def resolve_impacts(
 ) -> None:
     """Strike every listed contact that closes within the substep, again and again until none is left.
 
-    Negative `seconds` look back: contacts that have closed within a substep that is over.
+    Negative `seconds` look back: contacts that have closed within a substep that is over. A contact is looked at again
+    only if one of its bodies has been struck since: otherwise it would give the same answer.
     """
+    slots = impacts.slots
+    length = impacts.length
+    struck_at = solver.struck
+    for k in range(length):
+        struck_at[slots[k].body_a] = struck_at[slots[k].body_b] = -1
+    look = 0
     for _sweep in range(_SWEEPS):
         struck = False
-        for k in range(impacts.length):
-            if _strike(bodies, solver, contacts[impacts.rows[k]], impacts.threshold, seconds):
+        for k in range(length):
+            a = slots[k].body_a
+            b = slots[k].body_b
+            before = look - length  # when this contact was looked at in the sweep before
+            again = struck_at[a] >= before or struck_at[b] >= before
+            if again and _strike(bodies, solver, contacts[slots[k].contact], impacts.threshold, seconds):
+                _note_strike(bodies[a], bodies[b], slots[k], look, struck_at)
                 struck = True
+            look += 1
         if not struck:
             return
+
+
+@kernel
+def _note_strike(a: Records, b: Records, slot: Records, look: int, struck_at: Integers) -> None:
+    """Note which bodies an impact has changed: not the ground, which many contacts share."""
+    if a.type == DYNAMIC:
+        struck_at[slot.body_a] = look
+    if b.type == DYNAMIC:
+        struck_at[slot.body_b] = look
 
 
 @kernel

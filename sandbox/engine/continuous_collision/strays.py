@@ -1,0 +1,102 @@
+"""Strays: fast shapes that have left the box which the grid knew. Their pairs lack some of what may hold them.
+
+Only static shapes hold them: their boxes are laid side by side once a step, if there is a stray, and gone through.
+"""
+
+from __future__ import annotations
+
+from sandbox._jit import kernel
+from sandbox.engine.broad_phase.grid import boxes_overlap
+from sandbox.engine.broad_phase.pairs import propose
+from sandbox.engine.broad_phase.proxies import ACTIVE, SLEEPS
+from sandbox.engine.continuous_collision.relative_sweep import SweepTables
+from sandbox.engine.continuous_collision.static_impact import stop_at_static
+from sandbox.engine.joints.pair_filter import JointFilter, are_joined
+from sandbox.engine.records.active_set import ActiveSet
+from sandbox.engine.records.colliders import Colliders, Grid
+from sandbox.geometry.bounds import core_bounds
+from sandbox.geometry.core import core_of
+from sandbox.tables import Records
+from sandbox.world.records import STATIC
+
+
+@kernel
+def stop_strays(
+    tables: SweepTables, active: ActiveSet, colliders: Colliders, grid: Grid, count: int, joint_filter: JointFilter
+) -> None:
+    """Stop the strays at what is not among their pairs. `grid.sorted_pairs[count]` is scratch."""
+    filters = colliders.filters
+    info = active.info[0]
+    known = info.shapes_generation == info.generation  # otherwise somebody has woken in this step
+    static_count = -1
+    for k in range(info.moving if known else tables.shapes.shape[0]):
+        i = active.shapes[k]
+        if tables.ccd.bodies[filters[i].body].fast == 0:
+            continue
+        woke = filters[i].moves == SLEEPS  # the grid has asked for no pairs of sleepers with what does not move
+        filters[i].moves = ACTIVE
+        if _strays(tables, colliders.boxes, i) or woke:
+            if static_count < 0:
+                static_count = _gather_static(tables, colliders.boxes, grid.spare_boxes)
+            if static_count > 0:
+                _stop_stray(tables, colliders, grid, count, joint_filter, static_count, i)
+
+
+@kernel
+def _gather_static(tables: SweepTables, boxes: Records, static_boxes: Records) -> int:
+    """Copy the boxes of all static shapes, in their order; return how many."""
+    count = 0
+    for j in range(tables.shapes.shape[0]):
+        if tables.bodies[tables.shapes[j].body].type == STATIC:
+            static_boxes[count] = boxes[j]
+            count += 1
+    return count
+
+
+@kernel
+def _stop_stray(
+    tables: SweepTables,
+    colliders: Colliders,
+    grid: Grid,
+    count: int,
+    joint_filter: JointFilter,
+    static_count: int,
+    i: int,
+) -> None:
+    """Stop a stray at the static shapes near it, in their order: of those it touches at once, the first holds it."""
+    fast = grid.sorted_pairs
+    filters = colliders.filters
+    for k in range(static_count):
+        box = grid.spare_boxes[k]
+        if not boxes_overlap(colliders.boxes[i], box):
+            continue
+        j = box.shape_index
+        joined = are_joined(joint_filter, filters[i].body, filters[j].body)
+        if not joined and propose(filters, i, j, fast, count) > count:
+            stop_at_static(tables, fast[count])
+
+
+@kernel
+def _strays(tables: SweepTables, boxes: Records, i: int) -> bool:
+    """Whether a shape has left the box that the grid knew: its box becomes that of its true displacement then."""
+    shape = tables.shapes[i]
+    body = tables.bodies[shape.body]
+    motion = tables.motions[shape.body]
+    swing = abs(motion.delta_angle)
+    grow = shape.radius + body.extent * (swing if swing < 2.0 else 2.0)
+    lower_x, lower_y, upper_x, upper_y = core_bounds(tables.cores, core_of(shape))
+    dx = motion.delta_x
+    dy = motion.delta_y
+    lower_x = body.center_x + lower_x - grow - (dx if dx > 0.0 else 0.0)
+    lower_y = body.center_y + lower_y - grow - (dy if dy > 0.0 else 0.0)
+    upper_x = body.center_x + upper_x + grow - (dx if dx < 0.0 else 0.0)
+    upper_y = body.center_y + upper_y + grow - (dy if dy < 0.0 else 0.0)
+    box = boxes[i]
+    inside_x = lower_x >= box.lower_x and upper_x <= box.upper_x
+    if inside_x and lower_y >= box.lower_y and upper_y <= box.upper_y:
+        return False
+    box.lower_x = lower_x
+    box.lower_y = lower_y
+    box.upper_x = upper_x
+    box.upper_y = upper_y
+    return True
