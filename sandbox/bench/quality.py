@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.engine.joints.assembly import assemble
+from sandbox.engine.joints.part_layout import PartLayouts
 from sandbox.reference.brute_force import not_joined, overlapping_pairs, that_matter
 from sandbox.reference.decide import decide
 from sandbox.reference.poses import Poses
@@ -43,7 +44,7 @@ class Judge:
 
     def __init__(self, state: State, inside: Rectangle | None) -> None:
         self._state = state
-        self._bonds = assemble(state.joints, state.bodies)[0].bonds
+        self._bonds = assemble(state.joints, state.bodies, PartLayouts())[0].bonds
         self._moving = np.flatnonzero(self._state.bodies.type == DYNAMIC)
         self._inside = inside
 

@@ -10,7 +10,7 @@ from sandbox.engine.active.active_set import list_active_contacts, update_active
 from sandbox.engine.active.pile_stability import MAX_LEVEL
 from sandbox.engine.active.sleep import fall_asleep
 from sandbox.engine.active.substep_level import assign_substep_levels
-from sandbox.engine.active.wake_islands import undo_waking, wake_touched
+from sandbox.engine.active.wake_islands import wake_touched
 from sandbox.engine.bodies.flags import clear_flags
 from sandbox.engine.bodies.integrate import begin_motions, finish_motions, rewind_driven
 from sandbox.engine.bodies.quarantine import guard_positions
@@ -38,9 +38,6 @@ from sandbox.engine.records.state import StateTables
 from sandbox.engine.restitution.impacts import ImpactList, list_impact_contacts
 from sandbox.engine.substeps import RELAX_DEEP, Pass, run_substeps, some_new_contact
 from sandbox.tables import Records
-
-NEEDS_CONTINUOUS = -1
-"""What `solve` returns when bodies may have passed through something."""
 
 
 @entry_point
@@ -89,17 +86,16 @@ def solve(
     blocks: ContactBlocks,
     ccd: Ccd,
     joints: JointWork | None,
-) -> int:
+) -> bool:
     """The second half: solve the contacts found and move everything.
 
-    Returns 0, or the number of blocks that scratch memory must have room for; then nothing has changed, and the
-    step begins again with `collide`. `NEEDS_CONTINUOUS` if the step ends with `solve_continuous`.
+    Returns whether the step ends with `solve_continuous`: bodies may have passed through something.
     """
     bodies = state.bodies
     setting = state.settings[0]
     counter = state.counters[0]
     count = counter.found_count
-    if wake_touched(bodies, solver.free_motions, contacts, joints, active.info, state.counters):
+    if wake_touched(bodies, contacts, joints, active.info, state.counters):
         update_active_set(bodies, active, solver, ccd.bodies)
         list_active_contacts(bodies, contacts, count)
     rows = active.bodies[1 : 1 + active.bodies[0]]
@@ -111,9 +107,6 @@ def solve(
             color_count = color_contacts(bodies, active, solver, contacts, level, levels > 1, blocks)
             counter.color_count = color_count if color_count > counter.color_count else counter.color_count
             block_count = fill_blocks(contacts, blocks, color_count)
-            if block_count > blocks.blocks.shape[0]:
-                undo_waking(bodies, solver.free_motions, active.info)
-                return block_count
 
     fastest = begin_motions(bodies, rows, solver)
     clear_flags(bodies, rows, solver, state.drags)
@@ -145,4 +138,4 @@ def solve(
     counter.step_count += 1
     counter.old_contact_count = counter.contact_count
     counter.contact_count = count
-    return NEEDS_CONTINUOUS if mark_fast(bodies, rows, solver.motions, ccd.bodies) > 0 else 0
+    return mark_fast(bodies, rows, solver.motions, ccd.bodies) > 0

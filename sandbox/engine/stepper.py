@@ -15,7 +15,7 @@ from sandbox.engine.joints.part_layout import PartLayouts
 from sandbox.engine.memory.binding import bind
 from sandbox.engine.memory.limit import room_for
 from sandbox.engine.memory.scratch import Scratch
-from sandbox.engine.step import NEEDS_CONTINUOUS, collide, solve
+from sandbox.engine.step import collide, solve
 from sandbox.errors import CapacityError
 from sandbox.tables import Records
 from sandbox.world.records import CONTACT
@@ -65,9 +65,9 @@ class Stepper:
         if self.counters["broken_count"][0] != self._broken:
             self.assemble_joints()
 
-    def renew(self, blocks: int = 0) -> None:
-        """Take new scratch memory, for as many pairs as the state has rows for contacts, and so many solver blocks."""
-        self.scratch = Scratch.for_state(self._state, len(self._state.contacts), blocks, self._layouts)
+    def renew(self) -> None:
+        """Take new scratch memory, for as many pairs as the state has rows for contacts."""
+        self.scratch = Scratch.for_state(self._state, len(self._state.contacts), self._layouts)
         self._prepare_calls()
 
     def forget(self) -> None:
@@ -88,26 +88,21 @@ class Stepper:
         """Take a step; False if it lacked scratch memory, which it has now: then nothing else has changed."""
         collide, solve, solve_continuous = self._parts[self._turn]
         lacking_pairs = collide()
-        lacking_blocks = solve() if lacking_pairs == 0 else 0
-        if lacking_blocks == NEEDS_CONTINUOUS:
+        if lacking_pairs:
+            self._make_room(lacking_pairs)
+            return False
+        if solve():
             compile_continuous()
             solve_continuous()
-        elif lacking_pairs or lacking_blocks:
-            self._make_room(lacking_pairs, lacking_blocks)
-            return False
         return True
 
-    def _make_room(self, pairs: int, blocks: int) -> None:
-        """Grow scratch memory to that many pairs and blocks, and half as many more if there is room for that."""
+    def _make_room(self, pairs: int) -> None:
+        """Grow scratch memory to that many pairs, and half as many more if there is room for that."""
         old, contacts = self.scratch, self._state.contacts
-        now = len(old.grid.pairs), len(old.blocks.blocks)
-        spare = max(now[0], pairs + pairs // 2), max(now[1], blocks + blocks // 2)
-        found = pairs or int(self.counters["pair_count"][0])
-        pairs, blocks = room_for((max(now[0], pairs), max(now[1], blocks)), spare, found)
         count = int(self.counters["contact_count"][0])
-        self._state.contacts = CONTACT.zeros(pairs)
+        self._state.contacts = CONTACT.zeros(room_for(pairs))
         self._state.contacts[:count] = contacts[:count]
-        self.renew(blocks)
+        self.renew()
         self.scratch.solver.free_motions.buoyed = (
             old.solver.free_motions.buoyed
         )  # the fields of this step have been applied

@@ -296,8 +296,8 @@ class World(Shown, FixedAttributes):
             self._last_switch = last_switch(self.state)
         else:
             self._know_rows()
-        old, blocks = self.scratch.contacts.reports, len(self.scratch.blocks.blocks)
-        self._stepper.renew(blocks=blocks)
+        old = self.scratch.contacts.reports
+        self._stepper.renew()
         self.scratch.contacts.reports[: len(moved.contacts)] = old[moved.contacts]
 
     def __repr__(self) -> str:

@@ -16,6 +16,7 @@ from sandbox.engine.bodies import integrate
 from sandbox.engine.broad_phase import grid, pairs, proxies
 from sandbox.engine.contact_solver import graph_coloring, mouse_joint, prepare, solve, store
 from sandbox.engine.contact_solver import warm_start as warm_starting
+from sandbox.engine.contact_solver.blocks import LANES
 from sandbox.engine.memory.scratch import Scratch
 from sandbox.engine.narrow_phase import find_contacts as narrow_phase
 from sandbox.engine.narrow_phase import speculative
@@ -177,7 +178,7 @@ class Paused:
     def one_contact_a_block(self) -> None:
         """The same slots, but every contact alone in its block."""
         m = self.scratch
-        roomy = Scratch.for_state(self.state, len(m.grid.pairs), self.count + 1)
+        roomy = Scratch.for_state(self.state, LANES * (self.count + 1))
         m.blocks = m.blocks._replace(blocks=roomy.blocks.blocks, lanes=roomy.blocks.lanes)
         for k in range(self.count):
             block = m.blocks.blocks[k]

@@ -6,7 +6,6 @@ import pytest
 
 import sandbox
 from sandbox import CapacityError, Delete
-from sandbox.engine import stepper
 from sandbox.engine.memory import limit
 from sandbox.engine.world import World
 from tests.flat import body, circle, scene, world
@@ -33,22 +32,6 @@ def test_a_pile_with_too_many_pairs():
     assert w.digest() == same.digest()
 
 
-def test_a_pile_whose_contacts_share_too_many_bodies(monkeypatch):
-    monkeypatch.setattr(limit, "MAX_STEP_BYTES", limit.step_bytes(150 * 149 // 2 * 3 // 2, 0) + 1000)
-    monkeypatch.setattr(stepper, "_FEW", 100)
-    w = pile(150)
-    digest = w.digest()
-    for _ in range(2):
-        with pytest.raises(CapacityError, match=r"with 11,175 pairs"):
-            w.step()
-        assert w.digest() == digest
-    monkeypatch.undo()
-    same = pile(150)
-    w.step(3)
-    same.step(3)
-    assert w.digest() == same.digest()
-
-
 def test_fields_push_once_where_a_step_is_refused(monkeypatch):
     water = sandbox.Scene(regions=[{"water": 1, "surface": 0, "inside": [-9, -9, 9, 9]}]).flatten().regions
     discs = [body(f"{k}", circle(0.5)) for k in range(1100)]
@@ -66,6 +49,6 @@ def test_fields_push_once_where_a_step_is_refused(monkeypatch):
 
 
 def test_room_that_would_be_too_much_is_what_is_needed():
-    most = next(k for k in range(10**6, 10**8, 10**4) if limit.step_bytes(k, 0) > limit.MAX_STEP_BYTES) - 10**4
-    assert limit.room_for((most, 1), (2 * most, 1), most) == (most, 1)
-    assert limit.room_for((1000, 1), (2000, 1), 1000) == (2000, 1)
+    most = next(k for k in range(10**6, 10**8, 10**4) if limit.step_bytes(k) > limit.MAX_STEP_BYTES) - 10**4
+    assert limit.room_for(most) == most
+    assert limit.room_for(1000) == 1500

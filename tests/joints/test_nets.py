@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from sandbox.engine.joints import assembly
+from sandbox.engine.joints import part_layout
 from tests.joints.jointed import G, energy, gap
 from tests.joints.nets import KINDS, kinetic_energy, net, soft_parts, throw
 
@@ -16,7 +16,7 @@ LIMITED = 0.2
 @pytest.fixture
 def never_factorised(monkeypatch):
     """Makes all joints soft, those of a single rod too."""
-    monkeypatch.setattr(assembly, "UPDATES_A_ROW", -1000)
+    monkeypatch.setattr(part_layout, "UPDATES_A_ROW", -1000)
 
 
 @pytest.mark.usefixtures("never_factorised")
@@ -79,7 +79,7 @@ def test_a_net_drawn_apart_comes_together(kind):
 def test_a_net_at_rest_hangs_as_a_factorised_one_does(monkeypatch, kind):
     rigid = net(5, 5, kind)
     assert soft_parts(rigid) == 0
-    monkeypatch.setattr(assembly, "UPDATES_A_ROW", -1000)
+    monkeypatch.setattr(part_layout, "UPDATES_A_ROW", -1000)
     soft = net(5, 5, kind)
     assert soft_parts(soft) == 1
     for world in (rigid, soft):
@@ -91,7 +91,7 @@ def test_a_net_at_rest_hangs_as_a_factorised_one_does(monkeypatch, kind):
 @pytest.mark.parametrize("kind", ["hinge", "rod"])
 def test_a_net_swings_as_a_factorised_one_does(monkeypatch, kind):
     rigid = net(6, 6, kind, "middle")
-    monkeypatch.setattr(assembly, "UPDATES_A_ROW", -1000)
+    monkeypatch.setattr(part_layout, "UPDATES_A_ROW", -1000)
     soft = net(6, 6, kind, "middle")
     for _ in range(6):
         for world in (rigid, soft):

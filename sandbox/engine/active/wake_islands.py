@@ -12,27 +12,20 @@ from sandbox.tables import Integers, Records
 @kernel
 def wake_touched(
     bodies: Records,
-    free_motions: Records,
     contacts: Contacts,
     joints: JointWork | None,
     active_info: Records,
     counters: Records,
 ) -> bool:
-    """Wake every island that has a contact or a joint with an active or a driven body; `undo_waking` takes it back.
+    """Wake every island that has a contact or a joint with an active or a driven body.
 
     Returns whether there was one: then the active set is out of date.
     """
     touched = contacts.active[1 : 1 + contacts.active[0]]
-    active_info[0].woke = 0
     if counters[0].asleep_count == 0:
         return False
     if not (_some_touched(bodies, contacts.now, touched) or _some_joined(bodies, joints)):
         return False
-    active_info[0].woke = 1
-    for i in range(bodies.shape[0]):
-        free_motions[i].was_awake = bodies[i].awake
-        free_motions[i].was_island = bodies[i].island
-        free_motions[i].was_slow = bodies[i].sleep_time
     for i in touched:
         _wake_either(bodies[contacts.now[i].body_a], bodies[contacts.now[i].body_b])
     if joints is not None:
@@ -72,17 +65,6 @@ def _wake_either(a: Records, b: Records) -> None:
         a.awake = 1
     elif b.awake == 0 and disturbs(a):
         b.awake = 1
-
-
-@kernel
-def undo_waking(bodies: Records, free_motions: Records, active_info: Records) -> None:
-    """Put all bodies back to sleep that `wake_touched` has woken, for a step that has to begin again."""
-    if active_info[0].woke == 0:
-        return
-    for i in range(bodies.shape[0]):
-        bodies[i].awake = free_motions[i].was_awake
-        bodies[i].island = free_motions[i].was_island
-        bodies[i].sleep_time = free_motions[i].was_slow
 
 
 @kernel

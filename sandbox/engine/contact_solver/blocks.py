@@ -12,11 +12,6 @@ VECTOR = 16
 """Lanes that one turn of the arithmetic covers. Constant, or LLVM would not vectorise it."""
 MAX_COLORS = 62
 """Contacts that find no colour below this go into serial blocks, whose lanes are solved one by one."""
-ROLLING_GROUP = 4
-"""Contacts of a serial block that are all looked at for rolling if one of them resists it.
-
-Those that do not get an impulse of -0 then instead of 0: how many go together is in the bits of every digest.
-"""
 
 NORMAL_X = 0 * LANES
 NORMAL_Y = 1 * LANES

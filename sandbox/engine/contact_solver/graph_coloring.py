@@ -64,10 +64,7 @@ def _lowest_free(taken: int) -> int:
 
 @kernel
 def fill_blocks(contacts: Contacts, blocks: ContactBlocks, color_count: int) -> int:
-    """Order contacts by colour into slots and cut every colour into blocks; return how many blocks that takes.
-
-    If that is more than there is room for, none is written.
-    """
+    """Order contacts by colour into slots and cut every colour into blocks; return how many blocks that takes."""
     rows = contacts.active[1 : 1 + contacts.active[0]]
     heads = blocks.heads
     for c in range(color_count + 1):
@@ -87,11 +84,6 @@ def fill_blocks(contacts: Contacts, blocks: ContactBlocks, color_count: int) -> 
         slot.contact = rows[k]
         slot.body_a = contacts.now[rows[k]].body_a
         slot.body_b = contacts.now[rows[k]].body_b
-    needed = 0
-    for c in range(color_count):
-        needed += (heads[c + 1] - heads[c] + LANES - 1) // LANES
-    if needed > blocks.blocks.shape[0]:
-        return needed
     used = 0
     for c in range(color_count):
         first = heads[c]

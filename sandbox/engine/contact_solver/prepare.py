@@ -44,7 +44,7 @@ def prepare_contacts(
             strikes = impacts and (contact.restitution > 0.0 or closes_hard(bodies, contact))
             lanes[at + cb.MAY_IMPACT] = 1.0 if strikes else 0.0
             if contact.rolling_resistance > 0.0:
-                block.rolling |= 1 << (k // cb.ROLLING_GROUP)
+                block.rolling = 1
     return deep
 
 

@@ -16,7 +16,6 @@ from sandbox.engine.records.contact_blocks import ContactBlocks, SoftContact
 from sandbox.tables import Floats, Records
 
 BLOCK_SIZE = cb.BLOCK_SIZE
-ROLLING_GROUP = cb.ROLLING_GROUP
 VECTOR = cb.VECTOR
 
 
@@ -34,14 +33,12 @@ def solve_contacts(motions: Records, blocks: ContactBlocks, block_count: int, so
             slot = block.first + turn
             gather_velocities(motions, slots, slot, width, gathered)
             gather_deltas(motions, slots, slot, width, gathered)
-            rolling = block.rolling
             if block.serial == 1:
                 _solve_lane(v, gathered, 0, soft)
-                rolling = (rolling >> (turn // ROLLING_GROUP)) & 1
             else:
                 for first in range(0, width, VECTOR):
                     _solve_lanes(v[first:], gathered[first:], soft)
-            if rolling != 0:
+            if block.rolling == 1:
                 _resist_rolling(v, gathered, width)
             scatter_velocities(motions, slots, slot, width, gathered)
 
@@ -67,12 +64,15 @@ def _solve_lane(v: Floats, g: Floats, k: int, soft: SoftContact) -> None:
         gap_y = gap_y - (g[cb.SIN_A + k] * r.ax + g[cb.COS_A + k] * r.ay)
         separation = gap_x * nx + gap_y * ny + rounding + v[point + cb.SEPARATION + k]
         overlaps = separation <= 0.0
-        push = soft.bias_rate * separation
-        push = push if push > soft.slowest_bias else soft.slowest_bias
+        wanted = soft.bias_rate * separation
+        saturated = wanted < soft.slowest_bias
+        push = soft.slowest_bias if saturated else wanted
         ahead = separation * soft.inverse_seconds + v[cb.MAY_IMPACT + k] * soft.impact_allowance
         bias = push if overlaps else ahead
         scale = soft.mass_scale if overlaps else 1.0
-        softness = soft.impulse_scale if overlaps else 0.0
+        # Where the push is saturated the contact grows stiffer, so that it sinks no deeper than the same spring would.
+        softness = soft.impulse_scale * (push / wanted if saturated else 1.0)
+        softness = softness if overlaps else 0.0
         vx, vy = relative_velocity(velocity, r)
         speed = vx * nx + vy * ny
         before = v[point + cb.NORMAL_IMPULSE + k]

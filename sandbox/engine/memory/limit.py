@@ -13,8 +13,7 @@ from sandbox.errors import CapacityError
 from sandbox.world.records import CONTACT
 
 MAX_STEP_BYTES = 4 * 1024**3
-"""Memory of all tables that grow with pairs and contacts, in bytes: about 4 million pairs, or 900,000 contacts of
-bodies that touch too many others to be solved side by side."""
+"""Memory of all tables that grow with pairs and contacts, in bytes: about 4 million pairs."""
 _WORD = 8
 _PAIR_BYTES = 3 * _WORD + sum(
     table.dtype.itemsize
@@ -23,26 +22,27 @@ _PAIR_BYTES = 3 * _WORD + sum(
 _BLOCK_BYTES = BLOCK.dtype.itemsize + _WORD * BLOCK_SIZE
 
 
-def least_blocks(pairs: int) -> int:
-    """Solver blocks for so many contacts if bodies have few each."""
-    return pairs // LANES + MAX_COLORS + 2
+def most_blocks(pairs: int) -> int:
+    """Most solver blocks that so many contacts fill: every colour has one that is not full."""
+    return pairs // LANES + MAX_COLORS + 1
 
 
-def step_bytes(pairs: int, blocks: int) -> int:
-    """Memory for so many pairs and solver blocks."""
-    return pairs * _PAIR_BYTES + max(blocks, least_blocks(pairs)) * _BLOCK_BYTES
+def step_bytes(pairs: int) -> int:
+    """Memory for so many pairs."""
+    return pairs * _PAIR_BYTES + most_blocks(pairs) * _BLOCK_BYTES
 
 
-def room_for(needed: tuple[int, int], spare: tuple[int, int], found: int) -> tuple[int, int]:
-    """For how many pairs and blocks memory is to be taken: `spare`, or what is needed if that would be too much.
+def room_for(pairs: int) -> int:
+    """For how many pairs memory is to be taken: half as many more than are needed, if there is room for that.
 
-    Raises `CapacityError` if what is needed is, for the pairs that were `found`.
+    Raises `CapacityError` if there is none for those that are needed.
     """
-    size = step_bytes(*needed)
+    size = step_bytes(pairs)
     if size > MAX_STEP_BYTES:
         raise CapacityError(
-            f"a step with {found:,} pairs of shapes that may touch needs {size / 1e9:.1f} GB of tables; the limit is "
+            f"a step with {pairs:,} pairs of shapes that may touch needs {size / 1e9:.1f} GB of tables; the limit is "
             f"{MAX_STEP_BYTES / 1e9:.1f} GB. Too many bodies are in one place: spread them, or give them categories "
             "that do not collide. The world is as before the step"
         )
-    return spare if step_bytes(*spare) <= MAX_STEP_BYTES else needed
+    roomy = pairs + pairs // 2
+    return roomy if step_bytes(roomy) <= MAX_STEP_BYTES else pairs

@@ -15,7 +15,7 @@ from sandbox.engine.joints.assembly import assemble
 from sandbox.engine.joints.pair_filter import JointFilter
 from sandbox.engine.joints.part_layout import PartLayouts
 from sandbox.engine.joints.records import JointWork
-from sandbox.engine.memory.limit import least_blocks
+from sandbox.engine.memory.limit import most_blocks
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import BODY_FORCES, FREE_MOTION, MOTION, SolverBodies
 from sandbox.engine.records.ccd import CCD_BODY, CCD_IMPACT, Ccd
@@ -49,14 +49,11 @@ class Scratch:
     fields: Fields
 
     @classmethod
-    def for_state(
-        cls, state: State, pair_capacity: int, block_capacity: int = 0, layouts: PartLayouts | None = None
-    ) -> Scratch:
-        """Scratch for all bodies and shapes of `state`, for so many candidate pairs and so many solver blocks.
+    def for_state(cls, state: State, pair_capacity: int, layouts: PartLayouts | None = None) -> Scratch:
+        """Scratch for all bodies and shapes of `state`, and for so many candidate pairs.
 
         `layouts` are those of parts that joints hold together, as far as they are known.
         """
-        block_capacity = max(block_capacity, least_blocks(pair_capacity))
         joint_filter, joints = assemble(state.joints, state.bodies, layouts or PartLayouts())
         return cls(
             active=_active_set(state),
@@ -65,7 +62,7 @@ class Scratch:
             colliders=_colliders(state),
             grid=_grid(len(state.shapes), pair_capacity),
             contacts=_contacts(state, pair_capacity),
-            blocks=_blocks(pair_capacity, block_capacity),
+            blocks=_blocks(pair_capacity),
             ccd=_ccd(state),
             joint_filter=joint_filter,
             joints=joints,
@@ -126,7 +123,8 @@ def _contacts(state: State, pairs: int) -> Contacts:
     )
 
 
-def _blocks(pairs: int, blocks: int) -> ContactBlocks:
+def _blocks(pairs: int) -> ContactBlocks:
+    blocks = most_blocks(pairs)
     return ContactBlocks(
         slots=SLOT.zeros(pairs),
         blocks=BLOCK.zeros(blocks),

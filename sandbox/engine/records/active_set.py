@@ -18,7 +18,6 @@ ACTIVE_SET = Table(
         Field("cell", "m", "width of the cells of its level 0"),
         Field("used", "-", "its levels with many boxes", "i8"),
         Field("sparse", "-", "its boxes on other levels", "i8"),
-        Field("woke", "-", "1 when the step under way has woken somebody", "i8"),
     ),
 )
 """One row: what is known of the lists."""

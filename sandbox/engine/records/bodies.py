@@ -33,9 +33,6 @@ FREE_MOTION = Table(
         Field("island", "-", "root of its island", "i8"),
         Field("substep_level", "-", "its island takes 2**substep_level times the substeps of the scene", "i8"),
         Field("buoyed", "-", "1 when it floats at rest", "i8"),
-        Field("was_awake", "-", "before the step woke anybody", "i8"),
-        Field("was_island", "-", "before the step woke anybody", "i8"),
-        Field("was_slow", "s", "sleep time before the step woke anybody"),
     ),
 )
 """One row a body: where an unhindered body would go, and its place in the constraint graph."""

@@ -105,7 +105,9 @@ def solve(contacts: list[Contact], how: Pass) -> None:
                 change = -p.normal_mass * (speed + how.rate * gap)
             else:
                 wanted = min(-how.bias * gap, how.push)
-                change = -p.normal_mass * how.mass * (speed - wanted) - how.impulse * p.normal
+                # Where the push is cut, the contact is stiffer: it sinks no deeper than the same spring without a cut.
+                softness = how.impulse * (wanted / (-how.bias * gap) if -how.bias * gap > how.push else 1.0)
+                change = -p.normal_mass * how.mass * (speed - wanted) - softness * p.normal
             before, p.normal = p.normal, max(p.normal + change, 0.0)  # a contact pushes and never pulls
             p.hardest = max(p.hardest, p.normal)
             c.push(p, (p.normal - before) * c.normal)

@@ -1,0 +1,103 @@
+"""Heaps at rest: nothing lies in another deeper than its load explains, whatever fell, was thrown or began within another."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from sandbox.engine.contact_solver.soft_constraint import contact_coefficients
+from sandbox.engine.world import World
+from sandbox.scene.flat import FlatShape
+from tests.flat import AWAKE, body, box, circle, world
+from tests.kernels import called_from_python
+
+coefficients = called_from_python(contact_coefficients)
+
+
+def _gem(random: np.random.Generator) -> FlatShape:
+    angles = 2.0 * math.pi * (np.arange(6) + random.uniform(0.0, 0.6, 6)) / 6.0
+    corners = tuple((0.5 * math.cos(a), 0.5 * math.sin(a)) for a in angles)
+    return FlatShape("polygon", corners)
+
+
+SHAPES = {
+    "balls": lambda random: circle(0.5 * random.uniform(0.8, 1.0)),
+    "crates": lambda _: box(0.9, 0.9),
+    "rods": lambda _: FlatShape("capsule", ((-0.3, 0.0), (0.3, 0.0)), 0.2),
+    "gems": _gem,
+}
+
+
+def heap(kind: str, count: int, wide: float, spacing: float, seed: int = 0) -> World:
+    """A pit, `wide` m across, over which bodies hang in rows, `spacing` m apart; from 0.9 m on they hardly overlap."""
+    random = np.random.default_rng(seed)
+    a_row = int(wide / spacing)
+    high = 2.0 * count / a_row * spacing + 10.0
+    walls = [
+        body("floor", box(wide + 2.0, 1.0), type="static", position=(0.0, -0.5)),
+        body("left", box(1.0, high), type="static", position=(-0.5 * wide - 0.5, 0.5 * high)),
+        body("right", box(1.0, high), type="static", position=(0.5 * wide + 0.5, 0.5 * high)),
+    ]
+    fallen = []
+    for k in range(count):
+        row, column = divmod(k, a_row)
+        place = ((column + 0.5) * spacing - 0.5 * wide + random.uniform(-0.05, 0.05), 0.6 + row * spacing)
+        fallen.append(body(f"b{k}", SHAPES[kind](random), position=place, angle=random.uniform(0.0, math.tau)))
+    return world(*walls, *fallen, settings=AWAKE)
+
+
+def unexplained(w: World) -> float:
+    """How much deeper (m) the worst point of a contact lies than the spring of the contact would under its impulse."""
+    setting, bodies = w.state.settings[0], w.state.bodies
+    seconds = float(setting.step_seconds) / int(setting.substeps)
+    rate, scale, impulse_scale = coefficients(setting, min(float(setting.contact_hertz), 0.25 / seconds), seconds)
+    worst = 0.0
+    for c in w.contacts:
+        a, b = bodies[c.body_a], bodies[c.body_b]
+        for k in range(1, int(c.point_count) + 1):
+            turn_a = c[f"anchor_ax{k}"] * c.normal_y - c[f"anchor_ay{k}"] * c.normal_x
+            turn_b = c[f"anchor_bx{k}"] * c.normal_y - c[f"anchor_by{k}"] * c.normal_x
+            inverse = a.inverse_mass + b.inverse_mass
+            inverse += a.inverse_inertia * turn_a**2 + b.inverse_inertia * turn_b**2
+            explained = c[f"normal_impulse{k}"] * inverse * impulse_scale / (scale * rate)
+            worst = max(worst, float(-c[f"separation{k}"] - explained))
+    return worst
+
+
+def is_at_rest(w: World) -> bool:
+    return float(np.abs(w.bodies.velocity).max()) < 0.01
+
+
+@pytest.mark.parametrize("spacing", [1.3, 0.9])
+@pytest.mark.parametrize("kind", SHAPES)
+def test_nothing_lies_deeper_than_its_load_explains(kind, spacing):
+    w = heap(kind, 200, 10.0, spacing)
+    rested = 0
+    for _ in range(120):
+        w.step(10)
+        rested = rested + 10 if is_at_rest(w) else 0
+        if rested >= 60:
+            break
+    assert rested >= 60
+    assert unexplained(w) < 2e-3
+
+
+def test_what_begins_in_one_place_does_not_stay_there():
+    w = world(
+        body("floor", box(40.0, 1.0), type="static", position=(0.0, -0.5)),
+        *(body(f"b{k}", circle(0.5), position=(0.01 * (k % 3), 0.5 + 0.01 * k)) for k in range(20)),
+        settings=AWAKE,
+    )
+    w.step(300)
+    assert unexplained(w) < 2e-3
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", SHAPES)
+def test_a_large_heap_too(kind):
+    w = heap(kind, 2000, 40.0, 1.05)
+    for _ in range(40):
+        w.step(30)
+    assert unexplained(w) < 5e-3
