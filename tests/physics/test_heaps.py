@@ -1,4 +1,4 @@
-"""Heaps at rest: nothing lies in another deeper than its load explains, whatever fell, was thrown or began within another."""
+"""Heaps at rest: nothing lies in another deeper than its load explains, however the heap began."""
 
 from __future__ import annotations
 
