@@ -104,7 +104,7 @@ def run_substeps(
         else:
             forget_impulses(blocks, count)
         if joints is not None:
-            solve_joints(joints, bodies, motions, free_motions, seconds)
+            solve_joints(joints, motions, free_motions, seconds)
         if todo.fresh and substep == 0:
             # What was just put there has no impulses yet, and soft contacts alone would let it slip until it has.
             solve_contacts(motions, blocks, count, rigid)
@@ -116,7 +116,7 @@ def run_substeps(
         integrate_positions(rows, solver, gravity, seconds)
         resolve_late_impacts(bodies, rows, solver, contacts, impacts, level, seconds)
         if joints is not None:
-            relax_joints(joints, bodies, motions, free_motions, seconds)
+            relax_joints(joints, motions, free_motions, seconds)
         for _pass in range(relax_passes):
             if not accumulate:
                 forget_impulses(blocks, count)

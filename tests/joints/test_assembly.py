@@ -30,8 +30,12 @@ def same(joints: Any, bodies: Any, layouts: PartLayouts) -> None:
     expected = naive.assemble(joints, bodies)
     assert (bonds.tobytes(), joined.tobytes()) == (expected[0].bonds.tobytes(), expected[0].joined.tobytes())
     assert (work is None) == (expected[1] is None)
-    for name in work._fields if work is not None else ():
-        one, two = getattr(work, name), getattr(expected[1], name)
+    if work is None:
+        return
+    for name in (*work._fields[:-1], *work.side_by_side._fields):
+        one, two = (getattr(each, name, None) for each in (work, expected[1]))
+        if one is None:
+            one, two = (getattr(each.side_by_side, name) for each in (work, expected[1]))
         assert (one.dtype, one.tobytes()) == (two.dtype, two.tobytes()), name
 
 

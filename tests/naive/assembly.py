@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from sandbox.engine.joints.hinge_lanes import lay_hinges
 from sandbox.engine.joints.pair_filter import JointFilter
 from sandbox.engine.joints.part_layout import UPDATES_A_ROW, slots_of
 from sandbox.engine.joints.records import BOND, CONSTRAINT, LINK, MEMBER, PART, ROW, JointWork
@@ -196,9 +197,11 @@ class _Layout:
         part_of[members.body[1:]] = members.part[1:]
         starts, row_of = np.array([*pattern.starts, len(pattern.row_of)], np.int64), np.array(pattern.row_of, np.int64)
         targets, entries = np.array(pattern.targets, np.int64), np.zeros(len(pattern.row_of))
+        hinges = lay_hinges(self.joints, members, constraints, parts)
         return JointWork(
-            self.joints, self.ties, part_of, members, constraints, rows, parts, links, starts, row_of, targets, entries
-        )
+            self.joints, self.ties, part_of, members, constraints, rows, parts, links, starts, row_of, targets,
+            entries, hinges,
+        )  # fmt: skip
 
     def pairs(self) -> tuple[list[Pair], list[Pair]]:
         """Pairs of bodies with a joint, and those of them that do not collide, both sorted."""

@@ -26,7 +26,7 @@ def measure_errors(work: JointWork, part: Records) -> None:
     for k in range(part.first_constraint, part.constraint_end):
         constraint = work.constraints[k]
         joint = work.joints[constraint.joint]
-        if joint.kind != GEAR:
+        if joint.kind != GEAR and constraint.in_lane == 0:
             a = work.members[constraint.member_a]
             b = work.members[constraint.member_b]
             _place_anchors(constraint, joint, a, b)

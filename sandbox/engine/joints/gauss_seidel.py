@@ -11,19 +11,20 @@ from __future__ import annotations
 from sandbox._jit import kernel
 from sandbox.engine.contact_solver.soft_constraint import soft_coefficients
 from sandbox.engine.joints.errors import measure_errors
+from sandbox.engine.joints.hinges import SoftHinge, sweep_hinges, warm_start_hinges
 from sandbox.engine.joints.jacobian import fill_rows, push_row, row_speed
 from sandbox.engine.joints.joint_bodies import predict_poses
 from sandbox.engine.joints.ldl import change_impulse
 from sandbox.engine.joints.pivoting import cap_pairs
 from sandbox.engine.joints.records import JointWork
-from sandbox.engine.joints.targets import target_softly
+from sandbox.engine.joints.targets import CORRECTION_SPEED, target_softly
 from sandbox.tables import Records
 
-SWEEPS = 960.0
-"""Sweeps for each second: 4 in a substep of 1/240 s; longer ones have more to carry."""
-FEWEST = 2
+SWEEPS = 480.0
+"""Sweeps for each second: 2 in a substep of 1/240 s; longer ones have more to carry."""
+FEWEST = 1
 MOST = 64
-STIFFNESS = 0.5
+STIFFNESS = 0.25
 """Frequency of rigid rows as a share of the rate of substeps: the most that they can follow."""
 DAMPING_RATIO = 2.0
 FAR = 0.5
@@ -31,25 +32,33 @@ FAR = 0.5
 
 
 @kernel
-def solve_softly(
-    work: JointWork, part: Records, bodies: Records, motions: Records, seconds: float, pushing: bool
-) -> None:
+def solve_softly(work: JointWork, part: Records, motions: Records, seconds: float, pushing: bool) -> None:
     """Sweep over the rows of a part: before the move with their push (`pushing`), and after it without."""
-    predict_poses(work, part, bodies, motions, 0.0)
-    measure_errors(work, part)
-    fill_rows(work, part)
+    predict_poses(work, part, motions, 0.0)
+    if part.swept == 1:
+        measure_errors(work, part)
+        fill_rows(work, part)
     bias_rate, mass_scale, impulse_scale = soft_coefficients(STIFFNESS / seconds, DAMPING_RATIO, seconds)
     push = bias_rate if pushing else 0.0
     give = impulse_scale / mass_scale if pushing else 0.0
+    most = CORRECTION_SPEED / push if pushing else 0.0
     if pushing:
         _warm_start(work, part, seconds)
+        warm_start_hinges(work, part, seconds, FAR)
     for sweep in range(_sweeps(seconds)):
-        for k in range(part.row_end - part.first_row):
-            r = part.first_row + k if sweep % 2 == 0 else part.row_end - 1 - k
-            row = work.rows[r]
-            if row.stiffness > 0.0:
-                _solve_row(work, row, seconds, push, give)
-        cap_pairs(work, part, seconds, seconds, False)
+        if part.swept == 1:
+            _sweep_rows(work, part, seconds, push, give, sweep % 2 == 1)
+            cap_pairs(work, part, seconds, seconds, False)
+        sweep_hinges(work, part, SoftHinge(push, most, give), sweep % 2 == 1)
+
+
+@kernel
+def _sweep_rows(work: JointWork, part: Records, seconds: float, push: float, give: float, backwards: bool) -> None:
+    """One sweep over the rows of a part that lie in no lane."""
+    for k in range(part.row_end - part.first_row):
+        row = work.rows[part.row_end - 1 - k if backwards else part.first_row + k]
+        if row.stiffness > 0.0 and work.constraints[row.constraint].in_lane == 0:
+            _solve_row(work, row, seconds, push, give)
 
 
 @kernel
@@ -62,8 +71,12 @@ def _sweeps(seconds: float) -> int:
 @kernel
 def _warm_start(work: JointWork, part: Records, seconds: float) -> None:
     """Apply the impulses of the substep before, but at what spins: there they would add energy."""
+    if part.swept == 0:
+        return
     for r in range(part.first_row, part.row_end):
         row = work.rows[r]
+        if work.constraints[row.constraint].in_lane == 1:
+            continue
         if row.stiffness == 0.0 or seconds * _spin(work.members, row) > FAR:
             row.impulse = 0.0
         row.stop = 1 if row.impulse > 0.0 else (-1 if row.impulse < 0.0 else 0)

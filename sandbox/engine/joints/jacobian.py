@@ -24,6 +24,8 @@ def fill_rows(work: JointWork, part: Records) -> None:
     for r in range(part.first_row, part.row_end):
         row = work.rows[r]
         constraint = work.constraints[row.constraint]
+        if constraint.in_lane == 1:
+            continue
         joint = work.joints[constraint.joint]
         _fill(work, row, constraint, joint)
         row.stiffness = _stiffness(work.members, row)

@@ -21,6 +21,9 @@ def load_members(work: JointWork, bodies: Records) -> None:
         member.inverse_mass = body.inverse_mass if moves else 0.0
         member.inverse_inertia = body.inverse_inertia if moves else 0.0
         member.inertia = body.inertia if moves and body.inverse_inertia > 0.0 else 0.0
+        member.start_cos = body.rotation_cos
+        member.start_sin = body.rotation_sin
+        member.start_angle = body.angle
         member.center_x = body.center_x
         member.center_y = body.center_y
         if moves:
@@ -80,7 +83,7 @@ def move_by_end_velocity(work: JointWork, motions: Records, free_motions: Record
 
 
 @kernel
-def predict_poses(work: JointWork, part: Records, bodies: Records, motions: Records, ahead: float) -> None:
+def predict_poses(work: JointWork, part: Records, motions: Records, ahead: float) -> None:
     """Pose of the members of a part, and of what joints cannot move, `ahead` seconds from now."""
     i = 1
     while i < part.member_end:
@@ -88,13 +91,15 @@ def predict_poses(work: JointWork, part: Records, bodies: Records, motions: Reco
         if member.part >= 0 and i < part.first_member:
             i = part.first_member
             continue
-        body = bodies[member.body]
         motion = motions[member.body]
         member.displacement_x = motion.delta_x + ahead * member.velocity_x
         member.displacement_y = motion.delta_y + ahead * member.velocity_y
         turn = motion.delta_angle + ahead * member.angular_velocity
-        c, s = cos_sin(turn)
-        member.cos = body.rotation_cos * c - body.rotation_sin * s
-        member.sin = body.rotation_sin * c + body.rotation_cos * s
-        member.angle = body.angle + turn
+        c = motion.delta_cos
+        s = motion.delta_sin
+        if ahead != 0.0:
+            c, s = cos_sin(turn)
+        member.cos = member.start_cos * c - member.start_sin * s
+        member.sin = member.start_sin * c + member.start_cos * s
+        member.angle = member.start_angle + turn
         i += 1

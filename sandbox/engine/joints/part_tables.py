@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from sandbox.engine.joints.hinge_lanes import lay_hinges
 from sandbox.engine.joints.part_layout import COLUMNS, NOBODY, WORLD, PartLayout, PartLayouts
 from sandbox.engine.joints.records import CONSTRAINT, LINK, MEMBER, PART, ROW, JointWork
 from sandbox.tables import Integers, Records
@@ -60,8 +61,10 @@ def joint_work(joints: Records, parts: Parts, ties: Records, bodies: int, layout
     row_of = _all([each.row_of for each in found], offsets.rows)
     targets = _all([each.targets for each in found], offsets.entries)
     rows, links, table = _rows(constraints, parts, seats, found), _links(found, offsets), _parts(parts, found, offsets)
+    hinges = lay_hinges(joints, members, constraints, table)
     return JointWork(
-        joints, ties, part_of, members, constraints, rows, table, links, starts, row_of, targets, np.zeros(len(row_of))
+        joints, ties, part_of, members, constraints, rows, table, links, starts, row_of, targets,
+        np.zeros(len(row_of)), hinges,
     )  # fmt: skip
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from sandbox._jit import kernel
+from sandbox.engine.joints.hinges import report_hinges
 from sandbox.engine.joints.records import JointWork
 from sandbox.tables import Records
 
@@ -12,15 +13,16 @@ from sandbox.tables import Records
 @kernel
 def read_impulses(work: JointWork) -> None:
     """Start from the impulses of the last step: half before and half after the move, or all of it before."""
-    for r in range(work.rows.shape[0]):
-        row = work.rows[r]
-        constraint = work.constraints[row.constraint]
-        joint = work.joints[constraint.joint]
-        found = _slot_impulse(joint, row.slot)
-        part = work.parts[constraint.part]
-        row.impulse = 0.5 * found if part.halves == 1 else found
-        row.relaxing = 0.5 * found if part.halves == 1 else 0.0
-        row.total = 0.0
+    for p in range(work.parts.shape[0]):
+        part = work.parts[p]
+        if part.swept == 0:
+            continue
+        for r in range(part.first_row, part.row_end):
+            row = work.rows[r]
+            found = _slot_impulse(work.joints[work.constraints[row.constraint].joint], row.slot)
+            row.impulse = 0.5 * found if part.halves == 1 else found
+            row.relaxing = 0.5 * found if part.halves == 1 else 0.0
+            row.total = 0.0
 
 
 @kernel
@@ -49,6 +51,8 @@ def _set_slot_impulse(joint: Records, slot: int, impulse: float) -> None:
 @kernel
 def accumulate(work: JointWork, part: Records) -> None:
     """Add the impulses of a substep to those of the step."""
+    if part.swept == 0:
+        return
     for r in range(part.first_row, part.row_end):
         row = work.rows[r]
         row.total += row.impulse + row.relaxing
@@ -57,10 +61,15 @@ def accumulate(work: JointWork, part: Records) -> None:
 @kernel
 def finish_joints(work: JointWork, seconds: float, counter: Records) -> None:
     """Write impulses, forces and breakage of all joints that are awake into the joint table."""
-    for k in range(work.constraints.shape[0]):
-        constraint = work.constraints[k]
-        if work.parts[constraint.part].awake == 1:
-            _report(work, constraint, work.joints[constraint.joint], seconds, counter)
+    for p in range(work.parts.shape[0]):
+        part = work.parts[p]
+        if part.awake == 0:
+            continue
+        report_hinges(work, part, seconds, counter)
+        for k in range(part.first_constraint, part.constraint_end if part.swept == 1 else part.first_constraint):
+            constraint = work.constraints[k]
+            if constraint.in_lane == 0:
+                _report(work, constraint, work.joints[constraint.joint], seconds, counter)
 
 
 @kernel

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from sandbox.engine.joints.hinge_lanes import HingeLanes
 from sandbox.tables import Field, Floats, Integers, Records, Table
 
 MEMBER = Table(
@@ -33,6 +34,9 @@ MEMBER = Table(
             )
             for axis in "xyw"
         ),
+        Field("start_cos", "1", "rotation when the step began"),
+        Field("start_sin", "1", "rotation when the step began"),
+        Field("start_angle", "rad", "angle when the step began"),
         Field("center_x", "m", "centre of mass when the step began"),
         Field("center_y", "m", "centre of mass when the step began"),
         Field("displacement_x", "m", "displacement of the centre since then, at the predicted pose"),
@@ -54,6 +58,7 @@ CONSTRAINT = Table(
         Field("constraint_2", "-", "", "i8"),
         Field("first_row", "-", "", "i8"),
         Field("row_count", "-", "", "i8"),
+        Field("in_lane", "-", "1 when it is a hinge that is solved side by side with others, see `hinge_lanes`", "i8"),
         Field("arm_ax", "m", "anchor from the centre of a, world axes, at the predicted pose"),
         Field("arm_ay", "m", ""),
         Field("arm_bx", "m", ""),
@@ -124,6 +129,9 @@ PART = Table(
             "i8",
         ),
         Field("separated", "-", "1 when its joints must not be brought together by velocities", "i8"),
+        Field("swept", "-", "1 when it has joints that lie in no lane", "i8"),
+        Field("first_block", "-", "blocks of hinges that are solved side by side", "i8"),
+        Field("block_end", "-", "", "i8"),
         Field("fine", "-", "1 when it is small and has no contact: it takes finer substeps", "i8"),
     ),
 )
@@ -167,3 +175,4 @@ class JointWork(NamedTuple):
     row_of: Integers
     targets: Integers
     entries: Floats
+    side_by_side: HingeLanes

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from sandbox._jit import kernel
 from sandbox.engine.bodies.flags import KEPT_AWAKE, MOVING_KINEMATIC, SUPPORTED
+from sandbox.engine.joints import hinge_lanes as hl
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.joints.separated import overrun
 from sandbox.engine.joints.targets import is_rigid
@@ -37,16 +38,36 @@ def keep_awake_at_kinematic(flags: Integers, joints: JointWork) -> None:
 @kernel
 def keep_awake_while_corrected(flags: Integers, joints: JointWork) -> None:
     """Bodies that a rigid joint or a limit is still drawing to where they belong do not fall asleep."""
-    for r in range(joints.rows.shape[0]):
-        row = joints.rows[r]
-        constraint = joints.constraints[row.constraint]
-        if joints.parts[constraint.part].awake == 1 and _is_being_corrected(row, joints.joints[constraint.joint]):
-            a = joints.members[row.member_1].body
-            b = joints.members[row.member_2].body
-            if a >= 0:
-                flags[a] |= KEPT_AWAKE
-            if b >= 0:
-                flags[b] |= KEPT_AWAKE
+    for p in range(joints.parts.shape[0]):
+        part = joints.parts[p]
+        if part.awake == 0:
+            continue
+        for n in range(part.first_block, part.block_end):
+            _keep_torn_hinges_awake(flags, joints, n)
+        for r in range(part.first_row, part.row_end if part.swept == 1 else part.first_row):
+            row = joints.rows[r]
+            if _is_being_corrected(row, joints.joints[joints.constraints[row.constraint].joint]):
+                _keep_awake(flags, joints, row.member_1, row.member_2)
+
+
+@kernel
+def _keep_torn_hinges_awake(flags: Integers, joints: JointWork, n: int) -> None:
+    h = joints.side_by_side
+    v = h.lanes[n * hl.HINGE_BLOCK_SIZE : (n + 1) * hl.HINGE_BLOCK_SIZE]
+    for k in range(h.blocks[n].count):
+        if abs(v[hl.GAP_X + k]) > CORRECTED or abs(v[hl.GAP_Y + k]) > CORRECTED:
+            hinge = h.hinges[h.blocks[n].first + k]
+            _keep_awake(flags, joints, hinge.member_a, hinge.member_b)
+
+
+@kernel
+def _keep_awake(flags: Integers, joints: JointWork, member_a: int, member_b: int) -> None:
+    a = joints.members[member_a].body
+    b = joints.members[member_b].body
+    if a >= 0:
+        flags[a] |= KEPT_AWAKE
+    if b >= 0:
+        flags[b] |= KEPT_AWAKE
 
 
 @kernel

@@ -14,6 +14,7 @@ from sandbox._jit import kernel
 from sandbox.engine.joints.errors import measure_errors
 from sandbox.engine.joints.gauss_seidel import solve_softly
 from sandbox.engine.joints.geometric_stiffness import add_geometric_stiffness, remove_geometric_stiffness
+from sandbox.engine.joints.hinges import accumulate_hinges, load_hinges
 from sandbox.engine.joints.jacobian import fill_rows
 from sandbox.engine.joints.joint_bodies import (
     gather_members,
@@ -51,6 +52,7 @@ def begin_joints(work: JointWork, bodies: Records, contacts: Contacts) -> None:
     for p in range(work.parts.shape[0]):
         work.parts[p].halves = work.parts[p].direct * (1 - work.parts[p].supported)
     read_impulses(work)
+    load_hinges(work)
 
 
 @kernel
@@ -63,16 +65,16 @@ def select_parts(work: JointWork, free_motions: Records, substep_level: int) -> 
 
 
 @kernel
-def solve_joints(work: JointWork, bodies: Records, motions: Records, free_motions: Records, seconds: float) -> None:
+def solve_joints(work: JointWork, motions: Records, free_motions: Records, seconds: float) -> None:
     """Before the move: change velocities so that joints will be kept after it."""
     gather_members(work, motions, free_motions, True)
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
         if part.current == 1 and part.direct == 0:
-            solve_softly(work, part, bodies, motions, seconds, True)
+            solve_softly(work, part, motions, seconds, True)
         elif part.current == 1:
             acting = 0.5 * seconds if part.halves == 1 else seconds
-            _update_rows(work, part, bodies, motions)
+            _update_rows(work, part, motions)
             add_geometric_stiffness(work, part, seconds, acting)
             fill_rows(work, part)
             detect_separation(work, part, seconds)
@@ -80,29 +82,29 @@ def solve_joints(work: JointWork, bodies: Records, motions: Records, free_motion
                 remove_geometric_stiffness(work, part)
                 fill_rows(work, part)
             _start_warm(work, part, False)
-            settled = _solve(work, part, bodies, motions, seconds, acting, False)
-            if part.separated == 0 and not (settled and _reaches_targets(work, part, bodies, motions, seconds)):
+            settled = _solve(work, part, motions, seconds, acting, False)
+            if part.separated == 0 and not (settled and _reaches_targets(work, part, motions, seconds)):
                 solve_velocities_only(work, part)
                 remove_geometric_stiffness(work, part)
-                _update_rows(work, part, bodies, motions)
-                _solve(work, part, bodies, motions, seconds, acting, False)
+                _update_rows(work, part, motions)
+                _solve(work, part, motions, seconds, acting, False)
             if part.separated == 1:
                 find_corrections(work, part, seconds)
     scatter_members(work, motions)
 
 
 @kernel
-def _update_rows(work: JointWork, part: Records, bodies: Records, motions: Records) -> None:
+def _update_rows(work: JointWork, part: Records, motions: Records) -> None:
     """Rows of the present pose."""
-    predict_poses(work, part, bodies, motions, 0.0)
+    predict_poses(work, part, motions, 0.0)
     measure_errors(work, part)
     fill_rows(work, part)
 
 
 @kernel
-def _reaches_targets(work: JointWork, part: Records, bodies: Records, motions: Records, seconds: float) -> bool:
+def _reaches_targets(work: JointWork, part: Records, motions: Records, seconds: float) -> bool:
     """Whether the velocities found bring every joint about where it was meant to be."""
-    predict_poses(work, part, bodies, motions, seconds)
+    predict_poses(work, part, motions, seconds)
     measure_errors(work, part)
     return not misses_targets(work, part, seconds)
 
@@ -115,18 +117,19 @@ def prepare_move(work: JointWork, motions: Records, free_motions: Records, secon
 
 
 @kernel
-def relax_joints(work: JointWork, bodies: Records, motions: Records, free_motions: Records, seconds: float) -> None:
+def relax_joints(work: JointWork, motions: Records, free_motions: Records, seconds: float) -> None:
     """After the move: change velocities so that they keep the joints, too."""
     gather_members(work, motions, free_motions, False)
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
         if part.current == 1 and part.direct == 0:
-            solve_softly(work, part, bodies, motions, seconds, False)
+            solve_softly(work, part, motions, seconds, False)
             accumulate(work, part)
+            accumulate_hinges(work, part)
         elif part.current == 1:
-            _update_rows(work, part, bodies, motions)
+            _update_rows(work, part, motions)
             _start_warm(work, part, True)
-            _solve(work, part, bodies, motions, seconds, seconds, True)
+            _solve(work, part, motions, seconds, seconds, True)
             accumulate(work, part)
     scatter_members(work, motions)
 
@@ -157,7 +160,6 @@ def _start_warm(work: JointWork, part: Records, relaxing: bool) -> None:
 def _solve(
     work: JointWork,
     part: Records,
-    bodies: Records,
     motions: Records,
     seconds: float,
     acting: float,
@@ -168,7 +170,7 @@ def _solve(
     settled = False
     for turn in range(_TURNS):
         if not relaxing:
-            predict_poses(work, part, bodies, motions, seconds)
+            predict_poses(work, part, motions, seconds)
             measure_errors(work, part)
         changed = choose_rows(work, part, seconds, acting, relaxing)
         if turn > 0 and not (changed or again):

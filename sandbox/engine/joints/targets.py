@@ -97,8 +97,10 @@ def target_softly(row: Records, joint: Records, speed: float, seconds: float, pu
     elif sprung or is_brake(row, joint):
         target_positions(row, joint, row.error + seconds * speed, speed, seconds, seconds)
     else:
-        row.bias = push * limited_push(row.error, push)
-        row.softness = give * row.stiffness
+        within = limited_push(row.error, push)
+        row.bias = push * within
+        # Where the push is cut the row grows stiffer, so that it gives way no further than the same spring would.
+        row.softness = give * row.stiffness * (within / row.error if push > 0.0 and within != row.error else 1.0)
         _bound(row, seconds * strength(row, joint))
 
 

@@ -1,0 +1,137 @@
+"""How the hinges of nets lie in memory: blocks of 64 lanes, as contacts do (`contact_solver/blocks.py`).
+
+Hinges of one colour share no body that they move, so that they can be solved side by side. Only plain ones lie here:
+those without spring, stop or motor, in parts that are not factorised.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.engine.contact_solver.blocks import LANES
+from sandbox.tables import Field, Floats, Integers, Records, Table, aligned_zeros
+from sandbox.world.joint_records import GEAR, REVOLUTE
+
+MAX_COLORS = 62
+"""Hinges that find no colour below this are swept one by one, as all other joints of a net."""
+
+ANCHOR_AX = 0 * LANES
+ANCHOR_AY = 1 * LANES
+ANCHOR_BX = 2 * LANES
+ANCHOR_BY = 3 * LANES
+CENTER_X = 4 * LANES
+"""From the centre of a to that of b when the step began."""
+CENTER_Y = 5 * LANES
+INVERSE_MASS_A = 6 * LANES
+INVERSE_INERTIA_A = 7 * LANES
+INVERSE_MASS_B = 8 * LANES
+INVERSE_INERTIA_B = 9 * LANES
+IMPULSE_X = 10 * LANES
+IMPULSE_Y = 11 * LANES
+TOTAL_X = 12 * LANES
+"""Over the step so far."""
+TOTAL_Y = 13 * LANES
+GAP_X = 14 * LANES
+"""From anchor a to anchor b when last looked at."""
+GAP_Y = 15 * LANES
+HINGE_BLOCK_SIZE = 16 * LANES
+
+# The members of a block, gathered before the arithmetic and scattered after it.
+VELOCITY_AX = 0 * LANES
+VELOCITY_AY = 1 * LANES
+ANGULAR_A = 2 * LANES
+VELOCITY_BX = 3 * LANES
+VELOCITY_BY = 4 * LANES
+ANGULAR_B = 5 * LANES
+DELTA_X = 6 * LANES
+DELTA_Y = 7 * LANES
+COS_A = 8 * LANES
+SIN_A = 9 * LANES
+COS_B = 10 * LANES
+SIN_B = 11 * LANES
+GATHERED = 12 * LANES
+
+HINGE = Table(
+    "hinge",
+    (
+        Field("joint", "-", "row in the joint table", "i8"),
+        Field("member_a", "-", "", "i8"),
+        Field("member_b", "-", "", "i8"),
+    ),
+)
+"""Hinges in the order in which they are solved: part by part, colour by colour."""
+
+HINGE_BLOCK = Table(
+    "hinge_block",
+    (
+        Field("first", "-", "its first hinge", "i8"),
+        Field("count", "-", "lanes in use, 1..64", "i8"),
+    ),
+)
+
+
+class HingeLanes(NamedTuple):
+    """The hinges of nets; `gathered` has the members of a block."""
+
+    hinges: Records
+    blocks: Records
+    lanes: Floats
+    gathered: Floats
+
+
+def lay_hinges(joints: Records, members: Records, constraints: Records, parts: Records) -> HingeLanes:
+    """Colour the hinges of nets, greedily in the order of their constraints, and cut every colour into blocks.
+
+    Notes in the constraints which of them lie in lanes, and in the parts which blocks are theirs and whether they have
+    other joints.
+    """
+    kind = joints.kind[constraints.joint]
+    coupled = np.zeros(len(constraints), bool)
+    for column in (constraints.constraint_1, constraints.constraint_2):
+        coupled[column[kind == GEAR]] = True
+    plain = (parts.direct[constraints.part] == 0) & (kind == REVOLUTE) & (constraints.row_count == 2) & ~coupled
+    colors = np.full(len(constraints), MAX_COLORS)
+    if plain.any():
+        colors[plain] = _colors(members, constraints[plain])
+    constraints.in_lane = colors < MAX_COLORS
+    parts.swept = np.isin(np.arange(len(parts)), constraints.part[constraints.in_lane == 0])
+    laid = np.flatnonzero(constraints.in_lane)
+    laid = laid[np.lexsort((laid, colors[laid], constraints.part[laid]))]
+    hinges = HINGE.zeros(len(laid))
+    for name in ("joint", "member_a", "member_b"):
+        hinges[name] = constraints[name][laid]
+    blocks = _blocks(constraints.part[laid], colors[laid])
+    of_part = constraints.part[laid][blocks.first]
+    parts.first_block = np.searchsorted(of_part, np.arange(len(parts)))
+    parts.block_end = np.searchsorted(of_part, np.arange(len(parts)), side="right")
+    lanes = aligned_zeros(len(blocks) * HINGE_BLOCK_SIZE, np.float64)
+    return HingeLanes(hinges, blocks, lanes, aligned_zeros(GATHERED, np.float64))
+
+
+def _colors(members: Records, hinges: Records) -> Integers:
+    """For each hinge the lowest colour that no earlier one has at a member which joints can move."""
+    moves = (members.part >= 0).tolist()
+    taken = [0] * len(members)
+    found = []
+    for a, b in zip(hinges.member_a.tolist(), hinges.member_b.tolist(), strict=True):
+        both = (taken[a] if moves[a] else 0) | (taken[b] if moves[b] else 0)
+        color = (~both & (both + 1)).bit_length() - 1
+        found.append(min(color, MAX_COLORS))
+        taken[a] |= 1 << color
+        taken[b] |= 1 << color
+    return np.array(found, np.int64)
+
+
+def _blocks(part: Integers, color: Integers) -> Records:
+    """Blocks of up to 64 neighbours that have both in common."""
+    count = len(part)
+    change = np.ones(count, bool)
+    change[1:] = (part[1:] != part[:-1]) | (color[1:] != color[:-1])
+    starts = np.flatnonzero(change)
+    since = np.arange(count) - np.repeat(starts, np.diff([*starts, count]))
+    first = np.flatnonzero(since % LANES == 0)
+    table = HINGE_BLOCK.zeros(len(first))
+    table.first, table.count = first, np.diff([*first, count])
+    return table
