@@ -12,7 +12,9 @@ NOTES: dict[int, str] = {
     7: "what overlaps is swept like all else, what is held where it touches is struck, what wakes in mid-step is held",
     8: "corners in the nook of two static shapes are held by both; links that are pressed into something slide on",
     9: "nets too dense to be factorised have soft joints; a corner of a whole also acts where a side of it just ends; "
-    "contacts whose push is cut at the push-out speed grow stiffer: nothing sinks deeper than its load explains",
+    "contacts whose push is cut at the push-out speed grow stiffer: nothing sinks deeper than its load explains; "
+    "links of one-sided chains hold what has its middle in front, and the middle of what overlaps a line stays on "
+    "its side",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

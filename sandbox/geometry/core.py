@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from sandbox._jit import inlined_kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.tables import Records
 
 
@@ -23,3 +23,14 @@ class CoreRows(NamedTuple):
 def core_of(shape: Records) -> CoreRows:
     """The core of a shape, or of a proxy of one."""
     return CoreRows(shape.vertex_start, shape.vertex_count, shape.radius)
+
+
+@kernel
+def core_middle(cores: Records, core: CoreRows) -> tuple[float, float]:
+    """Mean (m) of the vertices of a core, which lies within it."""
+    x = 0.0
+    y = 0.0
+    for k in range(core.start, core.start + core.vertex_count):
+        x += cores[k].x
+        y += cores[k].y
+    return float(x / core.vertex_count), float(y / core.vertex_count)

@@ -12,7 +12,7 @@ from sandbox.engine.broad_phase.proxies import FIXED
 from sandbox.engine.contact_solver.closing_speed import HARD
 from sandbox.engine.narrow_phase.contact import fill_contact, match_contact
 from sandbox.engine.narrow_phase.internal_edges import PlacedPair, fix_internal_edge
-from sandbox.engine.narrow_phase.one_way import comes_from_front, leads_on
+from sandbox.engine.narrow_phase.one_way import holds, leads_on
 from sandbox.engine.narrow_phase.outline import EdgeTables
 from sandbox.engine.narrow_phase.sleeping_contacts import comes_before, keep_sleeping_before
 from sandbox.engine.narrow_phase.speculative import closing_distance, speculative_impact
@@ -97,8 +97,11 @@ def find_contacts(
         known = k < old_count and old[k].shape_a == i and old[k].shape_b == j
         if (a.traits | b.traits) & (SEAMED | ONE_WAY):
             tables = EdgeTables(bodies, shapes, cores, state.seams)
+            overlap = -manifold[0].separation if t == 0.0 else 0.0
             t = _examine(tables, proxies, i, j, known, Approach(vx, vy, t, seconds, margin), manifold)
             if t < 0.0:
+                if (a.traits ^ b.traits) & FIXED and overlap > 0.0:  # another part may push it out, or none
+                    _mark_deep(ccd_bodies, shapes, i, j, overlap)
                 continue
         contact = contacts.now[count]
         fill_contact(proxies, i, j, vx * t, vy * t, manifold[0], contact)
@@ -177,6 +180,6 @@ def _examine(
     if not leads_on(tables.bodies, tables.shapes, i, j, manifold[0].normal_x, manifold[0].normal_y):
         return -1.0
     slop = allowed_depth(tables.shapes[i], tables.shapes[j])
-    if known or comes_from_front(tables.bodies, tables.shapes, tables.cores, i, j, x, y, slop):
+    if known or holds(tables.bodies, tables.shapes, tables.cores, i, j, x, y, vx * seconds, vy * seconds, slop):
         return t
     return -1.0

@@ -1,8 +1,11 @@
 """Shapes that are solid from one side only: what comes from behind passes, what comes from the front lands.
 
 Decided when a contact begins: what is wholly in front of the shape then is held until it leaves, however deep a load
-presses it in; what is not is let through until it is wholly in front. A contact that exists is one that ccd_bodies, so
+presses it in; what is not is let through until it is wholly in front. A contact that exists is one that holds, so
 nothing else has to be remembered.
+
+Links of a chain hand over to each other what slides along them, sunk in as it may be, and no contact of the last step
+tells the next link. So a link holds as well what has its middle in front, unless that is on its way out there.
 """
 
 from __future__ import annotations
@@ -10,9 +13,10 @@ from __future__ import annotations
 import math
 
 from sandbox._jit import kernel
+from sandbox.geometry.core import core_middle, core_of
 from sandbox.geometry.sat import FAR
 from sandbox.tables import Records
-from sandbox.world.records import ONE_WAY
+from sandbox.world.records import ONE_WAY, SEAMED
 
 _STEEP = 0.1
 """Cosine between a contact's normal and the direction below which the contact is at a side of the shape, and passes."""
@@ -34,23 +38,59 @@ def leads_on(bodies: Records, shapes: Records, i: int, j: int, normal_x: float, 
 
 
 @kernel
-def comes_from_front(
-    bodies: Records, shapes: Records, cores: Records, i: int, j: int, dx: float, dy: float, slop: float
+def holds(
+    bodies: Records,
+    shapes: Records,
+    cores: Records,
+    i: int,
+    j: int,
+    dx: float,
+    dy: float,
+    travel_x: float,
+    travel_y: float,
+    slop: float,
 ) -> bool:
-    """Whether each of two shapes is wholly in front of the other, where that is one-way, but for `slop` metres.
+    """Whether each of two shapes, where it is one-way, is to hold the other that had no contact with it yet.
 
-    (dx, dy) leads from the centre of shape i's body to that of shape j's.
+    (dx, dy) leads from the centre of shape i's body to that of shape j's, (travel_x, travel_y) is the displacement of j
+    against i in the step. By `slop` metres what is in front may reach in, and what goes out may be slower than that.
     """
     a = shapes[i]
     b = shapes[j]
     if a.traits & ONE_WAY:
         x, y = _front(bodies[a.body], a)
-        if _clearance(cores, a, b, dx, dy, x, y) < -slop:
+        if _clearance(cores, a, b, dx, dy, x, y) < -slop and not (
+            travel_x * x + travel_y * y <= slop and _has_in_front(bodies, cores, a, b, dx, dy)
+        ):
             return False
     if b.traits & ONE_WAY:
         x, y = _front(bodies[b.body], b)
-        return bool(_clearance(cores, b, a, -dx, -dy, x, y) >= -slop)
+        return bool(
+            _clearance(cores, b, a, -dx, -dy, x, y) >= -slop
+            or (-(travel_x * x + travel_y * y) <= slop and _has_in_front(bodies, cores, b, a, -dx, -dy))
+        )
     return True
+
+
+@kernel
+def front_side(body: Records, line: Records, cores: Records) -> int:
+    """On which side of a line, seen from its first end, its front is: 1 left, -1 right, 0 if it is not one-way."""
+    if line.traits & ONE_WAY == 0:
+        return 0
+    x, y = _front(body, line)
+    right = cores[line.vertex_start]
+    return -1 if right.normal_x * x + right.normal_y * y > 0.0 else 1
+
+
+@kernel
+def _has_in_front(bodies: Records, cores: Records, link: Records, b: Records, dx: float, dy: float) -> bool:
+    """Whether a shape is a link of a chain and has the middle of shape b on its front side."""
+    if link.traits & SEAMED == 0 or link.vertex_count != 2:
+        return False
+    x, y = core_middle(cores, core_of(b))
+    start = cores[link.vertex_start]
+    right = start.normal_x * (x + dx - start.x) + start.normal_y * (y + dy - start.y)
+    return bool(right * front_side(bodies[link.body], link, cores) < 0.0)
 
 
 @kernel
