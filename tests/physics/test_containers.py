@@ -201,3 +201,19 @@ def test_on_the_way_up_a_chain_lets_through_and_then_it_holds_what_is_more_than_
         world.step(150)
         assert (world.body("body").position[1] == pytest.approx(0.3, abs=2e-3)) == held
         assert held or world.body("body").position[1] < -5.0
+
+
+@both_sorts
+@pytest.mark.parametrize("link", [2.0, 0.3, 0.05])
+@pytest.mark.parametrize(("count", "drop"), [(1, 0.0), (1, 0.5), (1, 3.0), (10, 0.02)])
+def test_boxes_that_have_landed_on_a_chain_lie_at_its_surface(link, count, drop, one_sided):
+    """But for what a soft contact yields under each box of the load."""
+    chain = {"chain": [(link * k - 4.0, 0.0) for k in range(round(8.0 / link) + 1)], "one_sided": one_sided}
+    bodies: list[dict[str, Any]] = [{"id": "chain", "type": "static", "shapes": [chain]}]
+    for k in range(count):
+        bodies.append({"id": f"box-{k}", "position": (0.013, 0.3 + drop + 0.61 * k), "shapes": [{"box": [0.6, 0.6]}]})
+    world = sandbox.World(sandbox.Scene(bodies=bodies, settings={"sleeping": False}))
+    world.step(180)
+    lowest = world.state.bodies[1]
+    tilt = 0.3 * (abs(float(lowest.rotation_sin)) + float(lowest.rotation_cos) - 1.0)
+    assert float(lowest.center_y) - 0.3 - tilt == pytest.approx(0.0, abs=1e-4 * count)
