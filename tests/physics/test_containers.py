@@ -135,7 +135,7 @@ def test_a_press_drives_nobody_out(container, press, one_sided):
 
 
 @both_sorts
-@pytest.mark.parametrize("speed", [10.0, 100.0, 1000.0])
+@pytest.mark.parametrize("speed", [pytest.param(10.0, marks=pytest.mark.slow), 100.0, 1000.0])
 @pytest.mark.parametrize("container", CONTAINERS)
 def test_nobody_is_fast_enough_to_leave(container, speed, one_sided):
     outline = CONTAINERS[container]
@@ -204,7 +204,7 @@ def test_on_the_way_up_a_chain_lets_through_and_then_it_holds_what_is_more_than_
 
 
 @both_sorts
-@pytest.mark.parametrize("link", [2.0, 0.3, 0.05])
+@pytest.mark.parametrize("link", [2.0, 0.3, pytest.param(0.05, marks=pytest.mark.slow)])
 @pytest.mark.parametrize(("count", "drop"), [(1, 0.0), (1, 0.5), (1, 3.0), (10, 0.02)])
 def test_boxes_that_have_landed_on_a_chain_lie_at_its_surface(link, count, drop, one_sided):
     """But for what a soft contact yields under each box of the load."""
