@@ -15,8 +15,8 @@ from tests.cli.conftest import CRATE, GROUND, cli  # noqa: F401
 
 SOFTER = (
     "sandbox/engine/contact_solver/solve.py",
-    "push = soft.bias_rate * separation",
-    "push = 0.9 * soft.bias_rate * separation",
+    "wanted = soft.bias_rate * separation",
+    "wanted = 0.9 * soft.bias_rate * separation",
 )
 """One line of the solver: what overlaps is pushed apart more slowly."""
 
