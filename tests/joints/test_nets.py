@@ -125,4 +125,4 @@ def test_free_nets_keep_their_momentum():
     start = momentum()
     size = float((b.mass * np.abs(b.velocity_x)).sum())
     world.step(60)
-    assert np.allclose(momentum()[:2], start[:2], rtol=0.0, atol=1e-10 * size)
+    assert np.allclose(momentum(), start, rtol=0.0, atol=1e-10 * size)
