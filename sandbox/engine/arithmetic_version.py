@@ -15,6 +15,8 @@ NOTES: dict[int, str] = {
     "contacts whose push is cut at the push-out speed grow stiffer: nothing sinks deeper than its load explains; "
     "links of one-sided chains hold what has its middle in front, and the middle of what overlaps a line stays on "
     "its side",
+    10: "a body that hangs by one hinge weighs on a pile only what the law of the lever says; impulses fit when an "
+    "island's substeps change; only contacts of bodies that overlap deeply take eight relax passes",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

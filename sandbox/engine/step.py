@@ -36,7 +36,7 @@ from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.state import StateTables
 from sandbox.engine.restitution.impacts import ImpactList, list_impact_contacts
-from sandbox.engine.substeps import RELAX_DEEP, Pass, run_substeps, some_new_contact
+from sandbox.engine.substeps import Pass, run_substeps, unsettled_bits
 from sandbox.tables import Records
 
 
@@ -100,13 +100,6 @@ def solve(
         list_active_contacts(bodies, contacts, count)
     rows = active.bodies[1 : 1 + active.bodies[0]]
     levels = assign_substep_levels(state, active, solver.free_motions, piles, contacts, joints)
-    block_count = 0
-    counter.color_count = 0
-    for level in range(MAX_LEVEL, -1, -1):
-        if (levels >> level) & 1:
-            color_count = color_contacts(bodies, active, solver, contacts, level, levels > 1, blocks)
-            counter.color_count = color_count if color_count > counter.color_count else counter.color_count
-            block_count = fill_blocks(contacts, blocks, color_count)
 
     fastest = begin_motions(bodies, rows, solver)
     clear_flags(bodies, rows, solver, state.drags)
@@ -114,21 +107,23 @@ def solve(
     if joints is not None:
         begin_joints(joints, bodies, contacts)
     clear_reports(contacts.reports, count)
+    counter.color_count = 0
     for level in range(MAX_LEVEL + 1):
         if (levels >> level) & 1 == 0:
             continue
         if level > 0:
             rewind_driven(bodies, rows, solver.motions)
-            color_count = color_contacts(bodies, active, solver, contacts, level, levels > 1, blocks)
-            block_count = fill_blocks(contacts, blocks, color_count)
+        color_count = color_contacts(bodies, active, solver, ccd.bodies, contacts, level, levels > 1, blocks)
+        counter.color_count = color_count if color_count > counter.color_count else counter.color_count
+        block_count, unsettled_count = fill_blocks(contacts, blocks)
         threshold = setting.restitution_threshold
         impact_count = list_impact_contacts(bodies, solver, contacts, level, fastest, threshold, blocks.impacts)
-        deep = prepare_contacts(bodies, contacts.now, blocks, block_count, impact_count > 0)
-        fresh = some_new_contact(bodies, rows, solver.free_motions, ccd.bodies, level)
+        prepare_contacts(bodies, contacts.now, blocks, block_count, level, impact_count > 0)
         impacts = ImpactList(blocks.impacts, impact_count, threshold)
-        todo = Pass(level, block_count, RELAX_DEEP if deep else 1, fresh)
+        bits = unsettled_bits(bodies, rows, solver.free_motions, ccd.bodies, level)
+        todo = Pass(level, block_count, unsettled_count, bits)
         run_substeps(state, active, solver, contacts.now, blocks, impacts, joints, todo)
-        store_impulses(bodies, solver.flags, contacts, blocks, block_count)
+        store_impulses(bodies, solver.flags, contacts, blocks, block_count, level)
     if joints is not None:
         finish_joints(joints, setting.step_seconds, counter)
     guard_positions(bodies, rows, solver.motions, active.info, state.counters)

@@ -17,6 +17,7 @@ from sandbox.engine.joints.records import JointWork
 from sandbox.engine.joints.solve import prepare_move, relax_joints, select_parts, solve_joints
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
+from sandbox.engine.records.ccd import NEW, OVERLAPS
 from sandbox.engine.records.contact_blocks import ContactBlocks, SoftContact
 from sandbox.engine.records.state import StateTables
 from sandbox.engine.restitution.impacts import ImpactList, resolve_impacts, resolve_late_impacts
@@ -33,24 +34,25 @@ RELAX_DEEP = 8
 
 
 class Pass(NamedTuple):
-    """What is solved: the islands of a substep level, in so many blocks of contacts, with so many relax passes.
+    """What is solved: the islands of a substep level, in so many blocks of contacts.
 
-    If some contact is `fresh`, a rigid pass comes first, once.
+    The first `unsettled_count` of them are of unsettled bodies, whose bits `unsettled` has: these take a rigid pass
+    first, once, if some are `NEW` to each other, and more relax passes than the others if some overlap deeply.
     """
 
     level: int
     block_count: int
-    relax_passes: int
-    fresh: bool
+    unsettled_count: int
+    unsettled: int
 
 
 @kernel
-def some_new_contact(bodies: Records, rows: Integers, free_motions: Records, ccd_bodies: Records, level: int) -> bool:
-    """Whether some body of a substep level touches something new."""
-    found = False
+def unsettled_bits(bodies: Records, rows: Integers, free_motions: Records, ccd_bodies: Records, level: int) -> int:
+    """What the bodies of a substep level have of the bits `OVERLAPS` and `NEW`."""
+    found = 0
     for i in rows:
-        if ccd_bodies[i].fresh == 1 and free_motions[i].substep_level == level and is_active(bodies[i]):
-            found = True
+        if ccd_bodies[i].unsettled != 0 and free_motions[i].substep_level == level and is_active(bodies[i]):
+            found |= ccd_bodies[i].unsettled
     return found
 
 
@@ -76,6 +78,7 @@ def run_substeps(
     rows = active.bodies[1 : 1 + active.bodies[0]]
     level = todo.level
     count = todo.block_count
+    unsettled = todo.unsettled_count
     substeps = setting.substeps << level
     seconds = setting.step_seconds / substeps
     rate = 1.0 / seconds
@@ -88,7 +91,7 @@ def run_substeps(
     relax = SoftContact(closing, 0.0, 1.0, 0.0, 0.0, WAIT)
     accumulate = setting.accumulate == 1
     warm = accumulate and setting.warm_starting == 1
-    relax_passes = todo.relax_passes if setting.relax == 1 else 0
+    relax_passes = (RELAX_DEEP if todo.unsettled & OVERLAPS else 1) if setting.relax == 1 else 0
     gravity = math.sqrt(setting.gravity_x * setting.gravity_x + setting.gravity_y * setting.gravity_y)
 
     if joints is not None:
@@ -105,11 +108,11 @@ def run_substeps(
             forget_impulses(blocks, count)
         if joints is not None:
             solve_joints(joints, motions, free_motions, seconds)
-        if todo.fresh and substep == 0:
+        if todo.unsettled & NEW and substep == 0:
             # What was just put there has no impulses yet, and soft contacts alone would let it slip until it has.
-            solve_contacts(motions, blocks, count, rigid)
+            solve_contacts(motions, blocks, unsettled, rigid)
             if not accumulate:
-                forget_impulses(blocks, count)
+                forget_impulses(blocks, unsettled)
         solve_contacts(motions, blocks, count, soft)
         if joints is not None:
             prepare_move(joints, motions, free_motions, seconds)
@@ -117,7 +120,8 @@ def run_substeps(
         resolve_late_impacts(bodies, rows, solver, contacts, impacts, level, seconds)
         if joints is not None:
             relax_joints(joints, motions, free_motions, seconds)
-        for _pass in range(relax_passes):
+        for turn in range(relax_passes):
+            relaxed = count if turn == relax_passes - 1 else unsettled
             if not accumulate:
-                forget_impulses(blocks, count)
-            solve_contacts(motions, blocks, count, relax)
+                forget_impulses(blocks, relaxed)
+            solve_contacts(motions, blocks, relaxed, relax)

@@ -134,8 +134,8 @@ def _point_fields() -> tuple[Field, ...]:
             Field(f"anchor_by{k}", "m", f"contact point {k} from the centre of body b, world axes"),
             Field(f"separation{k}", "m", f"gap at point {k} when the step began; negative when they overlap"),
             Field(f"feature{k}", "-", f"feature id of point {k}: 64 * vertex of a + vertex of b", "i8"),
-            Field(f"normal_impulse{k}", "N s", f"accumulated over the last substep at point {k}"),
-            Field(f"tangent_impulse{k}", "N s", f"accumulated over the last substep at point {k}"),
+            Field(f"normal_impulse{k}", "N s", f"at point {k}, accumulated over the last of the scene's substeps"),
+            Field(f"tangent_impulse{k}", "N s", f"at point {k}, accumulated over the last of the scene's substeps"),
         ]
     return tuple(fields)
 
@@ -155,7 +155,7 @@ CONTACT = Table(
         Field("surface_speed", "m/s", "tangent speed asked of b relative to a"),
         Field("radius_a", "m", "rounding of shape a"),
         Field("radius_b", "m", "rounding of shape b"),
-        Field("rolling_impulse", "N m s", "accumulated over the last substep"),
+        Field("rolling_impulse", "N m s", "accumulated over the last of the scene's substeps"),
         Field("impact_impulse", "N s", "normal impulse of the impacts during the step, both points"),
         Field("touching", "-", "1 once the shapes have pushed or overlapped, until they are well apart", "i8"),
         Field("point_count", "-", "1 or 2", "i8"),

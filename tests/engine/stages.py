@@ -165,15 +165,15 @@ class Paused:
     def lay_out(self) -> None:
         """Colours, slots, blocks and lanes."""
         s, m = self.state, self.scratch
-        self.colors = color_contacts(s.bodies, m.active, m.solver, m.contacts, 0, False, m.blocks)
-        self.blocks = fill_blocks(m.contacts, m.blocks, self.colors)
+        self.colors = color_contacts(s.bodies, m.active, m.solver, m.ccd.bodies, m.contacts, 0, False, m.blocks)
+        self.blocks, _ = fill_blocks(m.contacts, m.blocks)
         assert self.blocks <= len(m.blocks.blocks)
         self.prepare()
 
     def prepare(self, impacts: bool = False) -> None:
         """Fill the lanes of the blocks there are."""
         m = self.scratch
-        prepare_contacts(self.state.bodies, m.contacts.now, m.blocks, self.blocks, impacts)
+        prepare_contacts(self.state.bodies, m.contacts.now, m.blocks, self.blocks, 0, impacts)
 
     def one_contact_a_block(self) -> None:
         """The same slots, but every contact alone in its block."""
@@ -219,7 +219,7 @@ class Paused:
     def store(self) -> None:
         """Impulses back into the contacts."""
         m = self.scratch
-        store_impulses(self.state.bodies, m.solver.flags, m.contacts, m.blocks, self.blocks)
+        store_impulses(self.state.bodies, m.solver.flags, m.contacts, m.blocks, self.blocks, 0)
 
 
 def island_roots(count: int, links: Sequence[tuple[int, int]], active: Sequence[bool]) -> list[int]:

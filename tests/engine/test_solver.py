@@ -9,13 +9,17 @@ import pytest
 
 from sandbox.engine.contact_solver import soft_constraint
 from sandbox.engine.contact_solver.blocks import LANES, MAX_COLORS
+from sandbox.engine.contact_solver.graph_coloring import SETTLED
 from sandbox.engine.world import World
 from sandbox.reference.simple.bodies import Body
 from sandbox.reference.simple.contacts import Contact, Point
 from sandbox.reference.simple.solver import Pass, solve, warm_start
 from tests.determinism import busy
 from tests.determinism.test_scratch import laden_plank
-from tests.engine.stages import Paused
+from tests.engine.stages import Paused, fill_blocks
+from tests.flat import body as flat_body
+from tests.flat import box, ground
+from tests.flat import world as put
 from tests.kernels import called_from_python
 from tests.physics.test_momentum import crowd as drifting
 from tests.physics.test_stacks import falling_pile
@@ -193,7 +197,7 @@ def test_lanes_are_independent_to_the_bit(make):
 
 
 def test_colours_share_no_moving_body(paused):
-    bodies, contacts, colors = paused.state.bodies, paused.scratch.contacts.now, paused.scratch.blocks.colors
+    bodies, contacts, colors = paused.state.bodies, paused.scratch.contacts.now, paused.scratch.blocks.colors % SETTLED
     seen: dict[int, set[int]] = {}
     for i in range(paused.count):
         touched = {int(b) for b in (contacts[i].body_a, contacts[i].body_b) if bodies[b].inverse_mass > 0.0}
@@ -218,7 +222,7 @@ def test_every_contact_has_one_slot_and_every_block_one_colour(paused):
         (color,) = colors
         assert color >= last
         assert members == sorted(members)
-        serial = color == MAX_COLORS
+        serial = color % SETTLED == MAX_COLORS
         assert block.serial == (1 if serial else 0)
         assert 1 <= block.count <= LANES
         assert block.rolling == (paused.scratch.contacts.now.rolling_resistance[members] > 0.0).any()
@@ -234,7 +238,35 @@ def test_the_plank_has_serial_contacts():
     p = Paused(WORLDS["plank"]())
     p.detect()
     p.lay_out()
-    assert (p.scratch.blocks.colors[: p.count] == MAX_COLORS).sum() >= 10
+    assert (p.scratch.blocks.colors[: p.count] % SETTLED == MAX_COLORS).sum() >= 10
+
+
+def test_contacts_of_unsettled_bodies_come_first(paused):
+    scratch, bodies = paused.scratch, paused.state.bodies
+    unsettled = (scratch.ccd.bodies.unsettled != 0) & (bodies.inverse_mass > 0.0)
+    blocks, first = fill_blocks(scratch.contacts, scratch.blocks)
+    count = int(scratch.blocks.blocks.count[:first].sum())
+    touch = [unsettled[slot.body_a] or unsettled[slot.body_b] for slot in scratch.blocks.slots[: paused.count]]
+    assert blocks == paused.blocks
+    assert touch == [True] * count + [False] * (paused.count - count)
+
+
+def crate(name: str, x: float, y: float):
+    """A box of 1 m."""
+    return flat_body(name, box(1.0, 1.0), position=(x, y))
+
+
+def test_only_what_overlaps_deeply_or_touches_something_new_is_unsettled():
+    def unsettled(spacing, steps):
+        world = put(ground(), *(crate(f"b{k}", 3.0 * k, 0.5) for k in range(3)), crate("top", 3.0, 0.5 + spacing))
+        world.step(steps)
+        p = Paused(world)
+        p.detect()
+        return [name for name, row in zip(world.names, p.scratch.ccd.bodies, strict=True) if row.unsettled]
+
+    assert unsettled(1.0, 0) == ["ground", "b0", "b1", "b2", "top"]
+    assert unsettled(1.0, 1) == []
+    assert unsettled(0.5, 1) == ["b1", "top"]
 
 
 @pytest.mark.parametrize("make", WORLDS.values(), ids=WORLDS)

@@ -11,6 +11,7 @@ import pytest
 from sandbox.engine.world import World
 from sandbox.scene.flat import FlatBody
 from tests.flat import body, box, capsule, circle, ground, polygon, world
+from tests.joints.jointed import joint, jointed
 
 FASTEST = 4.0
 """Speed (m/s) that bodies which overlap may get from being pushed apart."""
@@ -51,6 +52,43 @@ def test_a_stack_stands(count: int, size: float) -> None:
 def test_a_heavy_box_rests_on_a_light_one(ratio: float, size: float) -> None:
     heavy = body("heavy", box(size, size, density=ratio), position=(0.0, 1.5 * size))
     assert farthest(world(ground(), *stack(1, size), heavy), 600) < 0.05 * size
+
+
+def drawbridge(ratio: float) -> World:
+    """A plank hinged at its left end, as heavy as `ratio` of the boxes of which one lies under its right end."""
+    plank = body("plank", box(8.0, 0.5, density=ratio / 4.0), position=(-3.5, 1.25))
+    hinge = joint("hinge", "revolute", None, "plank", (-7.4, 1.25))
+    return jointed((ground(), *stack(1), plank), (hinge,))
+
+
+@pytest.mark.parametrize("ratio", [10.0, 100.0, 1000.0])
+def test_a_heavy_bridge_that_hangs_by_a_hinge_rests_on_a_light_box(ratio: float) -> None:
+    assert farthest(drawbridge(ratio), 600) < 0.05
+
+
+def test_a_heavy_drum_that_hangs_by_a_joint_costs_what_tumbles_in_it_no_more_substeps() -> None:
+    walls = (box(9.0, 0.5, at=(0.0, 4.5)), box(9.0, 0.5, at=(0.0, -4.5)), box(0.5, 9.0, at=(4.5, 0.0)))
+    drum = body("drum", *(replace(wall, density=50.0) for wall in (*walls, box(0.5, 9.0, at=(-4.5, 0.0)))))
+    places = [(-3.0 + 0.5 * (k % 13), -3.0 + 0.5 * (k // 13)) for k in range(130)]
+    crumbs = [body(f"c{k}", box(0.25, 0.25), position=at) for k, at in enumerate(places)]
+    motor = joint("motor", "revolute", None, "drum", (0.0, 0.0), motor_speed=0.5, max_torque=1e8)
+    tumbling = jointed((drum, *crumbs), (motor,))
+    above = 0
+    for _ in range(400):
+        tumbling.step()
+        above += int((tumbling.scratch.solver.free_motions.substep_level[1:] > 0).sum())
+    assert above < 0.02 * 400 * len(crumbs)
+
+
+@pytest.mark.parametrize("count", [4, 40])
+def test_contacts_tell_the_impulse_of_a_substep_of_the_scene_however_many_their_island_takes(count: int) -> None:
+    tower = world(ground(), *stack(count))
+    tower.step(120)
+    bottom = tower.contacts[tower.contacts.body_a == 0]
+    levels = tower.scratch.solver.free_motions.substep_level
+    assert (levels[1:] > 0).all() == (count == 40)
+    borne = float(bottom.normal_impulse1.sum() + bottom.normal_impulse2.sum())
+    assert borne == pytest.approx(count * 9.81 / 240.0, rel=0.02)
 
 
 def test_a_tower_bears_four_hundred_times_the_mass_of_its_boxes() -> None:

@@ -54,7 +54,7 @@ def update_active_set(bodies: Records, active: ActiveSet, solver: SolverBodies, 
         solver.flags[i] = 0
         solver.colors[i] = IMMOVABLE
         ccd_body = ccd_bodies[i]
-        ccd_body.deep = ccd_body.fresh = ccd_body.fast = ccd_body.confined = 0
+        ccd_body.deep = ccd_body.unsettled = ccd_body.fast = ccd_body.confined = 0
     active.bodies[0] = count
     info.asleep = asleep
     info.generation += 1

@@ -11,7 +11,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from sandbox._jit import kernel
+from sandbox.engine.active.hinged_weight import hangs_by_one_hinge, hinged_mass, share_not_hung
 from sandbox.engine.bodies.flags import is_active
+from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.contacts import Contacts
 from sandbox.tables import Field, Integers, Records, Table
 from sandbox.world.records import DYNAMIC
@@ -23,11 +25,14 @@ STIFFNESS = 0.6
 SAFE = 0.35
 """Largest share of the buckling load that an island bears at its level."""
 RATIO = 30.0
-"""Largest ratio of a body's mass to that of one below it at level 0; four times as much at each level more."""
+"""Largest ratio of what weighs on a body to its mass at level 0; four times as much at each level more."""
 SINK = 0.02
 """Largest depth, as a share of the lower body's extent, to which a body may sink into that."""
 UPRIGHT = 0.5
 """Smallest cosine between a contact's normal and gravity at which one body counts as lying on the other."""
+
+_NONE = 1e300
+"""The smallest of none."""
 
 PILE = Table(
     "pile",
@@ -42,7 +47,7 @@ PILE = Table(
         Field("heaviest", "kg", "of its bodies"),
         Field("bearer", "kg", "lightest body that another one lies on"),
         Field("slight", "m", "smallest extent of such a body"),
-        Field("ratio", "1", "largest mass of a body by that of one below it"),
+        Field("ratio", "1", "largest mass that weighs on a body at one contact, by its own"),
     ),
 )
 """What a pile is made of; in the row of its island's root."""
@@ -62,7 +67,7 @@ class Load(NamedTuple):
 def masses_differ(bodies: Records, gravity: float, omega: float) -> bool:
     """Whether some dynamic body would be too heavy for some other one at level 0."""
     heaviest = 0.0
-    lightest = slight = 1e300
+    lightest = slight = _NONE
     for i in range(bodies.shape[0]):
         body = bodies[i]
         if body.type == DYNAMIC:
@@ -81,7 +86,9 @@ def bearable(slight: float, gravity: float, omega: float) -> float:
 
 
 @kernel
-def measure_bodies(bodies: Records, rows: Integers, free_motions: Records, piles: Records, load: Load) -> None:
+def measure_bodies(
+    bodies: Records, rows: Integers, free_motions: Records, piles: Records, joints: JointWork | None, load: Load
+) -> None:
     """Weight and height of every pile; of its width, foot, bearing body and ratio what is worst for it."""
     down_x = load.down_x
     down_y = load.down_y
@@ -89,8 +96,8 @@ def measure_bodies(bodies: Records, rows: Integers, free_motions: Records, piles
         pile = piles[i]
         pile.bodies = 0
         pile.weight = pile.moment = pile.second_moment = pile.heaviest = 0.0
-        pile.bottom = pile.left = pile.bearer = pile.slight = 1e300
-        pile.right = -1e300
+        pile.bottom = pile.left = pile.bearer = pile.slight = _NONE
+        pile.right = -_NONE
     for i in rows:
         body = bodies[i]
         if not is_active(body):
@@ -101,6 +108,8 @@ def measure_bodies(bodies: Records, rows: Integers, free_motions: Records, piles
         y = body.center_y - bodies[root].center_y
         height = -(x * down_x + y * down_y)
         weight = body.mass * load.gravity * (body.gravity_scale if body.gravity_scale > 0.0 else 0.0)
+        if joints is not None and hangs_by_one_hinge(joints, i):
+            weight = weight * share_not_hung(joints, bodies, i, down_x, down_y)
         pile.bodies += 1
         pile.weight += weight
         pile.moment += weight * height
@@ -131,16 +140,22 @@ def some_pile_may_fall(rows: Integers, free_motions: Records, piles: Records, om
 
 @kernel
 def measure_contacts(
-    bodies: Records, rows: Integers, free_motions: Records, piles: Records, contacts: Contacts, load: Load
+    bodies: Records,
+    rows: Integers,
+    free_motions: Records,
+    piles: Records,
+    contacts: Contacts,
+    joints: JointWork | None,
+    load: Load,
 ) -> None:
-    """Width, foot, bearing bodies and ratio of every pile, as they are; the ratio stays 0 where nothing is borne."""
+    """Width, foot, bearing bodies and ratio of every pile, as they are; see `is_stacked`."""
     down_x = load.down_x
     down_y = load.down_y
     for i in rows:
         pile = piles[i]
         pile.ratio = 0.0
-        pile.bottom = pile.left = pile.bearer = pile.slight = 1e300
-        pile.right = -1e300
+        pile.bottom = pile.left = pile.bearer = pile.slight = _NONE
+        pile.right = -_NONE
     for i in contacts.active[1 : 1 + contacts.active[0]]:
         contact = contacts.now[i]
         a = bodies[contact.body_a]
@@ -156,7 +171,20 @@ def measure_contacts(
             _add_point(pile, x + contact.anchor_ax2, y + contact.anchor_ay2, down_x, down_y)
         upright = contact.normal_x * down_x + contact.normal_y * down_y
         if is_active(a) and is_active(b) and abs(upright) >= UPRIGHT:
-            _add_bearer(pile, b if upright > 0.0 else a, a if upright > 0.0 else b)
+            lower = b if upright > 0.0 else a
+            upper = a if upright > 0.0 else b
+            weighs = upper.mass
+            if joints is not None:
+                hung = contact.body_a if upright > 0.0 else contact.body_b
+                if hangs_by_one_hinge(joints, hung):
+                    weighs = hinged_mass(joints, bodies, contact, hung, down_x, down_y)
+            _add_bearer(pile, lower, upper, weighs)
+
+
+@kernel
+def is_stacked(pile: Records) -> bool:
+    """Whether, by `measure_contacts`, some body of a pile is on top of another."""
+    return bool(pile.bearer < _NONE)
 
 
 @kernel
@@ -167,8 +195,9 @@ def _add_point(pile: Records, x: float, y: float, down_x: float, down_y: float) 
 
 
 @kernel
-def _add_bearer(pile: Records, lower: Records, upper: Records) -> None:
-    ratio = upper.mass * lower.inverse_mass
+def _add_bearer(pile: Records, lower: Records, upper: Records, weighs: float) -> None:
+    """Note a body that another one lies on with so much of its mass (kg)."""
+    ratio = weighs * lower.inverse_mass
     pile.ratio = ratio if ratio > pile.ratio else pile.ratio
     pile.bearer = lower.mass if lower.mass < pile.bearer else pile.bearer
     pile.slight = lower.extent if lower.extent < pile.slight else pile.slight

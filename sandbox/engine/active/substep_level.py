@@ -11,6 +11,7 @@ from sandbox._jit import kernel
 from sandbox.engine.active.islands import find_islands
 from sandbox.engine.active.pile_stability import (
     Load,
+    is_stacked,
     level_for,
     masses_differ,
     measure_bodies,
@@ -87,24 +88,30 @@ def _assign_to_piles(
             state.bodies, rows, free_motions, contacts.now, contacts.active[1 : 1 + contacts.active[0]], joints
         )
         load = Load(gravity_x / gravity, gravity_y / gravity, gravity, omega)
-        used = _look(state.bodies, rows, free_motions, piles, contacts, load)
+        used = _look(state.bodies, rows, free_motions, piles, contacts, joints, load)
     counter.substep_watch = ALWAYS if used > 1 or masses_differ(state.bodies, gravity, omega) else SELDOM
     return used
 
 
 @kernel
 def _look(
-    bodies: Records, rows: Integers, free_motions: Records, piles: Records, contacts: Contacts, load: Load
+    bodies: Records,
+    rows: Integers,
+    free_motions: Records,
+    piles: Records,
+    contacts: Contacts,
+    joints: JointWork | None,
+    load: Load,
 ) -> int:
     """Bodies alone show that most islands are safe; only if one may not be, contacts are looked at too."""
-    measure_bodies(bodies, rows, free_motions, piles, load)
+    measure_bodies(bodies, rows, free_motions, piles, joints, load)
     if not some_pile_may_fall(rows, free_motions, piles, load.omega, load.gravity):
         return 1
-    measure_contacts(bodies, rows, free_motions, piles, contacts, load)
+    measure_contacts(bodies, rows, free_motions, piles, contacts, joints, load)
     used = 1
     for i in rows:
         pile = piles[free_motions[i].island]
-        if is_active(bodies[i]) and pile.ratio > 0.0:
+        if is_active(bodies[i]) and is_stacked(pile):
             free_motions[i].substep_level = level_for(pile, load.omega, load.gravity)
             used |= 1 << free_motions[i].substep_level
     return used

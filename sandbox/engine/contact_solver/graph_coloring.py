@@ -13,24 +13,36 @@ from sandbox.tables import Records
 
 FREE = tuple(next(k for k in range(9) if not (bits >> k) & 1) for bits in range(256))
 """For every set of the first eight colours the lowest that is not in it; 8 if all are."""
+UNSETTLED = 1 << MAX_COLORS
+"""In the set of a body's colours: its contacts come before those of all others."""
+SETTLED = MAX_COLORS + 1
+"""What is added to the colour of a contact between bodies that are not unsettled."""
 
 
 @kernel
 def color_contacts(
-    bodies: Records, active: ActiveSet, solver: SolverBodies, contacts: Contacts, substep_level: int, mixed: bool,
+    bodies: Records,
+    active: ActiveSet,
+    solver: SolverBodies,
+    ccd_bodies: Records,
+    contacts: Contacts,
+    substep_level: int,
+    mixed: bool,
     blocks: ContactBlocks,
-) -> int:  # fmt: skip
+) -> int:
     """Greedy colouring of the active contacts of a substep level, in order; returns the number of colours.
 
     `mixed` says that there are other levels. `blocks.colors` gets a colour for each active contact, `solver.colors` is
     scratch: the colours that each body's contacts have. Only active bodies count: others are read by the solver but
     not changed. A contact that finds no free colour gets `MAX_COLORS`, the colour of those that are solved one by one;
-    one among sleeping bodies or of another substep level gets -1 and is not solved.
+    one among sleeping bodies or of another substep level gets -1 and is not solved. Contacts of unsettled bodies have
+    colours of their own below `SETTLED`, which is added to those of all others.
     """
     taken = solver.colors
     rows = contacts.active[1 : 1 + contacts.active[0]]
     for i in active.bodies[1 : 1 + active.bodies[0]]:
-        taken[i] = 0 if is_active(bodies[i]) else IMMOVABLE
+        free = UNSETTLED if ccd_bodies[i].unsettled != 0 else 0
+        taken[i] = free if is_active(bodies[i]) else IMMOVABLE
     highest = -1
     for k in range(rows.shape[0]):
         a = contacts.now[rows[k]].body_a
@@ -41,8 +53,9 @@ def color_contacts(
         if not moves or (mixed and solver.free_motions[a if moves_a else b].substep_level != substep_level):
             blocks.colors[k] = -1
             continue
-        color = _lowest_free((taken[a] if moves_a else 0) | (taken[b] if moves_b else 0))
-        blocks.colors[k] = color
+        both = (taken[a] if moves_a else 0) | (taken[b] if moves_b else 0)
+        color = _lowest_free(both)
+        blocks.colors[k] = color if both & UNSETTLED else color + SETTLED
         highest = color if color > highest else highest
         if color < MAX_COLORS:
             if moves_a:
@@ -63,17 +76,20 @@ def _lowest_free(taken: int) -> int:
 
 
 @kernel
-def fill_blocks(contacts: Contacts, blocks: ContactBlocks, color_count: int) -> int:
-    """Order contacts by colour into slots and cut every colour into blocks; return how many blocks that takes."""
+def fill_blocks(contacts: Contacts, blocks: ContactBlocks) -> tuple[int, int]:
+    """Order contacts by colour into slots and cut every colour into blocks.
+
+    Returns how many blocks that takes, and how many of them, the first ones, are of unsettled bodies.
+    """
     rows = contacts.active[1 : 1 + contacts.active[0]]
     heads = blocks.heads
-    for c in range(color_count + 1):
+    for c in range(2 * SETTLED + 1):
         heads[c] = 0
     for k in range(rows.shape[0]):
         if blocks.colors[k] >= 0:
             heads[blocks.colors[k]] += 1
     total = 0
-    for c in range(color_count + 1):
+    for c in range(2 * SETTLED + 1):
         total += heads[c]
         heads[c] = total
     for k in range(rows.shape[0] - 1, -1, -1):
@@ -84,15 +100,16 @@ def fill_blocks(contacts: Contacts, blocks: ContactBlocks, color_count: int) -> 
         slot.contact = rows[k]
         slot.body_a = contacts.now[rows[k]].body_a
         slot.body_b = contacts.now[rows[k]].body_b
-    used = 0
-    for c in range(color_count):
+    used = unsettled = 0
+    for c in range(2 * SETTLED):
         first = heads[c]
         while first < heads[c + 1]:
             left = heads[c + 1] - first
             block = blocks.blocks[used]
             block.first = first
-            block.serial = 1 if c == MAX_COLORS else 0
+            block.serial = 1 if c % SETTLED == MAX_COLORS else 0
             block.count = left if left < LANES else LANES
             first += block.count
             used += 1
-    return used
+        unsettled = used if c < SETTLED else unsettled
+    return used, unsettled

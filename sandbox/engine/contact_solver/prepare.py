@@ -13,22 +13,18 @@ BLOCK_SIZE = cb.BLOCK_SIZE
 LANES = cb.LANES
 VECTOR = cb.VECTOR
 
-DEEP = 0.1
-"""Share of the smaller body's extent past which an overlap is deep."""
-_SHALLOW = -1e-3
-"""Separation (m) that spares the question how large the bodies are."""
-
 
 @kernel
 def prepare_contacts(
-    bodies: Records, contacts: Records, blocks: ContactBlocks, block_count: int, impacts: bool
-) -> bool:
+    bodies: Records, contacts: Records, blocks: ContactBlocks, block_count: int, substep_level: int, impacts: bool
+) -> None:
     """Fill the lanes of every block: axes, anchors, effective masses and the impulses to start from.
 
-    `impacts` says that some contact may have one in this step. Returns whether bodies overlap deeply somewhere.
+    Those are what a substep of this level gives, while contacts keep what one of level 0 would. `impacts` says that
+    some contact may have one in this step.
     """
     lanes = blocks.lanes
-    deep = False
+    share = 1.0 / (1 << substep_level)
     for n in range(block_count):
         block = blocks.blocks[n]
         base = n * BLOCK_SIZE
@@ -38,20 +34,11 @@ def prepare_contacts(
             slot = blocks.slots[block.first + k]
             contact = contacts[slot.contact]
             at = base + k
-            _prepare_lane(bodies[slot.body_a], bodies[slot.body_b], contact, lanes[at:])
-            if contact.separation1 < _SHALLOW or contact.separation2 < _SHALLOW:
-                deep = deep or _is_deep(bodies[slot.body_a], bodies[slot.body_b], contact)
+            _prepare_lane(bodies[slot.body_a], bodies[slot.body_b], contact, share, lanes[at:])
             strikes = impacts and (contact.restitution > 0.0 or closes_hard(bodies, contact))
             lanes[at + cb.MAY_IMPACT] = 1.0 if strikes else 0.0
             if contact.rolling_resistance > 0.0:
                 block.rolling = 1
-    return deep
-
-
-@kernel
-def _is_deep(a: Records, b: Records, contact: Records) -> bool:
-    limit = -DEEP * (a.extent if a.extent < b.extent else b.extent)
-    return bool(contact.separation1 < limit or (contact.point_count == 2 and contact.separation2 < limit))
 
 
 @kernel
@@ -65,7 +52,7 @@ def _clear_last_vector(block: Records, lanes: Floats, base: int) -> None:
 
 
 @inlined_kernel
-def _prepare_lane(a: Records, b: Records, contact: Records, v: Floats) -> None:
+def _prepare_lane(a: Records, b: Records, contact: Records, share: float, v: Floats) -> None:
     mass = pair_mass(a, b)
     v[cb.NORMAL_X] = contact.normal_x
     v[cb.NORMAL_Y] = contact.normal_y
@@ -80,15 +67,15 @@ def _prepare_lane(a: Records, b: Records, contact: Records, v: Floats) -> None:
     v[cb.RADIUS_B] = contact.radius_b
     turning = mass.inertia_a + mass.inertia_b
     v[cb.ROLLING_MASS] = 1.0 / turning if turning > 0.0 else 0.0
-    v[cb.ROLLING_IMPULSE] = contact.rolling_impulse
+    v[cb.ROLLING_IMPULSE] = share * contact.rolling_impulse
     # The first warm start applies what the last step accumulated; that belongs to no substep of this one.
-    v[cb.TOTAL_IMPULSE] = -(contact.normal_impulse1 + contact.normal_impulse2)
+    v[cb.TOTAL_IMPULSE] = -share * (contact.normal_impulse1 + contact.normal_impulse2)
     _prepare_point(mass, contact, 1, v[cb.POINT_1 :])
-    v[cb.POINT_1 + cb.NORMAL_IMPULSE] = contact.normal_impulse1
-    v[cb.POINT_1 + cb.TANGENT_IMPULSE] = contact.tangent_impulse1
+    v[cb.POINT_1 + cb.NORMAL_IMPULSE] = share * contact.normal_impulse1
+    v[cb.POINT_1 + cb.TANGENT_IMPULSE] = share * contact.tangent_impulse1
     _prepare_point(mass, contact, 2, v[cb.POINT_2 :])
-    v[cb.POINT_2 + cb.NORMAL_IMPULSE] = contact.normal_impulse2
-    v[cb.POINT_2 + cb.TANGENT_IMPULSE] = contact.tangent_impulse2
+    v[cb.POINT_2 + cb.NORMAL_IMPULSE] = share * contact.normal_impulse2
+    v[cb.POINT_2 + cb.TANGENT_IMPULSE] = share * contact.tangent_impulse2
     if contact.point_count == 1:
         v[cb.POINT_2 + cb.NORMAL_MASS] = 0.0
         v[cb.POINT_2 + cb.TANGENT_MASS] = 0.0

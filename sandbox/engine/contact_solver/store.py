@@ -23,14 +23,17 @@ def clear_reports(reports: Records, count: int) -> None:
 
 @kernel
 def store_impulses(
-    bodies: Records, flags: Integers, contacts: Contacts, blocks: ContactBlocks, block_count: int
+    bodies: Records, flags: Integers, contacts: Contacts, blocks: ContactBlocks, block_count: int, substep_level: int
 ) -> None:
     """Copy the accumulated impulses back into the contacts, to warm start the next step, and report on this one.
+
+    The contacts keep what a substep of level 0 would have given, as the next step may have another level.
 
     The bodies still have the velocities with which the step began: a point that begins to push has closed in at them.
     What they bear is flagged as supported.
     """
     lanes = blocks.lanes
+    substeps = float(1 << substep_level)
     for n in range(block_count):
         for k in range(blocks.blocks[n].count):
             slot = blocks.slots[blocks.blocks[n].first + k]
@@ -47,12 +50,12 @@ def store_impulses(
                     report.hit_speed = _hit_speed(bodies[contact.body_a], bodies[contact.body_b], contact)
             elif contact.separation1 < 0.0 or contact.separation2 < 0.0:
                 contact.touching = 1
-            contact.rolling_impulse = lanes[at + cb.ROLLING_IMPULSE]
-            contact.normal_impulse1 = normal1
-            contact.tangent_impulse1 = lanes[at + cb.POINT_1 + cb.TANGENT_IMPULSE]
+            contact.rolling_impulse = substeps * lanes[at + cb.ROLLING_IMPULSE]
+            contact.normal_impulse1 = substeps * normal1
+            contact.tangent_impulse1 = substeps * lanes[at + cb.POINT_1 + cb.TANGENT_IMPULSE]
             if contact.point_count == 2:
-                contact.normal_impulse2 = normal2
-                contact.tangent_impulse2 = lanes[at + cb.POINT_2 + cb.TANGENT_IMPULSE]
+                contact.normal_impulse2 = substeps * normal2
+                contact.tangent_impulse2 = substeps * lanes[at + cb.POINT_2 + cb.TANGENT_IMPULSE]
             pushes = normal1 > 0.0 or normal2 > 0.0
             flag_contact(flags, slot.body_a, slot.body_b, pushes, contact.surface_speed)
 

@@ -5,7 +5,8 @@ Bodies in one place make as many pairs as the square of their number: asked for 
 
 from __future__ import annotations
 
-from sandbox.engine.contact_solver.blocks import BLOCK_SIZE, LANES, MAX_COLORS
+from sandbox.engine.contact_solver.blocks import BLOCK_SIZE, LANES
+from sandbox.engine.contact_solver.graph_coloring import SETTLED
 from sandbox.engine.records.colliders import PAIR
 from sandbox.engine.records.contact_blocks import BLOCK, SLOT
 from sandbox.engine.records.contacts import REPORT, SLEEPING_RUN
@@ -23,8 +24,8 @@ _BLOCK_BYTES = BLOCK.dtype.itemsize + _WORD * BLOCK_SIZE
 
 
 def most_blocks(pairs: int) -> int:
-    """Most solver blocks that so many contacts fill: every colour has one that is not full."""
-    return pairs // LANES + MAX_COLORS + 1
+    """Most solver blocks that so many contacts fill: every colour has one that is not full, settled or not."""
+    return pairs // LANES + 2 * SETTLED
 
 
 def step_bytes(pairs: int) -> int:

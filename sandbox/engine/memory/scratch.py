@@ -9,7 +9,8 @@ import numpy as np
 from sandbox.engine.active.active_set import new_active_set
 from sandbox.engine.active.pile_stability import PILE
 from sandbox.engine.broad_phase.grid import LEVEL_SPACE, head_count
-from sandbox.engine.contact_solver.blocks import BLOCK_SIZE, GATHER_SIZE, MAX_COLORS
+from sandbox.engine.contact_solver.blocks import BLOCK_SIZE, GATHER_SIZE
+from sandbox.engine.contact_solver.graph_coloring import SETTLED
 from sandbox.engine.fields.records import Fields
 from sandbox.engine.joints.assembly import assemble
 from sandbox.engine.joints.pair_filter import JointFilter
@@ -131,7 +132,7 @@ def _blocks(pairs: int) -> ContactBlocks:
         colors=np.zeros(pairs, np.int64),
         lanes=aligned_zeros(blocks * BLOCK_SIZE, np.float64),
         gathered=aligned_zeros(GATHER_SIZE, np.float64),
-        heads=np.zeros(MAX_COLORS + 2, np.int64),
+        heads=np.zeros(2 * SETTLED + 1, np.int64),
         impacts=SLOT.zeros(pairs),
     )
 

@@ -17,6 +17,7 @@ from sandbox.engine.narrow_phase.outline import EdgeTables
 from sandbox.engine.narrow_phase.sleeping_contacts import comes_before, keep_sleeping_before
 from sandbox.engine.narrow_phase.speculative import closing_distance, speculative_impact
 from sandbox.engine.records.active_set import ActiveSet
+from sandbox.engine.records.ccd import NEW, OVERLAPS
 from sandbox.engine.records.colliders import Colliders
 from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.state import StateTables
@@ -31,6 +32,10 @@ LAST = 1 << 60
 """No shape has such a row: everything comes before it."""
 TOUCHING = 1e-6
 """Bodies put onto each other may be so far apart, by rounding (m)."""
+DEEP = 0.1
+"""Share of the smaller body's extent past which an overlap is deep."""
+_SHALLOW = -1e-3
+"""Separation (m) that spares the question how large the bodies are."""
 
 
 class Approach(NamedTuple):
@@ -73,7 +78,7 @@ def find_contacts(
     fall = 0.5 * gravity * seconds * seconds
     for i in active.bodies[1 : 1 + active.bodies[0]]:
         ccd_bodies[i].deep = 0
-        ccd_bodies[i].fresh = 0
+        ccd_bodies[i].unsettled = 0
     contacts.active[0] = 0
     contacts.impact_candidates[0] = 0
     count = 0
@@ -109,9 +114,10 @@ def find_contacts(
         if known:
             match_contact(old[k], contact)
             k += 1
-        elif t == 0.0 and manifold[0].separation <= TOUCHING:
-            ccd_bodies[a.body].fresh = 1
-            ccd_bodies[b.body].fresh = 1
+        bits = NEW if not known and t == 0.0 and manifold[0].separation <= TOUCHING else 0
+        bits |= OVERLAPS if _overlaps_deeply(bodies, a.body, b.body, manifold[0].separation) else 0
+        ccd_bodies[a.body].unsettled |= bits
+        ccd_bodies[b.body].unsettled |= bits
         if (a.traits ^ b.traits) & FIXED and manifold[0].separation < 0.0:
             _mark_deep(ccd_bodies, shapes, i, j, -manifold[0].separation)
         count += 1
@@ -139,6 +145,14 @@ def _collide(
         )
         > 0
     )
+
+
+@inlined_kernel
+def _overlaps_deeply(bodies: Records, a: int, b: int, separation: float) -> bool:
+    if separation > _SHALLOW:
+        return False
+    smaller = bodies[a].extent if bodies[a].extent < bodies[b].extent else bodies[b].extent
+    return bool(separation < -DEEP * smaller)
 
 
 @kernel
