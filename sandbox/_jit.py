@@ -112,6 +112,10 @@ class Call:
             self._code = _machine_code(self._entry, self._arguments)
         return self._code(*self._arguments)
 
+    def use(self, arguments: tuple[Any, ...]) -> None:
+        """Take other arguments of the same types from now on."""
+        self._arguments = arguments
+
 
 def _machine_code(entry: Any, arguments: tuple[Any, ...]) -> Callable[..., Any]:
     """The version of an entry point for arguments of these types."""

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
+
+import numpy as np
 
 from sandbox._jit import Call, kernel_argument
 from sandbox.engine.compile_step import compile_continuous, compile_step
@@ -12,13 +14,14 @@ from sandbox.engine.fields.apply import apply_fields
 from sandbox.engine.fields.records import has_fields
 from sandbox.engine.joints.assembly import assemble
 from sandbox.engine.joints.part_layout import PartLayouts
-from sandbox.engine.memory.binding import bind
+from sandbox.engine.memory.binding import parameters, scratch_arguments, state_arguments
 from sandbox.engine.memory.limit import room_for
-from sandbox.engine.memory.scratch import Scratch
+from sandbox.engine.memory.scratch import Room, Scratch, note_linked
 from sandbox.engine.step import collide, solve
 from sandbox.errors import CapacityError
-from sandbox.tables import Records
+from sandbox.tables import Records, copy_rows, plain
 from sandbox.world.records import CONTACT
+from sandbox.world.rows import Added, Moved
 from sandbox.world.state import State
 
 _FEW = 1000
@@ -26,7 +29,8 @@ _FEW = 1000
 
 
 class Stepper:
-    """Steps a state. Whoever replaces its arrays calls `renew`, whoever switches a joint `assemble_joints`."""
+    """Steps a state. Whoever adds or removes rows calls `add_rows` or `move_rows`, whoever replaces its arrays `renew`,
+    whoever switches a joint `assemble_joints`."""
 
     scratch: Scratch
     counters: Any
@@ -35,6 +39,9 @@ class Stepper:
     def __init__(self, state: State) -> None:
         self._state = state
         self._turn = self._broken = 0
+        self._jointed = False
+        self._room = Room.of(state)
+        self._calls: dict[tuple[Any, int], tuple[Call, Callable[[], Any]]] = {}
         self._layouts = PartLayouts()
         self.renew()
 
@@ -48,8 +55,8 @@ class Stepper:
         Raises `CapacityError`, and leaves the state as it was, if there are too many pairs.
         """
         before = self._copies() if self._crowded else ()
-        if self._fields:
-            self._fields[self._turn]()
+        for apply in self._fields[self._turn]:
+            apply()
         try:
             while not self._advance():
                 pass
@@ -67,8 +74,30 @@ class Stepper:
 
     def renew(self) -> None:
         """Take new scratch memory, for as many pairs as the state has rows for contacts."""
-        self.scratch = Scratch.for_state(self._state, len(self._state.contacts), self._layouts)
+        self.scratch = Scratch.for_state(self._state, len(self._state.contacts), self._layouts, self._room)
+        self._room = self.scratch.room
+        self._turn = 0
         self._prepare_calls()
+
+    def add_rows(self, added: Added) -> None:
+        """Rows have come after all others."""
+        grown = self.scratch.follow_rows(self._state, added.bodies)
+        self._room = self.scratch.room
+        if grown or len(self._state.joints) > added.joints:
+            self.assemble_joints()
+        else:
+            self._prepare_calls(scratch_is_new=False)
+
+    def move_rows(self, moved: Moved) -> None:
+        """Rows have gone, and others have moved into their places."""
+        gone = np.flatnonzero(moved.bodies < 0)
+        self.scratch.follow_rows(self._state, int(gone[0]) if len(gone) else len(self._state.bodies))
+        reports = plain(self.scratch.contacts.reports)
+        copy_rows(reports, reports[moved.contacts])
+        if moved.joints or len(self._state.joints):
+            self.assemble_joints()
+        else:
+            self._prepare_calls(scratch_is_new=False)
 
     def forget(self) -> None:
         """Look anew at who may move: something was changed from outside."""
@@ -76,12 +105,15 @@ class Stepper:
 
     def assemble_joints(self) -> None:
         """Find out anew what hangs together by joints, after one of them broke or was switched."""
-        self.scratch.joint_filter, self.scratch.joints = assemble(self._state.joints, self._state.bodies, self._layouts)
+        state, scratch = self._state, self.scratch
+        room = scratch.room.bodies
+        scratch.joint_filter, scratch.joints = assemble(state.joints, state.bodies, self._layouts, room)
+        note_linked(scratch.ccd.bodies, state)
         self._prepare_calls()
 
     def _copies(self) -> Sequence[tuple[Records, Records]]:
         """What a step has changed by the time that it may be refused, with copies."""
-        tables = (self._state.counters, *((self._state.bodies,) if self._fields else ()))
+        tables = (self._state.counters, *((self._state.bodies,) if self._fields[0] else ()))
         return [(table, table.copy()) for table in tables]
 
     def _advance(self) -> bool:
@@ -103,27 +135,48 @@ class Stepper:
         self._state.contacts = CONTACT.zeros(room_for(pairs))
         self._state.contacts[:count] = contacts[:count]
         self.renew()
-        self.scratch.solver.free_motions.buoyed = (
-            old.solver.free_motions.buoyed
-        )  # the fields of this step have been applied
+        # The fields of this step have been applied.
+        self.scratch.solver.free_motions.buoyed = old.solver.free_motions.buoyed
 
-    def _prepare_calls(self) -> None:
+    def _prepare_calls(self, scratch_is_new: bool = True) -> None:
         """The calls of a step: some for even and some for odd steps, as the contact tables swap places."""
         state, scratch = self._state, self.scratch
-        self._turn = 0
         self._crowded = len(state.shapes) > _FEW
         self.counters = kernel_argument(state.counters)
         self._broken = int(self.counters["broken_count"][0])
-        self._parts: list[tuple[Call, ...]] = []
-        self._fields: list[Call] = []
-        first = scratch.contacts._replace(before=state.contacts)
-        second = first._replace(now=first.before, before=first.now)
-        self._contacts = (first, second)
-        for scratch.contacts in (second, first):
-            state.contacts = scratch.contacts.before
-            self._parts.insert(0, tuple(self._call(part) for part in (collide, solve, solve_continuous)))
-            if has_fields(state):
-                self._fields.insert(0, self._call(apply_fields))
+        here = scratch.contacts._replace(before=state.contacts)
+        there = here._replace(now=here.before, before=here.now)
+        self._contacts = (here, there) if self._turn == 0 else (there, here)
+        if scratch_is_new:
+            self._of_scratch = scratch_arguments(scratch)
+        else:
+            self._of_scratch["fields"] = kernel_argument(scratch.fields)
+        jointed = scratch.joints is not None
+        if jointed != self._jointed:
+            self._jointed = jointed  # other types, hence other versions of the machine code
+            self._calls.clear()
+        named = {**state_arguments(state), **self._of_scratch}
+        self._parts = [self._bound(named, turn, (collide, solve, solve_continuous)) for turn in (0, 1)]
+        fields = (apply_fields,) if has_fields(state) else ()
+        self._fields = [self._bound(named, turn, fields) for turn in (0, 1)]
 
-    def _call(self, part: Any) -> Call:
-        return Call(part, bind(part, self._state, self.scratch))
+    def _bound(self, named: dict[str, Any], turn: int, parts: tuple[Any, ...]) -> list[Callable[[], Any]]:
+        """Calls of some entry points with what is `named` now."""
+        contacts = kernel_argument(self._contacts[turn])
+        named |= {"contacts": contacts, "old_contacts": contacts.before}
+        runs = []
+        for part in parts:
+            arguments = tuple(named[name] for name in parameters(part))
+            if (part, turn) in self._calls:
+                call, run = self._calls[part, turn]
+                call.use(arguments)
+            else:
+                call = Call(part, arguments)
+                run = self._watched(part, call)
+                self._calls[part, turn] = call, run
+            runs.append(run)
+        return runs
+
+    def _watched(self, part: Any, call: Call) -> Callable[[], Any]:
+        """What to run for a call of an entry point."""
+        return call

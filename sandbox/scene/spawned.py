@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -25,12 +24,12 @@ _SHARED = ("categories", "materials", "prefabs")
 
 @dataclass(frozen=True)
 class Spawned:
-    """Flat bodies and joints, and for each the JSON text that it can be read from again."""
+    """Flat bodies and joints, and for each the entry that it can be read from again, as a file holds it."""
 
     bodies: tuple[FlatBody, ...]
     joints: tuple[FlatJoint, ...]
-    body_words: tuple[str, ...]
-    joint_words: tuple[str, ...]
+    body_words: tuple[dict[str, Any], ...]
+    joint_words: tuple[dict[str, Any], ...]
 
 
 class Spawning:
@@ -72,6 +71,5 @@ def _flat(scene: Scene, known: Known, source: str, found: list[Finding]) -> Spaw
     return Spawned(bodies, joints, _words(scene.bodies), _words(scene.joints))
 
 
-def _words(parts: Sequence[Model]) -> tuple[str, ...]:
-    plain = (part.model_dump(mode="json", by_alias=True, exclude_unset=True) for part in parts)
-    return tuple(json.dumps(each, separators=(",", ":")) for each in plain)
+def _words(parts: Sequence[Model]) -> tuple[dict[str, Any], ...]:
+    return tuple(part.to_data() for part in parts)

@@ -26,25 +26,25 @@ def holding(joints: Records) -> Flags:
     return works
 
 
-def assemble(joints: Records, bodies: Records, layouts: PartLayouts) -> tuple[JointFilter, JointWork | None]:
+def assemble(joints: Records, bodies: Records, layouts: PartLayouts, room: int) -> tuple[JointFilter, JointWork | None]:
     """The pairs of bodies that joints keep from colliding, and scratch memory for all joints that hold.
 
     The memory is None where no joint holds, so that such worlds pay nothing. Both are functions of the two tables
     alone: a world that goes on and one that is restored solve in the same order. `layouts` are those of the last time,
-    so that only parts of a new kind are laid out.
+    so that only parts of a new kind are laid out; `room` is for how many bodies there is to be memory.
     """
     held = np.flatnonzero(holding(joints))
     sides = _sides(joints, held)
     gear, collide = joints.kind[held] == kinds.GEAR, joints.collide[held] != 0
     bound = _bonds(sides[~gear & ~collide], len(bodies))
-    joined = np.zeros(len(bodies), np.int64)
+    joined = np.zeros(room, np.int64)
     joined[bound.low] = joined[bound.high] = 1
     if not len(held):
         return JointFilter(bound, joined), None
     # A body that bad numbers froze keeps its mass: what hangs together must not depend on that.
     movable = np.append(np.asarray(bodies.mass) > 0.0, [False, False])  # nobody and the world are the last rows
     parts = _parts(held, sides, movable[sides])
-    return JointFilter(bound, joined), joint_work(joints, parts, _bonds(sides, len(bodies)), len(bodies), layouts)
+    return JointFilter(bound, joined), joint_work(joints, parts, _bonds(sides, len(bodies)), room, layouts)
 
 
 def _sides(joints: Records, held: Integers) -> Integers:

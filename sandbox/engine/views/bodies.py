@@ -97,4 +97,4 @@ class Bodies(FixedAttributes):
         return view
 
     def __len__(self) -> int:
-        return len(self.ids)
+        return len(self._world.state.bodies)
