@@ -2,24 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
-
-import numpy as np
 
 from sandbox._jit import Call, kernel_argument
 from sandbox.engine.compile_step import compile_continuous, compile_step
 from sandbox.engine.continuous_collision.solve_continuous import solve_continuous
 from sandbox.engine.fields.apply import apply_fields
 from sandbox.engine.fields.records import has_fields
-from sandbox.engine.joints.assembly import assemble
+from sandbox.engine.joints.assembly import assemble, assemble_more
+from sandbox.engine.joints.fewer_parts import going_parts, without_parts
 from sandbox.engine.joints.part_layout import PartLayouts
-from sandbox.engine.memory.binding import parameters, scratch_arguments, state_arguments
+from sandbox.engine.memory.binding import contact_arguments, parameters, scratch_arguments, state_arguments
 from sandbox.engine.memory.limit import room_for
 from sandbox.engine.memory.scratch import Room, Scratch, note_linked
 from sandbox.engine.step import collide, solve
 from sandbox.errors import CapacityError
-from sandbox.tables import Records, copy_rows, plain
+from sandbox.tables import Records, close_up, plain
 from sandbox.world.records import CONTACT
 from sandbox.world.rows import Added, Moved
 from sandbox.world.state import State
@@ -81,27 +80,45 @@ class Stepper:
 
     def add_rows(self, added: Added) -> None:
         """Rows have come after all others."""
-        grown = self.scratch.follow_rows(self._state, added.bodies)
-        self._room = self.scratch.room
-        if grown or len(self._state.joints) > added.joints:
-            self.assemble_joints()
-        else:
-            self._prepare_calls(scratch_is_new=False)
+        state, scratch = self._state, self.scratch
+        grown = scratch.follow_rows(state, added.bodies, added.shapes)
+        if grown:
+            self._room = scratch.room
+            scratch.make_room_for_joints()
+        if len(state.joints) > added.joints:
+            known = scratch.joint_filter, scratch.joints
+            more = assemble_more(state.joints, state.bodies, self._layouts, known, added.joints)
+            if more is None:
+                self.assemble_joints()
+                return
+            scratch.joint_filter, scratch.joints = more
+            note_linked(scratch.ccd.bodies, state, added.joints)
+        elif not grown:
+            self._exchange_state()
+            return
+        self._prepare_calls()
 
     def move_rows(self, moved: Moved) -> None:
         """Rows have gone, and others have moved into their places."""
-        gone = np.flatnonzero(moved.bodies < 0)
-        self.scratch.follow_rows(self._state, int(gone[0]) if len(gone) else len(self._state.bodies))
-        reports = plain(self.scratch.contacts.reports)
-        copy_rows(reports, reports[moved.contacts])
-        if moved.joints or len(self._state.joints):
+        self.scratch.follow_rows(self._state, moved.first_body, moved.first_shape)
+        close_up(plain(self.scratch.contacts.reports)[: len(moved.contacts)], moved.contacts)
+        scratch, joints = self.scratch, self.scratch.joints
+        if joints is None and len(moved.joints) == 0:
+            self._exchange_state()
+            return
+        going = None if joints is None else going_parts(joints, moved.joints)
+        if joints is None or going is None or going.all():
             self.assemble_joints()
-        else:
-            self._prepare_calls(scratch_is_new=False)
+            return
+        scratch.joint_filter, scratch.joints = without_parts(
+            scratch.joint_filter, joints, going, moved, self._state.joints
+        )
+        note_linked(scratch.ccd.bodies, self._state)
+        self._prepare_calls()
 
     def forget(self) -> None:
         """Look anew at who may move: something was changed from outside."""
-        self.scratch.active.info.stale = 1
+        plain(self.scratch.active.info)["stale"] = 1
 
     def assemble_joints(self) -> None:
         """Find out anew what hangs together by joints, after one of them broke or was switched."""
@@ -138,7 +155,7 @@ class Stepper:
         # The fields of this step have been applied.
         self.scratch.solver.free_motions.buoyed = old.solver.free_motions.buoyed
 
-    def _prepare_calls(self, scratch_is_new: bool = True) -> None:
+    def _prepare_calls(self) -> None:
         """The calls of a step: some for even and some for odd steps, as the contact tables swap places."""
         state, scratch = self._state, self.scratch
         self._crowded = len(state.shapes) > _FEW
@@ -147,35 +164,38 @@ class Stepper:
         here = scratch.contacts._replace(before=state.contacts)
         there = here._replace(now=here.before, before=here.now)
         self._contacts = (here, there) if self._turn == 0 else (there, here)
-        if scratch_is_new:
-            self._of_scratch = scratch_arguments(scratch)
-        else:
-            self._of_scratch["fields"] = kernel_argument(scratch.fields)
-        jointed = scratch.joints is not None
-        if jointed != self._jointed:
-            self._jointed = jointed  # other types, hence other versions of the machine code
+        if (scratch.joints is not None) != self._jointed:
+            self._jointed = not self._jointed  # other types, hence other versions of the machine code
             self._calls.clear()
-        named = {**state_arguments(state), **self._of_scratch}
-        self._parts = [self._bound(named, turn, (collide, solve, solve_continuous)) for turn in (0, 1)]
-        fields = (apply_fields,) if has_fields(state) else ()
-        self._fields = [self._bound(named, turn, fields) for turn in (0, 1)]
+        named = state_arguments(state) | scratch_arguments(scratch)
+        self._parts, self._fields = [], []
+        for turn, contacts in enumerate(self._contacts):
+            named |= contact_arguments(contacts)
+            self._parts.append([self._bound(part, turn, named) for part in (collide, solve, solve_continuous)])
+            self._fields.append([self._bound(apply_fields, turn, named)] if has_fields(state) else [])
 
-    def _bound(self, named: dict[str, Any], turn: int, parts: tuple[Any, ...]) -> list[Callable[[], Any]]:
-        """Calls of some entry points with what is `named` now."""
-        contacts = kernel_argument(self._contacts[turn])
-        named |= {"contacts": contacts, "old_contacts": contacts.before}
-        runs = []
-        for part in parts:
-            arguments = tuple(named[name] for name in parameters(part))
-            if (part, turn) in self._calls:
-                call, run = self._calls[part, turn]
-                call.use(arguments)
-            else:
-                call = Call(part, arguments)
-                run = self._watched(part, call)
-                self._calls[part, turn] = call, run
-            runs.append(run)
-        return runs
+    def _bound(self, part: Any, turn: int, named: Mapping[str, Any]) -> Callable[[], Any]:
+        """A call of an entry point with what is `named` now."""
+        names = parameters(part)
+        if (part, turn) not in self._calls:
+            call = Call(part, tuple(named[name] for name in names))
+            self._calls[part, turn] = call, self._watched(part, call)
+        call, run = self._calls[part, turn]
+        call.exchange(names, named)
+        return run
+
+    def _exchange_state(self) -> None:
+        """Other rows of the state, and nothing else, for the calls of a step."""
+        state = self._state
+        self._crowded = len(state.shapes) > _FEW
+        if has_fields(state) != bool(self._fields[0]):
+            self._prepare_calls()
+            return
+        named = state_arguments(state)
+        if has_fields(state):
+            named["fields"] = kernel_argument(self.scratch.fields)
+        for (part, _), (call, _) in self._calls.items():
+            call.exchange(parameters(part), named)
 
     def _watched(self, part: Any, call: Call) -> Callable[[], Any]:
         """What to run for a call of an entry point."""

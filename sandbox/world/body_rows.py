@@ -46,25 +46,24 @@ def body_rows(bodies: Sequence[FlatBody], known: KnownPatterns | None = None) ->
 
 def _placed(bodies: Sequence[FlatBody], rows: NDArray[Any]) -> NDArray[Any]:
     """Put bodies where they are to be, each turned and moving as it says."""
-    position = np.array([body.position for body in bodies], float).reshape(-1, 2)
-    angle = np.array([body.angle for body in bodies], float)
+    numbers = [(*body.position, body.angle, *body.velocity, body.angular_velocity) for body in bodies]
+    columns = np.array(numbers, float).reshape(-1, 6).T
+    x, y, angle = columns[:3]
     cosine, sine = _turned(angle)
     cx, cy = rows["local_center_x"], rows["local_center_y"]
-    rows["position_x"], rows["position_y"] = position[:, 0], position[:, 1]
+    rows["position_x"], rows["position_y"] = x, y
     rows["angle"], rows["rotation_cos"], rows["rotation_sin"] = angle, cosine, sine
-    rows["center_x"] = rows["position_x"] + (cosine * cx - sine * cy)
-    rows["center_y"] = rows["position_y"] + (sine * cx + cosine * cy)
-    velocity = np.array([(*body.velocity, body.angular_velocity) for body in bodies], float).reshape(-1, 3)
-    velocity[rows["type"] == records.STATIC] = 0.0
-    rows["velocity_x"], rows["velocity_y"], rows["angular_velocity"] = velocity.T
+    rows["center_x"], rows["center_y"] = x + (cosine * cx - sine * cy), y + (sine * cx + cosine * cy)
+    velocity = columns[3:]
+    velocity[:, rows["type"] == records.STATIC] = 0.0
+    rows["velocity_x"], rows["velocity_y"], rows["angular_velocity"] = velocity
     return rows
 
 
-def _turned(angles: Floats) -> tuple[Floats, Floats]:
-    """Cosines and sines; each angle is worked out once."""
+def _turned(angles: Floats) -> Floats:
+    """Cosines and sines; where many are asked for, each angle is worked out once."""
     if len(angles) <= _FEW:
-        values, where = angles, np.arange(len(angles))
-    else:
-        values, where = np.unique(angles, return_inverse=True)
-    pairs = np.array([_cos_sin(angle) for angle in values.tolist()], float).reshape(-1, 2)[where]
-    return pairs[:, 0], pairs[:, 1]
+        return np.array([_cos_sin(angle) for angle in angles.tolist()], float).reshape(-1, 2).T
+    values, where = np.unique(angles, return_inverse=True)
+    pairs: Floats = np.array([_cos_sin(angle) for angle in values.tolist()], float)[where].T
+    return pairs

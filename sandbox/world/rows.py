@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.scene.flat import FlatBody, FlatJoint
-from sandbox.tables import Integers, copy_rows, extended, plain, without
+from sandbox.tables import Integers, close_up, extended, plain, without
 from sandbox.world import records
 from sandbox.world.body_rows import body_rows
 from sandbox.world.build_fields import build_thrusters
@@ -42,13 +42,15 @@ class Added:
 
 @dataclass(frozen=True)
 class Moved:
-    """Where rows have gone: the new row of each old body and shape, -1 if it is gone, and the old rows of the contacts
-    that are left. `joints`: whether any of them has gone."""
+    """Where rows have gone: the new row of each old body, shape and joint, -1 if it is gone, and which contacts are
+    left. `first_body` and `first_shape` are the first rows that have changed."""
 
     bodies: Integers
     shapes: Integers
-    contacts: Integers
-    joints: bool
+    joints: Integers
+    contacts: Flags
+    first_body: int
+    first_shape: int
 
 
 def add_rows(
@@ -114,9 +116,10 @@ def remove_rows(state: State, directory: Directory, bodies: Flags, joints: Flags
     """Take out the marked bodies and joints. Every joint of a marked body has to be marked as well."""
     shapes = plain(state.shapes)
     gone = bodies[shapes["body"]]
-    body_rows, shape_rows = _new_rows(~bodies), _new_rows(~gone)
+    body_rows, shape_rows, joint_rows = (_new_rows(~marked) for marked in (bodies, gone, joints))
     contacts = _remove_contacts(state, body_rows, shape_rows)
-    _remove_joints(state, ~joints, body_rows)
+    if len(joints):
+        _remove_joints(state, ~joints, body_rows, joint_rows)
     beside = _remove_shapes(state, ~gone, body_rows, shape_rows) if gone.any() else np.zeros(0, np.int64)
     if bodies.any():
         _remove_bodies(state, ~bodies, body_rows)
@@ -124,7 +127,8 @@ def remove_rows(state: State, directory: Directory, bodies: Flags, joints: Flags
     names = [ledger.remove(~marked) for ledger, marked in zip(state.census, (bodies, joints), strict=True)]
     directory.remove(*names)
     state.layout += 1
-    return Moved(body_rows, shape_rows, contacts, bool(joints.any()))
+    first = [int(marked.argmax()) if marked.any() else len(marked) for marked in (bodies, gone)]
+    return Moved(body_rows, shape_rows, joint_rows, contacts, *first)
 
 
 def _remove_bodies(state: State, left: Flags, body_rows: Integers) -> None:
@@ -141,25 +145,20 @@ def _remove_bodies(state: State, left: Flags, body_rows: Integers) -> None:
         thrusters["body"] = body_rows[thrusters["body"]]
 
 
-def _remove_contacts(state: State, body_rows: Integers, shape_rows: Integers) -> Integers:
+def _remove_contacts(state: State, body_rows: Integers, shape_rows: Integers) -> Flags:
     used: Any = plain(state.contacts)[: int(state.counters[0].contact_count)]
-    moved = [shape_rows[used[f"shape_{side}"]] for side in "ab"]
-    left: Integers = np.flatnonzero((moved[0] >= 0) & (moved[1] >= 0))
-    if len(left) < len(used):
-        copy_rows(used, used[left])
-        state.counters[0].contact_count = len(left)
-        used = used[: len(left)]
-    for side, rows in zip("ab", moved, strict=True):
-        used[f"shape_{side}"] = rows[left]
+    left: Flags = (shape_rows[used["shape_a"]] >= 0) & (shape_rows[used["shape_b"]] >= 0)
+    used = used[: close_up(used, left)]
+    state.counters[0].contact_count = len(used)
+    for side in "ab":
+        used[f"shape_{side}"] = shape_rows[used[f"shape_{side}"]]
         used[f"body_{side}"] = body_rows[used[f"body_{side}"]]
     return left
 
 
-def _remove_joints(state: State, left: Flags, body_rows: Integers) -> None:
-    if len(left) == 0:
-        return
+def _remove_joints(state: State, left: Flags, body_rows: Integers, rows: Integers) -> None:
     state.joints = without(state.joints, left)
-    joints, rows = plain(state.joints), _new_rows(left)
+    joints = plain(state.joints)
     for name, moved in (("body_a", body_rows), ("body_b", body_rows), ("joint_1", rows), ("joint_2", rows)):
         joints[name] = np.append(moved, -1)[joints[name]]  # -1 stays -1
 

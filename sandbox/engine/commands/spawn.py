@@ -52,10 +52,11 @@ class Spawn(Command):
             raise CommandError(str(error)) from None
         words = found.body_words, found.joint_words
         added = add_rows(state, target.directory, found.bodies, found.joints, words)
-        held = held_bodies(state, np.arange(added.joints, len(state.joints)))
-        held = held[held < added.bodies]  # the others are awake
-        if len(held):
-            wake_bodies(state, held)
+        if found.joints:
+            held = held_bodies(state, np.arange(added.joints, len(state.joints)))
+            held = held[held < added.bodies]  # the others are awake
+            if len(held):
+                wake_bodies(state, held)
         return Touched(added=added)
 
 

@@ -105,12 +105,11 @@ def find_events(
     enter, leave = _entered_and_left(*sensed)
     now: Any = plain(state.contacts)[: int(counter.contact_count)]
     old: Any = plain(before)[: int(counter.old_contact_count)]
-    touched, touches = old["touching"] == 1, now["touching"] == 1
-    old_keys, keys = _keys(old[touched]), _keys(now[touches])
+    touched, touches = (np.flatnonzero(contacts["touching"] == 1) for contacts in (old, now))
+    old_keys, keys = _keys(old, touched), _keys(now, touches)
     did: Any = plain(reports)[: len(now)]
-    struck = did["hit_speed"] >= HIT_SPEED
-    fresh = np.flatnonzero(touches)[~_among(keys, old_keys)]
-    ended = np.flatnonzero(touched)[~_among(old_keys, keys)]
+    struck = np.flatnonzero(did["hit_speed"] >= HIT_SPEED)
+    fresh, ended = touches[~_among(keys, old_keys)], touched[~_among(old_keys, keys)]
     return Events(
         int(counter.step_count),
         lookup.names,
@@ -171,8 +170,8 @@ def _contact_rows(contacts: Any, did: Any, centers: dict[str, Any]) -> Records:
     return rows  # type: ignore[no-any-return]
 
 
-def _keys(contacts: Any) -> Integers:
-    return _joined(contacts["shape_a"], contacts["shape_b"])
+def _keys(contacts: Any, rows: Integers) -> Integers:
+    return _joined(contacts["shape_a"][rows], contacts["shape_b"][rows])
 
 
 def _pair_keys(rows: Records) -> Integers:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from dataclasses import dataclass
 from typing import Any
 
@@ -72,7 +73,7 @@ class PendingEvents:
 
 def _key(state: State, body: int, shape: int) -> ShapeKey:
     ledger = state.census.bodies
-    first = int(np.searchsorted(plain(state.shapes)["body"], body))
+    first = bisect_left(plain(state.shapes)["body"], body)
     return ShapeKey(ledger.serials[body], ledger.names[body], int(shape) - first)
 
 
@@ -101,7 +102,7 @@ class RowLookup:
     def _find(self, key: ShapeKey) -> tuple[int, int]:
         row = self._ledger.row_of(key.serial)
         if row is not None:
-            return row, int(np.searchsorted(self._owners, row)) + key.shape
+            return row, bisect_left(self._owners, row) + key.shape
         if key.serial not in self._gone:
             self._gone[key.serial] = len(self.names)
             self.names = (*self.names, key.name)

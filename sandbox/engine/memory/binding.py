@@ -9,8 +9,9 @@ from typing import Any
 
 from sandbox._jit import interpreted, kernel_argument
 from sandbox.engine.memory.scratch import Scratch
+from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.state import StateTables
-from sandbox.world.state import ARRAYS, State
+from sandbox.world.state import State
 
 
 def bind(function: Callable[..., Any], state: State, scratch: Scratch) -> tuple[Any, ...]:
@@ -20,16 +21,20 @@ def bind(function: Callable[..., Any], state: State, scratch: Scratch) -> tuple[
     `old_contacts` are those of the step before, `joint_table` is that of the state, `joints` the scratch memory of the
     joint solver, which holds the table, or None.
     """
-    named = state_arguments(state) | scratch_arguments(scratch)
+    named = state_arguments(state) | scratch_arguments(scratch) | contact_arguments(scratch.contacts)
     return tuple(named[name] for name in parameters(function))
 
 
 def state_arguments(state: State) -> dict[str, Any]:
     """What is bound of a state."""
-    tables = StateTables(*(getattr(state, name) for name in StateTables._fields))
-    own = {name: getattr(state, name) for name in ARRAYS}
-    named = own | {"state": tables, "old_contacts": state.contacts, "joint_table": state.joints}
-    return {name: kernel_argument(value) for name, value in named.items()}
+    tables = StateTables(*[getattr(state, name) for name in StateTables._fields])
+    return {"state": kernel_argument(tables), "joint_table": kernel_argument(state.joints)}
+
+
+def contact_arguments(contacts: Contacts) -> dict[str, Any]:
+    """What is bound of the tables of contacts."""
+    tables = kernel_argument(contacts)
+    return {"contacts": tables, "old_contacts": tables.before}
 
 
 def scratch_arguments(scratch: Scratch) -> dict[str, Any]:

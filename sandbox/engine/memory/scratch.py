@@ -77,8 +77,8 @@ class Scratch:
             fields=Fields.for_state(state, room.bodies),
         )
 
-    def follow_rows(self, state: State, bodies: int) -> bool:
-        """Bring up to date what is known of the bodies from row `bodies` on, which have come or moved.
+    def follow_rows(self, state: State, bodies: int, shapes: int) -> bool:
+        """Bring up to date what is known of the bodies and shapes from those rows on, which have come or moved.
 
         If there are more of them than there is room for, memory for twice as many is taken; returns whether it was.
         All of it has to be looked at anew (`active.info.stale`).
@@ -87,13 +87,23 @@ class Scratch:
         if not fits:
             self._grow(state)
         else:
-            _fill_thin(self.ccd.bodies, state, bodies)
+            _fill_thin(self.ccd.bodies, state, bodies, shapes)
         if has_fields(state) and len(self.fields.pushes) < self.room.bodies:
             self.fields = Fields.for_state(state, self.room.bodies)
             fits = False
-        self.fields = self.fields._replace(thrusters=state.thrusters)
-        self.active.info.stale = 1
+        if has_fields(state):
+            self.fields = self.fields._replace(thrusters=state.thrusters)
+        plain(self.active.info)["stale"] = 1
         return not fits
+
+    def make_room_for_joints(self) -> None:
+        """Let the joint solver know as many bodies as there is room for."""
+        lacking = self.room.bodies - len(self.joint_filter.joined)
+        joined = np.append(self.joint_filter.joined, np.zeros(lacking, np.int64))
+        self.joint_filter = self.joint_filter._replace(joined=joined)
+        if self.joints is not None:
+            part_of = np.append(self.joints.part_of, np.full(lacking, -1))
+            self.joints = self.joints._replace(part_of=part_of)
 
     def _grow(self, state: State) -> None:
         """Take memory for twice as many bodies and shapes as there are; pairs and contacts keep theirs."""
@@ -191,26 +201,26 @@ def _blocks(pairs: int) -> ContactBlocks:
 
 def _ccd(state: State, room: Room) -> Ccd:
     bodies = CCD_BODY.zeros(room.bodies)
-    _fill_thin(bodies, state, 0)
+    _fill_thin(bodies, state, 0, 0)
     note_linked(bodies, state)
     impacts = CCD_IMPACT.zeros(room.bodies)
     impacts.time = 1.0
     return Ccd(bodies, impacts, SWEEP.zeros(1), VERTEX.zeros(POSED_ROWS), MANIFOLD.zeros(2))
 
 
-def _fill_thin(bodies: Records, state: State, first: int) -> None:
-    """Measure the thinnest shapes of the bodies from row `first` on."""
-    shapes = plain(state.shapes)
-    shapes = shapes[int(np.searchsorted(shapes["body"], first)) :]
+def _fill_thin(bodies: Records, state: State, first: int, first_shape: int) -> None:
+    """Measure the thinnest shapes of the bodies from row `first` on, whose shapes begin at `first_shape`."""
+    shapes = plain(state.shapes)[first_shape:]
     thin = np.full(len(state.bodies) - first, np.inf)
     np.minimum.at(thin, shapes["body"] - first, shapes["thin"])
     plain(bodies)["thin"][first : len(state.bodies)] = np.where(thin < np.inf, thin, 0.0)
 
 
-def note_linked(bodies: Records, state: State) -> None:
-    """Note which bodies have joints."""
-    linked, joints = plain(bodies)["linked"], plain(state.joints)
-    linked[:] = 0
+def note_linked(bodies: Records, state: State, first: int = 0) -> None:
+    """Note which bodies have joints, of which those from row `first` on are new."""
+    linked, joints = plain(bodies)["linked"], plain(state.joints)[first:]
+    if first == 0:
+        linked[:] = 0
     for side in ("body_a", "body_b"):
         rows = joints[side]
         linked[rows[rows >= 0]] = 1
