@@ -15,7 +15,7 @@ import os
 import platform
 import shutil
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any, TypeVar, cast
@@ -112,6 +112,11 @@ class Call:
             self._code = _machine_code(self._entry, self._arguments)
         return self._code(*self._arguments)
 
+    def exchange(self, names: tuple[str, ...], others: Mapping[str, Any]) -> None:
+        """Take other arguments of the same types from now on, for those of its parameters that `others` has."""
+        pairs = zip(names, self._arguments, strict=True)
+        self._arguments = tuple([others.get(name, argument) for name, argument in pairs])
+
 
 def _machine_code(entry: Any, arguments: tuple[Any, ...]) -> Callable[..., Any]:
     """The version of an entry point for arguments of these types."""
@@ -149,11 +154,11 @@ def kernel_argument(value: Any) -> Any:
     Calls with a plain array are 20 times faster than with a recarray. Without the compiler, kernels need the recarray,
     for `row.field`.
     """
+    if isinstance(value, np.recarray):
+        return value if config.DISABLE_JIT else value.base
     if isinstance(value, tuple):
-        return getattr(type(value), "_make", tuple)(kernel_argument(each) for each in value)
-    if config.DISABLE_JIT or not isinstance(value, np.recarray):
-        return value
-    return value.base
+        return getattr(type(value), "_make", tuple)([kernel_argument(each) for each in value])
+    return value
 
 
 def jit_enabled() -> bool:

@@ -12,7 +12,7 @@ from sandbox.engine.world import World
 
 
 def table_bytes(world: World) -> int:
-    """Bytes of all tables of a world, those that a step only works with included."""
+    """Bytes of all tables of a world with their spare rows, those that a step only works with included."""
     tables: dict[int, int] = {}
     _note([world.state.arrays, world.scratch], tables)
     return sum(tables.values())
@@ -21,7 +21,9 @@ def table_bytes(world: World) -> int:
 def _note(value: Any, tables: dict[int, int]) -> None:
     """Enter every array once: bundles share them."""
     if isinstance(value, np.ndarray):
-        tables[value.ctypes.data] = max(value.nbytes, tables.get(value.ctypes.data, 0))
+        while isinstance(value.base, np.ndarray):
+            value = value.base
+        tables[value.ctypes.data] = value.nbytes
     elif is_dataclass(value):
         for each in fields(value):
             _note(getattr(value, each.name), tables)

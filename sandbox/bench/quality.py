@@ -44,7 +44,7 @@ class Judge:
 
     def __init__(self, state: State, inside: Rectangle | None) -> None:
         self._state = state
-        self._bonds = assemble(state.joints, state.bodies, PartLayouts())[0].bonds
+        self._bonds = assemble(state.joints, state.bodies, PartLayouts(), len(state.bodies))[0].bonds
         self._moving = np.flatnonzero(self._state.bodies.type == DYNAMIC)
         self._inside = inside
 

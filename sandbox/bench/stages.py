@@ -7,6 +7,7 @@ from collections import Counter, defaultdict
 from collections.abc import Callable
 from typing import Any, Self
 
+from sandbox._jit import Call
 from sandbox.engine.stepper import Stepper
 from sandbox.engine.world import World
 from sandbox.world.state import State
@@ -35,10 +36,9 @@ class TimedStepper(Stepper):
         self.seconds.clear()
         self.calls.clear()
 
-    def _call(self, part: Any) -> Any:
-        return self._timed(str(part.__name__), super()._call(part))
+    def _watched(self, part: Any, call: Call) -> Callable[[], Any]:
+        name = str(part.__name__)
 
-    def _timed(self, name: str, call: Callable[[], Any]) -> Callable[[], Any]:
         def run() -> Any:
             start = time.process_time()
             result = call()

@@ -60,8 +60,8 @@ def collide(
     info = active.info[0]
     changed = order_shapes(state.shapes, active)
     only_moving = info.split == 1 and not changed
-    bound_shapes(state, active.shapes[: info.moving if only_moving else active.shapes.shape[0]], colliders)
-    pair_count = find_all_pairs(colliders, active, changed, grid)
+    bound_shapes(state, active.shapes[: info.moving if only_moving else state.shapes.shape[0]], colliders)
+    pair_count = find_all_pairs(colliders, active, state.shapes.shape[0], changed, grid)
     kept = counter.contact_count if counter.asleep_count > 0 else 0
     if pair_count + kept > grid.pairs.shape[0]:
         return pair_count + kept

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from sandbox._jit import Call, kernel_argument
@@ -10,15 +10,17 @@ from sandbox.engine.compile_step import compile_continuous, compile_step
 from sandbox.engine.continuous_collision.solve_continuous import solve_continuous
 from sandbox.engine.fields.apply import apply_fields
 from sandbox.engine.fields.records import has_fields
-from sandbox.engine.joints.assembly import assemble
+from sandbox.engine.joints.assembly import assemble, assemble_more
+from sandbox.engine.joints.fewer_parts import going_parts, without_parts
 from sandbox.engine.joints.part_layout import PartLayouts
-from sandbox.engine.memory.binding import bind
+from sandbox.engine.memory.binding import contact_arguments, parameters, scratch_arguments, state_arguments
 from sandbox.engine.memory.limit import room_for
-from sandbox.engine.memory.scratch import Scratch
+from sandbox.engine.memory.scratch import Room, Scratch, note_linked
 from sandbox.engine.step import collide, solve
 from sandbox.errors import CapacityError
-from sandbox.tables import Records
+from sandbox.tables import Records, close_up, plain
 from sandbox.world.records import CONTACT
+from sandbox.world.rows import Added, Moved
 from sandbox.world.state import State
 
 _FEW = 1000
@@ -26,7 +28,8 @@ _FEW = 1000
 
 
 class Stepper:
-    """Steps a state. Whoever replaces its arrays calls `renew`, whoever switches a joint `assemble_joints`."""
+    """Steps a state. Whoever adds or removes rows calls `add_rows` or `move_rows`, whoever replaces its arrays `renew`,
+    whoever switches a joint `assemble_joints`."""
 
     scratch: Scratch
     counters: Any
@@ -35,6 +38,9 @@ class Stepper:
     def __init__(self, state: State) -> None:
         self._state = state
         self._turn = self._broken = 0
+        self._jointed = False
+        self._room = Room.of(state)
+        self._calls: dict[tuple[Any, int], tuple[Call, Callable[[], Any]]] = {}
         self._layouts = PartLayouts()
         self.renew()
 
@@ -48,8 +54,8 @@ class Stepper:
         Raises `CapacityError`, and leaves the state as it was, if there are too many pairs.
         """
         before = self._copies() if self._crowded else ()
-        if self._fields:
-            self._fields[self._turn]()
+        for apply in self._fields[self._turn]:
+            apply()
         try:
             while not self._advance():
                 pass
@@ -67,21 +73,64 @@ class Stepper:
 
     def renew(self) -> None:
         """Take new scratch memory, for as many pairs as the state has rows for contacts."""
-        self.scratch = Scratch.for_state(self._state, len(self._state.contacts), self._layouts)
+        self.scratch = Scratch.for_state(self._state, len(self._state.contacts), self._layouts, self._room)
+        self._room = self.scratch.room
+        self._turn = 0
+        self._prepare_calls()
+
+    def add_rows(self, added: Added) -> None:
+        """Rows have come after all others."""
+        state, scratch = self._state, self.scratch
+        grown = scratch.follow_rows(state, added.bodies, added.shapes)
+        if grown:
+            self._room = scratch.room
+            scratch.make_room_for_joints()
+        if len(state.joints) > added.joints:
+            known = scratch.joint_filter, scratch.joints
+            more = assemble_more(state.joints, state.bodies, self._layouts, known, added.joints)
+            if more is None:
+                self.assemble_joints()
+                return
+            scratch.joint_filter, scratch.joints = more
+            note_linked(scratch.ccd.bodies, state, added.joints)
+        elif not grown:
+            self._exchange_state()
+            return
+        self._prepare_calls()
+
+    def move_rows(self, moved: Moved) -> None:
+        """Rows have gone, and others have moved into their places."""
+        self.scratch.follow_rows(self._state, moved.first_body, moved.first_shape)
+        close_up(plain(self.scratch.contacts.reports)[: len(moved.contacts)], moved.contacts)
+        scratch, joints = self.scratch, self.scratch.joints
+        if joints is None and len(moved.joints) == 0:
+            self._exchange_state()
+            return
+        going = None if joints is None else going_parts(joints, moved.joints)
+        if joints is None or going is None or going.all():
+            self.assemble_joints()
+            return
+        scratch.joint_filter, scratch.joints = without_parts(
+            scratch.joint_filter, joints, going, moved, self._state.joints
+        )
+        note_linked(scratch.ccd.bodies, self._state)
         self._prepare_calls()
 
     def forget(self) -> None:
         """Look anew at who may move: something was changed from outside."""
-        self.scratch.active.info.stale = 1
+        plain(self.scratch.active.info)["stale"] = 1
 
     def assemble_joints(self) -> None:
         """Find out anew what hangs together by joints, after one of them broke or was switched."""
-        self.scratch.joint_filter, self.scratch.joints = assemble(self._state.joints, self._state.bodies, self._layouts)
+        state, scratch = self._state, self.scratch
+        room = scratch.room.bodies
+        scratch.joint_filter, scratch.joints = assemble(state.joints, state.bodies, self._layouts, room)
+        note_linked(scratch.ccd.bodies, state)
         self._prepare_calls()
 
     def _copies(self) -> Sequence[tuple[Records, Records]]:
         """What a step has changed by the time that it may be refused, with copies."""
-        tables = (self._state.counters, *((self._state.bodies,) if self._fields else ()))
+        tables = (self._state.counters, *((self._state.bodies,) if self._fields[0] else ()))
         return [(table, table.copy()) for table in tables]
 
     def _advance(self) -> bool:
@@ -103,27 +152,51 @@ class Stepper:
         self._state.contacts = CONTACT.zeros(room_for(pairs))
         self._state.contacts[:count] = contacts[:count]
         self.renew()
-        self.scratch.solver.free_motions.buoyed = (
-            old.solver.free_motions.buoyed
-        )  # the fields of this step have been applied
+        # The fields of this step have been applied.
+        self.scratch.solver.free_motions.buoyed = old.solver.free_motions.buoyed
 
     def _prepare_calls(self) -> None:
         """The calls of a step: some for even and some for odd steps, as the contact tables swap places."""
         state, scratch = self._state, self.scratch
-        self._turn = 0
         self._crowded = len(state.shapes) > _FEW
         self.counters = kernel_argument(state.counters)
         self._broken = int(self.counters["broken_count"][0])
-        self._parts: list[tuple[Call, ...]] = []
-        self._fields: list[Call] = []
-        first = scratch.contacts._replace(before=state.contacts)
-        second = first._replace(now=first.before, before=first.now)
-        self._contacts = (first, second)
-        for scratch.contacts in (second, first):
-            state.contacts = scratch.contacts.before
-            self._parts.insert(0, tuple(self._call(part) for part in (collide, solve, solve_continuous)))
-            if has_fields(state):
-                self._fields.insert(0, self._call(apply_fields))
+        here = scratch.contacts._replace(before=state.contacts)
+        there = here._replace(now=here.before, before=here.now)
+        self._contacts = (here, there) if self._turn == 0 else (there, here)
+        if (scratch.joints is not None) != self._jointed:
+            self._jointed = not self._jointed  # other types, hence other versions of the machine code
+            self._calls.clear()
+        named = state_arguments(state) | scratch_arguments(scratch)
+        self._parts, self._fields = [], []
+        for turn, contacts in enumerate(self._contacts):
+            named |= contact_arguments(contacts)
+            self._parts.append([self._bound(part, turn, named) for part in (collide, solve, solve_continuous)])
+            self._fields.append([self._bound(apply_fields, turn, named)] if has_fields(state) else [])
 
-    def _call(self, part: Any) -> Call:
-        return Call(part, bind(part, self._state, self.scratch))
+    def _bound(self, part: Any, turn: int, named: Mapping[str, Any]) -> Callable[[], Any]:
+        """A call of an entry point with what is `named` now."""
+        names = parameters(part)
+        if (part, turn) not in self._calls:
+            call = Call(part, tuple(named[name] for name in names))
+            self._calls[part, turn] = call, self._watched(part, call)
+        call, run = self._calls[part, turn]
+        call.exchange(names, named)
+        return run
+
+    def _exchange_state(self) -> None:
+        """Other rows of the state, and nothing else, for the calls of a step."""
+        state = self._state
+        self._crowded = len(state.shapes) > _FEW
+        if has_fields(state) != bool(self._fields[0]):
+            self._prepare_calls()
+            return
+        named = state_arguments(state)
+        if has_fields(state):
+            named["fields"] = kernel_argument(self.scratch.fields)
+        for (part, _), (call, _) in self._calls.items():
+            call.exchange(parameters(part), named)
+
+    def _watched(self, part: Any, call: Call) -> Callable[[], Any]:
+        """What to run for a call of an entry point."""
+        return call

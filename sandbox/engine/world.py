@@ -14,7 +14,6 @@ from sandbox.engine.commands.set_gravity import SetGravity
 from sandbox.engine.commands.spawn import Spawn
 from sandbox.engine.events.event_log import EventLog
 from sandbox.engine.events.events import Events
-from sandbox.engine.events.pending import TouchingPairs
 from sandbox.engine.fields.records import last_switch
 from sandbox.engine.memory.scratch import Scratch
 from sandbox.engine.stepper import Stepper
@@ -30,7 +29,6 @@ from sandbox.world.digest import digest
 from sandbox.world.directory import Directory
 from sandbox.world.records import DYNAMIC
 from sandbox.world.roster import Roster
-from sandbox.world.rows import Moved
 from sandbox.world.snapshot import restore, snapshot
 from sandbox.world.state import State
 
@@ -102,10 +100,12 @@ class World(Shown, FixedAttributes):
             raise CommandError(f"{shown(command)} is no command; commands are such as sandbox.SetPose")
         self._changes += 1
         command = command.checked()
-        if command.outdates_events:
+        going = command.going(self)
+        if going is not None:
+            self._events.note_going(self.scratch, going)
+        elif command.outdates_events:
             self._events.events(self.scratch)
-        before = self._events.touching() if command.moves_rows else None
-        self._note(command.apply(self), before)
+        self._note(command.apply(self))
 
     @property
     def gravity(self) -> Vec:
@@ -227,7 +227,7 @@ class World(Shown, FixedAttributes):
     def frozen(self) -> list[tuple[str, int]]:
         """(body id, step) of every body that bad numbers froze."""
         rows = self.state.bodies.frozen_step
-        return [(self.names[i], int(rows[i])) for i in range(len(rows)) if rows[i] >= 0]
+        return [(self.names[i], int(rows[i])) for i in np.flatnonzero(rows >= 0).tolist()]
 
     @property
     def query(self) -> Queries:
@@ -274,11 +274,17 @@ class World(Shown, FixedAttributes):
         self._directory = Directory(self.state)
         self._last_switch = last_switch(self.state)
 
-    def _note(self, touched: Touched, before: TouchingPairs | None) -> None:
-        """Bring up to date what is worked out from the records; `before` is what touched before rows moved."""
-        if touched.rows is not None and before is not None:
-            self._move_rows(touched.rows)
-            self._events.note_rows(before, touched.rows)
+    def _note(self, touched: Touched) -> None:
+        """Bring up to date what is worked out from the records."""
+        if touched.added is not None:
+            self._stepper.add_rows(touched.added)
+            self._events.note_added(touched.added)
+            if touched.added.thrusters:
+                self._last_switch = last_switch(self.state)
+        if touched.rows is not None:
+            self._stepper.move_rows(touched.rows)
+            self._events.note_moved(touched.rows)
+            self._last_switch = last_switch(self.state)
         if touched.displaced is not None:
             self._events.note_displaced(*touched.displaced)
         if touched.joints:
@@ -290,15 +296,5 @@ class World(Shown, FixedAttributes):
         counters = self._stepper.counters
         counters["still"][0] = counters["substep_watch"][0] = 0
 
-    def _move_rows(self, moved: Moved) -> None:
-        """Bring everything that knows of rows up to date after rows have come or gone."""
-        if self._directory.is_complete:
-            self._last_switch = last_switch(self.state)
-        else:
-            self._know_rows()
-        old = self.scratch.contacts.reports
-        self._stepper.renew()
-        self.scratch.contacts.reports[: len(moved.contacts)] = old[moved.contacts]
-
     def __repr__(self) -> str:
-        return f"<World of {len(self.names)} bodies at step {self.step_count}>"
+        return f"<World of {len(self.state.bodies)} bodies at step {self.step_count}>"

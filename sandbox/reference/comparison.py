@@ -72,7 +72,9 @@ class Observer:
 
     def _search_boxes(self, poses: Poses) -> Floats:
         """The step's own boxes, which cover margins and ways, widened where a shape sticks out of its box."""
-        rows = self.world.scratch.grid.ordered  # as the grid had them: `boxes` may have grown since
+        rows: Any = self.world.scratch.grid.ordered[
+            : len(poses.shapes)
+        ]  # as the grid had them: `boxes` may have grown since
         boxes = np.zeros((len(rows), 4))
         boxes[rows.shape_index] = np.stack([rows.lower_x, rows.lower_y, rows.upper_x, rows.upper_y], axis=1)
         tight, slack = poses.boxes, ROUNDING * np.abs(poses.boxes).max(axis=1, keepdims=True, initial=0.0)

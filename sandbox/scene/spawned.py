@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -12,12 +11,16 @@ from pydantic import ValidationError
 from sandbox.scene.base import Model
 from sandbox.scene.finding import Finding
 from sandbox.scene.flat import FlatBody, FlatJoint
+from sandbox.scene.flat_joints import joint_faults
 from sandbox.scene.flatten import Flattener
+from sandbox.scene.joint_references import joint_references
 from sandbox.scene.known import Known
-from sandbox.scene.limits import MAX_JOINTS
+from sandbox.scene.limits import MAX_BODIES, MAX_JOINTS, MAX_SHAPES
+from sandbox.scene.names import BodyNames
 from sandbox.scene.report import scene_error
 from sandbox.scene.rules import cross_checks
 from sandbox.scene.scene import Scene
+from sandbox.scene.templates import Templates
 from sandbox.scene.wording import findings
 
 _SHARED = ("categories", "materials", "prefabs")
@@ -25,12 +28,12 @@ _SHARED = ("categories", "materials", "prefabs")
 
 @dataclass(frozen=True)
 class Spawned:
-    """Flat bodies and joints, and for each the JSON text that it can be read from again."""
+    """Flat bodies and joints, and for each the entry that it can be read from again, as a file holds it."""
 
     bodies: tuple[FlatBody, ...]
     joints: tuple[FlatJoint, ...]
-    body_words: tuple[str, ...]
-    joint_words: tuple[str, ...]
+    body_words: tuple[dict[str, Any], ...]
+    joint_words: tuple[dict[str, Any], ...]
 
 
 class Spawning:
@@ -38,6 +41,7 @@ class Spawning:
 
     def __init__(self, scene: Scene | None) -> None:
         self._parts: dict[str, Any] = {name: getattr(scene, name) for name in _SHARED} if scene else {}
+        self._templates = Templates()
         self._plain = scene.model_dump(mode="json", exclude_unset=True, include=set(_SHARED)) if scene else {}
 
     def read(self, bodies: Sequence[Any], joints: Sequence[Any], known: Known, source: str) -> Spawned:
@@ -45,13 +49,51 @@ class Spawning:
 
         Raises `SceneError` with every mistake and its place, such as `/bodies/0/shapes`; `source` begins the message.
         """
+        spawned = self._read_known(bodies, joints, known)
+        if spawned is not None:
+            return spawned
         data = {"bodies": bodies, "joints": joints}
         found = [*cross_checks({**self._plain, **data}, known), *_too_many(joints, known)]
         try:
             scene = Scene.model_validate({**self._parts, **data})
         except ValidationError as error:
             raise scene_error(source, findings(error, Scene) + found, None) from None
-        return _flat(scene, known, source, found)
+        spawned = _flat(scene, known, source, found)
+        self._templates.learn(bodies, spawned.bodies, spawned.body_words)
+        return spawned
+
+    def _read_known(self, bodies: Any, joints: Any, known: Known) -> Spawned | None:
+        """The same for bodies of known templates; None unless nothing is wrong."""
+        if not (isinstance(bodies, (list, tuple)) and isinstance(joints, (list, tuple))):
+            return None
+        found = self._templates.read(bodies)
+        if found is None:
+            return None
+        flat, words = tuple(body for body, _ in found), tuple(entry for _, entry in found)
+        ids = BodyNames({body.id: () for body in flat}, known=known.types)
+        fits = known.shapes + sum(len(body.shapes) for body in flat) <= MAX_SHAPES
+        if not fits or len(known.types) + len(flat) > MAX_BODIES or len(ids.origins) < len(flat):
+            return None
+        if any(body.id in known.types for body in flat):
+            return None
+        if not joints:
+            return Spawned(flat, (), words, ())
+        held = _joints(joints, flat, ids, known)
+        return None if held is None else Spawned(flat, held[0], words, held[1])
+
+
+def _joints(
+    entries: Any, bodies: Sequence[FlatBody], ids: BodyNames, known: Known
+) -> tuple[tuple[FlatJoint, ...], tuple[dict[str, Any], ...]] | None:
+    """Joints and their words; None unless nothing is wrong with any of them."""
+    try:
+        scene = Scene.model_validate({"joints": entries})
+    except ValidationError:
+        return None
+    if _too_many(entries, known) or any(joint_references({"joints": entries}, ids, known.kinds)):
+        return None
+    flat = tuple(joint.flat() for joint in scene.joints)
+    return None if any(joint_faults(flat, bodies, known)) else (flat, _words(scene.joints))
 
 
 def _too_many(joints: object, known: Known) -> list[Finding]:
@@ -72,6 +114,5 @@ def _flat(scene: Scene, known: Known, source: str, found: list[Finding]) -> Spaw
     return Spawned(bodies, joints, _words(scene.bodies), _words(scene.joints))
 
 
-def _words(parts: Sequence[Model]) -> tuple[str, ...]:
-    plain = (part.model_dump(mode="json", by_alias=True, exclude_unset=True) for part in parts)
-    return tuple(json.dumps(each, separators=(",", ":")) for each in plain)
+def _words(parts: Sequence[Model]) -> tuple[dict[str, Any], ...]:
+    return tuple(part.to_data() for part in parts)

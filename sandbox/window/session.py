@@ -92,7 +92,7 @@ class Session:
     @property
     def grabbed(self) -> int | None:
         """The row of the body that is held; None if there is none, or no more."""
-        return None if self._held is None else self.world.state.roster.bodies.row_of(self._held)
+        return None if self._held is None else self.world.state.census.bodies.row_of(self._held)
 
     def grab(self, point: Vec, slack: float) -> bool:
         """Take hold of the dynamic body at `point` (metres); False if there is none within `slack` metres."""
@@ -103,7 +103,7 @@ class Session:
         grip = _to_body(frame, body, point)
         # The picture lags behind the world by up to a step: catch the point that was seen, where it is now.
         held, seen = frame.roster.serials[body], _to_world(self.current, body, grip)
-        row = self.world.state.roster.bodies.row_of(held)
+        row = self.world.state.census.bodies.row_of(held)
         if row is None or not self._send_grab(row, seen):
             return False
         self._held, self._grip = held, grip

@@ -15,7 +15,7 @@ def body_shapes(state: State, row: int) -> tuple[Shape, ...]:
     body = state.bodies[row]
     place = float(body.position_x), float(body.position_y)
     turn = float(body.rotation_cos), float(body.rotation_sin)
-    return tuple(_shape(shape, place, turn) for shape in state.roster.bodies.items[row].shapes)
+    return tuple(_shape(shape, place, turn) for shape in state.census.bodies.items[row].shapes)
 
 
 def _shape(shape: FlatShape, place: Vec, turn: Vec) -> Shape:

@@ -8,6 +8,7 @@ from sandbox.world import records
 from sandbox.world.body_rows import body_tables
 from sandbox.world.build_fields import build_regions, build_thrusters
 from sandbox.world.build_joints import build_joints
+from sandbox.world.census import Census
 from sandbox.world.flush import join_tiles, with_room_for_tiles
 from sandbox.world.roster import Roster
 from sandbox.world.state import State
@@ -23,9 +24,9 @@ def build_state(scene: FlatScene) -> State:
     drags = records.DRAG.zeros(_DRAGS)
     drags.body = -1
     regions, edges = build_regions(scene.regions, scene.settings.step_rate)
-    roster = Roster.of(scene)
-    rows = {name: row for row, name in enumerate(roster.bodies.names)}
-    joint_rows = {name: row for row, name in enumerate(roster.joints.names)}
+    census = Census(Roster.of(scene))
+    rows = {name: row for row, name in enumerate(census.bodies.names)}
+    joint_rows = {name: row for row, name in enumerate(census.joints.names)}
     return State(
         bodies=bodies,
         shapes=shapes,
@@ -40,7 +41,7 @@ def build_state(scene: FlatScene) -> State:
         thrusters=build_thrusters(scene.bodies, bodies, scene.settings.step_rate),
         settings=_settings(scene),
         counters=records.COUNTERS.zeros(1),
-        roster=roster,
+        census=census,
     )
 
 

@@ -3,82 +3,96 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any
 
 from sandbox.errors import SandboxError, UnknownBodyError, UnknownJointError, UnknownRegionError
 from sandbox.scene.known import Known
+from sandbox.world.census import Ledger
 from sandbox.world.state import State
 
 
 class Directory:
-    """The rows of a state by id, as they are now: make it anew when rows have gone; rows that come are added."""
+    """The rows of a state by id, as they are now. Whoever adds or removes rows says so; a new census needs a new one.
+
+    It leads to serial numbers, and the census from there to rows, so that it need not follow those that move.
+    """
 
     def __init__(self, state: State) -> None:
         self._state = state
-        self._bodies = _rows(state.names)
-        self._joints = _rows(state.joint_names)
-        self._counts = _counts(state)
-        self._regions = _rows(region.id for region in state.roster.scene.regions)
+        census = state.census
+        self._bodies: dict[str, int] = {}
+        self._joints: dict[str, int] = {}
+        self.add(len(census.bodies), len(census.joints))
+        self._regions = {region.id: row for row, region in enumerate(census.scene.regions) if region.id}
 
-    def add(self, bodies: Sequence[str], joints: Sequence[str]) -> None:
-        """Rows come after all others, with those ids."""
-        for rows, count, names in zip((self._bodies, self._joints), self._counts, (bodies, joints), strict=True):
-            rows.update((name, row) for row, name in enumerate(names, count) if name)
-        self._counts = self._counts[0] + len(bodies), self._counts[1] + len(joints)
+    def add(self, bodies: int, joints: int) -> None:
+        """So many have come after all others."""
+        census = self._state.census
+        self._bodies.update(_serials(census.bodies, bodies))
+        self._joints.update(_serials(census.joints, joints))
 
-    @property
-    def is_complete(self) -> bool:
-        """Whether it knows of as many bodies and joints as there are: no rows have gone since it was made."""
-        return self._counts == _counts(self._state)
+    def remove(self, bodies: Sequence[str], joints: Sequence[str]) -> None:
+        """There are none of those names any longer."""
+        for serials, names in ((self._bodies, bodies), (self._joints, joints)):
+            for name in names:
+                serials.pop(name, None)
 
     def body(self, name: str) -> int:
         """The row of a body. Raises `UnknownBodyError` with the nearest name."""
-        return _row("body", name, self._bodies, UnknownBodyError)
+        return _row(self._state.census.bodies, _looked_up("body", name, self._bodies, UnknownBodyError))
 
     def joint(self, name: str) -> int:
         """The row of a joint. Raises `UnknownJointError` with the nearest name."""
-        return _row("joint", name, self._joints, UnknownJointError)
+        return _row(self._state.census.joints, _looked_up("joint", name, self._joints, UnknownJointError))
 
     def region(self, name: str) -> int:
         """The row of a region that has an id. Raises `UnknownRegionError` with the nearest name."""
-        return _row("region", name, self._regions, UnknownRegionError)
+        return _looked_up("region", name, self._regions, UnknownRegionError)
 
     def known(self) -> Known:
         """What a body or a joint that comes may refer to."""
-        bodies, joints = self._state.roster.bodies.items, self._state.roster.joints.items
-        types = _Looked(self._bodies, len(bodies), lambda row: bodies[row].type)
-        kinds = _Looked(self._joints, len(joints), lambda row: joints[row].kind)
+        census = self._state.census
+        types = _Looked(self._bodies, census.bodies, lambda body: body.type)
+        kinds = _Looked(self._joints, census.joints, lambda joint: joint.kind)
         return Known(types, kinds, len(self._state.shapes))
 
 
 class _Looked(Mapping[str, str]):
     """Something about what each id stands for, looked up when it is asked; what has no id only counts."""
 
-    def __init__(self, rows: dict[str, int], count: int, ask: Callable[[int], str]) -> None:
-        self._rows, self._count, self._ask = rows, count, ask
+    def __init__(self, serials: dict[str, int], ledger: Ledger[Any], ask: Callable[[Any], str]) -> None:
+        self._serials, self._ledger, self._ask = serials, ledger, ask
 
     def __getitem__(self, name: str) -> str:
-        return self._ask(self._rows[name])
+        return self._ask(self._ledger.items[_row(self._ledger, self._serials[name])])
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._serials
 
     def __iter__(self) -> Iterator[str]:
-        return iter(self._rows)
+        return iter(self._serials)
 
     def __len__(self) -> int:
-        return self._count
+        return len(self._ledger)
 
 
-def _counts(state: State) -> tuple[int, int]:
-    return len(state.roster.bodies.items), len(state.roster.joints.items)
+def _serials(ledger: Ledger[Any], last: int) -> dict[str, int]:
+    """The serial numbers of the last rows by their names."""
+    first = len(ledger) - last
+    return {name: serial for name, serial in zip(ledger.names[first:], ledger.serials[first:], strict=True) if name}
 
 
-def _rows(names: Iterable[str]) -> dict[str, int]:
-    return {name: row for row, name in enumerate(names) if name}
+def _row(ledger: Ledger[Any], serial: int) -> int:
+    row = ledger.row_of(serial)
+    assert row is not None
+    return row
 
 
-def _row(what: str, name: str, rows: dict[str, int], error: type[SandboxError]) -> int:
+def _looked_up(what: str, name: str, known: dict[str, int], error: type[SandboxError]) -> int:
     if not isinstance(name, str):
         raise error(f"an id is a text, not {name!r}")
-    if name not in rows:
-        near = difflib.get_close_matches(name, rows, 1)
+    if name not in known:
+        near = difflib.get_close_matches(name, known, 1)
         raise error(f"no {what} {name!r} in this world" + (f"; did you mean {near[0]!r}?" if near else ""))
-    return rows[name]
+    return known[name]

@@ -8,6 +8,8 @@ hold until a static body is moved.
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -39,16 +41,22 @@ def join_tiles(bodies: Records, shapes: Records, vertices: Records, seams: Recor
     shapes.traits[tiles[own]] &= ~SEAMED
     if int(own.sum()) < 2:
         return
-    outlines = Outlines.of(bodies, shapes, vertices, tiles)
-    for one, two in meeting_tiles(outlines, np.flatnonzero(own)):
+    join_some(bodies, shapes, seams, Outlines.of(bodies, shapes, vertices, tiles), np.flatnonzero(own))
+
+
+def join_some(bodies: Records, shapes: Records, seams: Records, outlines: Outlines, asking: Tiles) -> None:
+    """Write how some tiles abut others; `outlines` has all that may. So far they are joined to nothing."""
+    tiles = outlines.shapes
+    for one, two in meeting_tiles(outlines, asking):
         alike = _alike(shapes, tiles[one], tiles[two])
         _join(bodies, shapes, seams, outlines, one[alike], two[alike])
 
 
-def find_tiles(bodies: Records, shapes: Records) -> Integers:
+def find_tiles(bodies: Any, shapes: Any) -> Integers:
     """Static polygons with sharp corners that are solid from all sides."""
-    static = (bodies.type[shapes.body] == STATIC) & (bodies.frozen_step[shapes.body] < 0)
-    sharp = (shapes.vertex_count >= 3) & (shapes.radius == 0.0) & ((shapes.traits & ONE_WAY) == 0)
+    owner = shapes["body"]
+    static = (bodies["type"][owner] == STATIC) & (bodies["frozen_step"][owner] < 0)
+    sharp = (shapes["vertex_count"] >= 3) & (shapes["radius"] == 0.0) & ((shapes["traits"] & ONE_WAY) == 0)
     return np.flatnonzero(static & sharp)
 
 

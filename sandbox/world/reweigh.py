@@ -24,7 +24,7 @@ def reweigh(state: State, index: int, densities: Sequence[float]) -> str | None:
     Its origin stays where it is, and its points keep their velocities. If no body could be so, it says why and changes
     nothing.
     """
-    old = state.roster.bodies.items[index]
+    old = state.census.bodies.items[index]
     shapes = tuple(replace(shape, density=value) for shape, value in zip(old.shapes, densities, strict=True))
     body = replace(old, shapes=shapes)
     fault = next(iter(faults({**vars(body), "velocity": (0.0, 0.0), "angular_velocity": 0.0})), None)

@@ -11,20 +11,25 @@ from bisect import bisect_left
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic, TypeAlias, TypeVar
 
 from sandbox.scene.flat import FlatBody, FlatJoint, FlatScene
 
 T = TypeVar("T", bound=FlatBody | FlatJoint)
+Words: TypeAlias = dict[str, Any]
+"""An entry of `bodies` or `joints`, as a scene file holds it."""
 
 
 @dataclass(frozen=True)
 class Register(Generic[T]):
-    """One table's part of a roster: what is behind each row, its serial number, and the words of what was spawned."""
+    """One table's part of a roster: what is behind each row, its serial number, and the words of what was spawned.
+
+    It never changes; `census` has the one that does.
+    """
 
     items: tuple[T, ...]
     serials: tuple[int, ...]
-    words: Mapping[int, str]
+    words: Mapping[int, Words]
     next: int
 
     @classmethod
@@ -42,19 +47,11 @@ class Register(Generic[T]):
         row = bisect_left(self.serials, serial)
         return row if row < len(self.serials) and self.serials[row] == serial else None
 
-    def plus(self, items: Sequence[T], words: Sequence[str]) -> Register[T]:
-        """With further rows at the end."""
-        fresh = range(self.next, self.next + len(items))
-        known = {**self.words, **dict(zip(fresh, words, strict=True))}
-        more = Register((*self.items, *items), (*self.serials, *fresh), known, self.next + len(items))
-        vars(more)["names"] = (*self.names, *(item.id for item in items))  # instead of asking everybody again
-        return more
-
     def only(self, rows: Sequence[int]) -> Register[T]:
         """With only those rows."""
         serials = tuple(map(self.serials.__getitem__, rows))
         left = set(serials) if self.words else ()
-        words = {serial: text for serial, text in self.words.items() if serial in left}
+        words = {serial: entry for serial, entry in self.words.items() if serial in left}
         fewer = replace(self, items=tuple(map(self.items.__getitem__, rows)), serials=serials, words=words)
         vars(fewer)["names"] = tuple(map(self.names.__getitem__, rows))
         return fewer
@@ -67,7 +64,7 @@ class Register(Generic[T]):
                 runs[-1][1] += 1
             else:
                 runs.append([serial, serial + 1])
-        spawned = [[serial, json.loads(self.words[serial])] for serial in self.serials if serial >= of_scene]
+        spawned = [[serial, self.words[serial]] for serial in self.serials if serial >= of_scene]
         return {"left": runs, "spawned": spawned, "next": self.next}
 
 

@@ -11,7 +11,7 @@ from sandbox.errors import SceneError, SnapshotError
 from sandbox.scene.flat import FlatBody, FlatJoint, FlatScene
 from sandbox.scene.known import Known
 from sandbox.scene.spawned import Spawned
-from sandbox.world.roster import Register, Roster
+from sandbox.world.roster import Register, Roster, Words
 
 T = TypeVar("T", bound=FlatBody | FlatJoint)
 Reader = Callable[[list[Any], list[Any], Known, str], Spawned]
@@ -51,7 +51,7 @@ def _left(plain: Any, items: tuple[T, ...]) -> Register[T]:
     return whole.only(rows)
 
 
-def _whole(left: Register[T], plain: Any, items: tuple[T, ...], words: tuple[str, ...]) -> Register[T]:
+def _whole(left: Register[T], plain: Any, items: tuple[T, ...], words: tuple[Words, ...]) -> Register[T]:
     """With what was spawned since."""
     serials = [entry[0] for entry in plain["spawned"]]
     order = [left.next - 1, *serials, plain["next"]]

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import lru_cache
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sandbox.geometry.mass import edge_normals
 from sandbox.scene.flat import FlatBody, FlatShape, Vec
-from sandbox.tables import Floats, Integers, Records, taken
+from sandbox.tables import Floats, Integers, Records, plain
 from sandbox.world import records
+from sandbox.world.body_prototypes import build_prototypes
 from sandbox.world.moments import Columns, Cores, core_moments, half_widths, sums
 from sandbox.world.runs import owners, run_starts, runs
 
@@ -26,45 +28,74 @@ _SAME = (
 )  # fmt: skip
 
 
+Rows: TypeAlias = NDArray[Any]
+"""Rows of a table as a plain array."""
+
+
 @dataclass(frozen=True)
 class Patterns:
-    """What the shapes of some bodies come to: their rows, body after body, and each body's mass (kg), inertia (kg m^2),
-    centre of mass and extent (m). `counts` are the shapes of each, `seam_counts` the seam rows of each shape."""
+    """What some bodies come to, wherever they are: a row of the body table for each, with mass, inertia, centre and
+    extent, and the rows of their shapes, body after body. `counts` are the shapes of each, `seam_counts` the seam rows
+    of each shape."""
 
+    bodies: Rows
     counts: Integers
-    shapes: Records
-    vertices: Records
-    outlines: Records
-    seams: Records
+    shapes: Rows
+    vertices: Rows
+    outlines: Rows
+    seams: Rows
     seam_counts: Integers
-    mass: Floats
-    inertia: Floats
-    center_x: Floats
-    center_y: Floats
-    extent: Floats
 
-    def placed(self, of_body: Integers) -> tuple[Records, Records, Records, Records]:
+    def placed(self, of_body: Integers) -> tuple[Rows, Rows, Rows, Rows]:
         """The tables of shapes, vertices, outlines and seams of bodies with the patterns of those numbers."""
+        if len(of_body) == len(self.bodies) == 1:
+            return self.shapes.copy(), self.vertices, self.outlines, self.seams
         counts = self.counts[of_body]
         rows = runs(run_starts(self.counts)[of_body], counts)
-        shapes, seam_counts = taken(self.shapes, rows), self.seam_counts[rows]
-        vertices = taken(self.vertices, runs(shapes.vertex_start, shapes.vertex_count))
-        outlines = taken(self.outlines, runs(shapes.outline_start, shapes.outline_count))
-        seams = taken(self.seams, runs(shapes.seam_start, seam_counts))
-        shapes.body = owners(counts)
-        shapes.vertex_start = run_starts(shapes.vertex_count)
-        shapes.outline_start = run_starts(shapes.outline_count)
-        shapes.seam_start = run_starts(seam_counts)
-        return shapes, vertices, outlines, seams
+        shapes, seam_counts = self.shapes.take(rows), self.seam_counts[rows]
+        parts = []
+        for table, start, each in (
+            (self.vertices, "vertex_start", shapes["vertex_count"]),
+            (self.outlines, "outline_start", shapes["outline_count"]),
+            (self.seams, "seam_start", seam_counts),
+        ):
+            parts.append(table.take(runs(shapes[start], each)))
+            shapes[start] = run_starts(each)
+        shapes["body"] = owners(counts)
+        return shapes, parts[0], parts[1], parts[2]
+
+    def one(self, number: int) -> Patterns:
+        """One of them by itself."""
+        chosen = np.array([number])
+        return Patterns(self.bodies[chosen], self.counts[chosen], *self.placed(chosen), self._seam_counts(number))
+
+    def _seam_counts(self, number: int) -> Integers:
+        first = int(self.counts[:number].sum())
+        return self.seam_counts[first : first + int(self.counts[number])]
+
+    @classmethod
+    def joined(cls, parts: Sequence[Patterns]) -> Patterns:
+        """Some of them, one after the other; each of `parts` is one."""
+        if len(parts) == 1:
+            return parts[0]
+        joined = cls(*(np.concatenate([getattr(each, field.name) for each in parts]) for field in fields(cls)))
+        shapes, counts = joined.shapes, joined.counts
+        shapes["body"] = owners(counts)
+        shapes["vertex_start"], shapes["outline_start"] = map(
+            run_starts, (shapes["vertex_count"], shapes["outline_count"])
+        )
+        shapes["seam_start"] = run_starts(joined.seam_counts)
+        return joined
 
 
 def build_patterns(bodies: Sequence[FlatBody]) -> Patterns:
-    """Rows and masses of bodies with shapes, and overrides of the centre of mass, like those of `bodies`."""
+    """The patterns of `bodies`, one for each."""
     shapes = [shape for body in bodies for shape in body.shapes]
     counts = np.array([len(body.shapes) for body in bodies], np.int64)
     owner = owners(counts)
     cores = _cores(shapes)
     rows = _shape_rows(shapes, cores)
+    rows.body = owner
     mass, inertia, center_x, center_y = _masses(rows, cores, owner, [body.center for body in bodies])
     vertices = records.VERTEX.zeros(len(cores.x))
     of_vertex = np.repeat(owner, cores.counts)
@@ -72,9 +103,10 @@ def build_patterns(bodies: Sequence[FlatBody]) -> Patterns:
     vertices.normal_x, vertices.normal_y = cores.normal_x, cores.normal_y
     outlines = _outlines(rows, shapes, center_x[owner], center_y[owner])
     seams, seam_counts = _seams(rows, shapes)
-    extent = _extents(rows, vertices, owner, len(bodies))
+    prototypes = build_prototypes(bodies, (mass, inertia, center_x, center_y))
+    prototypes["extent"] = _extents(rows, vertices, owner, len(bodies))
     return Patterns(
-        counts, rows, vertices, outlines, seams, seam_counts, mass, inertia, center_x, center_y, extent
+        prototypes, counts, plain(rows), plain(vertices), plain(outlines), plain(seams), seam_counts
     )  # fmt: skip
 
 

@@ -11,6 +11,7 @@ from zlib import crc32
 import numpy as np
 
 from sandbox.errors import SnapshotError
+from sandbox.world.census import Census
 from sandbox.world.records import TABLES
 from sandbox.world.roster import Roster
 from sandbox.world.state import ARRAYS, State
@@ -56,8 +57,9 @@ def restore(state: State, data: bytes, read: Callable[[bytes], Roster]) -> None:
     roster = state.roster if text == state.roster.text else read(text)
     _check(state, roster, rows)
     if roster is not state.roster:
-        state.roster = roster
+        state.census = Census(roster)
         state.layout += 1
+        state.tiling = None
     elif not np.array_equal(rows["shape"]["density"], state.shapes.density):
         state.layout += 1  # centres of mass, from which vertices are measured, lie elsewhere
     for table, name in zip(TABLES, ARRAYS, strict=True):

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from sandbox.tables import Records
+from sandbox.world.census import Census
+from sandbox.world.patterns import KnownPatterns
 from sandbox.world.roster import Roster
+from sandbox.world.tiling import Tiling
 
 ARRAYS = (
     "bodies", "shapes", "vertices", "outlines", "seams", "contacts", "joints", "drags", "regions", "edges", "thrusters",
@@ -19,8 +22,9 @@ class State:
     """Everything that a step reads and writes, and nothing else. Scratch memory lives in the engine.
 
     `contacts` has spare rows; the first `counters[0].contact_count` are in use. `settings` and `counters` have one
-    row each. `roster` says who is behind the rows, and `layout` counts how often they have moved, or centres of mass
-    in their bodies: while it stays the same, row `i` is the same body, and its shapes lie where they did.
+    row each. `census` says who is behind the rows, and `layout` counts how often they have moved, or centres of mass
+    in their bodies: while it stays the same, row `i` is the same body, and its shapes lie where they did. `tiling` says
+    which shapes are tiles, once that was asked; `patterns` are those of what was spawned.
     """
 
     bodies: Records
@@ -36,18 +40,25 @@ class State:
     thrusters: Records
     settings: Records
     counters: Records
-    roster: Roster
+    census: Census
     layout: int = 0
+    tiling: Tiling | None = None
+    patterns: KnownPatterns = field(default_factory=KnownPatterns)
+
+    @property
+    def roster(self) -> Roster:
+        """Who is behind the rows at this moment, to be kept."""
+        return self.census.roster
 
     @property
     def names(self) -> tuple[str, ...]:
         """The ids of the bodies, row by row."""
-        return self.roster.bodies.names
+        return self.census.bodies.ids
 
     @property
     def joint_names(self) -> tuple[str, ...]:
         """The ids of the joints, row by row."""
-        return self.roster.joints.names
+        return self.census.joints.ids
 
     @property
     def arrays(self) -> tuple[Records, ...]:

@@ -56,7 +56,7 @@ def settled(count: int) -> sandbox.World:
 def broad_phase(state, active, colliders, grid):
     """Inner kernels are not for Python to call: boxes and proxies, the grid, the pairs and their order."""
     bound_shapes(state, active.shapes, colliders)
-    pair_count = find_all_pairs(colliders, active, True, grid)
+    pair_count = find_all_pairs(colliders, active, state.shapes.shape[0], True, grid)
     sort_pairs(grid.pairs, pair_count, grid.sorted_pairs, grid.heads, state.shapes.shape[0])
     return pair_count
 
@@ -149,6 +149,43 @@ def test_spawning_one_among_many() -> None:
         seconds[count * BOXES] = fastest(spawn, turns=10)
         assert len(world.bodies) == count * BOXES + 1 + 11
     assert math.isfinite(tell("spawning one body among so many", seconds))
+
+
+def test_deleting_one_among_many() -> None:
+    seconds = {}
+    for count in PYRAMIDS:
+        world = sandbox.World(pyramids(count))
+        world.step()
+        names = iter(world.names[-20:])
+        seconds[count * BOXES] = fastest(lambda world=world, names=names: world.delete(next(names)), turns=10)
+        assert len(world.bodies) == count * BOXES + 1 - 11
+    assert math.isfinite(tell("deleting one body among so many", seconds))
+
+
+def ragdolls(name: str) -> tuple[list[Words], list[Words]]:
+    """25 bodies with ten others each, on hinges with stops."""
+    bodies: list[Words] = []
+    joints: list[Words] = []
+    for k in range(25):
+        ids = [f"{name}-{k}-{part}" for part in range(11)]
+        bodies += [
+            {"id": each, "shapes": [{"box": [0.4, 0.2]}], "position": [8.0 * k + 0.5 * part, 50.0]}
+            for part, each in enumerate(ids)
+        ]
+        hinge: Words = {"type": "revolute", "anchor": [8.0 * k, 50.0], "lower": -20}
+        joints += [{**hinge, "id": f"{each}-joint", "bodies": [ids[0], each]} for each in ids[1:]]
+    return bodies, joints
+
+
+def test_spawning_ragdolls_among_many() -> None:
+    seconds = {}
+    for count in PYRAMIDS:
+        world = sandbox.World(pyramids(count))
+        crowds = iter([ragdolls(f"crowd-{turn}") for turn in range(6)])
+        seconds[count * BOXES] = fastest(lambda world=world, crowds=crowds: world.spawn(*next(crowds)), turns=5)
+        assert len(world.bodies) == count * BOXES + 1 + 6 * 275
+        assert len(world.state.joints) == 6 * 250
+    assert math.isfinite(tell("spawning 25 ragdolls among so many", seconds))
 
 
 def test_spawning_many_at_once() -> None:

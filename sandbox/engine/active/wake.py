@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
-from sandbox.tables import Integers
+from sandbox.tables import Integers, plain
 from sandbox.world.state import State
 
 
@@ -18,15 +17,17 @@ def wake_body(state: State, index: int) -> None:
 
 def wake_bodies(state: State, rows: Sequence[int] | Integers) -> None:
     """Wake bodies with their islands, and the islands of all that touch them or are joined to them."""
-    contacts: Any = state.contacts[: int(state.counters[0].contact_count)]
-    joints: Any = state.joints
-    chosen = np.zeros(len(state.bodies) + 1, np.bool_)  # -1, the world, is the last row
+    bodies, counter = plain(state.bodies), plain(state.counters)[0]
+    contacts, joints = plain(state.contacts)[: counter["contact_count"]], plain(state.joints)
+    chosen = np.zeros(len(bodies) + 1, np.bool_)  # -1, the world, is the last row
     chosen[rows] = True
     near = chosen.copy()
     for pairs in (contacts, joints):
-        near[pairs.body_b[chosen[pairs.body_a]]] = True
-        near[pairs.body_a[chosen[pairs.body_b]]] = True
-    bodies = state.bodies
-    islands = bodies.island[near[:-1]]
-    awoken = np.isin(bodies.island, islands[islands > 0]) | chosen[:-1]
-    bodies.awake[awoken], bodies.sleep_time[awoken], bodies.island[awoken] = 1, 0.0, 0
+        a, b = pairs["body_a"], pairs["body_b"]
+        near[b[chosen[a]]] = True
+        near[a[chosen[b]]] = True
+    islands = bodies["island"][near[:-1]]
+    awoken = np.flatnonzero(chosen[:-1])
+    if islands.any():
+        awoken = np.union1d(awoken, np.flatnonzero(np.isin(bodies["island"], islands[islands > 0])))
+    bodies["awake"][awoken], bodies["sleep_time"][awoken], bodies["island"][awoken] = 1, 0.0, 0

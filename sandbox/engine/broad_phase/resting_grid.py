@@ -49,26 +49,27 @@ def order_shapes(shapes: Records, active: ActiveSet) -> bool:
 
 
 @kernel
-def find_all_pairs(colliders: Colliders, active: ActiveSet, changed: bool, grid: Grid) -> int:
-    """As `find_pairs`, into `grid.pairs`; `changed` if the order of the shapes has.
+def find_all_pairs(colliders: Colliders, active: ActiveSet, shapes: int, changed: bool, grid: Grid) -> int:
+    """As `find_pairs` for so many shapes, into `grid.pairs`; `changed` if their order has.
 
     If the grid is split, `grid.ordered` has the boxes of the resting shapes first, then those of the moving ones.
     """
     info = active.info[0]
     split = info.split == 1
     moving = active.shapes[: info.moving]
-    resting = active.shapes[info.moving :]
+    resting = active.shapes[info.moving : shapes]
     rested = resting.shape[0] if split else 0
     still: Any = grid.ordered[:rested]
-    lively: Any = grid.ordered[rested:]
-    some: Any = colliders.boxes[:]
-    heads = grid.heads[:]
+    lively: Any = grid.ordered[rested:shapes]
+    some: Any = colliders.boxes[:shapes]
+    heads = grid.heads[: _bucket_count(shapes) + 1]
+    resting_heads = grid.resting_heads[: _bucket_count(shapes) + 1]
     if split:
         if changed:
             _gather(colliders.boxes, resting, grid.spare_boxes)
             those: Any = grid.spare_boxes[:rested]
             info.cell = base_cell(those, grid.resting_levels)
-            used, sparse = fill_grid(those, info.cell, LOWEST, still, grid.resting_heads, grid.resting_levels)
+            used, sparse = fill_grid(those, info.cell, LOWEST, still, resting_heads, grid.resting_levels)
             info.used = used
             info.sparse = sparse
         _gather(colliders.boxes, moving, grid.spare_boxes)
@@ -77,7 +78,7 @@ def find_all_pairs(colliders: Colliders, active: ActiveSet, changed: bool, grid:
     count = find_pairs(some, colliders.filters, lively, heads, grid.levels, grid.pairs)
     if split:
         for i in moving:
-            count = _pairs_with_resting(colliders.boxes[i], still, colliders.filters, info, grid, count)
+            count = _pairs_with_resting(colliders.boxes[i], still, colliders.filters, info, resting_heads, grid, count)
     return count
 
 
@@ -96,9 +97,10 @@ def _gather(boxes: Records, rows: Integers, spare: Records) -> None:
 
 
 @kernel
-def _pairs_with_resting(box: Records, still: Records, filters: Records, info: Records, grid: Grid, count: int) -> int:
+def _pairs_with_resting(
+    box: Records, still: Records, filters: Records, info: Records, heads: Integers, grid: Grid, count: int
+) -> int:
     """Pairs of a moving box with resting ones: cell by cell, or with all of them if it covers more cells than that."""
-    heads = grid.resting_heads
     levels = grid.resting_levels
     pairs = grid.pairs
     sparse = levels[2 * LEVELS :]

@@ -5,11 +5,14 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self
+from typing import TYPE_CHECKING, Any, Protocol, Self
+
+import numpy as np
+from numpy.typing import NDArray
 
 from sandbox.engine.commands.checks import checked
 from sandbox.world.directory import Directory
-from sandbox.world.rows import Moved
+from sandbox.world.rows import Added, Moved
 from sandbox.world.state import State
 
 if TYPE_CHECKING:
@@ -17,6 +20,7 @@ if TYPE_CHECKING:
     from sandbox.scene.spawned import Spawning
 
 Vec = tuple[float, float]
+Flags = NDArray[np.bool_]
 
 
 class CommandTarget(Protocol):
@@ -44,13 +48,14 @@ class Touched:
     """What a command has touched of that which a world works out from its records and keeps.
 
     `active_set`: who may move has to be found anew; False if an awake body only goes on in another way. `joints`: what
-    hangs together by joints. `schedules`: when regions and thrusters switch. `rows`: where rows have gone. `displaced`:
-    the row of a body that was put elsewhere, and where its centre of mass was (m).
+    hangs together by joints. `schedules`: when regions and thrusters switch. `added`: which rows have come. `rows`:
+    where rows have gone. `displaced`: the row of a body that was put elsewhere, and where its centre of mass was (m).
     """
 
     active_set: bool = True
     joints: bool = False
     schedules: bool = False
+    added: Added | None = None
     rows: Moved | None = None
     displaced: tuple[int, Vec] | None = None
 
@@ -59,13 +64,10 @@ class Touched:
 class Command(ABC):
     """A command: a frozen dataclass, to be given to `World.apply`. Its name and fields are those of recordings."""
 
-    moves_rows: ClassVar[bool] = False
-    """Whether rows of bodies, shapes and joints come or go."""
-
     @property
     def outdates_events(self) -> bool:
-        """Whether the events of the last step can no longer be worked out afterwards."""
-        return self.moves_rows
+        """Whether the events of the last step can no longer be worked out afterwards, though it deletes nothing."""
+        return False
 
     def checked(self) -> Self:
         """The same command with Python's own numbers inside.
@@ -73,6 +75,13 @@ class Command(ABC):
         Raises `CommandError` unless all fields have their types and are finite and within their limits.
         """
         return checked(self)
+
+    def going(self, target: CommandTarget) -> Flags | None:
+        """Marks of the bodies that it will delete; None if it deletes neither bodies nor joints.
+
+        Raises `UnknownBodyError` or `UnknownJointError` if it cannot be done. The command is a `checked` one.
+        """
+        return None
 
     @abstractmethod
     def apply(self, target: CommandTarget) -> Touched:

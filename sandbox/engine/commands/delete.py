@@ -8,33 +8,40 @@ from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
-from numpy.typing import NDArray
 
 from sandbox.engine.active.wake import wake_bodies
-from sandbox.engine.commands.base import Command, CommandTarget, Touched
-from sandbox.engine.commands.joint_command import joint_bodies
+from sandbox.engine.commands.base import Command, CommandTarget, Flags, Touched
+from sandbox.engine.commands.joint_command import held_bodies
 from sandbox.errors import CommandError
+from sandbox.tables import plain
 from sandbox.world.rows import remove_rows
 from sandbox.world.state import State
 
-Flags = NDArray[np.bool_]
 Ids = str | Sequence[str]
 
 
 class _Deletion(Command):
     """Takes out what it marks, with the joints that cannot be there without it, and wakes what these held."""
 
-    moves_rows = True
+    def going(self, target: CommandTarget) -> Flags:
+        """Marks of the bodies."""
+        return self._marked(target)[0]
+
+    def _marked(self, target: CommandTarget) -> tuple[Flags, Flags]:
+        state = target.state
+        bodies, joints = np.zeros(len(state.bodies), np.bool_), np.zeros(len(state.joints), np.bool_)
+        self.mark(target, bodies, joints)
+        return bodies, joints
 
     def apply(self, target: CommandTarget) -> Touched:
         """Take the rows out of all tables."""
         state = target.state
-        bodies, joints = np.zeros(len(state.bodies), np.bool_), np.zeros(len(state.joints), np.bool_)
-        self.mark(target, bodies, joints)
-        joints |= _hanging_on(state, bodies, joints)
-        held = [row for joint in np.flatnonzero(joints) for row in joint_bodies(state, state.joints[joint])]
-        wake_bodies(state, [*np.flatnonzero(bodies).tolist(), *held])
-        return Touched(rows=remove_rows(state, bodies, joints))
+        bodies, joints = self._marked(target)
+        if len(joints):
+            joints |= _hanging_on(state, bodies, joints)
+        held = held_bodies(state, np.flatnonzero(joints))
+        wake_bodies(state, np.concatenate([np.flatnonzero(bodies), held]))
+        return Touched(rows=remove_rows(state, target.directory, bodies, joints))
 
     @abstractmethod
     def mark(self, target: CommandTarget, bodies: Flags, joints: Flags) -> None:
@@ -101,9 +108,9 @@ def _check_ids(command: Command, ids: Ids) -> None:
 
 def _hanging_on(state: State, bodies: Flags, joints: Flags) -> Flags:
     """The joints that cannot be there without the marked bodies and joints."""
-    table = state.joints
+    table = plain(state.joints)
     gone = np.append(bodies, False)  # -1, the world, is the last row
-    going = joints | gone[table.body_a] | gone[table.body_b]
+    going = joints | gone[table["body_a"]] | gone[table["body_b"]]
     gone = np.append(going, False)
-    result: Flags = going | gone[table.joint_1] | gone[table.joint_2]
+    result: Flags = going | gone[table["joint_1"]] | gone[table["joint_2"]]
     return result

@@ -54,7 +54,7 @@ def _blasts(target: CommandTarget, command: Explode) -> Iterator[tuple[int, Appl
     state = target.state
     seen = target.query.overlap_shape(Circle(command.point, command.radius), Filter(types=("dynamic",)))
     for row in sorted({target.directory.body(hit.body) for hit in seen}):
-        name, body = state.names[row], state.bodies[row]
+        name, body = state.census.bodies.names[row], state.bodies[row]
         center = float(body.center_x), float(body.center_y)
         solid = (state.shapes.sensor[state.shapes.body == row] == 0).tolist()
         for shape in compress(body_shapes(state, row), solid):

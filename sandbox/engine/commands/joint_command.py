@@ -6,10 +6,13 @@ from abc import abstractmethod
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from sandbox.engine.active.wake import wake_bodies
 from sandbox.engine.commands.base import Command, CommandTarget, Touched
 from sandbox.engine.commands.checks import title
 from sandbox.errors import CommandError
+from sandbox.tables import Integers, plain
 from sandbox.world import joint_records as kinds
 from sandbox.world.state import State
 
@@ -29,10 +32,11 @@ class JointCommand(Command):
 
     def apply(self, target: CommandTarget) -> Touched:
         """Change the joint and wake the bodies that it holds."""
-        state, joint = target.state, target.state.joints[target.directory.joint(self.joint)]
+        state, row = target.state, target.directory.joint(self.joint)
+        joint = state.joints[row]
         before = [int(joint[name]) for name in _SWITCHES]
         self.change(state, joint)
-        wake_bodies(state, joint_bodies(state, joint))
+        wake_bodies(state, held_bodies(state, np.array([row])))
         return Touched(joints=before != [int(joint[name]) for name in _SWITCHES])
 
     @abstractmethod
@@ -40,10 +44,15 @@ class JointCommand(Command):
         """Change the joint's record. Raises `CommandError`, and changes nothing, if it cannot be done."""
 
 
-def joint_bodies(state: State, joint: Any) -> list[int]:
-    """The rows of the bodies that a joint holds; of a gear, those of the joints it couples."""
-    parts = [joint] if joint.joint_1 < 0 else [state.joints[joint.joint_1], state.joints[joint.joint_2]]
-    return [int(body) for part in parts for body in (part.body_a, part.body_b) if body >= 0]
+def held_bodies(state: State, rows: Integers) -> Integers:
+    """The rows of the bodies that some joints hold; of a gear, those of the joints it couples."""
+    if len(rows) == 0:
+        return rows
+    joints = plain(state.joints)
+    coupled = np.concatenate([joints[name][rows] for name in ("joint_1", "joint_2")])
+    rows = np.concatenate([rows, coupled[coupled >= 0]])
+    bodies = np.concatenate([joints[name][rows] for name in ("body_a", "body_b")])
+    return bodies[bodies >= 0]
 
 
 def require(joint: Any, allowed: tuple[int, ...], command: JointCommand, what: str) -> None:

@@ -64,7 +64,7 @@ class SetRegion(Command):
     def apply(self, target: CommandTarget) -> Touched:
         """Change the region and wake what sleeps in it, where it was and where it is."""
         index = target.directory.region(self.region)
-        state, flat = target.state, target.state.roster.flat.regions[index]
+        state, flat = target.state, target.state.census.scene.regions[index]
         row = state.regions[index]
         given = {item.name: value for item in fields(self)[2:] if (value := getattr(self, item.name)) is not None}
         _check(row, given, self)

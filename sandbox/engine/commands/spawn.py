@@ -6,9 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Self, TypeAlias
 
+import numpy as np
+
 from sandbox.engine.active.wake import wake_bodies
 from sandbox.engine.commands.base import Command, CommandTarget, Touched
-from sandbox.engine.commands.joint_command import joint_bodies
+from sandbox.engine.commands.joint_command import held_bodies
 from sandbox.errors import CommandError, SceneError
 from sandbox.world.rows import add_rows
 
@@ -27,8 +29,6 @@ class Spawn(Command):
 
     bodies: Words | Sequence[Words] = ()
     joints: Words | Sequence[Words] = ()
-
-    moves_rows = True
 
     def __post_init__(self) -> None:
         for name in ("bodies", "joints"):
@@ -50,13 +50,14 @@ class Spawn(Command):
             found = target.spawning.read(bodies, joints, target.directory.known(), "Spawn")
         except SceneError as error:
             raise CommandError(str(error)) from None
-        first = len(state.joints)
         words = found.body_words, found.joint_words
-        moved = add_rows(state, target.directory, found.bodies, found.joints, words)
-        held = [row for joint in state.joints[first:] for row in joint_bodies(state, joint)]
-        if held:
-            wake_bodies(state, held)
-        return Touched(rows=moved)
+        added = add_rows(state, target.directory, found.bodies, found.joints, words)
+        if found.joints:
+            held = held_bodies(state, np.arange(added.joints, len(state.joints)))
+            held = held[held < added.bodies]  # the others are awake
+            if len(held):
+                wake_bodies(state, held)
+        return Touched(added=added)
 
 
 def _plain(part: Any) -> Any:

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+from numpy.typing import NDArray
+
 from sandbox.engine.events.events import Events, find_events, no_events
-from sandbox.engine.events.pending import PendingEvents, TouchingPairs
+from sandbox.engine.events.pending import PendingEvents
 from sandbox.engine.events.records import SENSOR_EVENT
 from sandbox.engine.memory.scratch import Scratch
-from sandbox.tables import Records
-from sandbox.world.rows import Moved
+from sandbox.tables import Records, plain
+from sandbox.world.rows import Added, Moved
 from sandbox.world.state import State
 
 if TYPE_CHECKING:
@@ -24,6 +27,8 @@ class EventLog:
     def __init__(self, state: State) -> None:
         self._state = state
         self._events: Events | None = None
+        self._counts: tuple[int, int] | None = None
+        """How many bodies and joints there were after the last step, if some have come since."""
         self._sensors: SensorOverlaps | None = None
         self.clear(rows_moved=True)
 
@@ -33,7 +38,10 @@ class EventLog:
             sensors, nobody = self._sensors, SENSOR_EVENT.zeros(0)
             sensed = (sensors.before, sensors.now) if sensors is not None else (nobody, nobody)
             contacts = scratch.contacts
-            self._events = find_events(self._state, contacts.now, contacts.reports, sensed, self._pending)
+            ids = self._state.names, self._state.joint_names
+            if self._counts is not None:
+                ids = ids[0][: self._counts[0]], ids[1][: self._counts[1]]
+            self._events = find_events(self._state, ids, contacts.now, contacts.reports, sensed, self._pending)
         return self._events
 
     @property
@@ -41,13 +49,9 @@ class EventLog:
         """What the sensors overlap now: `SENSOR_EVENT` rows; None in a world without sensors."""
         return None if self._sensors is None else self._sensors.now
 
-    def touching(self) -> TouchingPairs:
-        """What touches and is sensed now, to be kept until rows have moved."""
-        return TouchingPairs.of(self._state, self.sensed)
-
     def note_step(self) -> None:
         """A step was taken."""
-        self._events = None
+        self._events = self._counts = None
         self._pending.begin_step()
         if self._sensors is not None:
             self._sensors.update()
@@ -60,16 +64,28 @@ class EventLog:
         """A command has put the body of that row elsewhere; `center` is where its centre of mass was (m)."""
         self._pending.note_displaced(row, center)
 
-    def note_rows(self, before: TouchingPairs, moved: Moved) -> None:
-        """Rows have come or gone."""
-        self._pending.note_rows(before, moved)
-        earlier, self._sensors = self._sensors, self._find_sensors()
-        if self._sensors is not None and earlier is not None:
-            self._sensors.move_rows(earlier, moved)
+    def note_added(self, added: Added) -> None:
+        """Rows have come after all others."""
+        if self._counts is None:
+            self._counts = added.bodies, added.joints
+        if self._sensors is None and plain(self._state.shapes)["sensor"][added.shapes :].any():
+            self._sensors = self._find_sensors()
+
+    def note_going(self, scratch: Scratch, bodies: NDArray[np.bool_]) -> None:
+        """Marked bodies will be deleted, with whatever knows of them."""
+        self.events(scratch)
+        self._pending.note_going(self._state, bodies, self.sensed)
+
+    def note_moved(self, moved: Moved) -> None:
+        """Rows have gone."""
+        self._pending.note_rows()
+        if self._sensors is not None:
+            self._sensors.move_rows(moved)
+            self._sensors = self._sensors if self._has_sensors() else None
 
     def clear(self, rows_moved: bool) -> None:
         """Begin anew: the state is a new one, or was restored."""
-        self._events, self._pending = self._no_events(), PendingEvents()
+        self._events, self._pending, self._counts = self._no_events(), PendingEvents(), None
         if rows_moved:
             self._sensors = self._find_sensors()
         if self._sensors is not None:
@@ -79,8 +95,11 @@ class EventLog:
         return no_events(int(self._state.counters[0].step_count), self._state.names)
 
     def _find_sensors(self) -> SensorOverlaps | None:
-        if not self._state.shapes.sensor.any():
+        if not self._has_sensors():
             return None
         from sandbox.engine.events.sensors import SensorOverlaps  # worlds without sensors pay nothing
 
         return SensorOverlaps(self._state)
+
+    def _has_sensors(self) -> bool:
+        return bool(plain(self._state.shapes)["sensor"].any())

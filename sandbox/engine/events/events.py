@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from sandbox.engine.events.pending import DeletedPair, PendingEvents, RowLookup
 from sandbox.engine.events.records import CONTACT_EVENT, SENSOR_EVENT
-from sandbox.tables import Integers, Records, Table
+from sandbox.tables import Integers, Records, Table, plain
 from sandbox.world.state import State
 
 HIT_SPEED = 1.0
@@ -87,25 +87,29 @@ def no_events(step: int, names: tuple[str, ...]) -> Events:
 
 
 def find_events(
-    state: State, before: Any, reports: Any, sensed: tuple[Records, Records], pending: PendingEvents
+    state: State,
+    ids: tuple[tuple[str, ...], tuple[str, ...]],
+    before: Any,
+    reports: Any,
+    sensed: tuple[Records, Records],
+    pending: PendingEvents,
 ) -> Events:
     """The events of the step that led to `state`: its `reports`, and `before`, the contacts of the step before.
 
-    `sensed` is what sensors overlapped before the step and after it; `pending` tells what was deleted before the step,
-    and who was put elsewhere since.
+    `ids` are those of the bodies and of the joints after that step, `sensed` is what sensors overlapped before and
+    after it; `pending` tells what was deleted before the step, and who was put elsewhere since.
     """
-    counter, bodies = state.counters[0], state.bodies
-    centers, lookup = _centers(bodies, pending), RowLookup(state)
+    counter, bodies = state.counters[0], plain(state.bodies)
+    centers, lookup = _centers(bodies, pending), RowLookup(state, ids[0])
     ends, leaves = _deleted(CONTACT_EVENT, pending.ends, lookup), _deleted(SENSOR_EVENT, pending.leaves, lookup)
     enter, leave = _entered_and_left(*sensed)
-    now: Any = np.asarray(state.contacts[: int(counter.contact_count)])
-    old: Any = np.asarray(before)[: int(counter.old_contact_count)]
-    touched, touches = old["touching"] == 1, now["touching"] == 1
-    old_keys, keys = _keys(old[touched]), _keys(now[touches])
-    did: Any = np.asarray(reports)[: len(now)]
-    struck = did["hit_speed"] >= HIT_SPEED
-    fresh = np.flatnonzero(touches)[~_among(keys, old_keys)]
-    ended = np.flatnonzero(touched)[~_among(old_keys, keys)]
+    now: Any = plain(state.contacts)[: int(counter.contact_count)]
+    old: Any = plain(before)[: int(counter.old_contact_count)]
+    touched, touches = (np.flatnonzero(contacts["touching"] == 1) for contacts in (old, now))
+    old_keys, keys = _keys(old, touched), _keys(now, touches)
+    did: Any = plain(reports)[: len(now)]
+    struck = np.flatnonzero(did["hit_speed"] >= HIT_SPEED)
+    fresh, ended = touches[~_among(keys, old_keys)], touched[~_among(old_keys, keys)]
     return Events(
         int(counter.step_count),
         lookup.names,
@@ -114,11 +118,11 @@ def find_events(
         _contact_rows(now[struck], did[struck], centers),
         enter,
         _followed_by(leave, leaves),
-        np.flatnonzero(bodies.stirred == -1),
-        np.flatnonzero(bodies.stirred == 1),
-        np.flatnonzero(bodies.frozen_step == counter.step_count - 1),
-        np.flatnonzero(state.joints.broken_step == counter.step_count - 1),
-        state.joint_names,
+        np.flatnonzero(bodies["stirred"] == -1),
+        np.flatnonzero(bodies["stirred"] == 1),
+        np.flatnonzero(bodies["frozen_step"] == counter.step_count - 1),
+        np.flatnonzero(plain(state.joints)["broken_step"] == counter.step_count - 1),
+        ids[1],
     )
 
 
@@ -128,9 +132,9 @@ def _entered_and_left(before: Any, after: Any) -> tuple[Records, Records]:
     return after[~_among(new, old)], before[~_among(old, new)]
 
 
-def _centers(bodies: Records, pending: PendingEvents) -> dict[str, Any]:
+def _centers(bodies: Any, pending: PendingEvents) -> dict[str, Any]:
     """The centres of mass at the end of the step, whatever commands have moved since."""
-    centers: dict[str, Any] = {"x": bodies.center_x, "y": bodies.center_y}
+    centers: dict[str, Any] = {"x": bodies["center_x"], "y": bodies["center_y"]}
     if pending.places:
         rows = list(pending.places)
         for k, axis in enumerate("xy"):
@@ -166,8 +170,8 @@ def _contact_rows(contacts: Any, did: Any, centers: dict[str, Any]) -> Records:
     return rows  # type: ignore[no-any-return]
 
 
-def _keys(contacts: Any) -> Integers:
-    return _joined(contacts["shape_a"], contacts["shape_b"])
+def _keys(contacts: Any, rows: Integers) -> Integers:
+    return _joined(contacts["shape_a"][rows], contacts["shape_b"][rows])
 
 
 def _pair_keys(rows: Records) -> Integers:

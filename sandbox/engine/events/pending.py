@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from sandbox.tables import Integers, Records
-from sandbox.world.roster import Roster
-from sandbox.world.rows import Moved
+from sandbox.tables import Integers, Records, plain
 from sandbox.world.state import State
 
 Vec = tuple[float, float]
@@ -31,30 +31,6 @@ class DeletedPair:
     first: ShapeKey
     second: ShapeKey
     figures: tuple[float, ...] = ()
-
-
-@dataclass(frozen=True)
-class TouchingPairs:
-    """What touched and what sensors sensed before rows came or went."""
-
-    contacts: Any
-    bodies: Records
-    shape_bodies: Integers
-    roster: Roster
-    sensed: Any
-
-    @classmethod
-    def of(cls, state: State, sensed: Records | None) -> TouchingPairs:
-        """Those of now; deletions make new tables of bodies and shapes, but close up that of the contacts."""
-        contacts = np.asarray(state.contacts[: int(state.counters[0].contact_count)])
-        owners: Integers = np.asarray(state.shapes)["body"]
-        return cls(contacts[contacts["touching"] == 1].copy(), state.bodies, owners, state.roster, sensed)
-
-    def key(self, body: int, shape: int) -> ShapeKey:
-        """A shape by what stays the same."""
-        register = self.roster.bodies
-        first = int(np.searchsorted(self.shape_bodies, body))
-        return ShapeKey(register.serials[body], register.names[body], shape - first)
 
 
 class PendingEvents:
@@ -80,33 +56,42 @@ class PendingEvents:
         """A command has put the body of that row elsewhere; `center` is where its centre was."""
         self.places.setdefault(row, center)
 
-    def note_rows(self, before: TouchingPairs, moved: Moved) -> None:
-        """Rows have moved: what touched deleted bodies, or was sensed with them, does so no more."""
-        self.places = {}
-        gone = moved.bodies < 0
-        rows = before.contacts[gone[before.contacts["body_a"]] | gone[before.contacts["body_b"]]]
-        self._next[0].extend(_contact(before, row) for row in rows)
-        if before.sensed is not None:
-            sensed = before.sensed[gone[before.sensed.sensor_body] | gone[before.sensed.body]]
-            keys = ((before.key(r.sensor_body, r.sensor), before.key(r.body, r.shape_index)) for r in sensed)
+    def note_going(self, state: State, gone: NDArray[np.bool_], sensed: Records | None) -> None:
+        """Bodies will be deleted: what touches them, or is `sensed` with them, will do so no more."""
+        contacts = plain(state.contacts)[: int(state.counters[0].contact_count)]
+        going = contacts[gone[contacts["body_a"]] | gone[contacts["body_b"]]]
+        self._next[0].extend(_contact(state, row) for row in going[going["touching"] == 1])
+        if sensed is not None:
+            rows = sensed[gone[sensed.sensor_body] | gone[sensed.body]]
+            keys = ((_key(state, r.sensor_body, r.sensor), _key(state, r.body, r.shape_index)) for r in rows)
             self._next[1].extend(DeletedPair(*pair) for pair in keys)
 
+    def note_rows(self) -> None:
+        """Rows have moved; the events of the last step are known."""
+        self.places = {}
 
-def _contact(pairs: TouchingPairs, row: Any) -> DeletedPair:
-    center, two = pairs.bodies[row["body_a"]], row["point_count"] == 2
+
+def _key(state: State, body: int, shape: int) -> ShapeKey:
+    ledger = state.census.bodies
+    first = bisect_left(plain(state.shapes)["body"], body)
+    return ShapeKey(ledger.serials[body], ledger.names[body], int(shape) - first)
+
+
+def _contact(state: State, row: Any) -> DeletedPair:
+    center, two = plain(state.bodies)[row["body_a"]], row["point_count"] == 2
     x, y = (0.5 * (row[f"anchor_a{k}1"] + row[f"anchor_a{k}2"]) if two else row[f"anchor_a{k}1"] for k in "xy")
-    figures = (center.center_x + x, center.center_y + y, row["normal_x"], row["normal_y"])
-    keys = pairs.key(row["body_a"], row["shape_a"]), pairs.key(row["body_b"], row["shape_b"])
+    figures = (center["center_x"] + x, center["center_y"] + y, row["normal_x"], row["normal_y"])
+    keys = _key(state, row["body_a"], row["shape_a"]), _key(state, row["body_b"], row["shape_b"])
     return DeletedPair(*keys, tuple(map(float, figures)))
 
 
 class RowLookup:
     """Finds the rows of shapes now, and gives deleted bodies places after all others in `names`."""
 
-    def __init__(self, state: State) -> None:
-        self._register = state.roster.bodies
-        self._owners: Integers = np.asarray(state.shapes)["body"]
-        self.names: tuple[str, ...] = state.names
+    def __init__(self, state: State, names: tuple[str, ...]) -> None:
+        self._ledger = state.census.bodies
+        self._owners: Integers = plain(state.shapes)["body"]
+        self.names = names
         self._gone: dict[int, int] = {}
 
     def rows(self, pair: DeletedPair) -> tuple[int, int, int, int]:
@@ -115,9 +100,9 @@ class RowLookup:
         return a, b, shape_a, shape_b
 
     def _find(self, key: ShapeKey) -> tuple[int, int]:
-        row = self._register.row_of(key.serial)
+        row = self._ledger.row_of(key.serial)
         if row is not None:
-            return row, int(np.searchsorted(self._owners, row)) + key.shape
+            return row, bisect_left(self._owners, row) + key.shape
         if key.serial not in self._gone:
             self._gone[key.serial] = len(self.names)
             self.names = (*self.names, key.name)

@@ -14,7 +14,7 @@ from sandbox.engine.queries.records import Memory, QueryTables
 from sandbox.engine.queries.walk import begin_walk, next_box
 from sandbox.geometry.core import core_of
 from sandbox.geometry.manifold import MANIFOLD, collide_cores
-from sandbox.tables import Integers, Records, taken
+from sandbox.tables import Integers, Records, plain, taken
 from sandbox.world.records import STATIC
 from sandbox.world.rows import Moved
 from sandbox.world.state import State
@@ -25,19 +25,27 @@ class SensorOverlaps:
 
     def __init__(self, state: State) -> None:
         self._state = state
-        self._sensors: Integers = np.flatnonzero(state.shapes.sensor == 1)
         self._manifold: Any = kernel_argument(MANIFOLD.zeros(1))
         self._found: Any = kernel_argument(SENSOR_EVENT.zeros(64))
-        tables, memory = kernel_argument((QueryTables.of(state), Memory.for_state(state)))
-        self._lay_out, self._asking = Call(lay_out, (tables, memory)), (tables, memory)
         self._sense = Door(sense)
+        self._prepare()
         self.before: Records = SENSOR_EVENT.zeros(0)
         """What they overlapped before the last step."""
         self.now: Records = SENSOR_EVENT.zeros(0)
         """What they overlap: `SENSOR_EVENT` rows, sorted by (sensor, shape)."""
 
+    def _prepare(self) -> None:
+        """Take memory for the shapes of now."""
+        state = self._state
+        self._layout = state.layout
+        self._sensors: Integers = np.flatnonzero(plain(state.shapes)["sensor"] == 1)
+        tables, memory = kernel_argument((QueryTables.of(state), Memory.for_state(state)))
+        self._lay_out, self._asking = Call(lay_out, (tables, memory)), (tables, memory)
+
     def update(self) -> None:
         """Find what the sensors overlap now; what they overlapped so far becomes `before`."""
+        if self._layout != self._state.layout:
+            self._prepare()
         self._lay_out()
         count = self._sense(*self._asking, self._sensors, self._manifold, self._found)
         if count > len(self._found):
@@ -46,9 +54,9 @@ class SensorOverlaps:
         found = np.asarray(self._found)[:count]
         self.before, self.now = self.now, found[np.lexsort((found["shape_index"], found["sensor"]))].view(np.recarray)
 
-    def move_rows(self, earlier: SensorOverlaps, moved: Moved) -> None:
-        """Take over what sensors overlapped before rows came or went."""
-        rows = earlier.now
+    def move_rows(self, moved: Moved) -> None:
+        """Rows have gone: keep what is left of what sensors overlapped."""
+        rows = self.now
         left = (moved.shapes[rows.sensor] >= 0) & (moved.shapes[rows.shape_index] >= 0)
         self.now = taken(rows, left)
         for name in ("sensor", "shape_index"):

@@ -48,7 +48,7 @@ def apply_fields(
     _mark_held(pushes, old_contacts, counter.contact_count, joint_table)
     for k in range(regions.shape[0]):
         if acts(regions[k], step) and GRAVITY <= regions[k].kind <= ATTRACTION:
-            change_gravity(regions[k], fields.edges, pushes)
+            change_gravity(regions[k], fields.edges, pushes, bodies.shape[0])
     for k in range(regions.shape[0]):
         if acts(regions[k], step) and regions[k].kind == WIND:
             blow(regions[k], fields, bodies, state.shapes, state.vertices)

@@ -11,9 +11,9 @@ from sandbox.world.field_records import ATTRACTION, GRAVITY, GRAVITY_SCALE
 
 
 @kernel
-def change_gravity(region: Records, edges: Records, pushes: Records) -> None:
+def change_gravity(region: Records, edges: Records, pushes: Records, bodies: int) -> None:
     """Let a region change the gravity of the bodies whose centre lies in it; regions come in the scene's order."""
-    for i in range(pushes.shape[0]):
+    for i in range(bodies):
         push = pushes[i]
         if push.active == 0 or not contains(region, edges, push.x, push.y):
             continue

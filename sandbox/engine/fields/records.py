@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from sandbox.tables import Field, Records, Table
+import numpy as np
+
+from sandbox.tables import Field, Records, Table, plain
 from sandbox.world.field_records import NEVER
 from sandbox.world.state import State
 
@@ -63,7 +65,7 @@ def has_fields(state: State) -> bool:
 class Fields(NamedTuple):
     """The regions, their edges and the thrusters of a world, and what working them out needs.
 
-    `pushes` has a row a body; `pieces` and `spare` are the boundary at hand, and where it is cut to.
+    `pushes` has a row a body, and spare ones; `pieces` and `spare` are the boundary at hand, and where it is cut to.
     """
 
     regions: Records
@@ -74,15 +76,18 @@ class Fields(NamedTuple):
     spare: Records
 
     @classmethod
-    def for_state(cls, state: State) -> Fields:
-        """The tables of `state`, and memory for them: empty in a world without any."""
+    def for_state(cls, state: State, bodies: int) -> Fields:
+        """The tables of `state`, and memory for so many bodies: empty in a world without any."""
         pieces = MAX_PIECES if len(state.regions) else 0
-        pushes = PUSH.zeros(len(state.bodies) if has_fields(state) else 0)
+        pushes = PUSH.zeros(bodies if has_fields(state) else 0)
         tables = (state.regions, state.edges, state.thrusters)
         return cls(*tables, pushes, PIECE.zeros(pieces), PIECE.zeros(pieces))
 
 
 def last_switch(state: State) -> int:
     """The last step in which a region or a thruster begins or ceases to act; -1 if none ever does."""
-    steps = [int(step) for table in (state.regions, state.thrusters) for step in (*table.start_step, *table.end_step)]
-    return max((step for step in steps if 0 < step < NEVER), default=-1)
+    tables = [plain(table) for table in (state.regions, state.thrusters) if len(table)]
+    steps = np.concatenate(
+        [np.zeros(0, np.int64), *(table[f"{end}_step"] for table in tables for end in ("start", "end"))]
+    )
+    return int(steps[(steps > 0) & (steps < NEVER)].max(initial=-1))

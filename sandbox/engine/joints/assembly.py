@@ -8,11 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.engine.joints.components import components
+from sandbox.engine.joints.more_parts import with_more_bonds, with_more_parts
 from sandbox.engine.joints.pair_filter import JointFilter
 from sandbox.engine.joints.part_layout import NOBODY, WORLD, PartLayouts
 from sandbox.engine.joints.part_tables import Parts, joint_work
 from sandbox.engine.joints.records import BOND, JointWork
-from sandbox.tables import Integers, Records, taken
+from sandbox.tables import Integers, Records, plain, taken
 from sandbox.world import joint_records as kinds
 
 Flags = NDArray[np.bool_]
@@ -26,25 +27,62 @@ def holding(joints: Records) -> Flags:
     return works
 
 
-def assemble(joints: Records, bodies: Records, layouts: PartLayouts) -> tuple[JointFilter, JointWork | None]:
+def assemble(joints: Records, bodies: Records, layouts: PartLayouts, room: int) -> tuple[JointFilter, JointWork | None]:
     """The pairs of bodies that joints keep from colliding, and scratch memory for all joints that hold.
 
     The memory is None where no joint holds, so that such worlds pay nothing. Both are functions of the two tables
     alone: a world that goes on and one that is restored solve in the same order. `layouts` are those of the last time,
-    so that only parts of a new kind are laid out.
+    so that only parts of a new kind are laid out; `room` is for how many bodies there is to be memory.
     """
     held = np.flatnonzero(holding(joints))
+    return _assembled(joints, bodies, layouts, room, (held, _sides(joints, held)))
+
+
+def assemble_more(
+    joints: Records, bodies: Records, layouts: PartLayouts, known: tuple[JointFilter, JointWork | None], first: int
+) -> tuple[JointFilter, JointWork | None] | None:
+    """The same after joints have come from row `first` on, made of what is `known` of the others.
+
+    None if they hold bodies that others hold as well, or may hold, or that joints cannot move.
+    """
+    joint_filter, work = known
+    held = first + np.flatnonzero(holding(joints)[first:])
     sides = _sides(joints, held)
+    seen = sides[sides > WORLD]
+    apart = joint_filter.joined[seen] == 0
+    if work is not None:
+        apart &= work.part_of[seen] < 0
+    if not (apart.all() and (plain(bodies)["mass"][seen] > 0.0).all()):
+        return None
+    room = len(joint_filter.joined)
+    more_filter, more = _assembled(joints, bodies, layouts, room, (held, sides), others=True)
+    joint_filter.joined[seen] |= more_filter.joined[seen]
+    joint_filter = JointFilter(with_more_bonds(joint_filter.bonds, more_filter.bonds), joint_filter.joined)
+    if work is not None:
+        return joint_filter, work._replace(joints=joints) if more is None else with_more_parts(work, more, joints)
+    return joint_filter, more
+
+
+def _assembled(
+    joints: Records,
+    bodies: Records,
+    layouts: PartLayouts,
+    room: int,
+    holding: tuple[Integers, Integers],
+    others: bool = False,
+) -> tuple[JointFilter, JointWork | None]:
+    """What `assemble` says of some joints that hold, given with the bodies on their sides."""
+    held, sides = holding
     gear, collide = joints.kind[held] == kinds.GEAR, joints.collide[held] != 0
     bound = _bonds(sides[~gear & ~collide], len(bodies))
-    joined = np.zeros(len(bodies), np.int64)
+    joined = np.zeros(room, np.int64)
     joined[bound.low] = joined[bound.high] = 1
     if not len(held):
         return JointFilter(bound, joined), None
     # A body that bad numbers froze keeps its mass: what hangs together must not depend on that.
     movable = np.append(np.asarray(bodies.mass) > 0.0, [False, False])  # nobody and the world are the last rows
     parts = _parts(held, sides, movable[sides])
-    return JointFilter(bound, joined), joint_work(joints, parts, _bonds(sides, len(bodies)), len(bodies), layouts)
+    return JointFilter(bound, joined), joint_work(joints, parts, _bonds(sides, len(bodies)), room, layouts, others)
 
 
 def _sides(joints: Records, held: Integers) -> Integers:

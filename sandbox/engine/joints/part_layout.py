@@ -57,14 +57,14 @@ class PartLayouts:
 
     known: dict[bytes, PartLayout] = field(default_factory=dict)
 
-    def of_parts(self, joints: NDArray[np.int32], ends: Integers) -> list[PartLayout]:
+    def of_parts(self, joints: NDArray[np.int32], ends: Integers, others: bool = False) -> list[PartLayout]:
         """The layout of each part; `joints` has `COLUMNS` for each joint, part after part, up to `ends`.
 
-        Layouts that no part has any longer are forgotten.
+        Unless there are `others` besides, layouts that no part has any longer are forgotten.
         """
         keys = [joints[first:end].tobytes() for first, end in pairwise([0, *ends.tolist()])]
         kept = {key: self.known.get(key) or part_layout(key) for key in dict.fromkeys(keys)}
-        self.known = kept
+        self.known = self.known | kept if others else kept
         return [kept[key] for key in keys]
 
 

@@ -42,14 +42,16 @@ class _Offsets:
     targets: Integers
 
 
-def joint_work(joints: Records, parts: Parts, ties: Records, bodies: int, layouts: PartLayouts) -> JointWork:
-    """Everything, part after part. `ties` are all pairs of bodies with a joint."""
+def joint_work(
+    joints: Records, parts: Parts, ties: Records, bodies: int, layouts: PartLayouts, others: bool = False
+) -> JointWork:
+    """Everything, part after part. `ties` are all pairs of bodies with a joint; whether there are `others` besides."""
     members, seats = _members(parts, bodies)
     moving = np.bincount(members.part[members.part >= 0], minlength=len(parts.ends))
     first_member = int((members.part < 0).sum()) + np.cumsum(moving) - moving
     own = np.where(parts.moves, seats - np.repeat(first_member, parts.counts)[:, None], WORLD)
     own[parts.sides == NOBODY] = NOBODY
-    found = layouts.of_parts(_content(joints, parts, own), parts.ends)
+    found = layouts.of_parts(_content(joints, parts, own), parts.ends, others)
     offsets = _Offsets(
         np.append(first_member, len(members)),
         *(_starts([getattr(each, name) for each in found]) for name in ("slots", "links", "row_of", "targets")),

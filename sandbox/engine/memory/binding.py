@@ -9,6 +9,7 @@ from typing import Any
 
 from sandbox._jit import interpreted, kernel_argument
 from sandbox.engine.memory.scratch import Scratch
+from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.state import StateTables
 from sandbox.world.state import State
 
@@ -20,13 +21,29 @@ def bind(function: Callable[..., Any], state: State, scratch: Scratch) -> tuple[
     `old_contacts` are those of the step before, `joint_table` is that of the state, `joints` the scratch memory of the
     joint solver, which holds the table, or None.
     """
-    tables = StateTables(*(getattr(state, name) for name in StateTables._fields))
-    named = {**vars(state), "old_contacts": state.contacts, "joint_table": state.joints, **vars(scratch)}
-    named |= {"state": tables, "active_info": scratch.active.info, "free_motions": scratch.solver.free_motions}
-    arguments: tuple[Any, ...] = kernel_argument(tuple(named[name] for name in _parameters(function)))
-    return arguments
+    named = state_arguments(state) | scratch_arguments(scratch) | contact_arguments(scratch.contacts)
+    return tuple(named[name] for name in parameters(function))
+
+
+def state_arguments(state: State) -> dict[str, Any]:
+    """What is bound of a state."""
+    tables = StateTables(*[getattr(state, name) for name in StateTables._fields])
+    return {"state": kernel_argument(tables), "joint_table": kernel_argument(state.joints)}
+
+
+def contact_arguments(contacts: Contacts) -> dict[str, Any]:
+    """What is bound of the tables of contacts."""
+    tables = kernel_argument(contacts)
+    return {"contacts": tables, "old_contacts": tables.before}
+
+
+def scratch_arguments(scratch: Scratch) -> dict[str, Any]:
+    """What is bound of scratch memory."""
+    named = vars(scratch) | {"active_info": scratch.active.info, "free_motions": scratch.solver.free_motions}
+    return {name: kernel_argument(value) for name, value in named.items()}
 
 
 @cache
-def _parameters(function: Callable[..., Any]) -> tuple[str, ...]:
+def parameters(function: Callable[..., Any]) -> tuple[str, ...]:
+    """The names of the parameters of an entry point."""
     return tuple(inspect.signature(interpreted(function)).parameters)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -11,7 +12,7 @@ from sandbox.engine.active.pile_stability import PILE
 from sandbox.engine.broad_phase.grid import LEVEL_SPACE, head_count
 from sandbox.engine.contact_solver.blocks import BLOCK_SIZE, GATHER_SIZE
 from sandbox.engine.contact_solver.graph_coloring import SETTLED
-from sandbox.engine.fields.records import Fields
+from sandbox.engine.fields.records import Fields, has_fields
 from sandbox.engine.joints.assembly import assemble
 from sandbox.engine.joints.pair_filter import JointFilter
 from sandbox.engine.joints.part_layout import PartLayouts
@@ -25,18 +26,20 @@ from sandbox.engine.records.contact_blocks import BLOCK, SLOT, ContactBlocks
 from sandbox.engine.records.contacts import REPORT, SLEEPING_CURSOR, SLEEPING_RUN, Contacts
 from sandbox.geometry.manifold import MANIFOLD
 from sandbox.geometry.time_of_impact import POSED_ROWS, SWEEP
-from sandbox.tables import Records, aligned_zeros
+from sandbox.tables import Records, aligned_zeros, plain
 from sandbox.world.records import CONTACT, VERTEX
 from sandbox.world.state import State
 
 
 @dataclass
 class Scratch:
-    """The memory of one world's step, a bundle of tables for each concept.
+    """The memory of one world's step, a bundle of tables for each concept. Tables with a row for each body or shape may
+    have spare ones at the end, as `room` says.
 
     After a step, `contacts.now` has the contacts of the step before, which the next one overwrites.
     """
 
+    room: Room
     active: ActiveSet
     solver: SolverBodies
     piles: Records
@@ -50,31 +53,92 @@ class Scratch:
     fields: Fields
 
     @classmethod
-    def for_state(cls, state: State, pair_capacity: int, layouts: PartLayouts | None = None) -> Scratch:
-        """Scratch for all bodies and shapes of `state`, and for so many candidate pairs.
+    def for_state(
+        cls, state: State, pair_capacity: int, layouts: PartLayouts | None = None, room: Room | None = None
+    ) -> Scratch:
+        """Scratch for all bodies and shapes of `state`, or for as many as `room` says if that is more, and for so many
+        candidate pairs.
 
         `layouts` are those of parts that joints hold together, as far as they are known.
         """
-        joint_filter, joints = assemble(state.joints, state.bodies, layouts or PartLayouts())
+        room = room if room is not None and room.holds(Room.of(state)) else Room.of(state)
+        joint_filter, joints = assemble(state.joints, state.bodies, layouts or PartLayouts(), room.bodies)
         return cls(
-            active=_active_set(state),
-            solver=_solver_bodies(len(state.bodies)),
-            piles=PILE.zeros(len(state.bodies)),
-            colliders=_colliders(state),
-            grid=_grid(len(state.shapes), pair_capacity),
+            room=room,
+            active=_active_set(state, room),
+            solver=_solver_bodies(room.bodies),
+            piles=PILE.zeros(room.bodies),
+            colliders=_colliders(room),
+            grid=_grid(room.shapes, pair_capacity),
             contacts=_contacts(state, pair_capacity),
             blocks=_blocks(pair_capacity),
-            ccd=_ccd(state),
+            ccd=_ccd(state, room),
             joint_filter=joint_filter,
             joints=joints,
-            fields=Fields.for_state(state),
+            fields=Fields.for_state(state, room.bodies),
         )
 
+    def follow_rows(self, state: State, bodies: int, shapes: int) -> bool:
+        """Bring up to date what is known of the bodies and shapes from those rows on, which have come or moved.
 
-def _active_set(state: State) -> ActiveSet:
-    bodies = len(state.bodies)
-    lists = np.zeros(bodies + 1, np.int64), np.zeros(bodies, np.int64)
-    return ActiveSet(new_active_set(), *lists, np.arange(len(state.shapes)))
+        If there are more of them than there is room for, memory for twice as many is taken; returns whether it was.
+        All of it has to be looked at anew (`active.info.stale`).
+        """
+        fits = self.room.holds(Room.of(state))
+        if not fits:
+            self._grow(state)
+        else:
+            _fill_thin(self.ccd.bodies, state, bodies, shapes)
+        if has_fields(state) and len(self.fields.pushes) < self.room.bodies:
+            self.fields = Fields.for_state(state, self.room.bodies)
+            fits = False
+        if has_fields(state):
+            self.fields = self.fields._replace(thrusters=state.thrusters)
+        plain(self.active.info)["stale"] = 1
+        return not fits
+
+    def make_room_for_joints(self) -> None:
+        """Let the joint solver know as many bodies as there is room for."""
+        lacking = self.room.bodies - len(self.joint_filter.joined)
+        joined = np.append(self.joint_filter.joined, np.zeros(lacking, np.int64))
+        self.joint_filter = self.joint_filter._replace(joined=joined)
+        if self.joints is not None:
+            part_of = np.append(self.joints.part_of, np.full(lacking, -1))
+            self.joints = self.joints._replace(part_of=part_of)
+
+    def _grow(self, state: State) -> None:
+        """Take memory for twice as many bodies and shapes as there are; pairs and contacts keep theirs."""
+        room = self.room = Room(*(2 * count for count in Room.of(state)))
+        self.active = _active_set(state, room)._replace(info=self.active.info)
+        self.solver = _solver_bodies(room.bodies)
+        self.piles = PILE.zeros(room.bodies)
+        self.colliders = _colliders(room)
+        shapes = _grid(room.shapes, 0)
+        self.grid = shapes._replace(pairs=self.grid.pairs, sorted_pairs=self.grid.sorted_pairs)
+        self.ccd = _ccd(state, room)
+        self.fields = Fields.for_state(state, room.bodies)
+
+
+class Room(NamedTuple):
+    """For how many bodies, shapes and core vertices there is memory."""
+
+    bodies: int
+    shapes: int
+    vertices: int
+
+    @classmethod
+    def of(cls, state: State) -> Room:
+        """As many as a state has."""
+        return cls(len(state.bodies), len(state.shapes), len(state.vertices))
+
+    def holds(self, other: Room) -> bool:
+        """Whether it is as large, in everything."""
+        return all(own >= wanted for own, wanted in zip(self, other, strict=True))
+
+
+def _active_set(state: State, room: Room) -> ActiveSet:
+    lists = np.zeros(room.bodies + 1, np.int64), np.zeros(room.bodies, np.int64)
+    return ActiveSet(new_active_set(), *lists, np.arange(room.shapes))
 
 
 def _solver_bodies(bodies: int) -> SolverBodies:
@@ -88,13 +152,12 @@ def _solver_bodies(bodies: int) -> SolverBodies:
     )
 
 
-def _colliders(state: State) -> Colliders:
-    shapes = len(state.shapes)
+def _colliders(room: Room) -> Colliders:
     return Colliders(
-        cores=VERTEX.zeros(len(state.vertices)),
-        boxes=BOX.zeros(shapes),
-        filters=FILTER.zeros(shapes),
-        proxies=PROXY.zeros(shapes),
+        cores=VERTEX.zeros(room.vertices),
+        boxes=BOX.zeros(room.shapes),
+        filters=FILTER.zeros(room.shapes),
+        proxies=PROXY.zeros(room.shapes),
     )
 
 
@@ -137,13 +200,28 @@ def _blocks(pairs: int) -> ContactBlocks:
     )
 
 
-def _ccd(state: State) -> Ccd:
-    bodies = CCD_BODY.zeros(len(state.bodies))
-    thin = np.full(len(bodies), np.inf)
-    np.minimum.at(thin, state.shapes.body, state.shapes.thin)
-    bodies.thin = np.where(thin < np.inf, thin, 0.0)
-    for rows in (state.joints.body_a, state.joints.body_b):
-        bodies.linked[rows[rows >= 0]] = 1
-    impacts = CCD_IMPACT.zeros(len(state.bodies))
+def _ccd(state: State, room: Room) -> Ccd:
+    bodies = CCD_BODY.zeros(room.bodies)
+    _fill_thin(bodies, state, 0, 0)
+    note_linked(bodies, state)
+    impacts = CCD_IMPACT.zeros(room.bodies)
     impacts.time = 1.0
     return Ccd(bodies, impacts, SWEEP.zeros(1), VERTEX.zeros(POSED_ROWS), MANIFOLD.zeros(2))
+
+
+def _fill_thin(bodies: Records, state: State, first: int, first_shape: int) -> None:
+    """Measure the thinnest shapes of the bodies from row `first` on, whose shapes begin at `first_shape`."""
+    shapes = plain(state.shapes)[first_shape:]
+    thin = np.full(len(state.bodies) - first, np.inf)
+    np.minimum.at(thin, shapes["body"] - first, shapes["thin"])
+    plain(bodies)["thin"][first : len(state.bodies)] = np.where(thin < np.inf, thin, 0.0)
+
+
+def note_linked(bodies: Records, state: State, first: int = 0) -> None:
+    """Note which bodies have joints, of which those from row `first` on are new."""
+    linked, joints = plain(bodies)["linked"], plain(state.joints)[first:]
+    if first == 0:
+        linked[:] = 0
+    for side in ("body_a", "body_b"):
+        rows = joints[side]
+        linked[rows[rows >= 0]] = 1

@@ -196,7 +196,7 @@ class Queries(FixedAttributes):
 
     def _answer(self, hit: tuple[Any, ...]) -> tuple[str, int, Vec, Vec, float]:
         shape, body, fraction, x, y, nx, ny = hit
-        return self._world.state.names[body], shape, (x, y), (nx, ny), fraction
+        return self._world.state.census.bodies.names[body], shape, (x, y), (nx, ny), fraction
 
     def _ask(self, subject: Subject, seen: Filter | None) -> None:
         """Bring the grid up to date and write down what is asked, if it is not what was asked last."""

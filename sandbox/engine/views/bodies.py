@@ -31,7 +31,8 @@ def _column(records: Records, name: str) -> Any:
 class Bodies(FixedAttributes):
     """All bodies as columns. The arrays are read-only views that follow the world; copy what you keep.
 
-    After a body has come or gone, ask for the arrays again: earlier ones no longer change.
+    After a body has come or gone, ask for the arrays again: earlier ones are not as long, and after one has gone their
+    rows may be those of others.
     """
 
     __slots__ = ("_layout", "_seen", "_world")
@@ -97,4 +98,4 @@ class Bodies(FixedAttributes):
         return view
 
     def __len__(self) -> int:
-        return len(self.ids)
+        return len(self._world.state.bodies)

@@ -29,9 +29,9 @@ class BodyView(FixedAttributes):
     __slots__ = ("_layout", "_row", "_serial", "_world", "id")
 
     def __init__(self, world: ViewedWorld, row: int) -> None:
-        self.id = world.state.names[row]
+        self.id = world.state.census.bodies.names[row]
         self._world = world
-        self._serial = world.state.roster.bodies.serials[row]
+        self._serial = world.state.census.bodies.serials[row]
         self._layout, self._row = world.state.layout, world.state.bodies[row]
 
     @property
@@ -43,7 +43,7 @@ class BodyView(FixedAttributes):
 
     @property
     def _index(self) -> int:
-        row = self._world.state.roster.bodies.row_of(self._serial)
+        row = self._world.state.census.bodies.row_of(self._serial)
         if row is None:
             raise UnknownBodyError(f"the body {self.id!r} has been deleted")
         return row

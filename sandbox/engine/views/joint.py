@@ -30,15 +30,15 @@ class JointView(FixedAttributes):
     __slots__ = ("_layout", "_record", "_serial", "_state", "_world", "id")
 
     def __init__(self, world: ViewedWorld, row: int) -> None:
-        self.id = world.state.joint_names[row]
+        self.id = world.state.census.joints.names[row]
         self._world, self._state = world, world.state
-        self._serial = world.state.roster.joints.serials[row]
+        self._serial = world.state.census.joints.serials[row]
         self._layout, self._record = world.state.layout, world.state.joints[row]
 
     @property
     def _row(self) -> Any:
         if self._layout != self._state.layout:
-            row = self._state.roster.joints.row_of(self._serial)
+            row = self._state.census.joints.row_of(self._serial)
             if row is None:
                 raise UnknownJointError(f"the joint {self.id!r} has been deleted")
             self._layout, self._record = self._state.layout, self._state.joints[row]
@@ -56,7 +56,7 @@ class JointView(FixedAttributes):
     @property
     def bodies(self) -> tuple[str | None, str | None]:
         """The ids of its bodies; None is the world. Both None for a gear."""
-        names = self._state.names
+        names = self._state.census.bodies.names
         a, b = (None if i < 0 else names[i] for i in (self._row.body_a, self._row.body_b))
         return a, b
 

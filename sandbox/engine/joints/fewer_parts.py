@@ -1,0 +1,145 @@
+"""Bodies move to other rows, and parts go as a whole: all that points at them follows, as if all were assembled anew.
+
+But for one thing: members that joints cannot move keep their order, whichever joint now is the first to hold them. No
+kernel asks for that order.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sandbox.engine.joints.hinge_lanes import HINGE_BLOCK_SIZE, HingeLanes
+from sandbox.engine.joints.more_parts import ENDS, MEMBERS
+from sandbox.engine.joints.pair_filter import JointFilter
+from sandbox.engine.joints.records import JointWork
+from sandbox.tables import Integers, Records, aligned_zeros, plain, without
+from sandbox.world.rows import Moved
+
+Flags = NDArray[np.bool_]
+
+
+def going_parts(work: JointWork, joints: Integers) -> Flags | None:
+    """Which parts go as joints do, whose new rows are `joints`; None if some part loses only some of its joints."""
+    constraints = plain(work.constraints)
+    lost = np.bincount(constraints["part"][joints[constraints["joint"]] < 0], minlength=len(work.parts))
+    parts = plain(work.parts)
+    whole: Flags = lost == parts["constraint_end"] - parts["first_constraint"]
+    return None if (lost[~whole] > 0).any() else whole
+
+
+def without_parts(
+    joint_filter: JointFilter, work: JointWork, going: Flags, moved: Moved, joints: Records
+) -> tuple[JointFilter, JointWork]:
+    """What is left after whole parts are gone; `moved` tells where rows are now, `joints` is the table of now."""
+    bonds, ties = (_kept_bonds(rows, work.part_of, going, moved.bodies) for rows in (joint_filter.bonds, work.ties))
+    if going.any():
+        work = _without(work, _Places(work, going))
+    for table in (work.constraints, work.side_by_side.hinges):
+        plain(table)["joint"] = moved.joints[plain(table)["joint"]]
+    members = plain(work.members)[1:]
+    members["body"] = moved.bodies[members["body"]]
+    part_of, joined = np.full(len(work.part_of), -1), np.zeros(len(joint_filter.joined), np.int64)
+    part_of[members["body"]] = members["part"]
+    joined[plain(bonds)["low"]] = joined[plain(bonds)["high"]] = 1
+    return JointFilter(bonds, joined), work._replace(joints=joints, ties=ties, part_of=part_of)
+
+
+def _without(work: JointWork, places: _Places) -> JointWork:
+    counts = np.diff(work.starts)[places.left["rows"]]
+    return work._replace(
+        parts=_kept_parts(work, places),
+        members=_kept(work.members, "members", places, {"parts": ("part",)}),
+        constraints=_kept_constraints(work, places),
+        rows=_kept(work.rows, "rows", places, {"constraints": ("constraint",), "members": MEMBERS}),
+        links=_kept(work.links, "links", places, {"rows": ("row", "other"), "entries": ("entry",)}),
+        starts=np.append(0, np.cumsum(counts)),
+        row_of=places.of("rows", work.row_of[places.left["entries"]]),
+        targets=places.of("entries", work.targets[places.left["targets"]]),
+        entries=work.entries[: int(counts.sum())],
+        side_by_side=_kept_lanes(work, places),
+    )
+
+
+class _Places:
+    """What is left of each table, and how many rows before each are."""
+
+    def __init__(self, work: JointWork, going: Flags) -> None:
+        constraint_part, row_constraint = plain(work.constraints)["part"], plain(work.rows)["constraint"]
+        parts, hinges = ~going, plain(work.side_by_side.hinges)
+        constraints = parts[constraint_part]
+        rows = constraints[row_constraint]
+        lane_parts = np.maximum(*(plain(work.members)["part"][hinges[name]] for name in ("member_a", "member_b")))
+        table = plain(work.parts)
+        targets = np.diff(np.append(table["first_target"], len(work.targets)))
+        self.left: dict[str, Flags] = {
+            "parts": parts,
+            "constraints": constraints,
+            "rows": rows,
+            "links": rows[plain(work.links)["row"]],
+            "entries": np.repeat(rows, np.diff(work.starts)),
+            "targets": np.repeat(parts, targets),
+            "members": self._members(work, constraints, rows),
+            "hinges": parts[lane_parts],
+            "blocks": np.repeat(parts, table["block_end"] - table["first_block"]),
+        }
+        self._before = {name: np.append(0, np.cumsum(left)) for name, left in self.left.items()}
+
+    @staticmethod
+    def _members(work: JointWork, constraints: Flags, rows: Flags) -> Flags:
+        """The world, and whoever something holds that is left."""
+        held = np.zeros(len(work.members), np.bool_)
+        held[0] = True
+        for table, left, names in (
+            (work.constraints, constraints, ("member_a", "member_b")), (work.rows, rows, MEMBERS),
+        ):  # fmt: skip
+            for name in names:
+                held[plain(table)[name][left]] = True
+        return held
+
+    def of(self, table: str, rows: Integers) -> Integers:
+        """The new rows of some that are left, or where runs of them begin and end; -1 stays -1."""
+        return np.where(rows >= 0, self._before[table][rows], rows)
+
+
+def _kept_bonds(bonds: Records, part_of: Integers, going: Flags, bodies: Integers) -> Records:
+    low, high = plain(bonds)["low"], plain(bonds)["high"]
+    gone = np.append(going, False)  # -1, no part, is the last one
+    bonds = without(bonds, ~(gone[part_of[low]] | gone[part_of[high]]))
+    for name in ("low", "high"):
+        plain(bonds)[name] = bodies[plain(bonds)[name]]
+    return bonds
+
+
+def _kept(table: Records, name: str, places: _Places, columns: Mapping[str, tuple[str, ...]]) -> Records:
+    """What is left of a table; `columns` are those that point at rows of others."""
+    rows = without(table, places.left[name])
+    for other, names in columns.items():
+        for column in names:
+            plain(rows)[column] = places.of(other, plain(rows)[column])
+    return rows
+
+
+def _kept_parts(work: JointWork, places: _Places) -> Records:
+    tables = ("constraints", "members", "rows", "links", "blocks")
+    columns = dict(zip(tables, ENDS, strict=True)) | {"targets": ("first_target",)}
+    return _kept(work.parts, "parts", places, columns)
+
+
+def _kept_constraints(work: JointWork, places: _Places) -> Records:
+    columns: dict[str, tuple[str, ...]] = {
+        "parts": ("part",), "members": ("member_a", "member_b"), "constraints": ("constraint_1", "constraint_2"),
+        "rows": ("first_row",),
+    }  # fmt: skip
+    return _kept(work.constraints, "constraints", places, columns)
+
+
+def _kept_lanes(work: JointWork, places: _Places) -> HingeLanes:
+    lanes = work.side_by_side
+    if len(lanes.hinges) == 0:
+        return lanes
+    hinges = _kept(lanes.hinges, "hinges", places, {"members": ("member_a", "member_b")})
+    blocks = _kept(lanes.blocks, "blocks", places, {"hinges": ("first",)})
+    return HingeLanes(hinges, blocks, aligned_zeros(len(blocks) * HINGE_BLOCK_SIZE, np.float64), lanes.gathered)

@@ -1,0 +1,85 @@
+"""Parts that come: their tables are put behind those of the others, as if everything had been assembled anew."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from sandbox.engine.joints.hinge_lanes import HINGE_BLOCK_SIZE, HingeLanes
+from sandbox.engine.joints.records import JointWork
+from sandbox.tables import Integers, Records, aligned_zeros, extended, longer, plain
+
+ENDS = (
+    ("first_constraint", "constraint_end"), ("first_member", "member_end"), ("first_row", "row_end"),
+    ("first_link", "link_end"), ("first_block", "block_end"),
+)  # fmt: skip
+"""Columns of the part table: where a part's constraints, members, rows, links and blocks of hinges begin and end."""
+MEMBERS = ("member_1", "member_2", "member_3", "member_4")
+"""Columns of the row table that name members."""
+
+
+def with_more_parts(work: JointWork, more: JointWork, joints: Records) -> JointWork:
+    """`work` with the parts of `more` behind its own. They hold none of its bodies, and their joints come later.
+
+    `joints` is the table that has the joints of both. All members of `more` are moved by its joints.
+    """
+    members, constraints, rows = len(work.members) - 1, len(work.constraints), len(work.rows)
+    shifts: dict[str, dict[str, int]] = {
+        "members": {"part": len(work.parts)},
+        "constraints": {"part": len(work.parts), "member_a": members, "member_b": members, "first_row": rows}
+        | {"constraint_1": constraints, "constraint_2": constraints},
+        "rows": {"constraint": constraints} | dict.fromkeys(MEMBERS, members),
+        "links": {"row": rows, "other": rows, "entry": len(work.row_of)},
+    }
+    tables: dict[str, Any] = {"joints": joints, "ties": with_more_bonds(work.ties, more.ties)}
+    for name, columns in shifts.items():
+        fresh = plain(getattr(more, name))
+        for column, shift in columns.items():
+            fresh[column] = _shifted(fresh[column], shift, column.startswith("member"))
+        tables[name] = extended(getattr(work, name), fresh[1:] if name == "members" else fresh)
+    counts = (constraints, members, rows, len(work.links), len(work.side_by_side.blocks))
+    fresh = plain(more.parts)
+    for ends, count in zip(ENDS, counts, strict=True):
+        for column in ends:
+            fresh[column] += count
+    fresh["first_target"] += len(work.targets)
+    tables["parts"] = extended(work.parts, fresh)
+    bodies = plain(more.members)["body"][1:]
+    work.part_of[bodies] = plain(more.members)["part"][1:]
+    return work._replace(
+        **tables,
+        starts=longer(work.starts[:-1], more.starts + len(work.row_of)),
+        row_of=longer(work.row_of, more.row_of + rows),
+        targets=longer(work.targets, more.targets + len(work.row_of)),
+        entries=longer(work.entries, more.entries),
+        side_by_side=_with_more_lanes(work.side_by_side, more.side_by_side, members),
+    )
+
+
+def with_more_bonds(bonds: Records, more: Records) -> Records:
+    """Bonds and others that come, sorted by (low, high) as both are."""
+    last, bonds = len(bonds) - 1, extended(bonds, plain(more))
+    rows = plain(bonds)
+    if last >= 0 and len(more) and rows["low"][last] >= rows["low"][last + 1]:
+        rows[:] = rows[np.lexsort((rows["high"], rows["low"]))]
+    return bonds
+
+
+def _shifted(values: Integers, shift: int, are_members: bool) -> Integers:
+    """-1 is nothing, and member 0 the world."""
+    return np.where(values >= (1 if are_members else 0), values + shift, values)
+
+
+def _with_more_lanes(lanes: HingeLanes, more: HingeLanes, members: int) -> HingeLanes:
+    if len(more.hinges) == 0:
+        return lanes
+    hinges, blocks = plain(more.hinges), plain(more.blocks)
+    for column in ("member_a", "member_b"):
+        hinges[column] = _shifted(hinges[column], members, True)
+    blocks["first"] += len(lanes.hinges)
+    count = len(lanes.blocks) + len(blocks)
+    return HingeLanes(
+        extended(lanes.hinges, hinges), extended(lanes.blocks, blocks),
+        aligned_zeros(count * HINGE_BLOCK_SIZE, np.float64), lanes.gathered,
+    )  # fmt: skip

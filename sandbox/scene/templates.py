@@ -1,0 +1,109 @@
+"""Bodies like others that were read before: which body it is, where it is and how it moves is all that is read again.
+
+A world in which the same things come again and again has few *templates*: entries less those five fields. What makes
+an entry of a known one wrong can only be its own fields, so these alone are validated, by the same model. Whoever asks
+is told nothing about mistakes: what is not plainly right has to be read in full.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
+from typing import Any, TypeAlias
+
+from pydantic import ValidationError
+
+from sandbox.geometry.rotation import RADIANS_PER_DEGREE
+from sandbox.scene.body import Body
+from sandbox.scene.flat import FlatBody
+
+OWN = ("id", "position", "angle", "velocity", "angular_velocity")
+"""The fields that bodies of one template have for themselves."""
+_STILL = ((0.0, 0.0), 0.0)
+_PLAIN = (str, int, bool, type(None))
+_MOST = 1024
+"""So many templates are kept; then all are forgotten."""
+
+Key: TypeAlias = tuple[Any, ...]
+Words: TypeAlias = dict[str, Any]
+
+
+class _StrangeError(Exception):
+    """Something that no file holds."""
+
+
+@dataclass(frozen=True)
+class _Template:
+    """One body that was read: its flat fields, and its entry as a file holds it."""
+
+    flat: dict[str, Any]
+    words: Words
+
+
+class Templates:
+    """The templates of the bodies that one world has read."""
+
+    def __init__(self) -> None:
+        self._known: dict[Key, _Template] = {}
+
+    def learn(self, entries: Sequence[Any], bodies: Sequence[FlatBody], words: Sequence[Words]) -> None:
+        """Note the templates of entries that have been read in full, and found right."""
+        for entry, body, plain in zip(entries, bodies, words, strict=True):
+            key = _key(entry)
+            if key is not None and key not in self._known:
+                if len(self._known) >= _MOST:
+                    self._known.clear()
+                self._known[key] = _Template({item.name: getattr(body, item.name) for item in fields(body)}, plain)
+
+    def read(self, entries: Sequence[Any]) -> list[tuple[FlatBody, Words]] | None:
+        """Bodies and words of entries; None unless all are of known templates and right by themselves."""
+        found = []
+        for entry in entries:
+            key = _key(entry)
+            if key is None or key not in self._known:
+                return None
+            template = self._known[key]
+            try:
+                own = Body.__pydantic_validator__.validate_python({name: entry[name] for name in key[0]})
+            except ValidationError:
+                return None
+            body = _flat(own, key[0], template)
+            if body is None:
+                return None
+            found.append((body, {**template.words, **own.to_data()}))
+        return found
+
+
+def _flat(own: Body, given: Sequence[str], template: _Template) -> FlatBody | None:
+    """A body of a template; None if it is one that may not move and does."""
+    values = dict(template.flat)
+    for name in given:
+        value = getattr(own, name)
+        values[name] = value * RADIANS_PER_DEGREE if name in ("angle", "angular_velocity") else value
+    if values["type"] == "static" and (values["velocity"], values["angular_velocity"]) != _STILL:
+        return None
+    return FlatBody(**values)
+
+
+def _key(entry: Any) -> Key | None:
+    """Equal for entries of one template, down to the types and the bits of their values; None for what is no entry."""
+    if type(entry) is not dict:
+        return None
+    given = tuple(name for name in OWN if name in entry)
+    try:
+        return given, *((name, _frozen(value)) for name, value in entry.items() if name not in given)
+    except _StrangeError:
+        return None
+
+
+def _frozen(value: Any) -> Any:
+    kind = type(value)
+    if kind is float:
+        return kind, value.hex()
+    if kind in _PLAIN:
+        return kind, value
+    if kind is list or kind is tuple:
+        return kind, *map(_frozen, value)
+    if kind is dict and all(type(name) is str for name in value):
+        return kind, *((name, _frozen(each)) for name, each in value.items())
+    raise _StrangeError

@@ -1,0 +1,116 @@
+"""Who is behind the rows now: lists that change in place as bodies and joints come and go, in the order of the rows.
+
+What one that comes or goes costs does not depend on how many there are, but for the moving of what comes after it.
+`roster` is the same at one moment, for whoever keeps it.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Iterator, Sequence
+from itertools import compress
+from typing import Any, Generic
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sandbox.scene.flat import FlatBody, FlatJoint, FlatScene
+from sandbox.world.roster import Register, Roster, T, Words
+
+_FEW = 8
+"""So many gaps are closed one by one, which only moves what lies behind; more of them at once."""
+
+
+class Ledger(Generic[T]):
+    """One table's part of a census: what is behind each row, its id and its serial number, and the words of what was
+    spawned."""
+
+    __slots__ = ("_ids", "_register", "items", "names", "next", "serials", "words")
+
+    def __init__(self, register: Register[T]) -> None:
+        self.items: list[T] = list(register.items)
+        self.names: list[str] = list(register.names)
+        self.serials: list[int] = list(register.serials)
+        self.words: dict[int, Words] = dict(register.words)
+        self.next = register.next
+        self._ids: tuple[str, ...] | None = register.names
+        self._register: Register[T] | None = register
+
+    def __len__(self) -> int:
+        return len(self.items)
+
+    def add(self, items: Sequence[T], words: Sequence[Words]) -> None:
+        """Further rows at the end, with the next serial numbers."""
+        if not items:
+            return
+        fresh = range(self.next, self.next + len(items))
+        self.items += items
+        self.names += [item.id for item in items]
+        self.serials += fresh
+        self.words.update(zip(fresh, words, strict=True))
+        self.next += len(items)
+        self._register = self._ids = None
+
+    def remove(self, left: NDArray[np.bool_]) -> list[str]:
+        """Close up the rows that are `left`; returns the names of the others."""
+        gone = np.flatnonzero(~left)
+        rows = gone.tolist()
+        names = [self.names[row] for row in rows]
+        for row in rows:
+            self.words.pop(self.serials[row], None)
+        starts = np.flatnonzero(np.diff(gone, prepend=-2) > 1)
+        runs = list(zip(gone[starts].tolist(), (gone[[*starts[1:] - 1, -1]] + 1).tolist(), strict=True)) if rows else []
+        columns: tuple[list[Any], ...] = (self.items, self.names, self.serials)
+        for column in columns:
+            if len(runs) > _FEW:
+                first = rows[0]
+                column[first:] = list(compress(column[first:], left[first:].tolist()))
+            else:
+                for first, end in reversed(runs):
+                    del column[first:end]
+        if rows:
+            self._register = self._ids = None
+        return names
+
+    def row_of(self, serial: int) -> int | None:
+        """The row of what has that serial number; None if it is gone."""
+        row = bisect_left(self.serials, serial)
+        return row if row < len(self.serials) and self.serials[row] == serial else None
+
+    @property
+    def ids(self) -> tuple[str, ...]:
+        """The names, to be kept."""
+        if self._ids is None:
+            self._ids = tuple(self.names)
+        return self._ids
+
+    @property
+    def register(self) -> Register[T]:
+        """What it holds now, to be kept; the same object as long as nothing comes or goes."""
+        if self._register is None:
+            self._register = Register(tuple(self.items), tuple(self.serials), dict(self.words), self.next)
+            vars(self._register)["names"] = self.ids  # instead of asking everybody again
+        return self._register
+
+
+class Census:
+    """Everybody in a world that began as `scene`."""
+
+    __slots__ = ("_roster", "bodies", "joints", "scene")
+
+    def __init__(self, roster: Roster) -> None:
+        self.scene: FlatScene = roster.scene
+        self.bodies: Ledger[FlatBody] = Ledger(roster.bodies)
+        self.joints: Ledger[FlatJoint] = Ledger(roster.joints)
+        self._roster = roster
+
+    def __iter__(self) -> Iterator[Ledger[Any]]:
+        return iter((self.bodies, self.joints))
+
+    @property
+    def roster(self) -> Roster:
+        """Who is there now, to be kept; the same object as long as nobody comes or goes."""
+        bodies, joints = self.bodies.register, self.joints.register
+        if bodies is not self._roster.bodies or joints is not self._roster.joints:
+            self._roster = Roster(self.scene, bodies, joints)
+        return self._roster

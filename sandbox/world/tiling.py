@@ -1,0 +1,94 @@
+"""Which shapes are tiles, how the seam table is laid out for them, and who lies near whom."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from sandbox.tables import Integers, plain
+from sandbox.world.flush import find_tiles, join_some
+from sandbox.world.records import SEAMED
+from sandbox.world.runs import runs
+from sandbox.world.tile_outlines import Outlines
+from sandbox.world.tile_pairs import meeting_tiles
+
+if TYPE_CHECKING:
+    from sandbox.world.state import State
+
+_NEAR = 1e-5
+"""Farther apart than tiles may be that meet, in metres."""
+_ROUNDING = 1e-12
+_FEW = 64
+"""So many tiles are asked without a look at where they lie."""
+
+
+@dataclass
+class Tiling:
+    """The tiles of a state, `rows` of the shape table; `joined` are those that have rows in the seam table once there
+    are two of them: all but parts of concave polygons. They come after the `own` rows that shapes came with."""
+
+    rows: Integers
+    joined: Integers
+    own: int
+
+    @classmethod
+    def of(cls, state: State) -> Tiling:
+        """That of a state, found once."""
+        if state.tiling is None:
+            shapes = plain(state.shapes)
+            rows = find_tiles(plain(state.bodies), shapes)
+            joined = rows[shapes["part"][rows] == 0]
+            behind = int(shapes["vertex_count"][joined].sum()) if len(joined) > 1 else 0
+            state.tiling = cls(rows, joined, len(state.seams) - behind)
+        return state.tiling
+
+
+def neighbours(state: State, tiles: Integers) -> Integers:
+    """The tiles with rows in the seam table whose boxes meet those of other `tiles`: how they join may change."""
+    near, outlines = _around(state, tiles)
+    found = [near[two] for _, two in meeting_tiles(outlines, np.searchsorted(near, tiles))]
+    beside = np.setdiff1d(np.concatenate(found), tiles)
+    single: Integers = beside[plain(state.shapes)["part"][beside] == 0]
+    return single
+
+
+def rejoin(state: State, tiles: Integers) -> None:
+    """Find out anew how some tiles with rows in the seam table abut others."""
+    if len(tiles) == 0 or len(Tiling.of(state).joined) < 2:
+        return
+    shapes = plain(state.shapes)
+    shapes["traits"][tiles] &= ~SEAMED
+    plain(state.seams)[runs(shapes["seam_start"][tiles], shapes["vertex_count"][tiles])] = 0
+    near, outlines = _around(state, tiles)
+    join_some(state.bodies, state.shapes, state.seams, outlines, np.searchsorted(near, tiles))
+
+
+def rejoin_around(state: State, tiles: Integers) -> None:
+    """Find out anew how `tiles` and all beside them abut others."""
+    if len(tiles):
+        single = tiles[plain(state.shapes)["part"][tiles] == 0]
+        rejoin(state, np.union1d(single, neighbours(state, tiles)))
+
+
+def _around(state: State, tiles: Integers) -> tuple[Integers, Outlines]:
+    """Some tiles and all that may meet them: their rows, ascending, and their outlines."""
+    near = _may_meet(state, Tiling.of(state).rows, tiles)
+    return near, Outlines.of(state.bodies, state.shapes, state.vertices, near)
+
+
+def _may_meet(state: State, rows: Integers, tiles: Integers) -> Integers:
+    """Those of `rows` that reach into the box around `tiles`. The extent of a body leaves its sensors out."""
+    if len(rows) <= _FEW:
+        return rows
+    bodies, shapes = plain(state.bodies), plain(state.shapes)
+    outlines = Outlines.of(state.bodies, state.shapes, state.vertices, tiles)
+    owner = shapes["body"][rows]
+    reach = np.where(shapes["sensor"][rows] == 1, np.inf, bodies["extent"][owner])
+    inside = np.ones(len(rows), np.bool_)
+    for center, corners in ((bodies["center_x"], outlines.x), (bodies["center_y"], outlines.y)):
+        low, high = float(corners.min()), float(corners.max())
+        slack = _NEAR + _ROUNDING * max(abs(low), abs(high))
+        inside &= (center[owner] + reach >= low - slack) & (center[owner] - reach <= high + slack)
+    return rows[inside]
