@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from sandbox.replay.conditions import Condition
 from sandbox.replay.expectation_conditions import conditions
 from sandbox.scene.expect import Expectation
+from sandbox.world.census import Census
 from sandbox.world.state import State
 
 if TYPE_CHECKING:
@@ -69,8 +70,8 @@ class Judge:
 
 
 def _kept(state: State) -> State:
-    """A state whose bodies stay as they are now."""
-    return replace(state, bodies=state.bodies.copy())
+    """A state whose bodies, and who they are, stay as they are now."""
+    return replace(state, bodies=state.bodies.copy(), census=Census(state.roster))
 
 
 def _followed(start: State, now: State) -> State:

@@ -15,13 +15,14 @@ from sandbox.world.records import SEAM, SEAMED, STATIC
 from sandbox.world.runs import run_starts, runs
 from sandbox.world.shape_rows import Rows
 from sandbox.world.state import State
-from sandbox.world.tiling import Tiling, neighbours
+from sandbox.world.tile_rows import Tiling
+from sandbox.world.tiling import neighbours, tiling_of
 
 
 def add_seams(state: State, bodies: Rows, shapes: Rows, seams: Rows) -> Integers:
     """Make room for shapes that will come after all others, and point them there; they count their `bodies` and the
     rows in `seams` from 0. Returns the tiles that have to be joined anew then."""
-    tiling, first = Tiling.of(state), len(state.shapes)
+    tiling, first = tiling_of(state), len(state.shapes)
     fresh = find_tiles(bodies, shapes) if (bodies["type"] == STATIC).any() else np.zeros(0, np.int64)
     shapes["seam_start"] += tiling.own
     if len(seams):
@@ -57,7 +58,7 @@ def remove_seams(state: State, left: NDArray[np.bool_], shape_rows: Integers) ->
 
     Returns the tiles that have to be joined anew then, by their new rows.
     """
-    tiling, shapes = Tiling.of(state), plain(state.shapes)
+    tiling, shapes = tiling_of(state), plain(state.shapes)
     going = tiling.rows[~left[tiling.rows]]
     beside = neighbours(state, going) if len(going) else going
     gone = np.flatnonzero(~left)

@@ -8,7 +8,7 @@ from sandbox.tables import Records
 from sandbox.world.census import Census
 from sandbox.world.patterns import KnownPatterns
 from sandbox.world.roster import Roster
-from sandbox.world.tiling import Tiling
+from sandbox.world.tile_rows import Tiling
 
 ARRAYS = (
     "bodies", "shapes", "vertices", "outlines", "seams", "contacts", "joints", "drags", "regions", "edges", "thrusters",

@@ -1,9 +1,6 @@
-"""Which shapes are tiles, how the seam table is laid out for them, and who lies near whom."""
+"""The tiles of a state, who of them lies beside whom, and joining some of them anew."""
 
 from __future__ import annotations
-
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -11,11 +8,10 @@ from sandbox.tables import Integers, plain
 from sandbox.world.flush import find_tiles, join_some
 from sandbox.world.records import SEAMED
 from sandbox.world.runs import runs
+from sandbox.world.state import State
 from sandbox.world.tile_outlines import Outlines
 from sandbox.world.tile_pairs import meeting_tiles
-
-if TYPE_CHECKING:
-    from sandbox.world.state import State
+from sandbox.world.tile_rows import Tiling
 
 _NEAR = 1e-5
 """Farther apart than tiles may be that meet, in metres."""
@@ -24,25 +20,15 @@ _FEW = 64
 """So many tiles are asked without a look at where they lie."""
 
 
-@dataclass
-class Tiling:
-    """The tiles of a state, `rows` of the shape table; `joined` are those that have rows in the seam table once there
-    are two of them: all but parts of concave polygons. They come after the `own` rows that shapes came with."""
-
-    rows: Integers
-    joined: Integers
-    own: int
-
-    @classmethod
-    def of(cls, state: State) -> Tiling:
-        """That of a state, found once."""
-        if state.tiling is None:
-            shapes = plain(state.shapes)
-            rows = find_tiles(plain(state.bodies), shapes)
-            joined = rows[shapes["part"][rows] == 0]
-            behind = int(shapes["vertex_count"][joined].sum()) if len(joined) > 1 else 0
-            state.tiling = cls(rows, joined, len(state.seams) - behind)
-        return state.tiling
+def tiling_of(state: State) -> Tiling:
+    """The tiles of a state, found once."""
+    if state.tiling is None:
+        shapes = plain(state.shapes)
+        rows = find_tiles(plain(state.bodies), shapes)
+        joined = rows[shapes["part"][rows] == 0]
+        behind = int(shapes["vertex_count"][joined].sum()) if len(joined) > 1 else 0
+        state.tiling = Tiling(rows, joined, len(state.seams) - behind)
+    return state.tiling
 
 
 def neighbours(state: State, tiles: Integers) -> Integers:
@@ -56,7 +42,7 @@ def neighbours(state: State, tiles: Integers) -> Integers:
 
 def rejoin(state: State, tiles: Integers) -> None:
     """Find out anew how some tiles with rows in the seam table abut others."""
-    if len(tiles) == 0 or len(Tiling.of(state).joined) < 2:
+    if len(tiles) == 0 or len(tiling_of(state).joined) < 2:
         return
     shapes = plain(state.shapes)
     shapes["traits"][tiles] &= ~SEAMED
@@ -74,7 +60,7 @@ def rejoin_around(state: State, tiles: Integers) -> None:
 
 def _around(state: State, tiles: Integers) -> tuple[Integers, Outlines]:
     """Some tiles and all that may meet them: their rows, ascending, and their outlines."""
-    near = _may_meet(state, Tiling.of(state).rows, tiles)
+    near = _may_meet(state, tiling_of(state).rows, tiles)
     return near, Outlines.of(state.bodies, state.shapes, state.vertices, near)
 
 

@@ -26,7 +26,7 @@ JOINTED = [name for name in sorted(FILES) if shipped(name).flatten().joints]
 
 def same(joints: Any, bodies: Any, layouts: PartLayouts) -> None:
     """Both ways give the same tables, to the byte."""
-    (bonds, joined), work = assemble(joints, bodies, layouts)
+    (bonds, joined), work = assemble(joints, bodies, layouts, len(bodies))
     expected = naive.assemble(joints, bodies)
     assert (bonds.tobytes(), joined.tobytes()) == (expected[0].bonds.tobytes(), expected[0].joined.tobytes())
     assert (work is None) == (expected[1] is None)

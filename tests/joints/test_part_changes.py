@@ -88,6 +88,9 @@ def check(world: sandbox.World) -> None:
     assert (scratch.ccd.bodies.linked[: len(linked)] == linked).all()
     if work is not None and scratch.joints is not None:
         same_work(scratch.joints, work)
+        layouts = world._stepper._layouts
+        assert len(layouts.parts) == len(work.parts)
+        assert sorted(layouts.known) == sorted(dict.fromkeys(layouts.parts))
 
 
 def same_bonds(ours: JointFilter, theirs: JointFilter) -> None:

@@ -55,7 +55,7 @@ def assemble_more(
     if not (apart.all() and (plain(bodies)["mass"][seen] > 0.0).all()):
         return None
     room = len(joint_filter.joined)
-    more_filter, more = _assembled(joints, bodies, layouts, room, (held, sides), others=True)
+    more_filter, more = _assembled(joints, bodies, layouts, room, (held, sides), others=work is not None)
     joint_filter.joined[seen] |= more_filter.joined[seen]
     joint_filter = JointFilter(with_more_bonds(joint_filter.bonds, more_filter.bonds), joint_filter.joined)
     if work is not None:

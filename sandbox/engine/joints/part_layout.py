@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cache
-from itertools import pairwise
+from itertools import compress, pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -53,19 +53,28 @@ class PartLayout:
 
 @dataclass
 class PartLayouts:
-    """The layouts of the parts of a world, by what they depend on."""
+    """The layouts of the parts of a world, by what they depend on; and that of each part, in their order."""
 
     known: dict[bytes, PartLayout] = field(default_factory=dict)
+    parts: list[bytes] = field(default_factory=list)
 
     def of_parts(self, joints: NDArray[np.int32], ends: Integers, others: bool = False) -> list[PartLayout]:
         """The layout of each part; `joints` has `COLUMNS` for each joint, part after part, up to `ends`.
 
-        Unless there are `others` besides, layouts that no part has any longer are forgotten.
+        Where there are `others`, they come behind those; else layouts that none of them has are forgotten.
         """
         keys = [joints[first:end].tobytes() for first, end in pairwise([0, *ends.tolist()])]
         kept = {key: self.known.get(key) or part_layout(key) for key in dict.fromkeys(keys)}
         self.known = self.known | kept if others else kept
+        if not others:
+            self.parts = []
+        self.parts += keys
         return [kept[key] for key in keys]
+
+    def drop(self, going: NDArray[np.bool_]) -> None:
+        """Forget parts, and the layouts that no other one has."""
+        self.parts = list(compress(self.parts, (~going).tolist()))
+        self.known = {key: self.known[key] for key in dict.fromkeys(self.parts)}
 
 
 @cache
