@@ -12,7 +12,7 @@ from types import TracebackType
 from typing import Self
 
 import sandbox
-from sandbox._jit import cache_root
+from sandbox._kernel_cache import cache_root
 from sandbox.errors import SandboxError
 from sandbox.replay.causes.history import surroundings
 
