@@ -142,6 +142,8 @@ def _kind(value: Any) -> Any:
     if isinstance(value, np.ndarray):
         flags = value.flags
         return value.dtype, value.ndim, flags.c_contiguous, flags.f_contiguous, flags.writeable, flags.aligned
+    if isinstance(value, np.void):
+        return type(value), value.dtype
     return (type(value), *map(_kind, value)) if isinstance(value, tuple) else type(value)
 
 

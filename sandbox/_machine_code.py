@@ -84,7 +84,7 @@ _NONE = object()
 
 
 def _words(value: Any) -> Iterator[Any]:
-    """An argument, flattened: of an array the address, the shape and the strides in bytes; None takes no word."""
+    """An argument, flattened: of an array the address, the shape and the strides in bytes; of a row the address."""
     if isinstance(value, tuple):
         for each in value:
             yield from _words(each)
@@ -92,6 +92,8 @@ def _words(value: Any) -> Iterator[Any]:
         yield value.ctypes.data
         yield from value.shape
         yield from value.strides
+    elif isinstance(value, np.void):
+        yield value.__array_interface__["data"][0]
     elif isinstance(value, np.bool_):
         yield int(value)
     elif value is not None:
@@ -107,10 +109,10 @@ def _format(value: Any) -> Iterator[str]:
         yield (1 + 2 * value.ndim) * INTEGER
     elif isinstance(value, (float, np.floating)):
         yield FLOAT
-    elif isinstance(value, (int, np.integer, np.bool_)):
+    elif isinstance(value, (int, np.integer, np.bool_, np.void)):
         yield INTEGER
     elif value is not None:
-        raise TypeError(f"an entry point takes numbers, arrays and tuples of them, no {type(value).__name__}")
+        raise TypeError(f"an entry point takes numbers, arrays, rows and tuples of them, no {type(value).__name__}")
 
 
 def _letters(returns: Returns) -> Iterator[str]:

@@ -101,6 +101,9 @@ class _Block:
             return self._context.make_tuple(self._builder, kind, [self.read(each) for each in kind.types])
         if isinstance(kind, types.NoneType):
             return self._context.get_dummy_value()
+        if isinstance(kind, types.Record):
+            row = self._builder.load(self._word())
+            return self._builder.inttoptr(row, self._context.get_value_type(kind))
         return self._number(kind)
 
     def write(self, kind: Any, value: Any) -> None:

@@ -17,6 +17,7 @@ from sandbox import _kernel_cache
 from sandbox._jit import Call, Door, entry_point, interpreted, jit_enabled
 from sandbox.engine.world import World
 from sandbox.scene import Scene
+from sandbox.tables import Field, Table
 
 compiled = pytest.mark.skipif(not jit_enabled(), reason="there is no machine code without the compiler")
 WHOLE = st.integers(-(2**63), 2**63 - 1)
@@ -51,6 +52,12 @@ def fill(table: Any, number: float) -> None:
 
 
 @entry_point
+def add_count(row: Any, number: float) -> float:
+    row.x += row.count + number
+    return row.x
+
+
+@entry_point
 def parts(number: float, exponent: int) -> tuple[float, int, float]:
     return math.frexp(number)[0], math.frexp(number)[1], math.ldexp(number, exponent)
 
@@ -66,6 +73,13 @@ def test_what_goes_in_comes_out(whole: int, number: float, truth: bool, other: b
     assert repr(got) == repr(expected)  # NaN as well, and True is not 1
     assert table[1, 2] == table[0, 1] + 0.5
     assert repr(Call(mixed, arguments)()) == repr(expected)
+
+
+def test_a_row_is_its_place_in_the_table() -> None:
+    rows = Table("pair", (Field("x", "1", "a number"), Field("count", "1", "another", "i8"))).zeros(3)
+    rows.x[:], rows.count[:] = (1.0, 2.0, 3.0), (4, 5, 6)
+    assert add_count(rows[1], 0.5) == 7.5
+    assert rows.x.tolist() == [1.0, 7.5, 3.0]
 
 
 @given(WHOLE, FLOATS)
