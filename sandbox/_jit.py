@@ -1,4 +1,4 @@
-"""The only file, with `_linking.py`, that imports numba: how kernels are compiled and where the machine code is kept.
+"""How kernels are compiled and where the machine code is kept; `_linking.py` and `_vectors.py` alone know numba, too.
 
 `kernel` marks a function that other kernels call; `entry_point` marks one that Python calls, whose machine code is
 kept on disk. numba's own cache looks only at the file of the entry point, so the cache folder is named by a hash
@@ -35,6 +35,7 @@ F = TypeVar("F", bound=Callable[..., Any])
 _ROOMS = (
     "_jit.py",
     "_linking.py",
+    "_vectors.py",
     "tables.py",
     "geometry",
     "world/records.py",

@@ -112,7 +112,7 @@ def solve(
     clear_flags(bodies, rows, solver, state.drags)
     mark_fast_at_start(bodies, rows, ccd.bodies, setting.step_seconds)
     if joints is not None:
-        begin_joints(joints, bodies, contacts)
+        begin_joints(joints, bodies, solver.free_motions, contacts)
     clear_reports(contacts.reports, count)
     for level in range(MAX_LEVEL + 1):
         if (levels >> level) & 1 == 0:
