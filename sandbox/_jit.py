@@ -42,6 +42,8 @@ _ROOMS = (
     "world/field_records.py",
     "engine",
 )
+_base_of: Callable[[Any], Any] = np.ndarray.base.__get__
+# Record arrays look through their columns for every attribute first.
 _FLAGS: dict[str, Any] = {"error_model": "numpy", "boundscheck": False, "_nrt": False}
 # Kernels allocate nothing, so numba's reference counting is off: its atomic counters around every call that takes an
 # array cost more than the arithmetic (the grid ran 7 times slower with them).
@@ -114,8 +116,11 @@ class Call:
 
     def exchange(self, names: tuple[str, ...], others: Mapping[str, Any]) -> None:
         """Take other arguments of the same types from now on, for those of its parameters that `others` has."""
-        pairs = zip(names, self._arguments, strict=True)
-        self._arguments = tuple([others.get(name, argument) for name, argument in pairs])
+        arguments = list(self._arguments)
+        for place, name in enumerate(names):
+            if name in others:
+                arguments[place] = others[name]
+        self._arguments = tuple(arguments)
 
 
 def _machine_code(entry: Any, arguments: tuple[Any, ...]) -> Callable[..., Any]:
@@ -155,7 +160,7 @@ def kernel_argument(value: Any) -> Any:
     for `row.field`.
     """
     if isinstance(value, np.recarray):
-        return value if config.DISABLE_JIT else value.base
+        return value if config.DISABLE_JIT else _base_of(value)
     if isinstance(value, tuple):
         return getattr(type(value), "_make", tuple)([kernel_argument(each) for each in value])
     return value
