@@ -16,11 +16,15 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from numba import types
+from numba import njit, types
 from numba._dynfunc import make_function
 from numba.core import compiler, typed_passes, untyped_passes
 from numba.core.codegen import JITCodeLibrary
+from numba.core.compiler_lock import global_compiler_lock
 from numba.core.compiler_machinery import PassManager, register_pass
+
+from sandbox._machine_code import Returns
+from sandbox._way_in import way_in
 
 _NEEDLESS = {
     untyped_passes.WithLifting,
@@ -35,6 +39,17 @@ _NEEDLESS = {
     typed_passes.DumpParforDiagnostics,
 }
 # Passes over what kernels have not: closures, `with`, raised values, literals asked for, expressions of whole arrays.
+
+_NUMBA = ("_ZN5numba", "numba_", "numba.", "NRT_")
+_FLAGS: dict[str, Any] = {
+    "error_model": "numpy",
+    "boundscheck": False,
+    "_nrt": False,
+    "no_cpython_wrapper": True,
+    "no_cfunc_wrapper": True,
+}
+# Kernels allocate nothing, so numba's reference counting is off: its atomic counters around every call that takes an
+# array cost more than the arithmetic (the grid ran 7 times slower with them).
 
 
 class _Library(JITCodeLibrary):
@@ -53,21 +68,23 @@ class _Part(_Library):
         self._finalized = True
 
 
-@register_pass(mutates_CFG=True, analysis_only=False)
-class _LowerWhole(typed_passes.NativeLowering):
-    """Lower an entry point, optimise it with all that it calls, and make machine code of it."""
+class _Whole(_Library):
+    """The module of an entry point, which becomes an object file. numba itself never loads it."""
 
-    _name = "lower_whole"
+    code: bytes
 
-    def run_pass(self, state: Any) -> bool:
-        state.library = _Library(state.targetctx.codegen(), state.func_id.func_qualname)
-        state.library.enable_object_caching()
-        return bool(super().run_pass(state))
+    def _finalize_final_module(self) -> None:
+        module = self._final_module
+        missing = [each.name for each in (*module.functions, *module.global_variables) if each.is_declaration]
+        if found := [name for name in missing if name.startswith(_NUMBA)]:
+            raise NotImplementedError(f"{self.name} needs what numba alone has: {', '.join(found)}")
+        self.code = self._codegen._tm.emit_object(module)
+        self._finalized = True
 
 
 @register_pass(mutates_CFG=True, analysis_only=False)
 class _LowerPart(typed_passes.NativeLowering):
-    """Lower a kernel that kernels call. What they know it by is a function that Python cannot call."""
+    """Lower a kernel. What other kernels know it by is a function that Python cannot call."""
 
     _name = "lower_part"
 
@@ -83,13 +100,13 @@ class _LowerPart(typed_passes.NativeLowering):
         return True
 
 
-def _pipeline(state: Any, lower: Any) -> PassManager:
+def _pipeline(state: Any) -> PassManager:
     """numba's passes in their order, without those that kernels do not need and with another last one."""
     usual = compiler.DefaultPassBuilder.define_nopython_pipeline(state)
     passes = PassManager("kernel")
     for each, why in usual.passes:
         if each not in _NEEDLESS:
-            passes.add_pass(lower if each is typed_passes.NativeLowering else each, why)
+            passes.add_pass(_LowerPart if each is typed_passes.NativeLowering else each, why)
     passes.finalize()
     return passes
 
@@ -106,29 +123,46 @@ def _no_garbage_collection() -> Iterator[None]:
             gc.enable()
 
 
-class EntryPointCompiler(compiler.CompilerBase):
-    """Compiles what Python calls, and by that all the kernels below it."""
-
-    def compile_extra(self, function: Any) -> Any:
-        with _no_garbage_collection():
-            return super().compile_extra(function)
-
-    def define_pipelines(self) -> list[PassManager]:
-        return [_pipeline(self.state, _LowerWhole)]
-
-
 class KernelCompiler(compiler.CompilerBase):
-    """Compiles what only kernels call."""
+    """Compiles what is called by kernels, and by the function through which Python enters."""
 
     def define_pipelines(self) -> list[PassManager]:
-        return [_pipeline(self.state, _LowerPart)]
+        return [_pipeline(self.state)]
 
 
-def take_literals_as_values(dispatcher: Any) -> None:
-    """Have one version of a kernel for `f(x, 0)` and `f(x, n)`; by itself numba compiles one more for each literal."""
-    usual = dispatcher.get_call_template
+def dispatcher(function: Any, **flags: Any) -> Any:
+    """`function` under numba: one version of it for `f(x, 0)` and `f(x, n)`.
+
+    By itself numba compiles one more for each literal.
+    """
+    made = njit(pipeline_class=KernelCompiler, **_FLAGS, **flags)(function)
+    usual = made.get_call_template
 
     def template(arguments: Any, named: Any) -> Any:
         return usual(tuple(map(types.unliteral, arguments)), {key: types.unliteral(named[key]) for key in named})
 
-    dispatcher.get_call_template = template
+    made.get_call_template = template
+    return made
+
+
+def machine_code(entry: Any, arguments: tuple[Any, ...]) -> tuple[Returns, bytes]:
+    """What an entry point returns, and the machine code of it and all the kernels below it, as an object file.
+
+    `entry` is its dispatcher, `arguments` are of the types to compile it for.
+    """
+    returns, whole = linked(entry, arguments)
+    return returns, whole.code
+
+
+def linked(entry: Any, arguments: tuple[Any, ...]) -> tuple[Returns, Any]:
+    """What an entry point returns, and its library: the module of it and all the kernels below it."""
+    with _no_garbage_collection(), global_compiler_lock:
+        kinds = tuple(map(entry.typeof_pyval, arguments))
+        entry.compile(kinds)
+        compiled = entry.overloads[kinds]
+        whole = _Whole(compiled.target_context.codegen(), compiled.fndesc.qualname)
+        module, returns = way_in(whole, compiled)
+        whole.add_ir_module(module)
+        whole.add_linking_library(compiled.library)
+        whole.finalize()
+        return returns, whole

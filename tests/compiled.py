@@ -14,7 +14,8 @@ from pathlib import Path
 from typing import Any
 
 import sandbox
-from sandbox._jit import cache_folder, jit_enabled
+from sandbox._jit import jit_enabled
+from sandbox._kernel_cache import cache_folder
 from sandbox.engine.continuous_collision.solve_continuous import solve_continuous
 from sandbox.engine.events.sensors import SensorOverlaps
 from sandbox.engine.fields.apply import apply_fields
@@ -50,10 +51,10 @@ def compile_all(say: Callable[[str], None]) -> None:
 
 
 def _files() -> str:
-    """numba files machine code under the place and the time of its source."""
+    """Entry points outside the engine are kept under a hash of their file."""
     digest = hashlib.blake2b(digest_size=8)
     for file in sorted(Path(sandbox.__file__).parent.rglob("*.py")):
-        digest.update(f"{file} {file.stat().st_mtime_ns}\n".encode())
+        digest.update(file.read_bytes())
     return digest.hexdigest()
 
 

@@ -8,7 +8,7 @@ import sys
 import pytest
 from hypothesis import HealthCheck, settings
 
-from sandbox._jit import cache_root
+from sandbox._kernel_cache import cache_root
 
 pytest_plugins = ["pytester"]
 

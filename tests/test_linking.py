@@ -8,14 +8,14 @@ from typing import Any
 import pytest
 
 from sandbox import _jit
-from sandbox._jit import kernel
+from sandbox._jit import entry_point, kernel
 
 pytestmark = pytest.mark.skipif(not _jit.jit_enabled(), reason="there is no machine code without the compiler")
 
 
 @pytest.fixture
 def functions() -> tuple[Any, Any, Any]:
-    """An entry point, a kernel that it calls and one that both call; compiled anew, for a cache has no kernels."""
+    """An entry point, a kernel that it calls and one that both call; functions within functions are not kept."""
 
     @kernel
     def leaf(number: int) -> int:
@@ -25,33 +25,32 @@ def functions() -> tuple[Any, Any, Any]:
     def middle(number: int) -> int:
         return leaf(number) + leaf(5)
 
+    @entry_point
     def top(number: int) -> int:
         return middle(number) + leaf(0)
 
-    return _jit._compiled(top, _jit.EntryPointCompiler, **_jit._FLAGS), middle, leaf
+    return top, middle, leaf
 
 
 def test_literals_make_no_versions_of_their_own(functions: tuple[Any, Any, Any]) -> None:
-    top, middle, leaf = functions
-    assert top(3) == 16
-    assert len(top.overloads) == len(middle.overloads) == len(leaf.overloads) == 1
+    assert functions[0](3) == 16
+    assert [len(each.dispatcher.overloads) for each in functions] == [1, 1, 1]
 
 
 def test_only_the_entry_point_becomes_machine_code(
     functions: tuple[Any, Any, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from numba.core.codegen import JITCodeLibrary
+    from sandbox import _linking
 
-    made, usual = [], JITCodeLibrary._finalize_specific
+    made, usual = [], _linking._Whole._finalize_final_module
 
     def noted(library: Any) -> None:
         made.append(library.name.split(".")[-1])
         usual(library)
 
-    monkeypatch.setattr(JITCodeLibrary, "_finalize_specific", noted)
+    monkeypatch.setattr(_linking._Whole, "_finalize_final_module", noted)
     assert functions[0](4) == 18
-    assert "top" in made
-    assert not {"middle", "leaf"} & set(made)
+    assert made == ["top"]
 
 
 @pytest.mark.parametrize("on", [True, False])

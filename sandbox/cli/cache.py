@@ -35,7 +35,8 @@ def cache(
 
 
 def _found(fill: bool) -> dict[str, Any]:
-    from sandbox._jit import cache_folder, cache_is_cold, cache_key, cache_root
+    from sandbox._jit import cache_is_cold
+    from sandbox._kernel_cache import cache_folder, cache_key, cache_root
 
     if fill and cache_is_cold():
         _compile()

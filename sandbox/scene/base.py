@@ -14,7 +14,7 @@ from sandbox.scene.wording import findings
 class Model(BaseModel):
     """A part of a scene. Immutable; bad values raise one `SceneError` with all mistakes."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False)
+    model_config = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False, defer_build=True)
 
     def __init__(self, **data: Any) -> None:
         try:

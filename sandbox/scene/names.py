@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from itertools import chain
 from typing import Any
 
-from pydantic import TypeAdapter, ValidationError
+from pydantic import ConfigDict, TypeAdapter, ValidationError
 
 from sandbox.scene.finding import Finding, Path, quoted
 from sandbox.scene.generators import AnyGenerator, Generator, body_count, body_names
@@ -15,7 +15,7 @@ from sandbox.scene.known import NOTHING, Known
 from sandbox.scene.limits import MAX_BODIES
 from sandbox.scene.plain import children
 
-_GENERATOR: TypeAdapter[Generator] = TypeAdapter(AnyGenerator)
+_GENERATOR: TypeAdapter[Generator] = TypeAdapter(AnyGenerator, config=ConfigDict(defer_build=True))
 
 
 @dataclass

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from sandbox import _jit
+from sandbox import _kernel_cache
 
 
 def test_key_and_path_alone_are_one_line(cli: Callable) -> None:
@@ -30,9 +30,9 @@ def test_the_folder_is_the_one_that_is_asked_for(tmp_path: Path) -> None:
 
 
 def test_the_key_follows_sources_and_python(monkeypatch: pytest.MonkeyPatch) -> None:
-    before = _jit.cache_key()
-    monkeypatch.setattr(_jit, "sources_hash", lambda: "0" * 16)
-    assert _jit.cache_key() != before
+    before = _kernel_cache.cache_key()
+    monkeypatch.setattr(_kernel_cache, "sources_hash", lambda: "0" * 16)
+    assert _kernel_cache.cache_key() != before
     monkeypatch.undo()
     monkeypatch.setattr("platform.python_version", lambda: "3.99.0")
-    assert _jit.cache_key() != before
+    assert _kernel_cache.cache_key() != before

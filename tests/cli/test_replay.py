@@ -298,7 +298,7 @@ class TestHowItRuns:
     def test_last_failed(
         self, cli: Callable, write_scene: Callable, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     ) -> None:
-        from sandbox._jit import cache_folder
+        from sandbox._kernel_cache import cache_folder
 
         cache_folder()  # is asked for once, before the variable moves it
         monkeypatch.setenv("SANDBOX_CACHE_DIR", str(tmp_path / "cache"))

@@ -105,10 +105,9 @@ def test_the_lint_lets_exact_arithmetic_pass(line):
 )
 def test_the_machine_code_has_no_fused_multiply_add(function, arguments):
     """One rounding instead of two would part the machines that have it from those that have not."""
-    # Compiled anew, for what comes from the cache has no text.
-    fresh = _jit._compiled(function.py_func, _jit.EntryPointCompiler, **_jit._FLAGS)
-    fresh(*arguments)
-    text = "".join(fresh.inspect_asm().values())
+    from sandbox import _linking
+
+    text = _linking.linked(function.dispatcher, arguments)[1].get_asm_str()
     assert "mul" in text
     assert "fmadd" not in text
     assert "fnmadd" not in text

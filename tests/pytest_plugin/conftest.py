@@ -14,7 +14,7 @@ import sandbox.cli.check_table
 import sandbox.report.report_page
 import sandbox.testing.own_replay
 import sandbox.testing.verdict
-from sandbox._jit import cache_folder
+from sandbox._kernel_cache import cache_folder
 from tests.cli.conftest import CRATE, GROUND, cli  # noqa: F401
 
 KERNELS = cache_folder().parents[1]

@@ -9,7 +9,17 @@ from pathlib import Path
 
 from sandbox.scene.finding import printable
 
-PACKAGES = ("_jit.py", "tables.py", "geometry", "scene", "world", "engine")
+PACKAGES = (
+    "_jit.py",
+    "_linking.py",
+    "_machine_code.py",
+    "_way_in.py",
+    "tables.py",
+    "geometry",
+    "scene",
+    "world",
+    "engine",
+)
 """What of the package decides about the bits of a run."""
 _LINES = 3
 """Changed lines that are shown."""

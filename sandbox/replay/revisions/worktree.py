@@ -12,7 +12,7 @@ from types import TracebackType
 from typing import Self
 
 import sandbox
-from sandbox._jit import cache_root
+from sandbox._kernel_cache import cache_root
 from sandbox.errors import SandboxError
 from sandbox.replay.causes.history import surroundings
 
@@ -65,7 +65,7 @@ class Repository:
 class Worktree:
     """A context manager: a work tree that goes away in the end. It lies in the same place every time, if it can.
 
-    numba files machine code under the path of its source, so that kernels that were not changed are compiled once.
+    Engines of older revisions file machine code under the path of its source: what was not changed is compiled once.
     """
 
     def __init__(self, repository: Repository) -> None:

@@ -1,0 +1,143 @@
+"""Where the machine code of kernels is kept on disk, and under which names.
+
+The folder is named by all that machine code depends on: a hash of every kernel source, the versions of numba and
+Python, and the processor. A change in any of them starts a new folder and never runs stale code.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import importlib.metadata
+import json
+import os
+import platform
+import shutil
+import time
+from functools import cache
+from pathlib import Path
+from types import FunctionType
+from typing import Any
+
+from platformdirs import user_cache_path
+
+_ROOMS = (
+    "_jit.py",
+    "_linking.py",
+    "_machine_code.py",
+    "_way_in.py",
+    "tables.py",
+    "geometry",
+    "world/records.py",
+    "world/joint_records.py",
+    "world/field_records.py",
+    "engine",
+)
+_SETTINGS = ("CPU_NAME", "CPU_FEATURES", "ENABLE_AVX", "OPT", "LOOP_VECTORIZE", "SLP_VECTORIZE")
+"""Environment variables of numba, without `NUMBA_`, that change machine code."""
+_STALE_SECONDS = 14 * 24 * 3600
+_SUFFIX = ".code"
+_STEP = "sandbox.engine.step"
+"""The module of the entry points that every world needs."""
+
+
+def is_filled() -> bool:
+    """Whether the machine code of the step is there."""
+    return next(cache_folder().glob(f"{_STEP}.*{_SUFFIX}"), None) is not None
+
+
+@cache
+def cache_folder() -> Path:
+    """Where machine code is kept: in `cache_root()`, named by `cache_key()`."""
+    base = cache_root() / "kernels"
+    folder = base / cache_key()
+    folder.mkdir(parents=True, exist_ok=True)
+    _forget_old_folders(base, folder)
+    return folder
+
+
+def cache_root() -> Path:
+    """The folder for all that this package keeps: `SANDBOX_CACHE_DIR`, or the user's cache folder."""
+    root = os.environ.get("SANDBOX_CACHE_DIR")
+    return Path(root) if root else user_cache_path("sandbox2d")
+
+
+def cache_key() -> str:
+    """What machine code depends on: sources, numba, Python, and the processor that it is for."""
+    processor = hashlib.blake2b(repr(_target()).encode(), digest_size=4).hexdigest()
+    return f"{sources_hash()}-numba{importlib.metadata.version('numba')}-py{platform.python_version()}-{processor}"
+
+
+@cache
+def sources_hash() -> str:
+    """Hash of every file that holds kernels, 16 hex digits."""
+    package = Path(__file__).parent
+    digest = hashlib.blake2b(digest_size=8)
+    for room in _ROOMS:
+        path = package / room
+        for file in sorted(path.rglob("*.py")) if path.is_dir() else [path]:
+            digest.update(file.relative_to(package).as_posix().encode() + b"\0" + file.read_bytes())
+    return digest.hexdigest()
+
+
+def kept_file(function: FunctionType, kinds: tuple[Any, ...]) -> Path | None:
+    """Where the machine code of a function for arguments of these kinds is kept; None if it cannot be.
+
+    That is a function within a function, which may be another one at every call of the outer one.
+    """
+    if function.__closure__ or "<" in function.__qualname__:
+        return None
+    digest = hashlib.blake2b(f"{_source(function)} {kinds!r}".encode(), digest_size=8).hexdigest()
+    return cache_folder() / f"{function.__module__}.{function.__qualname__}-{digest}{_SUFFIX}"
+
+
+def read(file: Path | None) -> tuple[Any, bytes] | None:
+    """What `write` has written: (about it, machine code). None if it is not there or not whole."""
+    if file is None or not file.exists():
+        return None
+    head, _, code = file.read_bytes().partition(b"\n")
+    digest, _, about = head.decode(errors="replace").partition(" ")
+    return (json.loads(about), code) if digest == _digest(about.encode(), code) else None
+
+
+def write(file: Path | None, about: Any, code: bytes) -> None:
+    """Keep machine code and what is to be known about it, a JSON value. Other processes see all of it or nothing."""
+    if file is None:
+        return
+    head = json.dumps(about).encode()
+    unfinished = file.with_suffix(f".{os.getpid()}")
+    unfinished.write_bytes(_digest(head, code).encode() + b" " + head + b"\n" + code)
+    os.replace(unfinished, file)
+
+
+def _digest(*parts: bytes) -> str:
+    return hashlib.blake2b(b"\0".join(parts), digest_size=16).hexdigest()
+
+
+def _target() -> tuple[Any, ...]:
+    """The processor, as LLVM sees it, and what else changes the machine code that is made for it."""
+    import llvmlite
+    from llvmlite import binding as llvm
+
+    try:
+        features = llvm.get_host_cpu_features().flatten()
+    except RuntimeError:  # not known for this platform
+        features = ""
+    settings = tuple(os.environ.get(f"NUMBA_{name}") for name in _SETTINGS)
+    return llvm.get_process_triple(), llvm.get_host_cpu_name(), features, llvmlite.__version__, settings
+
+
+@cache
+def _source(function: FunctionType) -> str:
+    """A hash of the file of a function that is not in the rooms that `sources_hash` knows."""
+    package, file = Path(__file__).parent, Path(function.__code__.co_filename)
+    if any(file.is_relative_to(package / room) for room in _ROOMS):
+        return ""
+    return _digest(file.read_bytes())
+
+
+def _forget_old_folders(base: Path, current: Path) -> None:
+    """Keep the cache small: folders of other sources go once they have not been used for two weeks."""
+    os.utime(current)
+    for folder in base.iterdir():
+        if folder != current and time.time() - folder.stat().st_mtime > _STALE_SECONDS:
+            shutil.rmtree(folder, ignore_errors=True)

@@ -1,0 +1,147 @@
+"""Machine code that was made earlier, and how Python calls it: by LLVM alone, for numba takes half a second to load.
+
+Every object has one function, `ENTER`, made by `_linking.py`. It takes the address of a block of 64-bit words: the
+arguments, one after another, each flattened (`_words`), behind the room for what it returns if that is a tuple. A block
+is filled once for arguments that stay, so that a call costs no more than handing over one number.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import struct
+from collections.abc import Callable, Iterator
+from functools import cache
+from typing import Any, TypeAlias
+
+import numpy as np
+
+ENTER = "enter"
+Returns: TypeAlias = Any
+"""What a function returns: one of the letters below, or a list of such for a tuple."""
+INTEGER, FLOAT, TRUTH, NOTHING = "q", "d", "?", "n"
+_RESULTS = {INTEGER: ctypes.c_int64, FLOAT: ctypes.c_double, TRUTH: ctypes.c_bool, NOTHING: None}
+
+
+class Version:
+    """The machine code of an entry point for arguments of one kind."""
+
+    def __init__(self, code: bytes, returns: Returns) -> None:
+        self._engine = _engine(code)
+        self._returns = returns
+        self._results = "".join(_letters(returns)) if isinstance(returns, list) else ""
+        result = None if self._results else _RESULTS[returns]
+        self.enter: Callable[[int], Any] = ctypes.PYFUNCTYPE(result, ctypes.c_void_p)(
+            self._engine.get_function_address(ENTER)
+        )
+
+    def block(self, arguments: tuple[Any, ...]) -> Block:
+        """A block for arguments of the kind that this is for."""
+        return Block(self._results, self._returns, arguments)
+
+
+class Block:
+    """What `Version.enter` is called with: give it `address`, and take `result` of what it gives back.
+
+    Arrays among the arguments are kept alive; the block follows what is written to them.
+    """
+
+    __slots__ = ("_arguments", "_memory", "_offsets", "_results", "_returns", "_spans", "address")
+
+    def __init__(self, results: str, returns: Returns, arguments: tuple[Any, ...]) -> None:
+        self._returns, self._results = returns, struct.Struct(f"={results.replace('?', 'q')}")
+        self._spans = [struct.Struct("=" + "".join(_format(each))) for each in arguments]
+        self._offsets = []
+        end = self._results.size
+        for span in self._spans:
+            self._offsets.append(end)
+            end += span.size
+        self._memory = ctypes.create_string_buffer(end + 1)
+        self.address = ctypes.addressof(self._memory)
+        self._arguments: tuple[Any, ...] = (_NONE,) * len(arguments)
+        self.fill(arguments)
+
+    def fill(self, arguments: tuple[Any, ...]) -> None:
+        """Take other arguments of the same kind. Those that are the same objects as before cost nothing."""
+        for each, before, span, offset in zip(arguments, self._arguments, self._spans, self._offsets, strict=True):
+            if each is not before:
+                span.pack_into(self._memory, offset, *_words(each))
+        self._arguments = arguments
+
+    def result(self, returned: Any) -> Any:
+        """What the function returns, after `enter` has given back `returned`."""
+        if not isinstance(self._returns, list):
+            return returned
+        return _tuple_of(self._returns, iter(self._results.unpack_from(self._memory)))
+
+
+_NONE = object()
+
+
+def _words(value: Any) -> Iterator[Any]:
+    """An argument, flattened: of an array the address, the shape and the strides in bytes; of a row the address."""
+    if isinstance(value, tuple):
+        for each in value:
+            yield from _words(each)
+    elif isinstance(value, np.ndarray):
+        yield value.__array_interface__["data"][0]
+        yield from value.shape
+        yield from value.strides
+    elif isinstance(value, np.void):
+        yield value.__array_interface__["data"][0]
+    elif isinstance(value, np.bool_):
+        yield int(value)
+    elif value is not None:
+        yield value
+
+
+def _format(value: Any) -> Iterator[str]:
+    """The letters of `struct` for the words of an argument."""
+    if isinstance(value, tuple):
+        for each in value:
+            yield from _format(each)
+    elif isinstance(value, np.ndarray):
+        yield (1 + 2 * value.ndim) * INTEGER
+    elif isinstance(value, (float, np.floating)):
+        yield FLOAT
+    elif isinstance(value, (int, np.integer, np.bool_, np.void)):
+        yield INTEGER
+    elif value is not None:
+        raise TypeError(f"an entry point takes numbers, arrays, rows and tuples of them, no {type(value).__name__}")
+
+
+def _letters(returns: Returns) -> Iterator[str]:
+    """What takes a word of a tuple that is returned."""
+    if isinstance(returns, list):
+        for each in returns:
+            yield from _letters(each)
+    elif returns != NOTHING:
+        yield returns
+
+
+def _tuple_of(returns: Returns, words: Iterator[Any]) -> Any:
+    if isinstance(returns, list):
+        return tuple(_tuple_of(each, words) for each in returns)
+    if returns == NOTHING:
+        return None
+    word = next(words)
+    return bool(word) if returns == TRUTH else word
+
+
+@cache
+def _target() -> Any:
+    from llvmlite import binding as llvm
+
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()
+    return llvm.Target.from_triple(llvm.get_process_triple())
+
+
+def _engine(code: bytes) -> Any:
+    """An engine of LLVM's for each object, as objects may have functions of the same name."""
+    target = _target()
+    from llvmlite import binding as llvm
+
+    engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), target.create_target_machine())
+    engine.add_object_file(llvm.ObjectFileRef.from_data(code))
+    engine.finalize_object()
+    return engine
