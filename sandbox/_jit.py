@@ -25,6 +25,8 @@ from sandbox._machine_code import Block, Version
 F = TypeVar("F", bound=Callable[..., Any])
 
 _DISABLED = os.environ.get("NUMBA_DISABLE_JIT", "0").strip() not in ("", "0")
+_base_of: Callable[[Any], Any] = np.ndarray.base.__get__
+# Record arrays look through their columns for every attribute first.
 
 
 def kernel(function: F) -> F:
@@ -136,8 +138,11 @@ class Call:
 
     def exchange(self, names: tuple[str, ...], others: Mapping[str, Any]) -> None:
         """Take other arguments of the same types from now on, for those of its parameters that `others` has."""
-        pairs = zip(names, self._arguments, strict=True)
-        self._arguments = tuple([others.get(name, argument) for name, argument in pairs])
+        arguments = list(self._arguments)
+        for place, name in enumerate(names):
+            if name in others:
+                arguments[place] = others[name]
+        self._arguments = tuple(arguments)
         self._call = None
 
     def _bound(self) -> Callable[..., Any]:
@@ -176,7 +181,7 @@ def kernel_argument(value: Any) -> Any:
     Kernels take plain arrays. Without the compiler, they need the recarray, for `row.field`.
     """
     if isinstance(value, np.recarray):
-        return value if _DISABLED else value.base
+        return value if _DISABLED else _base_of(value)
     if isinstance(value, tuple):
         return getattr(type(value), "_make", tuple)([kernel_argument(each) for each in value])
     return value

@@ -60,7 +60,7 @@ def remove_seams(state: State, left: NDArray[np.bool_], shape_rows: Integers) ->
     """
     tiling, shapes = tiling_of(state), plain(state.shapes)
     going = tiling.rows[~left[tiling.rows]]
-    beside = neighbours(state, going) if len(going) else going
+    beside = neighbours(state, going)
     gone = np.flatnonzero(~left)
     own = gone[own_seams(shapes[gone])]
     single = going[shapes["part"][going] == 0] if len(tiling.joined) > 1 else going[:0]

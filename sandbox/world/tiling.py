@@ -13,6 +13,8 @@ from sandbox.world.tile_outlines import Outlines
 from sandbox.world.tile_pairs import meeting_tiles
 from sandbox.world.tile_rows import Tiling
 
+NO_TILES: Integers = np.zeros(0, np.int64)
+
 _NEAR = 1e-5
 """Farther apart than tiles may be that meet, in metres."""
 _ROUNDING = 1e-12
@@ -33,6 +35,8 @@ def tiling_of(state: State) -> Tiling:
 
 def neighbours(state: State, tiles: Integers) -> Integers:
     """The tiles with rows in the seam table whose boxes meet those of other `tiles`: how they join may change."""
+    if len(tiles) == 0:
+        return tiles
     near, outlines = _around(state, tiles)
     found = [near[two] for _, two in meeting_tiles(outlines, np.searchsorted(near, tiles))]
     beside = np.setdiff1d(np.concatenate(found), tiles)
@@ -51,11 +55,19 @@ def rejoin(state: State, tiles: Integers) -> None:
     join_some(state.bodies, state.shapes, state.seams, outlines, np.searchsorted(near, tiles))
 
 
-def rejoin_around(state: State, tiles: Integers) -> None:
-    """Find out anew how `tiles` and all beside them abut others."""
+def rejoin_around(state: State, tiles: Integers, left: Integers | None = None) -> None:
+    """Find out anew how `tiles` and all beside them abut others, and those that they have `left`."""
     if len(tiles):
         single = tiles[plain(state.shapes)["part"][tiles] == 0]
-        rejoin(state, np.union1d(single, neighbours(state, tiles)))
+        beside = neighbours(state, tiles)
+        rejoin(state, np.unique(np.concatenate([single, beside, beside[:0] if left is None else left])))
+
+
+def tiles_of(state: State, body: int) -> Integers:
+    """The tiles of one body."""
+    rows = tiling_of(state).rows
+    own: Integers = rows[plain(state.shapes)["body"][rows] == body]
+    return own
 
 
 def _around(state: State, tiles: Integers) -> tuple[Integers, Outlines]:

@@ -11,9 +11,9 @@ from sandbox.engine.commands.body_command import BodyCommand
 from sandbox.engine.commands.checks import title
 from sandbox.errors import CommandError
 from sandbox.geometry.trig import cos_sin
-from sandbox.world.flush import join_tiles
 from sandbox.world.records import STATIC
 from sandbox.world.state import State
+from sandbox.world.tiling import NO_TILES, neighbours, rejoin_around, tiles_of
 
 _place_origin = interpreted(place_origin_kernel)
 _cos_sin = interpreted(cos_sin)
@@ -34,8 +34,10 @@ class SetPose(BodyCommand):
         return replace(super().apply(target), displaced=(row, center))
 
     def change(self, state: State, row: int) -> None:
-        """Write the pose; static tiles are joined anew."""
+        """Write the pose; tiles are joined anew where it was and where it is."""
         body = state.bodies[row]
+        tiles = tiles_of(state, row) if body.type == STATIC else NO_TILES
+        left = neighbours(state, tiles)
         body.posed = 1
         body.angle = self.angle
         body.rotation_cos, body.rotation_sin = _cos_sin(self.angle)
@@ -43,8 +45,7 @@ class SetPose(BodyCommand):
         body.center_x = self.position[0] + (body.rotation_cos * x - body.rotation_sin * y)
         body.center_y = self.position[1] + (body.rotation_sin * x + body.rotation_cos * y)
         _place_origin(body)
-        if body.type == STATIC:
-            join_tiles(state.bodies, state.shapes, state.vertices, state.seams)
+        rejoin_around(state, tiles, left)
 
 
 @dataclass(frozen=True)
