@@ -15,7 +15,7 @@ from sandbox.engine.joints.fewer_parts import going_parts, without_parts
 from sandbox.engine.joints.part_layout import PartLayouts
 from sandbox.engine.memory.binding import contact_arguments, parameters, scratch_arguments, state_arguments
 from sandbox.engine.memory.limit import room_for
-from sandbox.engine.memory.scratch import Room, Scratch, note_linked
+from sandbox.engine.memory.scratch import Room, Scratch
 from sandbox.engine.step import collide, solve
 from sandbox.errors import CapacityError
 from sandbox.tables import Records, close_up, plain
@@ -92,7 +92,6 @@ class Stepper:
                 self.assemble_joints()
                 return
             scratch.joint_filter, scratch.joints = more
-            note_linked(scratch.ccd.bodies, state, added.joints)
         elif not grown:
             self._exchange_state()
             return
@@ -115,7 +114,6 @@ class Stepper:
         scratch.joint_filter, scratch.joints = without_parts(
             scratch.joint_filter, joints, going, moved, self._state.joints
         )
-        note_linked(scratch.ccd.bodies, self._state)
         self._prepare_calls()
 
     def forget(self) -> None:
@@ -127,7 +125,6 @@ class Stepper:
         state, scratch = self._state, self.scratch
         room = scratch.room.bodies
         scratch.joint_filter, scratch.joints = assemble(state.joints, state.bodies, self._layouts, room)
-        note_linked(scratch.ccd.bodies, state)
         self._prepare_calls()
 
     def _copies(self) -> Sequence[tuple[Records, Records]]:

@@ -23,7 +23,6 @@ SWEEP = Table(
         Field("rotation_a", "rad", "turn of a until time 1"),
         Field("rotation_b", "rad", "turn of b until time 1"),
         Field("deep", "m", "overlap that is let pass"),
-        Field("creep", "1", "share of that by which an overlap as deep as that may grow as they move"),
         Field("thin", "m", "half widths of both cores together: past that overlap they part on the other side"),
         Field("normal_x", "1", "answer: axis of the hit from a to b"),
         Field("normal_y", "1", "answer: axis of the hit from a to b"),
@@ -38,6 +37,8 @@ POSED_ROWS = 128
 """Vertices of both cores as they lie at one time: a's first, b's from the middle on."""
 _FAR = 1e200
 _STRIDES = 4096
+_CREEP = 0.02
+"""Share of what is let pass by which overlaps as deep as that may grow: a surface slid along is not quite even."""
 _SOUND = 0.75
 """Up to this share of `thin` overlaps may come so, by ever less the nearer they are to it."""
 _LEAST_ROOM = 1e-4
@@ -113,7 +114,7 @@ def _let_pass(s: Records, overlap: float) -> float:
     room = _SOUND * s.thin - overlap
     room = room if room < s.deep else s.deep
     room = room if room > _LEAST_ROOM * s.deep else _LEAST_ROOM * s.deep
-    deep = overlap + s.creep * room
+    deep = overlap + _CREEP * room
     return float(deep if deep > s.deep else s.deep)
 
 

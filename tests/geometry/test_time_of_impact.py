@@ -54,7 +54,7 @@ def test_a_rod_that_overlaps_a_wall_already_goes_hardly_deeper_on_any_way(
     sweep, posed, out = SWEEP.zeros(1), VERTEX.zeros(POSED_ROWS), MANIFOLD.zeros(1)
     row = sweep[0]
     row.x, row.y, row.angle_b, row.translation_x, row.translation_y, row.rotation_b = 0.0, y, angle, way_x, way_y, turn
-    row.deep, row.thin, row.creep = min(DEEP, 0.25 * thin), thin, CREEP
+    row.deep, row.thin = min(DEEP, 0.25 * thin), thin
     t = impact_of(rows, *CORES, sweep, posed, out)
     assert t == -1.0 or 0.0 <= t < 1.0
     allowed = max(row.deep, overlap + CREEP * row.deep) + 1e-9

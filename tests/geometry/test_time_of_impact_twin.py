@@ -44,7 +44,7 @@ def time_of_hit(meeting: Meeting, deep: float) -> tuple[float, bool]:
     row.x, row.y = b.center[0] - a.center[0], b.center[1] - a.center[1]
     row.translation_x, row.translation_y = b.way[0] - a.way[0], b.way[1] - a.way[1]
     row.angle_a, row.angle_b, row.rotation_a, row.rotation_b = a.angle, b.angle, a.turn, b.turn
-    row.deep, row.creep, row.thin = deep, 0.02, 4.0 * deep
+    row.deep, row.thin = deep, 4.0 * deep
     t = impact_of(case.table(), *case.cores(), sweep, posed, out)
     return float(t), bool(row.touched)
 

@@ -130,3 +130,27 @@ def test_what_slides_fast_over_slight_bends_is_not_held(speed):
         if w.body("slider").position[0] < 6.5:
             lowest = min(lowest, w.body("slider").position[1])
     assert lowest > 0.24
+
+
+PUSHED = {
+    "ball": circle(0.25, friction=0.0),
+    "box": box(0.5, 0.5, friction=0.0),
+    "triangle": polygon((-0.3, -0.25), (0.3, -0.25), (0.0, 0.35), friction=0.0),
+}
+
+
+@pytest.mark.parametrize("pushed", PUSHED)
+@pytest.mark.parametrize("lean", [0.0, 0.3, 1.0, 2.0])
+@pytest.mark.parametrize("speed", [2.0, 10.0, 40.0])
+def test_what_is_pushed_into_the_ground_slides_on(pushed, lean, speed):
+    """A pusher whose face leans over presses what it pushes into the ground: held there, it would be run over."""
+    face = polygon((0.0, 0.01), (lean, 1.0), (-1.0, 1.0), (-1.0, 0.01))
+    w = world(
+        body("ground", box(400.0, 2.0, (0.0, -1.0)), type="static"),
+        body("pushed", PUSHED[pushed], position=(0.31 + 1.5 * lean, 0.25)),
+        body("pusher", face, type="kinematic", velocity=(speed, 0.0)),
+    )
+    for _ in range(90):
+        w.step()
+        assert w.body("pushed").position[0] > w.body("pusher").position[0] + 0.12
+        assert w.body("pushed").position[1] > 0.12

@@ -11,11 +11,6 @@ from sandbox.geometry.core import core_of
 from sandbox.geometry.time_of_impact import time_of_impact
 from sandbox.tables import Records
 
-CREEP = 0.02
-"""Share of what is let pass by which an overlap may grow in a step: what slides under a load must not stick."""
-CREEP_LINKED = 1.0
-"""The same for links: one that is held while its neighbours go on tears their joints."""
-
 
 class SweepTables(NamedTuple):
     """What sweeps are made of: bodies at the end of the step, `cores` at its beginning, `motions` lie between."""
@@ -54,7 +49,6 @@ def set_relative_sweep(tables: SweepTables, a: int, b: int, interval: Interval) 
     s.translation_y = long_b * motion_b.delta_y - long_a * motion_a.delta_y
     s.angle_a = interval.start_a * motion_a.delta_angle
     s.angle_b = interval.start_b * motion_b.delta_angle
-    s.creep = CREEP_LINKED if tables.ccd.bodies[a].linked + tables.ccd.bodies[b].linked > 0 else CREEP
     s.rotation_a = long_a * motion_a.delta_angle
     s.rotation_b = long_b * motion_b.delta_angle
 

@@ -15,6 +15,7 @@ from sandbox.engine.continuous_collision.bullets import carry_bullet, stop_bulle
 from sandbox.engine.continuous_collision.contact_impulse import apply_contact_impulse
 from sandbox.engine.continuous_collision.relative_sweep import SweepTables
 from sandbox.engine.continuous_collision.roll_back import roll_back, roll_back_energy
+from sandbox.engine.continuous_collision.slide import SLIDES, slide_all
 from sandbox.engine.continuous_collision.static_impact import stop_at_static
 from sandbox.engine.continuous_collision.strays import stop_strays
 from sandbox.engine.joints.pair_filter import JointFilter
@@ -47,11 +48,15 @@ def solve_continuous(
     _forget_impacts(colliders.filters, rows, ccd.impacts, fast, count)
     for k in range(count):
         carry_bullet(tables, fast[k])
-    bullets = 0
-    for k in range(count):
-        bullets += stop_at_static(tables, fast[k])
-    stop_strays(tables, active, colliders, grid, count, joint_filter)
-    changed = bullets > 0
+    changed = False
+    static_count = -1
+    threshold = state.settings[0].restitution_threshold
+    for slides in range(SLIDES + 1):
+        for k in range(count):
+            changed |= stop_at_static(tables, fast[k])
+        static_count = stop_strays(tables, active, colliders, grid, count, joint_filter, static_count)
+        if slides == SLIDES or not slide_all(state.bodies, rows, solver.motions, ccd.impacts, threshold):
+            break
     turn = 0
     while changed:
         changed = False
@@ -90,7 +95,7 @@ def _forget_impacts(filters: Records, rows: Integers, impacts: Records, fast: Re
 @kernel
 def _forget_impact(impact: Records) -> None:
     impact.time = 1.0
-    impact.bounces = impact.touched = 0
+    impact.bounces = impact.touched = impact.swept = 0
 
 
 @kernel

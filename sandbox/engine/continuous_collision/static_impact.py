@@ -18,16 +18,18 @@ from sandbox.world.records import ONE_WAY, SEAMED, STATIC
 
 
 @kernel
-def stop_at_static(tables: SweepTables, pair: Records) -> int:
-    """Stop the fast body of a pair at the other one, if that is immovable; 1 if the pair is for `stop_bullet`."""
+def stop_at_static(tables: SweepTables, pair: Records) -> bool:
+    """Stop the fast body of a pair at the other one, if that is immovable; whether the pair is for `stop_bullet`."""
     sweep = tables.ccd.sweep[0]
     a = tables.shapes[pair.shape_a].body
     b = tables.shapes[pair.shape_b].body
     if tables.ccd.bodies[a].fast + tables.ccd.bodies[b].fast == 0:
-        return 0
+        return False
     if tables.bodies[a].type != STATIC and tables.bodies[b].type != STATIC:
-        return int(tables.bodies[a].bullet + tables.bodies[b].bullet > 0)
+        return bool(tables.bodies[a].bullet + tables.bodies[b].bullet > 0)
     mover = b if tables.bodies[a].type == STATIC else a
+    if tables.ccd.impacts[mover].swept == 1:
+        return False
     set_relative_sweep(tables, a, b, Interval(0.0, 0.0, 1.0, 1.0))
     t = _time_of_stop(tables, pair.shape_a, pair.shape_b, mover == b)
     if t >= 0.0 and t < tables.ccd.impacts[mover].time:
@@ -35,7 +37,7 @@ def stop_at_static(tables: SweepTables, pair: Records) -> int:
         shape_a = tables.shapes[pair.shape_a]
         shape_b = tables.shapes[pair.shape_b]
         record_impact(tables.ccd.impacts[mover], sweep, shape_a, shape_b, mover == b, t)
-    return 0
+    return False
 
 
 @kernel

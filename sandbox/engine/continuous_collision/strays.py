@@ -22,24 +22,36 @@ from sandbox.world.records import STATIC
 
 @kernel
 def stop_strays(
-    tables: SweepTables, active: ActiveSet, colliders: Colliders, grid: Grid, count: int, joint_filter: JointFilter
-) -> None:
-    """Stop the strays at what is not among their pairs. `grid.sorted_pairs[count]` is scratch."""
+    tables: SweepTables,
+    active: ActiveSet,
+    colliders: Colliders,
+    grid: Grid,
+    count: int,
+    joint_filter: JointFilter,
+    static_count: int,
+) -> int:
+    """Stop the strays at what is not among their pairs. `grid.sorted_pairs[count]` is scratch.
+
+    Return how many static shapes there are, if they had to be gathered, else -1. With that as `static_count` all that
+    is still to be swept counts as stray: its box holds its displacement by now.
+    """
     filters = colliders.filters
     info = active.info[0]
     known = info.shapes_generation == info.generation  # otherwise somebody has woken in this step
-    static_count = -1
+    again = static_count >= 0
     for k in range(info.moving if known else tables.shapes.shape[0]):
         i = active.shapes[k]
-        if tables.ccd.bodies[filters[i].body].fast == 0:
+        body = filters[i].body
+        if tables.ccd.bodies[body].fast == 0 or tables.ccd.impacts[body].swept == 1:
             continue
         woke = filters[i].moves == SLEEPS  # the grid has asked for no pairs of sleepers with what does not move
         filters[i].moves = ACTIVE
-        if _strays(tables, colliders.boxes, i) or woke:
+        if _strays(tables, colliders.boxes, i) or woke or again:
             if static_count < 0:
                 static_count = _gather_static(tables, colliders.boxes, grid.spare_boxes)
             if static_count > 0:
                 _stop_stray(tables, colliders, grid, count, joint_filter, static_count, i)
+    return static_count
 
 
 @kernel

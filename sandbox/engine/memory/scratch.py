@@ -203,7 +203,6 @@ def _blocks(pairs: int) -> ContactBlocks:
 def _ccd(state: State, room: Room) -> Ccd:
     bodies = CCD_BODY.zeros(room.bodies)
     _fill_thin(bodies, state, 0, 0)
-    note_linked(bodies, state)
     impacts = CCD_IMPACT.zeros(room.bodies)
     impacts.time = 1.0
     return Ccd(bodies, impacts, SWEEP.zeros(1), VERTEX.zeros(POSED_ROWS), MANIFOLD.zeros(2))
@@ -215,13 +214,3 @@ def _fill_thin(bodies: Records, state: State, first: int, first_shape: int) -> N
     thin = np.full(len(state.bodies) - first, np.inf)
     np.minimum.at(thin, shapes["body"] - first, shapes["thin"])
     plain(bodies)["thin"][first : len(state.bodies)] = np.where(thin < np.inf, thin, 0.0)
-
-
-def note_linked(bodies: Records, state: State, first: int = 0) -> None:
-    """Note which bodies have joints, of which those from row `first` on are new."""
-    linked, joints = plain(bodies)["linked"], plain(state.joints)[first:]
-    if first == 0:
-        linked[:] = 0
-    for side in ("body_a", "body_b"):
-        rows = joints[side]
-        linked[rows[rows >= 0]] = 1

@@ -14,7 +14,6 @@ CCD_BODY = Table(
     "ccd_body",
     (
         Field("thin", "m", "half the smallest width of its thinnest shape"),
-        Field("linked", "-", "1 when a joint is at it", "i8"),
         Field("deep", "-", "1 when it overlaps something immovable more than a little", "i8"),
         Field("unsettled", "-", "bits: `OVERLAPS` something deeply, touches something `NEW`", "i8"),
         Field("fast", "-", "1 when it has to be swept along its displacement", "i8"),
@@ -29,6 +28,7 @@ CCD_IMPACT = Table(
         Field("time", "1", "time of impact, as a share of the step; 1 is none"),
         Field("bounces", "-", "1 when what stops it bounces it", "i8"),
         Field("touched", "-", "1 when it has touched what stops it from the start of the step on", "i8"),
+        Field("swept", "-", "1 when its sweep has been made, and nothing has changed it since", "i8"),
         Field("normal_x", "1", "of what stops it, towards the body"),
         Field("normal_y", "1", "of what stops it, towards the body"),
         Field("arm_x", "m", "where it is stopped, from the centre of the body"),
