@@ -120,9 +120,10 @@ def test_no_more_parts_than_hertel_and_mehlhorn_promise(outline):
     assert least <= len(found.parts) <= 2 * dents(found.rings) + 1
 
 
-@examples(25, suppress_health_check=list(HealthCheck))
+@examples(200, suppress_health_check=list(HealthCheck), derandomize=True)
 @given(simple.filter(lambda outline: len(outline) <= 14))
 def test_nearly_as_few_parts_as_there_can_be(outline):
+    """No theorem (that is the test before) but what merging reaches: on the same polygons in each run."""
     found = decompose(outline)
     assert len(found.parts) <= max(least_parts(list(found.rings[0])) + 1, 1)
 
