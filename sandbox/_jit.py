@@ -120,21 +120,28 @@ class Door:
 
 
 class Call:
-    """An entry point with arguments for many calls, as by a `Door`."""
+    """An entry point with arguments for many calls, as by a `Door`.
 
-    __slots__ = ("_arguments", "_block", "_call", "_enter", "_entry")
+    `unlocked` calls let other threads of Python run meanwhile.
+    """
 
-    def __init__(self, entry: Callable[..., Any], arguments: tuple[Any, ...]) -> None:
-        self._entry = entry
+    __slots__ = ("_arguments", "_block", "_call", "_enter", "_entry", "_unlocked")
+
+    def __init__(self, entry: Callable[..., Any], arguments: tuple[Any, ...], unlocked: bool = False) -> None:
+        self._entry, self._unlocked = entry, unlocked
         self._arguments = arguments
         self._call: Callable[..., Any] | None = None
         self._block: Block | None = None
         self._enter: Callable[[int], Any]
 
     def __call__(self) -> Any:
+        return (self._call or self.bind())()
+
+    def bind(self) -> Callable[..., Any]:
+        """What this calls: machine code that is there, compiled now if need be."""
         if self._call is None:
             self._call = self._bound()
-        return self._call()
+        return self._call
 
     def exchange(self, names: tuple[str, ...], others: Mapping[str, Any]) -> None:
         """Take other arguments of the same types from now on, for those of its parameters that `others` has."""
@@ -150,7 +157,8 @@ class Call:
             return functools.partial(self._entry, *self._arguments)
         if self._block is None:
             version = cast(EntryPoint, self._entry).version(self._arguments)
-            self._block, self._enter = version.block(self._arguments), version.enter
+            self._block = version.block(self._arguments)
+            self._enter = version.enter_unlocked if self._unlocked else version.enter
         else:
             self._block.fill(self._arguments)
         enter, address, result = self._enter, self._block.address, self._block.result

@@ -23,7 +23,7 @@ from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler_lock import global_compiler_lock
 from numba.core.compiler_machinery import PassManager, register_pass
 
-from sandbox._machine_code import Returns
+from sandbox._machine_code import ENTER, Returns
 from sandbox._way_in import way_in
 
 _NEEDLESS = {
@@ -72,6 +72,14 @@ class _Whole(_Library):
     """The module of an entry point, which becomes an object file. numba itself never loads it."""
 
     code: bytes
+
+    def _optimize_final_module(self) -> None:
+        """Optimise, knowing that nobody else calls any of it: what an array is passed with and not asked for (numba
+        passes seven words for each) need not be passed then."""
+        for function in self._final_module.functions:
+            if not function.is_declaration and function.name != ENTER:
+                function.linkage = "internal"
+        super()._optimize_final_module()
 
     def _finalize_final_module(self) -> None:
         module = self._final_module

@@ -30,9 +30,10 @@ class Version:
         self._returns = returns
         self._results = "".join(_letters(returns)) if isinstance(returns, list) else ""
         result = None if self._results else _RESULTS[returns]
-        self.enter: Callable[[int], Any] = ctypes.PYFUNCTYPE(result, ctypes.c_void_p)(
-            self._engine.get_function_address(ENTER)
-        )
+        address = self._engine.get_function_address(ENTER)
+        self.enter: Callable[[int], Any] = ctypes.PYFUNCTYPE(result, ctypes.c_void_p)(address)
+        self.enter_unlocked: Callable[[int], Any] = ctypes.CFUNCTYPE(result, ctypes.c_void_p)(address)
+        """The same, without the lock of the interpreter: other threads run meanwhile."""
 
     def block(self, arguments: tuple[Any, ...]) -> Block:
         """A block for arguments of the kind that this is for."""

@@ -8,10 +8,10 @@ from typing import Any
 from sandbox.errors import ArgumentError
 
 
-def checked_count(call: str, value: Any, what: str = "steps") -> int:
-    """`value` as a whole number from 0. Raises `ArgumentError`."""
-    if isinstance(value, bool) or not isinstance(value, Integral) or value < 0:
-        raise ArgumentError(f"{call}: takes a whole number of {what} from 0, not {shown(value)}")
+def checked_count(call: str, value: Any, what: str = "steps", least: int = 0) -> int:
+    """`value` as a whole number from `least`. Raises `ArgumentError`."""
+    if isinstance(value, bool) or not isinstance(value, Integral) or value < least:
+        raise ArgumentError(f"{call}: takes a whole number of {what} from {least}, not {shown(value)}")
     return int(value)
 
 

@@ -41,13 +41,13 @@ class Contestant(Protocol):
 
 
 class Ours:
-    """The scene in this engine; with `profile`, the parts of its step are timed."""
+    """The scene in this engine, stepped by so many workers; with `profile`, the parts of its step are timed."""
 
-    label = "sandbox"
     notes: tuple[str, ...] = ()
 
-    def __init__(self, course: Course, profile: bool = False) -> None:
-        self.world = World(course.scene)
+    def __init__(self, course: Course, profile: bool = False, workers: int = 1) -> None:
+        self.label = "sandbox" if workers == 1 else f"sandbox, {workers} workers"
+        self.world = World(course.scene, workers)
         self.stages: TimedStepper | None = TimedStepper.in_place(self.world) if profile else None
         self.step: Callable[[], None] = self.world.step
 
@@ -95,10 +95,6 @@ class Theirs:
         self._run.close()
 
 
-def _sandbox(course: Course, profile: bool) -> Contestant:
-    return Ours(course, profile)
-
-
 def _pymunk(course: Course, _profile: bool) -> Contestant:
     from sandbox.reference.pymunk_run import PymunkRun
 
@@ -111,5 +107,16 @@ def _box2d(course: Course, _profile: bool) -> Contestant:
     return Theirs(Box2dRun(course.flat))
 
 
-ENGINES: dict[str, Callable[[Course, bool], Contestant]] = {"sandbox": _sandbox, "pymunk": _pymunk, "box2d": _box2d}
+ENGINES: dict[str, Callable[[Course, bool], Contestant]] = {"sandbox": Ours, "pymunk": _pymunk, "box2d": _box2d}
 """What builds a course in an engine, by the engine's name; `MissingDependencyError` where it is not installed."""
+
+
+def contestant(name: str, course: Course, profile: bool) -> Contestant:
+    """A course in an engine of `ENGINES`, or in `with_workers` of ours."""
+    engine, _, workers = name.partition(" ")
+    return Ours(course, profile, int(workers)) if workers else ENGINES[engine](course, profile)
+
+
+def with_workers(workers: int) -> str:
+    """The name of this engine when it has so many workers."""
+    return "sandbox" if workers == 1 else f"sandbox {workers}"

@@ -1,7 +1,8 @@
 """The race: a scene in several engines, a few steps each in turns, all in one process.
 
-Times are CPU times of this process: other work on the machine slows it down, but is not counted. As a slow moment meets
-all engines alike, the median of the turns' ratios is steadier than any time.
+Times are CPU times of this process: other work on the machine slows it down, but is not counted. Where an engine has
+several workers, they are the times of a clock. As a slow moment meets all engines alike, the median of the turns'
+ratios is steadier than any time.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 
-from sandbox.bench.contestants import ENGINES, Contestant, Ours
+from sandbox.bench.contestants import Contestant, Ours, contestant
 from sandbox.bench.course import Change, Course
 from sandbox.bench.memory import peak_resident_bytes, table_bytes
 from sandbox.bench.quality import Judge, Quality
@@ -21,8 +22,6 @@ from sandbox.scene import Scene
 from sandbox.world.build import build_state
 
 TURNS = 10
-
-_clock = time.process_time
 
 
 @dataclass(frozen=True)
@@ -77,11 +76,12 @@ class Race:
 class _Lane:
     """One engine and its times, in seconds."""
 
-    def __init__(self, name: str, course: Course, profile: bool) -> None:
+    def __init__(self, name: str, course: Course, profile: bool, clock: Callable[[], float]) -> None:
         self.name = name
-        start = _clock()
-        self.contestant: Contestant = ENGINES[name](course, profile)
-        self.build = _clock() - start
+        self._clock = clock
+        start = clock()
+        self.contestant: Contestant = contestant(name, course, profile)
+        self.build = clock() - start
         self.first = self.changing = 0.0
         self.turns: list[float] = []
 
@@ -93,15 +93,15 @@ class _Lane:
 
     def go(self, changes: Sequence[Change | None]) -> float:
         """Take a step for each of `changes`, after it; how long one took, on the mean."""
-        contestant = self.contestant
-        start = _clock()
+        engine, clock = self.contestant, self._clock
+        start = clock()
         for change in changes:
             if change is not None:
-                before = _clock()
-                contestant.apply(change)
-                self.changing += _clock() - before
-            contestant.step()
-        return (_clock() - start) / len(changes)
+                before = clock()
+                engine.apply(change)
+                self.changing += clock() - before
+            engine.step()
+        return (clock() - start) / len(changes)
 
 
 def run_race(
@@ -113,7 +113,9 @@ def run_race(
     and what a scene may raise that cannot be stepped.
     """
     _warm_up(engines, bool(course.flat.joints))
-    lanes = [_Lane(name, course, profile) for name in engines]
+    alone = all(" " not in name for name in engines)
+    clock = time.process_time if alone else time.perf_counter
+    lanes = [_Lane(name, course, profile, clock) for name in engines]
     first = [course.change(0)]
     for lane in lanes:
         lane.first = lane.go(first)
@@ -146,12 +148,12 @@ def _finished(course: Course, lanes: Sequence[_Lane], steps: int) -> Race:
 
 
 def _result(lane: _Lane, ours: _Lane | None, quality: Quality, steps: int) -> Result:
-    contestant = lane.contestant
+    engine = lane.contestant
     return Result(
-        lane.name, contestant.label, contestant.notes, 1e3 * lane.build, 1e3 * lane.first,
+        lane.name, engine.label, engine.notes, 1e3 * lane.build, 1e3 * lane.first,
         tuple(1e3 * seconds for seconds in lane.turns), 1e3 * lane.changing / max(1, steps - 1), _ratio(ours, lane),
         quality,
-        _own(contestant, steps) if isinstance(contestant, Ours) else None,
+        _own(engine, steps) if isinstance(engine, Ours) else None,
     )  # fmt: skip
 
 
@@ -181,7 +183,7 @@ def _warm_up(engines: Sequence[str], joints: bool) -> None:
     pins = [{"id": "pin", "type": "revolute", "bodies": ["ball", None], "anchor": [0.0, 0.0]}] if joints else []
     scene = Scene(bodies=bodies, joints=pins)
     for name in engines:
-        contestant = ENGINES[name](Course(scene, ""), False)
-        contestant.step()
-        contestant.step()
+        engine = contestant(name, Course(scene, ""), False)
+        engine.step()
+        engine.step()
     compile_continuous()

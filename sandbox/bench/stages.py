@@ -19,15 +19,15 @@ class TimedStepper(Stepper):
     `seconds` are those of the process's CPU time that each took until now, and `calls` how often it was called.
     """
 
-    def __init__(self, state: State) -> None:
+    def __init__(self, state: State, workers: int = 1) -> None:
         self.seconds: defaultdict[str, float] = defaultdict(float)
         self.calls: Counter[str] = Counter()
-        super().__init__(state)
+        super().__init__(state, workers)
 
     @classmethod
     def in_place(cls, world: World) -> Self:
         """A timed stepper in the place of the one that a new world has."""
-        stepper = cls(world.state)
+        stepper = cls(world.state, world.workers)
         world._stepper = stepper
         return stepper
 

@@ -27,8 +27,12 @@ _ENGINES = typer.Option(metavar="NAMES", help="Who takes part, of sandbox, pymun
 _STEPS = typer.Option(
     min=1, max=10_000_000, metavar="N", show_default=False, help="Steps to run instead of a scene's own number."
 )
+_WORKERS = typer.Option(
+    "--workers", metavar="N,...", help="Threads that share a step of ours: one after another takes part. [times: clock]"
+)
 _PROFILE = typer.Option("--profile", help="Show how long each part of our step takes.")
 _JSON = typer.Option("--json", help="Print one JSON document instead of the table.")
+_MOST_WORKERS = 64
 
 
 @dataclass(frozen=True)
@@ -38,6 +42,7 @@ class BenchOptions:
     scenes: Annotated[list[Path] | None, _SCENES] = None
     engines: Annotated[str, _ENGINES] = "sandbox,pymunk,box2d"
     steps: Annotated[int | None, _STEPS] = None
+    workers: Annotated[str, _WORKERS] = "1"
     profile: Annotated[bool, _PROFILE] = False
     json: Annotated[bool, _JSON] = False
 
@@ -46,9 +51,10 @@ class BenchOptions:
 def bench(options: BenchOptions) -> None:
     """Run scenes in several engines, a few steps each in turns, and tell who takes how long and how well it goes.
 
-    Times are CPU times of this process; a step's is the median of ten turns. Ratio: our time over that engine's, the
-    median of the turns' ratios; below 1 we are faster. Beside it: deepest overlap, energy of motion and bodies that
-    have left where they belong, all at the end and measured by the same code. The first step is left out of the turns.
+    Times are CPU times of this process, with several workers those of a clock; a step's is the median of ten turns.
+    Ratio: our time over that engine's, the median of the turns' ratios; below 1 we are faster. Beside it: deepest
+    overlap, energy of motion and bodies that have left where they belong, all at the end and measured by the same code.
+    The first step is left out of the turns.
 
     Exit code 0: all scenes ran.
     Exit code 2: a scene or an option could not be used; the other scenes still ran.
@@ -59,8 +65,9 @@ def bench(options: BenchOptions) -> None:
     from sandbox.cli.failures import NOTHING
 
     wanted = _checked(options.engines)
+    counts = _checked_workers(options.workers)
     files = _files(options.scenes or [])
-    engines = _installed(wanted)
+    engines = _with_workers(_installed(wanted), counts)
     if not engines:
         raise typer.Exit(NOTHING)
     announce_compilation()
@@ -78,6 +85,20 @@ def _checked(text: str) -> list[str]:
             known = did_you_mean(name, ENGINES) or f"there are {', '.join(ENGINES)}"
             raise SandboxError(f"--engines {text}: no engine has the name {name!r}; {known}")
     return names
+
+
+def _checked_workers(text: str) -> list[int]:
+    words = [word.strip() for word in text.split(",")]
+    if not all(word.isdecimal() and 1 <= int(word) <= _MOST_WORKERS for word in words):
+        raise SandboxError(f"--workers {text}: takes numbers from 1 to {_MOST_WORKERS} with commas between, as 1,2")
+    return list(dict.fromkeys(map(int, words)))
+
+
+def _with_workers(engines: Sequence[str], counts: Sequence[int]) -> list[str]:
+    """The engines, ours once for each number of workers."""
+    from sandbox.bench.contestants import with_workers
+
+    return [each for name in engines for each in (map(with_workers, counts) if name == "sandbox" else [name])]
 
 
 def _files(paths: Sequence[Path]) -> list[Path]:

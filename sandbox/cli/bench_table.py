@@ -64,7 +64,7 @@ def _cells(result: Result) -> list[str]:
         f"{result.build:.1f}",
         f"{result.first:.2f}",
         "-" if result.step is None else f"{result.step:.3f}",
-        "-" if result.ratio is None or result.own else f"{result.ratio:.2f}",
+        "-" if result.ratio is None or result.name == "sandbox" else f"{result.ratio:.2f}",
         f"{1e3 * quality.deepest:.2f}",
         f"{quality.kinetic:.3g}",
         "-" if quality.escaped is None else str(quality.escaped),

@@ -5,10 +5,11 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
 
+from sandbox.cli.options import WORKERS
 from sandbox.errors import SandboxError
 from sandbox.resources import SCENE_SUFFIX, files_below, find_scene
 
@@ -34,6 +35,7 @@ def check(
     paths: Annotated[list[Path], _PATHS],
     steps: Annotated[int | None, _STEPS] = None,
     only: Annotated[str, _ONLY] = "",
+    workers: Annotated[int, WORKERS] = 1,
     json: Annotated[bool, _JSON] = False,
 ) -> None:
     """Run scenes without a window and judge what each says must hold.
@@ -49,8 +51,17 @@ def check(
     from sandbox.cli.compiling import announce_compilation
 
     announce_compilation()
-    results = _run_for_machines(files, steps) if json else _run_for_people(files, steps)
+    work = Work(files, steps, workers)
+    results = _run_for_machines(work) if json else _run_for_people(work)
     raise typer.Exit(exit_code(results))
+
+
+class Work(NamedTuple):
+    """What is to be run: `steps` instead of a scene's own number, by so many `workers`."""
+
+    files: Sequence[Path]
+    steps: int | None
+    workers: int
 
 
 def find_files(paths: Sequence[Path], only: str = "", verb: str = "check") -> list[Path]:
@@ -71,22 +82,22 @@ def _files_of(path: Path, verb: str) -> list[Path]:
     return files
 
 
-def _run_for_people(files: Sequence[Path], steps: int | None) -> list[Result]:
+def _run_for_people(work: Work) -> list[Result]:
     from rich.console import Console
 
     from sandbox.cli.check_table import Table
 
     out = Console(soft_wrap=True, highlight=False)
-    table = Table(out, files)
+    table = Table(out, work.files)
     table.head()
     start = time.perf_counter()
     # On one terminal the bar and the lines must share a console, or they would overwrite each other.
-    results = _run_all(files, steps, out if out.is_terminal else Console(stderr=True), table.show)
+    results = _run_all(work, out if out.is_terminal else Console(stderr=True), table.show)
     table.summary(results, time.perf_counter() - start)
     return results
 
 
-def _run_for_machines(files: Sequence[Path], steps: int | None) -> list[Result]:
+def _run_for_machines(work: Work) -> list[Result]:
     import json
 
     from rich.console import Console
@@ -94,7 +105,7 @@ def _run_for_machines(files: Sequence[Path], steps: int | None) -> list[Result]:
     from sandbox.cli.check_result import document
 
     start = time.perf_counter()
-    results = _run_all(files, steps, Console(stderr=True), _report_error)
+    results = _run_all(work, Console(stderr=True), _report_error)
     print(json.dumps(document(results, time.perf_counter() - start), indent=2, ensure_ascii=False))
     return results
 
@@ -106,28 +117,26 @@ def _report_error(result: Result) -> None:
         report(result.error)
 
 
-def _run_all(
-    files: Sequence[Path], steps: int | None, console: Console, show: Callable[[Result], None]
-) -> list[Result]:
+def _run_all(work: Work, console: Console, show: Callable[[Result], None]) -> list[Result]:
     from sandbox.cli.progress import SceneProgress
 
     results = []
-    with SceneProgress(console, len(files)) as progress:
-        for result in _results(files, steps, progress):
+    with SceneProgress(console, len(work.files)) as progress:
+        for result in _results(work, progress):
             show(result)
             results.append(result)
     return results
 
 
-def _results(files: Sequence[Path], steps: int | None, progress: SceneProgress) -> Iterator[Result]:
+def _results(work: Work, progress: SceneProgress) -> Iterator[Result]:
     from sandbox.cli.check_result import Result
     from sandbox.replay.headless_run import planned_steps, run_headless
     from sandbox.scene import load_scene
 
-    for file in files:
+    for file in work.files:
         try:
             scene = load_scene(file)
-            progress.begin(file.name, planned_steps(scene, steps))
-            yield Result(file, scene, run_headless(scene, steps, progress.done))
+            progress.begin(file.name, planned_steps(scene, work.steps))
+            yield Result(file, scene, run_headless(scene, work.steps, progress.done, work.workers))
         except (SandboxError, OSError) as error:
             yield Result(file, error=error)

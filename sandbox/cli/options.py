@@ -7,7 +7,12 @@ import inspect
 from collections.abc import Callable
 from typing import Any, TypeVar, get_type_hints
 
+import typer
+
 Options = TypeVar("Options")
+WORKERS = typer.Option(
+    "--workers", min=1, max=64, metavar="N", help="Threads that share a step of many bodies; the bits are the same."
+)
 
 
 def takes(options_class: type[Options]) -> Callable[[Callable[[Options], None]], Callable[..., None]]:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from sandbox.cli.options import WORKERS
 from sandbox.errors import SandboxError
 from sandbox.resources import find_scene
 
@@ -31,6 +32,7 @@ def record(
     steps: Annotated[int | None, _STEPS] = None,
     commands: Annotated[Path | None, _COMMANDS] = None,
     embed: Annotated[bool, _EMBED] = False,
+    workers: Annotated[int, WORKERS] = 1,
     json: Annotated[bool, _JSON] = False,
 ) -> None:
     """Run a scene without a window and write down what it did: a test that `sandbox replay` runs again.
@@ -50,7 +52,7 @@ def record(
     script = read_commands(commands) if commands is not None else ()
     announce_compilation()
     total = planned_steps(loaded) if steps is None else steps
-    recording = _with_progress(file.name, total, lambda done: run(loaded, total, script, done))
+    recording = _with_progress(file.name, total, lambda done: run(loaded, total, script, done, workers))
     recording.save(output, embed=True if embed else None)
     _tell(output, recording, json)
 

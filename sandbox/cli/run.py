@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from sandbox.cli.options import WORKERS
 from sandbox.resources import find_scene
 
 _SCENE = typer.Argument(show_default=False, help="A scene file, the name of a shipped scene, or a recording.")
@@ -22,6 +23,7 @@ def run(
     step: Annotated[int, _STEP] = 0,
     frames: Annotated[int | None, _FRAMES] = None,
     screenshot: Annotated[Path | None, _SCREENSHOT] = None,
+    workers: Annotated[int, WORKERS] = 1,
 ) -> None:
     """Open a scene in a window; without a scene, choose one from a list.
 
@@ -39,4 +41,4 @@ def run(
     from sandbox.window.app import Options, run_window
 
     path = find_scene(scene) if scene is not None else None
-    run_window(Options(path, pixels, step, frames, screenshot))
+    run_window(Options(path, pixels, step, frames, screenshot, workers))

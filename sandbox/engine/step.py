@@ -34,7 +34,9 @@ from sandbox.engine.records.ccd import Ccd
 from sandbox.engine.records.colliders import Colliders, Grid
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.contacts import Contacts
+from sandbox.engine.records.decisions import Decisions
 from sandbox.engine.records.state import StateTables
+from sandbox.engine.records.workers import Workers
 from sandbox.engine.restitution.impacts import ImpactList, list_impact_contacts
 from sandbox.engine.substeps import Pass, run_substeps, unsettled_bits
 from sandbox.tables import Records
@@ -50,6 +52,8 @@ def collide(
     contacts: Contacts,
     ccd: Ccd,
     joint_filter: JointFilter,
+    workers: Workers,
+    decisions: Decisions,
 ) -> int:
     """The first half: grid and SAT at the poses of now. `contacts.now` and `counters.found_count` have the answer.
 
@@ -71,7 +75,7 @@ def collide(
     mark_confined(colliders, active, ccd.bodies)
     counter.pair_count = pair_count
     begin_sleeping_contacts(contacts.cursor[0], info.generation)
-    counter.found_count = find_contacts(state, active, colliders, grid.pairs, contacts, ccd.bodies)
+    counter.found_count = find_contacts(state, active, colliders, grid.pairs, contacts, ccd.bodies, workers, decisions)
     end_sleeping_contacts(contacts.cursor[0], contacts.runs, info.generation)
     return 0
 
@@ -86,6 +90,7 @@ def solve(
     blocks: ContactBlocks,
     ccd: Ccd,
     joints: JointWork | None,
+    workers: Workers,
 ) -> bool:
     """The second half: solve the contacts found and move everything.
 
@@ -118,12 +123,12 @@ def solve(
         block_count, unsettled_count = fill_blocks(contacts, blocks)
         threshold = setting.restitution_threshold
         impact_count = list_impact_contacts(bodies, solver, contacts, level, fastest, threshold, blocks.impacts)
-        prepare_contacts(bodies, contacts.now, blocks, block_count, level, impact_count > 0)
+        prepare_contacts(bodies, contacts.now, blocks, block_count, workers, level, impact_count > 0)
         impacts = ImpactList(blocks.impacts, impact_count, threshold)
         bits = unsettled_bits(bodies, rows, solver.free_motions, ccd.bodies, level)
         todo = Pass(level, block_count, unsettled_count, bits)
-        run_substeps(state, active, solver, contacts.now, blocks, impacts, joints, todo)
-        store_impulses(bodies, solver.flags, contacts, blocks, block_count, level)
+        run_substeps(state, active, solver, contacts.now, blocks, impacts, joints, workers, todo)
+        store_impulses(bodies, solver.flags, contacts, blocks, block_count, workers, level)
     if joints is not None:
         finish_joints(joints, setting.step_seconds, counter)
     guard_positions(bodies, rows, solver.motions, active.info, state.counters)

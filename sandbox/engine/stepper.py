@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from sandbox._jit import Call, kernel_argument
+from sandbox._jit import Call, jit_enabled, kernel_argument
 from sandbox.engine.compile_step import compile_continuous, compile_step
 from sandbox.engine.continuous_collision.solve_continuous import solve_continuous
 from sandbox.engine.fields.apply import apply_fields
@@ -17,6 +17,8 @@ from sandbox.engine.memory.binding import contact_arguments, parameters, scratch
 from sandbox.engine.memory.limit import room_for
 from sandbox.engine.memory.scratch import Room, Scratch
 from sandbox.engine.step import collide, solve
+from sandbox.engine.workers.serve import serve
+from sandbox.engine.workers.threads import WorkerThreads
 from sandbox.errors import CapacityError
 from sandbox.tables import Records, close_up, plain
 from sandbox.world.records import CONTACT
@@ -25,6 +27,8 @@ from sandbox.world.state import State
 
 _FEW = 1000
 """So many shapes never make too many pairs."""
+_WORTH_SHARING = 500
+"""Awake bodies from which on waking the other workers costs less than they save."""
 
 
 class Stepper:
@@ -35,8 +39,10 @@ class Stepper:
     counters: Any
     """The row of counters as a plain array, which is ten times faster to ask."""
 
-    def __init__(self, state: State) -> None:
+    def __init__(self, state: State, workers: int = 1) -> None:
         self._state = state
+        self.workers = workers if jit_enabled() else 1
+        self._threads = WorkerThreads(self.workers - 1) if self.workers > 1 else None
         self._turn = self._broken = 0
         self._jointed = False
         self._room = Room.of(state)
@@ -47,6 +53,8 @@ class Stepper:
     def compile(self) -> None:
         """Compile what the step needs, if it has not been on this machine: seconds."""
         compile_step(self.scratch.joints is not None)
+        for call in self._served[self._turn]:
+            call.bind()
 
     def step(self) -> None:
         """Take one step. Then `state.contacts` are those of it, `scratch.contacts.now` those of the step before.
@@ -73,7 +81,9 @@ class Stepper:
 
     def renew(self) -> None:
         """Take new scratch memory, for as many pairs as the state has rows for contacts."""
-        self.scratch = Scratch.for_state(self._state, len(self._state.contacts), self._layouts, self._room)
+        self.scratch = Scratch.for_state(
+            self._state, len(self._state.contacts), self._layouts, self._room, self.workers
+        )
         self._room = self.scratch.room
         self._turn = 0
         self._prepare_calls()
@@ -135,11 +145,18 @@ class Stepper:
     def _advance(self) -> bool:
         """Take a step; False if it lacked scratch memory, which it has now: then nothing else has changed."""
         collide, solve, solve_continuous = self._parts[self._turn]
-        lacking_pairs = collide()
+        if self._threads is None or self.counters["awake_count"][0] < _WORTH_SHARING:
+            lacking_pairs = collide()
+            far = not lacking_pairs and solve()
+        else:
+            jobs = [call.bind() for call in self._served[self._turn]]
+            with self._threads.serving(self.scratch.workers, jobs):
+                lacking_pairs = collide()
+                far = not lacking_pairs and solve()
         if lacking_pairs:
             self._make_room(lacking_pairs)
             return False
-        if solve():
+        if far:
             compile_continuous()
             solve_continuous()
         return True
@@ -167,21 +184,32 @@ class Stepper:
             self._jointed = not self._jointed  # other types, hence other versions of the machine code
             self._calls.clear()
         named = state_arguments(state) | scratch_arguments(scratch)
-        self._parts, self._fields = [], []
+        self._parts, self._fields, self._served = [], [], []
         for turn, contacts in enumerate(self._contacts):
             named |= contact_arguments(contacts)
             self._parts.append([self._bound(part, turn, named) for part in (collide, solve, solve_continuous)])
+            self._served.append([self._serving(worker, turn, named) for worker in range(1, self.workers)])
             self._fields.append([self._bound(apply_fields, turn, named)] if has_fields(state) else [])
 
     def _bound(self, part: Any, turn: int, named: Mapping[str, Any]) -> Callable[[], Any]:
         """A call of an entry point with what is `named` now."""
         names = parameters(part)
         if (part, turn) not in self._calls:
-            call = Call(part, tuple(named[name] for name in names))
+            call = Call(part, tuple(named[name] for name in names), self.workers > 1)
             self._calls[part, turn] = call, self._watched(part, call)
         call, run = self._calls[part, turn]
         call.exchange(names, named)
         return run
+
+    def _serving(self, worker: int, turn: int, named: Mapping[str, Any]) -> Call:
+        """A call of `serve` with what is `named` now, for a worker."""
+        names = parameters(serve)
+        if (worker, turn) not in self._calls:
+            call = Call(serve, tuple({**named, "worker": worker}[name] for name in names), unlocked=True)
+            self._calls[worker, turn] = call, call
+        call, _ = self._calls[worker, turn]
+        call.exchange(names, named)
+        return call
 
     def _exchange_state(self) -> None:
         """Other rows of the state, and nothing else, for the calls of a step."""
@@ -194,7 +222,7 @@ class Stepper:
         if has_fields(state):
             named["fields"] = kernel_argument(self.scratch.fields)
         for (part, _), (call, _) in self._calls.items():
-            call.exchange(parameters(part), named)
+            call.exchange(parameters(serve if isinstance(part, int) else part), named)
 
     def _watched(self, part: Any, call: Call) -> Callable[[], Any]:
         """What to run for a call of an entry point."""

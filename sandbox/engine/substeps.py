@@ -20,6 +20,7 @@ from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.ccd import NEW, OVERLAPS
 from sandbox.engine.records.contact_blocks import ContactBlocks, SoftContact
 from sandbox.engine.records.state import StateTables
+from sandbox.engine.records.workers import Workers
 from sandbox.engine.restitution.impacts import ImpactList, resolve_impacts, resolve_late_impacts
 from sandbox.tables import Integers, Records
 
@@ -65,6 +66,7 @@ def run_substeps(
     blocks: ContactBlocks,
     impacts: ImpactList,
     joints: JointWork | None,
+    workers: Workers,
     todo: Pass,
 ) -> None:
     """Integrate, solve and relax the islands of one substep level, in as many substeps as it asks for.
@@ -98,25 +100,25 @@ def run_substeps(
         select_parts(joints, free_motions, level)
     prepare_forces(bodies, rows, solver, level, setting, seconds)
     for substep in range(substeps):
-        integrate_velocities(rows, solver)
+        integrate_velocities(rows, solver, workers)
         guard_velocities(bodies, rows, motions, solver.forces, active.info, state.counters)
         resolve_impacts(bodies, solver, contacts, impacts, seconds)
         solve_mouse_joints(state, solver, level, seconds)
         if warm:
-            warm_start(motions, blocks, count)
+            warm_start(motions, blocks, count, workers)
         else:
             forget_impulses(blocks, count)
         if joints is not None:
             solve_joints(joints, motions, free_motions, seconds)
         if todo.unsettled & NEW and substep == 0:
             # What was just put there has no impulses yet, and soft contacts alone would let it slip until it has.
-            solve_contacts(motions, blocks, unsettled, rigid)
+            solve_contacts(motions, blocks, unsettled, workers, rigid)
             if not accumulate:
                 forget_impulses(blocks, unsettled)
-        solve_contacts(motions, blocks, count, soft)
+        solve_contacts(motions, blocks, count, workers, soft)
         if joints is not None:
             prepare_move(joints, motions, free_motions, seconds)
-        integrate_positions(rows, solver, gravity, seconds)
+        integrate_positions(rows, solver, gravity, seconds, workers)
         resolve_late_impacts(bodies, rows, solver, contacts, impacts, level, seconds)
         if joints is not None:
             relax_joints(joints, motions, free_motions, seconds)
@@ -124,4 +126,4 @@ def run_substeps(
             relaxed = count if turn == relax_passes - 1 else unsettled
             if not accumulate:
                 forget_impulses(blocks, relaxed)
-            solve_contacts(motions, blocks, relaxed, relax)
+            solve_contacts(motions, blocks, relaxed, workers, relax)

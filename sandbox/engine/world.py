@@ -45,7 +45,8 @@ class World(Shown, FixedAttributes):
 
     The same scene and the same commands give the same bits on every machine. `step` advances, `apply` is the only
     way to change anything from outside, everything else reads; what can be set or called besides applies a command.
-    Units are SI, angles are in radians, y points up.
+    Units are SI, angles are in radians, y points up. `workers` threads share the work of a step, where there are many
+    bodies; they make no difference to the bits. Raises `ArgumentError` unless that is a whole number from 1.
     """
 
     __slots__ = (
@@ -53,7 +54,7 @@ class World(Shown, FixedAttributes):
         "bodies", "scene", "state",
     )  # fmt: skip
 
-    def __init__(self, scene: Scene | FlatScene) -> None:
+    def __init__(self, scene: Scene | FlatScene, workers: int = 1) -> None:
         flat = scene.flatten() if hasattr(scene, "flatten") else scene
         if not isinstance(flat, FlatScene):
             raise ArgumentError(f"World: takes a Scene, not {shown(scene)}; load_scene reads one from a file")
@@ -63,9 +64,14 @@ class World(Shown, FixedAttributes):
         self._spawning: Spawning | None = None
         self._queries: Queries | None = None
         self._events = EventLog(self.state)
-        self._stepper = Stepper(self.state)
+        self._stepper = Stepper(self.state, checked_count("World", workers, "workers", 1))
         self._know_rows()
         self.bodies = Bodies(self)
+
+    @property
+    def workers(self) -> int:
+        """How many threads step it, at most: few bodies are stepped by one."""
+        return self._stepper.workers
 
     def step(self, n: int = 1) -> None:
         """Advance by `n` steps of `1 / step_rate` seconds each.

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from sandbox.engine.narrow_phase.find_contacts import FACE_BIAS
+from sandbox.engine.narrow_phase.decide_pairs import FACE_BIAS
 from sandbox.reference.ask_pymunk import Answers
 from sandbox.reference.poses import Poses
 from sandbox.reference.tolerance import allowed_error, touch_tolerance

@@ -35,9 +35,14 @@ def planned_steps(scene: Scene, steps: int | None = None) -> int:
     return max(wanted, *(expectation.last_step for expectation in scene.expect), 0)
 
 
-def run_headless(scene: Scene, steps: int | None = None, on_steps: Callable[[int], None] | None = None) -> HeadlessRun:
-    """Run `scene` for `planned_steps` and judge it; `on_steps` hears now and then how many steps are done."""
-    world = World(scene)
+def run_headless(
+    scene: Scene, steps: int | None = None, on_steps: Callable[[int], None] | None = None, workers: int = 1
+) -> HeadlessRun:
+    """Run `scene` for `planned_steps` and judge it; `on_steps` hears now and then how many steps are done.
+
+    `workers` threads share a step, where that pays.
+    """
+    world = World(scene, workers)
     judge = Judge(scene, world)
     seconds = 0.0
     total = planned_steps(scene, steps)

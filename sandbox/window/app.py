@@ -35,6 +35,7 @@ class Options:
     start_step: int = 0
     frames: int | None = None
     screenshot: Path | None = None
+    workers: int = 1
 
 
 def run_window(options: Options) -> None:
@@ -107,7 +108,7 @@ class App:
         self.canvas.gui.end()
 
     def _load(self, path: Path) -> Screen:
-        return LoadingScreen(Loader(path, self.options.start_step), self._play, self._failed)
+        return LoadingScreen(Loader(path, self.options.start_step, self.options.workers), self._play, self._failed)
 
     def _play(self, session: Session) -> Screen:
         title = session.scene.title or (self.options.scene or Path()).name

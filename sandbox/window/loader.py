@@ -17,9 +17,10 @@ if TYPE_CHECKING:
 class Loader:
     """Loads a scene file or a recording and warms up the engine; look at `done`, then take `result`."""
 
-    def __init__(self, path: Path, start_step: int = 0) -> None:
+    def __init__(self, path: Path, start_step: int = 0, workers: int = 1) -> None:
         self.path = path
         self.start_step = start_step
+        self.workers = workers
         self.message = "Reading the scene"
         self._session: Session | None = None
         self._error: Exception | None = None
@@ -53,8 +54,8 @@ class Loader:
         self.message = "Preparing the engine"
         # The first step of a process compiles or loads kernels. It is taken here in a world of its own, so
         # that the first step a person sees does not wait.
-        World(scene).step()
-        session = Session(scene, World(scene), script)
+        World(scene, self.workers).step()
+        session = Session(scene, World(scene, self.workers), script)
         if self.start_step:
             self.message = f"Simulating the first {self.start_step:,} steps"
             session.skip(self.start_step)

@@ -68,7 +68,7 @@ class Session:
     def restart(self) -> None:
         """Begin again from the scene as it was written."""
         self._held = None
-        self.world = World(self.scene)
+        self.world = World(self.scene, self.world.workers)
         self._recorder = SessionRecorder(self.world, self._script)
         self.previous = self.current = capture(self.world.state, self.current.mesh)
 

@@ -22,9 +22,9 @@ TURNS = 60
 
 
 @entry_point
-def find(state, active, colliders, pairs, contacts, ccd_bodies):
+def find(state, active, colliders, pairs, contacts, ccd_bodies, workers, decisions):
     """Inner kernels are not for Python to call."""
-    return find_contacts(state, active, colliders, pairs, contacts, ccd_bodies)
+    return find_contacts(state, active, colliders, pairs, contacts, ccd_bodies, workers, decisions)
 
 
 def nanoseconds_a_pair(world: sandbox.World, turns: int = TURNS) -> tuple[float, int]:
@@ -35,7 +35,10 @@ def nanoseconds_a_pair(world: sandbox.World, turns: int = TURNS) -> tuple[float,
     state, scratch = world.state, world.scratch
     count = int(state.counters[0].pair_count)
     tables = StateTables(*(getattr(state, name) for name in StateTables._fields))
-    bundles = (tables, scratch.active, scratch.colliders, scratch.grid.pairs, scratch.contacts, scratch.ccd.bodies)
+    bundles = (
+        tables, scratch.active, scratch.colliders, scratch.grid.pairs, scratch.contacts, scratch.ccd.bodies,
+        scratch.workers, scratch.decisions,
+    )  # fmt: skip
     arguments = [kernel_argument(bundle) for bundle in bundles]
     times = []
     for _ in range(turns + 1):

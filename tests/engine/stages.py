@@ -160,7 +160,9 @@ class Paused:
         sort_pairs(g.pairs, count, g.sorted_pairs, g.heads, len(s.shapes))
         mark_confined(m.colliders, m.active, m.ccd.bodies)
         s.counters[0].pair_count = count
-        self.count = find_contacts(self.tables, m.active, m.colliders, g.pairs, m.contacts, m.ccd.bodies)
+        self.count = find_contacts(
+            self.tables, m.active, m.colliders, g.pairs, m.contacts, m.ccd.bodies, m.workers, m.decisions
+        )
 
     def lay_out(self) -> None:
         """Colours, slots, blocks and lanes."""
@@ -173,7 +175,7 @@ class Paused:
     def prepare(self, impacts: bool = False) -> None:
         """Fill the lanes of the blocks there are."""
         m = self.scratch
-        prepare_contacts(self.state.bodies, m.contacts.now, m.blocks, self.blocks, 0, impacts)
+        prepare_contacts(self.state.bodies, m.contacts.now, m.blocks, self.blocks, m.workers, 0, impacts)
 
     def one_contact_a_block(self) -> None:
         """The same slots, but every contact alone in its block."""
@@ -192,17 +194,17 @@ class Paused:
         self.survey()
         begin_motions(s.bodies, self.active_bodies, m.solver)
         prepare_setting(s.bodies, self.active_bodies, m.solver, 0, s.settings, self.substep)
-        integrate_velocities(self.active_bodies, m.solver)
+        integrate_velocities(self.active_bodies, m.solver, m.workers)
 
     def warm(self) -> None:
         """Warm start."""
-        warm_start(self.scratch.solver.motions, self.scratch.blocks, self.blocks)
+        warm_start(self.scratch.solver.motions, self.scratch.blocks, self.blocks, self.scratch.workers)
 
     def solve(self, bias: float, mass: float, impulse: float, slowest: float, allowance: float = 0.0) -> None:
         """One pass."""
         m = self.scratch
         soft = SoftContact(1.0 / self.substep, bias, mass, impulse, slowest, allowance)
-        solve_contacts(m.solver.motions, m.blocks, self.blocks, soft)
+        solve_contacts(m.solver.motions, m.blocks, self.blocks, m.workers, soft)
 
     def strike(self) -> None:
         """Resolve the impacts of contacts that close at more than 0.2 m/s."""
@@ -214,12 +216,12 @@ class Paused:
     def move(self) -> None:
         """Integrate positions over a substep."""
         gravity = float(np.hypot(self.setting.gravity_x, self.setting.gravity_y))
-        integrate_positions(self.active_bodies, self.scratch.solver, gravity, self.substep)
+        integrate_positions(self.active_bodies, self.scratch.solver, gravity, self.substep, self.scratch.workers)
 
     def store(self) -> None:
         """Impulses back into the contacts."""
         m = self.scratch
-        store_impulses(self.state.bodies, m.solver.flags, m.contacts, m.blocks, self.blocks, 0)
+        store_impulses(self.state.bodies, m.solver.flags, m.contacts, m.blocks, self.blocks, m.workers, 0)
 
 
 def island_roots(count: int, links: Sequence[tuple[int, int]], active: Sequence[bool]) -> list[int]:

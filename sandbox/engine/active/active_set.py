@@ -5,12 +5,12 @@ What Box2D v3 keeps in its awake and its sleeping solver sets, these lists tell 
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.bodies.flags import IMMOVABLE, disturbs, is_active
 from sandbox.engine.records.active_set import ACTIVE_SET, ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contacts import Contacts
-from sandbox.tables import Integers, Records
+from sandbox.tables import Records
 from sandbox.world.records import DYNAMIC
 
 AWAKE, ASLEEP = 1, 2
@@ -83,17 +83,22 @@ def list_active_contacts(bodies: Records, contacts: Contacts, count: int) -> Non
     for i in range(count):
         contact = contacts.now[i]
         if is_active(bodies[contact.body_a]) or is_active(bodies[contact.body_b]):
-            list_contact(contact, i, True, contacts.active, contacts.impact_candidates)
+            list_contact(contact, i, contacts)
 
 
-@kernel
-def list_contact(contact: Records, row: int, hard: bool, active: Integers, impact_candidates: Integers) -> None:
-    """List one contact that the solver will look at.
+@inlined_kernel
+def list_contact(contact: Records, row: int, contacts: Contacts) -> None:
+    """List one contact that the solver will look at; it may have an impact if it has restitution or two points."""
+    list_row(row, contact.restitution > 0.0 or contact.point_count == 2, contacts)
 
-    It may have an impact if it has restitution, or at two points if it may close in `hard`.
-    """
+
+@inlined_kernel
+def list_row(row: int, may_impact: bool, contacts: Contacts) -> None:
+    """List the row of a contact that the solver will look at."""
+    active = contacts.active
     active[0] += 1
     active[active[0]] = row
-    if contact.restitution > 0.0 or (hard and contact.point_count == 2):
-        impact_candidates[0] += 1
-        impact_candidates[impact_candidates[0]] = row
+    if may_impact:
+        candidates = contacts.impact_candidates
+        candidates[0] += 1
+        candidates[candidates[0]] = row

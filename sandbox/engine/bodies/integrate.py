@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from sandbox._jit import kernel
 from sandbox.engine.records.bodies import SolverBodies
+from sandbox.engine.records.workers import Workers
+from sandbox.engine.workers.task import first_part, next_part
+from sandbox.engine.workers.tasks import GRAVITY, INTEGRATE_POSITIONS, INTEGRATE_VELOCITIES, SECONDS
 from sandbox.geometry.trig import cos_sin
 from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC, KINEMATIC, STATIC
@@ -24,9 +27,10 @@ def begin_motions(bodies: Records, active_bodies: Integers, solver: SolverBodies
     for i in active_bodies:
         body = bodies[i]
         motion = solver.motions[i]
-        motion.velocity_x = body.velocity_x
-        motion.velocity_y = body.velocity_y
-        motion.angular_velocity = body.angular_velocity
+        # A zero without its sign: impulses on what has no inverse mass leave that as it is, whoever applies them.
+        motion.velocity_x = body.velocity_x + 0.0
+        motion.velocity_y = body.velocity_y + 0.0
+        motion.angular_velocity = body.angular_velocity + 0.0
         motion.delta_x = 0.0
         motion.delta_y = 0.0
         motion.delta_cos = 1.0
@@ -89,9 +93,18 @@ def prepare_forces(
 
 
 @kernel
-def integrate_velocities(active_bodies: Integers, solver: SolverBodies) -> None:
+def integrate_velocities(active_bodies: Integers, solver: SolverBodies, workers: Workers) -> None:
     """Gravity, forces and damping over one substep."""
-    for i in active_bodies:
+    first, end = first_part(workers, INTEGRATE_VELOCITIES, 0, active_bodies.shape[0])
+    while first < end:
+        integrate_some_velocities(active_bodies[first:end], solver)
+        first, end = next_part(workers, first, end)
+
+
+@kernel
+def integrate_some_velocities(rows: Integers, solver: SolverBodies) -> None:
+    """The same for some bodies."""
+    for i in rows:
         force = solver.forces[i]
         if force.moves != SOLVED:
             continue
@@ -115,15 +128,28 @@ def _decay(x: float) -> float:
 
 
 @kernel
-def integrate_positions(active_bodies: Integers, solver: SolverBodies, gravity: float, seconds: float) -> None:
-    """Move by the velocity the solver left; a body that nothing touched moves by the mean of both ends.
+def integrate_positions(
+    active_bodies: Integers, solver: SolverBodies, gravity: float, seconds: float, workers: Workers
+) -> None:
+    """Move by the velocity the solver left, with all workers, as `integrate_some_positions` does."""
+    workers.numbers[SECONDS] = seconds
+    workers.numbers[GRAVITY] = gravity
+    first, end = first_part(workers, INTEGRATE_POSITIONS, 0, active_bodies.shape[0])
+    while first < end:
+        integrate_some_positions(active_bodies[first:end], solver, gravity, seconds)
+        first, end = next_part(workers, first, end)
+
+
+@kernel
+def integrate_some_positions(rows: Integers, solver: SolverBodies, gravity: float, seconds: float) -> None:
+    """Move bodies by the velocity the solver left; one that nothing touched moves by the mean of both ends.
 
     The mean is exact under constant acceleration, so free flight follows the parabola to rounding. A body in
     contact keeps the direction of its end velocity, which is what the solver made safe, but where it is only slowed
     or sped up, by no more than forces do (`gravity` in m/s^2 is the measure), it moves by the mean velocity along it.
     """
     gentle = 4.0 * seconds * gravity
-    for i in active_bodies:
+    for i in rows:
         force = solver.forces[i]
         if force.moves == 0:
             continue

@@ -102,6 +102,7 @@ def fill_blocks(contacts: Contacts, blocks: ContactBlocks) -> tuple[int, int]:
         slot.body_b = contacts.now[rows[k]].body_b
     used = unsettled = 0
     for c in range(2 * SETTLED):
+        blocks.starts[c] = used
         first = heads[c]
         while first < heads[c + 1]:
             left = heads[c + 1] - first
@@ -112,4 +113,5 @@ def fill_blocks(contacts: Contacts, blocks: ContactBlocks) -> tuple[int, int]:
             first += block.count
             used += 1
         unsettled = used if c < SETTLED else unsettled
+    blocks.starts[2 * SETTLED] = used
     return used, unsettled

@@ -7,6 +7,9 @@ from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.closing_speed import closes_hard
 from sandbox.engine.contact_solver.law import PairMass, anchors_of, effective_mass, pair_mass, separation_of
 from sandbox.engine.records.contact_blocks import ContactBlocks
+from sandbox.engine.records.workers import Workers
+from sandbox.engine.workers.task import first_part, next_part
+from sandbox.engine.workers.tasks import IMPACTS, LEVEL, PREPARE_CONTACTS
 from sandbox.tables import Floats, Records
 
 BLOCK_SIZE = cb.BLOCK_SIZE
@@ -16,16 +19,41 @@ VECTOR = cb.VECTOR
 
 @kernel
 def prepare_contacts(
-    bodies: Records, contacts: Records, blocks: ContactBlocks, block_count: int, substep_level: int, impacts: bool
+    bodies: Records,
+    contacts: Records,
+    blocks: ContactBlocks,
+    block_count: int,
+    workers: Workers,
+    substep_level: int,
+    impacts: bool,
 ) -> None:
-    """Fill the lanes of every block: axes, anchors, effective masses and the impulses to start from.
+    """Fill the lanes of all blocks, with all workers, as `prepare_blocks` does."""
+    workers.numbers[LEVEL] = substep_level
+    workers.numbers[IMPACTS] = 1.0 if impacts else 0.0
+    first, end = first_part(workers, PREPARE_CONTACTS, 0, block_count)
+    while first < end:
+        prepare_blocks(bodies, contacts, blocks, first, end, substep_level, impacts)
+        first, end = next_part(workers, first, end)
+
+
+@kernel
+def prepare_blocks(
+    bodies: Records,
+    contacts: Records,
+    blocks: ContactBlocks,
+    first: int,
+    end: int,
+    substep_level: int,
+    impacts: bool,
+) -> None:
+    """Fill the lanes of the blocks first..end-1: axes, anchors, effective masses and the impulses to start from.
 
     Those are what a substep of this level gives, while contacts keep what one of level 0 would. `impacts` says that
     some contact may have one in this step.
     """
     lanes = blocks.lanes
     share = 1.0 / (1 << substep_level)
-    for n in range(block_count):
+    for n in range(first, end):
         block = blocks.blocks[n]
         base = n * BLOCK_SIZE
         _clear_last_vector(block, lanes, base)

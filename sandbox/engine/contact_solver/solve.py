@@ -13,6 +13,9 @@ from sandbox.engine.contact_solver.gather import gather_deltas, gather_velocitie
 from sandbox.engine.contact_solver.lanes import lane_anchors, lane_mass, lane_velocity, set_lane_velocity
 from sandbox.engine.contact_solver.law import apply_impulse, clamp_to_cone, relative_velocity
 from sandbox.engine.records.contact_blocks import ContactBlocks, SoftContact
+from sandbox.engine.records.workers import Workers
+from sandbox.engine.workers.task import color_count, first_part_of_color, next_part
+from sandbox.engine.workers.tasks import SOLVE_CONTACTS, tell_soft
 from sandbox.tables import Floats, Records
 
 BLOCK_SIZE = cb.BLOCK_SIZE
@@ -20,11 +23,25 @@ VECTOR = cb.VECTOR
 
 
 @kernel
-def solve_contacts(motions: Records, blocks: ContactBlocks, block_count: int, soft: SoftContact) -> None:
-    """One pass over all contacts: push apart, then friction, then rolling resistance."""
+def solve_contacts(
+    motions: Records, blocks: ContactBlocks, block_count: int, workers: Workers, soft: SoftContact
+) -> None:
+    """One pass over the first blocks of contacts: push apart, then friction, then rolling resistance."""
+    tell_soft(workers.numbers, soft)
+    for color in range(color_count(workers, blocks)):
+        first, end = first_part_of_color(workers, SOLVE_CONTACTS, blocks, color, block_count)
+        while first < end:
+            solve_blocks(motions, blocks, first, end, workers.gathered, soft)
+            first, end = next_part(workers, first, end)
+
+
+@kernel
+def solve_blocks(
+    motions: Records, blocks: ContactBlocks, first: int, end: int, gathered: Floats, soft: SoftContact
+) -> None:
+    """The same for the blocks first..end-1. `gathered` is scratch."""
     slots = blocks.slots
-    gathered = blocks.gathered
-    for n in range(block_count):
+    for n in range(first, end):
         block = blocks.blocks[n]
         turns = block.count if block.serial == 1 else 1
         width = 1 if block.serial == 1 else block.count
@@ -36,8 +53,8 @@ def solve_contacts(motions: Records, blocks: ContactBlocks, block_count: int, so
             if block.serial == 1:
                 _solve_lane(v, gathered, 0, soft)
             else:
-                for first in range(0, width, VECTOR):
-                    _solve_lanes(v[first:], gathered[first:], soft)
+                for lane in range(0, width, VECTOR):
+                    _solve_lanes(v[lane:], gathered[lane:], soft)
             if block.rolling == 1:
                 _resist_rolling(v, gathered, width)
             scatter_velocities(motions, slots, slot, width, gathered)

@@ -8,6 +8,9 @@ from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.closing_speed import closing_speed
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.contacts import Contacts
+from sandbox.engine.records.workers import Workers
+from sandbox.engine.workers.task import color_count, first_part_of_color, next_part
+from sandbox.engine.workers.tasks import LEVEL, STORE_IMPULSES
 from sandbox.tables import Integers, Records
 
 BLOCK_SIZE = cb.BLOCK_SIZE
@@ -23,9 +26,34 @@ def clear_reports(reports: Records, count: int) -> None:
 
 @kernel
 def store_impulses(
-    bodies: Records, flags: Integers, contacts: Contacts, blocks: ContactBlocks, block_count: int, substep_level: int
+    bodies: Records,
+    flags: Integers,
+    contacts: Contacts,
+    blocks: ContactBlocks,
+    block_count: int,
+    workers: Workers,
+    substep_level: int,
 ) -> None:
-    """Copy the accumulated impulses back into the contacts, to warm start the next step, and report on this one.
+    """Copy the accumulated impulses back into the contacts, with all workers, as `store_blocks` does."""
+    workers.numbers[LEVEL] = substep_level
+    for color in range(color_count(workers, blocks)):  # whose contacts share no flags
+        first, end = first_part_of_color(workers, STORE_IMPULSES, blocks, color, block_count)
+        while first < end:
+            store_blocks(bodies, flags, contacts, blocks, first, end, substep_level)
+            first, end = next_part(workers, first, end)
+
+
+@kernel
+def store_blocks(
+    bodies: Records,
+    flags: Integers,
+    contacts: Contacts,
+    blocks: ContactBlocks,
+    first: int,
+    end: int,
+    substep_level: int,
+) -> None:
+    """Copy the impulses of the blocks first..end-1 back into the contacts, to warm start the next step, and report.
 
     The contacts keep what a substep of level 0 would have given, as the next step may have another level.
 
@@ -34,7 +62,7 @@ def store_impulses(
     """
     lanes = blocks.lanes
     substeps = float(1 << substep_level)
-    for n in range(block_count):
+    for n in range(first, end):
         for k in range(blocks.blocks[n].count):
             slot = blocks.slots[blocks.blocks[n].first + k]
             contact = contacts.now[slot.contact]

@@ -11,6 +11,9 @@ from sandbox.engine.contact_solver.gather import gather_velocities, scatter_velo
 from sandbox.engine.contact_solver.lanes import lane_anchors, lane_mass, lane_velocity, set_lane_velocity
 from sandbox.engine.contact_solver.law import PairVelocity, apply_impulse
 from sandbox.engine.records.contact_blocks import ContactBlocks
+from sandbox.engine.records.workers import Workers
+from sandbox.engine.workers.task import color_count, first_part_of_color, next_part
+from sandbox.engine.workers.tasks import WARM_START
 from sandbox.tables import Floats, Records
 
 BLOCK_SIZE = cb.BLOCK_SIZE
@@ -18,11 +21,20 @@ VECTOR = cb.VECTOR
 
 
 @kernel
-def warm_start(motions: Records, blocks: ContactBlocks, block_count: int) -> None:
-    """Apply the accumulated impulses of all contacts, block by block."""
+def warm_start(motions: Records, blocks: ContactBlocks, block_count: int, workers: Workers) -> None:
+    """Apply the accumulated impulses of the first blocks of contacts."""
+    for color in range(color_count(workers, blocks)):
+        first, end = first_part_of_color(workers, WARM_START, blocks, color, block_count)
+        while first < end:
+            warm_start_blocks(motions, blocks, first, end, workers.gathered)
+            first, end = next_part(workers, first, end)
+
+
+@kernel
+def warm_start_blocks(motions: Records, blocks: ContactBlocks, first: int, end: int, gathered: Floats) -> None:
+    """The same for the blocks first..end-1. `gathered` is scratch."""
     slots = blocks.slots
-    gathered = blocks.gathered
-    for n in range(block_count):
+    for n in range(first, end):
         block = blocks.blocks[n]
         turns = block.count if block.serial == 1 else 1
         width = 1 if block.serial == 1 else block.count
@@ -33,8 +45,8 @@ def warm_start(motions: Records, blocks: ContactBlocks, block_count: int) -> Non
             if block.serial == 1:
                 _warm_start_lane(v, gathered, 0)
             else:
-                for first in range(0, width, VECTOR):
-                    _warm_start_lanes(v[first:], gathered[first:])
+                for lane in range(0, width, VECTOR):
+                    _warm_start_lanes(v[lane:], gathered[lane:])
             scatter_velocities(motions, slots, slot, width, gathered)
 
 

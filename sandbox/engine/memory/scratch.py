@@ -10,7 +10,7 @@ import numpy as np
 from sandbox.engine.active.active_set import new_active_set
 from sandbox.engine.active.pile_stability import PILE
 from sandbox.engine.broad_phase.grid import LEVEL_SPACE, head_count
-from sandbox.engine.contact_solver.blocks import BLOCK_SIZE, GATHER_SIZE
+from sandbox.engine.contact_solver.blocks import BLOCK_SIZE
 from sandbox.engine.contact_solver.graph_coloring import SETTLED
 from sandbox.engine.fields.records import Fields, has_fields
 from sandbox.engine.joints.assembly import assemble
@@ -24,6 +24,8 @@ from sandbox.engine.records.ccd import CCD_BODY, CCD_IMPACT, Ccd
 from sandbox.engine.records.colliders import BOX, FILTER, PAIR, PROXY, Colliders, Grid
 from sandbox.engine.records.contact_blocks import BLOCK, SLOT, ContactBlocks
 from sandbox.engine.records.contacts import REPORT, SLEEPING_CURSOR, SLEEPING_RUN, Contacts
+from sandbox.engine.records.decisions import Decisions, decisions_memory
+from sandbox.engine.records.workers import Workers, workers_memory
 from sandbox.geometry.manifold import MANIFOLD
 from sandbox.geometry.time_of_impact import POSED_ROWS, SWEEP
 from sandbox.tables import Records, aligned_zeros, plain
@@ -51,15 +53,23 @@ class Scratch:
     joint_filter: JointFilter
     joints: JointWork | None
     fields: Fields
+    workers: Workers
+    decisions: Decisions
 
     @classmethod
     def for_state(
-        cls, state: State, pair_capacity: int, layouts: PartLayouts | None = None, room: Room | None = None
+        cls,
+        state: State,
+        pair_capacity: int,
+        layouts: PartLayouts | None = None,
+        room: Room | None = None,
+        workers: int = 1,
     ) -> Scratch:
         """Scratch for all bodies and shapes of `state`, or for as many as `room` says if that is more, and for so many
         candidate pairs.
 
-        `layouts` are those of parts that joints hold together, as far as they are known.
+        `layouts` are those of parts that joints hold together, as far as they are known; `workers` is how many threads
+        step the state.
         """
         room = room if room is not None and room.holds(Room.of(state)) else Room.of(state)
         joint_filter, joints = assemble(state.joints, state.bodies, layouts or PartLayouts(), room.bodies)
@@ -76,6 +86,8 @@ class Scratch:
             joint_filter=joint_filter,
             joints=joints,
             fields=Fields.for_state(state, room.bodies),
+            workers=workers_memory(workers),
+            decisions=decisions_memory(workers),
         )
 
     def follow_rows(self, state: State, bodies: int, shapes: int) -> bool:
@@ -183,7 +195,6 @@ def _contacts(state: State, pairs: int) -> Contacts:
         cursor=SLEEPING_CURSOR.zeros(1),
         runs=SLEEPING_RUN.zeros(3 * (pairs + 1)),
         reports=REPORT.zeros(pairs),
-        manifold=MANIFOLD.zeros(2),
     )
 
 
@@ -194,8 +205,8 @@ def _blocks(pairs: int) -> ContactBlocks:
         blocks=BLOCK.zeros(blocks),
         colors=np.zeros(pairs, np.int64),
         lanes=aligned_zeros(blocks * BLOCK_SIZE, np.float64),
-        gathered=aligned_zeros(GATHER_SIZE, np.float64),
         heads=np.zeros(2 * SETTLED + 1, np.int64),
+        starts=np.zeros(2 * SETTLED + 1, np.int64),
         impacts=SLOT.zeros(pairs),
     )
 

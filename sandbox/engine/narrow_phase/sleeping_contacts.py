@@ -63,7 +63,7 @@ def keep_sleeping_before(
         while cursor.old < known and runs[base + cursor.old].end <= k:
             cursor.old += 1
         if cursor.old < known and runs[base + cursor.old].first <= k:
-            end = _first_not_before(old, k, runs[base + cursor.old].end, shape_a, shape_b)
+            end = first_not_before(old, k, runs[base + cursor.old].end, shape_a, shape_b)
             count = _keep_run(old, k, end, contacts.now, count, cursor, runs)
             k = end
         else:
@@ -80,7 +80,7 @@ def comes_before(contact: Records, shape_a: int, shape_b: int) -> bool:
 
 
 @kernel
-def _first_not_before(old: Records, first: int, end: int, shape_a: int, shape_b: int) -> int:
+def first_not_before(old: Records, first: int, end: int, shape_a: int, shape_b: int) -> int:
     """First row of `old[first:end]` that does not come before a pair, or `end`; by bisection."""
     while first < end:
         middle = (first + end) // 2
@@ -143,7 +143,7 @@ def _keep_one(bodies: Records, activity: Integers, contacts: Contacts, k: int, c
         return count
     contacts.now[count] = old
     if both & AWAKE:  # a driven body has left the sleeper, who will wake
-        list_contact(old, count, True, contacts.active, contacts.impact_candidates)
+        list_contact(old, count, contacts)
     else:
         _note_run(count, 1, contacts.cursor[0], contacts.runs)
     return count + 1

@@ -30,15 +30,15 @@ BLOCK = Table(
 class ContactBlocks(NamedTuple):
     """Contact constraints laid out for the solver, see `blocks`.
 
-    `colors` has the colour of each active contact, `gathered` the bodies of a block; `heads` is scratch of the counting
-    sort by colour. `impacts` has the contacts that may have an impact.
+    `colors` has the colour of each active contact, `starts` the first block of each colour and behind them the number
+    of blocks; `heads` is scratch of the counting sort by colour. `impacts` has the contacts that may have an impact.
     """
 
     slots: Records
     blocks: Records
     colors: Integers
     lanes: Floats
-    gathered: Floats
+    starts: Integers
     heads: Integers
     impacts: Records
 

@@ -49,7 +49,7 @@ class Contacts(NamedTuple):
 
     `active[1:]` are the rows of contacts with an active body, `impact_candidates[1:]` those of them that may have an
     impact; item 0 of both is how many. `cursor` (one row) and `runs` are of `sleeping_contacts`: the runs of the two
-    tables and those of the walk, in thirds. `manifold` is scratch.
+    tables and those of the walk, in thirds.
     """
 
     now: Records
@@ -59,4 +59,3 @@ class Contacts(NamedTuple):
     cursor: Records
     runs: Records
     reports: Records
-    manifold: Records

@@ -49,7 +49,7 @@ def list_impact_contacts(
 ) -> int:
     """List the contacts of a substep level that may strike, or none when no body is fast enough for any to matter.
 
-    Those are the `impact_candidates` (see `list_contact`) with restitution, and all contacts of what is struck hard
+    Those are the `impact_candidates` (see `decide_pairs`) with restitution, and all contacts of what is struck hard
     without. `fastest` is the square of the highest speed (m/s) of a point. Returns how many `slots` are used.
     """
     used = 0

@@ -89,11 +89,13 @@ def record(
     steps: int | None = None,
     commands: Iterable[TimedCommand] = (),
     on_steps: Callable[[int], None] | None = None,
+    workers: int = 1,
 ) -> Recording:
     """Run a scene (or the file of one) and record it.
 
     `commands` are (step, command): each comes after that many steps, those of one step in the given order. Without
-    `steps`, the scene's own number. `on_steps` hears now and then how many are done. Raises `RecordingError` for steps
+    `steps`, the scene's own number. `on_steps` hears now and then how many are done; `workers` threads share a
+    step, where that pays. Raises `RecordingError` for steps
     out of range, and what `World.apply` raises.
     """
     check_kind("record", "a Scene or the path of one", scene, Scene, str, os.PathLike)
@@ -102,7 +104,7 @@ def record(
     script = sorted(commands, key=lambda row: row[0])
     if script and (script[0][0] < 0 or script[-1][0] > total):
         raise RecordingError("the commands", [Problem(f"have steps that do not lie in 0 to {total}")])
-    recorder = Recorder(World(loaded))
+    recorder = Recorder(World(loaded, workers))
     done = 0
     for step in range(total + 1):
         done = _apply_due(recorder, script, done)

@@ -1,0 +1,201 @@
+"""The separating-axis test decides pairs: whether, when and how their shapes touch within the step."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+from sandbox._jit import inlined_kernel, kernel
+from sandbox.engine.broad_phase.margins import allowed_depth
+from sandbox.engine.broad_phase.proxies import FIXED
+from sandbox.engine.contact_solver.closing_speed import HARD
+from sandbox.engine.narrow_phase.internal_edges import PlacedPair, fix_internal_edge
+from sandbox.engine.narrow_phase.one_way import holds, leads_on
+from sandbox.engine.narrow_phase.outline import EdgeTables
+from sandbox.engine.narrow_phase.sleeping_contacts import comes_before, first_not_before
+from sandbox.engine.narrow_phase.speculative import closing_distance, speculative_impact
+from sandbox.engine.records.ccd import NEW, OVERLAPS
+from sandbox.engine.records.colliders import Colliders
+from sandbox.engine.records.decisions import DEEP, MAY_IMPACT, Decisions
+from sandbox.engine.records.state import StateTables
+from sandbox.geometry.core import core_of
+from sandbox.geometry.manifold import collide_cores
+from sandbox.tables import Records
+from sandbox.world.records import ONE_WAY, SEAMED
+
+FACE_BIAS = 1e-4
+"""A face of b has to beat the best face of a by this many metres, so that resting contacts keep their face."""
+TOUCHING = 1e-6
+"""Bodies put onto each other may be so far apart, by rounding (m)."""
+DEEPLY = 0.1
+"""Share of the smaller body's extent past which an overlap is deep."""
+_SHALLOW = -1e-3
+"""Separation (m) that spares the question how large the bodies are."""
+
+
+class Approach(NamedTuple):
+    """Velocity (m/s) of b against a, the time (s) at which the pair is looked at, the length of the step (s), and how
+    far from touching it may be then (m)."""
+
+    vx: float
+    vy: float
+    t: float
+    seconds: float
+    margin: float
+
+
+@kernel
+def decide_pairs(
+    state: StateTables,
+    colliders: Colliders,
+    pairs: Records,
+    old: Records,
+    decisions: Decisions,
+    worker: int,
+    first: int,
+    end: int,
+) -> None:
+    """Decide the pairs first..end-1 of a batch: fill their rows of `decisions`, manifolds where something touches.
+
+    Pairs and `old`, the contacts of the step before, are both sorted by (shape_a, shape_b): one walk through both
+    matches them.
+    """
+    bodies = state.bodies
+    shapes = state.shapes
+    proxies = colliders.proxies
+    cores = colliders.cores
+    old_count = state.counters[0].contact_count
+    setting = state.settings[0]
+    # Without speculative contacts, a pair is looked at where it is now and nowhere else.
+    seconds = setting.step_seconds if setting.speculative == 1 else 0.0
+    gravity = math.sqrt(setting.gravity_x * setting.gravity_x + setting.gravity_y * setting.gravity_y)
+    fall = 0.5 * gravity * seconds * seconds
+    k = 0
+    for n in range(first, end):
+        i = pairs[n].shape_a
+        j = pairs[n].shape_b
+        if k < old_count and comes_before(old[k], i, j):
+            k = _first_from(old, k + 1, old_count, i, j)
+        made = decisions.made[n]
+        manifold: Any = decisions.manifolds[n:]
+        made.row = made.old = -1
+        made.bits = 0
+        a = proxies[i]
+        b = proxies[j]
+        margin = 2.0 * (a.margin if a.margin < b.margin else b.margin)
+        t = 0.0
+        vx = b.velocity_x - a.velocity_x
+        vy = b.velocity_y - a.velocity_y
+        distance = closing_distance(a, b, vx, vy, seconds)
+        if distance > margin:
+            t, vx, vy, margin = speculative_impact(bodies, shapes, proxies, cores, i, j, margin, fall, seconds)
+        if t < 0.0 or not _collide(proxies, cores, i, j, vx * t, vy * t, margin, manifold):
+            continue
+        known = k < old_count and old[k].shape_a == i and old[k].shape_b == j
+        held = (a.traits ^ b.traits) & FIXED
+        if (a.traits | b.traits) & (SEAMED | ONE_WAY):
+            tables = EdgeTables(bodies, shapes, cores, state.seams)
+            overlap = -manifold[0].separation if t == 0.0 else 0.0
+            # It needs two rows, and the next manifold may be another worker's.
+            scratch: Any = decisions.scratch[2 * worker :]
+            scratch[0] = manifold[0]
+            t = _examine(tables, proxies, i, j, known, Approach(vx, vy, t, seconds, margin), scratch)
+            manifold[0] = scratch[0]
+            if t < 0.0:  # another part may push it out, or none
+                made.bits = DEEP if held and _is_deep(shapes, i, j, overlap) else 0
+                continue
+        m = manifold[0]
+        bits = NEW if not known and t == 0.0 and m.separation <= TOUCHING else 0
+        bits |= OVERLAPS if _overlaps_deeply(bodies, a.body, b.body, m.separation) else 0
+        bits |= DEEP if held and _is_deep(shapes, i, j, -m.separation) else 0
+        bounces = a.restitution > 0.0 or b.restitution > 0.0
+        hard = distance > HARD * seconds and m.point_count == 2
+        made.bits = bits | (MAY_IMPACT if bounces or hard else 0)
+        made.row = 0
+        made.old = k if known else -1
+        made.shift_x = vx * t
+        made.shift_y = vy * t
+
+
+@kernel
+def _first_from(old: Records, first: int, end: int, shape_a: int, shape_b: int) -> int:
+    """First row of `old[first:end]` that does not come before a pair, or `end`: in strides that double, as most are
+    near, then by bisection."""
+    stride = 1
+    while first + stride < end and comes_before(old[first + stride - 1], shape_a, shape_b):
+        first += stride
+        stride *= 2
+    last = first + stride
+    return first_not_before(old, first, last if last < end else end, shape_a, shape_b)
+
+
+@inlined_kernel
+def _collide(
+    proxies: Records, cores: Records, i: int, j: int, shift_x: float, shift_y: float, margin: float, manifold: Records
+) -> bool:
+    """Manifold of a pair of shapes, with b moved against a by (shift_x, shift_y) metres."""
+    a = proxies[i]
+    b = proxies[j]
+    return (
+        collide_cores(
+            cores,
+            core_of(a),
+            core_of(b),
+            b.center_x - a.center_x + shift_x,
+            b.center_y - a.center_y + shift_y,
+            margin,
+            FACE_BIAS,
+            manifold,
+        )
+        > 0
+    )
+
+
+@inlined_kernel
+def _overlaps_deeply(bodies: Records, a: int, b: int, separation: float) -> bool:
+    if separation > _SHALLOW:
+        return False
+    smaller = bodies[a].extent if bodies[a].extent < bodies[b].extent else bodies[b].extent
+    return bool(separation < -DEEPLY * smaller)
+
+
+@inlined_kernel
+def _is_deep(shapes: Records, i: int, j: int, overlap: float) -> bool:
+    """Whether a pair overlaps by more than a little (m)."""
+    return bool(overlap > 0.0 and overlap > allowed_depth(shapes[i], shapes[j]))
+
+
+@kernel
+def _examine(
+    tables: EdgeTables, proxies: Records, i: int, j: int, known: bool, approach: Approach, manifold: Records
+) -> float:
+    """The time of which the manifold of a pair with seams or a one-way shape is, put right; -1 if it does not hold.
+
+    What is fast may first touch a part across a seam: it is looked at where the step will bring it. `known` if the
+    pair has a contact already.
+    """
+    x = proxies[j].center_x - proxies[i].center_x
+    y = proxies[j].center_y - proxies[i].center_y
+    traits = tables.shapes[i].traits | tables.shapes[j].traits
+    vx = approach.vx
+    vy = approach.vy
+    seconds = approach.seconds
+    t = approach.t
+    now = t == 0.0
+    while traits & SEAMED and not fix_internal_edge(
+        tables, PlacedPair(i, j, x + vx * t, y + vy * t), vx * seconds, vy * seconds, approach.margin, FACE_BIAS, now,
+        manifold,
+    ):  # fmt: skip
+        if now or t == seconds:
+            return -1.0
+        t = seconds
+        if not _collide(proxies, tables.cores, i, j, vx * t, vy * t, approach.margin, manifold):
+            return -1.0
+    if traits & ONE_WAY == 0:
+        return t
+    if not leads_on(tables.bodies, tables.shapes, i, j, manifold[0].normal_x, manifold[0].normal_y):
+        return -1.0
+    slop = allowed_depth(tables.shapes[i], tables.shapes[j])
+    if known or holds(tables.bodies, tables.shapes, tables.cores, i, j, x, y, vx * seconds, vy * seconds, slop):
+        return t
+    return -1.0

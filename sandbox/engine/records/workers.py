@@ -1,0 +1,31 @@
+"""What the threads of a step share to divide a task."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.engine.contact_solver.blocks import GATHER_SIZE
+from sandbox.tables import Floats, Integers, aligned_zeros
+
+WORDS = 64
+"""Whole numbers that threads share, see `workers.task`: a cache line for each that is written often."""
+SIZE = 0
+"""Word: how many workers take part in a step."""
+NUMBERS = 16
+
+
+class Workers(NamedTuple):
+    """`words` and `numbers` tell of the task under way; `gathered` has the bodies of a block for each worker."""
+
+    words: Integers
+    numbers: Floats
+    gathered: Floats
+
+
+def workers_memory(count: int) -> Workers:
+    """Memory for so many workers, of which only the first takes part until `words` says otherwise."""
+    words = aligned_zeros(WORDS, np.int64)
+    words[SIZE] = 1
+    return Workers(words, aligned_zeros(NUMBERS, np.float64), aligned_zeros(count * GATHER_SIZE, np.float64))

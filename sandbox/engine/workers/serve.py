@@ -1,0 +1,122 @@
+"""What every worker but the first runs while a step is taken: it looks for tasks and does its part of them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sandbox._atomics import atomic_load
+from sandbox._jit import entry_point, kernel
+from sandbox.engine.bodies.integrate import integrate_some_positions, integrate_some_velocities
+from sandbox.engine.contact_solver.blocks import GATHER_SIZE
+from sandbox.engine.contact_solver.prepare import prepare_blocks
+from sandbox.engine.contact_solver.solve import solve_blocks
+from sandbox.engine.contact_solver.store import store_blocks
+from sandbox.engine.contact_solver.warm_start import warm_start_blocks
+from sandbox.engine.narrow_phase.decide_pairs import decide_pairs
+from sandbox.engine.narrow_phase.write_contacts import write_contacts
+from sandbox.engine.records.active_set import ActiveSet
+from sandbox.engine.records.bodies import SolverBodies
+from sandbox.engine.records.colliders import Colliders, Grid
+from sandbox.engine.records.contact_blocks import ContactBlocks
+from sandbox.engine.records.contacts import Contacts
+from sandbox.engine.records.decisions import Decisions
+from sandbox.engine.records.state import StateTables
+from sandbox.engine.records.workers import Workers
+from sandbox.engine.workers.task import CLOSED, FIRST_PAIR, TASK, look_again, note_done, take
+from sandbox.engine.workers.tasks import (
+    DECIDE_PAIRS,
+    GRAVITY,
+    IMPACTS,
+    INTEGRATE_POSITIONS,
+    INTEGRATE_VELOCITIES,
+    LEVEL,
+    PREPARE_CONTACTS,
+    SECONDS,
+    SOLVE_CONTACTS,
+    STORE_IMPULSES,
+    WARM_START,
+    WRITE_CONTACTS,
+    told_soft,
+)
+
+
+@entry_point
+def serve(
+    state: StateTables,
+    active: ActiveSet,
+    solver: SolverBodies,
+    colliders: Colliders,
+    grid: Grid,
+    contacts: Contacts,
+    blocks: ContactBlocks,
+    workers: Workers,
+    decisions: Decisions,
+    worker: int,
+) -> int:
+    """Do parts of what is offered until the step is over, as worker `worker`; returns how many parts it did."""
+    words = workers.words
+    parts = looks = 0
+    while atomic_load(words, CLOSED) == 0:
+        first, end = take(words)
+        if first < end:
+            if words[TASK] <= WRITE_CONTACTS:
+                _do_pairs(state, colliders, grid, contacts, workers, decisions, worker, first, end)
+            else:
+                _do_bodies(state, active, solver, contacts, blocks, workers, worker, first, end)
+            note_done(words, end - first)
+            parts += 1
+            looks = 0
+        else:
+            looks = look_again(looks)
+    return parts
+
+
+@kernel
+def _do_pairs(
+    state: StateTables,
+    colliders: Colliders,
+    grid: Grid,
+    contacts: Contacts,
+    workers: Workers,
+    decisions: Decisions,
+    worker: int,
+    first: int,
+    end: int,
+) -> None:
+    """Do a task of `collide` for pairs of the batch under way."""
+    pairs: Any = grid.pairs[workers.words[FIRST_PAIR] :]
+    if workers.words[TASK] == DECIDE_PAIRS:
+        decide_pairs(state, colliders, pairs, contacts.before, decisions, worker, first, end)
+    else:
+        write_contacts(colliders.proxies, pairs, contacts, decisions, first, end)
+
+
+@kernel
+def _do_bodies(
+    state: StateTables,
+    active: ActiveSet,
+    solver: SolverBodies,
+    contacts: Contacts,
+    blocks: ContactBlocks,
+    workers: Workers,
+    worker: int,
+    first: int,
+    end: int,
+) -> None:
+    """Do a task of `solve` for blocks of contacts or for active bodies."""
+    task = workers.words[TASK]
+    n = workers.numbers
+    motions = solver.motions
+    gathered = workers.gathered[worker * GATHER_SIZE :]
+    if task == SOLVE_CONTACTS:
+        solve_blocks(motions, blocks, first, end, gathered, told_soft(n))
+    elif task == WARM_START:
+        warm_start_blocks(motions, blocks, first, end, gathered)
+    elif task == INTEGRATE_VELOCITIES:
+        integrate_some_velocities(active.bodies[1 + first : 1 + end], solver)
+    elif task == INTEGRATE_POSITIONS:
+        integrate_some_positions(active.bodies[1 + first : 1 + end], solver, n[GRAVITY], n[SECONDS])
+    elif task == PREPARE_CONTACTS:
+        prepare_blocks(state.bodies, contacts.now, blocks, first, end, int(n[LEVEL]), n[IMPACTS] > 0.0)
+    elif task == STORE_IMPULSES:
+        store_blocks(state.bodies, solver.flags, contacts, blocks, first, end, int(n[LEVEL]))

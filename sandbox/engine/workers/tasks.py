@@ -1,0 +1,40 @@
+"""The tasks that workers share, by number, and what they are told beside the range."""
+
+from __future__ import annotations
+
+from sandbox._jit import kernel
+from sandbox.engine.records.contact_blocks import SoftContact
+from sandbox.tables import Floats
+
+DECIDE_PAIRS = 1
+WRITE_CONTACTS = 2
+PREPARE_CONTACTS = 3
+WARM_START = 4
+FORGET_IMPULSES = 5
+SOLVE_CONTACTS = 6
+STORE_IMPULSES = 7
+INTEGRATE_VELOCITIES = 8
+INTEGRATE_POSITIONS = 9
+
+# Places in `Workers.numbers`; the fields of `SoftContact` come first.
+SECONDS = 6
+GRAVITY = 7
+LEVEL = 8
+IMPACTS = 9
+
+
+@kernel
+def tell_soft(numbers: Floats, soft: SoftContact) -> None:
+    """Tell who solves contacts how to treat them."""
+    numbers[0] = soft.inverse_seconds
+    numbers[1] = soft.bias_rate
+    numbers[2] = soft.mass_scale
+    numbers[3] = soft.impulse_scale
+    numbers[4] = soft.slowest_bias
+    numbers[5] = soft.impact_allowance
+
+
+@kernel
+def told_soft(n: Floats) -> SoftContact:
+    """How contacts are to be treated."""
+    return SoftContact(n[0], n[1], n[2], n[3], n[4], n[5])
