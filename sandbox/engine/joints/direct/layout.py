@@ -106,7 +106,7 @@ def _entries(
     products.one = (row * at.ROW_SIZE + at.JACOBIAN + (side - 1) * at.SIDE)[order]
     products.other = (other * at.ROW_SIZE + at.JACOBIAN + (other_side - 1) * at.SIDE)[order]
     products.seat = np.array([seats[rows[r][0]][s - 1] * at.SEAT_SIZE for r, _, s, _, _ in links], np.int64)[order]
-    entries.place = np.arange(len(entries)) * WIDTH
+    entries.place = entries.total = np.arange(len(entries)) * WIDTH
     entries.other = np.array(pattern.row_of, np.int64) * at.ROW_SIZE
     counts = np.bincount(place, minlength=len(entries))
     entries.product_end = np.cumsum(counts)

@@ -18,10 +18,26 @@ _REDUNDANT = 1e-10
 
 
 @kernel
-def factorize(d: Batches, batch: Records) -> None:
-    """Assemble and factorise the matrices of the active rows of a batch."""
+def assemble(d: Batches, batch: Records) -> None:
+    """Work out J M^-1 J^T of all rows of a batch. It holds until rows or masses change, whichever rows are active."""
     v = d.memory
-    _assemble(d, batch)
+    layout = d.layouts[batch.layout]
+    for r in range(layout.first_row, layout.row_end):
+        row = d.equations[r]
+        for e in range(row.first_entry, row.entry_end):
+            entry = d.entries[e]
+            total = spread(0.0)
+            for k in range(entry.first_product, entry.product_end):
+                product = d.products[k]
+                total = total + side_product(v, batch, product.one, product.other, product.seat)
+            store(v, entry.total, total)
+
+
+@kernel
+def factorize(d: Batches, batch: Records) -> None:
+    """Factorise the assembled matrices of a batch, less the rows that are not active."""
+    v = d.memory
+    _choose_entries(d, batch)
     layout = d.layouts[batch.layout]
     targets = d.targets
     for r in range(layout.first_row, layout.row_end):
@@ -45,23 +61,20 @@ def factorize(d: Batches, batch: Records) -> None:
 
 
 @kernel
-def _assemble(d: Batches, batch: Records) -> None:
+def _choose_entries(d: Batches, batch: Records) -> None:
+    """Copy the entries between active rows to where they are factorised."""
     v = d.memory
     layout = d.layouts[batch.layout]
     for r in range(layout.first_row, layout.row_end):
         row = d.equations[r]
         active = load(v, row.place + at.ACTIVE) == 1.0
-        for e in range(row.first_entry, row.entry_end):
+        first = d.entries[row.first_entry]
+        whole = load(v, first.total) + load(v, row.place + at.SOFTNESS)
+        store(v, first.place, select(active, whole, 1.0))
+        for e in range(row.first_entry + 1, row.entry_end):
             entry = d.entries[e]
-            total = spread(0.0)
-            for k in range(entry.first_product, entry.product_end):
-                product = d.products[k]
-                total = total + side_product(v, batch, product.one, product.other, product.seat)
             both = active & (load(v, entry.other + at.ACTIVE) == 1.0)
-            store(v, entry.place, select(both, total, 0.0))
-        place = d.entries[row.first_entry].place
-        whole = load(v, place) + load(v, row.place + at.SOFTNESS)
-        store(v, place, select(active, whole, 1.0))
+            store(v, entry.place, select(both, load(v, entry.total), 0.0))
 
 
 @kernel

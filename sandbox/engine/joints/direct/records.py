@@ -69,6 +69,7 @@ ENTRY = Table(
     "entry",
     (
         Field("place", "-", "in the factor", "i8"),
+        Field("total", "-", "where the sum of its products is kept", "i8"),
         Field("other", "-", "place of the row below the diagonal", "i8"),
         Field("first_product", "-", "", "i8"),
         Field("product_end", "-", "", "i8"),
@@ -106,7 +107,8 @@ class Batches(NamedTuple):
     bodies on the fixed sides, part after part. Of batches: `found` is how many there are, where memory and names of
     bodies in use end, and where the memory of the first begins; `level` is the substep level under way; `open` the
     batch that takes the next part of each layout and level; `parts` says which part lies in each lane, `bodies` who has
-    each seat, in each lane. `memory` has the working place first: poses, frames, rows, factor; then the batches.
+    each seat, in each lane. `memory` has the working place first: poses, frames, rows, factor, sums of products; then
+    the batches.
     """
 
     layouts: Records

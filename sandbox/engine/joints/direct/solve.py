@@ -8,7 +8,7 @@ from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.bodies import gather_bodies, look_ahead, scatter_bodies
 from sandbox.engine.joints.direct.frames import measure_frames
 from sandbox.engine.joints.direct.geometric_stiffness import add_geometric_stiffness, remove_geometric_stiffness
-from sandbox.engine.joints.direct.ldl import factorize, solve_directly
+from sandbox.engine.joints.direct.ldl import assemble, factorize, solve_directly
 from sandbox.engine.joints.direct.pivoting import cap_pairs, choose_rows, clamp_rows, release_bounded
 from sandbox.engine.joints.direct.position_correction import find_corrections
 from sandbox.engine.joints.direct.records import Batches
@@ -128,6 +128,7 @@ def _solve(d: Batches, batch: Records, seconds: float, relaxing: bool, who: Mask
     v = d.memory
     layout = d.layouts[batch.layout]
     impulse = at.RELAXING if relaxing else at.IMPULSE
+    assemble(d, batch)
     going = who
     settled = who & ~who
     again = settled

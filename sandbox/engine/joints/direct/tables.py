@@ -26,15 +26,17 @@ def direct_tables(layouts: Sequence[DirectLayout]) -> Batches:
     joints, rows = table.frame_end - table.first_frame, table.row_end - table.first_row
     factor = int(entries.place.max(initial=-WIDTH)) + WIDTH
     sizes = np.array([
-        _largest(table.seats) * at.SEAT_SIZE, _largest(joints) * at.FRAME_SIZE, _largest(rows) * at.ROW_SIZE, factor,
+        _largest(table.seats) * at.SEAT_SIZE, _largest(joints) * at.FRAME_SIZE, _largest(rows) * at.ROW_SIZE,
+        factor, factor,
     ])  # fmt: skip
-    _, first_frame, first_row, first_entry, end = np.append(0, np.cumsum(sizes)).tolist()
+    _, first_frame, first_row, first_entry, first_total, end = np.append(0, np.cumsum(sizes)).tolist()
     for places in (frames.place, frames.coordinate_1, frames.coordinate_2):
         places += first_frame
     for places in (equations.place, entries.other, products.one, products.other):
         places += first_row
     for places in (entries.place, targets):
         places += first_entry
+    entries.total += first_total
     nothing = np.zeros(0, np.int64)
     return Batches(
         table, frames, equations, entries, products, targets, nothing, BATCH.zeros(0), np.array([0, end, 0, end]),
