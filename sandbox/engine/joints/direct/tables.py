@@ -12,7 +12,7 @@ from sandbox._vectors import WIDTH
 from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.layout import DirectLayout
 from sandbox.engine.joints.direct.records import BATCH, ENTRY, EQUATION, FRAME, LAYOUT, LEVELS, PRODUCT, Batches
-from sandbox.tables import Integers, Records, Table, aligned_zeros
+from sandbox.tables import Integers, Records, Table, aligned_zeros, joined
 
 
 def direct_tables(layouts: Sequence[DirectLayout]) -> Batches:
@@ -20,9 +20,9 @@ def direct_tables(layouts: Sequence[DirectLayout]) -> Batches:
 
     Places in the working memory count from where it begins.
     """
-    joined = _joined(layouts)
-    table, frames, equations = joined.layout, joined.frames, joined.equations
-    entries, products, targets = joined.entries, joined.products, joined.targets
+    all_layouts = _joined(layouts)
+    table, frames, equations = all_layouts.layout, all_layouts.frames, all_layouts.equations
+    entries, products, targets = all_layouts.entries, all_layouts.products, all_layouts.targets
     joints, rows = table.frame_end - table.first_frame, table.row_end - table.first_row
     factor = int(entries.place.max(initial=-WIDTH)) + WIDTH
     sizes = np.array([
@@ -95,8 +95,7 @@ def _joined(layouts: Sequence[DirectLayout]) -> DirectLayout:
 
 
 def _all(table: Table, parts: Sequence[Records]) -> Records:
-    joined: Records = np.concatenate([table.zeros(0), *parts]).view(np.recarray)
-    return joined
+    return joined([table.zeros(0), *parts]).view(np.recarray)
 
 
 def _shift(table: Records, columns: Sequence[str], sizes: Sequence[int], counts: Sequence[int]) -> None:
