@@ -7,47 +7,31 @@ Python.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any, Generic, ParamSpec, TypeAlias, TypeVar
+import functools
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
+from sandbox._instruction import Instruction
+
 Integers: TypeAlias = NDArray[np.int64]
-P = ParamSpec("P")
-R = TypeVar("R")
+instruction = functools.partial(Instruction, emitter="sandbox._llvm_atomics")
 
 
-class Instruction(Generic[P, R]):
-    """A function that kernels call: an instruction of LLVM's in machine code, and in Python a plain function."""
-
-    def __init__(self, function: Callable[P, R]) -> None:
-        self._function = function
-
-    def __call__(self, *arguments: P.args, **named: P.kwargs) -> R:
-        return self._function(*arguments, **named)
-
-    @property
-    def _numba_type_(self) -> Any:
-        """What numba asks of an object that a kernel mentions."""
-        from sandbox._llvm_atomics import instruction_type
-
-        return instruction_type(self._function.__name__)
-
-
-@Instruction
+@instruction
 def atomic_load(words: Integers, at: int) -> int:
     """The number at a place."""
     return int(words[at])
 
 
-@Instruction
+@instruction
 def atomic_store(words: Integers, at: int, value: int) -> None:
     """Write the number at a place."""
     words[at] = value
 
 
-@Instruction
+@instruction
 def atomic_add(words: Integers, at: int, value: int) -> int:
     """Add to the number at a place; return what it was."""
     before = int(words[at])
@@ -55,12 +39,12 @@ def atomic_add(words: Integers, at: int, value: int) -> int:
     return before
 
 
-@Instruction
+@instruction
 def yield_processor() -> None:
     """Let another thread have the processor, if one waits for it."""
 
 
-@Instruction
+@instruction
 def compare_and_swap(words: Integers, at: int, expected: int, value: int) -> int:
     """Write the number at a place if it is the one expected; return what it was."""
     before = int(words[at])

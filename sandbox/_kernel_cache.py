@@ -23,7 +23,13 @@ from platformdirs import user_cache_path
 _ROOMS = (
     "_jit.py",
     "_linking.py",
+    "_llvm_atomics.py",
+    "_llvm_vectors.py",
     "_machine_code.py",
+    "_plain_vectors.py",
+    "_atomics.py",
+    "_instruction.py",
+    "_vectors.py",
     "_way_in.py",
     "tables.py",
     "geometry",

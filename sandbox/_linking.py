@@ -23,6 +23,7 @@ from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler_lock import global_compiler_lock
 from numba.core.compiler_machinery import PassManager, register_pass
 
+from sandbox._llvm_vectors import teach_operators
 from sandbox._machine_code import ENTER, Returns
 from sandbox._way_in import way_in
 
@@ -50,6 +51,9 @@ _FLAGS: dict[str, Any] = {
 }
 # Kernels allocate nothing, so numba's reference counting is off: its atomic counters around every call that takes an
 # array cost more than the arithmetic (the grid ran 7 times slower with them).
+
+
+teach_operators()
 
 
 class _Library(JITCodeLibrary):

@@ -5,6 +5,7 @@ Every field is eight bytes (`f8` or `i8`), so records have no padding and their 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, TypeAlias
@@ -96,6 +97,16 @@ def longer(rows: NDArray[Any], more: NDArray[Any]) -> NDArray[Any]:
         copy_rows(memory, rows)
     copy_rows(memory[first:], more)
     return memory[:count]
+
+
+def joined(parts: Sequence[NDArray[Any]]) -> NDArray[Any]:
+    """Arrays of one dtype, one after another. As bytes: numpy looks for a common type of records field by field."""
+    whole = aligned_zeros(sum(map(len, parts)), parts[0].dtype)
+    first = 0
+    for each in parts:
+        copy_rows(whole[first:], plain(each))
+        first += len(each)
+    return whole
 
 
 def without(rows: Records, left: NDArray[np.bool_]) -> Records:

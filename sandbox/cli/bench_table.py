@@ -83,11 +83,11 @@ def _below(race: Race) -> list[str]:
         for each in race.results
         if each.quality.lost
     ]
-    for own in (each.own for each in race.results if each.own):
+    for label, own in ((each.label, each.own) for each in race.results if each.own):
         frozen = f", {own.frozen} frozen" if own.frozen else ""
         memory = f"tables {own.table_bytes / 2**20:.1f} MiB"
-        lines.append(f"  sandbox: digest {own.digest}, {own.awake:,} awake{frozen}, {memory}")
+        lines.append(f"  {label}: digest {own.digest}, {own.awake:,} awake{frozen}, {memory}")
         if own.stages:
             told = ", ".join(f"{name} {milliseconds:.3f}" for name, milliseconds in own.stages.items())
-            lines.append(f"  sandbox, ms a step: {told}")
+            lines.append(f"  {label}, ms a step: {told}")
     return lines

@@ -110,7 +110,7 @@ def solve(
     clear_flags(bodies, rows, solver, state.drags)
     mark_fast_at_start(bodies, rows, ccd.bodies, setting.step_seconds)
     if joints is not None:
-        begin_joints(joints, bodies, contacts)
+        begin_joints(joints, bodies, solver.free_motions, contacts)
     clear_reports(contacts.reports, count)
     counter.color_count = 0
     for level in range(MAX_LEVEL + 1):

@@ -119,10 +119,8 @@ class Stepper:
         if joints is None or going is None or going.all():
             self.assemble_joints()
             return
-        if going.any():
-            self._layouts.drop(going)
         scratch.joint_filter, scratch.joints = without_parts(
-            scratch.joint_filter, joints, going, moved, self._state.joints
+            scratch.joint_filter, joints, self._layouts, going, moved, self._state.joints
         )
         self._prepare_calls()
 

@@ -7,6 +7,7 @@ is told nothing about mistakes: what is not plainly right has to be read in full
 
 from __future__ import annotations
 
+import marshal
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
 from typing import Any, TypeAlias
@@ -20,16 +21,13 @@ from sandbox.scene.flat import FlatBody
 OWN = ("id", "position", "angle", "velocity", "angular_velocity")
 """The fields that bodies of one template have for themselves."""
 _STILL = ((0.0, 0.0), 0.0)
-_PLAIN = (str, int, bool, type(None))
+_WITHOUT_REFERENCES = 2
+"""The version of `marshal` that writes equal values alike, whoever else holds them."""
 _MOST = 1024
 """So many templates are kept; then all are forgotten."""
 
-Key: TypeAlias = tuple[Any, ...]
+Key: TypeAlias = tuple[tuple[str, ...], bytes]
 Words: TypeAlias = dict[str, Any]
-
-
-class _StrangeError(Exception):
-    """Something that no file holds."""
 
 
 @dataclass(frozen=True)
@@ -86,24 +84,16 @@ def _flat(own: Body, given: Sequence[str], template: _Template) -> FlatBody | No
 
 
 def _key(entry: Any) -> Key | None:
-    """Equal for entries of one template, down to the types and the bits of their values; None for what is no entry."""
+    """Equal for entries of one template, down to the types and the bits of their values; None for what is no entry.
+
+    What is not of a plain type does not come back as it was, or not at all; bytes and sets do, but no model takes them.
+    """
     if type(entry) is not dict:
         return None
     given = tuple(name for name in OWN if name in entry)
+    rest = {name: value for name, value in entry.items() if name not in given}
     try:
-        return given, *((name, _frozen(value)) for name, value in entry.items() if name not in given)
-    except _StrangeError:
+        written = marshal.dumps(rest, _WITHOUT_REFERENCES)
+        return (given, written) if marshal.loads(written) == rest else None
+    except ValueError:
         return None
-
-
-def _frozen(value: Any) -> Any:
-    kind = type(value)
-    if kind is float:
-        return kind, value.hex()
-    if kind in _PLAIN:
-        return kind, value
-    if kind is list or kind is tuple:
-        return kind, *map(_frozen, value)
-    if kind is dict and all(type(name) is str for name in value):
-        return kind, *((name, _frozen(each)) for name, each in value.items())
-    raise _StrangeError

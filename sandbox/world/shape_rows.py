@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from sandbox.geometry.mass import edge_normals
 from sandbox.scene.flat import FlatBody, FlatShape, Vec
-from sandbox.tables import Floats, Integers, Records, plain
+from sandbox.tables import Floats, Integers, Records, joined, plain
 from sandbox.world import records
 from sandbox.world.body_prototypes import build_prototypes
 from sandbox.world.moments import Columns, Cores, core_moments, half_widths, sums
@@ -78,14 +78,14 @@ class Patterns:
         """Some of them, one after the other; each of `parts` is one."""
         if len(parts) == 1:
             return parts[0]
-        joined = cls(*(np.concatenate([getattr(each, field.name) for each in parts]) for field in fields(cls)))
-        shapes, counts = joined.shapes, joined.counts
+        whole = cls(*(joined([getattr(each, field.name) for each in parts]) for field in fields(cls)))
+        shapes, counts = whole.shapes, whole.counts
         shapes["body"] = owners(counts)
         shapes["vertex_start"], shapes["outline_start"] = map(
             run_starts, (shapes["vertex_count"], shapes["outline_count"])
         )
-        shapes["seam_start"] = run_starts(joined.seam_counts)
-        return joined
+        shapes["seam_start"] = run_starts(whole.seam_counts)
+        return whole
 
 
 def build_patterns(bodies: Sequence[FlatBody]) -> Patterns:

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 import sandbox
 from sandbox.bench.memory import table_bytes
 from sandbox.engine.world import World
-from sandbox.tables import aligned_zeros, close_up, longer, plain
+from sandbox.tables import aligned_zeros, close_up, joined, longer, plain
 from sandbox.world.records import BODY, VERTEX
 from tests.engine.test_spawn import GROUND, JOINTS, ZOO, make, same
 
@@ -48,6 +48,16 @@ def test_rows_come_and_go_as_in_a_list(changes: list[Any]) -> None:
         assert rows["x"].tolist() == expected
         assert rows.dtype is VERTEX.dtype
     assert moves <= 1 + np.log2(max(most, 1))
+
+
+@given(st.lists(st.integers(0, 4), min_size=1, max_size=6))
+def test_joined_tables_have_the_rows_of_all(counts: list[int]) -> None:
+    parts = [plain(VERTEX.zeros(count)) for count in counts]
+    for k, part in enumerate(parts):
+        part["x"] = k + np.arange(len(part)) / 8.0
+    whole = joined(parts)
+    assert whole.dtype is VERTEX.dtype
+    assert whole["x"].tolist() == [x for part in parts for x in part["x"].tolist()]
 
 
 def test_memory_doubles() -> None:

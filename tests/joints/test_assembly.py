@@ -10,9 +10,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox import Delete, Spawn
+from sandbox._vectors import WIDTH
 from sandbox.engine.joints import part_layout
 from sandbox.engine.joints.assembly import assemble
 from sandbox.engine.joints.components import components
+from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.part_layout import PartLayouts
 from sandbox.world.build import build_state
 from sandbox.world.joint_records import GEAR, JOINT
@@ -25,18 +27,90 @@ JOINTED = [name for name in sorted(FILES) if shipped(name).flatten().joints]
 
 
 def same(joints: Any, bodies: Any, layouts: PartLayouts) -> None:
-    """Both ways give the same tables, to the byte."""
+    """Both ways give the same tables, and what parts share says the same of every part."""
     (bonds, joined), work = assemble(joints, bodies, layouts, len(bodies))
     expected = naive.assemble(joints, bodies)
     assert (bonds.tobytes(), joined.tobytes()) == (expected[0].bonds.tobytes(), expected[0].joined.tobytes())
     assert (work is None) == (expected[1] is None)
     if work is None:
         return
-    for name in (*work._fields[:-1], *work.side_by_side._fields):
-        one, two = (getattr(each, name, None) for each in (work, expected[1]))
-        if one is None:
-            one, two = (getattr(each.side_by_side, name) for each in (work, expected[1]))
-        assert (one.dtype, one.tobytes()) == (two.dtype, two.tobytes()), name
+    judge = expected[1]
+    for name in ("ties", "part_of", "members", "constraints", "rows"):
+        assert getattr(work, name).tobytes() == getattr(judge, name).tobytes(), name
+    for name in work.side_by_side._fields:
+        assert getattr(work.side_by_side, name).tobytes() == getattr(judge.side_by_side, name).tobytes(), name
+    for name in (name for name in work.parts.dtype.names if name != "layout"):
+        assert work.parts[name].tolist() == judge.parts[name].tolist(), name
+    assert {p: decoded(work, p) for p in np.flatnonzero(work.parts.direct).tolist()} == judge.factors
+    check_frames(work)
+
+
+def slices(table: Any, first: int, end: int) -> Any:
+    return np.asarray(table)[first:end].view(np.recarray)
+
+
+def decoded(work: Any, p: int) -> naive.Factor:
+    """What the shared tables say of part `p`, in numbers of the world."""
+    d, part = work.direct, work.parts[p]
+    layout = d.layouts[part.layout]
+    frames = slices(d.layout_frames, layout.first_frame, layout.frame_end)
+    equations = slices(d.equations, layout.first_row, layout.row_end)
+    bodies = [*work.members.body[part.first_member : part.member_end].tolist()]
+    bodies += d.fixed[part.first_fixed : part.first_fixed + layout.seats - layout.moving].tolist()
+    assert len(bodies) == layout.seats
+    assert layout.moving == part.member_end - part.first_member
+    joint_of = work.constraints.joint[part.first_constraint : part.constraint_end].tolist()
+    owner = [f for f in frames for _ in range(f.first_row, f.row_end)]
+    rows = [
+        naive.Row(
+            joint_of[frame.joint],
+            int(row.slot),
+            tuple(bodies[row[f"seat_{k + 1}"] // at.SEAT_SIZE] for k in range(row.sides)),
+        )
+        for frame, row in zip(owner, equations, strict=True)
+    ]
+    number = {int(row.place): r for r, row in enumerate(equations)}
+    entries = [slices(d.entries, row.first_entry, row.entry_end) for row in equations]
+    first = int(entries[0].place[0]) if rows else 0
+    columns = [[number[int(e.other)] for e in each] for each in entries]
+    products = [
+        [product(number, x, bodies) for x in slices(d.products, e.first_product, e.product_end)]
+        for each in entries
+        for e in each
+    ]
+    below = [len(column) - 1 for column in columns]
+    ends = [int(row.first_target) + n * (n + 1) // 2 for row, n in zip(equations, below, strict=True)]
+    targets = d.targets[equations.first_target[0] : ends[-1]] if rows else np.zeros(0, np.int64)
+    return naive.Factor(rows, columns, products, ((targets - first) // WIDTH).tolist(), bool(layout.bounded))
+
+
+def product(number: dict[int, int], x: Any, bodies: list[int]) -> naive.Product:
+    row, side = divmod(int(x.one) - min(number), at.ROW_SIZE)
+    other, other_side = divmod(int(x.other) - min(number), at.ROW_SIZE)
+    return naive.Product(row, side // at.SIDE, other, other_side // at.SIDE, bodies[x.seat // at.SEAT_SIZE])
+
+
+def check_frames(work: Any) -> None:
+    """Every frame is that of its joint; after a gear come those of the joints it couples; places are apart."""
+    d = work.direct
+    for part in (part for part in work.parts if part.direct):
+        layout = d.layouts[part.layout]
+        frames = slices(d.layout_frames, layout.first_frame, layout.frame_end)
+        joints = work.joints[work.constraints.joint[part.first_constraint : part.constraint_end]]
+        assert frames.joint[frames.coupled == 0].tolist() == list(range(len(joints)))
+        assert layout.joints == len(joints)
+        for k, frame in enumerate(frames):
+            joint = joints[frame.joint]
+            if frame.coupled:
+                joint = work.joints[joint.joint_1 if frame.coupled == 1 else joint.joint_2]
+            elif joint.kind == GEAR:
+                assert frames.coupled[k + 1 : k + 3].tolist() == [1, 2]
+                assert [frame.coordinate_1, frame.coordinate_2] == frames.place[k + 1 : k + 3].tolist()
+                assert [frame.kind_1, frame.kind_2] == frames.kind[k + 1 : k + 3].tolist()
+            assert frame.kind == joint.kind
+            if not frame.coupled:
+                assert (frame.limit, frame.motor) == (joint.limit != 0, joint.motor != 0)
+        assert np.diff(frames.place).tolist() == [at.FRAME_SIZE] * (len(frames) - 1)
 
 
 @st.composite

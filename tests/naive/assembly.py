@@ -6,19 +6,62 @@ Only the elimination of a part (`symbolic.py`) is the engine's own; all numbers 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from itertools import pairwise
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from sandbox.engine.joints.hinge_lanes import lay_hinges
 from sandbox.engine.joints.pair_filter import JointFilter
 from sandbox.engine.joints.part_layout import UPDATES_A_ROW, slots_of
-from sandbox.engine.joints.records import BOND, CONSTRAINT, LINK, MEMBER, PART, ROW, JointWork
+from sandbox.engine.joints.records import BOND, CONSTRAINT, MEMBER, PART, ROW
 from sandbox.engine.joints.symbolic import Pattern, minimum_degree, symbolic
 from sandbox.tables import Records
 from sandbox.world import joint_records as kinds
 
 Pair = tuple[int, int]
+
+
+class Row(NamedTuple):
+    """A row of a factorised part: whose it is, and the bodies on its sides, -1 the world."""
+
+    joint: int
+    slot: int
+    bodies: tuple[int, ...]
+
+
+class Product(NamedTuple):
+    """What one body, on a side of a row and on a side of another, adds to an entry."""
+
+    row: int
+    side: int
+    other: int
+    other_side: int
+    body: int
+
+
+class Factor(NamedTuple):
+    """A factorised part: its rows, the rows of each column from the diagonal down, what each entry is the sum of, the
+    entries from which each column subtracts, and whether some row may have bounds."""
+
+    rows: list[Row]
+    columns: list[list[int]]
+    products: list[list[Product]]
+    targets: list[int]
+    bounded: bool
+
+
+class NaiveWork(NamedTuple):
+    """As `JointWork`, but for what parts share."""
+
+    ties: Records
+    part_of: Any
+    members: Records
+    constraints: Records
+    rows: Records
+    parts: Records
+    side_by_side: Any
+    factors: dict[int, Factor]
 
 
 def slots_of_joint(joint: Any) -> tuple[int, ...]:
@@ -41,7 +84,7 @@ def holding(joints: Records) -> list[bool]:
     ]
 
 
-def assemble(joints: Records, bodies: Records) -> tuple[JointFilter, JointWork | None]:
+def assemble(joints: Records, bodies: Records) -> tuple[JointFilter, NaiveWork | None]:
     """The pairs of bodies that joints keep from colliding, and scratch memory for all joints that hold.
 
     The memory is None where no joint holds, so that such worlds pay nothing. Both are functions of the two tables
@@ -73,7 +116,7 @@ class _Layout:
         first, second = self.joints[joint.joint_1], self.joints[joint.joint_2]
         return [int(first.body_a), int(first.body_b), int(second.body_a), int(second.body_b)]
 
-    def work(self, ties: Records) -> JointWork:
+    def work(self, ties: Records) -> NaiveWork:
         """Everything, part after part."""
         self.ties = ties
         self.of_body: dict[int, list[int]] = {}
@@ -89,8 +132,8 @@ class _Layout:
         self.constraints: list[int] = []
         self.rows: list[tuple[int, int, list[int]]] = []
         self.parts: list[dict[str, int]] = []
-        self.pattern = Pattern()
-        self.links: list[tuple[int, int, int, int, int]] = []
+        self.factors: dict[int, Factor] = {}
+        self.fixed = 0
         for number, part in enumerate(self._parts()):
             self._add_part(number, part)
         return self._tables()
@@ -125,49 +168,54 @@ class _Layout:
         slots = {j: slots_of_joint(self.joints[j]) for j in part}
         neighbours = {j: sorted({k for body in self.touched[j] for k in self.of_body[body]} - {j}) for j in part}
         order, direct = minimum_degree(part, neighbours, {j: len(slots[j]) for j in part}, UPDATES_A_ROW)
-        row_numbers: dict[int, list[int]] = {}
+        seats = [(j, slot) for j in order for slot in slots[j]]
+        if direct:
+            bounded = any(_may_be_bounded(self.joints[j], slot) for j, slot in seats)
+            self.factors[number] = self._factor(order, seats, neighbours, bounded)
         for j in order:
-            row_numbers[j] = list(range(len(self.rows), len(self.rows) + len(slots[j])))
             sides = [self.member_of[body] for body in self._sides(self.joints[j])]
-            self.rows += [(len(self.constraints), slot, sides) for slot in slots[j]]
+            self.rows += [] if direct else [(len(self.constraints), slot, sides) for slot in slots[j]]
             self.constraints.append(j)
-        first_link, first_target = len(self.links), len(self.pattern.targets)
-        self._eliminate(order, row_numbers, neighbours, direct)
+        fixed = sum(body not in self.touched[j] for j in part for body in self._sides(self.joints[j]))
         self.parts.append(
             {
                 "first_row": first_row, "row_end": len(self.rows), "first_constraint": first_constraint,
-                "constraint_end": len(self.constraints),
-                "first_member": first_member, "member_end": len(self.members), "first_link": first_link,
-                "link_end": len(self.links), "first_target": first_target, "direct": int(direct),
-                "anchored": int(any(body not in self.touched[j] for j in part for body in self._sides(self.joints[j]))),
-                "bounded": int(any(_may_be_bounded(self.joints[j], slot) for j in part for slot in slots[j])),
+                "constraint_end": len(self.constraints), "first_member": first_member, "member_end": len(self.members),
+                "direct": int(direct), "anchored": int(fixed > 0), "first_fixed": self.fixed,
             }
         )  # fmt: skip
+        self.fixed += fixed
 
-    def _eliminate(
-        self, order: list[int], rows: dict[int, list[int]], neighbours: dict[int, list[int]], direct: bool
-    ) -> None:
+    def _factor(
+        self, order: list[int], seats: list[tuple[int, int]], neighbours: dict[int, list[int]], bounded: bool
+    ) -> Factor:
         """Columns of the factor and the pairs of rows that add to it."""
+        rows = [Row(j, slot, tuple(self._sides(self.joints[j]))) for j, slot in seats]
+        numbers = {j: [r for r, row in enumerate(rows) if row.joint == j] for j in order}
         place = {j: k for k, j in enumerate(order)}
-        blocks = [[rows[k] for k in neighbours[j] if place[k] > place[j]] if direct else [] for j in order]
-        entry = symbolic([rows[j] for j in order], blocks, self.pattern, direct)
-        if not direct:
-            return
+        later = {j: [k for k in neighbours[j] if place[k] > place[j]] for j in order}
+        pattern = Pattern()
+        entry = symbolic([numbers[j] for j in order], [[numbers[k] for k in later[j]] for j in order], pattern)
+        ends = [*pattern.starts, len(pattern.row_of)]
+        products: list[list[Product]] = [[] for _ in pattern.row_of]
         for j in order:
-            later = [j, *(k for k in neighbours[j] if place[k] > place[j])]
-            for r in rows[j]:
-                for s in (s for k in later for s in rows[k] if s >= r):
-                    self._link(r, s, entry[r, s])
+            for r in numbers[j]:
+                for s in (s for k in (j, *later[j]) for s in numbers[k] if s >= r):
+                    products[entry[r, s]] += self._products(rows, r, s)
+        columns = [pattern.row_of[a:b] for a, b in pairwise(ends)]
+        return Factor(rows, columns, products, pattern.targets, bounded)
 
-    def _link(self, r: int, s: int, entry: int) -> None:
-        for a, member in enumerate(self.rows[r][2]):
-            for b, other in enumerate(self.rows[s][2]):
-                if member == other and self.members[member][1] >= 0:
-                    self.links.append((s, r, b + 1, a + 1, entry))
+    def _products(self, rows: list[Row], r: int, s: int) -> list[Product]:
+        return [
+            Product(s, b, r, a, body)
+            for a, body in enumerate(rows[r].bodies)
+            for b, other in enumerate(rows[s].bodies)
+            if body == other and body >= 0 and self.movable[body]
+        ]
 
-    def _tables(self) -> JointWork:
+    def _tables(self) -> NaiveWork:
         members, constraints = MEMBER.zeros(len(self.members)), CONSTRAINT.zeros(len(self.constraints))
-        rows, parts, links = ROW.zeros(len(self.rows)), PART.zeros(len(self.parts)), LINK.zeros(len(self.links))
+        rows, parts = ROW.zeros(len(self.rows)), PART.zeros(len(self.parts))
         members.body, members.part = (list(column) for column in zip(*self.members, strict=True))
         members.cos = 1.0
         seat_of = {j: k for k, j in enumerate(self.constraints)}
@@ -189,19 +237,10 @@ class _Layout:
         for row, fields in zip(parts, self.parts, strict=True):
             for name, value in fields.items():
                 row[name] = value
-        for link, values in zip(links, self.links, strict=True):
-            for name, number in zip(LINK.dtype.names or (), values, strict=True):
-                link[name] = number
-        pattern = self.pattern
         part_of = np.full(len(self.movable), -1, np.int64)
         part_of[members.body[1:]] = members.part[1:]
-        starts, row_of = np.array([*pattern.starts, len(pattern.row_of)], np.int64), np.array(pattern.row_of, np.int64)
-        targets, entries = np.array(pattern.targets, np.int64), np.zeros(len(pattern.row_of))
         hinges = lay_hinges(self.joints, members, constraints, parts)
-        return JointWork(
-            self.joints, self.ties, part_of, members, constraints, rows, parts, links, starts, row_of, targets,
-            entries, hinges,
-        )  # fmt: skip
+        return NaiveWork(self.ties, part_of, members, constraints, rows, parts, hinges, self.factors)
 
     def pairs(self) -> tuple[list[Pair], list[Pair]]:
         """Pairs of bodies with a joint, and those of them that do not collide, both sorted."""

@@ -1,10 +1,9 @@
-"""How far every joint of a part is from what it keeps, at the pose its members were looked at."""
+"""How far every joint of a net is from what it keeps."""
 
 from __future__ import annotations
 
-import math
-
 from sandbox._jit import kernel
+from sandbox.engine.joints.laws import gap, length_and_direction, rope, turned
 from sandbox.engine.joints.records import JointWork
 from sandbox.tables import Records
 from sandbox.world.joint_records import (
@@ -16,8 +15,6 @@ from sandbox.world.joint_records import (
     TARGET,
     WHEEL,
 )
-
-_SHORT = 1e-9
 
 
 @kernel
@@ -50,17 +47,14 @@ def _place_anchors(constraint: Records, joint: Records, a: Records, b: Records) 
     elif joint.kind == TARGET:
         ax = joint.point_ax
         ay = joint.point_ay
-    arm_ax = a.cos * ax - a.sin * ay
-    arm_ay = a.sin * ax + a.cos * ay
-    arm_bx = b.cos * joint.anchor_bx - b.sin * joint.anchor_by
-    arm_by = b.sin * joint.anchor_bx + b.cos * joint.anchor_by
+    arm_ax, arm_ay = turned(a.cos, a.sin, ax, ay)
+    arm_bx, arm_by = turned(b.cos, b.sin, joint.anchor_bx, joint.anchor_by)
     constraint.arm_ax = arm_ax
     constraint.arm_ay = arm_ay
     constraint.arm_bx = arm_bx
     constraint.arm_by = arm_by
-    # Large numbers first: nearby bodies keep their precision far from the origin.
-    constraint.gap_x = (b.center_x - a.center_x) + (b.displacement_x - a.displacement_x) + (arm_bx - arm_ax)
-    constraint.gap_y = (b.center_y - a.center_y) + (b.displacement_y - a.displacement_y) + (arm_by - arm_ay)
+    constraint.gap_x = gap(a.center_x, b.center_x, a.displacement_x, b.displacement_x, arm_ax, arm_bx)
+    constraint.gap_y = gap(a.center_y, b.center_y, a.displacement_y, b.displacement_y, arm_ay, arm_by)
     constraint.turn = b.angle - a.angle - joint.reference_angle
 
 
@@ -72,15 +66,15 @@ def _find_errors(constraint: Records, joint: Records, a: Records, b: Records) ->
     constraint.error_2 = constraint.turn
     constraint.place = constraint.turn
     if kind in (PRISMATIC, WHEEL):
-        constraint.axis_x = a.cos * joint.axis_x - a.sin * joint.axis_y
-        constraint.axis_y = a.sin * joint.axis_x + a.cos * joint.axis_y
+        constraint.axis_x, constraint.axis_y = turned(a.cos, a.sin, joint.axis_x, joint.axis_y)
         constraint.error_0 = constraint.axis_x * constraint.gap_y - constraint.axis_y * constraint.gap_x
         constraint.error_1 = constraint.turn
         constraint.place = constraint.axis_x * constraint.gap_x + constraint.axis_y * constraint.gap_y
     elif kind == DISTANCE:
-        constraint.place = math.sqrt(constraint.gap_x * constraint.gap_x + constraint.gap_y * constraint.gap_y)
-        constraint.axis_x = constraint.gap_x / constraint.place if constraint.place > _SHORT else 1.0
-        constraint.axis_y = constraint.gap_y / constraint.place if constraint.place > _SHORT else 0.0
+        length, x, y = length_and_direction(constraint.gap_x, constraint.gap_y, 1.0)
+        constraint.place = length
+        constraint.axis_x = x
+        constraint.axis_y = y
         constraint.error_0 = constraint.place - joint.length
     elif kind == PULLEY:
         _find_pulley_error(constraint, joint, a, b)
@@ -89,16 +83,16 @@ def _find_errors(constraint: Records, joint: Records, a: Records, b: Records) ->
 @kernel
 def _find_pulley_error(constraint: Records, joint: Records, a: Records, b: Records) -> None:
     """`axis` becomes the direction of the rope at a, `gap` that at b, both away from the wheels."""
-    x = (a.center_x - joint.point_ax) + a.displacement_x + constraint.arm_ax
-    y = (a.center_y - joint.point_ay) + a.displacement_y + constraint.arm_ay
-    length_a = math.sqrt(x * x + y * y)
-    constraint.axis_x = x / length_a if length_a > _SHORT else 0.0
-    constraint.axis_y = y / length_a if length_a > _SHORT else 0.0
-    x = (b.center_x - joint.point_bx) + b.displacement_x + constraint.arm_bx
-    y = (b.center_y - joint.point_by) + b.displacement_y + constraint.arm_by
-    length_b = math.sqrt(x * x + y * y)
-    constraint.gap_x = x / length_b if length_b > _SHORT else 0.0
-    constraint.gap_y = y / length_b if length_b > _SHORT else 0.0
+    x = rope(joint.point_ax, a.center_x, a.displacement_x, constraint.arm_ax)
+    y = rope(joint.point_ay, a.center_y, a.displacement_y, constraint.arm_ay)
+    length_a, ux, uy = length_and_direction(x, y, 0.0)
+    constraint.axis_x = ux
+    constraint.axis_y = uy
+    x = rope(joint.point_bx, b.center_x, b.displacement_x, constraint.arm_bx)
+    y = rope(joint.point_by, b.center_y, b.displacement_y, constraint.arm_by)
+    length_b, ux, uy = length_and_direction(x, y, 0.0)
+    constraint.gap_x = ux
+    constraint.gap_y = uy
     constraint.error_0 = length_a + joint.ratio * length_b - joint.length
 
 

@@ -11,9 +11,11 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from sandbox.engine.joints.direct.tables import with_room
 from sandbox.engine.joints.hinge_lanes import HINGE_BLOCK_SIZE, HingeLanes
 from sandbox.engine.joints.more_parts import ENDS, MEMBERS
 from sandbox.engine.joints.pair_filter import JointFilter
+from sandbox.engine.joints.part_layout import PartLayouts
 from sandbox.engine.joints.records import JointWork
 from sandbox.tables import Integers, Records, aligned_zeros, plain, without
 from sandbox.world.rows import Moved
@@ -31,35 +33,35 @@ def going_parts(work: JointWork, joints: Integers) -> Flags | None:
 
 
 def without_parts(
-    joint_filter: JointFilter, work: JointWork, going: Flags, moved: Moved, joints: Records
+    joint_filter: JointFilter, work: JointWork, layouts: PartLayouts, going: Flags, moved: Moved, joints: Records
 ) -> tuple[JointFilter, JointWork]:
     """What is left after whole parts are gone; `moved` tells where rows are now, `joints` is the table of now."""
     bonds, ties = (_kept_bonds(rows, work.part_of, going, moved.bodies) for rows in (joint_filter.bonds, work.ties))
     if going.any():
-        work = _without(work, _Places(work, going))
+        layouts.drop(going)
+        work = _without(work, layouts, _Places(work, going))
     for table in (work.constraints, work.side_by_side.hinges):
         plain(table)["joint"] = moved.joints[plain(table)["joint"]]
     members = plain(work.members)[1:]
     members["body"] = moved.bodies[members["body"]]
+    fixed = work.direct.fixed
+    fixed[fixed >= 0] = moved.bodies[fixed[fixed >= 0]]
     part_of, joined = np.full(len(work.part_of), -1), np.zeros(len(joint_filter.joined), np.int64)
     part_of[members["body"]] = members["part"]
     joined[plain(bonds)["low"]] = joined[plain(bonds)["high"]] = 1
     return JointFilter(bonds, joined), work._replace(joints=joints, ties=ties, part_of=part_of)
 
 
-def _without(work: JointWork, places: _Places) -> JointWork:
-    counts = np.diff(work.starts)[places.left["rows"]]
+def _without(work: JointWork, layouts: PartLayouts, places: _Places) -> JointWork:
+    parts, (tables, of_part) = _kept_parts(work, places), layouts.factorised(0)
+    plain(parts)["layout"] = of_part
     return work._replace(
-        parts=_kept_parts(work, places),
+        parts=parts,
         members=_kept(work.members, "members", places, {"parts": ("part",)}),
         constraints=_kept_constraints(work, places),
         rows=_kept(work.rows, "rows", places, {"constraints": ("constraint",), "members": MEMBERS}),
-        links=_kept(work.links, "links", places, {"rows": ("row", "other"), "entries": ("entry",)}),
-        starts=np.append(0, np.cumsum(counts)),
-        row_of=places.of("rows", work.row_of[places.left["entries"]]),
-        targets=places.of("entries", work.targets[places.left["targets"]]),
-        entries=work.entries[: int(counts.sum())],
         side_by_side=_kept_lanes(work, places),
+        direct=with_room(tables._replace(fixed=work.direct.fixed[places.left["fixed"]]), of_part, work.direct),
     )
 
 
@@ -73,30 +75,25 @@ class _Places:
         rows = constraints[row_constraint]
         lane_parts = np.maximum(*(plain(work.members)["part"][hinges[name]] for name in ("member_a", "member_b")))
         table = plain(work.parts)
-        targets = np.diff(np.append(table["first_target"], len(work.targets)))
+        fixed = np.diff(np.append(table["first_fixed"], len(work.direct.fixed)))
         self.left: dict[str, Flags] = {
             "parts": parts,
             "constraints": constraints,
             "rows": rows,
-            "links": rows[plain(work.links)["row"]],
-            "entries": np.repeat(rows, np.diff(work.starts)),
-            "targets": np.repeat(parts, targets),
-            "members": self._members(work, constraints, rows),
+            "members": self._members(work, constraints),
             "hinges": parts[lane_parts],
             "blocks": np.repeat(parts, table["block_end"] - table["first_block"]),
+            "fixed": np.repeat(parts, fixed),
         }
         self._before = {name: np.append(0, np.cumsum(left)) for name, left in self.left.items()}
 
     @staticmethod
-    def _members(work: JointWork, constraints: Flags, rows: Flags) -> Flags:
-        """The world, and whoever something holds that is left."""
+    def _members(work: JointWork, constraints: Flags) -> Flags:
+        """The world, and whoever a joint holds that is left; a gear holds no other than the joints that it couples."""
         held = np.zeros(len(work.members), np.bool_)
         held[0] = True
-        for table, left, names in (
-            (work.constraints, constraints, ("member_a", "member_b")), (work.rows, rows, MEMBERS),
-        ):  # fmt: skip
-            for name in names:
-                held[plain(table)[name][left]] = True
+        for name in ("member_a", "member_b"):
+            held[plain(work.constraints)[name][constraints]] = True
         return held
 
     def of(self, table: str, rows: Integers) -> Integers:
@@ -123,9 +120,8 @@ def _kept(table: Records, name: str, places: _Places, columns: Mapping[str, tupl
 
 
 def _kept_parts(work: JointWork, places: _Places) -> Records:
-    tables = ("constraints", "members", "rows", "links", "blocks")
-    columns = dict(zip(tables, ENDS, strict=True)) | {"targets": ("first_target",)}
-    return _kept(work.parts, "parts", places, columns)
+    tables = ("constraints", "members", "rows", "blocks", "fixed")
+    return _kept(work.parts, "parts", places, dict(zip(tables, ENDS, strict=True)))
 
 
 def _kept_constraints(work: JointWork, places: _Places) -> Records:

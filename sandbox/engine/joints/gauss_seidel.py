@@ -8,16 +8,17 @@ speed that their push has added is taken away again after the move: the soft ste
 
 from __future__ import annotations
 
+import math
+
 from sandbox._jit import kernel
 from sandbox.engine.contact_solver.soft_constraint import soft_coefficients
 from sandbox.engine.joints.errors import measure_errors
 from sandbox.engine.joints.hinges import SoftHinge, sweep_hinges, warm_start_hinges
 from sandbox.engine.joints.jacobian import fill_rows, push_row, row_speed
-from sandbox.engine.joints.joint_bodies import predict_poses
-from sandbox.engine.joints.ldl import change_impulse
-from sandbox.engine.joints.pivoting import cap_pairs
+from sandbox.engine.joints.joint_bodies import place_members
+from sandbox.engine.joints.laws import CORRECTION_SPEED, INFINITE
 from sandbox.engine.joints.records import JointWork
-from sandbox.engine.joints.targets import CORRECTION_SPEED, target_softly
+from sandbox.engine.joints.targets import pair_strength, target_softly
 from sandbox.tables import Records
 
 SWEEPS = 480.0
@@ -34,7 +35,7 @@ FAR = 0.5
 @kernel
 def solve_softly(work: JointWork, part: Records, motions: Records, seconds: float, pushing: bool) -> None:
     """Sweep over the rows of a part: before the move with their push (`pushing`), and after it without."""
-    predict_poses(work, part, motions, 0.0)
+    place_members(work, part, motions)
     if part.swept == 1:
         measure_errors(work, part)
         fill_rows(work, part)
@@ -48,7 +49,7 @@ def solve_softly(work: JointWork, part: Records, motions: Records, seconds: floa
     for sweep in range(_sweeps(seconds)):
         if part.swept == 1:
             _sweep_rows(work, part, seconds, push, give, sweep % 2 == 1)
-            cap_pairs(work, part, seconds, seconds, False)
+            _cap_pairs(work, part, seconds)
         sweep_hinges(work, part, SoftHinge(push, most, give), sweep % 2 == 1)
 
 
@@ -100,4 +101,28 @@ def _solve_row(work: JointWork, row: Records, seconds: float, push: float, give:
     after = row.impulse - (speed + row.bias + row.softness * row.impulse) / (row.stiffness + row.softness)
     after = after if after < row.high else row.high
     after = after if after > row.low else row.low
-    change_impulse(work, row, after - row.impulse, False)
+    _change_impulse(work, row, after - row.impulse)
+
+
+@kernel
+def _change_impulse(work: JointWork, row: Records, change: float) -> None:
+    """Add to a row's impulse and to the velocities of its members."""
+    row.impulse += change
+    push_row(work.members, row, change)
+
+
+@kernel
+def _cap_pairs(work: JointWork, part: Records, seconds: float) -> None:
+    """Shorten forces of two rows that are together past their limit."""
+    for r in range(part.first_row, part.row_end):
+        row = work.rows[r]
+        joint = work.joints[work.constraints[row.constraint].joint]
+        most = pair_strength(row, joint) if row.slot == 0 and row.stiffness > 0.0 else INFINITE
+        if most >= INFINITE:
+            continue
+        other = work.rows[r + 1]
+        size = math.sqrt(row.impulse * row.impulse + other.impulse * other.impulse)
+        if size > most * seconds:
+            share = most * seconds / size - 1.0
+            _change_impulse(work, row, share * row.impulse)
+            _change_impulse(work, other, share * other.impulse)

@@ -96,7 +96,7 @@ def lay_hinges(joints: Records, members: Records, constraints: Records, parts: R
     if plain.any():
         colors[plain] = _colors(members, constraints[plain])
     constraints.in_lane = colors < MAX_COLORS
-    parts.swept = np.isin(np.arange(len(parts)), constraints.part[constraints.in_lane == 0])
+    parts.swept = np.isin(np.arange(len(parts)), constraints.part[constraints.in_lane == 0]) & (parts.direct == 0)
     laid = np.flatnonzero(constraints.in_lane)
     laid = laid[np.lexsort((laid, colors[laid], constraints.part[laid]))]
     hinges = HINGE.zeros(len(laid))

@@ -1,10 +1,10 @@
-"""The rows of every joint: in which direction each pushes its members, and how easily they give way."""
+"""The rows of every joint of a net: in which direction each pushes its members, and how easily they give way."""
 
 from __future__ import annotations
 
 from sandbox._jit import kernel
+from sandbox.engine.joints.laws import along, is_close, own_stiffness
 from sandbox.engine.joints.records import JointWork
-from sandbox.engine.joints.targets import row_hertz
 from sandbox.tables import Records
 from sandbox.world.joint_records import (
     DISTANCE,
@@ -30,7 +30,6 @@ def fill_rows(work: JointWork, part: Records) -> None:
         _fill(work, row, constraint, joint)
         row.stiffness = _stiffness(work.members, row)
         row.error = row_error(row, constraint)
-        row.soft = 1 if row.slot == 3 or row_hertz(row, joint) > 0.0 else 0
 
 
 @kernel
@@ -60,7 +59,7 @@ def _fill(work: JointWork, row: Records, constraint: Records, joint: Records) ->
             _about(row)
     elif row.slot == 2 or (kind == REVOLUTE and row.slot >= 3):
         _about(row)
-    elif kind in (MOTOR, FRICTION) or _is_close(constraint):
+    elif kind in (MOTOR, FRICTION) or _are_close(constraint):
         row.levered = 1
         _along(row, constraint, 1.0 if row.slot == 0 else 0.0, 0.0 if row.slot == 0 else 1.0)
     elif row.slot == 0:
@@ -70,12 +69,9 @@ def _fill(work: JointWork, row: Records, constraint: Records, joint: Records) ->
 
 
 @kernel
-def _is_close(constraint: Records) -> bool:
-    """Whether the anchors are together but for half of the longer arm."""
-    arm_a = constraint.arm_ax * constraint.arm_ax + constraint.arm_ay * constraint.arm_ay
-    arm_b = constraint.arm_bx * constraint.arm_bx + constraint.arm_by * constraint.arm_by
-    gap = constraint.gap_x * constraint.gap_x + constraint.gap_y * constraint.gap_y
-    return bool(gap < 0.25 * (arm_a if arm_a > arm_b else arm_b))
+def _are_close(constraint: Records) -> bool:
+    c = constraint
+    return bool(is_close(c.arm_ax, c.arm_ay, c.arm_bx, c.arm_by, c.gap_x, c.gap_y))
 
 
 @kernel
@@ -96,12 +92,9 @@ def _about(row: Records) -> None:
 
 @kernel
 def _along(row: Records, constraint: Records, x: float, y: float) -> None:
-    """Way of anchor b along an axis (x, y) that turns with a.
-
-    Both bodies are pushed at anchor b, also while the anchors are apart: no angular momentum comes out of nothing.
-    """
-    turn_a = (constraint.arm_ax + constraint.gap_x) * y - (constraint.arm_ay + constraint.gap_y) * x
-    _set(row, -x, -y, -turn_a, x, y, constraint.arm_bx * y - constraint.arm_by * x)
+    c = constraint
+    x1, y1, w1, x2, y2, w2 = along(c.arm_ax, c.arm_ay, c.arm_bx, c.arm_by, c.gap_x, c.gap_y, x, y)
+    _set(row, x1, y1, w1, x2, y2, w2)
 
 
 @kernel
@@ -149,8 +142,13 @@ def _stiffness(members: Records, row: Records) -> float:
     """J M^-1 J^T; a gear's sides may be the same member twice."""
     m1 = members[row.member_1]
     m2 = members[row.member_2]
-    found = m1.inverse_mass * (row.x1 * row.x1 + row.y1 * row.y1) + m1.inverse_inertia * row.w1 * row.w1
-    found = found + m2.inverse_mass * (row.x2 * row.x2 + row.y2 * row.y2) + m2.inverse_inertia * row.w2 * row.w2
+    found = own_stiffness(
+        m1.inverse_mass,
+        m1.inverse_inertia,
+        m2.inverse_mass,
+        m2.inverse_inertia,
+        (row.x1, row.y1, row.w1, row.x2, row.y2, row.w2),
+    )
     if row.sides == 4:
         for k in range(1, 5):
             for m in range(1, 5):

@@ -5,7 +5,6 @@ from __future__ import annotations
 from sandbox._jit import kernel
 from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.joints.records import JointWork
-from sandbox.geometry.trig import cos_sin
 from sandbox.tables import Records
 
 
@@ -20,7 +19,6 @@ def load_members(work: JointWork, bodies: Records) -> None:
         moves = is_active(body)
         member.inverse_mass = body.inverse_mass if moves else 0.0
         member.inverse_inertia = body.inverse_inertia if moves else 0.0
-        member.inertia = body.inertia if moves and body.inverse_inertia > 0.0 else 0.0
         member.start_cos = body.rotation_cos
         member.start_sin = body.rotation_sin
         member.start_angle = body.angle
@@ -31,60 +29,61 @@ def load_members(work: JointWork, bodies: Records) -> None:
 
 
 @kernel
-def gather_members(work: JointWork, motions: Records, free_motions: Records, moving: bool) -> None:
-    """Take over velocities. Half of what forces add is held back while bodies are `moving`, and given back after.
+def gather_members(work: JointWork, motions: Records) -> None:
+    """Take over the velocities of nets, and of what joints cannot move."""
+    i = 1
+    while i < work.members.shape[0] and work.members[i].part < 0:
+        _gather(work.members[i], motions)
+        i += 1
+    for p in range(work.parts.shape[0]):
+        part = work.parts[p]
+        if part.current == 1 and part.direct == 0:
+            for i in range(part.first_member, part.member_end):
+                _gather(work.members[i], motions)
 
-    That is the velocity Verlet scheme: positions move by the velocity at the middle of the substep.
-    """
-    for i in range(1, work.members.shape[0]):
-        member = work.members[i]
-        if member.part >= 0 and work.parts[member.part].current == 0:
-            continue
-        motion = motions[member.body]
-        member.velocity_x = motion.velocity_x
-        member.velocity_y = motion.velocity_y
-        member.angular_velocity = motion.angular_velocity
-        if member.inverse_mass == 0.0 or work.parts[member.part].halves == 0:
-            continue
-        if moving:
-            free_motion = free_motions[member.body]
-            member.kick_x = 0.5 * (free_motion.free_x - free_motion.start_x)
-            member.kick_y = 0.5 * (free_motion.free_y - free_motion.start_y)
-            member.kick_w = 0.5 * (free_motion.free_w - free_motion.start_w)
-        sign = -1.0 if moving else 1.0
-        member.velocity_x += sign * member.kick_x
-        member.velocity_y += sign * member.kick_y
-        member.angular_velocity += sign * member.kick_w
+
+@kernel
+def _gather(member: Records, motions: Records) -> None:
+    motion = motions[member.body]
+    member.velocity_x = motion.velocity_x
+    member.velocity_y = motion.velocity_y
+    member.angular_velocity = motion.angular_velocity
 
 
 @kernel
 def scatter_members(work: JointWork, motions: Records) -> None:
-    """Give the velocities back."""
-    for i in range(1, work.members.shape[0]):
-        member = work.members[i]
-        if member.inverse_mass > 0.0 and work.parts[member.part].current == 1:
-            motion = motions[member.body]
-            motion.velocity_x = member.velocity_x
-            motion.velocity_y = member.velocity_y
-            motion.angular_velocity = member.angular_velocity
+    """Give the velocities of nets back."""
+    for p in range(work.parts.shape[0]):
+        part = work.parts[p]
+        if part.current == 1 and part.direct == 0:
+            for i in range(part.first_member, part.member_end):
+                member = work.members[i]
+                if member.inverse_mass > 0.0:
+                    motion = motions[member.body]
+                    motion.velocity_x = member.velocity_x
+                    motion.velocity_y = member.velocity_y
+                    motion.angular_velocity = member.angular_velocity
 
 
 @kernel
 def move_by_end_velocity(work: JointWork, motions: Records, free_motions: Records) -> None:
     """Let jointed bodies move by the velocity they have: `integrate_positions` takes the mean with the start."""
-    for i in range(1, work.members.shape[0]):
-        member = work.members[i]
-        if member.inverse_mass > 0.0 and work.parts[member.part].current == 1:
-            motion = motions[member.body]
-            free_motion = free_motions[member.body]
-            free_motion.start_x = free_motion.free_x = motion.velocity_x
-            free_motion.start_y = free_motion.free_y = motion.velocity_y
-            free_motion.start_w = free_motion.free_w = motion.angular_velocity
+    for p in range(work.parts.shape[0]):
+        part = work.parts[p]
+        if part.current == 1:
+            for i in range(part.first_member, part.member_end):
+                member = work.members[i]
+                if member.inverse_mass > 0.0:
+                    motion = motions[member.body]
+                    free_motion = free_motions[member.body]
+                    free_motion.start_x = free_motion.free_x = motion.velocity_x
+                    free_motion.start_y = free_motion.free_y = motion.velocity_y
+                    free_motion.start_w = free_motion.free_w = motion.angular_velocity
 
 
 @kernel
-def predict_poses(work: JointWork, part: Records, motions: Records, ahead: float) -> None:
-    """Pose of the members of a part, and of what joints cannot move, `ahead` seconds from now."""
+def place_members(work: JointWork, part: Records, motions: Records) -> None:
+    """Present pose of the members of a net, and of what joints cannot move."""
     i = 1
     while i < part.member_end:
         member = work.members[i]
@@ -92,14 +91,11 @@ def predict_poses(work: JointWork, part: Records, motions: Records, ahead: float
             i = part.first_member
             continue
         motion = motions[member.body]
-        member.displacement_x = motion.delta_x + ahead * member.velocity_x
-        member.displacement_y = motion.delta_y + ahead * member.velocity_y
-        turn = motion.delta_angle + ahead * member.angular_velocity
+        member.displacement_x = motion.delta_x
+        member.displacement_y = motion.delta_y
         c = motion.delta_cos
         s = motion.delta_sin
-        if ahead != 0.0:
-            c, s = cos_sin(turn)
         member.cos = member.start_cos * c - member.start_sin * s
         member.sin = member.start_sin * c + member.start_cos * s
-        member.angle = member.start_angle + turn
+        member.angle = member.start_angle + motion.delta_angle
         i += 1

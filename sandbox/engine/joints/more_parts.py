@@ -6,15 +6,17 @@ from typing import Any
 
 import numpy as np
 
+from sandbox.engine.joints.direct.tables import with_room
 from sandbox.engine.joints.hinge_lanes import HINGE_BLOCK_SIZE, HingeLanes
 from sandbox.engine.joints.records import JointWork
 from sandbox.tables import Integers, Records, aligned_zeros, extended, longer, plain
 
 ENDS = (
     ("first_constraint", "constraint_end"), ("first_member", "member_end"), ("first_row", "row_end"),
-    ("first_link", "link_end"), ("first_block", "block_end"),
+    ("first_block", "block_end"), ("first_fixed",),
 )  # fmt: skip
-"""Columns of the part table: where a part's constraints, members, rows, links and blocks of hinges begin and end."""
+"""Columns of the part table: where a part's constraints, members, rows and blocks of hinges begin and end, and where
+its bodies on fixed sides begin."""
 MEMBERS = ("member_1", "member_2", "member_3", "member_4")
 """Columns of the row table that name members."""
 
@@ -22,7 +24,8 @@ MEMBERS = ("member_1", "member_2", "member_3", "member_4")
 def with_more_parts(work: JointWork, more: JointWork, joints: Records) -> JointWork:
     """`work` with the parts of `more` behind its own. They hold none of its bodies, and their joints come later.
 
-    `joints` is the table that has the joints of both. All members of `more` are moved by its joints.
+    `joints` is the table that has the joints of both. All members of `more` are moved by its joints, and its layouts
+    are those of both.
     """
     members, constraints, rows = len(work.members) - 1, len(work.constraints), len(work.rows)
     shifts: dict[str, dict[str, int]] = {
@@ -30,7 +33,6 @@ def with_more_parts(work: JointWork, more: JointWork, joints: Records) -> JointW
         "constraints": {"part": len(work.parts), "member_a": members, "member_b": members, "first_row": rows}
         | {"constraint_1": constraints, "constraint_2": constraints},
         "rows": {"constraint": constraints} | dict.fromkeys(MEMBERS, members),
-        "links": {"row": rows, "other": rows, "entry": len(work.row_of)},
     }
     tables: dict[str, Any] = {"joints": joints, "ties": with_more_bonds(work.ties, more.ties)}
     for name, columns in shifts.items():
@@ -38,22 +40,22 @@ def with_more_parts(work: JointWork, more: JointWork, joints: Records) -> JointW
         for column, shift in columns.items():
             fresh[column] = _shifted(fresh[column], shift, column.startswith("member"))
         tables[name] = extended(getattr(work, name), fresh[1:] if name == "members" else fresh)
-    counts = (constraints, members, rows, len(work.links), len(work.side_by_side.blocks))
+    counts = (constraints, members, rows, len(work.side_by_side.blocks), len(work.direct.fixed))
     fresh = plain(more.parts)
     for ends, count in zip(ENDS, counts, strict=True):
         for column in ends:
             fresh[column] += count
-    fresh["first_target"] += len(work.targets)
     tables["parts"] = extended(work.parts, fresh)
     bodies = plain(more.members)["body"][1:]
     work.part_of[bodies] = plain(more.members)["part"][1:]
     return work._replace(
         **tables,
-        starts=longer(work.starts[:-1], more.starts + len(work.row_of)),
-        row_of=longer(work.row_of, more.row_of + rows),
-        targets=longer(work.targets, more.targets + len(work.row_of)),
-        entries=longer(work.entries, more.entries),
         side_by_side=_with_more_lanes(work.side_by_side, more.side_by_side, members),
+        direct=with_room(
+            more.direct._replace(fixed=longer(work.direct.fixed, more.direct.fixed)),
+            plain(tables["parts"])["layout"],
+            work.direct,
+        ),
     )
 
 

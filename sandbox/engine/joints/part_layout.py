@@ -12,6 +12,9 @@ from itertools import compress, pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from sandbox.engine.joints.direct.layout import DirectLayout, Link, direct_layout
+from sandbox.engine.joints.direct.records import Batches
+from sandbox.engine.joints.direct.tables import direct_tables
 from sandbox.engine.joints.symbolic import Pattern, minimum_degree, symbolic
 from sandbox.tables import Integers
 from sandbox.world import joint_records as kinds
@@ -27,36 +30,38 @@ WORLD = -1
 """In the place of a member: something that joints cannot move."""
 NOBODY = -2
 """In the place of a member: the joint has no such side."""
-COLUMNS = 8
-"""Columns of what a layout depends on, for each joint: kind, spring, limit, motor, and the members of up to 4 sides."""
+COLUMNS = 10
+"""Columns of what a layout depends on, for each joint: kind, spring, limit, motor, the members of up to 4 sides, and
+for gears the kinds of the two joints that they couple."""
 
 
 @dataclass(frozen=True)
 class PartLayout:
-    """All numbers count from the part's first joint, member, constraint, row or entry.
+    """All numbers count from the part's first joint, constraint or row.
 
-    `order` are its joints as they are eliminated: constraint by constraint. Each row has a constraint and a slot;
-    `links` are rows of the link table; `starts`, `row_of` and `targets` are as in `Pattern`.
+    `order` are its joints as they are eliminated: constraint by constraint. Each row has a constraint and a slot.
+    `direct` is None in a part that is too dense to be factorised.
     """
 
     order: Integers
     constraints: Integers
     slots: Integers
-    links: Integers
-    starts: Integers
-    row_of: Integers
-    targets: Integers
-    direct: bool
     anchored: bool
-    bounded: bool
+    direct: DirectLayout | None
 
 
 @dataclass
 class PartLayouts:
-    """The layouts of the parts of a world, by what they depend on; and that of each part, in their order."""
+    """The layouts of the parts of a world, by what they depend on; and that of each part, in their order.
+
+    Those that are factorised are numbered in the order in which parts first have them; `tables` are theirs, if they
+    have been asked for since the last change.
+    """
 
     known: dict[bytes, PartLayout] = field(default_factory=dict)
     parts: list[bytes] = field(default_factory=list)
+    numbers: dict[bytes, int] = field(default_factory=dict)
+    tables: Batches | None = None
 
     def of_parts(self, joints: NDArray[np.int32], ends: Integers, others: bool = False) -> list[PartLayout]:
         """The layout of each part; `joints` has `COLUMNS` for each joint, part after part, up to `ends`.
@@ -65,7 +70,7 @@ class PartLayouts:
         """
         keys = [joints[first:end].tobytes() for first, end in pairwise([0, *ends.tolist()])]
         kept = {key: self.known.get(key) or part_layout(key) for key in dict.fromkeys(keys)}
-        self.known = self.known | kept if others else kept
+        self._know(self.known | kept if others else kept)
         if not others:
             self.parts = []
         self.parts += keys
@@ -74,7 +79,20 @@ class PartLayouts:
     def drop(self, going: NDArray[np.bool_]) -> None:
         """Forget parts, and the layouts that no other one has."""
         self.parts = list(compress(self.parts, (~going).tolist()))
-        self.known = {key: self.known[key] for key in dict.fromkeys(self.parts)}
+        self._know({key: self.known[key] for key in dict.fromkeys(self.parts)})
+
+    def factorised(self, first: int) -> tuple[Batches, Integers]:
+        """The tables of the layouts that are factorised, and which of them each part has, from part `first` on; -1 is
+        none."""
+        if self.tables is None:
+            self.tables = direct_tables([each.direct for each in self.known.values() if each.direct is not None])
+        return self.tables, np.array([self.numbers.get(key, -1) for key in self.parts[first:]], np.int64)
+
+    def _know(self, layouts: dict[bytes, PartLayout]) -> None:
+        if list(layouts) != list(self.known):
+            self.numbers = {key: n for n, key in enumerate(key for key, each in layouts.items() if each.direct)}
+            self.tables = None
+        self.known = layouts
 
 
 @cache
@@ -101,24 +119,20 @@ def part_layout(key: bytes) -> PartLayout:
     """The layout of a part of those joints: rows of `COLUMNS` 32-bit numbers."""
     joints: list[list[int]] = np.frombuffer(key, np.int32).reshape(-1, COLUMNS).tolist()
     slots = [slots_of(kind, bool(spring), bool(limit), bool(motor)) for kind, spring, limit, motor, *_ in joints]
-    sides = [[member for member in joint[4:] if member != NOBODY] for joint in joints]
+    sides = [[member for member in joint[4:8] if member != NOBODY] for joint in joints]
     neighbours = _neighbours(sides)
     weights = {j: len(each) for j, each in enumerate(slots)}
     order, direct = minimum_degree(range(len(joints)), neighbours, weights, UPDATES_A_ROW)
     seats = [(seat, slot) for seat, j in enumerate(order) for slot in slots[j]]
-    pattern, links = _eliminate(order, slots, sides, neighbours, direct)
-    return PartLayout(
-        _column(order),
-        _column([seat for seat, _ in seats]),
-        _column([slot for _, slot in seats]),
-        np.array(links, np.int64).reshape(-1, 5),
-        _column(pattern.starts),
-        _column(pattern.row_of),
-        _column(pattern.targets),
-        direct,
-        any(WORLD in each for each in sides),
-        any(_may_be_bounded(joint[0], slot) for joint, each in zip(joints, slots, strict=True) for slot in each),
-    )
+    anchored = any(WORLD in each for each in sides)
+    columns = _column(order), _column([seat for seat, _ in seats]), _column([slot for _, slot in seats])
+    if not direct:
+        return PartLayout(*columns, anchored, None)
+    pattern, links = _eliminate(order, slots, sides, neighbours)
+    bounded = any(_may_be_bounded(joint[0], slot) for joint, each in zip(joints, slots, strict=True) for slot in each)
+    kinds_of = [(joints[j][0], joints[j][2] != 0, joints[j][3] != 0, joints[j][8], joints[j][9]) for j in order]
+    found = direct_layout(kinds_of, [sides[j] for j in order], seats, links, pattern, bounded)
+    return PartLayout(*columns, anchored, found)
 
 
 def _column(numbers: list[int]) -> Integers:
@@ -140,8 +154,7 @@ def _eliminate(
     slots: list[tuple[int, ...]],
     sides: list[list[int]],
     neighbours: dict[int, list[int]],
-    direct: bool,
-) -> tuple[Pattern, list[tuple[int, ...]]]:
+) -> tuple[Pattern, list[Link]]:
     """Columns of the factor and the pairs of rows that add to it."""
     rows: dict[int, list[int]] = {}
     count = 0
@@ -149,11 +162,11 @@ def _eliminate(
         rows[j] = list(range(count, count + len(slots[j])))
         count += len(slots[j])
     place = {j: k for k, j in enumerate(order)}
-    later = {j: [k for k in neighbours[j] if place[k] > place[j]] if direct else [] for j in order}
+    later = {j: [k for k in neighbours[j] if place[k] > place[j]] for j in order}
     pattern = Pattern()
-    entry = symbolic([rows[j] for j in order], [[rows[k] for k in later[j]] for j in order], pattern, direct)
-    links: list[tuple[int, ...]] = []
-    for j in order if direct else ():
+    entry = symbolic([rows[j] for j in order], [[rows[k] for k in later[j]] for j in order], pattern)
+    links: list[Link] = []
+    for j in order:
         for r in rows[j]:
             for k in (j, *later[j]):
                 shared = _shared_sides(sides[j], sides[k])

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from sandbox.engine.joints.direct.tables import with_room
 from sandbox.engine.joints.hinge_lanes import lay_hinges
 from sandbox.engine.joints.part_layout import COLUMNS, NOBODY, WORLD, PartLayout, PartLayouts
-from sandbox.engine.joints.records import CONSTRAINT, LINK, MEMBER, PART, ROW, JointWork
+from sandbox.engine.joints.records import CONSTRAINT, MEMBER, PART, ROW, JointWork
 from sandbox.tables import Integers, Records
+from sandbox.world.joint_records import GEAR
 
 
 @dataclass(frozen=True)
@@ -31,17 +32,6 @@ class Parts:
         return np.diff(self.ends, prepend=0)
 
 
-@dataclass(frozen=True)
-class _Offsets:
-    """Where the members, rows, links, entries and targets of each part begin, and where those of the last one end."""
-
-    members: Integers
-    rows: Integers
-    links: Integers
-    entries: Integers
-    targets: Integers
-
-
 def joint_work(
     joints: Records, parts: Parts, ties: Records, bodies: int, layouts: PartLayouts, others: bool = False
 ) -> JointWork:
@@ -52,27 +42,19 @@ def joint_work(
     own = np.where(parts.moves, seats - np.repeat(first_member, parts.counts)[:, None], WORLD)
     own[parts.sides == NOBODY] = NOBODY
     found = layouts.of_parts(_content(joints, parts, own), parts.ends, others)
-    offsets = _Offsets(
-        np.append(first_member, len(members)),
-        *(_starts([getattr(each, name) for each in found]) for name in ("slots", "links", "row_of", "targets")),
-    )
-    constraints = _constraints(joints, parts, seats, found)
+    places = _all([each.order for each in found], parts.ends - parts.counts)
+    fixed = (parts.sides > NOBODY) & ~parts.moves
+    tables, of_part = layouts.factorised(len(layouts.parts) - len(found))
+    direct = with_room(tables._replace(fixed=parts.sides[places][fixed[places]]), of_part)
+    constraints = _constraints(joints, parts, seats, places)
     part_of = np.full(bodies, -1, np.int64)
     part_of[members.body[1:]] = members.part[1:]
-    starts = np.append(_all([each.starts for each in found], offsets.entries), offsets.entries[-1])
-    row_of = _all([each.row_of for each in found], offsets.rows)
-    targets = _all([each.targets for each in found], offsets.entries)
-    rows, links, table = _rows(constraints, parts, seats, found), _links(found, offsets), _parts(parts, found, offsets)
+    table = _parts(parts, found, np.append(first_member, len(members)), of_part)
+    before = np.cumsum(np.append(0, fixed[places].sum(axis=1)))
+    table.first_fixed = before[parts.ends - parts.counts]
+    rows = _rows(constraints, parts, seats, found, table)
     hinges = lay_hinges(joints, members, constraints, table)
-    return JointWork(
-        joints, ties, part_of, members, constraints, rows, table, links, starts, row_of, targets,
-        np.zeros(len(row_of)), hinges,
-    )  # fmt: skip
-
-
-def _starts(columns: Sequence[Integers]) -> Integers:
-    """Where each of some columns begins when all are joined, and where the last one ends."""
-    return np.cumsum([0, *map(len, columns)])
+    return JointWork(joints, ties, part_of, members, constraints, rows, table, hinges, direct)
 
 
 def _all(columns: Sequence[Integers], offsets: Integers) -> Integers:
@@ -110,61 +92,58 @@ def _as_met(bodies: Integers) -> Integers:
 
 def _content(joints: Records, parts: Parts, own: Integers) -> NDArray[np.int32]:
     """What the layouts of parts depend on."""
-    content = np.zeros((len(own), COLUMNS), np.int32)
+    content = np.full((len(own), COLUMNS), -1, np.int32)
     for k, name in enumerate(("kind", "spring", "limit", "motor")):
         values = joints[name][parts.joints]
         content[:, k] = values if name == "kind" else values != 0
-    content[:, 4:] = own
+    content[:, 4:8] = own
+    gears = np.flatnonzero(content[:, 0] == GEAR)
+    for k, coupled in ((8, joints.joint_1), (9, joints.joint_2)):
+        content[gears, k] = joints.kind[coupled[parts.joints[gears]]]
     return content
 
 
-def _constraints(joints: Records, parts: Parts, seats: Integers, found: Sequence[PartLayout]) -> Records:
+def _constraints(joints: Records, parts: Parts, seats: Integers, places: Integers) -> Records:
     """The joints as they are eliminated."""
-    places = _all([each.order for each in found], parts.ends - parts.counts)
     table = CONSTRAINT.zeros(len(places))
-    table.joint, table.part = parts.joints[places], np.repeat(np.arange(len(found)), parts.counts)
+    table.joint, table.part = parts.joints[places], np.repeat(np.arange(len(parts.ends)), parts.counts)
     table.member_a, table.member_b = seats[places, 0], seats[places, 1]
     constraint_of = np.full(len(joints) + 1, -1)  # none has the last row
     constraint_of[table.joint] = np.arange(len(places))
     table.constraint_1 = constraint_of[joints.joint_1[table.joint]]
     table.constraint_2 = constraint_of[joints.joint_2[table.joint]]
-    of_row = _all([each.constraints for each in found], parts.ends - parts.counts)
-    table.row_count = np.bincount(of_row, minlength=len(table))
-    table.first_row = np.cumsum(table.row_count) - table.row_count
     return table
 
 
-def _rows(constraints: Records, parts: Parts, seats: Integers, found: Sequence[PartLayout]) -> Records:
-    table = ROW.zeros(int(constraints.row_count.sum()))
-    table.constraint = np.repeat(np.arange(len(constraints)), constraints.row_count)
-    table.slot = np.concatenate([each.slots for each in found])
+def _rows(constraints: Records, parts: Parts, seats: Integers, found: Sequence[PartLayout], table: Records) -> Records:
+    """The rows of parts that are not factorised; notes in these and in their constraints where they are."""
+    swept = [each for each in found if each.direct is None]
+    counts = np.array([len(each.slots) if each.direct is None else 0 for each in found])
+    table.row_end = np.cumsum(counts)
+    table.first_row = table.row_end - counts
+    if not swept:
+        return ROW.zeros(0)
+    first = (parts.ends - parts.counts)[table.direct == 0]
+    of_row = _all([each.constraints for each in swept], first)
+    constraints.row_count = np.bincount(of_row, minlength=len(constraints))
+    constraints.first_row = np.cumsum(constraints.row_count) - constraints.row_count
+    rows = ROW.zeros(len(of_row))
+    rows.constraint = of_row
+    rows.slot = np.concatenate([each.slots for each in swept])
     place_of = np.zeros(int(parts.joints.max()) + 1, np.int64)
     place_of[parts.joints] = np.arange(len(parts.joints))
-    places = place_of[constraints.joint[table.constraint]]
+    places = place_of[constraints.joint[of_row]]
     given = parts.sides[places] != NOBODY
-    table.sides = given.sum(axis=1)
+    rows.sides = given.sum(axis=1)
     for k in range(4):
-        table[f"member_{k + 1}"] = np.where(given[:, k], seats[places, k], 0)
-    return table
+        rows[f"member_{k + 1}"] = np.where(given[:, k], seats[places, k], 0)
+    return rows
 
 
-def _links(found: Sequence[PartLayout], offsets: _Offsets) -> Records:
-    columns: Any = np.concatenate([each.links for each in found]).T
-    counts = np.diff(offsets.links)
-    first_row, first_entry = np.repeat(offsets.rows[:-1], counts), np.repeat(offsets.entries[:-1], counts)
-    table = LINK.zeros(columns.shape[1])
-    table.row, table.other = columns[0] + first_row, columns[1] + first_row
-    table.side, table.other_side, table.entry = columns[2], columns[3], columns[4] + first_entry
-    return table
-
-
-def _parts(parts: Parts, found: Sequence[PartLayout], offsets: _Offsets) -> Records:
+def _parts(parts: Parts, found: Sequence[PartLayout], members: Integers, layouts: Integers) -> Records:
     table = PART.zeros(len(found))
     table.first_constraint, table.constraint_end = parts.ends - parts.counts, parts.ends
-    table.first_member, table.member_end = offsets.members[:-1], offsets.members[1:]
-    table.first_row, table.row_end = offsets.rows[:-1], offsets.rows[1:]
-    table.first_link, table.link_end = offsets.links[:-1], offsets.links[1:]
-    table.first_target = offsets.targets[:-1]
-    for name in ("direct", "anchored", "bounded"):
-        table[name] = [getattr(each, name) for each in found]
+    table.first_member, table.member_end = members[:-1], members[1:]
+    table.direct, table.layout = layouts >= 0, layouts
+    table.anchored = [each.anchored for each in found]
     return table

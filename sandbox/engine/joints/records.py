@@ -1,15 +1,16 @@
 """Scratch memory of the joint solver: never hashed, never saved; a pure function of the joint and body tables.
 
 Jointed bodies are gathered into *members*, joints into *constraints*, and every scalar constraint is a *row*. What
-hangs together by joints is a *part*; it is solved as one linear system.
+hangs together by joints is a *part*; it is solved as one linear system (`direct`) or, if too dense for that, by sweeps.
 """
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
+from sandbox.engine.joints.direct.records import Batches
 from sandbox.engine.joints.hinge_lanes import HingeLanes
-from sandbox.tables import Field, Floats, Integers, Records, Table
+from sandbox.tables import Field, Integers, Records, Table
 
 MEMBER = Table(
     "member",
@@ -17,33 +18,20 @@ MEMBER = Table(
         Field("body", "-", "index of the body; -1 for the world, which is member 0", "i8"),
         Field("part", "-", "part it belongs to; -1 for what joints cannot move", "i8"),
         Field("inverse_mass", "1/kg", ""),
-        Field("inverse_inertia", "1/(kg m^2)", "of the pass; less than the body's own under high tension"),
-        Field("inertia", "kg m^2", "the body's own; 0 where it cannot turn"),
-        Field("tension", "N m", "what turns it back, for each radian, when joints pull at its anchors"),
+        Field("inverse_inertia", "1/(kg m^2)", ""),
         Field("velocity_x", "m/s", "what the joint solver works on"),
         Field("velocity_y", "m/s", "what the joint solver works on"),
         Field("angular_velocity", "rad/s", "what the joint solver works on"),
-        Field("kick_x", "m/s", "half of what forces add in this substep, held back while it moves"),
-        Field("kick_y", "m/s", "half of what forces add in this substep, held back while it moves"),
-        Field("kick_w", "rad/s", "half of what forces add in this substep, held back while it moves"),
-        *(
-            Field(
-                f"correction_{axis}",
-                "m/s or rad/s",
-                "position correction of a separated part: moves it, is no velocity",
-            )
-            for axis in "xyw"
-        ),
         Field("start_cos", "1", "rotation when the step began"),
         Field("start_sin", "1", "rotation when the step began"),
         Field("start_angle", "rad", "angle when the step began"),
         Field("center_x", "m", "centre of mass when the step began"),
         Field("center_y", "m", "centre of mass when the step began"),
-        Field("displacement_x", "m", "displacement of the centre since then, at the predicted pose"),
-        Field("displacement_y", "m", "displacement of the centre since then, at the predicted pose"),
-        Field("cos", "1", "rotation at the predicted pose"),
-        Field("sin", "1", "rotation at the predicted pose"),
-        Field("angle", "rad", "angle at the predicted pose"),
+        Field("displacement_x", "m", "displacement of the centre since then"),
+        Field("displacement_y", "m", "displacement of the centre since then"),
+        Field("cos", "1", "rotation now"),
+        Field("sin", "1", "rotation now"),
+        Field("angle", "rad", "angle now"),
     ),
 )
 
@@ -59,7 +47,7 @@ CONSTRAINT = Table(
         Field("first_row", "-", "", "i8"),
         Field("row_count", "-", "", "i8"),
         Field("in_lane", "-", "1 when it is a hinge that is solved side by side with others, see `hinge_lanes`", "i8"),
-        Field("arm_ax", "m", "anchor from the centre of a, world axes, at the predicted pose"),
+        Field("arm_ax", "m", "anchor from the centre of a, world axes"),
         Field("arm_ay", "m", ""),
         Field("arm_bx", "m", ""),
         Field("arm_by", "m", ""),
@@ -86,21 +74,13 @@ ROW = Table(
         Field("stiffness", "1/kg", "J M^-1 J^T: speed that a unit impulse gives; 0 while it has no say"),
         Field("error", "m or rad", "when the substep began"),
         Field("levered", "-", "1 when it pushes both bodies at the second one's anchor", "i8"),
-        Field("kept", "m or rad", "what it may have left of its error after the substep"),
-        Field("apart", "m or rad", "error of now without what it yields under the force it bears"),
         Field("bias", "m/s or rad/s", "the row strives for speed + bias + softness * impulse = 0"),
         Field("softness", "1/kg", "compliance over one impulse"),
         Field("low", "N s", "bounds of the impulse"),
         Field("high", "N s", ""),
-        Field("impulse", "N s", "while positions are solved"),
-        Field("relaxing", "N s", "while velocities are relaxed"),
+        Field("impulse", "N s", ""),
         Field("total", "N s", "over the step so far"),
-        Field("soft", "-", "1 for springs, which have no say once the members have moved", "i8"),
         Field("stop", "-", "1 while the lower limit has a say, -1 for the upper one", "i8"),
-        Field("active", "-", "1 while it is part of the linear system", "i8"),
-        Field("capped", "-", "1 once its pair has reached the limit of the force", "i8"),
-        Field("aside", "N s", "the impulse, while the recovery of a separated part is found"),
-        Field("change", "N s", "solution of the linear system"),
     ),
 )
 
@@ -113,11 +93,9 @@ PART = Table(
         Field("constraint_end", "-", "", "i8"),
         Field("first_member", "-", "", "i8"),
         Field("member_end", "-", "", "i8"),
-        Field("first_link", "-", "", "i8"),
-        Field("link_end", "-", "", "i8"),
-        Field("first_target", "-", "", "i8"),
-        Field("bounded", "-", "1 when some row may have bounds", "i8"),
         Field("direct", "-", "1: factorised; 0: too dense for that, its joints are soft", "i8"),
+        Field("layout", "-", "factorised: what it shares with all parts that are built alike", "i8"),
+        Field("first_fixed", "-", "factorised: bodies on the fixed sides of its joints", "i8"),
         Field("awake", "-", "", "i8"),
         Field("anchored", "-", "1 when it is joined to something that does not move", "i8"),
         Field("current", "-", "1 while it is solved: awake, and its island has the substep level under way", "i8"),
@@ -128,25 +106,12 @@ PART = Table(
             "1 when forces act half before and half after the move; not in what is borne or soft",
             "i8",
         ),
-        Field("separated", "-", "1 when its joints must not be brought together by velocities", "i8"),
         Field("swept", "-", "1 when it has joints that lie in no lane", "i8"),
         Field("first_block", "-", "blocks of hinges that are solved side by side", "i8"),
         Field("block_end", "-", "", "i8"),
         Field("fine", "-", "1 when it is small and has no contact: it takes finer substeps", "i8"),
     ),
 )
-
-LINK = Table(
-    "link",
-    (
-        Field("row", "-", "two rows that share a member", "i8"),
-        Field("other", "-", "", "i8"),
-        Field("side", "-", "which of the row's members it is, 1 to 4", "i8"),
-        Field("other_side", "-", "", "i8"),
-        Field("entry", "-", "place of the pair in the matrix", "i8"),
-    ),
-)
-
 
 BOND = Table(
     "bond",
@@ -158,9 +123,10 @@ BOND = Table(
 
 
 class JointWork(NamedTuple):
-    """The arrays of the joint solver; `entries` is the lower triangle, column by column, `starts` its columns.
+    """The arrays of the joint solver.
 
-    `ties` are the pairs of bodies with a joint. `part_of` names the part of every body, -1 where it has none.
+    `ties` are the pairs of bodies with a joint. `part_of` names the part of every body, -1 where it has none. `rows`
+    are those of parts that are not factorised; `direct` has all that the others need.
     """
 
     joints: Records
@@ -170,9 +136,5 @@ class JointWork(NamedTuple):
     constraints: Records
     rows: Records
     parts: Records
-    links: Records
-    starts: Integers
-    row_of: Integers
-    targets: Integers
-    entries: Floats
     side_by_side: HingeLanes
+    direct: Batches

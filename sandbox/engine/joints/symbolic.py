@@ -50,7 +50,7 @@ def minimum_degree(
 
 
 def symbolic(
-    blocks: Sequence[Sequence[int]], below: Sequence[Sequence[Sequence[int]]], pattern: Pattern, direct: bool
+    blocks: Sequence[Sequence[int]], below: Sequence[Sequence[Sequence[int]]], pattern: Pattern
 ) -> dict[tuple[int, int], int]:
     """Append the columns of one part to `pattern`; return where each pair (column, row) lies.
 
@@ -66,7 +66,7 @@ def symbolic(
     for block, later in zip(blocks, filled, strict=True):
         rows = [*block, *(r for m in later for r in blocks[m])]
         for i, r in enumerate(block):
-            below_r = rows[i + 1 :] if direct else []
+            below_r = rows[i + 1 :]
             pattern.starts.append(len(pattern.row_of))
             for row in (r, *below_r):
                 entry[r, row] = len(pattern.row_of)

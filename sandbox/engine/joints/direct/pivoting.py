@@ -1,0 +1,171 @@
+"""Which rows are part of the linear system: those whose impulse is within its bounds, or on its way back into them.
+
+The bounds of motors, limits, ropes and brakes make this a complementarity problem. It is solved by block pivoting
+(J. Judice, F. Pires, 1994): guess which rows are at a bound, solve the others at once, and look again.
+"""
+
+from __future__ import annotations
+
+from sandbox._jit import inlined_kernel, kernel
+from sandbox._vectors import Mask, Vector, any_lane, load, root, select, spread, store
+from sandbox.engine.joints.direct import places as at
+from sandbox.engine.joints.direct.records import Batches
+from sandbox.engine.joints.direct.rows import change_impulse, row_error, row_speed
+from sandbox.engine.joints.direct.targets import strength, target_positions, target_velocities
+from sandbox.engine.joints.laws import INFINITE
+from sandbox.tables import Floats, Records
+from sandbox.world.joint_records import FRICTION, MOTOR, TARGET
+
+
+@kernel
+def choose_rows(d: Batches, batch: Records, seconds: float, relaxing: bool, who: Mask) -> Mask:
+    """Set the law of every row at the present velocities, mark the active ones; in which parts a mark has changed."""
+    v = d.memory
+    aim_rows(d, batch, seconds, relaxing, who)
+    layout = d.layouts[batch.layout]
+    impulse = at.RELAXING if relaxing else at.IMPULSE
+    changed = who & ~who
+    for r in range(layout.first_row, layout.row_end):
+        row = d.equations[r]
+        before = load(v, row.place + at.ACTIVE)
+        has_say = who & has_law(v, batch, row)
+        clamp(v, batch, row, impulse, has_say)
+        active = select(has_say & _is_active(v, batch, row, impulse), 1.0, select(who, 0.0, before))
+        store(v, row.place + at.ACTIVE, active)
+        changed = changed | (active != before)
+    return changed
+
+
+@kernel
+def aim_rows(d: Batches, batch: Records, seconds: float, relaxing: bool, who: Mask) -> None:
+    """Set all laws before any impulse changes: errors ahead belong to the velocities they were looked at with."""
+    v = d.memory
+    layout = d.layouts[batch.layout]
+    halves = load(v, batch.lanes + at.HALVES) == 1.0
+    separated = load(v, batch.lanes + at.SEPARATED) == 1.0
+    acting = acting_time(v, batch, seconds)
+    for f in range(layout.first_frame, layout.frame_end):
+        frame = d.layout_frames[f]
+        for r in range(frame.first_row, frame.row_end):
+            row = d.equations[r]
+            speed = row_speed(v, row)
+            if relaxing:
+                law = target_velocities(v, batch, frame, row, speed, seconds, halves)
+            else:
+                error = load(v, batch.rows + row.kept + at.ERROR)
+                ahead = select(separated, error + seconds * speed, row_error(v, frame, row))
+                law = target_positions(v, batch, frame, row, ahead, speed, seconds, acting)
+            where = who & has_law(v, batch, row)
+            _replace(v, row.place + at.BIAS, law.bias, where)
+            _replace(v, row.place + at.SOFTNESS, law.softness, where)
+            _replace(v, row.place + at.LOW, law.low, where)
+            _replace(v, row.place + at.HIGH, law.high, where)
+            stop = batch.rows + row.kept + at.STOP
+            store(v, stop, select(where, law.stop, load(v, stop)))
+
+
+@inlined_kernel
+def acting_time(v: Floats, batch: Records, seconds: float) -> Vector:
+    """For how long forces act before the move."""
+    return select(load(v, batch.lanes + at.HALVES) == 1.0, 0.5 * seconds, seconds)
+
+
+@inlined_kernel
+def has_law(v: Floats, batch: Records, row: Records) -> Mask:
+    """Whether a row has a say in this pass."""
+    stiff = load(v, batch.rows + row.kept + at.STIFFNESS) > 0.0
+    return stiff & (load(v, row.place + at.CAPPED) == 0.0)
+
+
+@inlined_kernel
+def _replace(v: Floats, place: int, value: Vector, where: Mask) -> None:
+    store(v, place, select(where, value, load(v, place)))
+
+
+@inlined_kernel
+def _is_active(v: Floats, batch: Records, row: Records, impulse: int) -> Mask:
+    """Whether the impulse is not at a bound and would be pressed further against it."""
+    current = load(v, batch.rows + row.kept + impulse)
+    low = load(v, row.place + at.LOW)
+    high = load(v, row.place + at.HIGH)
+    softness = load(v, row.place + at.SOFTNESS)
+    wanted = row_speed(v, row) + load(v, row.place + at.BIAS) + softness * current
+    pressed = ((current <= low) & (wanted >= 0.0)) | ((current >= high) & (wanted <= 0.0))
+    return ~((low >= high) | pressed)
+
+
+@kernel
+def release_bounded(d: Batches, batch: Records, impulse: int, who: Mask) -> None:
+    """Take back the impulses of all rows that are not rigid, and leave these out of the linear system."""
+    v = d.memory
+    layout = d.layouts[batch.layout]
+    for r in range(layout.first_row, layout.row_end):
+        row = d.equations[r]
+        low = load(v, row.place + at.LOW)
+        high = load(v, row.place + at.HIGH)
+        stiff = load(v, batch.rows + row.kept + at.STIFFNESS) > 0.0
+        bounded = (low > -INFINITE) | (high < INFINITE)
+        where = who & stiff & (low < high) & bounded
+        active = load(v, row.place + at.ACTIVE)
+        store(v, row.place + at.ACTIVE, select(where, 0.0, active))
+        change_impulse(v, batch, row, -load(v, batch.rows + row.kept + impulse), impulse, where)
+
+
+@kernel
+def clamp_rows(d: Batches, batch: Records, impulse: int, who: Mask) -> None:
+    """Put the impulses of all rows that have a say within their bounds."""
+    v = d.memory
+    layout = d.layouts[batch.layout]
+    for r in range(layout.first_row, layout.row_end):
+        row = d.equations[r]
+        clamp(v, batch, row, impulse, who & has_law(v, batch, row))
+
+
+@kernel
+def clamp(v: Floats, batch: Records, row: Records, impulse: int, who: Mask) -> None:
+    """Put a row's impulse within its bounds."""
+    kept = batch.rows + row.kept + impulse
+    current = load(v, kept)
+    low = load(v, row.place + at.LOW)
+    high = load(v, row.place + at.HIGH)
+    within = select(current < high, current, high)
+    within = select(within > low, within, low)
+    where = who & (within != current)
+    if any_lane(where):
+        change_impulse(v, batch, row, within - current, impulse, where)
+        # to the bit, for whoever asks whether it is at its bound
+        store(v, kept, select(where, within, current))
+
+
+@kernel
+def cap_pairs(d: Batches, batch: Records, seconds: float, relaxing: bool, who: Mask) -> None:
+    """Shorten forces of two rows that are together past their limit; such a pair has reached it for this pass."""
+    layout = d.layouts[batch.layout]
+    for f in range(layout.first_frame, layout.frame_end):
+        frame = d.layout_frames[f]
+        if frame.kind == MOTOR or frame.kind == TARGET or frame.kind == FRICTION:
+            _cap_pair(d, batch, frame, seconds, relaxing, who)
+
+
+@kernel
+def _cap_pair(d: Batches, batch: Records, frame: Records, seconds: float, relaxing: bool, who: Mask) -> None:
+    v = d.memory
+    impulse = at.RELAXING if relaxing else at.IMPULSE
+    row = d.equations[frame.first_row]
+    other = d.equations[frame.first_row + 1]
+    most = strength(v, batch.joints + frame.constants, frame.kind, 0)
+    stiff = load(v, batch.rows + row.kept + at.STIFFNESS) > 0.0
+    limit = most * seconds if relaxing else most * acting_time(v, batch, seconds)
+    x = load(v, batch.rows + row.kept + at.IMPULSE)
+    y = load(v, batch.rows + other.kept + at.IMPULSE)
+    if relaxing:
+        x = x + load(v, batch.rows + row.kept + at.RELAXING)
+        y = y + load(v, batch.rows + other.kept + at.RELAXING)
+    size = root(x * x + y * y)
+    where = who & stiff & (most < INFINITE) & (size > limit)
+    if any_lane(where):
+        share = limit / select(where, size, 1.0) - 1.0
+        change_impulse(v, batch, row, share * x, impulse, where)
+        change_impulse(v, batch, other, share * y, impulse, where)
+        _replace(v, row.place + at.CAPPED, spread(1.0), where)
+        _replace(v, other.place + at.CAPPED, spread(1.0), where)

@@ -1,0 +1,100 @@
+"""What the joints of batches gave over a step, into the joint table, and what they say about sleep."""
+
+from __future__ import annotations
+
+import math
+
+from sandbox._jit import kernel
+from sandbox._vectors import WIDTH, load, store
+from sandbox.engine.joints.direct import places as at
+from sandbox.engine.joints.direct.records import Batches
+from sandbox.engine.joints.records import JointWork
+from sandbox.tables import Records
+
+
+@kernel
+def accumulate(d: Batches, batch: Records) -> None:
+    """Add the impulses of a substep to those of the step, and keep along what they act."""
+    v = d.memory
+    layout = d.layouts[batch.layout]
+    for f in range(layout.first_frame, layout.frame_end):
+        frame = d.layout_frames[f]
+        joint = batch.joints + frame.constants
+        store(v, joint + at.END_ARM_X, load(v, frame.place + at.ARM_BX))
+        store(v, joint + at.END_ARM_Y, load(v, frame.place + at.ARM_BY))
+    for r in range(layout.first_row, layout.row_end):
+        row = d.equations[r]
+        kept = batch.rows + row.kept
+        given = load(v, kept + at.IMPULSE) + load(v, kept + at.RELAXING)
+        store(v, kept + at.TOTAL, load(v, kept + at.TOTAL) + given)
+        side = row.place + at.JACOBIAN + at.SIDE
+        store(v, kept + at.END_X, load(v, side))
+        store(v, kept + at.END_Y, load(v, side + WIDTH))
+        store(v, kept + at.END_W, load(v, side + 2 * WIDTH))
+
+
+@kernel
+def report_batches(work: JointWork, seconds: float, counter: Records) -> None:
+    """Write impulses, forces and breakage of all joints of the batches into the joint table."""
+    d = work.direct
+    for n in range(d.found[0]):
+        batch = d.batches[n]
+        layout = d.layouts[batch.layout]
+        for k in range(batch.count):
+            first = work.parts[d.parts[n * WIDTH + k]].first_constraint
+            for f in range(layout.first_frame, layout.frame_end):
+                frame = d.layout_frames[f]
+                if frame.coupled == 0:
+                    joint = work.joints[work.constraints[first + frame.joint].joint]
+                    _report(d, batch, frame, k, joint, seconds, counter)
+
+
+@kernel
+def _report(
+    d: Batches, batch: Records, frame: Records, k: int, joint: Records, seconds: float, counter: Records
+) -> None:
+    """Mean force on b over the step, and torque on b about its anchor."""
+    v = d.memory
+    force_x = 0.0
+    force_y = 0.0
+    torque = 0.0
+    arm_x = v[batch.joints + frame.constants + at.END_ARM_X + k]
+    arm_y = v[batch.joints + frame.constants + at.END_ARM_Y + k]
+    for r in range(frame.first_row, frame.row_end):
+        row = d.equations[r]
+        kept = batch.rows + row.kept + k
+        set_slot_impulse(joint, row.slot, v[kept + at.IMPULSE] + v[kept + at.RELAXING])
+        mean = v[kept + at.TOTAL] / seconds
+        x = v[kept + at.END_X]
+        y = v[kept + at.END_Y]
+        force_x += x * mean
+        force_y += y * mean
+        torque += (v[kept + at.END_W] - (arm_x * y - arm_y * x)) * mean
+    finish_report(joint, force_x, force_y, torque, counter)
+
+
+@kernel
+def finish_report(joint: Records, force_x: float, force_y: float, torque: float, counter: Records) -> None:
+    """Write what a joint gives, and whether it breaks by it."""
+    joint.force_x = force_x
+    joint.force_y = force_y
+    joint.torque = torque
+    force = math.sqrt(force_x * force_x + force_y * force_y)
+    if force > joint.break_force or abs(torque) > joint.break_torque:
+        joint.broken_step = counter.step_count
+        counter.broken_count += 1
+
+
+@kernel
+def set_slot_impulse(joint: Records, slot: int, impulse: float) -> None:
+    """What a row gave over the last substep."""
+    if slot == 0:
+        joint.impulse_0 = impulse
+    elif slot == 1:
+        joint.impulse_1 = impulse
+    elif slot == 2:
+        joint.impulse_2 = impulse
+    elif slot == 3:
+        joint.impulse_3 = impulse
+    else:
+        joint.impulse_4 = impulse

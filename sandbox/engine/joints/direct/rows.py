@@ -1,0 +1,249 @@
+"""The rows of every joint: in which direction each pushes its bodies, and how easily they give way."""
+
+from __future__ import annotations
+
+from sandbox._jit import inlined_kernel, kernel
+from sandbox._vectors import WIDTH, Mask, Vector, any_lane, load, select, spread, store
+from sandbox.engine.joints.direct import places as at
+from sandbox.engine.joints.direct.records import Batches
+from sandbox.engine.joints.laws import Jacobian, along, own_stiffness
+from sandbox.tables import Floats, Records
+from sandbox.world.joint_records import DISTANCE, FRICTION, GEAR, MOTOR, PRISMATIC, PULLEY, REVOLUTE, WHEEL
+
+
+@kernel
+def fill_rows(d: Batches, batch: Records) -> None:
+    """Jacobian, stiffness and present error of all rows of a batch."""
+    v = d.memory
+    layout = d.layouts[batch.layout]
+    for f in range(layout.first_frame, layout.frame_end):
+        frame = d.layout_frames[f]
+        for r in range(frame.first_row, frame.row_end):
+            row = d.equations[r]
+            if frame.kind == GEAR:
+                _fill_gear(v, batch, frame, row)
+            else:
+                _store(v, row.place + at.JACOBIAN, _jacobian(v, batch, frame, row.slot))
+            store(v, batch.rows + row.kept + at.ERROR, row_error(v, frame, row))
+    fill_stiffness(d, batch)
+
+
+@kernel
+def fill_stiffness(d: Batches, batch: Records) -> None:
+    """Stiffness of all rows of a batch."""
+    v = d.memory
+    layout = d.layouts[batch.layout]
+    for r in range(layout.first_row, layout.row_end):
+        row = d.equations[r]
+        found = own_stiffness(
+            load(v, batch.seats + row.seat_1 + at.INVERSE_MASS),
+            load(v, batch.seats + row.seat_1 + at.INVERSE_INERTIA),
+            load(v, batch.seats + row.seat_2 + at.INVERSE_MASS),
+            load(v, batch.seats + row.seat_2 + at.INVERSE_INERTIA),
+            _loaded(v, row.place + at.JACOBIAN),
+        )
+        if row.sides == 4:  # the same body may be on two of them
+            for k in range(1, 5):
+                for m in range(1, 5):
+                    if (k > 2 or m > 2) and _seat(row, k) == _seat(row, m):
+                        one = row.place + at.JACOBIAN + (k - 1) * at.SIDE
+                        other = row.place + at.JACOBIAN + (m - 1) * at.SIDE
+                        found = found + side_product(v, batch, one, other, _seat(row, k))
+        store(v, batch.rows + row.kept + at.STIFFNESS, found)
+
+
+@inlined_kernel
+def row_error(v: Floats, frame: Records, row: Records) -> Vector:
+    """Error of a row at the pose its joint was measured at; for springs, limits and motors the place."""
+    return load(v, frame.place + at.ERRORS + row.slot * WIDTH)
+
+
+@inlined_kernel
+def _loaded(v: Floats, place: int) -> Jacobian:
+    return (
+        load(v, place),
+        load(v, place + 1 * WIDTH),
+        load(v, place + 2 * WIDTH),
+        load(v, place + 3 * WIDTH),
+        load(v, place + 4 * WIDTH),
+        load(v, place + 5 * WIDTH),
+    )
+
+
+@inlined_kernel
+def _store(v: Floats, place: int, j: Jacobian) -> None:
+    store(v, place, j[0])
+    store(v, place + 1 * WIDTH, j[1])
+    store(v, place + 2 * WIDTH, j[2])
+    store(v, place + 3 * WIDTH, j[3])
+    store(v, place + 4 * WIDTH, j[4])
+    store(v, place + 5 * WIDTH, j[5])
+
+
+@kernel
+def _jacobian(v: Floats, batch: Records, frame: Records, slot: int) -> Jacobian:
+    kind = frame.kind
+    f = frame.place
+    if kind == PULLEY:
+        return _pulley(v, batch, frame)
+    slides = kind in (PRISMATIC, WHEEL)
+    if kind != DISTANCE and ((slides and (slot == 1 or slot == 2)) or (not slides and slot == 2)):
+        return _about()
+    if kind == REVOLUTE and slot >= 3:
+        return _about()
+    ax = load(v, f + at.ARM_AX)
+    ay = load(v, f + at.ARM_AY)
+    bx = load(v, f + at.ARM_BX)
+    by = load(v, f + at.ARM_BY)
+    x = load(v, f + at.ALONG_X)
+    y = load(v, f + at.ALONG_Y)
+    if slides and slot == 0:
+        turned_x = -y
+        y = x
+        x = turned_x
+    elif kind != DISTANCE and not slides:
+        x = spread(1.0 if slot == 0 else 0.0)
+        y = spread(0.0 if slot == 0 else 1.0)
+    j = along(ax, ay, bx, by, load(v, f + at.GAP_X), load(v, f + at.GAP_Y), x, y)
+    if kind in (DISTANCE, MOTOR, FRICTION) or slides:
+        return j
+    apart = load(v, f + at.LEVERED) == 0.0
+    if any_lane(apart):
+        one = spread(1.0)
+        none = spread(0.0)
+        if slot == 0:
+            return _either(apart, (-one, none, ay, one, none, -by), j)
+        return _either(apart, (none, -one, -ax, none, one, bx), j)
+    return j
+
+
+@inlined_kernel
+def _either(first: Mask, one: Jacobian, other: Jacobian) -> Jacobian:
+    return (
+        select(first, one[0], other[0]),
+        select(first, one[1], other[1]),
+        select(first, one[2], other[2]),
+        select(first, one[3], other[3]),
+        select(first, one[4], other[4]),
+        select(first, one[5], other[5]),
+    )
+
+
+@inlined_kernel
+def _about() -> Jacobian:
+    """Angle between the bodies."""
+    none = spread(0.0)
+    return none, none, spread(-1.0), none, none, spread(1.0)
+
+
+@inlined_kernel
+def _pulley(v: Floats, batch: Records, frame: Records) -> Jacobian:
+    f = frame.place
+    ratio = load(v, batch.joints + frame.constants + at.RATIO)
+    ax = load(v, f + at.ALONG_X)
+    ay = load(v, f + at.ALONG_Y)
+    bx = ratio * load(v, f + at.GAP_X)
+    by = ratio * load(v, f + at.GAP_Y)
+    turn_a = load(v, f + at.ARM_AX) * ay - load(v, f + at.ARM_AY) * ax
+    turn_b = load(v, f + at.ARM_BX) * by - load(v, f + at.ARM_BY) * bx
+    return ax, ay, turn_a, bx, by, turn_b
+
+
+@kernel
+def _fill_gear(v: Floats, batch: Records, frame: Records, row: Records) -> None:
+    """The first joint's coordinate goes to sides 1 and 2, the second one's to sides 3 and 4."""
+    ratio = load(v, batch.joints + frame.constants + at.RATIO)
+    first = _coordinate(v, frame.coordinate_1, frame.kind_1)
+    second = _coordinate(v, frame.coordinate_2, frame.kind_2)
+    _store(v, row.place + at.JACOBIAN, first)
+    scaled = (
+        ratio * second[0],
+        ratio * second[1],
+        ratio * second[2],
+        ratio * second[3],
+        ratio * second[4],
+        ratio * second[5],
+    )
+    _store(v, row.place + at.JACOBIAN + 2 * at.SIDE, scaled)
+
+
+@kernel
+def _coordinate(v: Floats, f: int, kind: int) -> Jacobian:
+    if kind != PRISMATIC:
+        return _about()
+    ax = load(v, f + at.ARM_AX)
+    ay = load(v, f + at.ARM_AY)
+    bx = load(v, f + at.ARM_BX)
+    by = load(v, f + at.ARM_BY)
+    x = load(v, f + at.ALONG_X)
+    y = load(v, f + at.ALONG_Y)
+    return along(ax, ay, bx, by, load(v, f + at.GAP_X), load(v, f + at.GAP_Y), x, y)
+
+
+@kernel
+def _seat(row: Records, k: int) -> int:
+    if k <= 2:
+        return int(row.seat_1 if k == 1 else row.seat_2)
+    return int(row.seat_3 if k == 3 else row.seat_4)
+
+
+@inlined_kernel
+def side_product(v: Floats, batch: Records, one: int, other: int, seat: int) -> Vector:
+    """What one body, on a side of a row and on a side of another, adds to their J M^-1 J^T."""
+    x = load(v, one)
+    y = load(v, one + WIDTH)
+    w = load(v, one + 2 * WIDTH)
+    mass = load(v, batch.seats + seat + at.INVERSE_MASS)
+    inertia = load(v, batch.seats + seat + at.INVERSE_INERTIA)
+    linear = x * load(v, other) + y * load(v, other + WIDTH)
+    return mass * linear + inertia * (w * load(v, other + 2 * WIDTH))
+
+
+@inlined_kernel
+def row_speed(v: Floats, row: Records) -> Vector:
+    """Speed of the bodies along a row, J v."""
+    j = row.place + at.JACOBIAN
+    speed = _side_speed(v, j, row.seat_1) + load(v, j + at.SIDE) * load(v, row.seat_2 + at.VELOCITY_X)
+    speed = speed + load(v, j + at.SIDE + WIDTH) * load(v, row.seat_2 + at.VELOCITY_Y)
+    speed = speed + load(v, j + at.SIDE + 2 * WIDTH) * load(v, row.seat_2 + at.VELOCITY_W)
+    if row.sides == 4:
+        for k in range(2, 4):
+            side = j + k * at.SIDE
+            seat = row.seat_3 if k == 2 else row.seat_4
+            speed = speed + load(v, side) * load(v, seat + at.VELOCITY_X)
+            speed = speed + load(v, side + WIDTH) * load(v, seat + at.VELOCITY_Y)
+            speed = speed + load(v, side + 2 * WIDTH) * load(v, seat + at.VELOCITY_W)
+    return speed
+
+
+@inlined_kernel
+def _side_speed(v: Floats, side: int, seat: int) -> Vector:
+    speed = load(v, side) * load(v, seat + at.VELOCITY_X)
+    speed = speed + load(v, side + WIDTH) * load(v, seat + at.VELOCITY_Y)
+    return speed + load(v, side + 2 * WIDTH) * load(v, seat + at.VELOCITY_W)
+
+
+@kernel
+def change_impulse(v: Floats, batch: Records, row: Records, change: Vector, impulse: int, who: Mask) -> None:
+    """Add to a row's impulse, which is its field `impulse`, and to the velocities of its bodies, where `who` says."""
+    kept = batch.rows + row.kept + impulse
+    before = load(v, kept)
+    store(v, kept, select(who, before + change, before))
+    j = row.place + at.JACOBIAN
+    _push(v, batch, row.seat_1, j, change, who)
+    _push(v, batch, row.seat_2, j + at.SIDE, change, who)
+    if row.sides == 4:
+        _push(v, batch, row.seat_3, j + 2 * at.SIDE, change, who)
+        _push(v, batch, row.seat_4, j + 3 * at.SIDE, change, who)
+
+
+@inlined_kernel
+def _push(v: Floats, batch: Records, seat: int, side: int, impulse: Vector, who: Mask) -> None:
+    mass = load(v, batch.seats + seat + at.INVERSE_MASS)
+    inertia = load(v, batch.seats + seat + at.INVERSE_INERTIA)
+    x = load(v, seat + at.VELOCITY_X)
+    y = load(v, seat + at.VELOCITY_Y)
+    w = load(v, seat + at.VELOCITY_W)
+    store(v, seat + at.VELOCITY_X, select(who, x + mass * (load(v, side) * impulse), x))
+    store(v, seat + at.VELOCITY_Y, select(who, y + mass * (load(v, side + WIDTH) * impulse), y))
+    store(v, seat + at.VELOCITY_W, select(who, w + inertia * (load(v, side + 2 * WIDTH) * impulse), w))

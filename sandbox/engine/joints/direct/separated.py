@@ -1,0 +1,134 @@
+"""What a substep does about joints that are torn apart, or whose links turn too fast to foresee.
+
+A joint that is drawn together moves all that hangs on it, so that the speeds which would correct a long chain at once
+are enormous. A part that is *separated*, by an impact or a command, is therefore solved otherwise: its velocities only
+keep the errors as they are, which takes no look ahead and cannot add energy, and displacements that velocities never
+see bring it together (`position_correction`).
+"""
+
+from __future__ import annotations
+
+from sandbox._jit import inlined_kernel, kernel
+from sandbox._vectors import Mask, Vector, absolute, any_lane, load, select, spread, store
+from sandbox.engine.joints.direct import places as at
+from sandbox.engine.joints.direct.records import Batches
+from sandbox.engine.joints.direct.rows import change_impulse, row_error
+from sandbox.engine.joints.direct.targets import is_rigid
+from sandbox.engine.joints.laws import COMPLIANCE, CORRECTION_SPEED, limited, overrun, without_yield
+from sandbox.tables import Floats, Records
+from sandbox.world.joint_records import MOTOR
+
+SHORT = 2
+"""Joints of a part whose speeds of correction may add up."""
+
+
+@kernel
+def detect_separation(d: Batches, batch: Records, seconds: float) -> None:
+    """Set what every row may have left of its error after this substep; the impulses are still those of the last.
+
+    A part is separated if its errors come to more than one joint may correct, unless it has but two joints.
+    """
+    v = d.memory
+    layout = d.layouts[batch.layout]
+    total = spread(0.0)
+    for f in range(layout.first_frame, layout.frame_end):
+        frame = d.layout_frames[f]
+        for r in range(frame.first_row, frame.row_end):
+            row = d.equations[r]
+            excess = excess_error(v, batch, frame, row, seconds)
+            store(v, row.place + at.MAY_LEAVE, limited(excess, seconds))
+            apart = excess
+            if row.slot < 3:
+                error = load(v, batch.rows + row.kept + at.ERROR)
+                apart = without_yield(error, _yielded(v, batch, row, seconds))
+            store(v, row.place + at.APART, apart)
+            total = total + absolute(excess)
+    place = batch.lanes + at.SEPARATED
+    store(v, place, select(total > CORRECTION_SPEED * seconds, 1.0, spread(0.0)))
+    if layout.joints <= SHORT:
+        store(v, place, spread(0.0))
+    keep_apart(d, batch, load(v, place) == 1.0)
+
+
+@kernel
+def keep_apart(d: Batches, batch: Records, who: Mask) -> None:
+    """Have the rows of separated parts keep their errors."""
+    v = d.memory
+    if any_lane(who):
+        layout = d.layouts[batch.layout]
+        for r in range(layout.first_row, layout.row_end):
+            place = d.equations[r].place
+            kept = select(who, load(v, place + at.APART), load(v, place + at.MAY_LEAVE))
+            store(v, place + at.MAY_LEAVE, kept)
+
+
+@inlined_kernel
+def excess_error(v: Floats, batch: Records, frame: Records, row: Records, seconds: float) -> Vector:
+    """How far a limit is overrun, or the error of a rigid row beyond what it yields to its impulse, in m or rad."""
+    kept = batch.rows + row.kept
+    error = load(v, kept + at.ERROR)
+    if row.slot == 4 and frame.limit == 1:
+        joint = batch.joints + frame.constants
+        over = overrun(error, load(v, joint + at.LOWER), load(v, joint + at.UPPER))
+        return select(load(v, kept + at.STIFFNESS) > 0.0, over, 0.0)
+    return select(is_rigid(v, batch, frame, row), error - _yielded(v, batch, row, seconds), 0.0)
+
+
+@inlined_kernel
+def _yielded(v: Floats, batch: Records, row: Records, seconds: float) -> Vector:
+    """Error that the softness of a rigid row leaves under the impulse of the last substep, and gives back."""
+    kept = batch.rows + row.kept
+    return -seconds * COMPLIANCE * load(v, kept + at.STIFFNESS) * load(v, kept + at.IMPULSE)
+
+
+@kernel
+def misses_targets(d: Batches, batch: Records, seconds: float) -> Mask:
+    """In which parts some joint, at the predicted pose, misses its aim by more than a substep could correct."""
+    v = d.memory
+    layout = d.layouts[batch.layout]
+    most = CORRECTION_SPEED * seconds
+    found = spread(0.0) > 0.0
+    for f in range(layout.first_frame, layout.frame_end):
+        frame = d.layout_frames[f]
+        may = 4.0 * most if frame.kind == MOTOR else most  # a motor may have a long way to go
+        for r in range(frame.first_row, frame.row_end):
+            found = found | (_missed(v, batch, frame, d.equations[r], seconds) > may)
+    return found
+
+
+@kernel
+def _missed(v: Floats, batch: Records, frame: Records, row: Records, seconds: float) -> Vector:
+    kept = batch.rows + row.kept
+    error = row_error(v, frame, row)
+    may_leave = load(v, row.place + at.MAY_LEAVE)
+    if row.slot == 4 and frame.limit == 1:
+        joint = batch.joints + frame.constants
+        lower = load(v, joint + at.LOWER)
+        upper = load(v, joint + at.UPPER)
+        stop = load(v, kept + at.STOP)
+        at_stop = (load(v, row.place + at.ACTIVE) == 1.0) & (stop != 0.0)
+        stiff = load(v, kept + at.STIFFNESS) > 0.0
+        over = absolute(overrun(error, lower, upper)) - absolute(may_leave)
+        held = absolute(error - select(stop < 0.0, upper, lower) - may_leave)
+        return select(at_stop, held, select(stiff, over, 0.0))
+    softness = load(v, row.place + at.SOFTNESS)
+    missed = absolute(error - may_leave + seconds * softness * load(v, kept + at.IMPULSE))
+    return select(is_rigid(v, batch, frame, row), missed, 0.0)
+
+
+@kernel
+def take_impulses_back(d: Batches, batch: Records, who: Mask) -> None:
+    """Take back what the rows of some parts have done in this substep; these count as separated."""
+    v = d.memory
+    layout = d.layouts[batch.layout]
+    place = batch.lanes + at.SEPARATED
+    store(v, place, select(who, 1.0, load(v, place)))
+    keep_apart(d, batch, who)
+    for r in range(layout.first_row, layout.row_end):
+        row = d.equations[r]
+        kept = batch.rows + row.kept
+        stiff = load(v, kept + at.STIFFNESS) > 0.0
+        store(v, row.place + at.CAPPED, select(who, 0.0, load(v, row.place + at.CAPPED)))
+        unknown = select(stiff, -1.0, spread(0.0))
+        store(v, row.place + at.ACTIVE, select(who, unknown, load(v, row.place + at.ACTIVE)))
+        change_impulse(v, batch, row, -load(v, kept + at.IMPULSE), at.IMPULSE, who)

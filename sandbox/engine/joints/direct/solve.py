@@ -1,0 +1,160 @@
+"""The passes over batches: before the move, which positions are solved by, and after it, which relaxes velocities."""
+
+from __future__ import annotations
+
+from sandbox._jit import inlined_kernel, kernel
+from sandbox._vectors import Mask, any_lane, load, select, spread, store
+from sandbox.engine.joints.direct import places as at
+from sandbox.engine.joints.direct.bodies import gather_bodies, look_ahead, scatter_bodies
+from sandbox.engine.joints.direct.frames import measure_frames
+from sandbox.engine.joints.direct.geometric_stiffness import add_geometric_stiffness, remove_geometric_stiffness
+from sandbox.engine.joints.direct.ldl import assemble, factorize, solve_directly
+from sandbox.engine.joints.direct.pivoting import cap_pairs, choose_rows, clamp_rows, release_bounded
+from sandbox.engine.joints.direct.position_correction import find_corrections
+from sandbox.engine.joints.direct.records import Batches
+from sandbox.engine.joints.direct.reports import accumulate
+from sandbox.engine.joints.direct.rows import change_impulse, fill_rows
+from sandbox.engine.joints.direct.separated import detect_separation, misses_targets, take_impulses_back
+from sandbox.engine.joints.direct.targets import may_be_sprung, row_hertz
+from sandbox.tables import Floats, Records
+
+_TURNS = 16
+"""Most guesses at which rows are at their bounds, in one pass."""
+
+
+@kernel
+def solve_batches(d: Batches, motions: Records, free_motions: Records, seconds: float) -> None:
+    """Before the move: change velocities so that joints will be kept after it."""
+    for n in range(d.found[0]):
+        batch = d.batches[n]
+        if batch.level == d.level[0]:
+            gather_bodies(d, batch, motions, free_motions, True)
+            _solve_positions(d, batch, seconds)
+            scatter_bodies(d, batch, motions)
+
+
+@kernel
+def relax_batches(d: Batches, motions: Records, free_motions: Records, seconds: float) -> None:
+    """After the move: change velocities so that they keep the joints, too."""
+    v = d.memory
+    for n in range(d.found[0]):
+        batch = d.batches[n]
+        if batch.level == d.level[0]:
+            gather_bodies(d, batch, motions, free_motions, False)
+            _update_rows(d, batch)
+            _start_warm(d, batch, True)
+            _solve(d, batch, seconds, True, _lanes_in_use(v, batch))
+            accumulate(d, batch)
+            scatter_bodies(d, batch, motions)
+
+
+@kernel
+def _solve_positions(d: Batches, batch: Records, seconds: float) -> None:
+    v = d.memory
+    who = _lanes_in_use(v, batch)
+    _update_rows(d, batch)
+    add_geometric_stiffness(d, batch, seconds)
+    detect_separation(d, batch, seconds)
+    separated = load(v, batch.lanes + at.SEPARATED) == 1.0
+    if any_lane(separated):
+        remove_geometric_stiffness(d, batch, separated)
+    _start_warm(d, batch, False)
+    settled = _solve(d, batch, seconds, False, who)
+    look_ahead(d, batch, seconds)
+    measure_frames(d, batch)
+    failed = who & ~separated & ~(settled & ~misses_targets(d, batch, seconds))
+    if any_lane(failed):
+        take_impulses_back(d, batch, failed)
+        remove_geometric_stiffness(d, batch, failed)
+        _update_rows(d, batch)
+        _solve(d, batch, seconds, False, failed)
+    separated = who & (separated | failed)
+    if any_lane(separated):
+        find_corrections(d, batch, seconds, separated)
+
+
+@inlined_kernel
+def _lanes_in_use(v: Floats, batch: Records) -> Mask:
+    return load(v, batch.lanes + at.IN_USE) == 1.0
+
+
+@kernel
+def _update_rows(d: Batches, batch: Records) -> None:
+    """Rows of the present pose."""
+    look_ahead(d, batch, 0.0)
+    measure_frames(d, batch)
+    fill_rows(d, batch)
+
+
+@kernel
+def _start_warm(d: Batches, batch: Records, relaxing: bool) -> None:
+    """Apply the impulses of the substep before; springs give the other half of theirs where they act in halves."""
+    v = d.memory
+    layout = d.layouts[batch.layout]
+    halves = load(v, batch.lanes + at.HALVES) == 1.0
+    for f in range(layout.first_frame, layout.frame_end):
+        frame = d.layout_frames[f]
+        for r in range(frame.first_row, frame.row_end):
+            row = d.equations[r]
+            kept = batch.rows + row.kept
+            stiff = load(v, kept + at.STIFFNESS) != 0.0
+            impulse = select(stiff, load(v, kept + at.IMPULSE), 0.0)
+            current = select(stiff, load(v, kept + at.RELAXING), 0.0)
+            store(v, row.place + at.CAPPED, spread(0.0))
+            store(v, row.place + at.ACTIVE, select(stiff, spread(-1.0), 0.0))
+            if relaxing:
+                if row.slot == 3:
+                    current = select(halves, impulse, 0.0)
+                elif row.slot < 3 and may_be_sprung(frame.kind):
+                    sprung = row_hertz(v, batch.joints + frame.constants, row.slot) > 0.0
+                    current = select(sprung, select(halves, impulse, 0.0), current)
+                store(v, kept + at.IMPULSE, impulse)
+                store(v, kept + at.RELAXING, spread(0.0))
+                change_impulse(v, batch, row, current, at.RELAXING, halves | ~halves)
+            else:
+                stop = select(impulse > 0.0, 1.0, select(impulse < 0.0, -1.0, spread(0.0)))
+                store(v, kept + at.STOP, stop)
+                store(v, kept + at.RELAXING, current)
+                store(v, kept + at.IMPULSE, spread(0.0))
+                change_impulse(v, batch, row, impulse, at.IMPULSE, halves | ~halves)
+
+
+@kernel
+def _solve(d: Batches, batch: Records, seconds: float, relaxing: bool, who: Mask) -> Mask:
+    """In which of the parts `who` all marks of the rows came to rest.
+
+    A part whose marks rest is left alone while others of its batch go on.
+    """
+    v = d.memory
+    layout = d.layouts[batch.layout]
+    impulse = at.RELAXING if relaxing else at.IMPULSE
+    assemble(d, batch)
+    going = who
+    settled = who & ~who
+    again = settled
+    for turn in range(_TURNS):
+        if not relaxing:
+            look_ahead(d, batch, seconds)
+            measure_frames(d, batch)
+        changed = choose_rows(d, batch, seconds, relaxing, going)
+        if turn > 0:
+            settled = settled | (going & ~(changed | again))
+            going = going & ~settled
+            if not any_lane(going):
+                break
+            again = changed  # then the pose looked at was that of a wrong guess
+        if turn == 0 or any_lane(changed):
+            factorize(d, batch)
+        solve_directly(d, batch, impulse, going)
+        cap_pairs(d, batch, seconds, relaxing, going)
+        if layout.bounded == 0:
+            settled = settled | going
+            break
+    separated = load(v, batch.lanes + at.SEPARATED) == 1.0
+    given_up = who & separated & ~settled
+    if any_lane(given_up):
+        release_bounded(d, batch, impulse, given_up)
+        factorize(d, batch)
+        solve_directly(d, batch, impulse, given_up)
+    clamp_rows(d, batch, impulse, who & ~given_up)
+    return settled

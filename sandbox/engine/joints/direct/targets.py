@@ -1,0 +1,203 @@
+"""What each row of a batch strives for, and with how much strength: rigid, soft, or up to a bound.
+
+A row's impulse p makes `speed + bias + softness * p` zero, unless p would leave `low..high`.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from sandbox._jit import inlined_kernel, kernel
+from sandbox._vectors import Mask, Vector, load, select, spread
+from sandbox.engine.joints.direct import places as at
+from sandbox.engine.joints.laws import COMPLIANCE, INFINITE, drive, spring_law
+from sandbox.tables import Floats, Records
+from sandbox.world.joint_records import FRICTION, MOTOR, PRISMATIC, REVOLUTE, TARGET, WELD, WHEEL
+
+
+class Law(NamedTuple):
+    """The law of a row at the present velocities."""
+
+    bias: Vector
+    softness: Vector
+    low: Vector
+    high: Vector
+    stop: Vector
+
+
+@kernel
+def target_positions(
+    v: Floats,
+    batch: Records,
+    frame: Records,
+    row: Records,
+    ahead: Vector,
+    speed: Vector,
+    seconds: float,
+    acting: Vector,
+) -> Law:
+    """The law of a row while positions are solved.
+
+    `ahead` is its error where the bodies will be at their present `speed` after `seconds`; forces act for `acting`
+    seconds of the substep, which is half of it where the other half follows after the move.
+    """
+    joint = batch.joints + frame.constants
+    kept = batch.rows + row.kept
+    stop = load(v, kept + at.STOP)
+    stiffness = load(v, kept + at.STIFFNESS)
+    if row.slot == 4:
+        return _drive_to_move(v, batch, frame, row, ahead, speed, seconds, acting)
+    limit = acting * strength(v, joint, frame.kind, row.slot)
+    rest = load(v, kept + at.ERROR)
+    if is_brake(frame.kind, row.slot):
+        bias = -load(v, joint + at.MOTOR_SPEED) if frame.kind == WHEEL else spread(0.0)
+        return Law(bias, spread(0.0), -limit, limit, stop)
+    bias = (ahead - load(v, row.place + at.MAY_LEAVE)) / seconds - speed
+    softness = COMPLIANCE * stiffness
+    if row.slot == 3:
+        turns = frame.kind == REVOLUTE or frame.kind == PRISMATIC or frame.kind == WHEEL
+        rest = rest - load(v, joint + (at.REST if turns else at.LENGTH))
+        ratio = load(v, joint + at.DAMPING_RATIO)
+        bias, softness = spring_law(rest, load(v, joint + at.HERTZ), ratio, stiffness, acting)
+    elif may_be_sprung(frame.kind):
+        if row.slot < 2:  # a gap turns with a, of which the speed along a row knows nothing
+            levered = load(v, frame.place + at.LEVERED) == 1.0
+            rest = select(levered, rest + acting * ((ahead - rest) / seconds - speed), rest)
+        ratio = load(v, joint + (at.ANGULAR_DAMPING_RATIO if row.slot == 2 else at.DAMPING_RATIO))
+        hertz = row_hertz(v, joint, row.slot)
+        soft_bias, softer = spring_law(rest, hertz, ratio, stiffness, acting)
+        bias = select(hertz > 0.0, soft_bias, bias)
+        softness = select(hertz > 0.0, softer, softness)
+    return Law(bias, softness, -limit, limit, stop)
+
+
+@kernel
+def target_velocities(
+    v: Floats, batch: Records, frame: Records, row: Records, speed: Vector, seconds: float, halves: Mask
+) -> Law:
+    """The law of a row once its bodies have moved: only velocities count. Springs have had their say.
+
+    Where forces act in `halves`, a row at rest gives the other half here: softness counts from that.
+    """
+    joint = batch.joints + frame.constants
+    kept = batch.rows + row.kept
+    stop = load(v, kept + at.STOP)
+    impulse = load(v, kept + at.IMPULSE)
+    relaxing = load(v, kept + at.RELAXING)
+    if row.slot == 4:
+        return _drive_to_relax(v, batch, frame, row, speed, seconds)
+    if row.slot == 3:
+        return Law(spread(0.0), spread(0.0), relaxing, relaxing, stop)
+    braked = is_brake(frame.kind, row.slot) and frame.kind == WHEEL
+    bias = -load(v, joint + at.MOTOR_SPEED) if braked else spread(0.0)
+    softness = COMPLIANCE * load(v, kept + at.STIFFNESS)
+    bias = select(halves, bias - softness * impulse, bias)
+    limit = seconds * strength(v, joint, frame.kind, row.slot)
+    low = -limit - impulse
+    high = limit - impulse
+    if may_be_sprung(frame.kind):
+        sprung = row_hertz(v, joint, row.slot) > 0.0
+        bias = select(sprung, 0.0, bias)
+        softness = select(sprung, 0.0, softness)
+        low = select(sprung, relaxing, low)
+        high = select(sprung, relaxing, high)
+    return Law(bias, softness, low, high, stop)
+
+
+@inlined_kernel
+def may_be_sprung(kind: int) -> bool:
+    """Whether rows 0 to 2 of a kind may be springs."""
+    return kind in (WELD, MOTOR, TARGET)
+
+
+@inlined_kernel
+def row_hertz(v: Floats, joint: int, slot: int) -> Vector:
+    """Stiffness of a row of slots 0 to 2 of such a kind; 0 is rigid."""
+    return load(v, joint + (at.ANGULAR_HERTZ if slot == 2 else at.HERTZ))
+
+
+@inlined_kernel
+def is_rigid(v: Floats, batch: Records, frame: Records, row: Records) -> Mask:
+    """Whether a row keeps a place, and does so without a spring."""
+    rigid = load(v, batch.rows + row.kept + at.STIFFNESS) > 0.0
+    if row.slot > 2 or is_brake(frame.kind, row.slot):
+        return rigid & ~rigid
+    if may_be_sprung(frame.kind):
+        rigid = rigid & (row_hertz(v, batch.joints + frame.constants, row.slot) == 0.0)
+    return rigid
+
+
+@inlined_kernel
+def is_brake(kind: int, slot: int) -> bool:
+    """Whether a row of slots 0 to 2 keeps a speed rather than a place."""
+    return kind == FRICTION or (kind == WHEEL and slot == 2)
+
+
+@inlined_kernel
+def strength(v: Floats, joint: int, kind: int, slot: int) -> Vector:
+    """Most force (N) or torque (N m) of a row of slots 0 to 3."""
+    if kind == WHEEL and slot == 2:
+        return load(v, joint + at.MAX_MOTOR)
+    if slot > 2 or kind not in (MOTOR, TARGET, FRICTION):
+        return spread(INFINITE)
+    return load(v, joint + (at.MAX_TORQUE if slot == 2 else at.MAX_FORCE))
+
+
+@kernel
+def _drive_to_move(
+    v: Floats,
+    batch: Records,
+    frame: Records,
+    row: Records,
+    ahead: Vector,
+    speed: Vector,
+    seconds: float,
+    acting: Vector,
+) -> Law:
+    joint = batch.joints + frame.constants
+    kept = load(v, row.place + at.MAY_LEAVE)
+    lower = load(v, joint + at.LOWER)
+    upper = load(v, joint + at.UPPER)
+    slowest = speed - (ahead - lower - select(kept < 0.0, kept, 0.0)) / seconds
+    fastest = speed - (ahead - upper - select(kept > 0.0, kept, 0.0)) / seconds
+    total = load(v, batch.rows + row.kept + at.IMPULSE)
+    return _drive(v, batch, frame, row, speed, slowest, fastest, acting, total)
+
+
+@kernel
+def _drive_to_relax(v: Floats, batch: Records, frame: Records, row: Records, speed: Vector, seconds: float) -> Law:
+    joint = batch.joints + frame.constants
+    kept = batch.rows + row.kept
+    error = load(v, kept + at.ERROR)
+    impulse = load(v, kept + at.IMPULSE)
+    slowest = (load(v, joint + at.LOWER) - error) / seconds
+    fastest = (load(v, joint + at.UPPER) - error) / seconds
+    slowest = select(slowest < 0.0, slowest, 0.0)
+    fastest = select(fastest > 0.0, fastest, 0.0)
+    total = impulse + load(v, kept + at.RELAXING)
+    law = _drive(v, batch, frame, row, speed, slowest, fastest, spread(seconds), total)
+    return Law(law.bias, law.softness, law.low - impulse, law.high - impulse, law.stop)
+
+
+@kernel
+def _drive(
+    v: Floats,
+    batch: Records,
+    frame: Records,
+    row: Records,
+    speed: Vector,
+    slowest: Vector,
+    fastest: Vector,
+    acting: Vector,
+    total: Vector,
+) -> Law:
+    joint = batch.joints + frame.constants
+    runs = frame.motor == 1 and frame.kind != WHEEL
+    most = acting * load(v, joint + at.MAX_MOTOR) if runs else spread(0.0)
+    aim = load(v, joint + at.MOTOR_SPEED) if runs else speed
+    lower = load(v, joint + at.LOWER)
+    upper = load(v, joint + at.UPPER)
+    stop = load(v, batch.rows + row.kept + at.STOP)
+    has_limit = frame.limit == 1
+    low, high, bias, stop = drive(has_limit, lower, upper, stop, aim, most, speed, slowest, fastest, total)
+    return Law(bias, spread(0.0), low, high, stop)
