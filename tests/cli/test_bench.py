@@ -105,3 +105,21 @@ def test_a_misspelt_scene_gets_a_hint(cli: Callable) -> None:
     done = cli("bench", "box2d-smahs", "--engines", "sandbox", "--steps", 1)
     assert (done.code, done.out) == (2, "")
     assert 'did you mean "box2d-smash"' in done.err
+
+
+def test_workers_take_part_one_after_another(cli: Callable, write_scene: Callable) -> None:
+    path = write_scene("a.scene.json")
+    done = cli("bench", path, "--engines", "sandbox,pymunk", "--workers", "1,2", "--steps", 3, "--json")
+    assert (done.code, done.err) == (0, "")
+    one, two, pymunk = json.loads(done.out)["scenes"][0]["engines"]
+    assert [each["name"] for each in (one, two, pymunk)] == ["sandbox", "sandbox 2", "pymunk"]
+    assert two["label"] == "sandbox, 2 workers"
+    assert one["digest"] == two["digest"]
+    assert "sandbox, 2 workers: digest " in cli("bench", path, "--engines", "sandbox", "--workers", "2").out
+
+
+@pytest.mark.parametrize("wrong", ["0", "two", "1,,2", "-1", "1.5", "65", ""])
+def test_wrong_workers(cli: Callable, write_scene: Callable, wrong: str) -> None:
+    done = cli("bench", write_scene("a.scene.json"), "--workers", wrong)
+    assert done.code == 2
+    assert f"--workers {wrong}: takes numbers from 1 to 64 with commas between, as 1,2" in done.err

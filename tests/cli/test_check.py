@@ -168,3 +168,12 @@ def test_logs_have_no_progress_bar_and_no_colours(cli: Callable, write_scene: Ca
     done = cli("check", write_scene("a.scene.json", HOLDS))
     assert "\x1b" not in done.out + done.err
     assert "steps" not in done.err
+
+
+def test_workers_make_no_difference(cli: Callable, write_scene: Callable) -> None:
+    path = write_scene("a.scene.json")
+    digests = [
+        json.loads(cli("check", path, "--workers", count, "--json").out)["scenes"][0]["digest"] for count in (1, 2)
+    ]
+    assert digests[0] == digests[1]
+    assert cli("check", path, "--workers", 0).code == 2

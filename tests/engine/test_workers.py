@@ -1,0 +1,171 @@
+"""Workers: they divide what there is to do, each part done once, and make no difference to the bits."""
+
+from __future__ import annotations
+
+import gc
+import os
+import threading
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import sandbox
+from sandbox._jit import entry_point, jit_enabled
+from sandbox.engine import stepper
+from sandbox.engine.memory import limit
+from sandbox.engine.records.workers import SIZE, workers_memory
+from sandbox.engine.workers.task import first_part, next_part, note_done, take
+from sandbox.engine.workers.threads import WorkerThreads
+from sandbox.engine.world import World
+from sandbox.errors import ArgumentError
+from sandbox.resources import find_scene
+from tests.determinism import busy, jointed
+from tests.shipped import FILES, shipped
+
+compiled_only = pytest.mark.skipif(not jit_enabled(), reason="without the compiler there is one thread")
+SOLE = 1
+COUNTED = 100_000
+
+
+@pytest.fixture
+def share_all(monkeypatch):
+    """Small worlds are shared as well."""
+    monkeypatch.setattr(stepper, "_WORTH_SHARING", 0)
+
+
+@entry_point
+def offer(workers, marks):
+    """Mark all numbers, with whoever else takes part, ten times; how many parts this worker did."""
+    parts = 0
+    for turn in range(10):
+        first, end = first_part(workers, turn, 0, marks.shape[0])
+        while first < end:
+            for k in range(first, end):
+                marks[k] += 1
+            parts += 1
+            first, end = next_part(workers, first, end)
+    return parts
+
+
+@entry_point
+def help_out(workers, marks, seconds_worth):
+    """Mark what is left to take, for so many looks; how many parts that were."""
+    parts = 0
+    for _look in range(seconds_worth):
+        first, end = take(workers.words)
+        if first < end:
+            for k in range(first, end):
+                marks[k] += 1
+            note_done(workers.words, end - first)
+            parts += 1
+    return parts
+
+
+@compiled_only
+@pytest.mark.parametrize("helpers", [0, 1, 3])
+def test_every_number_of_a_task_is_done_once(helpers):
+    workers, marks = workers_memory(1 + helpers), np.zeros(COUNTED, np.int64)
+    workers.words[SIZE] = 1 + helpers
+    help_out(workers, marks, 0)
+    # In turns on one thread: whoever comes between two parts of another gets the next one.
+    threads = [threading.Thread(target=help_out, args=(workers, marks, 2_000_000)) for _ in range(helpers)]
+    for thread in threads:
+        thread.start()
+    offer(workers, marks)
+    for thread in threads:
+        thread.join()
+    assert (marks == 10).all()
+
+
+@compiled_only
+@pytest.mark.parametrize("workers", [2, 4])
+@pytest.mark.parametrize("name", ["box2d-large-pyramid", "box2d-compounds", "box2d-many-pyramids"])
+def test_large_scenes_end_the_same(name, workers):
+    loaded = sandbox.load_scene(find_scene(Path(name)))
+    one, several = World(loaded), World(loaded, workers)
+    for _ in range(4):
+        one.step(2)
+        several.step(2)
+        assert several.digest() == one.digest()
+
+
+@compiled_only
+@pytest.mark.slow
+@pytest.mark.parametrize("name", FILES)
+def test_shipped_scenes_go_the_same_way(name, share_all):
+    one, several = World(shipped(name)), World(shipped(name), 3)
+    for _ in range(12):
+        one.step(10)
+        several.step(10)
+        assert several.digest() == one.digest()
+
+
+@pytest.mark.parametrize("made", [busy, jointed])
+def test_a_busy_scene_with_commands_goes_the_same_way(made, share_all):
+    assert made.digests(World(made.scene(), 3)) == made.digests(World(made.scene()))
+
+
+@compiled_only
+def test_growing_and_shrinking_worlds_go_the_same_way(share_all):
+    def grown(workers):
+        world = World(sandbox.Scene(bodies=[{"id": "floor", "type": "static", "shapes": [{"box": [90, 2]}]}]), workers)
+        digests = []
+        for turn in range(30):
+            row = [{"id": f"{turn}-{k}", "position": [k - 20.0, 3.0], "shapes": [{"circle": 0.45}]} for k in range(40)]
+            world.spawn(bodies=row)
+            if turn % 5 == 4:
+                world.delete(f"{turn - 3}-7")
+            world.step(5)
+            digests.append(world.digest())
+        return digests
+
+    assert grown(3) == grown(1)
+
+
+@compiled_only
+@pytest.mark.skipif((os.cpu_count() or 1) < 2, reason="one processor")
+def test_the_others_do_a_part(share_all, monkeypatch):
+    done = []
+    usual = WorkerThreads.serving
+
+    def noting(self, workers, jobs):
+        return usual(self, workers, [lambda job=job: done.append(job()) for job in jobs])
+
+    monkeypatch.setattr(WorkerThreads, "serving", noting)
+    world = World(sandbox.load_scene(find_scene(Path("box2d-large-pyramid"))), 2)
+    while sum(done) == 0 and len(done) < 500:  # others may have the processors for a while
+        world.step()
+    assert sum(done) > 0
+
+
+@compiled_only
+def test_a_world_that_is_gone_leaves_no_threads():
+    before = set(threading.enumerate())
+    world = World(sandbox.Scene(), 4)
+    threads = set(threading.enumerate()) - before
+    assert len(threads) == 3
+    del world
+    gc.collect()
+    for thread in threads:
+        thread.join(10.0)
+        assert not thread.is_alive()
+
+
+def test_a_pile_that_is_too_large_is_refused_with_workers_too(share_all, monkeypatch):
+    monkeypatch.setattr(limit, "MAX_STEP_BYTES", 10**6)
+    piled = [{"id": f"b{k}", "shapes": [{"circle": 1.0}]} for k in range(1100)]
+    world = World(sandbox.Scene(bodies=piled), 2)
+    with pytest.raises(sandbox.CapacityError):
+        world.step()
+
+
+@pytest.mark.parametrize("wrong", [0, -1, 1.5, True, "2", None])
+def test_other_numbers_of_workers_are_refused(wrong):
+    with pytest.raises(ArgumentError, match="World: takes a whole number of workers from 1, not "):
+        World(sandbox.Scene(), wrong)
+
+
+def test_a_world_tells_its_workers():
+    assert World(sandbox.Scene()).workers == SOLE
+    assert World(sandbox.Scene(), 2).workers == (2 if jit_enabled() else SOLE)
