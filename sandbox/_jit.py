@@ -17,6 +17,7 @@ from typing import Any, TypeVar, cast
 
 import numpy as np
 
+from sandbox._compiling import compiling
 from sandbox._kernel_cache import is_filled, kept_file
 from sandbox._kernel_cache import read as read_kept
 from sandbox._kernel_cache import write as write_kept
@@ -86,8 +87,9 @@ class EntryPoint(Kernel):
             if found is None:
                 from sandbox._linking import machine_code
 
-                found = machine_code(self.dispatcher, arguments)
-                write_kept(file, *found)
+                with compiling(self, arguments):
+                    found = machine_code(self.dispatcher, arguments)
+                    write_kept(file, *found)
             returns, code = found
             self._versions[kinds] = Version(code, returns)
         return self._versions[kinds]

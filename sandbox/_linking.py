@@ -23,6 +23,7 @@ from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler_lock import global_compiler_lock
 from numba.core.compiler_machinery import PassManager, register_pass
 
+from sandbox import _compiling
 from sandbox._machine_code import Returns
 from sandbox._way_in import way_in
 
@@ -97,6 +98,7 @@ class _LowerPart(typed_passes.NativeLowering):
         key = make_function(what.lookup_module(), what.qualname, "a kernel", 0, lowered.env, (state.library,))
         state.targetctx.insert_user_function(key, what, [state.library])
         state["cr"] = lowered._replace(cfunc=key)
+        _compiling.tell(f"kernel {_compiling.weight(state.func_id.func)}")
         return True
 
 
