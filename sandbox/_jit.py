@@ -163,7 +163,8 @@ def _kind(value: Any) -> Any:
     """Equal for values of which numba says that they have the same type."""
     if isinstance(value, np.ndarray):
         flags = value.flags
-        return value.dtype, value.ndim, flags.c_contiguous, flags.f_contiguous, flags.writeable, flags.aligned
+        layout = "C" if flags.c_contiguous else "F" if flags.f_contiguous else "A"  # a table of one row is both: C
+        return value.dtype, value.ndim, layout, flags.writeable, flags.aligned
     if isinstance(value, np.void):
         return type(value), value.dtype
     return (type(value), *map(_kind, value)) if isinstance(value, tuple) else type(value)

@@ -46,6 +46,12 @@ def compile_continuous() -> None:
         _helpers.pop().wait()
 
 
+def compile_parts() -> None:
+    """Compile all parts of the step one after another, with joints and without."""
+    for part, joints in ((collide, False), (solve_continuous, False), (solve, False), (solve, True)):
+        _run_once(part, joints)
+
+
 class _Helper:
     """The other process, and what it tells of its work."""
 
