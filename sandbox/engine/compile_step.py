@@ -7,6 +7,7 @@ then. It may fail, for then this process compiles everything.
 
 from __future__ import annotations
 
+import gc
 import os
 import subprocess
 import sys
@@ -115,6 +116,7 @@ def _tell(line: str) -> None:
 
 
 if __name__ == "__main__":
+    gc.disable()  # it ends before its memory is needed
     _compiling.tell = _tell
     _run_once(collide)
     _run_once(solve_continuous)
