@@ -196,5 +196,5 @@ def jit_enabled() -> bool:
 
 
 def cache_is_cold() -> bool:
-    """True when the next step has to compile the kernels first (20 to 40 seconds)."""
+    """True when the next step has to compile the kernels first (10 to 20 seconds)."""
     return jit_enabled() and not is_filled()
