@@ -1,7 +1,8 @@
 """Where the machine code of kernels is kept on disk, and under which names.
 
 The folder is named by all that machine code depends on: a hash of every kernel source, the versions of numba and
-Python, and the processor. A change in any of them starts a new folder and never runs stale code.
+Python, and the processor. A change in any of them starts a new folder and never runs stale code. What is not there may
+have come with the package (`_shipped_code.py`).
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from pathlib import Path
 from types import FunctionType
 from typing import Any
 
-from platformdirs import user_cache_path
+from sandbox._shipped_code import shipped_folder
 
 _ROOMS = (
     "_jit.py",
@@ -47,8 +48,18 @@ _STEP = "sandbox.engine.step"
 
 
 def is_filled() -> bool:
-    """Whether the machine code of the step is there."""
-    return next(cache_folder().glob(f"{_STEP}.*{_SUFFIX}"), None) is not None
+    """Whether the machine code of the step is there: compiled here, or shipped."""
+    shipped = shipped_folder(sources_hash())
+    return is_compiled() or (shipped is not None and _has_step(shipped))
+
+
+def is_compiled() -> bool:
+    """Whether the machine code of the step has been compiled for this processor."""
+    return _has_step(cache_folder())
+
+
+def _has_step(folder: Path) -> bool:
+    return any(folder.glob(f"{_STEP}.*{_SUFFIX}"))
 
 
 @cache
@@ -64,7 +75,11 @@ def cache_folder() -> Path:
 def cache_root() -> Path:
     """The folder for all that this package keeps: `SANDBOX_CACHE_DIR`, or the user's cache folder."""
     root = os.environ.get("SANDBOX_CACHE_DIR")
-    return Path(root) if root else user_cache_path("sandbox2d")
+    if root:
+        return Path(root)
+    from platformdirs import user_cache_path  # not there yet where a wheel is built
+
+    return user_cache_path("sandbox2d")
 
 
 def cache_key() -> str:
@@ -97,8 +112,18 @@ def kept_file(function: FunctionType, kinds: tuple[Any, ...]) -> Path | None:
 
 
 def read(file: Path | None) -> tuple[Any, bytes] | None:
-    """What `write` has written: (about it, machine code). None if it is not there or not whole."""
-    if file is None or not file.exists():
+    """What `write` has written: (about it, machine code). None if it is not there or not whole.
+
+    What was compiled for this very processor comes before what was shipped for all of its level.
+    """
+    if file is None:
+        return None
+    shipped = shipped_folder(sources_hash())
+    return _read(file) or (_read(shipped / file.name) if shipped is not None else None)
+
+
+def _read(file: Path) -> tuple[Any, bytes] | None:
+    if not file.exists():
         return None
     head, _, code = file.read_bytes().partition(b"\n")
     digest, _, about = head.decode(errors="replace").partition(" ")

@@ -23,6 +23,7 @@ from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler_lock import global_compiler_lock
 from numba.core.compiler_machinery import PassManager, register_pass
 
+from sandbox._compiling import tell, weight
 from sandbox._llvm_vectors import teach_operators
 from sandbox._machine_code import ENTER, Returns
 from sandbox._way_in import way_in
@@ -109,6 +110,7 @@ class _LowerPart(typed_passes.NativeLowering):
         key = make_function(what.lookup_module(), what.qualname, "a kernel", 0, lowered.env, (state.library,))
         state.targetctx.insert_user_function(key, what, [state.library])
         state["cr"] = lowered._replace(cfunc=key)
+        tell(f"kernel {weight(state.func_id.func)}")
         return True
 
 
@@ -125,14 +127,45 @@ def _pipeline(state: Any) -> PassManager:
 
 @contextmanager
 def _no_garbage_collection() -> Iterator[None]:
-    """Compiling makes millions of objects that stay: looking through them for garbage is a seventh of its time."""
+    """Compiling makes a million objects that stay: looking through them for garbage is a fifth of its time.
+
+    They are not looked through right after it either, but before something else is compiled, if that ever happens.
+    """
     on = gc.isenabled()
     gc.disable()
+    if on and gc.get_freeze_count() > 0:
+        gc.unfreeze()
+        gc.collect()
     try:
         yield
     finally:
+        gc.freeze()
         if on:
             gc.enable()
+
+
+@contextmanager
+def _remembered_calls() -> Iterator[None]:
+    """Ask numba once what `+` gives for two floats, and so on: it tries every rule that it has, at every mention.
+
+    Of 11,322 questions in the largest entry point 226 were different ones.
+    """
+    operators: Any = types.Function
+    usual, known = operators.get_call_type, {}
+
+    def get_call_type(function: Any, context: Any, arguments: Any, named: Any) -> Any:
+        if named:
+            return usual(function, context, arguments, named)
+        asked = function, tuple(arguments)
+        if asked not in known:
+            known[asked] = usual(function, context, arguments, named)
+        return known[asked]
+
+    operators.get_call_type = get_call_type
+    try:
+        yield
+    finally:
+        operators.get_call_type = usual
 
 
 class KernelCompiler(compiler.CompilerBase):
@@ -168,7 +201,7 @@ def machine_code(entry: Any, arguments: tuple[Any, ...]) -> tuple[Returns, bytes
 
 def linked(entry: Any, arguments: tuple[Any, ...]) -> tuple[Returns, Any]:
     """What an entry point returns, and its library: the module of it and all the kernels below it."""
-    with _no_garbage_collection(), global_compiler_lock:
+    with global_compiler_lock, _no_garbage_collection(), _remembered_calls():
         kinds = tuple(map(entry.typeof_pyval, arguments))
         entry.compile(kinds)
         compiled = entry.overloads[kinds]

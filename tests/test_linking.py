@@ -53,6 +53,32 @@ def test_only_the_entry_point_becomes_machine_code(
     assert made == ["top"]
 
 
+def test_numba_is_asked_once_what_an_operator_gives(
+    functions: tuple[Any, Any, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from numba.core.types import Function
+
+    asked, usual = [], Function.get_call_type
+
+    def noted(function: Any, context: Any, arguments: Any, named: Any) -> Any:
+        asked.append((function, arguments))
+        return usual(function, context, arguments, named)
+
+    monkeypatch.setattr(Function, "get_call_type", noted)
+    assert functions[0](2) == 14
+    assert len(asked) == len(set(asked)) == 3  # 2 * number; for a lack of such a rule a product; a sum, twice
+    assert Function.get_call_type is noted
+
+
+def test_garbage_of_compiling_is_gone_after_the_next_time(functions: tuple[Any, Any, Any]) -> None:
+    top, *_ = functions
+    assert top(1) == 12
+    frozen = gc.get_freeze_count()
+    assert frozen > 0
+    assert entry_point(top.py_func)(1) == 12
+    assert gc.get_freeze_count() < 1.5 * frozen
+
+
 @pytest.mark.parametrize("on", [True, False])
 def test_garbage_is_collected_after_compiling_if_it_was_before(functions: tuple[Any, Any, Any], on: bool) -> None:
     (gc.enable if on else gc.disable)()

@@ -62,6 +62,11 @@ def parts(number: float, exponent: int) -> tuple[float, int, float]:
     return math.frexp(number)[0], math.frexp(number)[1], math.ldexp(number, exponent)
 
 
+@entry_point
+def last_of(table: Any) -> int:
+    return table[table.shape[0] - 1, 1]
+
+
 @given(WHOLE, FLOATS, st.booleans(), st.booleans(), st.integers(1, 3), st.integers(1, 3))
 def test_what_goes_in_comes_out(whole: int, number: float, truth: bool, other: bool, down: int, across: int) -> None:
     memory = np.arange(600.0).reshape(20, 30)
@@ -144,3 +149,10 @@ def test_functions_within_functions_are_not_kept() -> None:
     kept = _kernel_cache.kept_file(interpreted(fill), ("kind",))  # type: ignore[arg-type]
     assert kept is not None
     assert kept != _kernel_cache.kept_file(interpreted(fill), ("another",))  # type: ignore[arg-type]
+
+
+@compiled
+def test_a_table_of_one_row_is_of_the_same_kind_as_others() -> None:
+    fresh = entry_point(interpreted(last_of))
+    assert [fresh(np.full((rows, 2), rows)) for rows in (1, 2)] == [1, 2]  # by rows and by columns; by rows
+    assert len(fresh._versions) == 1  # type: ignore[attr-defined]

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
 _KEY = typer.Option("--key", help="Print only the key: it changes when the kernels have to be compiled anew.")
 _PATH = typer.Option("--path", help="Print only the folder: SANDBOX_CACHE_DIR, or the user's cache folder.")
-_FILL = typer.Option("--fill", help="Compile the kernels now if they are not there yet.")
+_FILL = typer.Option("--fill", help="Compile the kernels now, for this very processor, if they are not there yet.")
+_INTO = typer.Option(
+    metavar="DIR", show_default=False, help="Compile for all usual processors of this platform, for a wheel."
+)
 _JSON = typer.Option("--json", help="Print one JSON document instead.")
 
 
@@ -16,6 +20,7 @@ def cache(
     key: Annotated[bool, _KEY] = False,
     path: Annotated[bool, _PATH] = False,
     fill: Annotated[bool, _FILL] = False,
+    into: Annotated[Path | None, _INTO] = None,
     json: Annotated[bool, _JSON] = False,
 ) -> None:
     """Say where compiled kernels are kept, and the key under which a CI server can keep that folder.
@@ -24,6 +29,9 @@ def cache(
 
     Exit code 0, or 2 if the folder cannot be used.
     """
+    if into is not None:
+        _compile_for_wheel(into, json)
+        return
     found = _found(fill)
     if json:
         _print_document(found)
@@ -31,27 +39,51 @@ def cache(
         print("\n".join(str(found[name]) for name, wanted in (("key", key), ("path", path)) if wanted))
     else:
         state = "compiled" if found["compiled"] else "not compiled yet"
+        if found["shipped"]:
+            state += f", and shipped for {found['shipped']}"
         print(f"path: {found['path']}\nkey:  {found['key']}\nkernels: {state}, {found['bytes'] / 1e6:.1f} MB")
 
 
 def _found(fill: bool) -> dict[str, Any]:
-    from sandbox._jit import cache_is_cold
-    from sandbox._kernel_cache import cache_folder, cache_key, cache_root
+    from sandbox._kernel_cache import cache_folder, cache_key, cache_root, is_compiled, sources_hash
+    from sandbox._shipped_code import shipped_folder
 
-    if fill and cache_is_cold():
+    shipped = shipped_folder(sources_hash())
+    if fill and not is_compiled():
         _compile()
-    size = sum(file.stat().st_size for file in cache_folder().rglob("*") if file.is_file())
-    compiled = not cache_is_cold()
-    return {"format": 1, "path": cache_root().as_posix(), "key": cache_key(), "compiled": compiled, "bytes": size}
+    return {
+        "format": 1,
+        "path": cache_root().as_posix(),
+        "key": cache_key(),
+        "compiled": is_compiled(),
+        "shipped": shipped and shipped.name,
+        "bytes": sum(file.stat().st_size for file in cache_folder().rglob("*") if file.is_file()),
+    }
 
 
 def _compile() -> None:
+    import os
+
+    from sandbox._shipped_code import SWITCH
     from sandbox.cli.compiling import announce_compilation
     from sandbox.engine.world import World
     from sandbox.scene import Scene
 
+    os.environ[SWITCH] = "0"  # for the other process too
     announce_compilation()
     World(Scene()).step()
+
+
+def _compile_for_wheel(folder: Path, as_json: bool) -> None:
+    from sandbox.cli.compile_for_wheel import compile_for_wheel
+
+    levels = compile_for_wheel(folder)
+    size = sum(file.stat().st_size for level in levels for file in level.iterdir())
+    names = [level.name for level in levels]
+    if as_json:
+        _print_document({"format": 1, "path": folder.as_posix(), "levels": names, "bytes": size})
+    else:
+        print(f"{folder}: machine code for {', '.join(names)}, {size / 1e6:.1f} MB")
 
 
 def _print_document(found: dict[str, Any]) -> None:

@@ -6,6 +6,8 @@ from collections.abc import Iterable, Iterator
 from types import TracebackType
 from typing import Self, TypeVar
 
+from sandbox.cli.compiling import bars
+
 T = TypeVar("T")
 
 
@@ -30,9 +32,13 @@ class PictureProgress:
 
     def __enter__(self) -> Self:
         self._bar.start()
+        if not self._bar.disable:
+            bars.append(self._bar)
         return self
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
+        if not self._bar.disable:
+            bars.remove(self._bar)
         self._bar.stop()

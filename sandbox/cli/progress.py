@@ -6,6 +6,8 @@ import sys
 from types import TracebackType
 from typing import TYPE_CHECKING, Self
 
+from sandbox.cli.compiling import bars
+
 if TYPE_CHECKING:
     from rich.console import Console
 
@@ -48,9 +50,13 @@ class SceneProgress:
 
     def __enter__(self) -> Self:
         self._bar.start()
+        if not self._bar.disable:
+            bars.append(self._bar)
         return self
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
+        if not self._bar.disable:
+            bars.remove(self._bar)
         self._bar.stop()

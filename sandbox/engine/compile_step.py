@@ -1,19 +1,22 @@
 """Fill an empty kernel cache with two processes at once: each compiles a part of the step.
 
-`python -m sandbox.engine.compile_step [joints]` is the other process; it says when `solve` is there, and goes on to
-`solve_continuous`, which few steps need: who needs it before waits then. It may fail, for then this process compiles
-everything.
+`python -m sandbox.engine.compile_step` is the other process. It compiles what finds contacts, says so, and goes on to
+`solve_continuous`, which few steps need and which has most of its kernels in common with it: who needs it before waits
+then. It may fail, for then this process compiles everything.
 """
 
 from __future__ import annotations
 
+import gc
 import os
 import subprocess
 import sys
+import threading
 from functools import cache
 from pathlib import Path
 from typing import Any
 
+from sandbox import _compiling
 from sandbox._jit import cache_is_cold
 from sandbox.engine.continuous_collision.solve_continuous import solve_continuous
 from sandbox.engine.memory.binding import bind
@@ -31,32 +34,67 @@ def compile_step(joints: bool) -> None:
     """
     if not cache_is_cold() or (os.cpu_count() or 1) < 2:
         return
-    helper = _start_helper(joints)
-    _run_once(collide)
-    if helper is not None and helper.stdout is not None:
-        helper.stdout.readline()
+    helper = _start_helper()
+    _run_once(solve, joints)
+    if helper is not None:
+        helper.wait_for_first()
         _helpers.append(helper)
 
 
 def compile_continuous() -> None:
     """Wait until the other process has compiled `solve_continuous`, if there is one at it."""
     while _helpers:
-        _helpers.pop().communicate()
+        _helpers.pop().wait()
 
 
-_helpers: list[subprocess.Popen[bytes]] = []
+def compile_parts() -> None:
+    """Compile all parts of the step one after another, with joints and without."""
+    for part, joints in ((collide, False), (solve_continuous, False), (solve, False), (solve, True)):
+        _run_once(part, joints)
 
 
-def _start_helper(joints: bool) -> subprocess.Popen[bytes] | None:
+class _Helper:
+    """The other process, and what it tells of its work."""
+
+    def __init__(self, process: subprocess.Popen[str]) -> None:
+        self._process = process
+        self._work = _compiling.Process()
+        self._first = threading.Event()
+        _compiling.processes.append(self._work)
+        threading.Thread(target=self._listen, daemon=True).start()
+
+    def wait_for_first(self) -> None:
+        """Wait for the first entry point. What comes then is waited for by nobody yet."""
+        self._first.wait()
+
+    def wait(self) -> None:
+        """Wait for all."""
+        self._work.show(True)
+        self._process.wait()
+
+    def _listen(self) -> None:
+        for line in self._process.stdout or ():
+            self._work.hear(line)
+            if line.startswith("end") and not self._first.is_set():
+                self._work.show(False)
+                self._first.set()
+        self._first.set()  # it may have failed
+        _compiling.processes.remove(self._work)
+
+
+_helpers: list[_Helper] = []
+
+
+def _start_helper() -> _Helper | None:
     if not sys.executable:  # an embedded Python
         return None
     home = str(Path(__file__).parents[2])
     paths = [home, os.environ.get("PYTHONPATH", "")]
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, paths))}
-    command = [sys.executable, "-m", "sandbox.engine.compile_step", *(["joints"] if joints else [])]
+    command = [sys.executable, "-m", "sandbox.engine.compile_step"]
     quiet: dict[str, Any] = dict.fromkeys(("stdin", "stderr"), subprocess.DEVNULL)
     try:
-        return subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, **quiet)
+        return _Helper(subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True, **quiet))
     except OSError:
         return None
 
@@ -69,7 +107,16 @@ def _run_once(part: Any, joints: bool = False) -> None:
     part(*bind(part, state, Scratch.for_state(state, len(state.contacts))))
 
 
+def _tell(line: str) -> None:
+    """Tell the first process, as long as it is there: what is compiled is kept for the next one."""
+    try:
+        print(line, flush=True)
+    except OSError:
+        _compiling.tell = _compiling.here.hear
+
+
 if __name__ == "__main__":
-    _run_once(solve, "joints" in sys.argv[1:])
-    print("solve", flush=True)
+    gc.disable()  # it ends before its memory is needed
+    _compiling.tell = _tell
+    _run_once(collide)
     _run_once(solve_continuous)

@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 import pygame
 
+from sandbox.engine.compile_status import compile_status
 from sandbox.errors import SandboxError
 from sandbox.render.camera import Size
 from sandbox.window.hud import FAINT, TEXT, WARM
@@ -61,7 +62,8 @@ class LoadingScreen:
         _center(overlay, (width, height), 0.0, self._loader.message + " …", 20.0, TEXT)
         _center(overlay, (width, height), 32.0, self._loader.path.name, 16.0, FAINT)
         if self._age > SLOW_SECONDS:
-            text = "The first start on a machine compiles the engine: about 20 seconds, with joints 40."
+            status = compile_status()
+            text = f"The first start on a machine compiles the engine: {status}" if status else ""
             _center(overlay, (width, height), 72.0, text, 16.0, FAINT)
 
 

@@ -42,4 +42,4 @@ def test_a_cold_cache_is_filled_and_the_bits_are_the_same(tmp_path: Path) -> Non
 @pytest.mark.parametrize("executable", ["/no/such/python", ""])
 def test_without_a_second_process_the_first_goes_on_alone(monkeypatch: pytest.MonkeyPatch, executable: str) -> None:
     monkeypatch.setattr(sys, "executable", executable)
-    assert compile_step._start_helper(joints=False) is None
+    assert compile_step._start_helper() is None

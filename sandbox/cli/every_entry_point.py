@@ -1,0 +1,52 @@
+"""Calls every entry point once, for the sake of compiling it: `python -m sandbox.cli.every_entry_point`."""
+
+from __future__ import annotations
+
+from sandbox.engine.compile_step import compile_parts
+from sandbox.engine.events.sensors import SensorOverlaps
+from sandbox.engine.world import World
+from sandbox.geometry.exact_axes import Axis
+from sandbox.geometry.pair import pair_of
+from sandbox.geometry.shapes import Box
+from sandbox.reference.arbitration import our_answer
+from sandbox.reference.pair import Core, Pair
+from sandbox.scene.flat import FlatBody, FlatRegion, FlatScene, FlatShape
+
+
+def call_every_entry_point() -> None:
+    """All that Python calls in the engine, in the geometry and in the comparison with other engines."""
+    compile_parts()
+    World(FlatScene(), workers=2).step()
+    _ask_about(_windy_world())
+    _look_at_a_pair()
+
+
+def _windy_world() -> World:
+    """A ball in the wind of everywhere, and a sensor, after a step."""
+    shape = FlatShape("circle", ((0.0, 0.0),), 0.5)
+    bodies = FlatBody("ball", "dynamic", (shape,)), FlatBody("other", "dynamic", (shape,), (2.0, 0.0))
+    world = World(FlatScene(bodies, regions=(FlatRegion("wind", flow=(1.0, 0.0), density=1.0),)))
+    world.step()
+    return world
+
+
+def _ask_about(world: World) -> None:
+    SensorOverlaps(world.state).update()
+    ask = world.query
+    ask.ray((-2.0, 0.0), (4.0, 0.0))
+    ask.ray_all((-2.0, 0.0), (4.0, 0.0))
+    ask.nearest((0.0, 0.0))
+    ask.point((0.0, 0.0))
+    ask.distance("ball", "other")
+
+
+def _look_at_a_pair() -> None:
+    pair = pair_of(Box(1.0, 1.0), Box(1.0, 1.0, (2.0, 0.0)))
+    pair.manifold(0.0)
+    pair.nearest()
+    pair.manifold_on(Axis(0, 1, 0, 1, 0, 0))
+    our_answer(Pair(Core(((0.0, 0.0),)), Core(((1.0, 0.0),))))
+
+
+if __name__ == "__main__":
+    call_every_entry_point()
