@@ -16,7 +16,7 @@ from sandbox.scene.flat import FlatBody, FlatRegion, FlatScene, FlatShape
 def call_every_entry_point() -> None:
     """All that Python calls in the engine, in the geometry and in the comparison with other engines."""
     compile_parts()
-    World(FlatScene(), workers=2).step()
+    World(FlatScene(()), workers=2).step()
     _ask_about(_windy_world())
     _look_at_a_pair()
 
