@@ -47,7 +47,7 @@ class Stepper:
         self._jointed = False
         self._room = Room.of(state)
         self._calls: dict[tuple[Any, int], tuple[Call, Callable[[], Any]]] = {}
-        self._layouts = PartLayouts()
+        self._layouts = PartLayouts(self.workers)
         self.renew()
 
     def compile(self) -> None:
@@ -203,10 +203,10 @@ class Stepper:
         """A call of `serve` with what is `named` now, for a worker."""
         names = parameters(serve)
         if (worker, turn) not in self._calls:
-            call = Call(serve, tuple({**named, "worker": worker}[name] for name in names), unlocked=True)
+            call = Call(serve, tuple(named[name] for name in names), unlocked=True)
             self._calls[worker, turn] = call, call
         call, _ = self._calls[worker, turn]
-        call.exchange(names, named)
+        call.exchange(names, {**named, "workers": named["workers"]._replace(number=worker)})
         return call
 
     def _exchange_state(self) -> None:

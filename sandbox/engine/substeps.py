@@ -109,7 +109,7 @@ def run_substeps(
         else:
             forget_impulses(blocks, count)
         if joints is not None:
-            solve_joints(joints, motions, free_motions, seconds)
+            solve_joints(joints, motions, free_motions, seconds, workers)
         if todo.unsettled & NEW and substep == 0:
             # What was just put there has no impulses yet, and soft contacts alone would let it slip until it has.
             solve_contacts(motions, blocks, unsettled, workers, rigid)
@@ -121,7 +121,7 @@ def run_substeps(
         integrate_positions(rows, solver, gravity, seconds, workers)
         resolve_late_impacts(bodies, rows, solver, contacts, impacts, level, seconds)
         if joints is not None:
-            relax_joints(joints, motions, free_motions, seconds)
+            relax_joints(joints, motions, free_motions, seconds, workers)
         for turn in range(relax_passes):
             relaxed = count if turn == relax_passes - 1 else unsettled
             if not accumulate:

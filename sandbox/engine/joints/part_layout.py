@@ -55,9 +55,10 @@ class PartLayouts:
     """The layouts of the parts of a world, by what they depend on; and that of each part, in their order.
 
     Those that are factorised are numbered in the order in which parts first have them; `tables` are theirs, if they
-    have been asked for since the last change.
+    have been asked for since the last change, with working places for so many `workers`.
     """
 
+    workers: int = 1
     known: dict[bytes, PartLayout] = field(default_factory=dict)
     parts: list[bytes] = field(default_factory=list)
     numbers: dict[bytes, int] = field(default_factory=dict)
@@ -85,7 +86,8 @@ class PartLayouts:
         """The tables of the layouts that are factorised, and which of them each part has, from part `first` on; -1 is
         none."""
         if self.tables is None:
-            self.tables = direct_tables([each.direct for each in self.known.values() if each.direct is not None])
+            direct = [each.direct for each in self.known.values() if each.direct is not None]
+            self.tables = direct_tables(direct, self.workers)
         return self.tables, np.array([self.numbers.get(key, -1) for key in self.parts[first:]], np.int64)
 
     def _know(self, layouts: dict[bytes, PartLayout]) -> None:

@@ -13,13 +13,15 @@ from __future__ import annotations
 from sandbox._jit import kernel
 from sandbox.engine.joints.direct.batches import fill_batches
 from sandbox.engine.joints.direct.position_correction import apply_corrections
-from sandbox.engine.joints.direct.solve import relax_batches, solve_batches
+from sandbox.engine.joints.direct.solve import solve_batches
 from sandbox.engine.joints.gauss_seidel import solve_softly
 from sandbox.engine.joints.hinges import accumulate_hinges, load_hinges
 from sandbox.engine.joints.joint_bodies import gather_members, load_members, move_by_end_velocity, scatter_members
 from sandbox.engine.joints.reactions import accumulate, read_impulses
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.contacts import Contacts
+from sandbox.engine.records.workers import Workers
+from sandbox.engine.workers.tasks import RELAX_BATCHES, SOLVE_BATCHES
 from sandbox.tables import Records
 
 
@@ -54,7 +56,7 @@ def select_parts(work: JointWork, free_motions: Records, substep_level: int) -> 
 
 
 @kernel
-def solve_joints(work: JointWork, motions: Records, free_motions: Records, seconds: float) -> None:
+def solve_joints(work: JointWork, motions: Records, free_motions: Records, seconds: float, workers: Workers) -> None:
     """Before the move: change velocities so that joints will be kept after it."""
     gather_members(work, motions)
     for p in range(work.parts.shape[0]):
@@ -62,7 +64,7 @@ def solve_joints(work: JointWork, motions: Records, free_motions: Records, secon
         if part.current == 1 and part.direct == 0:
             solve_softly(work, part, motions, seconds, True)
     scatter_members(work, motions)
-    solve_batches(work.direct, motions, free_motions, seconds)
+    solve_batches(work.direct, motions, free_motions, seconds, SOLVE_BATCHES, workers)
 
 
 @kernel
@@ -73,7 +75,7 @@ def prepare_move(work: JointWork, motions: Records, free_motions: Records, secon
 
 
 @kernel
-def relax_joints(work: JointWork, motions: Records, free_motions: Records, seconds: float) -> None:
+def relax_joints(work: JointWork, motions: Records, free_motions: Records, seconds: float, workers: Workers) -> None:
     """After the move: change velocities so that they keep the joints, too."""
     gather_members(work, motions)
     for p in range(work.parts.shape[0]):
@@ -83,4 +85,4 @@ def relax_joints(work: JointWork, motions: Records, free_motions: Records, secon
             accumulate(work, part)
             accumulate_hinges(work, part)
     scatter_members(work, motions)
-    relax_batches(work.direct, motions, free_motions, seconds)
+    solve_batches(work.direct, motions, free_motions, seconds, RELAX_BATCHES, workers)

@@ -17,15 +17,17 @@ NUMBERS = 16
 
 
 class Workers(NamedTuple):
-    """`words` and `numbers` tell of the task under way; `gathered` has the bodies of a block for each worker."""
+    """`words` and `numbers` tell of the task under way; `gathered` has the bodies of a block for each worker. `number`
+    says which worker this is meant for: 0 is the one that takes the step."""
 
     words: Integers
     numbers: Floats
     gathered: Floats
+    number: int
 
 
 def workers_memory(count: int) -> Workers:
     """Memory for so many workers, of which only the first takes part until `words` says otherwise."""
     words = aligned_zeros(WORDS, np.int64)
     words[SIZE] = 1
-    return Workers(words, aligned_zeros(NUMBERS, np.float64), aligned_zeros(count * GATHER_SIZE, np.float64))
+    return Workers(words, aligned_zeros(NUMBERS, np.float64), aligned_zeros(count * GATHER_SIZE, np.float64), 0)

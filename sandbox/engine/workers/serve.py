@@ -12,6 +12,8 @@ from sandbox.engine.contact_solver.prepare import prepare_blocks
 from sandbox.engine.contact_solver.solve import solve_blocks
 from sandbox.engine.contact_solver.store import store_blocks
 from sandbox.engine.contact_solver.warm_start import warm_start_blocks
+from sandbox.engine.joints.direct.solve import solve_some_batches
+from sandbox.engine.joints.records import JointWork
 from sandbox.engine.narrow_phase.decide_pairs import decide_pairs
 from sandbox.engine.narrow_phase.write_contacts import write_contacts
 from sandbox.engine.records.active_set import ActiveSet
@@ -32,6 +34,7 @@ from sandbox.engine.workers.tasks import (
     LEVEL,
     PREPARE_CONTACTS,
     SECONDS,
+    SOLVE_BATCHES,
     SOLVE_CONTACTS,
     STORE_IMPULSES,
     WARM_START,
@@ -51,18 +54,22 @@ def serve(
     blocks: ContactBlocks,
     workers: Workers,
     decisions: Decisions,
-    worker: int,
+    joints: JointWork | None,
 ) -> int:
-    """Do parts of what is offered until the step is over, as worker `worker`; returns how many parts it did."""
+    """Do parts of what is offered until the step is over, as worker `workers.number`; returns how many it did."""
     words = workers.words
     parts = looks = 0
     while atomic_load(words, CLOSED) == 0:
         first, end = take(words)
         if first < end:
             if words[TASK] <= WRITE_CONTACTS:
-                _do_pairs(state, colliders, grid, contacts, workers, decisions, worker, first, end)
-            else:
-                _do_bodies(state, active, solver, contacts, blocks, workers, worker, first, end)
+                _do_pairs(state, colliders, grid, contacts, workers, decisions, first, end)
+            elif words[TASK] < SOLVE_BATCHES:
+                _do_bodies(state, active, solver, contacts, blocks, workers, first, end)
+            elif joints is not None:
+                free_motions, seconds = solver.free_motions, workers.numbers[SECONDS]
+                d = joints.direct
+                solve_some_batches(d, solver.motions, free_motions, seconds, words[TASK], workers.number, first, end)
             note_done(words, end - first)
             parts += 1
             looks = 0
@@ -79,14 +86,13 @@ def _do_pairs(
     contacts: Contacts,
     workers: Workers,
     decisions: Decisions,
-    worker: int,
     first: int,
     end: int,
 ) -> None:
     """Do a task of `collide` for pairs of the batch under way."""
     pairs: Any = grid.pairs[workers.words[FIRST_PAIR] :]
     if workers.words[TASK] == DECIDE_PAIRS:
-        decide_pairs(state, colliders, pairs, contacts.before, decisions, worker, first, end)
+        decide_pairs(state, colliders, pairs, contacts.before, decisions, workers.number, first, end)
     else:
         write_contacts(colliders.proxies, pairs, contacts, decisions, first, end)
 
@@ -99,7 +105,6 @@ def _do_bodies(
     contacts: Contacts,
     blocks: ContactBlocks,
     workers: Workers,
-    worker: int,
     first: int,
     end: int,
 ) -> None:
@@ -107,7 +112,7 @@ def _do_bodies(
     task = workers.words[TASK]
     n = workers.numbers
     motions = solver.motions
-    gathered = workers.gathered[worker * GATHER_SIZE :]
+    gathered = workers.gathered[workers.number * GATHER_SIZE :]
     if task == SOLVE_CONTACTS:
         solve_blocks(motions, blocks, first, end, gathered, told_soft(n))
     elif task == WARM_START:

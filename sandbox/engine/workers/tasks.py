@@ -15,6 +15,8 @@ SOLVE_CONTACTS = 6
 STORE_IMPULSES = 7
 INTEGRATE_VELOCITIES = 8
 INTEGRATE_POSITIONS = 9
+SOLVE_BATCHES = 10
+RELAX_BATCHES = 11
 
 # Places in `Workers.numbers`; the fields of `SoftContact` come first.
 SECONDS = 6

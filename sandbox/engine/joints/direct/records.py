@@ -107,8 +107,9 @@ class Batches(NamedTuple):
     bodies on the fixed sides, part after part. Of batches: `found` is how many there are, where memory and names of
     bodies in use end, and where the memory of the first begins; `level` is the substep level under way; `open` the
     batch that takes the next part of each layout and level; `parts` says which part lies in each lane, `bodies` who has
-    each seat, in each lane. `memory` has the working place first: poses, frames, rows, factor, sums of products; then
-    the batches.
+    each seat, in each lane. `memory` has a working place for each worker first: poses, frames, rows, factor, sums of
+    products; then the batches. `found` ends with the size of a working place. Places in it count from where it begins;
+    so do those in `own`, the batch that each worker is at.
     """
 
     layouts: Records
@@ -119,6 +120,7 @@ class Batches(NamedTuple):
     targets: Integers
     fixed: Integers
     batches: Records
+    own: Records
     found: Integers
     level: Integers
     open: Integers

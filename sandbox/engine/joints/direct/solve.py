@@ -16,6 +16,9 @@ from sandbox.engine.joints.direct.reports import accumulate
 from sandbox.engine.joints.direct.rows import change_impulse, fill_rows
 from sandbox.engine.joints.direct.separated import detect_separation, misses_targets, take_impulses_back
 from sandbox.engine.joints.direct.targets import may_be_sprung, row_hertz
+from sandbox.engine.records.workers import Workers
+from sandbox.engine.workers.task import first_part, next_part
+from sandbox.engine.workers.tasks import SECONDS, SOLVE_BATCHES
 from sandbox.tables import Floats, Records
 
 _TURNS = 16
@@ -23,29 +26,52 @@ _TURNS = 16
 
 
 @kernel
-def solve_batches(d: Batches, motions: Records, free_motions: Records, seconds: float) -> None:
-    """Before the move: change velocities so that joints will be kept after it."""
-    for n in range(d.found[0]):
-        batch = d.batches[n]
-        if batch.level == d.level[0]:
-            gather_bodies(d, batch, motions, free_motions, True)
-            _solve_positions(d, batch, seconds)
-            scatter_bodies(d, batch, motions)
+def solve_batches(
+    d: Batches, motions: Records, free_motions: Records, seconds: float, task: int, workers: Workers
+) -> None:
+    """Change velocities so that joints will be kept after the move (`SOLVE_BATCHES`), or are after it, in velocity as
+    well (`RELAX_BATCHES`)."""
+    workers.numbers[SECONDS] = seconds
+    first, end = first_part(workers, task, 0, d.found[0])
+    while first < end:
+        solve_some_batches(d, motions, free_motions, seconds, task, 0, first, end)
+        first, end = next_part(workers, first, end)
 
 
 @kernel
-def relax_batches(d: Batches, motions: Records, free_motions: Records, seconds: float) -> None:
-    """After the move: change velocities so that they keep the joints, too."""
-    v = d.memory
-    for n in range(d.found[0]):
-        batch = d.batches[n]
-        if batch.level == d.level[0]:
-            gather_bodies(d, batch, motions, free_motions, False)
-            _update_rows(d, batch)
-            _start_warm(d, batch, True)
-            _solve(d, batch, seconds, True, _lanes_in_use(v, batch))
-            accumulate(d, batch)
-            scatter_bodies(d, batch, motions)
+def solve_some_batches(
+    d: Batches, motions: Records, free_motions: Records, seconds: float, task: int, worker: int, first: int, end: int
+) -> None:
+    """The same for the batches first..end-1, in the working place of a worker."""
+    begin = worker * d.found[4]
+    here = Batches(
+        d.layouts, d.layout_frames, d.equations, d.entries, d.products, d.targets, d.fixed, d.batches, d.own, d.found,
+        d.level, d.open, d.parts, d.bodies, d.memory[begin:],
+    )  # fmt: skip
+    batch = d.own[worker]
+    for n in range(first, end):
+        if d.batches[n].level != d.level[0]:
+            continue
+        d.own[worker] = d.batches[n]
+        batch.lanes -= begin
+        batch.seats -= begin
+        batch.joints -= begin
+        batch.rows -= begin
+        if task == SOLVE_BATCHES:
+            gather_bodies(here, batch, motions, free_motions, True)
+            _solve_positions(here, batch, seconds)
+        else:
+            gather_bodies(here, batch, motions, free_motions, False)
+            _relax(here, batch, seconds)
+        scatter_bodies(here, batch, motions)
+
+
+@kernel
+def _relax(d: Batches, batch: Records, seconds: float) -> None:
+    _update_rows(d, batch)
+    _start_warm(d, batch, True)
+    _solve(d, batch, seconds, True, _lanes_in_use(d.memory, batch))
+    accumulate(d, batch)
 
 
 @kernel

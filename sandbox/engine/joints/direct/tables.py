@@ -15,8 +15,8 @@ from sandbox.engine.joints.direct.records import BATCH, ENTRY, EQUATION, FRAME, 
 from sandbox.tables import Integers, Records, Table, aligned_zeros, joined
 
 
-def direct_tables(layouts: Sequence[DirectLayout]) -> Batches:
-    """The tables of layouts, one after another, and no memory yet for parts that have them.
+def direct_tables(layouts: Sequence[DirectLayout], workers: int = 1) -> Batches:
+    """The tables of layouts, one after another, and no memory yet for parts that have them, but for so many workers.
 
     Places in the working memory count from where it begins.
     """
@@ -39,8 +39,9 @@ def direct_tables(layouts: Sequence[DirectLayout]) -> Batches:
     entries.total += first_total
     nothing = np.zeros(0, np.int64)
     return Batches(
-        table, frames, equations, entries, products, targets, nothing, BATCH.zeros(0), np.array([0, end, 0, end]),
-        np.zeros(1, np.int64), nothing, nothing, nothing, np.zeros(0),
+        table, frames, equations, entries, products, targets, nothing, BATCH.zeros(0), BATCH.zeros(workers),
+        np.array([0, workers * end, 0, workers * end, end]), np.zeros(1, np.int64),
+        nothing, nothing, nothing, np.zeros(0),
     )  # fmt: skip
 
 
