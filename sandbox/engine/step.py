@@ -17,7 +17,8 @@ from sandbox.engine.bodies.quarantine import guard_positions
 from sandbox.engine.broad_phase.pairs import sort_pairs
 from sandbox.engine.broad_phase.proxies import bound_shapes
 from sandbox.engine.broad_phase.resting_grid import find_all_pairs, order_shapes
-from sandbox.engine.contact_solver.graph_coloring import color_contacts, fill_blocks
+from sandbox.engine.contact_solver.fill_blocks import fill_blocks
+from sandbox.engine.contact_solver.graph_coloring import color_contacts
 from sandbox.engine.contact_solver.prepare import prepare_contacts
 from sandbox.engine.contact_solver.store import clear_reports, store_impulses
 from sandbox.engine.continuous_collision.candidates import mark_fast, mark_fast_at_start
@@ -120,7 +121,7 @@ def solve(
             rewind_driven(bodies, rows, solver.motions)
         color_count = color_contacts(bodies, active, solver, ccd.bodies, contacts, level, levels > 1, blocks)
         counter.color_count = color_count if color_count > counter.color_count else counter.color_count
-        block_count, unsettled_count = fill_blocks(contacts, blocks)
+        block_count, unsettled_count = fill_blocks(contacts, solver.colors, blocks)
         threshold = setting.restitution_threshold
         impact_count = list_impact_contacts(bodies, solver, contacts, level, fastest, threshold, blocks.impacts)
         prepare_contacts(bodies, contacts.now, blocks, block_count, workers, level, impact_count > 0)

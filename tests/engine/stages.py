@@ -14,6 +14,7 @@ from sandbox._jit import kernel_argument
 from sandbox.engine.active import active_set, islands
 from sandbox.engine.bodies import integrate
 from sandbox.engine.broad_phase import grid, pairs, proxies
+from sandbox.engine.contact_solver import fill_blocks as filling
 from sandbox.engine.contact_solver import graph_coloring, mouse_joint, prepare, solve, store
 from sandbox.engine.contact_solver import warm_start as warm_starting
 from sandbox.engine.contact_solver.blocks import LANES
@@ -65,7 +66,7 @@ sort_pairs = stage(pairs.sort_pairs)
 mark_confined = stage(speculative.mark_confined)
 find_contacts = stage(narrow_phase.find_contacts)
 color_contacts = stage(graph_coloring.color_contacts)
-fill_blocks = stage(graph_coloring.fill_blocks)
+fill_blocks = stage(filling.fill_blocks)
 prepare_contacts = stage(prepare.prepare_contacts)
 store_impulses = stage(store.store_impulses)
 warm_start = stage(warm_starting.warm_start)
@@ -168,7 +169,7 @@ class Paused:
         """Colours, slots, blocks and lanes."""
         s, m = self.state, self.scratch
         self.colors = color_contacts(s.bodies, m.active, m.solver, m.ccd.bodies, m.contacts, 0, False, m.blocks)
-        self.blocks, _ = fill_blocks(m.contacts, m.blocks)
+        self.blocks, _ = fill_blocks(m.contacts, m.solver.colors, m.blocks)
         assert self.blocks <= len(m.blocks.blocks)
         self.prepare()
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -14,11 +15,12 @@ from sandbox.engine.world import World
 from sandbox.reference.simple.bodies import Body
 from sandbox.reference.simple.contacts import Contact, Point
 from sandbox.reference.simple.solver import Pass, solve, warm_start
+from sandbox.tables import plain
 from tests.determinism import busy
 from tests.determinism.test_scratch import laden_plank
 from tests.engine.stages import Paused, fill_blocks
 from tests.flat import body as flat_body
-from tests.flat import box, ground
+from tests.flat import box, circle, ground
 from tests.flat import world as put
 from tests.kernels import called_from_python
 from tests.physics.test_momentum import crowd as drifting
@@ -244,7 +246,7 @@ def test_the_plank_has_serial_contacts():
 def test_contacts_of_unsettled_bodies_come_first(paused):
     scratch, bodies = paused.scratch, paused.state.bodies
     unsettled = (scratch.ccd.bodies.unsettled != 0) & (bodies.inverse_mass > 0.0)
-    blocks, first = fill_blocks(scratch.contacts, scratch.blocks)
+    blocks, first = fill_blocks(scratch.contacts, scratch.solver.colors, scratch.blocks)
     count = int(scratch.blocks.blocks.count[:first].sum())
     touch = [unsettled[slot.body_a] or unsettled[slot.body_b] for slot in scratch.blocks.slots[: paused.count]]
     assert blocks == paused.blocks
@@ -273,11 +275,48 @@ def test_only_what_overlaps_deeply_or_touches_something_new_is_unsettled():
 def test_rubbish_of_an_earlier_step_reaches_nobody(make):
     clean, dirty = Paused(make()), Paused(make())
     dirty.scratch.blocks.lanes[:] = 1e3
-    dirty.scratch.blocks.gathered[:] = 1e3
-    dirty.scratch.blocks.heads[:] = 12345
+    dirty.scratch.workers.gathered[:] = 1e3
+    dirty.scratch.blocks.heads[:] = dirty.scratch.blocks.further[:] = dirty.scratch.blocks.starts[:] = 12345
+    for table in dirty.scratch.decisions:
+        plain(table).view(np.float64)[:] = 1e3
     dirty.scratch.solver.colors[:] = -1
     for p in (clean, dirty):
         p.detect()
         p.lay_out()
         p.begin()
     assert run(clean) == run(dirty)
+
+
+def ranges(blocks):
+    """The blocks of each colour, first to last."""
+    count = int(blocks.starts[0])
+    return [blocks.blocks[int(first) : int(end)] for first, end in pairwise(blocks.starts[1 : count + 2])]
+
+
+@pytest.mark.parametrize("count", [2, 40, 70, 100])
+def test_bodies_in_one_place_get_colours_for_nearly_all_their_contacts(count):
+    w = put(ground(), *(flat_body(f"{k}", circle(0.5 + 0.001 * k), position=(0.01 * k, 3.0)) for k in range(count)))
+    w.step(2)
+    p = Paused(w)
+    p.detect()
+    p.lay_out()
+    blocks, bodies = p.scratch.blocks, p.state.bodies
+    assert sorted(slots(p)) == list(range(p.count))
+    one_by_one = 0
+    for colour in ranges(blocks):
+        assert len({int(block.serial) for block in colour}) == 1
+        taken = [slot for block in colour for slot in blocks.slots[int(block.first) : int(block.first + block.count)]]
+        if colour[0].serial:
+            one_by_one += len(taken)
+            continue
+        moving = [int(b) for slot in taken for b in (slot.body_a, slot.body_b) if bodies[b].inverse_mass > 0.0]
+        assert len(moving) == len(set(moving))
+    assert sum(int(block.count) for colour in ranges(blocks) for block in colour) == p.count
+    assert one_by_one <= 0.05 * p.count
+
+
+def test_contacts_of_one_body_with_hundreds_are_solved_one_by_one():
+    p = Paused(WORLDS["plank"]())
+    p.detect()
+    p.lay_out()
+    assert sum(int(block.count) for colour in ranges(p.scratch.blocks) for block in colour if block.serial) >= 10

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.bodies.flags import IMMOVABLE, is_active
-from sandbox.engine.contact_solver.blocks import LANES, MAX_COLORS
+from sandbox.engine.contact_solver.blocks import MAX_COLORS
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contact_blocks import ContactBlocks
@@ -36,7 +36,8 @@ def color_contacts(
     scratch: the colours that each body's contacts have. Only active bodies count: others are read by the solver but
     not changed. A contact that finds no free colour gets `MAX_COLORS`, the colour of those that are solved one by one;
     one among sleeping bodies or of another substep level gets -1 and is not solved. Contacts of unsettled bodies have
-    colours of their own below `SETTLED`, which is added to those of all others.
+    colours of their own below `SETTLED`, which is added to those of all others. Contacts that find no colour get
+    further ones in `fill_blocks`, if there are enough of them.
     """
     taken = solver.colors
     rows = contacts.active[1 : 1 + contacts.active[0]]
@@ -54,7 +55,7 @@ def color_contacts(
             blocks.colors[k] = -1
             continue
         both = (taken[a] if moves_a else 0) | (taken[b] if moves_b else 0)
-        color = _lowest_free(both)
+        color = lowest_free(both)
         blocks.colors[k] = color if both & UNSETTLED else color + SETTLED
         highest = color if color > highest else highest
         if color < MAX_COLORS:
@@ -66,52 +67,10 @@ def color_contacts(
 
 
 @inlined_kernel
-def _lowest_free(taken: int) -> int:
+def lowest_free(taken: int) -> int:
     """Lowest colour that is not in a set. A table, as nobody can guess when a loop over its bits ends."""
     color = FREE[taken & 0xFF]
     if color == 8:
         while color < MAX_COLORS and (taken >> color) & 1:
             color += 1
     return color
-
-
-@kernel
-def fill_blocks(contacts: Contacts, blocks: ContactBlocks) -> tuple[int, int]:
-    """Order contacts by colour into slots and cut every colour into blocks.
-
-    Returns how many blocks that takes, and how many of them, the first ones, are of unsettled bodies.
-    """
-    rows = contacts.active[1 : 1 + contacts.active[0]]
-    heads = blocks.heads
-    for c in range(2 * SETTLED + 1):
-        heads[c] = 0
-    for k in range(rows.shape[0]):
-        if blocks.colors[k] >= 0:
-            heads[blocks.colors[k]] += 1
-    total = 0
-    for c in range(2 * SETTLED + 1):
-        total += heads[c]
-        heads[c] = total
-    for k in range(rows.shape[0] - 1, -1, -1):
-        if blocks.colors[k] < 0:
-            continue
-        heads[blocks.colors[k]] -= 1
-        slot = blocks.slots[heads[blocks.colors[k]]]
-        slot.contact = rows[k]
-        slot.body_a = contacts.now[rows[k]].body_a
-        slot.body_b = contacts.now[rows[k]].body_b
-    used = unsettled = 0
-    for c in range(2 * SETTLED):
-        blocks.starts[c] = used
-        first = heads[c]
-        while first < heads[c + 1]:
-            left = heads[c + 1] - first
-            block = blocks.blocks[used]
-            block.first = first
-            block.serial = 1 if c % SETTLED == MAX_COLORS else 0
-            block.count = left if left < LANES else LANES
-            first += block.count
-            used += 1
-        unsettled = used if c < SETTLED else unsettled
-    blocks.starts[2 * SETTLED] = used
-    return used, unsettled

@@ -206,7 +206,8 @@ def _blocks(pairs: int) -> ContactBlocks:
         colors=np.zeros(pairs, np.int64),
         lanes=aligned_zeros(blocks * BLOCK_SIZE, np.float64),
         heads=np.zeros(2 * SETTLED + 1, np.int64),
-        starts=np.zeros(2 * SETTLED + 1, np.int64),
+        further=np.zeros(2 * SETTLED, np.int64),
+        starts=np.zeros(blocks + 2, np.int64),
         impacts=SLOT.zeros(pairs),
     )
 

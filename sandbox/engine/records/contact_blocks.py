@@ -30,8 +30,9 @@ BLOCK = Table(
 class ContactBlocks(NamedTuple):
     """Contact constraints laid out for the solver, see `blocks`.
 
-    `colors` has the colour of each active contact, `starts` the first block of each colour and behind them the number
-    of blocks; `heads` is scratch of the counting sort by colour. `impacts` has the contacts that may have an impact.
+    `colors` has the colour of each active contact, `starts` first how many ranges of one colour the blocks fall into,
+    then the first block of each and behind them the number of blocks; `heads` and `further` are scratch of the counting
+    sorts by colour. `impacts` has the contacts that may have an impact.
     """
 
     slots: Records
@@ -40,6 +41,7 @@ class ContactBlocks(NamedTuple):
     lanes: Floats
     starts: Integers
     heads: Integers
+    further: Integers
     impacts: Records
 
 

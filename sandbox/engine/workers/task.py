@@ -56,7 +56,7 @@ def next_part(workers: Workers, first: int, end: int) -> tuple[int, int]:
 @inlined_kernel
 def color_count(workers: Workers, blocks: ContactBlocks) -> int:
     """Into how many ranges blocks fall that are done one after the other: colours, or one if nobody shares them."""
-    return 1 if workers.words[SIZE] == 1 else blocks.starts.shape[0] - 1
+    return 1 if workers.words[SIZE] == 1 else blocks.starts[0]
 
 
 @inlined_kernel
@@ -65,8 +65,8 @@ def first_part_of_color(workers: Workers, task: int, blocks: ContactBlocks, colo
     size = workers.words[SIZE]
     if size == 1:
         return 0, count
-    first = blocks.starts[color]
-    end = blocks.starts[color + 1] if blocks.starts[color + 1] < count else count
+    first = blocks.starts[1 + color]
+    end = blocks.starts[2 + color] if blocks.starts[2 + color] < count else count
     if first >= end:
         return 0, 0
     grain = end - first if blocks.blocks[first].serial == 1 else (end - first) // (_SHARES * size)
