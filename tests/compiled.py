@@ -86,6 +86,8 @@ def _others() -> None:
     Paused(World(busy.scene())).detect()
     _once(solve_continuous, busy.scene())
     _once(apply_fields, floating.scene())
+    for of in (busy.scene(), jointed.scene()):
+        World(of, 2).step()
     pair = pair_of(Box(1.0, 1.0), Box(1.0, 1.0, (2.0, 0.0)))
     pair.manifold(0.0)
     pair.nearest()

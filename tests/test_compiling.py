@@ -91,6 +91,7 @@ def test_what_is_not_there_weighs_nothing() -> None:
 def test_each_kernel_is_told_of_and_the_weights_add_up(monkeypatch: pytest.MonkeyPatch) -> None:
     lines: list[str] = []
     monkeypatch.setattr(_compiling, "tell", lines.append)
+    monkeypatch.setattr("sandbox._linking.tell", lines.append)
     monkeypatch.setattr("sandbox._jit.kept_file", lambda *_: None)
     fresh = entry_point(top.py_func)  # type: ignore[attr-defined]
     assert fresh(3) == 16
