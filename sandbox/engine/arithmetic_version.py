@@ -17,8 +17,8 @@ NOTES: dict[int, str] = {
     "its side",
     10: "a body that hangs by one hinge weighs on a pile only what the law of the lever says; impulses fit when an "
     "island's substeps change; only contacts of bodies that overlap deeply take eight relax passes",
-    11: "what is pressed into something immovable slides on along it in mid-step, where it stood still before; contacts "
-    "that find none of 62 colours get further ones, where they were solved one by one",
+    11: "what is pressed into something immovable slides on along it in mid-step, where it stood still before; "
+    "contacts that find none of 62 colours get further ones, where they were solved one by one",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

@@ -138,4 +138,4 @@ def _kept_lanes(work: JointWork, places: _Places) -> HingeLanes:
         return lanes
     hinges = _kept(lanes.hinges, "hinges", places, {"members": ("member_a", "member_b")})
     blocks = _kept(lanes.blocks, "blocks", places, {"hinges": ("first",)})
-    return HingeLanes(hinges, blocks, aligned_zeros(len(blocks) * HINGE_BLOCK_SIZE, np.float64), lanes.gathered)
+    return HingeLanes(hinges, blocks, aligned_zeros(len(blocks) * HINGE_BLOCK_SIZE, np.float64))

@@ -19,6 +19,7 @@ from sandbox.engine.joints.joint_bodies import place_members
 from sandbox.engine.joints.laws import CORRECTION_SPEED, INFINITE
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.joints.targets import pair_strength, target_softly
+from sandbox.engine.records.workers import Workers
 from sandbox.tables import Records
 
 SWEEPS = 480.0
@@ -33,7 +34,9 @@ FAR = 0.5
 
 
 @kernel
-def solve_softly(work: JointWork, part: Records, motions: Records, seconds: float, pushing: bool) -> None:
+def solve_softly(
+    work: JointWork, part: Records, motions: Records, seconds: float, pushing: bool, workers: Workers
+) -> None:
     """Sweep over the rows of a part: before the move with their push (`pushing`), and after it without."""
     place_members(work, part, motions)
     if part.swept == 1:
@@ -45,12 +48,12 @@ def solve_softly(work: JointWork, part: Records, motions: Records, seconds: floa
     most = CORRECTION_SPEED / push if pushing else 0.0
     if pushing:
         _warm_start(work, part, seconds)
-        warm_start_hinges(work, part, seconds, FAR)
+        warm_start_hinges(work, part, seconds, FAR, workers)
     for sweep in range(_sweeps(seconds)):
         if part.swept == 1:
             _sweep_rows(work, part, seconds, push, give, sweep % 2 == 1)
             _cap_pairs(work, part, seconds)
-        sweep_hinges(work, part, SoftHinge(push, most, give), sweep % 2 == 1)
+        sweep_hinges(work, part, SoftHinge(push, most, give), sweep % 2 == 1, workers)
 
 
 @kernel

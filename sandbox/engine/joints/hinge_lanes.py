@@ -51,7 +51,6 @@ COS_A = 8 * LANES
 SIN_A = 9 * LANES
 COS_B = 10 * LANES
 SIN_B = 11 * LANES
-GATHERED = 12 * LANES
 
 HINGE = Table(
     "hinge",
@@ -68,17 +67,18 @@ HINGE_BLOCK = Table(
     (
         Field("first", "-", "its first hinge", "i8"),
         Field("count", "-", "lanes in use, 1..64", "i8"),
+        Field("before", "-", "blocks of the same part and colour before it", "i8"),
+        Field("left", "-", "blocks of them from it on", "i8"),
     ),
 )
 
 
 class HingeLanes(NamedTuple):
-    """The hinges of nets; `gathered` has the members of a block."""
+    """The hinges of nets."""
 
     hinges: Records
     blocks: Records
     lanes: Floats
-    gathered: Floats
 
 
 def lay_hinges(joints: Records, members: Records, constraints: Records, parts: Records) -> HingeLanes:
@@ -107,7 +107,7 @@ def lay_hinges(joints: Records, members: Records, constraints: Records, parts: R
     parts.first_block = np.searchsorted(of_part, np.arange(len(parts)))
     parts.block_end = np.searchsorted(of_part, np.arange(len(parts)), side="right")
     lanes = aligned_zeros(len(blocks) * HINGE_BLOCK_SIZE, np.float64)
-    return HingeLanes(hinges, blocks, lanes, aligned_zeros(GATHERED, np.float64))
+    return HingeLanes(hinges, blocks, lanes)
 
 
 def _colors(members: Records, hinges: Records) -> Integers:
@@ -134,4 +134,7 @@ def _blocks(part: Integers, color: Integers) -> Records:
     first = np.flatnonzero(since % LANES == 0)
     table = HINGE_BLOCK.zeros(len(first))
     table.first, table.count = first, np.diff([*first, count])
+    table.before = since[first] // LANES
+    last = np.append(table.before[1:] == 0, True)[: len(first)]
+    table.left = np.repeat(table.before[last] + 1, table.before[last] + 1) - table.before
     return table

@@ -10,6 +10,9 @@ from sandbox.engine.contact_solver.blocks import LANES
 from sandbox.engine.joints import hinge_lanes as hl
 from sandbox.engine.joints.hinge_lanes import HINGE_BLOCK_SIZE, HingeLanes
 from sandbox.engine.joints.records import JointWork
+from sandbox.engine.records.workers import Workers
+from sandbox.engine.workers.task import first_part, next_part
+from sandbox.engine.workers.tasks import FASTEST, GIVE, MOST, PUSH, SWEEP_HINGES, WARM_START_HINGES
 from sandbox.tables import Floats, Records
 
 
@@ -62,27 +65,62 @@ def load_hinges(work: JointWork) -> None:
 
 
 @kernel
-def warm_start_hinges(work: JointWork, part: Records, seconds: float, far: float) -> None:
+def warm_start_hinges(work: JointWork, part: Records, seconds: float, far: float, workers: Workers) -> None:
     """Apply the impulses of the substep before, but at what turns by more than `far` rad in this one."""
+    workers.numbers[FASTEST] = far / seconds
     h = work.side_by_side
-    for n in range(part.first_block, part.block_end):
-        v = h.lanes[n * HINGE_BLOCK_SIZE : (n + 1) * HINGE_BLOCK_SIZE]
-        _gather(work.members, h, h.blocks[n])
-        _warm_start_lanes(v, h.gathered, far / seconds)
-        _scatter(work.members, h, h.blocks[n])
+    at = part.first_block
+    while at < part.block_end:
+        stop = at + h.blocks[at].left
+        first, end = first_part(workers, WARM_START_HINGES, at, stop)
+        while first < end:
+            warm_start_hinge_blocks(h, work.members, first, end, far / seconds, workers.gathered)
+            first, end = next_part(workers, first, end)
+        at = stop
 
 
 @kernel
-def sweep_hinges(work: JointWork, part: Records, soft: SoftHinge, backwards: bool) -> None:
-    """One sweep over the hinges of a part."""
-    h = work.side_by_side
-    count = part.block_end - part.first_block
-    for i in range(count):
-        n = part.block_end - 1 - i if backwards else part.first_block + i
+def warm_start_hinge_blocks(
+    h: HingeLanes, members: Records, first: int, end: int, fastest: float, gathered: Floats
+) -> None:
+    """The same for blocks of one colour, but at what turns faster than `fastest` rad/s. `gathered` is scratch."""
+    for n in range(first, end):
         v = h.lanes[n * HINGE_BLOCK_SIZE : (n + 1) * HINGE_BLOCK_SIZE]
-        _gather(work.members, h, h.blocks[n])
-        _sweep_lanes(v, h.gathered, soft)
-        _scatter(work.members, h, h.blocks[n])
+        _gather(members, h, h.blocks[n], gathered)
+        _warm_start_lanes(v, gathered, fastest)
+        _scatter(members, h, h.blocks[n], gathered)
+
+
+@kernel
+def sweep_hinges(work: JointWork, part: Records, soft: SoftHinge, backwards: bool, workers: Workers) -> None:
+    """One sweep over the hinges of a part: colour after colour, or from the last colour on."""
+    n = workers.numbers
+    n[PUSH] = soft.push
+    n[MOST] = soft.most
+    n[GIVE] = soft.give
+    h = work.side_by_side
+    done = part.first_block
+    while done < part.block_end:
+        last = part.first_block + part.block_end - 1 - done
+        at = last - h.blocks[last].before if backwards else done
+        stop = last + 1 if backwards else done + h.blocks[done].left
+        first, end = first_part(workers, SWEEP_HINGES, at, stop)
+        while first < end:
+            sweep_hinge_blocks(h, work.members, first, end, soft, workers.gathered)
+            first, end = next_part(workers, first, end)
+        done += stop - at
+
+
+@kernel
+def sweep_hinge_blocks(
+    h: HingeLanes, members: Records, first: int, end: int, soft: SoftHinge, gathered: Floats
+) -> None:
+    """The same for blocks of one colour. `gathered` is scratch."""
+    for n in range(first, end):
+        v = h.lanes[n * HINGE_BLOCK_SIZE : (n + 1) * HINGE_BLOCK_SIZE]
+        _gather(members, h, h.blocks[n], gathered)
+        _sweep_lanes(v, gathered, soft)
+        _scatter(members, h, h.blocks[n], gathered)
 
 
 @kernel
@@ -118,8 +156,7 @@ def report_hinges(work: JointWork, part: Records, seconds: float, counter: Recor
 
 
 @kernel
-def _gather(members: Records, h: HingeLanes, block: Records) -> None:
-    g = h.gathered
+def _gather(members: Records, h: HingeLanes, block: Records, g: Floats) -> None:
     for k in range(block.count):
         hinge = h.hinges[block.first + k]
         a = members[hinge.member_a]
@@ -139,8 +176,7 @@ def _gather(members: Records, h: HingeLanes, block: Records) -> None:
 
 
 @kernel
-def _scatter(members: Records, h: HingeLanes, block: Records) -> None:
-    g = h.gathered
+def _scatter(members: Records, h: HingeLanes, block: Records, g: Floats) -> None:
     for k in range(block.count):
         hinge = h.hinges[block.first + k]
         a = members[hinge.member_a]

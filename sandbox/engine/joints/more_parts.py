@@ -83,5 +83,5 @@ def _with_more_lanes(lanes: HingeLanes, more: HingeLanes, members: int) -> Hinge
     count = len(lanes.blocks) + len(blocks)
     return HingeLanes(
         extended(lanes.hinges, hinges), extended(lanes.blocks, blocks),
-        aligned_zeros(count * HINGE_BLOCK_SIZE, np.float64), lanes.gathered,
+        aligned_zeros(count * HINGE_BLOCK_SIZE, np.float64),
     )  # fmt: skip

@@ -62,7 +62,7 @@ def solve_joints(work: JointWork, motions: Records, free_motions: Records, secon
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
         if part.current == 1 and part.direct == 0:
-            solve_softly(work, part, motions, seconds, True)
+            solve_softly(work, part, motions, seconds, True, workers)
     scatter_members(work, motions)
     solve_batches(work.direct, motions, free_motions, seconds, SOLVE_BATCHES, workers)
 
@@ -81,7 +81,7 @@ def relax_joints(work: JointWork, motions: Records, free_motions: Records, secon
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
         if part.current == 1 and part.direct == 0:
-            solve_softly(work, part, motions, seconds, False)
+            solve_softly(work, part, motions, seconds, False, workers)
             accumulate(work, part)
             accumulate_hinges(work, part)
     scatter_members(work, motions)

@@ -13,6 +13,7 @@ from sandbox.engine.contact_solver.solve import solve_blocks
 from sandbox.engine.contact_solver.store import store_blocks
 from sandbox.engine.contact_solver.warm_start import warm_start_blocks
 from sandbox.engine.joints.direct.solve import solve_some_batches
+from sandbox.engine.joints.hinges import SoftHinge, sweep_hinge_blocks, warm_start_hinge_blocks
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.narrow_phase.decide_pairs import decide_pairs
 from sandbox.engine.narrow_phase.write_contacts import write_contacts
@@ -27,17 +28,23 @@ from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.task import CLOSED, FIRST_PAIR, TASK, look_again, note_done, take
 from sandbox.engine.workers.tasks import (
     DECIDE_PAIRS,
+    FASTEST,
+    GIVE,
     GRAVITY,
     IMPACTS,
     INTEGRATE_POSITIONS,
     INTEGRATE_VELOCITIES,
     LEVEL,
+    MOST,
     PREPARE_CONTACTS,
+    PUSH,
     SECONDS,
     SOLVE_BATCHES,
     SOLVE_CONTACTS,
     STORE_IMPULSES,
+    SWEEP_HINGES,
     WARM_START,
+    WARM_START_HINGES,
     WRITE_CONTACTS,
     told_soft,
 )
@@ -66,6 +73,8 @@ def serve(
                 _do_pairs(state, colliders, grid, contacts, workers, decisions, first, end)
             elif words[TASK] < SOLVE_BATCHES:
                 _do_bodies(state, active, solver, contacts, blocks, workers, first, end)
+            elif joints is not None and words[TASK] >= WARM_START_HINGES:
+                _do_hinges(joints, workers, first, end)
             elif joints is not None:
                 free_motions, seconds = solver.free_motions, workers.numbers[SECONDS]
                 d = joints.direct
@@ -95,6 +104,19 @@ def _do_pairs(
         decide_pairs(state, colliders, pairs, contacts.before, decisions, workers.number, first, end)
     else:
         write_contacts(colliders.proxies, pairs, contacts, decisions, first, end)
+
+
+@kernel
+def _do_hinges(joints: JointWork, workers: Workers, first: int, end: int) -> None:
+    """Do a task for the hinges of a net."""
+    n = workers.numbers
+    h = joints.side_by_side
+    gathered = workers.gathered[workers.number * GATHER_SIZE :]
+    if workers.words[TASK] == SWEEP_HINGES:
+        soft = SoftHinge(n[PUSH], n[MOST], n[GIVE])
+        sweep_hinge_blocks(h, joints.members, first, end, soft, gathered)
+    else:
+        warm_start_hinge_blocks(h, joints.members, first, end, n[FASTEST], gathered)
 
 
 @kernel

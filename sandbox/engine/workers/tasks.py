@@ -17,12 +17,18 @@ INTEGRATE_VELOCITIES = 8
 INTEGRATE_POSITIONS = 9
 SOLVE_BATCHES = 10
 RELAX_BATCHES = 11
+WARM_START_HINGES = 12
+SWEEP_HINGES = 13
 
 # Places in `Workers.numbers`; the fields of `SoftContact` come first.
 SECONDS = 6
 GRAVITY = 7
 LEVEL = 8
 IMPACTS = 9
+FASTEST = 10
+PUSH = 11
+MOST = 12
+GIVE = 13
 
 
 @kernel
