@@ -20,9 +20,9 @@ from sandbox.engine.contact_solver.closing_speed import HARD, closes_hard
 from sandbox.engine.contact_solver.law import anchors_of, relative_velocity, separation_of
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contacts import Contacts
-from sandbox.engine.restitution.impulses import apply_friction, apply_normal_impulse, free_velocity, start_velocity
+from sandbox.engine.restitution.elastic import strike_elastic
+from sandbox.engine.restitution.impulses import free_velocity, start_velocity
 from sandbox.engine.restitution.inelastic import speed_to_lose, stop_inelastic
-from sandbox.engine.restitution.two_point_block import pair_impulses
 from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC
 
@@ -174,16 +174,7 @@ def _strike(bodies: Records, solver: SolverBodies, contact: Records, threshold: 
     if contact.restitution == 0.0:
         stop_inelastic(bodies, solver, contact, change1, change2)
         return True
-    impulse1, impulse2 = pair_impulses(bodies[contact.body_a], bodies[contact.body_b], contact, change1, change2)
-    contact.impact_impulse += impulse1 + impulse2
-    for point in range(1, 3):
-        impulse = impulse1 if point == 1 else impulse2
-        if impulse > 0.0:
-            apply_normal_impulse(bodies, solver, contact, impulse, point)
-    for point in range(1, 3):
-        impulse = impulse1 if point == 1 else impulse2
-        if impulse > 0.0:
-            apply_friction(bodies, solver, contact, impulse, 0.0, point)
+    strike_elastic(bodies, solver, contact, change1, change2)
     return True
 
 

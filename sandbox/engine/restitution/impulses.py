@@ -1,55 +1,87 @@
-"""What the impact of one contact does to its two bodies: along the normal, and by friction along the tangent."""
+"""What the impact of one contact does to its two bodies: along the normal, and by friction along the tangent.
+
+Their velocities are taken out of the tables once, changed by all impulses of the impact, and put back.
+"""
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
+from typing import NamedTuple
+
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.contact_solver.law import (
     Anchors,
+    PairMass,
     PairVelocity,
     anchors_of,
+    apply_impulse,
     clamp_to_cone,
     effective_mass,
     pair_mass,
     relative_velocity,
     separation_of,
-    velocity_change,
 )
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.tables import Records
 
 
-@kernel
-def apply_normal_impulse(bodies: Records, solver: SolverBodies, contact: Records, impulse: float, point: int) -> None:
-    """Apply a normal impulse (N s) at point 1 or 2."""
-    r = _touching_anchors(bodies[contact.body_a], bodies[contact.body_b], contact, point)
-    _apply(bodies, solver, contact, r, impulse * contact.normal_x, impulse * contact.normal_y)
+class Struck(NamedTuple):
+    """Velocities of two bodies that an impact changes alike: at the start of the substep and free at its end."""
+
+    start: PairVelocity
+    free: PairVelocity
+
+
+class Rub(NamedTuple):
+    """Where and how a point rubs: its anchors on both surfaces (m), the effective mass (kg) along the tangent."""
+
+    anchors: Anchors
+    tangent_x: float
+    tangent_y: float
+    mass: float
+
+
+@inlined_kernel
+def take(free_motions: Records, contact: Records) -> Struck:
+    """The velocities of a contact's bodies, impacts so far included."""
+    return Struck(start_velocity(free_motions, contact), free_velocity(free_motions, contact))
 
 
 @kernel
-def apply_friction(
-    bodies: Records, solver: SolverBodies, contact: Records, load: float, before: float, point: int
-) -> float:
-    """Coulomb friction of the impact: stop the sliding at a point, as far as the normal impulse `load` (N s) allows.
+def put_back(solver: SolverBodies, contact: Records, struck: Struck) -> None:
+    """Make the velocities after an impact those of the bodies, for the solver too."""
+    v = struck.start
+    u = struck.free
+    _write(solver.motions[contact.body_a], solver.free_motions[contact.body_a], v.ax, v.ay, v.aw, u.ax, u.ay, u.aw)
+    _write(solver.motions[contact.body_b], solver.free_motions[contact.body_b], v.bx, v.by, v.bw, u.bx, u.by, u.bw)
 
-    `before` (N s) has been applied already; returns what has been after this.
-    """
-    if contact.friction <= 0.0:
-        return 0.0
-    a = bodies[contact.body_a]
-    b = bodies[contact.body_b]
+
+@inlined_kernel
+def push(struck: Struck, mass: PairMass, r: Anchors, px: float, py: float) -> Struck:
+    """The velocities after the impulse (px, py) N s on b at its anchor and the opposite on a at its own."""
+    return Struck(apply_impulse(struck.start, mass, r, px, py), apply_impulse(struck.free, mass, r, px, py))
+
+
+@inlined_kernel
+def rub_of(a: Records, b: Records, contact: Records, point: int) -> Rub:
+    """Where point 1 or 2 of a contact between bodies a and b rubs."""
     r = _touching_anchors(a, b, contact, point)
     tx = contact.normal_y
     ty = -contact.normal_x
-    vx, vy = relative_velocity(start_velocity(solver.free_motions, contact), r)
-    speed = vx * tx + vy * ty - contact.surface_speed
-    mass = effective_mass(pair_mass(a, b), r, tx, ty)
-    after = clamp_to_cone(before - mass * speed, contact.friction * load)
-    impulse = after - before
-    _apply(bodies, solver, contact, r, impulse * tx, impulse * ty)
-    return float(after)
+    return Rub(r, tx, ty, effective_mass(pair_mass(a, b), r, tx, ty))
 
 
-@kernel
+@inlined_kernel
+def friction_impulse(struck: Struck, rub: Rub, surface_speed: float, limit: float, before: float) -> float:
+    """Coulomb friction of the impact: the tangent impulse (N s) that stops the sliding, as far as `limit` allows.
+
+    `before` (N s) has been applied already, and is part of what is returned.
+    """
+    vx, vy = relative_velocity(struck.start, rub.anchors)
+    speed = vx * rub.tangent_x + vy * rub.tangent_y - surface_speed
+    return float(clamp_to_cone(before - rub.mass * speed, limit))
+
+
+@inlined_kernel
 def start_velocity(free_motions: Records, contact: Records) -> PairVelocity:
     """The velocities of a contact's bodies at the start of the substep, impacts so far included."""
     a = free_motions[contact.body_a]
@@ -57,7 +89,7 @@ def start_velocity(free_motions: Records, contact: Records) -> PairVelocity:
     return PairVelocity(a.start_x, a.start_y, a.start_w, b.start_x, b.start_y, b.start_w)
 
 
-@kernel
+@inlined_kernel
 def free_velocity(free_motions: Records, contact: Records) -> PairVelocity:
     """The velocities of a contact's bodies at the end of the substep if nothing else touches them."""
     a = free_motions[contact.body_a]
@@ -65,7 +97,7 @@ def free_velocity(free_motions: Records, contact: Records) -> PairVelocity:
     return PairVelocity(a.free_x, a.free_y, a.free_w, b.free_x, b.free_y, b.free_w)
 
 
-@kernel
+@inlined_kernel
 def _touching_anchors(a: Records, b: Records, contact: Records, point: int) -> Anchors:
     """Anchors (m) of a point on both surfaces, from the centres of a and b.
 
@@ -83,25 +115,14 @@ def _touching_anchors(a: Records, b: Records, contact: Records, point: int) -> A
     return Anchors(r.ax - x, r.ay - y, r.bx + x, r.by + y)
 
 
-@kernel
-def _apply(bodies: Records, solver: SolverBodies, contact: Records, r: Anchors, px: float, py: float) -> None:
-    """Apply the impulse (px, py) N s to b at its anchor and the opposite to a at its own."""
-    ia = contact.body_a
-    ib = contact.body_b
-    change = velocity_change(pair_mass(bodies[ia], bodies[ib]), r, px, py)
-    _add(solver.motions[ia], solver.free_motions[ia], change.ax, change.ay, change.aw)
-    _add(solver.motions[ib], solver.free_motions[ib], change.bx, change.by, change.bw)
-
-
-@kernel
-def _add(motion: Records, free_motion: Records, x: float, y: float, w: float) -> None:
-    """Change a body's velocity at the start of the substep and everything derived from it."""
-    free_motion.start_x += x
-    free_motion.start_y += y
-    free_motion.start_w += w
-    free_motion.free_x += x
-    free_motion.free_y += y
-    free_motion.free_w += w
-    motion.velocity_x = free_motion.free_x
-    motion.velocity_y = free_motion.free_y
-    motion.angular_velocity = free_motion.free_w
+@inlined_kernel
+def _write(
+    motion: Records, free_motion: Records, x: float, y: float, w: float, free_x: float, free_y: float, free_w: float
+) -> None:
+    """Write a body's velocities at the start of the substep and at its end."""
+    free_motion.start_x = x
+    free_motion.start_y = y
+    free_motion.start_w = w
+    free_motion.free_x = motion.velocity_x = free_x
+    free_motion.free_y = motion.velocity_y = free_y
+    free_motion.free_w = motion.angular_velocity = free_w

@@ -6,11 +6,11 @@ that accumulate and never pull. A normal round is the last, so that nothing leav
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
-from sandbox.engine.contact_solver.law import anchors_of, relative_velocity
+from sandbox._jit import inlined_kernel, kernel
+from sandbox.engine.contact_solver.law import Anchors, anchors_of, pair_mass, relative_velocity
 from sandbox.engine.records.bodies import SolverBodies
-from sandbox.engine.restitution.impulses import apply_friction, apply_normal_impulse, start_velocity
-from sandbox.engine.restitution.two_point_block import pair_impulses
+from sandbox.engine.restitution.impulses import Struck, friction_impulse, push, put_back, rub_of, take
+from sandbox.engine.restitution.two_point_block import one_point, pair_impulses, two_points
 from sandbox.tables import Records
 
 _ROUNDS = 16
@@ -34,31 +34,57 @@ def speed_to_lose(gap: float, start: float, other_end: float, seconds: float) ->
 
 @kernel
 def stop_inelastic(bodies: Records, solver: SolverBodies, contact: Records, change1: float, change2: float) -> None:
-    """Apply the normal impulses that give the wanted changes, and the friction that belongs to them."""
+    """Apply the normal impulses that give the wanted changes, and the friction that belongs to them.
+
+    A round that changes no impulse is the last: the next ones would not either.
+    """
     a = bodies[contact.body_a]
     b = bodies[contact.body_b]
+    mass = pair_mass(a, b)
+    nx = contact.normal_x
+    ny = contact.normal_y
+    r1 = anchors_of(contact, 1)
+    r2 = anchors_of(contact, 2)
+    block = two_points(contact, mass, r1, r2) if contact.point_count == 2 else one_point(contact, mass, r1)
+    rub1 = rub_of(a, b, contact, 1)
+    rub2 = rub_of(a, b, contact, 2)
+    friction = contact.friction
+    surface_speed = contact.surface_speed
+    struck = take(solver.free_motions, contact)
     load1 = load2 = drag1 = drag2 = 0.0
     for turn in range(_ROUNDS):
-        new1, new2 = pair_impulses(a, b, contact, change1, change2)
-        apply_normal_impulse(bodies, solver, contact, new1 - load1, 1)
-        apply_normal_impulse(bodies, solver, contact, new2 - load2, 2)
+        new1, new2 = pair_impulses(block, change1, change2)
+        same = new1 == load1 and new2 == load2
+        impulse = new1 - load1
+        struck = push(struck, mass, rub1.anchors, impulse * nx, impulse * ny)
+        impulse = new2 - load2
+        struck = push(struck, mass, rub2.anchors, impulse * nx, impulse * ny)
         load1 = new1
         load2 = new2
-        if contact.friction <= 0.0 or turn == _ROUNDS - 1:
+        if friction <= 0.0 or turn == _ROUNDS - 1:
             break
-        before1 = _normal_speed(solver.free_motions, contact, 1)
-        before2 = _normal_speed(solver.free_motions, contact, 2)
-        drag1 = apply_friction(bodies, solver, contact, load1, drag1, 1)
-        drag2 = apply_friction(bodies, solver, contact, load2, drag2, 2)
+        before1 = _normal_speed(struck, r1, nx, ny)
+        before2 = _normal_speed(struck, r2, nx, ny)
+        new1 = friction_impulse(struck, rub1, surface_speed, friction * load1, drag1)
+        impulse = new1 - drag1
+        struck = push(struck, mass, rub1.anchors, impulse * rub1.tangent_x, impulse * rub1.tangent_y)
+        new2 = friction_impulse(struck, rub2, surface_speed, friction * load2, drag2)
+        impulse = new2 - drag2
+        struck = push(struck, mass, rub2.anchors, impulse * rub2.tangent_x, impulse * rub2.tangent_y)
+        if same and new1 == drag1 and new2 == drag2:
+            break
+        drag1 = new1
+        drag2 = new2
         if change1 > 0.0:
-            change1 += before1 - _normal_speed(solver.free_motions, contact, 1)
+            change1 += before1 - _normal_speed(struck, r1, nx, ny)
         if change2 > 0.0:
-            change2 += before2 - _normal_speed(solver.free_motions, contact, 2)
+            change2 += before2 - _normal_speed(struck, r2, nx, ny)
+    put_back(solver, contact, struck)
     contact.impact_impulse += load1 + load2
 
 
-@kernel
-def _normal_speed(free_motions: Records, contact: Records, point: int) -> float:
+@inlined_kernel
+def _normal_speed(struck: Struck, r: Anchors, nx: float, ny: float) -> float:
     """Speed (m/s) at which a point of b leaves that of a."""
-    x, y = relative_velocity(start_velocity(free_motions, contact), anchors_of(contact, point))
-    return float(x * contact.normal_x + y * contact.normal_y)
+    x, y = relative_velocity(struck.start, r)
+    return float(x * nx + y * ny)

@@ -5,45 +5,66 @@ E. Catto, "Iterative Dynamics with Temporal Coherence", GDC 2005, solves two poi
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
-from sandbox.engine.contact_solver.law import anchors_of, effective_mass, pair_mass
+from typing import NamedTuple
+
+from sandbox._jit import inlined_kernel
+from sandbox.engine.contact_solver.law import Anchors, PairMass, effective_mass
 from sandbox.tables import Records
 
 _SINGULAR = 1e-9
 
 
-@kernel
-def pair_impulses(a: Records, b: Records, contact: Records, change1: float, change2: float) -> tuple[float, float]:
-    """Normal impulses (N s) at the two points that give both wanted changes, none of them pulling."""
-    mass = pair_mass(a, b)
-    r1 = anchors_of(contact, 1)
-    r2 = anchors_of(contact, 2)
+class Block(NamedTuple):
+    """Effective masses (kg) of two points along the normal, and the matrix (1/kg) of both with its determinant."""
+
+    mass1: float
+    mass2: float
+    k11: float
+    k12: float
+    k22: float
+    determinant: float
+
+
+@inlined_kernel
+def one_point(contact: Records, mass: PairMass, r1: Anchors) -> Block:
+    """The block of a contact that has but point 1."""
+    return Block(effective_mass(mass, r1, contact.normal_x, contact.normal_y), 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+@inlined_kernel
+def two_points(contact: Records, mass: PairMass, r1: Anchors, r2: Anchors) -> Block:
+    """The block of two points of bodies with these masses."""
     nx = contact.normal_x
     ny = contact.normal_y
     mass1 = effective_mass(mass, r1, nx, ny)
-    if change1 <= 0.0 and change2 <= 0.0:
-        return 0.0, 0.0
-    if change2 <= 0.0:
-        return mass1 * change1, 0.0
     mass2 = effective_mass(mass, r2, nx, ny)
-    if change1 <= 0.0:
-        return 0.0, mass2 * change2
-    if mass1 <= 0.0 or mass2 <= 0.0:
-        return 0.0, 0.0
-    k11 = 1.0 / mass1
-    k22 = 1.0 / mass2
+    k11 = 1.0 / mass1 if mass1 > 0.0 else 0.0
+    k22 = 1.0 / mass2 if mass2 > 0.0 else 0.0
     turn_a1 = r1.ax * ny - r1.ay * nx
     turn_a2 = r2.ax * ny - r2.ay * nx
     turn_b1 = r1.bx * ny - r1.by * nx
     turn_b2 = r2.bx * ny - r2.by * nx
     k12 = mass.mass_a + mass.mass_b
     k12 = k12 + mass.inertia_a * turn_a1 * turn_a2 + mass.inertia_b * turn_b1 * turn_b2
-    determinant = k11 * k22 - k12 * k12
-    if determinant > _SINGULAR * k11 * k22:
-        impulse1 = (k22 * change1 - k12 * change2) / determinant
-        impulse2 = (k11 * change2 - k12 * change1) / determinant
+    return Block(mass1, mass2, k11, k12, k22, k11 * k22 - k12 * k12)
+
+
+@inlined_kernel
+def pair_impulses(block: Block, change1: float, change2: float) -> tuple[float, float]:
+    """Normal impulses (N s) at the two points that give both wanted changes, none of them pulling."""
+    if change1 <= 0.0 and change2 <= 0.0:
+        return 0.0, 0.0
+    if change2 <= 0.0:
+        return block.mass1 * change1, 0.0
+    if change1 <= 0.0:
+        return 0.0, block.mass2 * change2
+    if block.mass1 <= 0.0 or block.mass2 <= 0.0:
+        return 0.0, 0.0
+    if block.determinant > _SINGULAR * block.k11 * block.k22:
+        impulse1 = (block.k22 * change1 - block.k12 * change2) / block.determinant
+        impulse2 = (block.k11 * change2 - block.k12 * change1) / block.determinant
         if impulse1 >= 0.0 and impulse2 >= 0.0:
             return impulse1, impulse2
     if change1 >= change2:
-        return mass1 * change1, 0.0
-    return 0.0, mass2 * change2
+        return block.mass1 * change1, 0.0
+    return 0.0, block.mass2 * change2
