@@ -31,6 +31,8 @@ _HALF = 32
 _LOWER = (1 << _HALF) - 1
 _PATIENCE = 1000
 """So many looks take some microseconds."""
+_FEW = 6
+"""Fewer blocks of a colour than this one worker does by itself: the others would fetch them from its cache."""
 _SHARES = 4
 """Parts for each worker: enough to even out that some take longer than others."""
 
@@ -69,7 +71,8 @@ def first_part_of_color(workers: Workers, task: int, blocks: ContactBlocks, colo
     end = blocks.starts[2 + color] if blocks.starts[2 + color] < count else count
     if first >= end:
         return 0, 0
-    grain = end - first if blocks.blocks[first].serial == 1 else (end - first) // (_SHARES * size)
+    alone = blocks.blocks[first].serial == 1 or end - first < _FEW
+    grain = end - first if alone else (end - first) // (_SHARES * size)
     return _offer(workers.words, task, first, end, grain)
 
 
