@@ -22,6 +22,7 @@ from sandbox.engine.fields.apply import apply_fields
 from sandbox.engine.memory.binding import bind
 from sandbox.engine.memory.scratch import Scratch
 from sandbox.engine.step import collide, solve
+from sandbox.engine.stepper import Stepper
 from sandbox.engine.world import World
 from sandbox.geometry.exact_axes import Axis
 from sandbox.geometry.pair import pair_of
@@ -87,7 +88,7 @@ def _others() -> None:
     _once(solve_continuous, busy.scene())
     _once(apply_fields, floating.scene())
     for of in (busy.scene(), jointed.scene()):
-        World(of, 2).step()
+        Stepper(build_state(of), 2).bind_workers()
     pair = pair_of(Box(1.0, 1.0), Box(1.0, 1.0, (2.0, 0.0)))
     pair.manifold(0.0)
     pair.nearest()

@@ -4,21 +4,31 @@ from __future__ import annotations
 
 from sandbox.engine.compile_step import compile_parts
 from sandbox.engine.events.sensors import SensorOverlaps
+from sandbox.engine.stepper import Stepper
 from sandbox.engine.world import World
 from sandbox.geometry.exact_axes import Axis
 from sandbox.geometry.pair import pair_of
 from sandbox.geometry.shapes import Box
 from sandbox.reference.arbitration import our_answer
 from sandbox.reference.pair import Core, Pair
-from sandbox.scene.flat import FlatBody, FlatRegion, FlatScene, FlatShape
+from sandbox.scene.flat import FlatBody, FlatJoint, FlatRegion, FlatScene, FlatShape
+from sandbox.world.build import build_state
 
 
 def call_every_entry_point() -> None:
     """All that Python calls in the engine, in the geometry and in the comparison with other engines."""
     compile_parts()
-    World(FlatScene(()), workers=2).step()
+    _share_a_step()
     _ask_about(_windy_world())
     _look_at_a_pair()
+
+
+def _share_a_step() -> None:
+    """What the second worker runs, without joints and with them."""
+    ball = FlatBody("ball", "dynamic", (FlatShape("circle", ((0.0, 0.0),), 0.5),))
+    for joints in ((), (FlatJoint("pin", "revolute", None, "ball"),)):
+        state = build_state(FlatScene((ball,), joints=joints))
+        Stepper(state, workers=2).bind_workers()
 
 
 def _windy_world() -> World:

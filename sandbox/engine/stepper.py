@@ -54,8 +54,12 @@ class Stepper:
     def compile(self) -> None:
         """Compile what the step needs, if it has not been on this machine: seconds."""
         compile_step(self.scratch.joints is not None)
-        for call in self._served[self._turn]:
-            call.bind()
+        if len(self._state.bodies) + len(self._state.joints) >= _WORTH_SHARING // 4:  # else it may never be needed
+            self.bind_workers()
+
+    def bind_workers(self) -> Sequence[Callable[[], Any]]:
+        """What the other workers run in the next step, compiled if need be."""
+        return [call.bind() for call in self._served[self._turn]]
 
     def step(self) -> None:
         """Take one step. Then `state.contacts` are those of it, `scratch.contacts.now` those of the step before.
@@ -148,8 +152,7 @@ class Stepper:
             lacking_pairs = collide()
             far = not lacking_pairs and solve()
         else:
-            jobs = [call.bind() for call in self._served[self._turn]]
-            with self._threads.serving(self.scratch.workers, jobs):
+            with self._threads.serving(self.scratch.workers, self.bind_workers()):
                 lacking_pairs = collide()
                 far = not lacking_pairs and solve()
         if lacking_pairs:
