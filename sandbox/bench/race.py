@@ -186,4 +186,6 @@ def _warm_up(engines: Sequence[str], joints: bool) -> None:
         engine = contestant(name, Course(scene, ""), False)
         engine.step()
         engine.step()
+        if isinstance(engine, Ours):
+            engine.world._stepper.bind_workers()  # so small a scene is not shared
     compile_continuous()

@@ -11,6 +11,7 @@ _WORDS = {
     "sandbox.engine.step.solve": "solver",
     "sandbox.engine.continuous_collision.": "continuous collision",
     "sandbox.engine.fields.": "fields",
+    "sandbox.engine.workers.": "workers",
     "sandbox.engine.events.": "sensors",
     "sandbox.engine.queries.": "queries",
     "sandbox.geometry.": "separating-axis test",

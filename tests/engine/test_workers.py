@@ -11,11 +11,12 @@ import numpy as np
 import pytest
 
 import sandbox
-from sandbox._jit import entry_point, jit_enabled
+from sandbox._atomics import atomic_load
+from sandbox._jit import Call, entry_point, jit_enabled, kernel_argument
 from sandbox.engine import stepper
 from sandbox.engine.memory import limit
 from sandbox.engine.records.workers import SIZE, workers_memory
-from sandbox.engine.workers.task import first_part, next_part, note_done, take
+from sandbox.engine.workers.task import CLOSED, first_part, next_part, note_done, take
 from sandbox.engine.workers.threads import WorkerThreads
 from sandbox.engine.world import World
 from sandbox.errors import ArgumentError
@@ -26,6 +27,8 @@ from tests.shipped import FILES, shipped
 compiled_only = pytest.mark.skipif(not jit_enabled(), reason="without the compiler there is one thread")
 SOLE = 1
 COUNTED = 100_000
+HELPED = 60
+"""A word that no task uses: 1 once a helper has done a part."""
 
 
 @pytest.fixture
@@ -49,33 +52,42 @@ def offer(workers, marks):
 
 
 @entry_point
-def help_out(workers, marks, seconds_worth):
-    """Mark what is left to take, for so many looks; how many parts that were."""
+def help_out(workers, marks):
+    """Mark what is left to take until the words say that it is over; how many parts that were."""
     parts = 0
-    for _look in range(seconds_worth):
+    while atomic_load(workers.words, CLOSED) == 0:
         first, end = take(workers.words)
         if first < end:
             for k in range(first, end):
                 marks[k] += 1
             note_done(workers.words, end - first)
             parts += 1
+            workers.words[HELPED] = 1
     return parts
 
 
 @compiled_only
 @pytest.mark.parametrize("helpers", [0, 1, 3])
 def test_every_number_of_a_task_is_done_once(helpers):
+    """By threads that run at the same time, as none of them has the interpreter's lock."""
     workers, marks = workers_memory(1 + helpers), np.zeros(COUNTED, np.int64)
     workers.words[SIZE] = 1 + helpers
-    help_out(workers, marks, 0)
-    # In turns on one thread: whoever comes between two parts of another gets the next one.
-    threads = [threading.Thread(target=help_out, args=(workers, marks, 2_000_000)) for _ in range(helpers)]
+    tables = kernel_argument((workers, marks))
+    offering = Call(offer, tables, unlocked=True).bind()
+    parts: list[int] = []
+    helping = [Call(help_out, tables, unlocked=True).bind() for _ in range(helpers)]
+    threads = [threading.Thread(target=lambda run=run: parts.append(run())) for run in helping]
     for thread in threads:
         thread.start()
-    offer(workers, marks)
+    turns = 0
+    while turns == 0 or (helpers > 0 and workers.words[HELPED] == 0 and turns < 200):
+        offering()
+        turns += 1
+    workers.words[CLOSED] = 1
     for thread in threads:
         thread.join()
-    assert (marks == 10).all()
+    assert (marks == 10 * turns).all()
+    assert (sum(parts) > 0) == (helpers > 0)
 
 
 @compiled_only

@@ -95,7 +95,7 @@ def _forget_impacts(filters: Records, rows: Integers, impacts: Records, fast: Re
 @kernel
 def _forget_impact(impact: Records) -> None:
     impact.time = 1.0
-    impact.bounces = impact.touched = impact.swept = 0
+    impact.bounces = impact.touched = impact.swept = impact.stray = 0
 
 
 @kernel

@@ -32,8 +32,8 @@ def stop_strays(
 ) -> int:
     """Stop the strays at what is not among their pairs. `grid.sorted_pairs[count]` is scratch.
 
-    Return how many static shapes there are, if they had to be gathered, else -1. With that as `static_count` all that
-    is still to be swept counts as stray: its box holds its displacement by now.
+    Return how many static shapes there are, if they had to be gathered, else -1. With that as `static_count` the strays
+    that slide are held against them again: their boxes hold their displacements by now.
     """
     filters = colliders.filters
     info = active.info[0]
@@ -46,7 +46,10 @@ def stop_strays(
             continue
         woke = filters[i].moves == SLEEPS  # the grid has asked for no pairs of sleepers with what does not move
         filters[i].moves = ACTIVE
-        if _strays(tables, colliders.boxes, i) or woke or again:
+        impact = tables.ccd.impacts[body]
+        strays = impact.stray == 1 if again else _strays(tables, colliders.boxes, i) or woke
+        if strays:
+            impact.stray = 1
             if static_count < 0:
                 static_count = _gather_static(tables, colliders.boxes, grid.spare_boxes)
             if static_count > 0:

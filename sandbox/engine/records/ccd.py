@@ -28,6 +28,7 @@ CCD_IMPACT = Table(
         Field("time", "1", "time of impact, as a share of the step; 1 is none"),
         Field("bounces", "-", "1 when what stops it bounces it", "i8"),
         Field("touched", "-", "1 when it has touched what stops it from the start of the step on", "i8"),
+        Field("stray", "-", "1 when a shape of it has left the box that the grid knew", "i8"),
         Field("swept", "-", "1 when its sweep has been made, and nothing has changed it since", "i8"),
         Field("normal_x", "1", "of what stops it, towards the body"),
         Field("normal_y", "1", "of what stops it, towards the body"),
