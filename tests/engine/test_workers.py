@@ -16,7 +16,7 @@ from sandbox._jit import Call, entry_point, jit_enabled, kernel_argument
 from sandbox.engine import stepper
 from sandbox.engine.memory import limit
 from sandbox.engine.records.workers import SIZE, workers_memory
-from sandbox.engine.workers.task import CLOSED, first_part, next_part, note_done, take
+from sandbox.engine.workers.parallel_for import CLOSED, first_part, next_part, note_done, take
 from sandbox.engine.workers.threads import WorkerThreads
 from sandbox.engine.world import World
 from sandbox.errors import ArgumentError

@@ -5,8 +5,8 @@ from __future__ import annotations
 from sandbox._jit import kernel
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.workers import Workers
-from sandbox.engine.workers.task import first_part, next_part
-from sandbox.engine.workers.tasks import GRAVITY, INTEGRATE_POSITIONS, INTEGRATE_VELOCITIES, SECONDS
+from sandbox.engine.workers.parallel_for import first_part, next_part
+from sandbox.engine.workers.task_kinds import GRAVITY, INTEGRATE_POSITIONS, INTEGRATE_VELOCITIES, SECONDS
 from sandbox.geometry.trig import cos_sin
 from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC, KINEMATIC, STATIC

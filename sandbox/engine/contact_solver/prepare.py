@@ -8,8 +8,8 @@ from sandbox.engine.contact_solver.closing_speed import closes_hard
 from sandbox.engine.contact_solver.law import PairMass, anchors_of, effective_mass, pair_mass, separation_of
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.workers import Workers
-from sandbox.engine.workers.task import first_part, next_part
-from sandbox.engine.workers.tasks import IMPACTS, LEVEL, PREPARE_CONTACTS
+from sandbox.engine.workers.parallel_for import first_part, next_part
+from sandbox.engine.workers.task_kinds import IMPACTS, LEVEL, PREPARE_CONTACTS
 from sandbox.tables import Floats, Records
 
 BLOCK_SIZE = cb.BLOCK_SIZE

@@ -14,8 +14,8 @@ from sandbox.engine.contact_solver.lanes import lane_anchors, lane_mass, lane_ve
 from sandbox.engine.contact_solver.law import apply_impulse, clamp_to_cone, relative_velocity
 from sandbox.engine.records.contact_blocks import ContactBlocks, SoftContact
 from sandbox.engine.records.workers import Workers
-from sandbox.engine.workers.task import color_count, first_part_of_color, next_part
-from sandbox.engine.workers.tasks import SOLVE_CONTACTS, tell_soft
+from sandbox.engine.workers.parallel_for import color_count, first_part_of_color, next_part
+from sandbox.engine.workers.task_kinds import SOLVE_CONTACTS, tell_soft
 from sandbox.tables import Floats, Records
 
 BLOCK_SIZE = cb.BLOCK_SIZE

@@ -9,8 +9,8 @@ from sandbox.engine.contact_solver.closing_speed import closing_speed
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.workers import Workers
-from sandbox.engine.workers.task import color_count, first_part_of_color, next_part
-from sandbox.engine.workers.tasks import LEVEL, STORE_IMPULSES
+from sandbox.engine.workers.parallel_for import color_count, first_part_of_color, next_part
+from sandbox.engine.workers.task_kinds import LEVEL, STORE_IMPULSES
 from sandbox.tables import Integers, Records
 
 BLOCK_SIZE = cb.BLOCK_SIZE

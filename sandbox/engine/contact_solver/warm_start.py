@@ -12,8 +12,8 @@ from sandbox.engine.contact_solver.lanes import lane_anchors, lane_mass, lane_ve
 from sandbox.engine.contact_solver.law import PairVelocity, apply_impulse
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.workers import Workers
-from sandbox.engine.workers.task import color_count, first_part_of_color, next_part
-from sandbox.engine.workers.tasks import WARM_START
+from sandbox.engine.workers.parallel_for import color_count, first_part_of_color, next_part
+from sandbox.engine.workers.task_kinds import WARM_START
 from sandbox.tables import Floats, Records
 
 BLOCK_SIZE = cb.BLOCK_SIZE

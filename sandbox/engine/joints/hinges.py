@@ -11,8 +11,8 @@ from sandbox.engine.joints import hinge_lanes as hl
 from sandbox.engine.joints.hinge_lanes import HINGE_BLOCK_SIZE, HingeLanes
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.workers import Workers
-from sandbox.engine.workers.task import first_part, next_part
-from sandbox.engine.workers.tasks import FASTEST, GIVE, MOST, PUSH, SWEEP_HINGES, WARM_START_HINGES
+from sandbox.engine.workers.parallel_for import first_part, next_part
+from sandbox.engine.workers.task_kinds import FASTEST, GIVE, MOST, PUSH, SWEEP_HINGES, WARM_START_HINGES
 from sandbox.tables import Floats, Records
 
 

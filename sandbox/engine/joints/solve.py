@@ -21,7 +21,7 @@ from sandbox.engine.joints.reactions import accumulate, read_impulses
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.workers import Workers
-from sandbox.engine.workers.tasks import RELAX_BATCHES, SOLVE_BATCHES
+from sandbox.engine.workers.task_kinds import RELAX_BATCHES, SOLVE_BATCHES
 from sandbox.tables import Records
 
 

@@ -16,8 +16,8 @@ from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.decisions import DEEP, MAY_IMPACT, Decisions
 from sandbox.engine.records.state import StateTables
 from sandbox.engine.records.workers import Workers
-from sandbox.engine.workers.task import FIRST_PAIR, first_part, next_part
-from sandbox.engine.workers.tasks import DECIDE_PAIRS, WRITE_CONTACTS
+from sandbox.engine.workers.parallel_for import FIRST_PAIR, first_part, next_part
+from sandbox.engine.workers.task_kinds import DECIDE_PAIRS, WRITE_CONTACTS
 from sandbox.tables import Records
 
 LAST = 1 << 60

@@ -10,7 +10,7 @@ from sandbox.engine.contact_solver.blocks import GATHER_SIZE
 from sandbox.tables import Floats, Integers, aligned_zeros
 
 WORDS = 64
-"""Whole numbers that threads share, see `workers.task`: a cache line for each that is written often."""
+"""Whole numbers that threads share, see `workers.parallel_for`: a cache line for each that is written often."""
 SIZE = 0
 """Word: how many workers take part in a step."""
 NUMBERS = 16

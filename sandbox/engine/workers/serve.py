@@ -25,8 +25,8 @@ from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.decisions import Decisions
 from sandbox.engine.records.state import StateTables
 from sandbox.engine.records.workers import Workers
-from sandbox.engine.workers.task import CLOSED, FIRST_PAIR, TASK, look_again, note_done, take
-from sandbox.engine.workers.tasks import (
+from sandbox.engine.workers.parallel_for import CLOSED, FIRST_PAIR, TASK, look_again, note_done, take
+from sandbox.engine.workers.task_kinds import (
     DECIDE_PAIRS,
     FASTEST,
     GIVE,

@@ -10,7 +10,7 @@ from queue import SimpleQueue
 from typing import Any, TypeAlias
 
 from sandbox.engine.records.workers import SIZE, Workers
-from sandbox.engine.workers.task import CLOSED
+from sandbox.engine.workers.parallel_for import CLOSED
 
 Job: TypeAlias = Callable[[], Any]
 

@@ -38,7 +38,7 @@ FRAME = Table(
         Field("constants", "-", "place in the batch's memory of joints", "i8"),
         Field("joint", "-", "which of the part's joints it is, in the order of elimination", "i8"),
         Field("coupled", "-", "1 or 2: not that joint, a gear, but the first or second one that it couples", "i8"),
-        Field("coordinate_1", "-", "gear: places of the two frames that it couples", "i8"),
+        Field("coordinate_1", "-", "gear: places of the two frames that it couples; others: its own", "i8"),
         Field("coordinate_2", "-", "", "i8"),
         Field("kind_1", "-", "gear: their kinds", "i8"),
         Field("kind_2", "-", "", "i8"),

@@ -20,8 +20,9 @@ def accumulate(d: Batches, batch: Records) -> None:
     for f in range(layout.first_frame, layout.frame_end):
         frame = d.layout_frames[f]
         joint = batch.joints + frame.constants
-        store(v, joint + at.END_ARM_X, load(v, frame.place + at.ARM_BX))
-        store(v, joint + at.END_ARM_Y, load(v, frame.place + at.ARM_BY))
+        measured = frame.coordinate_1  # a gear acts on the bodies of the first joint that it couples
+        store(v, joint + at.END_ARM_X, load(v, measured + at.ARM_BX))
+        store(v, joint + at.END_ARM_Y, load(v, measured + at.ARM_BY))
     for r in range(layout.first_row, layout.row_end):
         row = d.equations[r]
         kept = batch.rows + row.kept

@@ -17,7 +17,8 @@ from sandbox.engine.joints.direct.rows import change_impulse, fill_rows
 from sandbox.engine.joints.direct.separated import detect_separation, misses_targets, take_impulses_back
 from sandbox.engine.joints.direct.targets import may_be_sprung, row_hertz
 from sandbox.engine.records.workers import Workers
-from sandbox.engine.workers.tasks import SOLVE_BATCHES
+from sandbox.engine.workers.parallel_for import first_part, next_part
+from sandbox.engine.workers.task_kinds import SECONDS, SOLVE_BATCHES
 from sandbox.tables import Floats, Records
 
 _TURNS = 16
@@ -30,8 +31,11 @@ def solve_batches(
 ) -> None:
     """Change velocities so that joints will be kept after the move (`SOLVE_BATCHES`), or are after it, in velocity as
     well (`RELAX_BATCHES`)."""
-    # One worker does them all: a frame still reads what the batch before has left in the working place.
-    solve_some_batches(d, motions, free_motions, seconds, task, workers.number, 0, d.found[0])
+    workers.numbers[SECONDS] = seconds
+    first, end = first_part(workers, task, 0, d.found[0])
+    while first < end:
+        solve_some_batches(d, motions, free_motions, seconds, task, 0, first, end)
+        first, end = next_part(workers, first, end)
 
 
 @kernel

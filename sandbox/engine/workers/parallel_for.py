@@ -48,7 +48,8 @@ def first_part(workers: Workers, task: int, first: int, end: int) -> tuple[int, 
 
 @inlined_kernel
 def next_part(workers: Workers, first: int, end: int) -> tuple[int, int]:
-    """After the part first..end-1: the next one to do; (0, 0) when all is done, also what others have taken."""
+    """After the part first..end-1: the next one to do; (0, 0) when all is done, also what others have taken. Of a range
+    that was not offered nothing is left: the range of the last offer is taken."""
     if workers.words[SIZE] == 1:
         return 0, 0
     note_done(workers.words, end - first)
@@ -63,7 +64,7 @@ def color_count(workers: Workers, blocks: ContactBlocks) -> int:
 
 @inlined_kernel
 def first_part_of_color(workers: Workers, task: int, blocks: ContactBlocks, color: int, count: int) -> tuple[int, int]:
-    """As `first_part`, for those of the first `count` blocks that are of a colour. Serial blocks are one part."""
+    """As `first_part`, for those of the first `count` blocks that are of a colour. Serial blocks are not offered."""
     size = workers.words[SIZE]
     if size == 1:
         return 0, count
@@ -71,15 +72,16 @@ def first_part_of_color(workers: Workers, task: int, blocks: ContactBlocks, colo
     end = blocks.starts[2 + color] if blocks.starts[2 + color] < count else count
     if first >= end:
         return 0, 0
-    alone = blocks.blocks[first].serial == 1 or end - first < _FEW
-    grain = end - first if alone else (end - first) // (_SHARES * size)
-    return _offer(workers.words, task, first, end, grain)
+    if blocks.blocks[first].serial == 1 or end - first < _FEW:
+        return first, end
+    return _offer(workers.words, task, first, end, (end - first) // (_SHARES * size))
 
 
 @kernel
 def take(words: Integers) -> tuple[int, int]:
     """Take the next part of what is offered: (first, end), or (0, 0) if nothing is left."""
     seen = atomic_load(words, RANGE)
+    # The grain may be that of a task before with the same range: parts of any size are right.
     while (seen >> _HALF) < (seen & _LOWER):
         first = seen >> _HALF
         end = first + words[GRAIN]
