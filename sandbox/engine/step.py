@@ -105,7 +105,7 @@ def solve(
         update_active_set(bodies, active, solver, ccd.bodies)
         list_active_contacts(bodies, contacts, count)
     rows = active.bodies[1 : 1 + active.bodies[0]]
-    levels = assign_substep_levels(state, active, solver.free_motions, piles, contacts, joints)
+    levels = assign_substep_levels(state, active, solver.free_motions, piles, contacts, joints, ccd.bodies)
 
     fastest = begin_motions(bodies, rows, solver)
     clear_flags(bodies, rows, solver, state.drags)

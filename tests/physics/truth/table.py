@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from importlib.util import find_spec
 
 from tests.physics.truth import (
+    blows,
     bouncing,
     colliding,
     falling,
@@ -39,6 +40,8 @@ EXPERIMENTS: tuple[Experiment, ...] = (
     colliding.oblique,
     colliding.rough,
     colliding.rod_end,
+    blows.rebound_from_pyramid,
+    blows.pyramid_stays,
     *swinging.PERIODS,
     swinging.amplitude_kept,
     swinging.dumbbell,
