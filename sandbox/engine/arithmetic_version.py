@@ -20,7 +20,8 @@ NOTES: dict[int, str] = {
     11: "what is pressed into something immovable slides on along it in mid-step, where it stood still before; "
     "contacts that find none of 62 colours get further ones, where they were solved one by one",
     12: "the torque that a gear reports counts from the anchor of the first joint it couples, no longer from a place "
-    "that another joint has left; where something heavy lands on light bodies, their pile takes twelve relax passes",
+    "that another joint has left; where something heavy lands on light bodies, their pile takes twelve relax passes; "
+    "friction on something immovable acts at the surface of what moves, no longer in the middle of the overlap",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

@@ -17,6 +17,8 @@ from sandbox.world.state import State
 Values: TypeAlias = NDArray[np.float64]
 Rows: TypeAlias = NDArray[np.int64]
 Measure: TypeAlias = Callable[[State], Values]
+_ROUNDING = 1e-9
+"""Gap (m) that is none."""
 
 
 def speed(rows: Rows) -> Measure:
@@ -102,9 +104,12 @@ def sensed_count(carriers: Rows, others: Rows) -> Measure:
 
 
 def _touching(contacts: Any) -> NDArray[np.bool_]:
-    """Contacts that overlap or have pushed; the table also holds pairs that are merely near."""
-    one = (contacts.separation1 <= 0.0) | (contacts.normal_impulse1 > 0.0)
-    two = (contacts.separation2 <= 0.0) | (contacts.normal_impulse2 > 0.0)
+    """Contacts that overlap or push; the table also holds pairs that are merely near.
+
+    What has come to rest where nothing presses it on may be apart by rounding.
+    """
+    one = (contacts.separation1 <= _ROUNDING) | (contacts.normal_impulse1 > 0.0)
+    two = (contacts.separation2 <= _ROUNDING) | (contacts.normal_impulse2 > 0.0)
     struck = contacts.impact_impulse > 0.0
     touching: NDArray[np.bool_] = ((contacts.point_count > 0) & one) | ((contacts.point_count > 1) & two) | struck
     return touching

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from sandbox._jit import inlined_kernel
+from sandbox.engine.broad_phase.proxies import FIXED
 from sandbox.tables import Records
 
 
@@ -15,6 +16,9 @@ def fill_contact(
     """Copy a manifold into a fresh contact and mix the surfaces of its shapes.
 
     The manifold is of the moment when b has moved against a by (shift_x, shift_y) metres: gaps are taken back to now.
+
+    Its points lie in the middle of an overlap. Friction acts at the surface of what moves where the other is immovable:
+    the overlap under load must not shorten the arm by which a disc rolls.
     """
     a = proxies[i]
     b = proxies[j]
@@ -38,19 +42,24 @@ def fill_contact(
     contact.impact_impulse = 0.0
     contact.touching = 0
     contact.point_count = m.point_count
-    contact.anchor_ax1 = m.x1
-    contact.anchor_ay1 = m.y1
-    contact.anchor_bx1 = m.x1 - dx
-    contact.anchor_by1 = m.y1 - dy
+    off = (0.5 if a.traits & FIXED else 0.0) - (0.5 if b.traits & FIXED else 0.0)
+    x = m.x1 + off * m.separation1 * m.normal_x
+    y = m.y1 + off * m.separation1 * m.normal_y
+    contact.anchor_ax1 = x
+    contact.anchor_ay1 = y
+    contact.anchor_bx1 = x - dx
+    contact.anchor_by1 = y - dy
     contact.separation1 = m.separation1 + ahead
     contact.feature1 = m.feature1
     contact.normal_impulse1 = 0.0
     contact.tangent_impulse1 = 0.0
     two = m.point_count == 2
-    contact.anchor_ax2 = m.x2 if two else 0.0
-    contact.anchor_ay2 = m.y2 if two else 0.0
-    contact.anchor_bx2 = m.x2 - dx if two else 0.0
-    contact.anchor_by2 = m.y2 - dy if two else 0.0
+    x = m.x2 + off * m.separation2 * m.normal_x
+    y = m.y2 + off * m.separation2 * m.normal_y
+    contact.anchor_ax2 = x if two else 0.0
+    contact.anchor_ay2 = y if two else 0.0
+    contact.anchor_bx2 = x - dx if two else 0.0
+    contact.anchor_by2 = y - dy if two else 0.0
     contact.separation2 = m.separation2 + ahead if two else 0.0
     contact.feature2 = m.feature2 if two else -1
     contact.normal_impulse2 = 0.0

@@ -22,6 +22,7 @@ from sandbox.engine.contact_solver.law import (
 )
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.tables import Records
+from sandbox.world.records import STATIC
 
 
 class Struck(NamedTuple):
@@ -101,10 +102,12 @@ def free_velocity(free_motions: Records, contact: Records) -> PairVelocity:
 def _touching_anchors(a: Records, b: Records, contact: Records, point: int) -> Anchors:
     """Anchors (m) of a point on both surfaces, from the centres of a and b.
 
-    The contact has them half way between the surfaces, which were apart still when it was found; but the impact falls
-    when they have met, and half a gap would be a longer arm for its friction.
+    A contact of two bodies that move has them half way between the surfaces, which were apart when it was found;
+    but the impact falls when they have met, and half a gap would be a longer arm for its friction.
     """
     r = anchors_of(contact, point)
+    if a.type == STATIC or b.type == STATIC:
+        return r
     # The contact was found where b had come nearer by this: the gap is what was left there.
     nearer = (b.center_x + r.bx - a.center_x - r.ax) * contact.normal_x
     nearer = nearer + (b.center_y + r.by - a.center_y - r.ay) * contact.normal_y

@@ -9,7 +9,7 @@ from tests.physics.truth.experiment import RATE, Engine, G, experiment, off
 from tests.physics.truth.slopes import rider, slope, up_the_slope, way_up
 
 
-@experiment("disc rolls down a slope", "way and spin after 3 s", bound=1e-4)
+@experiment("disc rolls down a slope", "way and spin after 3 s", bound=2e-5)
 def rolling(start: Engine) -> float:
     """a = 2/3 g sin: a third of the pull goes into the spin."""
     worst = 0.0
@@ -22,7 +22,7 @@ def rolling(start: Engine) -> float:
     return worst
 
 
-@experiment("disc slips down a slope", "way and spin after 2 s", bound=1e-4)
+@experiment("disc slips down a slope", "way and spin after 2 s", bound=2e-5)
 def slipping(start: Engine) -> float:
     """Friction gives all that it has: a = g (sin - mu cos), and the spin grows by 2 mu g cos / r."""
     angle, mu = math.radians(50.0), 0.1
@@ -32,7 +32,7 @@ def slipping(start: Engine) -> float:
     return max(off(-way_up(run, angle), way), off(run.spin("rider"), 2.0 * mu * G * math.cos(angle) / 0.5 * 2.0))
 
 
-@experiment("sliding disc begins to roll", "way, speed and spin after 3 s", bound=1e-4)
+@experiment("sliding disc begins to roll", "way, speed and spin after 3 s", bound=2e-5)
 def begins_to_roll(start: Engine) -> float:
     """It slows at mu g until it rolls, after v / (3 mu g), and goes on at two thirds of its speed."""
     mu, speed = 0.4, 6.0
