@@ -41,6 +41,13 @@ def refusal(kind: str, name: str, known: bool, settable: frozenset[str] = frozen
     return UnknownAttributeError(f"{kind} has no attribute {name!r}" + (f"; did you mean {near[0]!r}?" if near else ""))
 
 
+def attributes_besides(base: type[Any], state: Any) -> Any:
+    """What `object.__getstate__` says of an object, without the slots of `base`: what a subclass has of its own."""
+    values, slots = state if isinstance(state, tuple) else (state, None)
+    own = {name: value for name, value in (slots or {}).items() if name not in base.__slots__}
+    return (values, own) if values or own else None
+
+
 @cache
 def _settable(kind: type[Any]) -> tuple[frozenset[str], frozenset[str]]:
     """The slots of a class, and its properties that have setters."""

@@ -3,10 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 
 class SandboxError(Exception):
     """Base of all errors of this package. Its text is one clear message that a user can act on."""
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """How process pools and `copy` make it again: with its text and attributes, whatever `__init__` takes."""
+        return _made_again, (type(self), self.args), self.__dict__
+
+
+def _made_again(kind: type[SandboxError], args: tuple[Any, ...]) -> SandboxError:
+    return kind.__new__(kind, *args)
 
 
 @dataclass(frozen=True)

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
 from sandbox.arguments import checked_count, shown
-from sandbox.attributes import FixedAttributes
+from sandbox.attributes import FixedAttributes, attributes_besides
 from sandbox.engine.commands.base import Command, Touched, Vec
 from sandbox.engine.commands.delete import Delete
 from sandbox.engine.commands.set_gravity import SetGravity
 from sandbox.engine.commands.spawn import Spawn
-from sandbox.engine.events.event_log import EventLog
+from sandbox.engine.events.event_log import EventLog, KeptEvents
 from sandbox.engine.events.events import Events
 from sandbox.engine.fields.records import last_switch
 from sandbox.engine.memory.scratch import Scratch
@@ -39,6 +39,9 @@ if TYPE_CHECKING:
     from sandbox.scene import Scene
     from sandbox.scene.spawned import Spawning
 
+LastStep: TypeAlias = tuple[KeptEvents, Floats]
+"""What a copy has to know of the last step: events, and the impulses (N s) of its contacts."""
+
 
 class World(Shown, FixedAttributes):
     """A simulation of one scene.
@@ -47,6 +50,9 @@ class World(Shown, FixedAttributes):
     way to change anything from outside, everything else reads; what can be set or called besides applies a command.
     Units are SI, angles are in radians, y points up. `workers` threads share the work of a step, where there are many
     bodies; they make no difference to the bits. Raises `ArgumentError` unless that is a whole number from 1.
+
+    `copy.copy`, `copy.deepcopy` and `pickle` make a world that goes on by itself from where this one is, with the
+    same bits; in another process too, with the same version of this package.
     """
 
     __slots__ = (
@@ -270,6 +276,12 @@ class World(Shown, FixedAttributes):
         self.scratch.contacts.reports.total_impulse = 0.0
         self._events.clear(rows_moved=self.layout != layout)
 
+    def __reduce_ex__(self, protocol: Any) -> tuple[Any, ...]:
+        """How to make a world like it: from the scene and a snapshot, never from memory that both would share."""
+        last_step = self._events.kept(self.scratch), self.contact_impulses
+        made_of = type(self), self.scene, self.workers, self.snapshot(), last_step
+        return _made_again, made_of, attributes_besides(World, object.__getstate__(self))
+
     def _read_roster(self, text: bytes) -> Roster:
         from sandbox.world.roster_reading import read_roster
 
@@ -304,3 +316,16 @@ class World(Shown, FixedAttributes):
 
     def __repr__(self) -> str:
         return f"<World of {len(self.state.bodies)} bodies at step {self.step_count}>"
+
+
+def _made_again(
+    kind: type[World], scene: Any, workers: int, data: bytes, last_step: tuple[KeptEvents, Floats]
+) -> World:
+    """The world that `World.__reduce_ex__` tells of. A subclass gets its own attributes afterwards."""
+    world = kind.__new__(kind)
+    World.__init__(world, scene, workers)
+    world.restore(data)
+    events, impulses = last_step
+    world._events.recall(events)
+    world.scratch.contacts.reports.total_impulse[: len(impulses)] = impulses
+    return world

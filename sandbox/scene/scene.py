@@ -74,6 +74,14 @@ class Scene(Shown, SceneFields):
         aliases = {name: field.alias or name for name, field in type(self).model_fields.items()}
         return type(self)(**{aliases.get(name, name): value for name, value in changed.items()})
 
+    def __copy__(self) -> Scene:
+        """Itself, as it never changes."""
+        return self
+
+    def __deepcopy__(self, memo: Any = None) -> Scene:
+        """Itself, as it never changes."""
+        return self
+
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Scene) and self.__dict__ == other.__dict__
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.engine.events.events import Events, find_events, no_events
-from sandbox.engine.events.pending import PendingEvents
+from sandbox.engine.events.pending import DeletedPairs, PendingEvents
 from sandbox.engine.events.records import SENSOR_EVENT
 from sandbox.engine.memory.scratch import Scratch
 from sandbox.tables import Records, plain
@@ -19,6 +19,14 @@ if TYPE_CHECKING:
     from sandbox.engine.events.sensors import SensorOverlaps
 
 Vec = tuple[float, float]
+
+
+class KeptEvents(NamedTuple):
+    """What a copy of a world has to know of the last step, which no snapshot holds."""
+
+    events: Events
+    sensed: Records | None
+    deleted: DeletedPairs
 
 
 class EventLog:
@@ -90,6 +98,16 @@ class EventLog:
             self._sensors = self._find_sensors()
         if self._sensors is not None:
             self._sensors.reset()
+
+    def kept(self, scratch: Scratch) -> KeptEvents:
+        """What `recall` takes, for a log of a state with the same rows."""
+        return KeptEvents(self.events(scratch), self.sensed, self._pending.deleted)
+
+    def recall(self, kept: KeptEvents) -> None:
+        """The last step was one of another world, from which the state was restored."""
+        self._events, self._pending.deleted = kept.events, kept.deleted
+        if self._sensors is not None and kept.sensed is not None:
+            self._sensors.now = self._sensors.before = kept.sensed
 
     def _no_events(self) -> Events:
         return no_events(int(self._state.counters[0].step_count), self._state.names)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,6 +33,10 @@ class DeletedPair:
     figures: tuple[float, ...] = ()
 
 
+DeletedPairs: TypeAlias = tuple[list[DeletedPair], list[DeletedPair]]
+"""Contacts, and sensors with what they sensed."""
+
+
 class PendingEvents:
     """What commands did between two steps, as far as the events before and after have to know."""
 
@@ -45,7 +49,16 @@ class PendingEvents:
         """Contacts that the events of the last step have to tell as ended."""
         self.leaves: list[DeletedPair] = []
         """The same for sensors (first) and what they sensed (second)."""
-        self._next: tuple[list[DeletedPair], list[DeletedPair]] = ([], [])
+        self._next: DeletedPairs = ([], [])
+
+    @property
+    def deleted(self) -> DeletedPairs:
+        """What was deleted since the last step, for the events of the next. A copy."""
+        return list(self._next[0]), list(self._next[1])
+
+    @deleted.setter
+    def deleted(self, pairs: DeletedPairs) -> None:
+        self._next = list(pairs[0]), list(pairs[1])
 
     def begin_step(self) -> None:
         """A step begins: its events tell what was deleted before it."""

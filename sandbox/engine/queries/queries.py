@@ -78,6 +78,10 @@ class Queries(FixedAttributes):
         self._asked: tuple[Subject, Filter] | None = None
         self._use(Memory.for_state(world.state))
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """A copy asks the same world; a deep or pickled one a copy of it."""
+        return getattr, (self._world, "query")
+
     def ray(self, origin: Sequence[float], translation: Sequence[float], filter: Filter | None = None) -> RayHit | None:
         """The first hit on the way from `origin` to `origin + translation` (m); the lowest shape if several tie.
 

@@ -42,6 +42,10 @@ class Bodies(FixedAttributes):
         self._layout = -1
         self._seen: dict[str, Any] = {}
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """A copy is the columns of the same world; a deep or pickled one those of a copy of it."""
+        return getattr, (self._world, "bodies")
+
     def _view(self, name: str, make: Callable[[Records, str], Any]) -> Any:
         """A view of a column, made once for each layout."""
         if self._layout != self._world.state.layout:

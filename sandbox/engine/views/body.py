@@ -34,6 +34,17 @@ class BodyView(FixedAttributes):
         self._serial = world.state.census.bodies.serials[row]
         self._layout, self._row = world.state.layout, world.state.bodies[row]
 
+    @classmethod
+    def _again(cls, world: ViewedWorld, name: str, serial: int) -> BodyView:
+        """A view of the body of that serial number, which may have been deleted."""
+        view = cls.__new__(cls)
+        view.id, view._world, view._serial, view._layout = name, world, serial, -1
+        return view
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """A copied view looks at the same world; a deep or pickled copy at a copy of it."""
+        return BodyView._again, (self._world, self.id, self._serial)
+
     @property
     def _record(self) -> Any:
         state = self._world.state

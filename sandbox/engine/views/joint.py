@@ -35,6 +35,17 @@ class JointView(FixedAttributes):
         self._serial = world.state.census.joints.serials[row]
         self._layout, self._record = world.state.layout, world.state.joints[row]
 
+    @classmethod
+    def _again(cls, world: ViewedWorld, name: str, serial: int) -> JointView:
+        """A view of the joint of that serial number, which may have been deleted."""
+        view = cls.__new__(cls)
+        view.id, view._world, view._state, view._serial, view._layout = name, world, world.state, serial, -1
+        return view
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """A copied view looks at the same world; a deep or pickled copy at a copy of it."""
+        return JointView._again, (self._world, self.id, self._serial)
+
     @property
     def _row(self) -> Any:
         if self._layout != self._state.layout:
