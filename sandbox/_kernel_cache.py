@@ -19,6 +19,7 @@ from pathlib import Path
 from types import FunctionType
 from typing import Any
 
+from sandbox._atomic_write import write_bytes
 from sandbox._shipped_code import shipped_folder
 
 _ROOMS = (
@@ -135,9 +136,7 @@ def write(file: Path | None, about: Any, code: bytes) -> None:
     if file is None:
         return
     head = json.dumps(about).encode()
-    unfinished = file.with_suffix(f".{os.getpid()}")
-    unfinished.write_bytes(_digest(head, code).encode() + b" " + head + b"\n" + code)
-    os.replace(unfinished, file)
+    write_bytes(file, _digest(head, code).encode() + b" " + head + b"\n" + code, durable=False)
 
 
 def _digest(*parts: bytes) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from xml.etree import ElementTree
 
+from sandbox._atomic_write import write_bytes
 from sandbox.cli.replay_messages import advice, reasons
 from sandbox.replay.golden.examine import Report
 
@@ -21,7 +22,7 @@ def write_junit(path: Path, reports: Sequence[Report], seconds: float) -> None:
     root = ElementTree.Element("testsuites")
     root.append(suite)
     ElementTree.indent(root)
-    path.write_bytes(ElementTree.tostring(root, encoding="utf-8", xml_declaration=True) + b"\n")
+    write_bytes(path, ElementTree.tostring(root, encoding="utf-8", xml_declaration=True) + b"\n")
 
 
 def _case(report: Report) -> ElementTree.Element:

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from platformdirs import user_cache_path
 
+from sandbox._atomic_write import write_text
 from sandbox.replay.golden.cases import Case
 from sandbox.replay.golden.examine import Report
 
@@ -23,7 +24,7 @@ def remember(reports: Sequence[Report]) -> None:
     failed += [_key(report.case) for report in reports if not report.fine]
     try:
         _file().parent.mkdir(parents=True, exist_ok=True)
-        _file().write_text(json.dumps(sorted(failed)), encoding="utf-8")
+        write_text(_file(), json.dumps(sorted(failed)))
     except OSError:
         pass  # a folder that cannot be written to has no memory; the run itself is not worse for it
 

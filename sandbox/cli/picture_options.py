@@ -6,6 +6,7 @@ import re
 from collections.abc import Collection
 from pathlib import Path
 
+from sandbox._atomic_write import check_writable
 from sandbox.errors import SandboxError
 
 LARGEST = 8192
@@ -24,12 +25,11 @@ def parse_size(text: str) -> tuple[int, int]:
 
 
 def writable_picture(path: Path, suffixes: Collection[str]) -> str:
-    """The lower-case suffix of a picture to write. Raises `SandboxError` if it or the folder is no good."""
+    """The lower-case suffix of a picture to write. Raises `SandboxError` or `OSError` if it cannot be."""
     suffix = path.suffix.lower()
     if suffix not in suffixes:
         *others, last = sorted(suffixes)
         known = " or ".join([", ".join(others), last] if others else [last])
         raise SandboxError(f"{path}: the name of a picture must end in {known}")
-    if not path.resolve().parent.is_dir():
-        raise SandboxError(f"{path}: the folder {path.resolve().parent} does not exist")
+    check_writable(path)
     return suffix

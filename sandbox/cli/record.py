@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import os
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from sandbox.cli.options import WORKERS
+from sandbox._atomic_write import check_writable
+from sandbox.cli.options import WORKERS, takes
 from sandbox.errors import SandboxError
 from sandbox.resources import find_scene
 
@@ -23,22 +26,30 @@ _COMMANDS = typer.Option(
     metavar="FILE", show_default=False, help='What to do to it: a JSON list of [step, "NAME", {...}], or a recording.'
 )
 _EMBED = typer.Option("--embed", help="Put the whole scene into the file instead of its path and hash.")
+_FORCE = typer.Option("--force", help="Write over a file that is there.")
 _JSON = typer.Option("--json", help="Print one JSON document instead of a line.")
 
 
-def record(
-    scene: Annotated[Path, _SCENE],
-    output: Annotated[Path, _OUTPUT],
-    steps: Annotated[int | None, _STEPS] = None,
-    commands: Annotated[Path | None, _COMMANDS] = None,
-    embed: Annotated[bool, _EMBED] = False,
-    workers: Annotated[int, WORKERS] = 1,
-    json: Annotated[bool, _JSON] = False,
-) -> None:
+@dataclass(frozen=True)
+class RecordOptions:
+    """What `sandbox record` was asked for."""
+
+    scene: Annotated[Path, _SCENE]
+    output: Annotated[Path, _OUTPUT]
+    steps: Annotated[int | None, _STEPS] = None
+    commands: Annotated[Path | None, _COMMANDS] = None
+    embed: Annotated[bool, _EMBED] = False
+    force: Annotated[bool, _FORCE] = False
+    workers: Annotated[int, WORKERS] = 1
+    json: Annotated[bool, _JSON] = False
+
+
+@takes(RecordOptions)
+def record(options: RecordOptions) -> None:
     """Run a scene without a window and write down what it did: a test that `sandbox replay` runs again.
 
     Exit code 0: it was written.
-    Exit code 2: a file could not be used.
+    Exit code 2: a file could not be used, or there is one of that name already.
     """
     from sandbox.cli.compiling import announce_compilation
     from sandbox.replay.headless_run import planned_steps
@@ -46,22 +57,28 @@ def record(
     from sandbox.replay.recording.recorder import record as run
     from sandbox.scene import load_scene
 
-    _check_name(output)
-    file = find_scene(scene)
+    output = options.output
+    _check_output(output, options.force)
+    file = find_scene(options.scene)
     loaded = load_scene(file)
-    script = read_commands(commands) if commands is not None else ()
+    script = read_commands(options.commands) if options.commands is not None else ()
     announce_compilation()
-    total = planned_steps(loaded) if steps is None else steps
-    recording = _with_progress(file.name, total, lambda done: run(loaded, total, script, done, workers))
-    recording.save(output, embed=True if embed else None)
-    _tell(output, recording, json)
+    total = planned_steps(loaded) if options.steps is None else options.steps
+    recording = _with_progress(file.name, total, lambda done: run(loaded, total, script, done, options.workers))
+    recording.save(output, embed=True if options.embed else None)
+    _tell(output, recording, options.json)
 
 
-def _check_name(output: Path) -> None:
+def _check_output(output: Path, force: bool) -> None:
+    """Refuse at once what cannot be written, or should not be, before anything is run."""
     from sandbox.replay.recording.limits import SUFFIX
 
     if not output.name.endswith(SUFFIX):
         raise SandboxError(f"{output}: recordings are named NAME{SUFFIX}, so that sandbox replay finds them")
+    if os.path.lexists(output) and not force:
+        mend = "--force writes over it, sandbox replay --update renews it with its own commands"
+        raise SandboxError(f"{output}: there is a file of that name already; {mend}")
+    check_writable(output)
 
 
 def _with_progress(name: str, total: int, run: Any) -> Recording:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from sandbox._atomic_write import write_text
 from sandbox.errors import SandboxError
 from sandbox.resources import find_scene
 
@@ -125,7 +126,7 @@ def _write_page(path: Path, output: Path, skip: int, steps: int | None, as_json:
     with SceneProgress(Console(stderr=True), 1) as progress:
         progress.begin(path.name, run.steps)
         film = film_run(run, skip=skip, on_steps=progress.done)
-    output.write_text(player_page(title, film), encoding="utf-8", newline="\n")
+    write_text(output, player_page(title, film))
     _tell_page(as_json, output, film)
 
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import typer
 from typer.core import TyperCommand
 
+from sandbox._atomic_write import check_writable
 from sandbox.cli.options import takes
 from sandbox.cli.replay_options import ReplayOptions
 from sandbox.errors import SandboxError
@@ -42,6 +43,8 @@ def replay(options: ReplayOptions) -> None:
     settings = _settings(options)
     part = _part(options.shard)
     _check_report(options.report)
+    if options.junit is not None:
+        check_writable(options.junit)
     if options.against and (options.tolerance or options.heavy or options.update or options.prune):
         raise SandboxError("--against: two revisions are compared bit for bit, and nothing is renewed")
     from sandbox.cli.replay_run import Work, run
@@ -67,8 +70,7 @@ def _check_report(path: Path | None) -> None:
         return
     if path.suffix.lower() not in (".html", ".htm"):
         raise SandboxError(f"--report {path}: the name must end in .html")
-    if not path.resolve().parent.is_dir():
-        raise SandboxError(f"--report {path}: the folder {path.resolve().parent} does not exist")
+    check_writable(path)
 
 
 def _part(text: str) -> tuple[int, int]:

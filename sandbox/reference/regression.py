@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 from string import Template
 
+from sandbox._atomic_write import write_text
 from sandbox.reference.ask_pymunk import PYMUNK_VERSION
 from sandbox.reference.comparison_result import Comparison, Disagreement, Miss
 from sandbox.resources import SCENE_SUFFIX
@@ -64,7 +65,7 @@ def save_regressions(scene: Scene, source: Path, tally: Comparison, folder: Path
     written = []
     for name, text in tests:
         path = folder / f"test_{name}.py"
-        path.write_text(text, encoding="utf-8")
+        write_text(path, text)
         written.append(path)
     return list(dict.fromkeys(written))
 

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
+from sandbox._atomic_write import write_bytes
 from sandbox.errors import MissingDependencyError
 from sandbox.reference.measures import Measures
 from sandbox.reference.twin import Twin
@@ -45,7 +47,10 @@ def save_plot(twin: Twin, title: str, path: Path) -> None:
         axes[-1].set_xlabel("time, s", color=_QUIET)
         axes[-1].set_xlim(twin.times[0], twin.times[-1] or 1.0)
         _entitle(figure, axes[0], title, twin.label)
-        figure.savefig(path, dpi=150, metadata={"Date": None} if path.suffix.lower() == ".svg" else None)
+        kind = path.suffix.lower().removeprefix(".")
+        data = BytesIO()
+        figure.savefig(data, format=kind, dpi=150, metadata={"Date": None} if kind == "svg" else None)
+    write_bytes(path, data.getvalue())
 
 
 def require_matplotlib() -> Any:

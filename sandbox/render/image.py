@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
 from PIL import Image
 
+from sandbox._atomic_write import write_bytes
 from sandbox.engine.world import World
 from sandbox.render.body_colors import BodyColors, body_colors_of
 from sandbox.render.camera import Camera, Size, scene_camera
@@ -35,8 +37,8 @@ class FrameRenderer:
         return self._painter.paint(build_draw_list(frame, self.camera, self.body_colors))
 
     def save_png(self, frame: Frame, path: Path) -> None:
-        """Write one frame as a PNG file."""
-        self.picture(frame).save(path, optimize=True)
+        """Write one frame as a PNG file. Raises `OSError`."""
+        save_png(self.picture(frame), path)
 
     def film(self, frames: Sequence[Frame]) -> Iterator[Any]:
         """All frames as images with one shared palette, one after the other."""
@@ -60,9 +62,21 @@ def renderer_of(world: World, size: Size) -> FrameRenderer:
     return FrameRenderer(camera, body_colors_of(world.state))
 
 
+def save_png(picture: Any, path: Path) -> None:
+    """Write a Pillow image as a PNG file. Raises `OSError`."""
+    data = BytesIO()
+    picture.save(data, "PNG", optimize=True)
+    write_bytes(path, data.getvalue())
+
+
 def save_gif(images: Iterable[Any], path: Path, seconds_a_frame: float) -> None:
-    """Write palette images as an endless GIF. Frames that show nothing new only lengthen the one before."""
+    """Write palette images as an endless GIF. Frames that show nothing new only lengthen the one before.
+
+    Raises `OSError`.
+    """
     pictures = iter(images)
     first = next(pictures)
     delay = round(seconds_a_frame * 1000)
-    first.save(path, save_all=True, append_images=pictures, duration=delay, loop=0, disposal=1)
+    data = BytesIO()
+    first.save(data, "GIF", save_all=True, append_images=pictures, duration=delay, loop=0, disposal=1)
+    write_bytes(path, data.getvalue())

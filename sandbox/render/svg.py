@@ -6,6 +6,8 @@ from collections.abc import Iterable
 from pathlib import Path
 from xml.etree import ElementTree
 
+from sandbox._atomic_write import write_text
+
 Pixel = tuple[float, float]
 
 FONT = "ui-sans-serif, system-ui, 'Segoe UI', Helvetica, Arial, sans-serif"
@@ -106,7 +108,7 @@ class Svg:
 
     def save(self, path: Path) -> None:
         """Write the picture. Raises `OSError`."""
-        path.write_text(self.to_text(), encoding="utf-8", newline="\n")
+        write_text(path, self.to_text())
 
     def _add(self, tag: str, kind: str, **attributes: str) -> ElementTree.Element:
         return ElementTree.SubElement(self._into, tag, {"class": kind, **attributes})

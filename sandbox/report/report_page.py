@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TypeAlias
 
+from sandbox._atomic_write import write_text
 from sandbox._version import __version__
 from sandbox.errors import SandboxError
 from sandbox.replay.golden.examine import Report
@@ -38,7 +39,7 @@ def write_report(
 
     `on_failure` hears the name of each failure before it is run again for its film, by `filming`.
     """
-    path.write_text(report_page(entries, seconds, on_failure, filming), encoding="utf-8", newline="\n")
+    write_text(path, report_page(entries, seconds, on_failure, filming))
 
 
 def report_page(

@@ -7,6 +7,7 @@ from typing import Any
 
 from pydantic import PrivateAttr
 
+from sandbox._atomic_write import write_text
 from sandbox.notebook import Shown
 from sandbox.scene.excerpt import line_column
 from sandbox.scene.finding import path_of
@@ -55,11 +56,11 @@ class Scene(Shown, SceneFields):
         return self._flat
 
     def save(self, path: str | FilePath) -> None:
-        """Write the scene as JSON (UTF-8) that loads to an equal scene."""
+        """Write the scene as JSON (UTF-8) that loads to an equal scene. Raises `OSError`; what was there stays then."""
         data = self.to_data()
         head = {"$schema": data.pop("$schema")} if "$schema" in data else {}
         text = pretty(kinds_first({**head, "format": 1, **data})) + "\n"
-        FilePath(path).write_text(text, encoding="utf-8", newline="\n")
+        write_text(FilePath(path), text)
 
     def locate(self, pointer: str) -> tuple[int, int] | None:
         """Line and column in the scene's file of the value at a JSON pointer; None if there is no file."""

@@ -11,6 +11,7 @@ import pygame
 
 from sandbox.errors import SandboxError
 from sandbox.render.camera import Size
+from sandbox.render.image import save_png
 from sandbox.window.platform import choose_video_driver, survive_x_errors
 from sandbox.window.requirements import no_window
 
@@ -75,7 +76,7 @@ class Display:
         pixels = self.context.screen.read(viewport=viewport, components=3, alignment=1)
         _ = self.context.error  # reading the window leaves a stale error flag, which ImGui's painter would raise
         picture = Image.frombytes("RGB", self.size, pixels).transpose(Image.Transpose.FLIP_TOP_BOTTOM)
-        picture.save(path, optimize=True)
+        save_png(picture, path)
 
     def close(self) -> None:
         """Close the window."""

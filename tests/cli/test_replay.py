@@ -106,7 +106,7 @@ class TestRecord:
     def test_a_folder_that_is_not_there(self, cli: Callable, write_scene: Callable) -> None:
         done = cli("record", write_scene("a.scene.json"), "-o", "nowhere/a.replay.json")
         assert done.code == 2
-        assert "No such file" in done.err
+        assert "nowhere does not exist" in done.err
 
 
 class TestWords:

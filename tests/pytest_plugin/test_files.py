@@ -180,7 +180,7 @@ class TestPage:
     ) -> None:
         keep(put("a.scene.json"))
         done = home.runpytest("--replay-report", "nowhere/page.html")
-        done.stdout.fnmatch_lines(["nowhere/page.html: No such file or directory"])
+        done.stdout.fnmatch_lines(["nowhere/page.html: it cannot be written: the folder *nowhere does not exist"])
 
 
 class TestManners:

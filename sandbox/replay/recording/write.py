@@ -9,6 +9,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+from sandbox._atomic_write import write_text
 from sandbox.errors import Problem, RecordingError
 from sandbox.replay.recording.command_words import encode
 from sandbox.replay.recording.limits import MAX_COMMANDS, MAX_STEPS
@@ -26,14 +27,7 @@ def write_recording(recording: RecordingFields, path: Path, embed: bool | None) 
         limits = f"a recording has 1 to {MAX_STEPS:,} steps and at most {MAX_COMMANDS:,} commands"
         raise RecordingError(str(path), [Problem(f"{limits}; this one has {recording.steps:,}")])
     text = recording_text(recording, path, embed)
-    # Another name first: a reader never finds half a file, and an old one is kept if the disk is full.
-    partial = path.with_name(path.name + ".part")
-    try:
-        partial.write_text(text, encoding="utf-8", newline="\n")
-        os.replace(partial, path)
-    except OSError:
-        partial.unlink(missing_ok=True)
-        raise
+    write_text(path, text)
 
 
 def recording_text(recording: RecordingFields, path: Path, embed: bool | None = None) -> str:

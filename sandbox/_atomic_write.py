@@ -1,0 +1,140 @@
+"""Writes files whole or not at all: nobody finds half a file, and what stood there survives a full disk.
+
+What is written goes into a new file in the same folder, which takes the old one's place by a rename (POSIX `rename`,
+Windows `MoveFileEx`). Links are followed, and the permissions of a file that was there are kept. What is no regular
+file (`/dev/stdout`, a pipe) is written as it is.
+"""
+
+from __future__ import annotations
+
+import errno
+import os
+import secrets
+import stat
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+_NO_SYNC = (errno.EINVAL, errno.ENOSYS, errno.ENOTSUP)
+"""What file systems answer that cannot be asked to sync."""
+_STREAMS = (1, 2)
+"""What this process has open for output."""
+
+
+def write_text(path: Path, text: str) -> None:
+    """Write a text as UTF-8, with `\\n` at the ends of lines on every system. Raises `OSError` that names `path`."""
+    write_bytes(path, text.encode())
+
+
+def write_bytes(path: Path, data: bytes, durable: bool = True) -> None:
+    """Write `data`. `durable`: it is on the disk before it takes the place of what was there.
+
+    Raises `OSError` that names `path`; what was there is there still then, and nothing else.
+    """
+    with _naming(path):
+        _write(Path(path), data, durable)
+
+
+def check_writable(path: Path) -> None:
+    """Whether `path` can be written, as far as can be told before. Raises `OSError` as `write_bytes` would."""
+    with _naming(path):
+        there = _status(Path(path))
+        _check_there(path, there)
+        if there is None or stat.S_ISREG(there.st_mode):
+            _check_folder(_target(path).parent)
+
+
+def _write(path: Path, data: bytes, durable: bool) -> None:
+    there = _status(path)
+    _check_there(path, there)
+    stream = next((number for number in _STREAMS if there and _is_open_as(there, number)), None)
+    if stream is not None:
+        sys.stdout.flush()
+        _write_to(os.dup(stream), data)
+        return
+    if there is not None and not stat.S_ISREG(there.st_mode):
+        _write_to(os.open(path, os.O_WRONLY | getattr(os, "O_BINARY", 0)), data)
+        return
+    target = _target(path)
+    _check_folder(target.parent)
+    _replace(target, there, data, durable)
+
+
+def _replace(target: Path, there: os.stat_result | None, data: bytes, durable: bool) -> None:
+    partial = target.with_name(f".sandbox-{secrets.token_hex(6)}.part")
+    try:
+        number = os.open(partial, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o666)
+        try:
+            if there is not None:
+                _keep_permissions(partial, there)
+        finally:
+            _write_to(number, data, durable)
+        os.replace(partial, target)
+    except BaseException:
+        with suppress(OSError):
+            partial.unlink(missing_ok=True)
+        raise
+
+
+def _write_to(number: int, data: bytes, durable: bool = False) -> None:
+    """Write to an open file and close it."""
+    with os.fdopen(number, "wb") as file:
+        file.write(data)
+        file.flush()
+        if durable:
+            try:
+                os.fsync(number)
+            except OSError as error:
+                if error.errno not in _NO_SYNC:
+                    raise
+
+
+def _keep_permissions(partial: Path, there: os.stat_result) -> None:
+    os.chmod(partial, stat.S_IMODE(there.st_mode))
+    own = partial.stat()
+    if hasattr(os, "chown") and (own.st_uid, own.st_gid) != (there.st_uid, there.st_gid):
+        with suppress(PermissionError):  # only the administrator gives files away
+            os.chown(partial, there.st_uid, there.st_gid)
+
+
+def _check_there(path: Path, there: os.stat_result | None) -> None:
+    if there is not None and stat.S_ISDIR(there.st_mode):
+        raise IsADirectoryError(errno.EISDIR, "it is a folder")
+    if there is not None and not os.access(path, os.W_OK):  # a rename would not ask
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+
+
+def _check_folder(folder: Path) -> None:
+    if not folder.is_dir():
+        raise FileNotFoundError(errno.ENOENT, f"the folder {folder} does not exist")
+    if not os.access(folder, os.W_OK):
+        raise PermissionError(errno.EACCES, f"the folder {folder} cannot be written to")
+
+
+def _status(path: Path) -> os.stat_result | None:
+    try:
+        return os.stat(path)
+    except FileNotFoundError:
+        return None
+
+
+def _target(path: Path) -> Path:
+    """Where links lead."""
+    return Path(os.path.realpath(path))
+
+
+def _is_open_as(there: os.stat_result, number: int) -> bool:
+    try:
+        return os.path.samestat(there, os.fstat(number))
+    except OSError:  # closed
+        return False
+
+
+@contextmanager
+def _naming(path: Path) -> Iterator[None]:
+    """Let errors tell of the file that was asked for, and not of another one on the way."""
+    try:
+        yield
+    except OSError as error:
+        raise OSError(error.errno, f"it cannot be written: {error.strerror or error}", str(path)) from error
