@@ -95,7 +95,7 @@ def _written(folder: Path, text: str) -> Path:
         (lambda d: d.pop("final"), '"final" is missing'),
         (lambda d: d["final"].update(crate=[1, 2]), "needs 3 entries"),
         (lambda d: d["final"].update(crate=[1, 2, "x"]), "must be a number"),
-        (lambda d: d["final"].update({"a b": [1, 2, 3]}), "must be 1 to 100 letters"),
+        (lambda d: d["final"].update({"a b": [1, 2, 3]}), "must be 1 to 200 letters"),
         (lambda d: d["scene"].update(path="../../a.scene.json"), 'either a "path" or its "content"'),
         (lambda d: d["scene"].pop("content"), 'either a "path" or its "content"'),
         (lambda d: d["scene"]["content"].update(bodys=[]), 'unknown field "bodys"'),

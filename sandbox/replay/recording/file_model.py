@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from functools import partial
+from pathlib import PureWindowsPath
 from typing import Annotated, Any
 
 from pydantic import AfterValidator, Field
@@ -12,10 +13,11 @@ from pydantic_core import PydanticCustomError
 from sandbox.replay.recording.limits import MAX_COMMANDS, MAX_STEPS
 from sandbox.scene.base import Model
 from sandbox.scene.constraints import Listed, Range
-from sandbox.scene.quantities import Hertz, Name
+from sandbox.scene.quantities import Hertz
 
 _FINGERPRINT = re.compile(r"[0-9a-f]{4}( [0-9a-f]{4}){3}")
-_PATH = re.compile(r"(?![/\\])(?!.*[:\\]).{1,1000}\.json")
+_WAY = re.compile(r"(?!/)(?!.*//)[^\\]{1,1000}\.json")
+_ID = re.compile(r"[\w.:-]{1,200}")  # a name of a scene, and the numbers that generators put behind it
 
 
 def _check_fingerprint(value: str) -> str:
@@ -24,9 +26,20 @@ def _check_fingerprint(value: str) -> str:
     return value
 
 
+def is_way(value: str) -> bool:
+    """Whether a recording may name its scene's file so: the same file on every system, below or beside its folder."""
+    return bool(_WAY.fullmatch(value)) and value.isprintable() and not PureWindowsPath(value).drive
+
+
 def _check_path(value: str) -> str:
-    if not _PATH.fullmatch(value) or not value.isprintable():
+    if not is_way(value):
         raise PydanticCustomError("path", "must be the way to a .json file from here, with / between folders")
+    return value
+
+
+def _check_id(value: str) -> str:
+    if not _ID.fullmatch(value):
+        raise PydanticCustomError("id", "must be 1 to 200 letters, digits or any of _ - . :")
     return value
 
 
@@ -46,6 +59,7 @@ Fingerprint = Annotated[str, AfterValidator(_check_fingerprint)]
 RelativePath = Annotated[str, AfterValidator(_check_path)]
 Hex4 = Annotated[str, AfterValidator(partial(_check_hex, 4))]
 Hex16 = Annotated[str, AfterValidator(partial(_check_hex, 16))]
+Id = Annotated[str, AfterValidator(_check_id)]
 Words = Annotated[str, Field(max_length=200), AfterValidator(_check_printable)]
 PoseRow = Annotated[tuple[float, float, float], Listed("[x, y, angle]", 3, 3)]
 
@@ -57,8 +71,8 @@ class SceneEntry(Model):
     content: dict[str, Any] | None = None
     hash: Hex16
     world: Hex4
-    bodies: dict[Name, Hex4]
-    joints: dict[Name, Hex4] = Field(default={})
+    bodies: dict[Id, Hex4]
+    joints: dict[Id, Hex4] = Field(default={})
 
 
 class CheckpointEntry(Model):
@@ -84,5 +98,5 @@ class FileModel(Model):
     commands: Annotated[tuple[Any, ...], Listed("of commands", 0, MAX_COMMANDS)] = ()
     checkpoints: Annotated[tuple[CheckpointEntry, ...], Listed("of checkpoints", 0, MAX_STEPS)]
     digests: Annotated[tuple[Fingerprint, ...], Listed("of fingerprints", 1, MAX_STEPS)]
-    final: dict[Name, PoseRow]
+    final: dict[Id, PoseRow]
     digest: Hex16

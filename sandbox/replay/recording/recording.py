@@ -32,8 +32,9 @@ class Recording(Shown, RecordingFields):
     def save(self, path: str | os.PathLike[str], embed: bool | None = None) -> None:
         """Write the recording as JSON. Its scene goes in by path and hash, with `embed` by content.
 
-        Without `embed` a scene that has no file, or that comes with the package, goes in by content.
-        Raises `RecordingError` if it cannot be written so.
+        Without `embed` a scene goes in by content if it has no file, comes with the package, or has a file that is not
+        JSON by its name, or with a backslash or what cannot be printed on the way to it.
+        Raises `RecordingError` if it cannot be written so, and `OSError`.
         """
         write_recording(self, Path(path), embed)
 

@@ -12,10 +12,12 @@ from typing import Any
 from sandbox._atomic_write import write_text
 from sandbox.errors import Problem, RecordingError
 from sandbox.replay.recording.command_words import encode
-from sandbox.replay.recording.limits import MAX_COMMANDS, MAX_STEPS
+from sandbox.replay.recording.file_model import is_way
+from sandbox.replay.recording.limits import MAX_BYTES, MAX_COMMANDS, MAX_STEPS
 from sandbox.replay.recording.migrate import FORMAT
 from sandbox.replay.recording.recording_fields import RecordingFields, SceneSource
 from sandbox.resources import scenes_dir
+from sandbox.scene.finding import printable
 from sandbox.scene.pretty import kinds_first
 
 _WIDTH = 100
@@ -27,6 +29,8 @@ def write_recording(recording: RecordingFields, path: Path, embed: bool | None) 
         limits = f"a recording has 1 to {MAX_STEPS:,} steps and at most {MAX_COMMANDS:,} commands"
         raise RecordingError(str(path), [Problem(f"{limits}; this one has {recording.steps:,}")])
     text = recording_text(recording, path, embed)
+    if len(text.encode()) > MAX_BYTES:
+        raise RecordingError(str(path), [Problem(f"a recording has at most {MAX_BYTES // 2**20} MiB")])
     write_text(path, text)
 
 
@@ -69,7 +73,10 @@ def _scene(scene: SceneSource, path: Path, embed: bool | None) -> str:
 
 
 def _way(scene: SceneSource, path: Path, embed: bool | None) -> str | None:
-    """The way from the recording's folder to the scene's file; None if the scene is to be in the recording."""
+    """The way from the recording's folder to the scene's file; None if the scene is to be in the recording.
+
+    There it is where it has to be, too: where the way cannot be said so that every system understands it.
+    """
     if scene.path is None:
         return None
     here, there = path.parent.resolve(), scene.path.resolve()
@@ -77,9 +84,15 @@ def _way(scene: SceneSource, path: Path, embed: bool | None) -> str | None:
     if embed is None and there.is_relative_to(shipped) and not here.is_relative_to(shipped):
         return None
     try:
-        return Path(os.path.relpath(there, here)).as_posix()
+        way = Path(os.path.relpath(there, here)).as_posix()
     except ValueError:  # on another drive
         return None
+    if is_way(way):
+        return way
+    if embed is None:
+        return None
+    text = f"the way to its scene, {printable(way)}, cannot stand in a recording: rename that file, or embed it"
+    raise RecordingError(str(path), [Problem(text)])
 
 
 def _deep(entries: Iterable[tuple[str, Any]]) -> str:
