@@ -21,7 +21,7 @@ from sandbox._compiling import compiling
 from sandbox._kernel_cache import is_filled, kept_file
 from sandbox._kernel_cache import read as read_kept
 from sandbox._kernel_cache import write as write_kept
-from sandbox._machine_code import Block, Version
+from sandbox._machine_code import Block, Version, is_usable
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -84,7 +84,7 @@ class EntryPoint(Kernel):
         if kinds not in self._versions:
             file = kept_file(cast(Any, self.py_func), kinds)
             found = read_kept(file)
-            if found is None:
+            if found is None or not is_usable(*found):
                 from sandbox._linking import machine_code
 
                 with compiling(self, arguments):

@@ -13,13 +13,16 @@ import json
 import os
 import platform
 import shutil
+import sys
 import time
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 from types import FunctionType
 from typing import Any
 
 from sandbox._atomic_write import write_bytes
+from sandbox._bounded_read import read_bytes
 from sandbox._shipped_code import shipped_folder
 
 _ROOMS = (
@@ -44,6 +47,9 @@ _SETTINGS = ("CPU_NAME", "CPU_FEATURES", "ENABLE_AVX", "OPT", "LOOP_VECTORIZE", 
 """Environment variables of numba, without `NUMBA_`, that change machine code."""
 _STALE_SECONDS = 14 * 24 * 3600
 _SUFFIX = ".code"
+_LARGEST = 1 << 28
+"""Bytes of a file of machine code; the largest has a megabyte."""
+_told: list[OSError] = []
 _STEP = "sandbox.engine.step"
 """The module of the entry points that every world needs."""
 
@@ -60,17 +66,26 @@ def is_compiled() -> bool:
 
 
 def _has_step(folder: Path) -> bool:
-    return any(folder.glob(f"{_STEP}.*{_SUFFIX}"))
+    try:
+        return any(folder.glob(f"{_STEP}.*{_SUFFIX}"))
+    except OSError:
+        return False
 
 
 @cache
 def cache_folder() -> Path:
-    """Where machine code is kept: in `cache_root()`, named by `cache_key()`."""
+    """Where machine code is kept: in `cache_root()`, named by `cache_key()`. It is made if it can be."""
     base = cache_root() / "kernels"
     folder = base / cache_key()
-    folder.mkdir(parents=True, exist_ok=True)
-    _forget_old_folders(base, folder)
+    with suppress(OSError):  # then nothing is kept, which `write` tells
+        folder.mkdir(parents=True, exist_ok=True)
+        _forget_old_folders(base, folder)
     return folder
+
+
+def can_keep() -> bool:
+    """Whether machine code can be kept, as far as can be told before: a disk may be full."""
+    return os.access(cache_folder(), os.W_OK | os.X_OK)
 
 
 def cache_root() -> Path:
@@ -124,19 +139,48 @@ def read(file: Path | None) -> tuple[Any, bytes] | None:
 
 
 def _read(file: Path) -> tuple[Any, bytes] | None:
-    if not file.exists():
+    try:
+        head, _, code = read_bytes(file, _LARGEST).partition(b"\n")
+        digest, _, about = head.decode(errors="replace").partition(" ")
+        return (json.loads(about), code) if digest == _digest(about.encode(), code) else None
+    except (OSError, ValueError):
         return None
-    head, _, code = file.read_bytes().partition(b"\n")
-    digest, _, about = head.decode(errors="replace").partition(" ")
-    return (json.loads(about), code) if digest == _digest(about.encode(), code) else None
 
 
 def write(file: Path | None, about: Any, code: bytes) -> None:
-    """Keep machine code and what is to be known about it, a JSON value. Other processes see all of it or nothing."""
+    """Keep machine code and what is to be known about it, a JSON value. Other processes see all of it or nothing.
+
+    Where it cannot be kept, this process says so once and goes on with what is in memory.
+    """
     if file is None:
         return
     head = json.dumps(about).encode()
-    write_bytes(file, _digest(head, code).encode() + b" " + head + b"\n" + code, durable=False)
+    try:
+        _make_way(file)
+        write_bytes(file, _digest(head, code).encode() + b" " + head + b"\n" + code, durable=False)
+    except OSError as error:
+        _tell(error)
+
+
+def _make_way(file: Path) -> None:
+    """Take away what is no file: it would be written into, or stay for ever."""
+    if file.is_dir() and not file.is_symlink():
+        shutil.rmtree(file)
+    elif os.path.lexists(file) and not file.is_file():
+        file.unlink()
+
+
+def _tell(error: OSError) -> None:
+    """Say it once. Processes of a pool leave that to the one that has begun them."""
+    from multiprocessing import parent_process  # not needed where all is well
+
+    if _told or parent_process() is not None or sys.stderr is None:
+        return
+    _told.append(error)
+    reason = str(error.strerror).removeprefix("it cannot be written: ")
+    words = f"machine code cannot be kept in {cache_root()}: {reason}"
+    mend = "it is compiled anew by every process until SANDBOX_CACHE_DIR names a folder that can be written to"
+    print(f"sandbox: {words}; {mend}", file=sys.stderr, flush=True)
 
 
 def _digest(*parts: bytes) -> str:

@@ -15,11 +15,22 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from sandbox._object_file import is_whole
+
 ENTER = "enter"
 Returns: TypeAlias = Any
 """What a function returns: one of the letters below, or a list of such for a tuple."""
 INTEGER, FLOAT, TRUTH, NOTHING = "q", "d", "?", "n"
 _RESULTS = {INTEGER: ctypes.c_int64, FLOAT: ctypes.c_double, TRUTH: ctypes.c_bool, NOTHING: None}
+
+
+def is_usable(returns: Any, code: bytes) -> bool:
+    """Whether `Version` can be made of what was kept: LLVM takes the process down with it if it cannot."""
+    return _is_returns(returns) and is_whole(code)
+
+
+def _is_returns(value: Any) -> bool:
+    return all(map(_is_returns, value)) if isinstance(value, list) else isinstance(value, str) and value in _RESULTS
 
 
 class Version:

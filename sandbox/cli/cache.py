@@ -48,6 +48,7 @@ def _found(fill: bool) -> dict[str, Any]:
     from sandbox._kernel_cache import cache_folder, cache_key, cache_root, is_compiled, sources_hash
     from sandbox._shipped_code import shipped_folder
 
+    cache_folder().mkdir(parents=True, exist_ok=True)  # raises what kept it from being made
     shipped = shipped_folder(sources_hash())
     if fill and not is_compiled():
         _compile()

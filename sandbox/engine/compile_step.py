@@ -18,6 +18,7 @@ from typing import Any
 
 from sandbox import _compiling
 from sandbox._jit import cache_is_cold
+from sandbox._kernel_cache import can_keep
 from sandbox.engine.continuous_collision.solve_continuous import solve_continuous
 from sandbox.engine.memory.binding import bind
 from sandbox.engine.memory.scratch import Scratch
@@ -32,7 +33,7 @@ def compile_step(joints: bool) -> None:
 
     With `joints` it is the step of worlds that have some: another version of the machine code.
     """
-    if not cache_is_cold() or (os.cpu_count() or 1) < 2:
+    if not cache_is_cold() or (os.cpu_count() or 1) < 2 or not can_keep():
         return
     helper = _start_helper()
     _run_once(solve, joints)
