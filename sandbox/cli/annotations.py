@@ -7,6 +7,7 @@ import re
 import sys
 from collections.abc import Sequence
 
+from sandbox._bounded_read import is_regular
 from sandbox.cli.replay_messages import advice, reasons
 from sandbox.replay.golden.examine import Report
 from sandbox.scene.excerpt import line_column
@@ -48,7 +49,7 @@ def _line(report: Report) -> int:
     """The line of the mistake, or of the fingerprint of the first step that differs; 0 if there is none."""
     if report.problems:
         return report.problems[0].line
-    if report.outcome is None or report.outcome.divergence is None:
+    if report.outcome is None or report.outcome.divergence is None or not is_regular(report.case.replay):
         return 0
     text = report.case.replay.read_text(encoding="utf-8")
     path = ("digests", max(report.outcome.divergence.step - 1, 0))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from sandbox._bounded_read import read_bytes
 from sandbox.errors import Problem, SceneError
 from sandbox.resources import benchmark_scenes, scene_name, shipped_scenes
 from sandbox.scene.finding import nearest
@@ -25,8 +26,7 @@ def read_text(path: Path, what: str = "scene", limit: int = MAX_BYTES) -> str:
 
 def _read_bytes(path: Path, what: str, limit: int) -> bytes:
     try:
-        with path.open("rb") as file:
-            return file.read(limit + 1)
+        return read_bytes(path, limit + 1)
     except FileNotFoundError:
         raise _error(path, "there is no such file", _nearest_file(path)) from None
     except IsADirectoryError:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import subprocess
 import sys
@@ -208,3 +209,12 @@ class TestManners:
         put("a.scene.json", RESTS)
         done = home.runpytest("-p", "xdist.plugin", "-n", "1", "--replay-update")
         done.stdout.fnmatch_lines(["*recordings written*", "a.replay.json"])
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="has no pipes among its files")
+def test_pipes_are_not_waited_for(home: pytest.Pytester) -> None:
+    os.mkfifo(home.path / "a.scene.json")
+    os.mkfifo(home.path / "b.replay.json")
+    assert home.runpytest().ret == pytest.ExitCode.NO_TESTS_COLLECTED
+    for name in ("a.scene.json", "b.replay.json"):
+        assert home.runpytest(name).ret == pytest.ExitCode.USAGE_ERROR

@@ -7,7 +7,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from sandbox.replay.recording.limits import SUFFIX
+from sandbox._bounded_read import read_bytes
+from sandbox.replay.recording.limits import MAX_BYTES, SUFFIX
 from sandbox.resources import SCENE_SUFFIX, files_below
 
 
@@ -56,13 +57,13 @@ def _of_replay(replay: Path) -> Case:
 
 def _of_scene(scene: Path) -> Case:
     replay = replay_beside(scene)
-    return Case(replay) if replay.is_file() else Case(replay, scene)
+    return Case(replay) if replay.exists() else Case(replay, scene)
 
 
 def expects(scene: Path) -> bool:
     """Whether a scene says what must hold; one that cannot be read counts, so that its mistakes come to light."""
     try:
-        data = json.loads(scene.read_bytes())
+        data = json.loads(read_bytes(scene, MAX_BYTES))
     except (OSError, ValueError, RecursionError):
         return True
     return not isinstance(data, dict) or bool(data.get("expect"))

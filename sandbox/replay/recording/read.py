@@ -7,6 +7,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from sandbox._bounded_read import is_regular
 from sandbox.errors import Problem, RecordingError, SceneError
 from sandbox.replay.recording.checkpoint import Checkpoint
 from sandbox.replay.recording.command_words import TimedCommand, decode
@@ -147,5 +148,5 @@ def _recording(
         arithmetic=model.arithmetic,
         version=model.sandbox,
         environment=model.environment,
-        source=path,
+        source=path if is_regular(path) else None,  # what a pipe had to say is gone
     )

@@ -1,0 +1,125 @@
+"""Pipes, sockets, devices and folders that are named like scenes and recordings are refused, and nobody waits."""
+
+from __future__ import annotations
+
+import os
+import socket
+import subprocess
+import sys
+import threading
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+import sandbox
+from sandbox._bounded_read import is_regular, read_bytes
+
+pytestmark = pytest.mark.skipif(os.name != "posix", reason="has no pipes among its files")
+SCENE = '{"format": 1, "bodies": [{"id": "ball", "shapes": [{"circle": 1}]}], "settings": {"steps": 3}}'
+
+
+def _socket(path: Path) -> None:
+    with socket.socket(socket.AF_UNIX) as one:
+        one.bind(os.path.relpath(path))
+
+
+STRANGE: dict[str, tuple[Callable[[Path], object], str]] = {
+    "pipe": (os.mkfifo, "it is a pipe, not a regular file"),
+    "socket": (_socket, "it is a socket, not a regular file"),
+    "device": (lambda path: path.symlink_to("/dev/zero"), "it is a device, not a regular file"),
+    "loop": (lambda path: path.symlink_to(path.name), "cannot be read: Too many levels of symbolic links"),
+}
+
+
+@pytest.fixture(autouse=True)
+def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Everything happens in an empty folder."""
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.mark.parametrize("name", STRANGE)
+@pytest.mark.parametrize("ending", [".scene.json", ".replay.json"])
+def test_it_is_told_and_the_others_run(cli: Callable, here: Path, name: str, ending: str) -> None:
+    make, words = STRANGE[name]
+    folder = here / "all"
+    folder.mkdir()
+    make(folder / f"strange{ending}")
+    (folder / "fine.scene.json").write_text(SCENE)
+    done = cli("check" if ending == ".scene.json" else "replay", folder)
+    assert done.code == 2
+    assert words in done.err
+    assert done.err.count("\n") == 1
+
+
+@pytest.mark.parametrize("name", STRANGE)
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["check"], ["events"], ["sat"], ["solver"], ["compare"], ["bench"], ["render", "-o", "x.png"],
+        ["render", "-o", "x.html"], ["record", "-o", "x.replay.json"], ["replay"],
+        ["record", "pyramid-10", "-o", "x.replay.json", "--commands"],
+    ],
+    ids=" ".join,
+)  # fmt: skip
+def test_every_command_refuses_it(cli: Callable, here: Path, arguments: list[str], name: str) -> None:
+    make, words = STRANGE[name]
+    make(here / "strange.scene.json")
+    done = cli(*arguments, "strange.scene.json")
+    assert done.code == 2
+    assert words in done.err
+    assert os.listdir(here) == ["strange.scene.json"]
+
+
+def test_a_pipe_in_the_place_of_a_recording_is_not_written_to(cli: Callable, here: Path) -> None:
+    (here / "a.scene.json").write_text(SCENE)
+    os.mkfifo("a.replay.json")
+    assert cli("replay", "a.scene.json", "--update=all").code == 2
+    assert cli("record", "a.scene.json", "-o", "a.replay.json").code == 2
+
+
+def test_a_page_of_a_strange_recording_is_refused(cli: Callable, here: Path) -> None:
+    os.mkfifo("a.replay.json")
+    done = cli("render", "a.replay.json", "-o", "x.html")
+    assert (done.code, "it is a pipe" in done.err) == (2, True)
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/fd"), reason="has no /dev/fd")
+@pytest.mark.parametrize(("fed", "code"), [(SCENE, 0), (" " * (17 << 20), 2)], ids=["scene", "endless"])
+def test_what_a_shell_lends_is_read_to_the_limit(fed: str, code: int) -> None:
+    reading, writing = os.pipe()
+
+    def feed() -> None:
+        try:
+            with os.fdopen(writing, "w") as file:
+                file.write(fed)
+        except BrokenPipeError:
+            pass
+
+    feeder = threading.Thread(target=feed)
+    feeder.start()
+    command = [sys.executable, "-m", "sandbox", "check", f"/dev/fd/{reading}"]
+    done = subprocess.run(command, pass_fds=[reading], capture_output=True, text=True)
+    os.close(reading)
+    feeder.join()
+    assert done.returncode == code, done.stderr
+    assert ("the file is larger than 16 MiB" in done.stderr) == (code == 2)
+
+
+def test_reading_stops_at_the_limit(here: Path) -> None:
+    (here / "a").write_bytes(b"x" * 5_000_000)
+    assert len(read_bytes(here / "a", 3_000_000)) == 3_000_000
+    assert read_bytes(here / "a", 10**9) == b"x" * 5_000_000
+    assert is_regular(here / "a")
+    assert not is_regular(here)
+    assert not is_regular(here / "none")
+    assert not is_regular(Path("a\0b"))
+
+
+def test_a_scene_of_a_pipe_is_refused_in_python(here: Path) -> None:
+    os.mkfifo("a.json")
+    with pytest.raises(sandbox.SceneError, match="it is a pipe, not a regular file"):
+        sandbox.load_scene("a.json")
+    with pytest.raises(sandbox.RecordingError, match="it is a pipe, not a regular file"):
+        sandbox.Recording.load("a.json")
