@@ -16,6 +16,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
+from sandbox._printable import printable
+
 _NO_SYNC = (errno.EINVAL, errno.ENOSYS, errno.ENOTSUP)
 """What file systems answer that cannot be asked to sync."""
 _STREAMS = (1, 2)
@@ -107,9 +109,9 @@ def _check_there(path: Path, there: os.stat_result | None) -> None:
 
 def _check_folder(folder: Path) -> None:
     if not folder.is_dir():
-        raise FileNotFoundError(errno.ENOENT, f"the folder {folder} does not exist")
+        raise FileNotFoundError(errno.ENOENT, f"the folder {printable(str(folder))} does not exist")
     if not os.access(folder, os.W_OK):
-        raise PermissionError(errno.EACCES, f"the folder {folder} cannot be written to")
+        raise PermissionError(errno.EACCES, f"the folder {printable(str(folder))} cannot be written to")
 
 
 def _status(path: Path) -> os.stat_result | None:

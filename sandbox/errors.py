@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from sandbox._printable import printable
+
 
 class SandboxError(Exception):
     """Base of all errors of this package. Its text is one clear message that a user can act on."""
@@ -45,10 +47,11 @@ class FileError(SandboxError):
     def lines(self) -> list[str]:
         """The error list as text lines: `file:line:column: message`, then the excerpt with a caret, then the hint."""
         out: list[str] = []
+        source = printable(self.source)
         for problem in self.problems:
-            place = f"{self.source}:{problem.line}:{problem.column}" if problem.line else self.source
+            place = f"{source}:{problem.line}:{problem.column}" if problem.line else source
             where = f" (at {problem.pointer})" if problem.pointer and not problem.line else ""
-            hint = f" {problem.hint}" if problem.hint else ""
+            hint = f" {printable(problem.hint)}" if problem.hint else ""
             out.append(f"{place}: {problem.message}{where}{hint}")
             if problem.excerpt:
                 out.append(problem.excerpt)

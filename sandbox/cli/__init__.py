@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Sequence
+from io import TextIOWrapper
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
@@ -10,6 +12,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
     from sandbox.cli.app import build
     from sandbox.cli.failures import report
 
+    if isinstance(sys.stdout, TextIOWrapper):  # names of files may hold what its encoding has no bytes for
+        sys.stdout.reconfigure(errors="backslashreplace")
     try:
         build().main(None if arguments is None else list(arguments), prog_name="sandbox")
     except Exception as error:

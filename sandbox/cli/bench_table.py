@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from rich.table import Table
 from rich.text import Text
 
+from sandbox._printable import printable
 from sandbox.cli import failures
 from sandbox.resources import scene_name
 
@@ -29,7 +30,7 @@ def show(console: Console, result: BenchResult) -> None:
         if result.error is not None:
             failures.report(result.error)
         return
-    console.print(_head(scene_name(result.path), result.race), soft_wrap=True)
+    console.print(_head(printable(scene_name(result.path)), result.race), soft_wrap=True)
     console.print(_table(result.race))
     for line in _below(result.race):
         console.print(Text(line, style="dim"), soft_wrap=True)

@@ -7,6 +7,8 @@ from typing import Annotated, Any
 
 import typer
 
+from sandbox._printable import told
+
 _KEY = typer.Option("--key", help="Print only the key: it changes when the kernels have to be compiled anew.")
 _PATH = typer.Option("--path", help="Print only the folder: SANDBOX_CACHE_DIR, or the user's cache folder.")
 _FILL = typer.Option("--fill", help="Compile the kernels now, for this very processor, if they are not there yet.")
@@ -84,7 +86,7 @@ def _compile_for_wheel(folder: Path, as_json: bool) -> None:
     if as_json:
         _print_document({"format": 1, "path": folder.as_posix(), "levels": names, "bytes": size})
     else:
-        print(f"{folder}: machine code for {', '.join(names)}, {size / 1e6:.1f} MB")
+        print(f"{told(folder)}: machine code for {', '.join(names)}, {size / 1e6:.1f} MB")
 
 
 def _print_document(found: dict[str, Any]) -> None:

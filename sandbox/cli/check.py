@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
 
+from sandbox._printable import told
 from sandbox.cli.options import WORKERS
 from sandbox.errors import SandboxError
 from sandbox.resources import SCENE_SUFFIX, files_below, find_scene
@@ -78,7 +79,7 @@ def _files_of(path: Path, verb: str) -> list[Path]:
         return [find_scene(path)]
     files = files_below(path, SCENE_SUFFIX)
     if not files:
-        raise SandboxError(f"nothing to {verb}: no *{SCENE_SUFFIX} in {path} or below")
+        raise SandboxError(f"nothing to {verb}: no *{SCENE_SUFFIX} in {told(path)} or below")
     return files
 
 

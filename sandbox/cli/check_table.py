@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from rich.text import Text
 
+from sandbox._printable import printable, told
 from sandbox.cli import failures
 from sandbox.cli.check_result import Result
 
@@ -26,7 +27,7 @@ class Table:
 
     def __init__(self, console: Console, files: Sequence[Path]) -> None:
         self._console = console
-        self._width = max(len("scene"), *(len(file.as_posix()) for file in files))
+        self._width = max(len("scene"), *(len(told(file)) for file in files))
 
     def head(self) -> None:
         """The line of column titles."""
@@ -36,7 +37,7 @@ class Table:
         """The line of one file; reasons follow if it failed, or go to stderr if it could not be used."""
         run = result.run
         cells = (str(run.steps), f"{run.milliseconds:.3f}", run.digest) if run else ("-", "-", "-")
-        line = Text(self._row(result.path.as_posix(), *cells))
+        line = Text(self._row(told(result.path), *cells))
         self._console.print(line.append(self._verdict(result), _STYLES[result.verdict]))
         for reason in reasons(result):
             self._console.print(Text(reason))
@@ -69,12 +70,12 @@ def reasons(result: Result) -> list[str]:
     run = result.run
     if run is None:
         return []
-    told = [_reason(result, verdict) for verdict in run.verdicts if not verdict.holds]
-    return told + [f"  {body} was frozen at step {step}: its numbers went bad" for body, step in run.frozen]
+    lines = [_reason(result, verdict) for verdict in run.verdicts if not verdict.holds]
+    return lines + [f"  {body} was frozen at step {step}: its numbers went bad" for body, step in run.frozen]
 
 
 def _reason(result: Result, verdict: Verdict) -> str:
     return (
-        f"  {result.path.as_posix()}:{result.line(verdict)}: {result.text(verdict)}\n"
+        f"  {told(result.path)}:{result.line(verdict)}: {printable(result.text(verdict))}\n"
         f"    at step {verdict.step}: expected {verdict.expected}; got: {verdict.got}"
     )

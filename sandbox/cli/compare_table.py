@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from rich.text import Text
 
+from sandbox._printable import told
 from sandbox.cli import failures
 from sandbox.cli.compare_result import Result
 
@@ -32,7 +33,7 @@ class Table:
 
     def __init__(self, console: Console, files: Sequence[Path]) -> None:
         self._console = console
-        self._width = max(len("scene"), *(len(file.as_posix()) for file in files))
+        self._width = max(len("scene"), *(len(told(file)) for file in files))
 
     def head(self) -> None:
         """The line of column titles."""
@@ -40,7 +41,7 @@ class Table:
 
     def show(self, result: Result) -> None:
         """The line of one file; what is wrong follows, or goes to stderr if the file could not be used."""
-        line = Text(self._row(result.path.as_posix(), _cells(result.tally)))
+        line = Text(self._row(told(result.path), _cells(result.tally)))
         self._console.print(line.append(result.verdict, _STYLES[result.verdict]))
         for text, style in _remarks(result):
             self._console.print(Text("  " + text, style=style))
@@ -87,7 +88,7 @@ def _remarks(result: Result) -> list[tuple[str, str]]:
     for miss in tally.misses[:_SHOWN]:
         remarks.append((f"step {miss.step}: the grid missed {miss.names[0]} and {miss.names[1]}", ""))
     remarks += _more(tally.missed - _SHOWN, "missed pairs")
-    return remarks + [(f"saved {path.as_posix()}", "dim") for path in result.saved[:_SHOWN]]
+    return remarks + [(f"saved {told(path)}", "dim") for path in result.saved[:_SHOWN]]
 
 
 def _more(count: int, what: str) -> list[tuple[str, str]]:

@@ -8,6 +8,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from sandbox._printable import printable, told
 from sandbox._version import __version__
 from sandbox.cli.check_result import problems
 from sandbox.cli.failures import HOLDS, UNUSABLE, report
@@ -106,13 +107,13 @@ def _save(twin: Twin, scene: Scene, file: Path, plot: Path) -> None:
 def _show(out: Console, file: Path, scene: Scene, twin: Twin, plot: Path | None) -> None:
     from rich.text import Text
 
-    title = f"{file.as_posix()}: {scene.title}" if scene.title else file.as_posix()
+    title = f"{told(file)}: {printable(scene.title)}" if scene.title else told(file)
     out.print(Text(title, style="bold"))
     out.print(_table(twin))
     for note in twin.notes:
         out.print(Text(f"  {note}", style="dim"))
     if plot is not None:
-        out.print(Text(f"  drawn into {plot.as_posix()}", style="dim"))
+        out.print(Text(f"  drawn into {told(plot)}", style="dim"))
 
 
 def _table(twin: Twin) -> Any:

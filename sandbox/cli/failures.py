@@ -7,6 +7,7 @@ import os
 import sys
 import traceback
 
+from sandbox._printable import printable, printable_lines
 from sandbox.errors import FileError, SandboxError
 
 HOLDS, FAILED, UNUSABLE, NOTHING, BUG = 0, 1, 2, 5, 70
@@ -24,9 +25,9 @@ def report(error: Exception) -> int:
     if isinstance(error, FileError):
         _print_problems(error)
     elif isinstance(error, SandboxError):
-        _print_message(str(error))
+        _print_message(printable_lines(str(error)))
     elif isinstance(error, OSError) and error.filename is not None:
-        _print_message(f"{error.filename}: {error.strerror}")
+        _print_message(printable(f"{error.filename}: {error.strerror}"))
     elif isinstance(error, OSError) and error.errno in _NO_ROOM:
         _print_message(f"the output could not be written: {error.strerror}")
     else:

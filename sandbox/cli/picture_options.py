@@ -7,6 +7,7 @@ from collections.abc import Collection
 from pathlib import Path
 
 from sandbox._atomic_write import check_writable
+from sandbox._printable import told
 from sandbox.errors import SandboxError
 
 LARGEST = 8192
@@ -30,6 +31,6 @@ def writable_picture(path: Path, suffixes: Collection[str]) -> str:
     if suffix not in suffixes:
         *others, last = sorted(suffixes)
         known = " or ".join([", ".join(others), last] if others else [last])
-        raise SandboxError(f"{path}: the name of a picture must end in {known}")
+        raise SandboxError(f"{told(path)}: the name of a picture must end in {known}")
     check_writable(path)
     return suffix

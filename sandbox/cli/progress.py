@@ -6,6 +6,7 @@ import sys
 from types import TracebackType
 from typing import TYPE_CHECKING, Self
 
+from sandbox._printable import printable
 from sandbox.cli.compiling import bars
 
 if TYPE_CHECKING:
@@ -21,7 +22,7 @@ class SceneProgress:
     def __init__(self, console: Console, count: int, unit: str = "steps") -> None:
         from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
 
-        columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TextColumn(unit))
+        columns = (TextColumn("{task.description}", markup=False), BarColumn(), MofNCompleteColumn(), TextColumn(unit))
         self._bar = Progress(
             *columns,
             console=console,
@@ -38,11 +39,11 @@ class SceneProgress:
     def begin(self, name: str, steps: int | None) -> None:
         """The next scene starts; it will take `steps` steps, if that is known."""
         self._begun += 1
-        self._bar.reset(self._task, total=steps, description=f"{self._begun}/{self._count} {name}")
+        self._bar.reset(self._task, total=steps, description=f"{self._begun}/{self._count} {printable(name)}")
 
     def say(self, words: str) -> None:
         """What is being done with the current scene, with no end in sight."""
-        self._bar.reset(self._task, total=None, description=f"{self._begun}/{self._count} {words}")
+        self._bar.reset(self._task, total=None, description=f"{self._begun}/{self._count} {printable(words)}")
 
     def done(self, steps: int) -> None:
         """`steps` steps of the current scene are done."""

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from sandbox._atomic_write import check_writable
+from sandbox._printable import told
 from sandbox.cli.options import WORKERS, takes
 from sandbox.errors import SandboxError
 from sandbox.resources import find_scene
@@ -74,10 +75,10 @@ def _check_output(output: Path, force: bool) -> None:
     from sandbox.replay.recording.limits import SUFFIX
 
     if not output.name.endswith(SUFFIX):
-        raise SandboxError(f"{output}: recordings are named NAME{SUFFIX}, so that sandbox replay finds them")
+        raise SandboxError(f"{told(output)}: recordings are named NAME{SUFFIX}, so that sandbox replay finds them")
     if os.path.lexists(output) and not force:
         mend = "--force writes over it, sandbox replay --update renews it with its own commands"
-        raise SandboxError(f"{output}: there is a file of that name already; {mend}")
+        raise SandboxError(f"{told(output)}: there is a file of that name already; {mend}")
     check_writable(output)
 
 
@@ -101,4 +102,4 @@ def _tell(output: Path, recording: Recording, as_json: bool) -> None:
         print(json.dumps(facts, indent=2, ensure_ascii=False))
     else:
         plural = "" if count == 1 else "s"
-        print(f"{output}: {recording.steps} steps, {count} command{plural}, digest {recording.digest}")
+        print(f"{told(output)}: {recording.steps} steps, {count} command{plural}, digest {recording.digest}")

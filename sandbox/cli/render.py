@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from sandbox._atomic_write import write_text
+from sandbox._printable import told
 from sandbox.errors import SandboxError
 from sandbox.resources import find_scene
 
@@ -55,7 +56,7 @@ def render(
         _write_page(scene, output, step, steps, json)
         return
     if scene.name.endswith(".replay.json"):
-        raise SandboxError(f"{scene}: pictures are of scenes; what shows a recording is a page: -o NAME.html")
+        raise SandboxError(f"{told(scene)}: pictures are of scenes; what shows a recording is a page: -o NAME.html")
     moving = suffix == ".gif"
     pixels = parse_size(size or (FILM_SIZE if moving else STILL_SIZE))
     world = _world(find_scene(scene))
@@ -110,7 +111,7 @@ def _tell(as_json: bool, output: Path, size: tuple[int, int], world: World, fram
     else:
         what = f"{frames} pictures" if frames > 1 else "a picture"
         kilobytes = facts["bytes"] / 1000
-        print(f"{output}: {what}, {size[0]}x{size[1]}, {kilobytes:.0f} kB, at step {world.step_count}")
+        print(f"{told(output)}: {what}, {size[0]}x{size[1]}, {kilobytes:.0f} kB, at step {world.step_count}")
 
 
 def _write_page(path: Path, output: Path, skip: int, steps: int | None, as_json: bool) -> None:
@@ -138,7 +139,7 @@ def _tell_page(as_json: bool, output: Path, film: Film) -> None:
         facts = {"file": str(output), "bytes": size, "first_step": film.start, "last_step": film.end}
         print(json.dumps({**facts, "every": film.every, "bodies": len(film.bodies)}, indent=2))
     else:
-        print(f"{output}: a page, {size / 1000:.0f} kB, steps {film.start} to {film.end}")
+        print(f"{told(output)}: a page, {size / 1000:.0f} kB, steps {film.start} to {film.end}")
 
 
 def _run(path: Path, skip: int, steps: int | None) -> tuple[str, Run]:

@@ -10,6 +10,7 @@ import typer
 from typer.core import TyperCommand
 
 from sandbox._atomic_write import check_writable
+from sandbox._printable import told
 from sandbox.cli.options import takes
 from sandbox.cli.replay_options import ReplayOptions
 from sandbox.errors import SandboxError
@@ -69,7 +70,7 @@ def _check_report(path: Path | None) -> None:
     if path is None:
         return
     if path.suffix.lower() not in (".html", ".htm"):
-        raise SandboxError(f"--report {path}: the name must end in .html")
+        raise SandboxError(f"--report {told(path)}: the name must end in .html")
     check_writable(path)
 
 

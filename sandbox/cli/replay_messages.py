@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from sandbox._printable import told
 from sandbox.replay.golden.examine import Report
 
 SHOWN_DRIFTS = 3
@@ -10,9 +11,9 @@ SHOWN_DRIFTS = 3
 def reasons(report: Report) -> list[str]:
     """Why a case did not pass, the most important first; if it did, what is to be known nevertheless."""
     if report.verdict == "missing":
-        return [f"no recording of {report.scene}"]
+        return [f"no recording of {told(report.scene)}"]
     if report.verdict == "orphaned":
-        return [f"its scene {report.scene} is gone"]
+        return [f"its scene {told(report.scene)} is gone"]
     if report.verdict == "unusable":
         return [problem.message for problem in report.problems]
     outcome = report.outcome
@@ -20,31 +21,31 @@ def reasons(report: Report) -> list[str]:
         return []
     if report.verdict == "passed":
         return list(outcome.notes)
-    told = [f"since it was recorded, {_some(outcome.edits, 5)}"] if outcome.edits else []
+    lines = [f"since it was recorded, {_some(outcome.edits, 5)}"] if outcome.edits else []
     if outcome.divergence is not None:
-        told += outcome.divergence.lines()
+        lines += outcome.divergence.lines()
     elif outcome.edits:
-        told.append("all steps came out the same nevertheless")
+        lines.append("all steps came out the same nevertheless")
     if outcome.drifts:
         ends = [f"{drift.body} by {drift.distance:.3g} m" for drift in outcome.drifts[:SHOWN_DRIFTS]]
-        told.append(f"ended elsewhere: {', '.join(ends)}")
-    told += [report.where] if report.where else []
-    return [*told, *outcome.notes]
+        lines.append(f"ended elsewhere: {', '.join(ends)}")
+    lines += [report.where] if report.where else []
+    return [*lines, *outcome.notes]
 
 
 def advice(report: Report) -> list[str]:
     """The commands that show the trouble and that accept it."""
-    path, outcome = report.case.replay.as_posix(), report.outcome
+    path, outcome = told(report.case.replay), report.outcome
     if report.fine or report.verdict == "unusable":
         return []
     if report.verdict == "missing":
         return [f"record it:  sandbox replay --update=missing {path}"]
     if report.verdict == "orphaned":
         return [f"remove it:  sandbox replay --prune {path}"]
-    told = []
+    lines = []
     if outcome is not None and outcome.divergence is not None:
-        told.append(f"look at it: sandbox run {path} --step {max(outcome.divergence.step - 1, 0)}")
-    return [*told, f"accept it:  sandbox replay --update {path}"]
+        lines.append(f"look at it: sandbox run {path} --step {max(outcome.divergence.step - 1, 0)}")
+    return [*lines, f"accept it:  sandbox replay --update {path}"]
 
 
 def _some(texts: tuple[str, ...], most: int) -> str:

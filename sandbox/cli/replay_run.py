@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from rich.console import Console
 
+from sandbox._printable import told
 from sandbox.cli.failures import FAILED, HOLDS, NOTHING, UNUSABLE
 from sandbox.cli.replay_options import ReplayOptions
 from sandbox.replay.golden.cases import Case, find_cases, shard
@@ -34,7 +35,7 @@ def run(work: Work) -> int:
     """Do it; the exit code."""
     cases = _chosen(work)
     if not cases:
-        Console(stderr=True, soft_wrap=True, highlight=False).print(_nothing(work))
+        Console(stderr=True, soft_wrap=True, highlight=False).print(_nothing(work), markup=False)
         return NOTHING
     with _other_engine(work) as other:
         start = time.perf_counter()
@@ -66,7 +67,7 @@ def _chosen(work: Work) -> list[Case]:
 
 
 def _nothing(work: Work) -> str:
-    where = ", ".join(path.as_posix() for path in work.options.paths)
+    where = ", ".join(told(path) for path in work.options.paths)
     if work.options.only:
         where += f" with {work.options.only!r} in the path"
     return f"sandbox: nothing to replay: no recording, and no scene that expects something, in {where}"
@@ -137,7 +138,7 @@ def _tell_others(work: Work, reports: Sequence[Report], seconds: float, other: A
     if work.options.report is not None:
         _write_page(work, work.options.report, reports, seconds, other)
         if not work.options.json:
-            print(f"{work.options.report}: a report, {work.options.report.stat().st_size / 1000:.0f} kB")
+            print(f"{told(work.options.report)}: a report, {work.options.report.stat().st_size / 1000:.0f} kB")
 
 
 def _write_page(work: Work, path: Path, reports: Sequence[Report], seconds: float, other: Against | None) -> None:

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from rich.console import Console
 from rich.text import Text
 
+from sandbox._printable import told
 from sandbox.cli import failures
 from sandbox.cli.replay_messages import advice, reasons
 from sandbox.errors import FileError
@@ -21,7 +22,7 @@ class Table:
 
     def __init__(self, console: Console, cases: Sequence[Case]) -> None:
         self._console = console
-        self._width = max(len("recording"), *(len(case.replay.as_posix()) for case in cases))
+        self._width = max(len("recording"), *(len(told(case.replay)) for case in cases))
 
     def head(self) -> None:
         """The line of column titles."""
@@ -31,7 +32,7 @@ class Table:
         """The line of one case; reasons follow if it did not pass, or go to stderr if it could not be used."""
         outcome = report.outcome
         cells = (str(outcome.steps), f"{outcome.seconds:.2f}") if outcome else ("-", "-")
-        line = Text(self._row(report.case.replay.as_posix(), *cells))
+        line = Text(self._row(told(report.case.replay), *cells))
         done = f" ({report.action})" if report.action else ""
         self._console.print(line.append(report.verdict + done, "green" if report.fine else "bold red"))
         if report.verdict == "unusable":

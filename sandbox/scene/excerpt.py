@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sandbox.scene.finding import printable
+from sandbox._printable import printable
 
 _WIDTH = 100
 

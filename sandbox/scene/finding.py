@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import islice
 
+from sandbox._printable import printable
 from sandbox.errors import Problem
 
 _CONSIDERED = 2000
@@ -57,8 +58,3 @@ def did_you_mean(name: str, known: Iterable[str]) -> str:
 def quoted(name: str) -> str:
     """A name from a file in quotes, shortened if it is long."""
     return f'"{name}"' if len(name) <= 60 else f'"{name[:57]}..."'
-
-
-def printable(text: str) -> str:
-    """Text that any terminal can take: control characters and lone surrogates become question marks."""
-    return text if text.isprintable() else "".join(c if c.isprintable() else "?" for c in text)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from sandbox._printable import told
 from sandbox.cli.replay_messages import advice, reasons
 from sandbox.errors import FileError
 from sandbox.replay.golden.examine import Report
@@ -12,7 +13,7 @@ def verdict(report: Report, accept: str = "") -> str:
     if report.problems:
         return "\n".join(FileError(report.source, list(report.problems)).lines())
     lines = [*reasons(report), *mend(report, accept)]
-    return "\n".join([f"{report.case.replay.as_posix()}: {report.verdict}", *(f"  {line}" for line in lines)])
+    return "\n".join([f"{told(report.case.replay)}: {report.verdict}", *(f"  {line}" for line in lines)])
 
 
 def mend(report: Report, accept: str = "") -> list[str]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from difflib import SequenceMatcher
 from pathlib import Path
 
-from sandbox.scene.finding import printable
+from sandbox._printable import printable
 
 PACKAGES = (
     "_jit.py",

@@ -7,8 +7,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
+from sandbox._printable import printable
 from sandbox.scene.excerpt import line_column
-from sandbox.scene.finding import Path, printable
+from sandbox.scene.finding import Path
 from sandbox.scene.locate import locate
 
 MOST = 5

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from sandbox._printable import told
 from sandbox.errors import SandboxError
 from sandbox.replay.golden.rerun import Outcome
 from sandbox.replay.recording.recording import Recording
@@ -69,4 +70,4 @@ def _words(body: str, file: str, line: int, column: int) -> str:
 
 def posix(file: str | Path) -> str:
     """A path as it is told: without detours, and with / on every system."""
-    return Path(os.path.normpath(file)).as_posix()
+    return told(os.path.normpath(file))

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from sandbox._atomic_write import write_text
+from sandbox._printable import printable
 from sandbox.errors import Problem, RecordingError
 from sandbox.replay.recording.command_words import encode
 from sandbox.replay.recording.file_model import is_way
@@ -17,7 +18,6 @@ from sandbox.replay.recording.limits import MAX_BYTES, MAX_COMMANDS, MAX_STEPS
 from sandbox.replay.recording.migrate import FORMAT
 from sandbox.replay.recording.recording_fields import RecordingFields, SceneSource
 from sandbox.resources import scenes_dir
-from sandbox.scene.finding import printable
 from sandbox.scene.pretty import kinds_first
 
 _WIDTH = 100
