@@ -52,7 +52,8 @@ class FileError(SandboxError):
             place = f"{source}:{problem.line}:{problem.column}" if problem.line else source
             where = f" (at {problem.pointer})" if problem.pointer and not problem.line else ""
             hint = f" {printable(problem.hint)}" if problem.hint else ""
-            out.append(f"{place}: {problem.message}{where}{hint}")
+            colon = ":" if hint and not where else ""  # leads to the hint, unless the pointer comes between
+            out.append(f"{place}: {problem.message}{colon}{where}{hint}")
             if problem.excerpt:
                 out.append(problem.excerpt)
         return out

@@ -41,7 +41,8 @@ def check(
 ) -> None:
     """Run scenes without a window and judge what each says must hold.
 
-    A scene runs for its own number of steps, or on to the last step that its expectations name.
+    A scene runs for its own number of steps, or on to the last step that its expectations name. With --steps N, what
+    is expected later than step N is left open.
 
     Exit code 0: all hold.
     Exit code 1: an expectation failed, or bad numbers froze a body.

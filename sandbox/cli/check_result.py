@@ -91,6 +91,7 @@ def _scene_entry(result: Result) -> dict[str, Any]:
         "ms_per_step": round(run.milliseconds, 6),
         "digest": run.digest,
         "expectations": [_expectation_entry(result, verdict) for verdict in run.verdicts],
+        "unreached": run.unreached,
         "frozen": [{"body": body, "step": step} for body, step in run.frozen],
     }
 

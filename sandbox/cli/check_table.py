@@ -61,7 +61,9 @@ class Table:
 
     def _verdict(self, result: Result) -> str:
         if result.run is not None and result.run.holds and not result.run.verdicts:
-            return "holds (expects nothing)"
+            return "holds (expects nothing)" if not result.run.unreached else "holds (nothing is expected so early)"
+        if result.run is not None and result.run.holds and result.run.unreached:
+            return f"holds ({result.run.unreached} not reached)"
         return result.verdict
 
 

@@ -50,6 +50,8 @@ def events(
 
     file = find_scene(scene)
     loaded = load_scene(file)
+    if body is not None:
+        _check_body(body, loaded)
     announce_compilation()
     rows = (row for row in _happenings(loaded, file.name, steps) if _is_wanted(row, kinds, body))
     _print_document(file, rows) if json else _print_lines(rows, loaded.settings.step_rate)
@@ -62,6 +64,16 @@ def _checked(kinds: list[str]) -> list[str]:
         if kind not in KINDS:
             raise SandboxError(f"there are no events of kind {kind!r}; there are {', '.join(KINDS)}")
     return kinds
+
+
+def _check_body(wanted: str, scene: Scene) -> None:
+    from sandbox.scene.finding import did_you_mean
+
+    flat = scene.flatten()
+    names = [*(body.id for body in flat.bodies), *(joint.id for joint in flat.joints)]
+    if not any(fnmatchcase(name, wanted) for name in names):
+        hint = did_you_mean(wanted, names) or 'ids such as "crate-*" stand for several'
+        raise SandboxError(f"--body: no body or joint {wanted!r} in this scene; {hint}")
 
 
 def _is_wanted(row: dict[str, Any], kinds: list[str], body: str | None) -> bool:

@@ -68,6 +68,10 @@ class Judge:
         """One verdict an expectation, in the order of the scene; the run counts as over."""
         return tuple(watch.conclude(self._world.step_count) for watch in self._watches)
 
+    def reached(self) -> tuple[Verdict, ...]:
+        """Those of `verdicts` that this run is long enough for."""
+        return tuple(watch.conclude(self._world.step_count) for watch in self._watches if watch.is_reached)
+
 
 def _kept(state: State) -> State:
     """A state whose bodies, and who they are, stay as they are now."""
@@ -109,6 +113,11 @@ class _Watch:
                 self.verdict = Verdict(self._index, True, step)
         elif step == last:
             self.verdict = Verdict(self._index, False, step, broken.expected, got)
+
+    @property
+    def is_reached(self) -> bool:
+        """Whether something can be said of it now: it is decided, or has held up to here."""
+        return self.verdict is not None or self._wanted.when == "always"
 
     def conclude(self, step: int) -> Verdict:
         """The verdict now that the run is over after `step`."""

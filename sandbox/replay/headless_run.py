@@ -15,13 +15,17 @@ _REPORT_EVERY = 16
 
 @dataclass(frozen=True)
 class HeadlessRun:
-    """The outcome of a run. `milliseconds` is the mean of a step; `frozen` are (body id, step) pairs."""
+    """The outcome of a run. `milliseconds` is the mean of a step; `frozen` are (body id, step) pairs.
+
+    `unreached` counts the expectations that are about later steps: nothing is said of them.
+    """
 
     steps: int
     milliseconds: float
     digest: str
     verdicts: tuple[Verdict, ...]
     frozen: tuple[tuple[str, int], ...]
+    unreached: int = 0
 
     @property
     def holds(self) -> bool:
@@ -30,9 +34,10 @@ class HeadlessRun:
 
 
 def planned_steps(scene: Scene, steps: int | None = None) -> int:
-    """`steps` (the scene's own number if None), or the last step its expectations name if that is later."""
-    wanted = scene.settings.steps if steps is None else steps
-    return max(wanted, *(expectation.last_step for expectation in scene.expect), 0)
+    """`steps`; without, the scene's own number, or the last step its expectations name if that is later."""
+    if steps is not None:
+        return steps
+    return max(scene.settings.steps, *(expectation.last_step for expectation in scene.expect), 0)
 
 
 def run_headless(
@@ -55,4 +60,6 @@ def run_headless(
         if on_steps is not None and k % _REPORT_EVERY == 0:
             on_steps(k)
     mean = seconds / max(1, total - 1)
-    return HeadlessRun(total, 1000.0 * mean, world.digest(), judge.verdicts(), tuple(world.frozen))
+    verdicts = judge.reached()
+    unreached = len(scene.expect) - len(verdicts)
+    return HeadlessRun(total, 1000.0 * mean, world.digest(), verdicts, tuple(world.frozen), unreached)

@@ -27,9 +27,7 @@ class Finding:
 
     def problem(self, line: int = 0, column: int = 0, excerpt: str = "") -> Problem:
         """The mistake as the error carries it."""
-        # The colon leads to the hint; without a line, the pointer in brackets comes between.
-        message = f"{self.message}:" if self.hint and line else self.message
-        return Problem(printable(message), pointer(self.path), line, column, printable(self.hint), excerpt)
+        return Problem(printable(self.message), pointer(self.path), line, column, printable(self.hint), excerpt)
 
 
 def pointer(path: Path) -> str:

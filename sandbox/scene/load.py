@@ -8,7 +8,9 @@ from pathlib import Path
 from pydantic import ValidationError
 
 from sandbox.arguments import check_kind
+from sandbox.errors import Problem, SceneError
 from sandbox.scene.flatten import Flattener
+from sandbox.scene.known_file import is_recording
 from sandbox.scene.parse import parse
 from sandbox.scene.read import read_text
 from sandbox.scene.report import scene_error
@@ -28,6 +30,9 @@ def loads_scene(text: str, source: str = "<string>") -> Scene:
     check_kind("loads_scene", "a text", text, str)
     text = text.removeprefix("\ufeff")
     parsed = parse(text, source)
+    if is_recording(parsed.data):
+        mend = "sandbox replay runs it again, sandbox run and sandbox render show it"
+        raise SceneError(source, [Problem("this is a recording, not a scene", hint=mend)])
     found = parsed.repeats + cross_checks(parsed.data)
     try:
         scene = Scene.model_validate(parsed.data)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from sandbox._bounded_read import read_bytes
 from sandbox.errors import Problem, SceneError
-from sandbox.resources import benchmark_scenes, scene_name, shipped_scenes
+from sandbox.resources import benchmark_scenes, find_scene, scene_name, shipped_scenes
 from sandbox.scene.finding import nearest
 from sandbox.scene.limits import MAX_BYTES
 from sandbox.scene.report import syntax_error
@@ -44,6 +44,8 @@ def _shipped_names() -> list[str]:
 
 def _nearest_file(path: Path) -> str:
     if path.parent == Path() and not path.suffix and (name := nearest(path.name, _shipped_names())):
+        if name == path.name:
+            return f"a scene of that name comes with the package, as {find_scene(path).as_posix()}"
         return f'did you mean "{name}", which comes with the package?'
     try:
         # What all names end in would make all of them look alike.
@@ -64,4 +66,4 @@ def _not_utf8(path: Path, data: bytes, start: int) -> SceneError:
 
 
 def _error(path: Path, message: str, hint: str = "") -> SceneError:
-    return SceneError(str(path), [Problem(f"{message}:" if hint else message, hint=hint)])
+    return SceneError(str(path), [Problem(message, hint=hint)])

@@ -92,7 +92,7 @@ FILES: dict[str, tuple[Callable[[str], str | bytes], str]] = {
     "another kind of file": (leads_to("../../../../etc/passwd"), "path must be the way to a .json file"),
     "an address": (leads_to("https://example.org/a.json"), "path must be the way to a .json file"),
     "a zero in the path": (leads_to("a\0b.json"), "path must be the way to a .json file"),
-    "itself": (leads_to("bad.replay.json"), 'unknown field "sandbox"'),
+    "itself": (leads_to("bad.replay.json"), "this is a recording, not a scene"),
     "words for a terminal": (members(environment="\x1b]0;x\x07"), "must be one line that can be printed"),
     "words for a server": (members(sandbox="1\n::error::x"), "must be one line that can be printed"),
 }
@@ -152,3 +152,30 @@ def test_links_to_nowhere_and_to_no_end(cli: Callable) -> None:
     Path("zero.replay.json").symlink_to("/dev/zero")
     done = cli("replay", "zero.replay.json")
     assert (done.code, "it is a device, not a regular file" in done.err) == (2, True)
+
+
+@pytest.mark.parametrize("secret", ["SECRET=abc", '{"SECRET": "abc"}', "[1, 2, SECRET]", "", "\xff", '"SECRET'])
+@pytest.mark.parametrize("command", [["replay"], ["render", "-o", "x.html"], ["diff", "pyramid-10"]])
+def test_nothing_is_shown_of_a_file_that_is_no_scene(cli: Callable, good: str, secret: str, command: list[str]) -> None:
+    Path("private.json").write_text(secret, encoding="latin-1")
+    data = json.loads(good)
+    del data["scene"]["content"]
+    data["scene"]["path"] = "private.json"
+    Path("bad.replay.json").write_text(json.dumps(data))
+    done = cli(*command, "bad.replay.json")
+    assert done.code == 2
+    said = (
+        "private.json: the recording names this file as its scene, but it is none: look at scene.path in the recording"
+    )
+    assert done.err == f"{said}\n"
+    assert "SECRET" not in done.out
+
+
+def test_mistakes_of_a_scene_are_shown(cli: Callable, good: str) -> None:
+    data = json.loads(good)
+    content = data["scene"].pop("content")
+    data["scene"]["path"] = "other.json"
+    Path("bad.replay.json").write_text(json.dumps(data))
+    Path("other.json").write_text(json.dumps({**content, "gravitee": [0, 1]}))
+    done = cli("replay", "bad.replay.json")
+    assert (done.code, 'did you mean "gravity"?' in done.err) == (2, True)

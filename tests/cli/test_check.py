@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from sandbox import SceneError, load_scene
 from sandbox.cli.check import find_files
 from sandbox.errors import SandboxError
 from sandbox.resources import SCENE_SUFFIX, shipped_scenes
@@ -101,7 +102,45 @@ def test_steps_replaces_the_scenes_own_number(cli: Callable, write_scene: Callab
 def test_a_run_is_as_long_as_its_expectations_need(cli: Callable, write_scene: Callable) -> None:
     path = write_scene("a.scene.json", {"within": [1, 30], "rests": "crate"})
     assert json.loads(cli("check", "--json", path).out)["scenes"][0]["steps"] == 30
-    assert json.loads(cli("check", "--json", "--steps", 5, path).out)["scenes"][0]["steps"] == 30
+
+
+def test_a_shorter_run_leaves_open_what_is_expected_later(cli: Callable, write_scene: Callable) -> None:
+    path = write_scene("a.scene.json", {"at": 30, "above": 9, "of": "crate"}, {"always": True, "below": 9})
+    done = cli("check", "--json", "--steps", 5, path)
+    (entry,) = json.loads(done.out)["scenes"]
+    assert (done.code, entry["steps"], entry["verdict"], entry["unreached"]) == (0, 5, "holds", 1)
+    assert [each["index"] for each in entry["expectations"]] == [1]
+    assert "holds (1 not reached)" in cli("check", "--steps", 5, path).out
+    assert cli("check", path).code == 1
+
+
+def test_a_shorter_run_judges_what_it_reaches(cli: Callable, write_scene: Callable) -> None:
+    path = write_scene("a.scene.json", {"at": 5, "above": 9, "of": "crate"}, {"at": 30, "rests": "crate"})
+    assert cli("check", "--steps", 5, path).code == 1
+
+
+@pytest.mark.parametrize("command", ["check", "events", "sat", "solver", "compare"])
+def test_a_recording_is_called_one(cli: Callable, write_scene: Callable, tmp_path: Path, command: str) -> None:
+    recording = tmp_path / "a.replay.json"
+    cli("record", write_scene("a.scene.json"), "-o", recording)
+    done = cli(command, recording)
+    said = "this is a recording, not a scene: sandbox replay runs it again, sandbox run and sandbox render show it"
+    assert (done.code, done.err) == (2, f"{recording}: {said}\n")
+
+
+def test_messages_of_documents_do_not_end_in_a_colon(cli: Callable, write_scene: Callable, tmp_path: Path) -> None:
+    write_scene("crates.scene.json", gravitee=[0, 1])
+    for path in (tmp_path / "crates.scene.json", tmp_path / "crate.scene.json"):
+        (entry,) = json.loads(cli("check", "--json", path).out)["scenes"]
+        (problem,) = entry["problems"]
+        assert problem["hint"].startswith("did you mean")
+        assert not problem["message"].endswith(":")
+        assert f"{problem['message']}: {problem['hint']}" in cli("check", path).err
+
+
+def test_what_is_called_like_a_shipped_scene_says_where_that_is() -> None:
+    with pytest.raises(SceneError, match=r"a scene of that name comes with the package, as .*/pyramid-10\.scene\.json"):
+        load_scene("pyramid-10")
 
 
 def test_json_is_one_document_with_the_documented_keys(cli: Callable, write_scene: Callable, tmp_path: Path) -> None:

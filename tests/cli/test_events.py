@@ -6,6 +6,8 @@ import json
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
+
 import sandbox
 from sandbox.engine.events.events import KINDS
 
@@ -55,3 +57,15 @@ def test_a_scene_that_is_not_there(cli: Callable, tmp_path: Path) -> None:
     done = cli("events", tmp_path / "no.scene.json")
     assert (done.code, done.out) == (2, "")
     assert "no.scene.json" in done.err
+
+
+@pytest.mark.parametrize(
+    ("body", "said"),
+    [("gruond", 'did you mean "ground"?'), ("zzz", "stand for several"), ("cr?te-*", 'did you mean "crate"?')],
+)
+def test_a_body_that_is_not_there_is_a_mistake(cli: Callable, write_scene: Callable, body: str, said: str) -> None:
+    done = cli("events", write_scene("a.scene.json"), "--body", body)
+    assert (done.code, done.out) == (2, "")
+    assert f"--body: no body or joint {body!r} in this scene; " in done.err
+    assert said in done.err
+    assert cli("events", write_scene("a.scene.json"), "--body", "cr*").code == 0

@@ -118,6 +118,11 @@ class TestWords:
     def test_a_scene_stands_for_its_recording(self, cli: Callable, golden: Path) -> None:
         assert cli("replay", "a.scene.json").code == 0
 
+    def test_a_scene_of_the_package_is_found_by_name(self, cli: Callable) -> None:
+        done = cli("replay", "pyramid-10")
+        assert done.code in (0, 1)
+        assert "stacks/pyramid-10.replay.json" in done.out
+
     def test_diverged(self, cli: Callable, golden: Path, tmp_path: Path) -> None:
         lines = golden.read_text().splitlines()
         first = lines.index('  "digests": [') + 1

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from sandbox._bounded_read import read_bytes
 from sandbox.replay.recording.limits import MAX_BYTES, SUFFIX
-from sandbox.resources import SCENE_SUFFIX, files_below
+from sandbox.resources import SCENE_SUFFIX, files_below, find_scene
 
 
 @dataclass(frozen=True)
@@ -42,6 +42,7 @@ def replay_beside(scene: Path) -> Path:
 
 def _cases_of(path: Path) -> Iterator[Case]:
     if not path.is_dir():
+        path = find_scene(path)
         yield _of_replay(path) if path.name.endswith(SUFFIX) else _of_scene(path)
         return
     replays = [Case(file) for file in files_below(path, SUFFIX)]

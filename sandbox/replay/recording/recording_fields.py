@@ -9,11 +9,13 @@ from typing import TypeAlias
 
 from sandbox._version import __version__
 from sandbox.engine.arithmetic_version import ARITHMETIC
+from sandbox.errors import Problem, SceneError
 from sandbox.replay.recording.checkpoint import Checkpoint
 from sandbox.replay.recording.command_words import TimedCommand
 from sandbox.replay.recording.environment import environment
 from sandbox.replay.recording.meaning import Meaning
 from sandbox.scene import Scene, load_scene
+from sandbox.scene.known_file import looks_like_a_scene
 
 Pose: TypeAlias = tuple[float, float, float]
 """Position x and y (m) and angle (rad) of a body's origin."""
@@ -33,11 +35,20 @@ class SceneSource:
         return self.content is None and self.path is not None and not self.path.is_file()
 
     def load(self) -> Scene:
-        """The scene as it is now. Raises `SceneError`."""
+        """The scene as it is now. Raises `SceneError`, which shows nothing of a file that is no scene."""
         if self.content is not None:
             return self.content
         assert self.path is not None
-        return load_scene(self.path)
+        try:
+            return load_scene(self.path)
+        except SceneError as error:
+            if looks_like_a_scene(self.path):
+                raise
+            # Others may have written the recording, and read what is told of it.
+            problems = [problem for problem in error.problems if not problem.line]
+            mend = "look at scene.path in the recording"
+            said = problems or [Problem("the recording names this file as its scene, but it is none", hint=mend)]
+            raise SceneError(error.source, said) from None
 
 
 @dataclass(frozen=True)
