@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from copy import copy
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.engine.world import World
+from sandbox.errors import CapacityError
 from sandbox.render.body_colors import body_colors_of
 from sandbox.render.camera import Camera, scene_camera
 from sandbox.render.frame import Frame, capture, interesting_bounds
@@ -127,7 +129,21 @@ class FilmRecorder:
         poses = np.column_stack([frame.center, frame.angle])
         known = self.rows, poses, frame.awake, frame.frozen, self.joint_rows, held_joints(state)
         self.samples.append(_Sample(*known))
-        self.figures.append(checkpoint(self.world))
+        self.figures.append(_figures(self.world))
         fields = self.field_sampler.sample(frame.fields, state, self.rows.tolist())
         if not self.fields or fields != self.fields[-1][1]:
             self.fields.append((len(self.samples) - 1, fields))
+
+
+def _figures(world: World) -> Checkpoint:
+    """Those of now. Contacts are found when a step begins: before the first one, a copy takes it."""
+    known = checkpoint(world)
+    if world.step_count > 0:
+        return known
+    twin = copy(world)
+    try:
+        twin.step()
+    except CapacityError:
+        return known
+    first = checkpoint(twin)
+    return replace(known, contacts=first.contacts, deepest=first.deepest)

@@ -85,3 +85,13 @@ def test_a_notebook_shows_an_error_as_text(tmp_path) -> None:
     recording.save(tmp_path / "a.replay.json")
     (tmp_path / "a.scene.json").unlink()
     assert sandbox.Recording.load(tmp_path / "a.replay.json")._repr_html_().startswith("<pre>")
+
+
+def test_shapes_that_overlap_from_the_start_touch_at_the_first_moment() -> None:
+    ground = {"id": "ground", "type": "static", "shapes": [{"box": [9, 1]}], "position": [0, -0.5]}
+    crate = {"id": "crate", "shapes": [{"box": [1, 1]}], "position": [0, 0.4]}
+    for scene in (sandbox.Scene(bodies=[ground, crate]), sandbox.Scene(bodies=[crate])):
+        film = film_run(Run(scene, 3, ()))
+        assert film.figures[0].contacts == film.figures[1].contacts == len(scene.bodies) - 1
+        assert film.figures[0].deepest == pytest.approx(0.1 if film.figures[0].contacts else 0.0)
+        assert film.figures[0].step == 0
