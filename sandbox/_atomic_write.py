@@ -67,11 +67,9 @@ def _replace(target: Path, there: os.stat_result | None, data: bytes, durable: b
     partial = target.with_name(f".sandbox-{secrets.token_hex(6)}.part")
     try:
         number = os.open(partial, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o666)
-        try:
-            if there is not None:
-                _keep_permissions(partial, there)
-        finally:
-            _write_to(number, data, durable)
+        if there is not None:
+            _keep_permissions(partial, there)
+        _write_to(number, data, durable)
         os.replace(partial, target)
     except BaseException:
         with suppress(OSError):
@@ -93,11 +91,12 @@ def _write_to(number: int, data: bytes, durable: bool = False) -> None:
 
 
 def _keep_permissions(partial: Path, there: os.stat_result) -> None:
-    os.chmod(partial, stat.S_IMODE(there.st_mode))
-    own = partial.stat()
-    if hasattr(os, "chown") and (own.st_uid, own.st_gid) != (there.st_uid, there.st_gid):
-        with suppress(PermissionError):  # only the administrator gives files away
+    """Those of the file that was there, and its owner where that is allowed, before anything is written to it."""
+    with suppress(OSError):  # only the administrator gives files away
+        if hasattr(os, "chown"):
             os.chown(partial, there.st_uid, there.st_gid)
+    with suppress(OSError):  # not every file system has permissions
+        os.chmod(partial, stat.S_IMODE(there.st_mode))
 
 
 def _check_there(path: Path, there: os.stat_result | None) -> None:

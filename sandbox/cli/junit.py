@@ -7,6 +7,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 from sandbox._atomic_write import write_bytes
+from sandbox._printable import printable
 from sandbox.cli.replay_messages import advice, reasons
 from sandbox.replay.golden.examine import Report
 
@@ -28,17 +29,12 @@ def write_junit(path: Path, reports: Sequence[Report], seconds: float) -> None:
 def _case(report: Report) -> ElementTree.Element:
     taken = report.outcome.seconds if report.outcome else 0.0
     path = report.case.replay
-    name = _printable(path.name)
-    case = ElementTree.Element("testcase", classname=_printable(path.parent.as_posix()), name=name)
+    name = printable(path.name)
+    case = ElementTree.Element("testcase", classname=printable(path.parent.as_posix()), name=name)
     case.set("time", f"{taken:.3f}")
     if not report.fine:
         kind = "error" if report.verdict == "unusable" else "failure"
         lines = [*reasons(report), *advice(report)]
-        trouble = ElementTree.SubElement(case, kind, type=report.verdict, message=_printable(lines[0]))
-        trouble.text = "\n".join(_printable(line) for line in lines)
+        trouble = ElementTree.SubElement(case, kind, type=report.verdict, message=printable(lines[0]))
+        trouble.text = "\n".join(printable(line) for line in lines)
     return case
-
-
-def _printable(text: str) -> str:
-    """XML knows no control characters, nor halves of surrogate pairs."""
-    return "".join(c if c.isprintable() else "?" for c in text)

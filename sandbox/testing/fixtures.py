@@ -75,7 +75,7 @@ def replay_check(request: pytest.FixtureRequest) -> ReplayCheck:
             told = shown(path, request.config)
             note_judged(request.node, told.as_posix(), _kept(made, request), _accept(request))
             report = compare(made, told, request.config.getoption("replay_update") or "")
-        except SandboxError as error:
+        except (SandboxError, OSError) as error:
             raise error.with_traceback(None) from None
         if report.action:
             note_written(request.node, told.as_posix())

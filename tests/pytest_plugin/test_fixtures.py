@@ -54,6 +54,15 @@ class TestWorld:
 
 
 class TestReplayCheck:
+    def test_a_recording_that_cannot_be_written_shows_none_of_ours(self, home: pytest.Pytester, put: Callable) -> None:
+        put("crate.scene.json")
+        write_test(home, PUSH.format(push=1.0))
+        (home.path / "test_crate.test_falls.replay.json").mkdir()
+        done = home.runpytest("--replay-update")
+        done.assert_outcomes(failed=1)
+        done.stdout.fnmatch_lines(["E *it cannot be written: it is a folder: *test_crate.test_falls.replay.json'"])
+        assert "_atomic_write.py" not in done.stdout.str()
+
     def test_without_a_recording_it_fails_and_says_how_to_make_one(self, home: pytest.Pytester, put: Callable) -> None:
         put("crate.scene.json")
         write_test(home, PUSH.format(push=1.0))
