@@ -5,7 +5,9 @@ Every field is eight bytes (`f8` or `i8`), so records have no padding and their 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+import sys
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, TypeAlias
@@ -24,14 +26,52 @@ _base_of = np.ndarray.base.__get__
 
 
 @dataclass(frozen=True)
+class Values:
+    """The numbers that a column may hold, from `low` to `high`: what kernels rely on without looking. Never NaN.
+
+    With `row_of`, rows of the table of that name instead, from `low` to its last one: 0, or -1 where that means none.
+    It may be `past` the last row by so many. With `count`, it is the first of some rows; that column says how many.
+    """
+
+    low: float = -sys.float_info.max
+    high: float = sys.float_info.max
+    row_of: str = ""
+    count: str = ""
+    past: int = 0
+
+    def highest(self, sizes: Mapping[str, int]) -> float:
+        """The greatest value, given how many rows each table has. An empty run may begin behind the last row."""
+        return sizes[self.row_of] - 1 + (1 if self.count else self.past) if self.row_of else self.high
+
+
+_MOST = 1 << 53
+FINITE = Values()
+UNLIMITED = Values(-math.inf, math.inf)
+FLAG = Values(0, 1)
+COUNT = Values(0, _MOST)
+STEP_OR_NEVER = Values(-1, _MOST)
+"""A step; -1 if never."""
+ANY_WHOLE = Values(-(1 << 63), (1 << 63) - 1)
+
+
+@dataclass(frozen=True)
 class Field:
-    """One column: its name, unit and meaning; `kind` is `f8` or `i8`; only `hashed` columns enter the digest."""
+    """One column: its name, unit and meaning; `kind` is `f8` or `i8`; only `hashed` columns enter the digest.
+
+    `values` are those that it may hold, as far as the table may come from outside.
+    """
 
     name: str
     unit: str
     meaning: str
     kind: str = "f8"
     hashed: bool = True
+    values: Values = FINITE
+
+
+def whole(name: str, meaning: str, values: Values, hashed: bool = True) -> Field:
+    """A column of whole numbers of those `values`."""
+    return Field(name, "-", meaning, "i8", hashed, values)
 
 
 @dataclass(frozen=True)

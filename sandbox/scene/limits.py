@@ -40,6 +40,9 @@ MAX_OUTLINE = 1000
 MAX_HOLES = 100
 """Holes of a polygon."""
 
+MAX_SUBSTEPS = 64
+"""Solver substeps in a step."""
+
 MAX_CATEGORIES = 31
 """Named collision categories: 32 bits, the lowest of which is "default"."""
 

@@ -8,6 +8,7 @@ from pydantic import Field
 
 from sandbox.scene.base import Model
 from sandbox.scene.constraints import Range
+from sandbox.scene.limits import MAX_SUBSTEPS
 from sandbox.scene.objects import known_as
 from sandbox.scene.quantities import Hertz, Point, Ratio, Size, Speed
 
@@ -17,7 +18,7 @@ class Settings(Model):
     """Simulation settings."""
 
     step_rate: Hertz = Field(default=60.0, description="Steps per second.")
-    substeps: Annotated[int, Range(1, 64)] = Field(default=4, description="Solver substeps in a step.")
+    substeps: Annotated[int, Range(1, MAX_SUBSTEPS)] = Field(default=4, description="Solver substeps in a step.")
     contact_hertz: Hertz = Field(default=55.0, description="Stiffness of contacts, Hz.")
     contact_damping_ratio: Ratio = Field(default=1.5, description="Damping of contacts; 1 is critical.")
     push_out_speed: Speed = Field(default=3.0, description="Fastest recovery of an overlap, m/s.")

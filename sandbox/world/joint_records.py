@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from sandbox.tables import Field, Table
+from sandbox.tables import FLAG, STEP_OR_NEVER, UNLIMITED, Field, Table, Values, whole
 
 DISTANCE, REVOLUTE, PRISMATIC, WELD, WHEEL, GEAR, PULLEY, MOTOR, TARGET, FRICTION = range(10)
+_BODY, _JOINT = Values(-1, row_of="body"), Values(-1, row_of="joint")
 
 JOINT = Table(
     "joint",
     (
-        Field("kind", "-", "one of the ten above", "i8"),
-        Field("body_a", "-", "index of the first body; -1 for the world", "i8"),
-        Field("body_b", "-", "index of the second body; -1 for the world", "i8"),
-        Field("joint_1", "-", "gear: the first joint it couples, else -1", "i8"),
-        Field("joint_2", "-", "gear: the second joint it couples, else -1", "i8"),
+        whole("kind", "one of the ten above", Values(DISTANCE, FRICTION)),
+        whole("body_a", "index of the first body; -1 for the world", _BODY),
+        whole("body_b", "index of the second body; -1 for the world", _BODY),
+        whole("joint_1", "gear: the first joint it couples, else -1", _JOINT),
+        whole("joint_2", "gear: the second joint it couples, else -1", _JOINT),
         Field("anchor_ax", "m", "anchor on a from its centre, in its frame; in the world where a is the world"),
         Field("anchor_ay", "m", "anchor on a from its centre, in its frame; in the world where a is the world"),
         Field("anchor_bx", "m", "anchor on b from its centre, in its frame; in the world where b is the world"),
@@ -27,25 +28,25 @@ JOINT = Table(
         Field("point_ay", "m", "pulley: wheel above a; target: the target; motor: offset of b in the frame of a"),
         Field("point_bx", "m", "pulley: wheel above b"),
         Field("point_by", "m", "pulley: wheel above b"),
-        Field("spring", "-", "1 while its spring acts", "i8"),
+        whole("spring", "1 while its spring acts", FLAG),
         Field("hertz", "1/s", "of the spring; weld, motor, target: of the position; 0 is rigid"),
         Field("damping_ratio", "1", "of the same; 1 is critical"),
         Field("angular_hertz", "1/s", "weld, motor: of the angle; 0 is rigid"),
         Field("angular_damping_ratio", "1", "of the same; 1 is critical"),
         Field("rest", "m or rad", "where the spring pulls the slide or angle to; motor: the angle it drives to"),
-        Field("limit", "-", "1 while the limits hold", "i8"),
-        Field("lower", "m or rad", "least length, slide or angle"),
-        Field("upper", "m or rad", "greatest length, slide or angle"),
-        Field("motor", "-", "1 while its motor runs", "i8"),
+        whole("limit", "1 while the limits hold", FLAG),
+        Field("lower", "m or rad", "least length, slide or angle", values=UNLIMITED),
+        Field("upper", "m or rad", "greatest length, slide or angle", values=UNLIMITED),
+        whole("motor", "1 while its motor runs", FLAG),
         Field("motor_speed", "m/s or rad/s", "what the motor strives for"),
-        Field("max_motor", "N or N m", "most that the motor gives"),
-        Field("max_force", "N", "motor, target, friction: limit of the force"),
-        Field("max_torque", "N m", "motor, friction: limit of the torque"),
-        Field("break_force", "N", "breaks above this; infinite if never"),
-        Field("break_torque", "N m", "breaks above this; infinite if never"),
-        Field("collide", "-", "1 if the two bodies collide with each other", "i8"),
-        Field("enabled", "-", "0 while the joint is switched off", "i8"),
-        Field("broken_step", "-", "step at which it broke; -1 while it holds", "i8"),
+        Field("max_motor", "N or N m", "most that the motor gives", values=UNLIMITED),
+        Field("max_force", "N", "motor, target, friction: limit of the force", values=UNLIMITED),
+        Field("max_torque", "N m", "motor, friction: limit of the torque", values=UNLIMITED),
+        Field("break_force", "N", "breaks above this; infinite if never", values=UNLIMITED),
+        Field("break_torque", "N m", "breaks above this; infinite if never", values=UNLIMITED),
+        whole("collide", "1 if the two bodies collide with each other", FLAG),
+        whole("enabled", "0 while the joint is switched off", FLAG),
+        whole("broken_step", "step at which it broke; -1 while it holds", STEP_OR_NEVER),
         *(Field(f"impulse_{k}", "N s or N m s", f"of row {k} over the last substep") for k in range(5)),
         Field("force_x", "N", "that the joint exerts on b, mean of the last step"),
         Field("force_y", "N", "that the joint exerts on b, mean of the last step"),

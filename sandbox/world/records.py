@@ -6,13 +6,20 @@ or 1; an index of -1 means none.
 
 from __future__ import annotations
 
-from sandbox.tables import Field, Table
+from sandbox.scene.limits import ALL_BITS, MAX_SUBSTEPS, MAX_VERTICES
+from sandbox.tables import ANY_WHOLE, COUNT, FLAG, STEP_OR_NEVER, Field, Table, Values, whole
 from sandbox.world.field_records import EDGE, REGION, THRUSTER
 from sandbox.world.joint_records import JOINT
 
 STATIC, KINEMATIC, DYNAMIC = 0, 1, 2
 CIRCLE, BOX, CAPSULE, SEGMENT, POLYGON = 0, 1, 2, 3, 4
 SEAMED, ONE_WAY = 1, 2
+
+_BODY, _SHAPE = Values(0, row_of="body"), Values(0, row_of="shape")
+_BITS = Values(0, ALL_BITS)
+_FEATURE = Values(-1, 64 * MAX_VERTICES - 1)
+_ISLAND = Values(0, row_of="body", past=1)
+_CORE = Values(0, row_of="vertex", count="vertex_count")
 
 BODY = Table(
     "body",
@@ -41,26 +48,26 @@ BODY = Table(
         Field("gravity_scale", "1", "multiplies the scene's gravity"),
         Field("sleep_speed", "m/s", "the body is slow while no point of it moves faster"),
         Field("extent", "m", "largest distance of a surface point from the centre of mass", hashed=False),
-        Field("type", "-", "0 static, 1 kinematic, 2 dynamic", "i8"),
-        Field("bullet", "-", "1: it does not pass through moving bodies either", "i8"),
-        Field("awake", "-", "1 while the body is simulated; 0 asleep", "i8"),
+        whole("type", "0 static, 1 kinematic, 2 dynamic", Values(STATIC, DYNAMIC)),
+        whole("bullet", "1: it does not pass through moving bodies either", FLAG),
+        whole("awake", "1 while the body is simulated; 0 asleep", FLAG),
         Field("sleep_time", "s", "how long the body has been slow"),
         Field("slow_speed", "m/s", "fastest point of the body when it became slow"),
-        Field("island", "-", "1 + first row of the island it fell asleep with; 0 while awake", "i8"),
-        Field("posed", "-", "1 from the command that sets the pose until the next step", "i8"),
-        Field("stirred", "-", "1 when the body woke in the last step, -1 when it fell asleep", "i8", hashed=False),
-        Field("was_asleep", "-", "1 when it slept after the last step", "i8", hashed=False),
-        Field("frozen_step", "-", "step at which bad numbers froze the body; -1 if never", "i8"),
+        whole("island", "1 + first row of the island it fell asleep with; 0 while awake", _ISLAND),
+        whole("posed", "1 from the command that sets the pose until the next step", FLAG),
+        whole("stirred", "1 when the body woke in the last step, -1 when it fell asleep", Values(-1, 1), hashed=False),
+        whole("was_asleep", "1 when it slept after the last step", FLAG, hashed=False),
+        whole("frozen_step", "step at which bad numbers froze the body; -1 if never", STEP_OR_NEVER),
     ),
 )
 
 SHAPE = Table(
     "shape",
     (
-        Field("body", "-", "index of its body", "i8"),
-        Field("kind", "-", "0 circle, 1 box, 2 capsule, 3 segment, 4 polygon; for drawing only", "i8"),
-        Field("vertex_start", "-", "first row of its core in the vertex table", "i8"),
-        Field("vertex_count", "-", "1 circle, 2 capsule or segment, 3..64 polygon", "i8"),
+        whole("body", "index of its body", _BODY),
+        whole("kind", "0 circle, 1 box, 2 capsule, 3 segment, 4 polygon; for drawing only", Values(CIRCLE, POLYGON)),
+        whole("vertex_start", "first row of its core in the vertex table", _CORE),
+        whole("vertex_count", "1 circle, 2 capsule or segment, 3..64 polygon", Values(1, MAX_VERTICES)),
         Field("radius", "m", "rounding around the core"),
         Field("thin", "m", "half its smallest width", hashed=False),
         Field("density", "kg/m^2", "what its body's mass is made of", hashed=False),
@@ -68,17 +75,29 @@ SHAPE = Table(
         Field("restitution", "1", "a pair uses max(a, b)"),
         Field("rolling_resistance", "m", "lever arm of the rolling friction; a pair uses max(a, b)"),
         Field("surface_speed", "m/s", "conveyor: speed of the surface, clockwise around the shape"),
-        Field("category", "-", "bit set of what the shape is", "i8"),
-        Field("mask", "-", "bit set of what it collides with", "i8"),
-        Field("group", "-", "same positive group always collides, same negative group never, 0 no group", "i8"),
-        Field("sensor", "-", "1: feels what overlaps it and pushes nothing", "i8"),
-        Field("part", "-", "number of the part of a concave polygon, from 1; 0 for a shape of its own", "i8", False),
+        whole("category", "bit set of what the shape is", _BITS),
+        whole("mask", "bit set of what it collides with", _BITS),
+        whole("group", "same positive group always collides, same negative group never, 0 no group", ANY_WHOLE),
+        whole("sensor", "1: feels what overlaps it and pushes nothing", FLAG),
+        whole("part", "number of the part of a concave polygon, from 1; 0 for a shape of its own", COUNT, hashed=False),
         Field("one_way_x", "1", "unit direction in which bodies pass, in the body's frame; 0, 0 if none do"),
         Field("one_way_y", "1", "unit direction in which bodies pass, in the body's frame; 0, 0 if none do"),
-        Field("traits", "-", "bit 0: its rows in the seam table hold; bit 1: it is one-way", "i8", False),
-        Field("seam_start", "-", "first row in the seam table, if it has any", "i8", False),
-        Field("outline_start", "-", "first row of the concave polygon in the outline table", "i8", False),
-        Field("outline_count", "-", "sides of the concave polygon; 0 unless this is its first part", "i8", False),
+        whole(
+            "traits",
+            "bit 0: its rows in the seam table hold; bit 1: it is one-way",
+            Values(0, SEAMED | ONE_WAY),
+            hashed=False,
+        ),
+        whole(
+            "seam_start", "first row in the seam table, if it has any", Values(0, row_of="seam", past=1), hashed=False
+        ),
+        whole(
+            "outline_start",
+            "first row of the concave polygon in the outline table",
+            Values(0, row_of="outline", count="outline_count"),
+            hashed=False,
+        ),
+        whole("outline_count", "sides of the concave polygon; 0 unless this is its first part", COUNT, hashed=False),
     ),
 )
 
@@ -133,7 +152,7 @@ def _point_fields() -> tuple[Field, ...]:
             Field(f"anchor_bx{k}", "m", f"contact point {k} from the centre of body b, world axes"),
             Field(f"anchor_by{k}", "m", f"contact point {k} from the centre of body b, world axes"),
             Field(f"separation{k}", "m", f"gap at point {k} when the step began; negative when they overlap"),
-            Field(f"feature{k}", "-", f"feature id of point {k}: 64 * vertex of a + vertex of b", "i8"),
+            whole(f"feature{k}", f"feature id of point {k}: 64 * vertex of a + vertex of b", _FEATURE),
             Field(f"normal_impulse{k}", "N s", f"at point {k}, accumulated over the last of the scene's substeps"),
             Field(f"tangent_impulse{k}", "N s", f"at point {k}, accumulated over the last of the scene's substeps"),
         ]
@@ -143,10 +162,10 @@ def _point_fields() -> tuple[Field, ...]:
 CONTACT = Table(
     "contact",
     (
-        Field("shape_a", "-", "index of the first shape; shape_a < shape_b", "i8"),
-        Field("shape_b", "-", "index of the second shape", "i8"),
-        Field("body_a", "-", "index of the first body", "i8"),
-        Field("body_b", "-", "index of the second body", "i8"),
+        whole("shape_a", "index of the first shape; shape_a < shape_b", _SHAPE),
+        whole("shape_b", "index of the second shape", _SHAPE),
+        whole("body_a", "index of the first body", _BODY),
+        whole("body_b", "index of the second body", _BODY),
         Field("normal_x", "1", "unit normal from a to b"),
         Field("normal_y", "1", "unit normal from a to b"),
         Field("friction", "1", "mixed coefficient"),
@@ -157,8 +176,8 @@ CONTACT = Table(
         Field("radius_b", "m", "rounding of shape b"),
         Field("rolling_impulse", "N m s", "accumulated over the last of the scene's substeps"),
         Field("impact_impulse", "N s", "normal impulse of the impacts during the step, both points"),
-        Field("touching", "-", "1 once the shapes have pushed or overlapped, until they are well apart", "i8"),
-        Field("point_count", "-", "1 or 2", "i8"),
+        whole("touching", "1 once the shapes have pushed or overlapped, until they are well apart", FLAG),
+        whole("point_count", "1 or 2", Values(1, 2)),
         *_point_fields(),
     ),
 )
@@ -166,7 +185,7 @@ CONTACT = Table(
 DRAG = Table(
     "drag",
     (
-        Field("body", "-", "index of the dragged body; -1 when the row is free", "i8"),
+        whole("body", "index of the dragged body; -1 when the row is free", Values(-1, row_of="body")),
         Field("target_x", "m", "where the grabbed point is pulled to"),
         Field("target_y", "m", "where the grabbed point is pulled to"),
         Field("local_x", "m", "grabbed point from the centre of mass, in the body's frame"),
@@ -183,41 +202,41 @@ SETTINGS = Table(
     "settings",
     (
         Field("step_seconds", "s", "length of one step"),
-        Field("substeps", "-", "solver substeps in a step", "i8"),
+        whole("substeps", "solver substeps in a step", Values(1, MAX_SUBSTEPS)),
         Field("gravity_x", "m/s^2", ""),
         Field("gravity_y", "m/s^2", ""),
         Field("contact_hertz", "1/s", "stiffness of contacts"),
         Field("contact_damping_ratio", "1", "damping of contacts"),
         Field("push_out_speed", "m/s", "fastest overlap recovery"),
         Field("restitution_threshold", "m/s", "slower impacts do not bounce"),
-        Field("sleeping", "-", "1 lets resting islands fall asleep", "i8"),
-        Field("warm_starting", "-", "1 begins a substep with the impulses of the last one", "i8", hashed=False),
-        Field("accumulate", "-", "1 clamps the sum of a point's impulses, 0 each of them", "i8", hashed=False),
-        Field(
-            "soft", "-", "1 makes contacts springs with dampers, 0 corrects overlaps by Baumgarte", "i8", hashed=False
-        ),
-        Field("relax", "-", "1 takes the speed back that pushes overlaps apart", "i8", hashed=False),
-        Field("speculative", "-", "1 lets contacts work before the shapes touch", "i8", hashed=False),
+        whole("sleeping", "1 lets resting islands fall asleep", FLAG),
+        whole("warm_starting", "1 begins a substep with the impulses of the last one", FLAG, hashed=False),
+        whole("accumulate", "1 clamps the sum of a point's impulses, 0 each of them", FLAG, hashed=False),
+        whole("soft", "1 makes contacts springs with dampers, 0 corrects overlaps by Baumgarte", FLAG, hashed=False),
+        whole("relax", "1 takes the speed back that pushes overlaps apart", FLAG, hashed=False),
+        whole("speculative", "1 lets contacts work before the shapes touch", FLAG, hashed=False),
     ),
 )
 
 COUNTERS = Table(
     "counters",
     (
-        Field("step_count", "-", "steps taken since the start", "i8"),
-        Field("contact_count", "-", "rows in use in the contact table", "i8"),
-        Field("old_contact_count", "-", "rows that were in use in the step before", "i8", hashed=False),
-        Field("pair_count", "-", "pairs the grid proposed in the last step", "i8", hashed=False),
-        Field("found_count", "-", "contacts found in the step under way", "i8", hashed=False),
-        Field("color_count", "-", "colours of the contact graph in the last step", "i8", hashed=False),
-        Field("awake_count", "-", "dynamic bodies awake after the last step", "i8", hashed=False),
-        Field("asleep_count", "-", "dynamic bodies asleep after the last step", "i8", hashed=False),
-        Field("still", "-", "1 when steps change nothing until a command comes", "i8", hashed=False),
-        Field(
-            "substep_watch", "-", "how often piles are looked at: 0 unknown, 1 every eighth step, 2 at every step", "i8"
+        whole("step_count", "steps taken since the start", COUNT),
+        whole("contact_count", "rows in use in the contact table", COUNT),
+        whole("old_contact_count", "rows that were in use in the step before", COUNT, hashed=False),
+        whole("pair_count", "pairs the grid proposed in the last step", COUNT, hashed=False),
+        whole("found_count", "contacts found in the step under way", COUNT, hashed=False),
+        whole("color_count", "colours of the contact graph in the last step", COUNT, hashed=False),
+        whole("awake_count", "dynamic bodies awake after the last step", COUNT, hashed=False),
+        whole("asleep_count", "dynamic bodies asleep after the last step", COUNT, hashed=False),
+        whole("still", "1 when steps change nothing until a command comes", FLAG, hashed=False),
+        whole(
+            "substep_watch",
+            "how often piles are looked at: 0 unknown, 1 every eighth step, 2 at every step",
+            Values(0, 2),
         ),
-        Field("broken_count", "-", "joints broken so far", "i8", hashed=False),
-        Field("frozen_count", "-", "bodies frozen so far", "i8"),
+        whole("broken_count", "joints broken so far", COUNT, hashed=False),
+        whole("frozen_count", "bodies frozen so far", COUNT),
     ),
 )
 

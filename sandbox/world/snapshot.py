@@ -14,6 +14,7 @@ from sandbox.errors import SnapshotError
 from sandbox.world.census import Census
 from sandbox.world.records import TABLES
 from sandbox.world.roster import Roster
+from sandbox.world.soundness import check_tables
 from sandbox.world.state import ARRAYS, State
 
 _MAGIC = b"SBX2"
@@ -56,6 +57,7 @@ def restore(state: State, data: bytes, read: Callable[[bytes], Roster]) -> None:
     rows, text = _parts(_checked_body(data))
     roster = state.roster if text == state.roster.text else read(text)
     _check(state, roster, rows)
+    check_tables(rows)
     if roster is not state.roster:
         state.census = Census(roster)
         state.layout += 1
