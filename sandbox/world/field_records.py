@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from sandbox.tables import COUNT, UNLIMITED, Field, Table, Values, whole
+from sandbox.world.bounds import SHARE
 
 WATER, GRAVITY, GRAVITY_SCALE, ATTRACTION, WIND = 0, 1, 2, 3, 4
 NEVER = 1 << 62
@@ -42,8 +43,8 @@ REGION = Table(
 EDGE = Table(
     "edge",
     (
-        Field("normal_x", "1", "unit normal, outward"),
-        Field("normal_y", "1", "unit normal, outward"),
+        Field("normal_x", "1", "unit normal, outward", values=SHARE),
+        Field("normal_y", "1", "unit normal, outward", values=SHARE),
         Field("offset", "m", "the half-plane is where normal . p <= offset"),
     ),
 )

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from sandbox.scene.limits import ALL_BITS, MAX_SUBSTEPS, MAX_VERTICES
 from sandbox.tables import ANY_WHOLE, COUNT, FLAG, STEP_OR_NEVER, Field, Table, Values, whole
+from sandbox.world.bounds import LENGTH, PLACE, SHARE, SPEED
 from sandbox.world.field_records import EDGE, REGION, THRUSTER
 from sandbox.world.joint_records import JOINT
 
@@ -24,18 +25,18 @@ _CORE = Values(0, row_of="vertex", count="vertex_count")
 BODY = Table(
     "body",
     (
-        Field("position_x", "m", "body origin, as the scene gives it"),
-        Field("position_y", "m", "body origin, as the scene gives it"),
-        Field("angle", "rad", "angle turned so far, not wrapped"),
-        Field("velocity_x", "m/s", "velocity of the centre of mass"),
-        Field("velocity_y", "m/s", "velocity of the centre of mass"),
-        Field("angular_velocity", "rad/s", "counter-clockwise is positive"),
-        Field("center_x", "m", "centre of mass in the world"),
-        Field("center_y", "m", "centre of mass in the world"),
-        Field("rotation_cos", "1", "cosine of the angle; what the step turns"),
-        Field("rotation_sin", "1", "sine of the angle; what the step turns"),
-        Field("local_center_x", "m", "centre of mass from the origin, in the body's frame"),
-        Field("local_center_y", "m", "centre of mass from the origin, in the body's frame"),
+        Field("position_x", "m", "body origin, as the scene gives it", values=PLACE),
+        Field("position_y", "m", "body origin, as the scene gives it", values=PLACE),
+        Field("angle", "rad", "angle turned so far, not wrapped", values=PLACE),
+        Field("velocity_x", "m/s", "velocity of the centre of mass", values=SPEED),
+        Field("velocity_y", "m/s", "velocity of the centre of mass", values=SPEED),
+        Field("angular_velocity", "rad/s", "counter-clockwise is positive", values=SPEED),
+        Field("center_x", "m", "centre of mass in the world", values=PLACE),
+        Field("center_y", "m", "centre of mass in the world", values=PLACE),
+        Field("rotation_cos", "1", "cosine of the angle; what the step turns", values=SHARE),
+        Field("rotation_sin", "1", "sine of the angle; what the step turns", values=SHARE),
+        Field("local_center_x", "m", "centre of mass from the origin, in the body's frame", values=LENGTH),
+        Field("local_center_y", "m", "centre of mass from the origin, in the body's frame", values=LENGTH),
         Field("mass", "kg", "0 for static and kinematic bodies"),
         Field("inertia", "kg m^2", "about the centre of mass; 0 where it cannot turn"),
         Field("inverse_mass", "1/kg", "0 for static and kinematic bodies"),
@@ -47,7 +48,7 @@ BODY = Table(
         Field("angular_damping", "1/s", "w' = -damping w"),
         Field("gravity_scale", "1", "multiplies the scene's gravity"),
         Field("sleep_speed", "m/s", "the body is slow while no point of it moves faster"),
-        Field("extent", "m", "largest distance of a surface point from the centre of mass", hashed=False),
+        Field("extent", "m", "farthest surface point from the centre of mass", hashed=False, values=LENGTH),
         whole("type", "0 static, 1 kinematic, 2 dynamic", Values(STATIC, DYNAMIC)),
         whole("bullet", "1: it does not pass through moving bodies either", FLAG),
         whole("awake", "1 while the body is simulated; 0 asleep", FLAG),
@@ -68,7 +69,7 @@ SHAPE = Table(
         whole("kind", "0 circle, 1 box, 2 capsule, 3 segment, 4 polygon; for drawing only", Values(CIRCLE, POLYGON)),
         whole("vertex_start", "first row of its core in the vertex table", _CORE),
         whole("vertex_count", "1 circle, 2 capsule or segment, 3..64 polygon", Values(1, MAX_VERTICES)),
-        Field("radius", "m", "rounding around the core"),
+        Field("radius", "m", "rounding around the core", values=LENGTH),
         Field("thin", "m", "half its smallest width", hashed=False),
         Field("density", "kg/m^2", "what its body's mass is made of", hashed=False),
         Field("friction", "1", "Coulomb coefficient; a pair uses sqrt(a b)"),
@@ -104,10 +105,10 @@ SHAPE = Table(
 VERTEX = Table(
     "vertex",
     (
-        Field("x", "m", "core vertex from the centre of mass, in the body's frame, counter-clockwise"),
-        Field("y", "m", "core vertex from the centre of mass, in the body's frame, counter-clockwise"),
-        Field("normal_x", "1", "outward unit normal of the edge from this vertex to the next; 0 for a circle"),
-        Field("normal_y", "1", "outward unit normal of the edge from this vertex to the next; 0 for a circle"),
+        Field("x", "m", "core vertex from the centre of mass, in the body's frame, counter-clockwise", values=LENGTH),
+        Field("y", "m", "core vertex from the centre of mass, in the body's frame, counter-clockwise", values=LENGTH),
+        Field("normal_x", "1", "outward unit normal of the edge to the next vertex; 0 for a circle", values=SHARE),
+        Field("normal_y", "1", "outward unit normal of the edge to the next vertex; 0 for a circle", values=SHARE),
     ),
 )
 
@@ -201,14 +202,14 @@ DRAG = Table(
 SETTINGS = Table(
     "settings",
     (
-        Field("step_seconds", "s", "length of one step"),
+        Field("step_seconds", "s", "length of one step", values=Values(1e-5, 10.0)),
         whole("substeps", "solver substeps in a step", Values(1, MAX_SUBSTEPS)),
         Field("gravity_x", "m/s^2", ""),
         Field("gravity_y", "m/s^2", ""),
-        Field("contact_hertz", "1/s", "stiffness of contacts"),
-        Field("contact_damping_ratio", "1", "damping of contacts"),
-        Field("push_out_speed", "m/s", "fastest overlap recovery"),
-        Field("restitution_threshold", "m/s", "slower impacts do not bounce"),
+        Field("contact_hertz", "1/s", "stiffness of contacts", values=Values(0.0, 1e5)),
+        Field("contact_damping_ratio", "1", "damping of contacts", values=Values(0.0, 1e4)),
+        Field("push_out_speed", "m/s", "fastest overlap recovery", values=Values(0.0, 1e7)),
+        Field("restitution_threshold", "m/s", "slower impacts do not bounce", values=Values(0.0, 1e7)),
         whole("sleeping", "1 lets resting islands fall asleep", FLAG),
         whole("warm_starting", "1 begins a substep with the impulses of the last one", FLAG, hashed=False),
         whole("accumulate", "1 clamps the sum of a point's impulses, 0 each of them", FLAG, hashed=False),

@@ -74,6 +74,7 @@ CASES = [
         float("nan"),
         "mass is nan in row 2 of its body table, which is no",
     ),
+    ("pyramid-10", "body", 4, "center_x", -1e308, "center_x is -1e+308 in row 4 of its body table, not -2000000000.0 to"),
     ("pyramid-10", "vertex", 7, "x", float("inf"), "x is inf in row 7 of its vertex table"),
     ("pyramid-10", "contact", 4, "shape_b", 56, "shape_b is 56 in row 4 of its contact table, not 0 to 55"),
     ("pyramid-10", "contact", 4, "shape_b", 0, "contacts are in the order of their shapes"),
