@@ -77,7 +77,7 @@ def bench(options: BenchOptions) -> None:
 
 def _checked(text: str) -> list[str]:
     from sandbox.bench.contestants import ENGINES
-    from sandbox.scene.finding import did_you_mean
+    from sandbox.scene.near_names import did_you_mean
 
     names = list(dict.fromkeys(name.strip() for name in text.split(",")))
     for name in names:

@@ -62,7 +62,7 @@ class CommandClass(TyperCommand):
 
 def _is_misspelt(arg: str) -> bool:
     """Whether it looks like the name of a twin and is no path, nor the name of a shipped scene."""
-    from sandbox.scene.finding import nearest
+    from sandbox.scene.near_names import nearest
 
     return nearest(arg, TWINS) is not None and not find_scene(Path(arg)).exists()
 
@@ -119,7 +119,7 @@ def _twin_of(text: str) -> TwinName | None:
     for twin in TWINS:
         if text == twin:
             return twin
-    from sandbox.scene.finding import did_you_mean
+    from sandbox.scene.near_names import did_you_mean
 
     raise SandboxError(f"--twin={text}: no twin of that name; {did_you_mean(text, TWINS) or 'pymunk or simple'}")
 

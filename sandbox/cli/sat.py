@@ -91,7 +91,7 @@ def _check_options(options: SatOptions) -> None:
 def _check_picture(svg: Path, figure: str | None) -> None:
     from sandbox.cli.picture_options import writable_picture
     from sandbox.render.sat_figure import FIGURES
-    from sandbox.scene.finding import did_you_mean
+    from sandbox.scene.near_names import did_you_mean
 
     writable_picture(svg, {".svg"})
     if figure is not None and figure not in FIGURES:

@@ -79,7 +79,7 @@ def _only_two(world: World) -> tuple[str, str]:
 
 
 def _check(world: World, names: tuple[str, str]) -> None:
-    from sandbox.scene.finding import did_you_mean
+    from sandbox.scene.near_names import did_you_mean
 
     for name in names:
         if name not in world.names:

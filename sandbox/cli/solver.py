@@ -99,7 +99,7 @@ def _check_options(options: SolverOptions) -> None:
 
 
 def _check_name(option: str, name: str, known: Iterable[str]) -> None:
-    from sandbox.scene.finding import did_you_mean
+    from sandbox.scene.near_names import did_you_mean
 
     names = list(known)
     if name and name not in names:

@@ -7,8 +7,8 @@ from typing import Any
 
 from sandbox.errors import SandboxError
 from sandbox.reference.simple.techniques import SWITCHES, Techniques
-from sandbox.scene.finding import did_you_mean
 from sandbox.scene.flat import FlatScene
+from sandbox.scene.near_names import did_you_mean
 
 _COUNTS = {"substeps": 64, "iterations": 1000}
 """Techniques that are numbers, and the most that each may be."""

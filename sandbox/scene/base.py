@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from pydantic import BaseModel, ConfigDict, ValidationError
 
 from sandbox.attributes import refusal
-from sandbox.errors import SceneError
+from sandbox.scene.report import scene_error
 from sandbox.scene.wording import findings
 
 
@@ -20,8 +20,7 @@ class Model(BaseModel):
         try:
             super().__init__(**data)
         except ValidationError as error:
-            problems = [finding.problem() for finding in findings(error, type(self))]
-            raise SceneError(type(self).__name__, problems) from None
+            raise scene_error(type(self).__name__, findings(error, type(self)), None) from None
 
     # Unless it is marked so, pydantic calls this for nested models too, but only the outermost may reword.
     __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]

@@ -10,9 +10,10 @@ from typing import Annotated
 from pydantic import Field, Tag
 
 from sandbox.scene.constraints import Listed
+from sandbox.scene.limits import MAX_NAME
 from sandbox.scene.union import TAG, by_type
 
-Pattern = Annotated[str, Field(min_length=1, max_length=100)]
+Pattern = Annotated[str, Field(min_length=1, max_length=MAX_NAME)]
 """A body's id, or a pattern for all matching ids: `*` is anything, `?` one character, `[...]` one of some."""
 
 Ids = Annotated[

@@ -16,7 +16,7 @@ from sandbox.scene.flat_joints import chain_joints, flat_joint, joint_faults
 from sandbox.scene.flat_shapes import flat_shapes
 from sandbox.scene.generators import Chain, Generator, body_count, body_names, kind_of
 from sandbox.scene.known import NOTHING, Known
-from sandbox.scene.limits import MAX_SHAPES
+from sandbox.scene.limits import MAX_ALIKE, MAX_SHAPES
 from sandbox.scene.scene_fields import SceneFields
 from sandbox.scene.shapes import PolygonShape
 from sandbox.scene.solidity import faults
@@ -35,6 +35,7 @@ class Flattener:
         self.scene = scene
         self._known = known
         self.findings: list[Finding] = []
+        self._crowded = 0
         self._shapes: dict[tuple[int, str | None], tuple[FlatShape, ...]] = {}
 
     def flat(self) -> FlatScene:
@@ -63,6 +64,8 @@ class Flattener:
 
     def _generated(self) -> Iterator[FlatBody]:
         for i, generator in enumerate(self.scene.generate):
+            if self._crowded >= MAX_ALIKE:  # the scene is refused anyway
+                return
             prefab = self._prefab(generator)
             traits = self._traits(_values(prefab), ("generate", i))
             places = placings(generator, traits["shapes"], prefab.angle)
@@ -85,6 +88,7 @@ class Flattener:
     def _check_places(self, generator: Generator, places: list[Any], path: Path) -> None:
         wanted = body_count(generator)
         if len(places) < wanted:
+            self._crowded += 1
             text = f"only {len(places)} of {wanted} bodies fit"
             self.findings.append(Finding(path, text, 'widen "inside", or give a smaller "apart"'))
         if any(max(abs(x), abs(y)) > _FARTHEST for x, y, _ in places):

@@ -7,9 +7,10 @@ from itertools import chain, islice
 from typing import Any
 
 from sandbox.scene import plain
-from sandbox.scene.finding import Finding, Path, did_you_mean, quoted
-from sandbox.scene.limits import MAX_FINDINGS, MAX_JOINTS
+from sandbox.scene.finding import Finding, Path, quoted
+from sandbox.scene.limits import MAX_FINDINGS, MAX_JOINTS, MAX_NAME
 from sandbox.scene.names import BodyNames
+from sandbox.scene.near_names import did_you_mean
 
 
 def joint_references(data: dict[str, Any], ids: BodyNames, others: Collection[str] = ()) -> Iterator[Finding]:
@@ -18,7 +19,7 @@ def joint_references(data: dict[str, Any], ids: BodyNames, others: Collection[st
     `others` are ids of joints that a world has besides.
     """
     joints = list(islice(plain.children(data.get("joints"), ("joints",)), MAX_JOINTS))
-    known = _chain_ids(data)
+    known = _chain_ids(data) if ids.counted else {}
     for path, joint in joints:
         name = joint.get("id")
         if isinstance(name, str):
@@ -28,7 +29,7 @@ def joint_references(data: dict[str, Any], ids: BodyNames, others: Collection[st
     for path, joint in joints:
         yield from _bodies(path, joint, ids)
         for place, name in plain.texts(joint.get("joints"), (*path, "joints")):
-            if name not in known and name not in others:
+            if ids.counted and name not in known and name not in others:
                 yield Finding(place, f"no joint has the id {quoted(name)}", did_you_mean(name, chain(known, others)))
 
 
@@ -37,7 +38,9 @@ def _chain_ids(data: dict[str, Any]) -> dict[str, Path]:
     known: dict[str, Path] = {}
     for path, generator in plain.children(data.get("generate"), ("generate",)):
         name, count = generator.get("id"), generator.get("count")
-        if "chain" in generator and isinstance(name, str) and isinstance(count, int) and 0 < count <= MAX_JOINTS:
+        if "chain" not in generator or not isinstance(name, str) or not isinstance(count, int):
+            continue
+        if len(name) <= MAX_NAME and 0 < count <= MAX_JOINTS - len(known):
             pin = generator.get("pin", "none")
             first = 0 if pin in ("start", "both") else 1
             last = count if pin in ("end", "both") else count - 1

@@ -40,6 +40,12 @@ MAX_OUTLINE = 1000
 MAX_HOLES = 100
 """Holes of a polygon."""
 
+MAX_NAME = 100
+"""Characters of an id, of another name, or of a pattern for ids."""
+
+MAX_MATCHES = 5_000_000
+"""Ids that the patterns of all expectations are held against: patterns by bodies."""
+
 MAX_SUBSTEPS = 64
 """Solver substeps in a step."""
 
@@ -48,6 +54,9 @@ MAX_CATEGORIES = 31
 
 MAX_PROBLEMS = 100
 """Mistakes listed for one file; a last line counts the rest."""
+
+MAX_ALIKE = 10
+"""Mistakes of one sort listed for one file; a line counts the others."""
 
 MAX_FINDINGS = 2000
 """Mistakes of one sort looked into before the rest is let be."""

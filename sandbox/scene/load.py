@@ -9,6 +9,7 @@ from pydantic import ValidationError
 
 from sandbox.arguments import check_kind
 from sandbox.errors import Problem, SceneError
+from sandbox.scene.effort import one_effort
 from sandbox.scene.flatten import Flattener
 from sandbox.scene.known_file import is_recording
 from sandbox.scene.parse import parse
@@ -25,6 +26,7 @@ def load_scene(path: str | os.PathLike[str]) -> Scene:
     return loads_scene(read_text(Path(path)), str(path))
 
 
+@one_effort()
 def loads_scene(text: str, source: str = "<string>") -> Scene:
     """The scene in a JSON text; `source` names it in messages. Raises `SceneError`."""
     check_kind("loads_scene", "a text", text, str)

@@ -15,6 +15,7 @@ from sandbox.scene.known import NOTHING, Known
 from sandbox.scene.limits import MAX_BODIES
 from sandbox.scene.plain import children
 
+_FEW = 100
 _GENERATOR: TypeAdapter[Generator] = TypeAdapter(AnyGenerator, config=ConfigDict(defer_build=True))
 
 
@@ -37,6 +38,9 @@ class BodyNames:
 
     def __iter__(self) -> Iterator[str]:
         return chain(self.origins, self.known)
+
+    def __len__(self) -> int:
+        return len(self.origins) + len(self.known)
 
     def add(self, name: str, path: Path, place: Path) -> None:
         """Note an id, or the mistake that it is taken. `place` is where to point."""
@@ -74,6 +78,8 @@ def body_ids(data: dict[str, Any], known: Known = NOTHING) -> BodyNames:
 def _unread(data: dict[str, Any], generators: list[tuple[Path, Generator | None]]) -> tuple[str, ...]:
     raw = dict(children(data.get("generate"), ("generate",)))
     ids = [raw[path].get("id") for path, generator in generators if generator is None]
+    if len(ids) > _FEW:  # each name that may be of one of them would be compared with all
+        return ("",)
     return tuple(f"{name}-" if isinstance(name, str) else "" for name in ids)
 
 

@@ -9,16 +9,16 @@ from pydantic import AfterValidator, Field, JsonValue
 from pydantic_core import PydanticCustomError
 
 from sandbox.scene.constraints import Listed, Range
-from sandbox.scene.limits import MAX_HOLES, MAX_OUTLINE
+from sandbox.scene.limits import MAX_HOLES, MAX_NAME, MAX_OUTLINE
 
-_LENGTHS: dict[str, JsonValue] = {"minLength": 1, "maxLength": 100}
-_NAME = re.compile(r"[\w.:-]{1,100}")
+_LENGTHS: dict[str, JsonValue] = {"minLength": 1, "maxLength": MAX_NAME}
+_NAME = re.compile(rf"[\w.:-]{{1,{MAX_NAME}}}")
 _COLOR = re.compile(r"#[0-9a-fA-F]{6}")
 
 
 def _check_name(value: str) -> str:
     if not _NAME.fullmatch(value):
-        raise PydanticCustomError("name", "must be 1 to 100 letters, digits or any of _ - . :")
+        raise PydanticCustomError("name", f"must be 1 to {MAX_NAME} letters, digits or any of _ - . :")
     return value
 
 

@@ -8,8 +8,8 @@ from pathlib import Path
 from sandbox._bounded_read import read_bytes
 from sandbox.errors import Problem, SceneError
 from sandbox.resources import benchmark_scenes, find_scene, scene_name, shipped_scenes
-from sandbox.scene.finding import nearest
 from sandbox.scene.limits import MAX_BYTES
+from sandbox.scene.near_names import nearest
 from sandbox.scene.report import syntax_error
 
 

@@ -8,12 +8,15 @@ from typing import Any
 
 from sandbox.scene import plain
 from sandbox.scene.body_refs import BODY_FIELDS, is_pattern, matches_any
-from sandbox.scene.finding import Finding, Path, did_you_mean, quoted
+from sandbox.scene.finding import Finding, Path, quoted
 from sandbox.scene.generators import GENERATORS
 from sandbox.scene.joint_references import joint_references
 from sandbox.scene.known import Known
-from sandbox.scene.limits import MAX_EXPECTATIONS
+from sandbox.scene.limits import MAX_EXPECTATIONS, MAX_MATCHES, MAX_NAME
 from sandbox.scene.names import BodyNames
+from sandbox.scene.near_names import did_you_mean
+
+_TOO_MANY = f"there are too many patterns for so many bodies; patterns times bodies may be {MAX_MATCHES:,}"
 
 
 def unknown_names(data: dict[str, Any], ids: BodyNames, known: Known) -> Iterator[Finding]:
@@ -54,10 +57,17 @@ def _bodies(data: dict[str, Any], ids: BodyNames) -> Iterator[Finding]:
     if not ids.counted:
         return
     known: dict[str, bool] = {}
+    left = MAX_MATCHES
     for path, expectation in islice(plain.children(data.get("expect"), ("expect",)), MAX_EXPECTATIONS):
         for field in BODY_FIELDS:
             for place, name in plain.texts(expectation.get(field), (*path, field)):
+                if len(name) > MAX_NAME:  # its own model says so
+                    continue
                 if name not in known:
+                    left -= len(ids) if is_pattern(name) else 0
+                    if left < 0:
+                        yield Finding(("expect",), _TOO_MANY)
+                        return
                     known[name] = _is_known(name, ids)
                 if not known[name]:
                     yield _unknown_body(name, place, ids)

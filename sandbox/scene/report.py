@@ -2,36 +2,51 @@
 
 from __future__ import annotations
 
+import re
+from collections import Counter
+from collections.abc import Callable, Iterable
+
 from sandbox.errors import Problem, SceneError
 from sandbox.scene.excerpt import excerpt, line_column
 from sandbox.scene.finding import Finding
-from sandbox.scene.limits import MAX_PROBLEMS
+from sandbox.scene.limits import MAX_ALIKE, MAX_PROBLEMS
 from sandbox.scene.locate import Span, locate
+
+_VARYING = re.compile(r'"[^"]*"|[0-9.]+')
+"""What differs among mistakes of one sort: names and numbers."""
 
 
 def scene_error(source: str, findings: list[Finding], text: str | None) -> SceneError:
     """The error for `findings`; `text` is the file's, or None for a scene built in Python."""
     if text is None:
-        problems = [finding.problem() for finding in findings]
-    else:
-        problems = _placed(findings, text)
-    if len(problems) > MAX_PROBLEMS:
-        more = f"and at least {len(problems) - MAX_PROBLEMS} more mistakes"
-        problems = [*problems[:MAX_PROBLEMS], Problem(more)]
-    return SceneError(source, problems)
+        return SceneError(source, told(findings))
+    found = locate(text, {finding.path for finding in findings})
+    places = [found[f.path].key_span if f.on_key else found[f.path].value_span for f in findings]
+    pairs = sorted(zip(places, findings, strict=True), key=lambda pair: pair[0][0])
+    spans = {id(finding): span for span, finding in pairs}
+    return SceneError(source, told([f for _, f in pairs], lambda f: _problem(f, text, spans[id(f)])))
+
+
+def told(findings: Iterable[Finding], problem: Callable[[Finding], Problem] = Finding.problem) -> list[Problem]:
+    """What an error says of `findings`: the first of each sort, not more than a person reads, and how many more."""
+    shown: list[Problem] = []
+    alike: Counter[str] = Counter()
+    first: dict[str, str] = {}
+    for finding in findings:
+        sort = _VARYING.sub("", finding.message)
+        alike[sort] += 1
+        if alike[sort] <= MAX_ALIKE and len(shown) < MAX_PROBLEMS:
+            shown.append(problem(finding))
+            first.setdefault(sort, shown[-1].message.rstrip(":"))
+    left = {sort: count - MAX_ALIKE for sort, count in alike.items() if sort in first and count > MAX_ALIKE}
+    shown += [Problem(f"and at least {count} more like this: {first[sort]}") for sort, count in left.items()]
+    others = alike.total() - sum(left.values()) - (len(shown) - len(left))
+    return [*shown, Problem(f"and at least {others} more mistakes")] if others else shown
 
 
 def syntax_error(source: str, text: str, span: Span, message: str, hint: str = "") -> SceneError:
     """The error for text that is no JSON, at `span`."""
     return SceneError(source, [_problem(Finding((), message, hint), text, span)])
-
-
-def _placed(findings: list[Finding], text: str) -> list[Problem]:
-    found = locate(text, {finding.path for finding in findings})
-    places = [found[f.path].key_span if f.on_key else found[f.path].value_span for f in findings]
-    pairs = sorted(zip(places, findings, strict=True), key=lambda pair: pair[0][0])
-    shown, rest = pairs[:MAX_PROBLEMS], pairs[MAX_PROBLEMS:]
-    return [_problem(finding, text, span) for span, finding in shown] + [f.problem() for _, f in rest]
 
 
 def _problem(finding: Finding, text: str, span: Span) -> Problem:

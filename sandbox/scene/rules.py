@@ -9,11 +9,12 @@ from typing import Any
 from sandbox.scene import plain
 from sandbox.scene.body import Body
 from sandbox.scene.field_rules import field_rules
-from sandbox.scene.finding import Finding, did_you_mean, quoted
+from sandbox.scene.finding import Finding, quoted
 from sandbox.scene.generators import GENERATORS
 from sandbox.scene.known import NOTHING, Known
 from sandbox.scene.limits import MAX_FINDINGS
 from sandbox.scene.names import body_ids
+from sandbox.scene.near_names import did_you_mean
 from sandbox.scene.references import unknown_names
 
 _TIMES = ("at", "always", "within")

@@ -6,6 +6,8 @@ from sandbox.scene.flat import Vec
 from sandbox.scene.splitmix import SplitMix64
 
 _TRIES_EACH, _TRIES_MORE = 20, 10_000
+_MISSES = 10_000
+"""After so many in a row, there is no room for more."""
 
 
 def scatter(count: int, box: tuple[float, float, float, float], apart: float, random: SplitMix64) -> list[Vec]:
@@ -19,14 +21,17 @@ def scatter(count: int, box: tuple[float, float, float, float], apart: float, ra
     cell = max(apart, (right - left + top - bottom) * 1e-6)
     cells: dict[tuple[int, int], list[Vec]] = {}
     points: list[Vec] = []
+    misses = 0
     for _ in range(_TRIES_EACH * count + _TRIES_MORE):
-        if len(points) == count:
+        if len(points) == count or misses > _MISSES:
             break
+        misses += 1
         point = (random.between(left, right), random.between(bottom, top))
         column, row = int((point[0] - left) // cell), int((point[1] - bottom) // cell)
         if apart == 0.0 or _has_room(point, column, row, cells, apart * apart):
             cells.setdefault((column, row), []).append(point)
             points.append(point)
+            misses = 0
     return points
 
 

@@ -9,6 +9,7 @@ from pydantic import PrivateAttr
 
 from sandbox._atomic_write import write_text
 from sandbox.notebook import Shown
+from sandbox.scene.effort import one_effort
 from sandbox.scene.excerpt import line_column
 from sandbox.scene.finding import path_of
 from sandbox.scene.flat import FlatScene
@@ -43,6 +44,7 @@ class Scene(Shown, SceneFields):
         """The file's text; None for a scene built in Python."""
         return self._text
 
+    @one_effort()
     def flatten(self) -> FlatScene:
         """The scene with nothing left to look up, always the same object. Raises `SceneError`."""
         if self._flat is None:

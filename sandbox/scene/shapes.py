@@ -11,6 +11,7 @@ from pydantic_core import PydanticCustomError
 from sandbox.geometry.decompose import decompose
 from sandbox.geometry.polygon import MIN_EDGE, PolygonError
 from sandbox.scene.constraints import Listed, Range
+from sandbox.scene.effort import effort
 from sandbox.scene.limits import ALL_BITS, MAX_OUTLINE
 from sandbox.scene.material import Surface
 from sandbox.scene.objects import known_as
@@ -45,11 +46,20 @@ def _check_ends(ends: Ends) -> Ends:
 
 
 def _check_polygon(outline: Outline) -> Outline:
-    try:
-        decompose(outline)
-    except PolygonError as error:
-        raise PydanticCustomError("polygon", str(error), {"place": _place(error.index)}) from None
+    _sound_parts(outline)
     return outline
+
+
+def _sound_parts(outline: Outline, holes: Holes = ()) -> int:
+    """How many convex parts a polygon has; 0 where too many are wrong already to look into one more."""
+    if effort().outlines <= 0:
+        return 0
+    try:
+        return len(decompose(outline, holes).parts)
+    except PolygonError as error:
+        effort().outlines -= 1
+        place = _place(error.hole, error.index) if holes else _place(error.index)
+        raise PydanticCustomError("polygon", str(error), {"place": place}) from None
 
 
 def _check_holes(holes: Holes, info: ValidationInfo) -> Holes:
@@ -61,16 +71,13 @@ def _check_holes(holes: Holes, info: ValidationInfo) -> Holes:
     if count > MAX_OUTLINE:
         text = f"the polygon and its holes have {count} vertices; {MAX_OUTLINE} is the limit"
         raise PydanticCustomError("polygon", text, {"place": []})
-    try:
-        decompose(outline, holes)
-    except PolygonError as error:
-        raise PydanticCustomError("polygon", str(error), {"place": _place(error.hole, error.index)}) from None
+    _sound_parts(outline, holes)
     return holes
 
 
 def _check_rounding(radius: float, info: ValidationInfo) -> float:
     known = radius > 0.0 and "polygon" in info.data and "holes" in info.data
-    if known and len(decompose(info.data["polygon"], info.data["holes"]).parts) > 1:
+    if known and _sound_parts(info.data["polygon"], info.data["holes"]) > 1:
         raise PydanticCustomError("rounding", "must be 0 for a polygon that is concave or has holes")
     return radius
 

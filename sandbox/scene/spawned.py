@@ -9,6 +9,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from sandbox.scene.base import Model
+from sandbox.scene.effort import one_effort
 from sandbox.scene.finding import Finding
 from sandbox.scene.flat import FlatBody, FlatJoint
 from sandbox.scene.flat_joints import joint_faults
@@ -44,6 +45,7 @@ class Spawning:
         self._templates = Templates()
         self._plain = scene.model_dump(mode="json", exclude_unset=True, include=set(_SHARED)) if scene else {}
 
+    @one_effort()
     def read(self, bodies: Sequence[Any], joints: Sequence[Any], known: Known, source: str) -> Spawned:
         """Read bodies and joints that may refer to each other and to what is `known`.
 

@@ -10,8 +10,9 @@ from typing import Annotated, Any, Union, get_args, get_origin
 from pydantic import BaseModel, Tag
 
 from sandbox.scene.constraints import describe
-from sandbox.scene.finding import Finding, Path, did_you_mean, quoted
+from sandbox.scene.finding import Finding, Path, quoted
 from sandbox.scene.limits import MAX_FINDINGS
+from sandbox.scene.near_names import did_you_mean
 from sandbox.scene.objects import OBJECTS
 from sandbox.scene.union import TAGS, UNIONS
 

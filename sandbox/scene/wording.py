@@ -9,8 +9,9 @@ from typing import Any
 from pydantic import BaseModel, ValidationError
 
 from sandbox.scene.constraints import describe
-from sandbox.scene.finding import Finding, Path, did_you_mean, quoted
+from sandbox.scene.finding import Finding, Path, quoted
 from sandbox.scene.limits import MAX_FINDINGS
+from sandbox.scene.near_names import did_you_mean
 from sandbox.scene.union import TAGS
 from sandbox.scene.unknown import model_at, names, no_kind, no_type, unknown_field
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
+from sandbox.arguments import shown
 from sandbox.errors import SandboxError, UnknownBodyError, UnknownJointError, UnknownRegionError
 from sandbox.scene.known import Known
+from sandbox.scene.near_names import nearest
 from sandbox.world.census import Ledger
 from sandbox.world.state import State
 
@@ -93,6 +94,6 @@ def _looked_up(what: str, name: str, known: dict[str, int], error: type[SandboxE
     if not isinstance(name, str):
         raise error(f"an id is a text, not {name!r}")
     if name not in known:
-        near = difflib.get_close_matches(name, known, 1)
-        raise error(f"no {what} {name!r} in this world" + (f"; did you mean {near[0]!r}?" if near else ""))
+        near = nearest(name, known)
+        raise error(f"no {what} {shown(name)} in this world" + (f"; did you mean {near!r}?" if near else ""))
     return known[name]

@@ -6,7 +6,9 @@ import json
 
 import pytest
 
-from sandbox.scene.limits import MAX_BODIES, MAX_PROBLEMS
+from sandbox.scene.finding import Finding
+from sandbox.scene.limits import MAX_ALIKE, MAX_BODIES, MAX_PROBLEMS
+from sandbox.scene.report import told
 from tests.scene.scene_helpers import refused
 
 BALL = '{"id": "ball", "shapes": [{"circle": 1}]}'
@@ -206,9 +208,17 @@ def test_the_excerpt_of_a_long_line_keeps_the_caret_in_sight():
 def test_a_thousand_mistakes_are_told_in_part():
     bodies = ",\n".join(json.dumps({"id": f"a{k}", "shpaes": 1}) for k in range(1000))
     error = refused(f'{{"bodies": [\n{bodies}]}}')
-    assert len(error.problems) == MAX_PROBLEMS + 1
-    assert error.problems[-1].message == "and at least 900 more mistakes"
+    assert len(error.problems) == MAX_ALIKE + 1
+    assert error.problems[-1].message == 'and at least 990 more like this: unknown field "shpaes"'
     assert error.problems[0].line == 2
+
+
+def test_mistakes_of_many_sorts_are_told_in_part():
+    names = [a + b for a in "abcdefghijklmnop" for b in "qrstuvwxyz"]
+    sorts = [Finding(("bodies",), f"mistake {name}") for name in names]
+    problems = told(sorts)
+    assert len(problems) == MAX_PROBLEMS + 1
+    assert problems[-1].message == "and at least 60 more mistakes"
 
 
 def test_too_many_bodies_are_one_mistake():

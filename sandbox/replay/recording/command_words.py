@@ -16,7 +16,8 @@ from sandbox.engine.commands.registry import COMMAND_CLASSES
 from sandbox.errors import CommandError
 from sandbox.scene.base import Model
 from sandbox.scene.constraints import Listed, describe
-from sandbox.scene.finding import Finding, Path, did_you_mean, quoted
+from sandbox.scene.finding import Finding, Path, quoted
+from sandbox.scene.near_names import did_you_mean
 from sandbox.scene.wording import findings
 
 TimedCommand: TypeAlias = tuple[int, Command]

@@ -17,6 +17,7 @@ from sandbox.replay.recording.meaning import Meaning
 from sandbox.replay.recording.migrate import migrated
 from sandbox.replay.recording.recording_fields import RecordingFields, SceneSource
 from sandbox.scene import Scene
+from sandbox.scene.effort import one_effort
 from sandbox.scene.finding import Finding, path_of
 from sandbox.scene.finding import Path as Way
 from sandbox.scene.limits import MAX_FINDINGS
@@ -44,6 +45,7 @@ def read_commands(path: Path) -> tuple[TimedCommand, ...]:
         raise RecordingError(error.source, error.problems) from None
 
 
+@one_effort()
 def _loads_commands(text: str, path: Path) -> tuple[TimedCommand, ...]:
     data = parse(text, str(path)).data
     if isinstance(data, dict) and "commands" in data:
@@ -57,6 +59,7 @@ def _loads_commands(text: str, path: Path) -> tuple[TimedCommand, ...]:
     return tuple(commands)
 
 
+@one_effort()
 def loads_recording(text: str, path: Path) -> RecordingFields:
     """The recording in a text that stands in the file `path`. Raises `SceneError`."""
     if not text.strip():

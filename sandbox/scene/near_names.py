@@ -1,0 +1,32 @@
+"""The nearest of many names, as far as the effort for one file goes."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+from itertools import islice
+
+from sandbox.scene.effort import effort
+from sandbox.scene.limits import MAX_NAME
+
+_CONSIDERED = 2000
+"""So many names are looked at for one that is wrong."""
+
+
+def nearest(name: str, known: Iterable[str]) -> str | None:
+    """The one of the `known` names that is most like `name`, if any is. In Python, a key may be anything."""
+    wanted, left = str(name).casefold(), effort()
+    if len(wanted) > MAX_NAME or left.compared <= 0:
+        return None
+    by_folded = {other.casefold(): other for other in islice(known, _CONSIDERED) if len(other) <= MAX_NAME}
+    if wanted in by_folded:
+        return by_folded[wanted]
+    left.compared -= (len(wanted) + 1) * sum(len(other) + 1 for other in by_folded)
+    near = difflib.get_close_matches(wanted, by_folded, n=1, cutoff=0.6)
+    return by_folded[near[0]] if near else None
+
+
+def did_you_mean(name: str, known: Iterable[str]) -> str:
+    """The hint with the nearest of the `known` names, empty if none is near."""
+    near = nearest(name, known)
+    return f'did you mean "{near}"?' if near else ""
