@@ -92,7 +92,7 @@ def _row(ledger: Ledger[Any], serial: int) -> int:
 
 def _looked_up(what: str, name: str, known: dict[str, int], error: type[SandboxError]) -> int:
     if not isinstance(name, str):
-        raise error(f"an id is a text, not {name!r}")
+        raise error(f"an id is a text, not {shown(name)}")
     if name not in known:
         near = nearest(name, known)
         raise error(f"no {what} {shown(name)} in this world" + (f"; did you mean {near!r}?" if near else ""))

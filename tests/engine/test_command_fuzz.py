@@ -5,12 +5,15 @@ from __future__ import annotations
 import math
 
 import numpy as np
+import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
 from sandbox import (
     ApplyForce,
     ApplyImpulse,
+    Delete,
+    DeleteJoint,
     EndDrag,
     Explode,
     MoveDrag,
@@ -22,6 +25,7 @@ from sandbox import (
 )
 from sandbox.engine.world import World
 from sandbox.errors import SandboxError
+from sandbox.replay.recording.command_words import decode
 from sandbox.scene.flat import FlatSettings
 from tests.examples import examples
 from tests.flat import body, box, capsule, circle, ground, scene
@@ -79,3 +83,18 @@ def test_no_sequence_of_commands_poisons_the_world(sequence, sleeping):
         assert finite(w)
     w.step(3)
     assert finite(w)
+
+
+@pytest.mark.parametrize("command", [DeleteJoint([{"id": "x"}] * 5000), EndDrag("x" * 100_000), Delete("x" * 100_000)])
+def test_what_is_refused_is_not_repeated_at_length(command):
+    w = World(scene(ground(), body("ball", circle(0.3), position=(0.0, 2.0))))
+    with pytest.raises(SandboxError) as caught:
+        w.apply(command)
+    assert len(str(caught.value)) < 500
+
+
+@pytest.mark.parametrize("bodies", [3, "ball", [3], [[]], None])
+def test_what_a_file_spawns_is_an_object_or_a_list_of_objects(bodies):
+    command, found = decode([0, "Spawn", {"bodies": bodies}], ("commands", 0))
+    assert command is None
+    assert [finding.message for finding in found] == ["bodies must be an object or a list of objects"]

@@ -38,7 +38,7 @@ def title(command: Any) -> str:
     """How messages begin: the command, and whom it is for."""
     for field in _IDS:
         if hasattr(command, field):
-            return f"{type(command).__name__} of {getattr(command, field)!r}"
+            return f"{type(command).__name__} of {shown(getattr(command, field))}"
     return type(command).__name__
 
 

@@ -9,6 +9,7 @@ from typing import Self
 
 import numpy as np
 
+from sandbox.arguments import shown
 from sandbox.engine.active.wake import wake_bodies
 from sandbox.engine.commands.base import Command, CommandTarget, Flags, Touched
 from sandbox.engine.commands.joint_command import held_bodies
@@ -101,7 +102,7 @@ def _listed(ids: Ids) -> Sequence[str]:
 def _check_ids(command: Command, ids: Ids) -> None:
     names = _listed(ids)
     if not isinstance(names, (list, tuple)) or not all(isinstance(name, str) for name in names):
-        raise CommandError(f"{type(command).__name__}: what to delete is one id or a list of ids, not {ids!r}")
+        raise CommandError(f"{type(command).__name__}: what to delete is one id or a list of ids, not {shown(ids)}")
     if not names:
         raise CommandError(f"{type(command).__name__}: there is nothing to delete; give an id")
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from sandbox.arguments import shown
 from sandbox.engine.commands.base import Vec
 from sandbox.engine.commands.body_command import BodyCommand, needs_dynamic
 from sandbox.engine.commands.checks import title
@@ -74,4 +75,4 @@ def _drag_of(state: State, row: int, name: str) -> Any:
     for drag in state.drags:
         if drag.body == row:
             return drag
-    raise CommandError(f"{name!r} is not being dragged; start with StartDrag")
+    raise CommandError(f"{shown(name)} is not being dragged; start with StartDrag")

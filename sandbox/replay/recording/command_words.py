@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache
 from types import UnionType
 from typing import Annotated, Any, TypeAlias, Union, get_args, get_origin, get_type_hints
 
 import numpy as np
-from pydantic import ValidationError, create_model
+from pydantic import AfterValidator, ValidationError, create_model
+from pydantic_core import PydanticCustomError
 
 from sandbox.engine.commands.base import Command
 from sandbox.engine.commands.registry import COMMAND_CLASSES
@@ -82,6 +83,8 @@ def _is_needed(item: dataclasses.Field[Any]) -> bool:
 
 def _checked(hint: Any) -> Any:
     """A type as a file can give it: tuples are lists there."""
+    if get_origin(hint) in (Union, UnionType) and {dict, Sequence} <= set(map(get_origin, get_args(hint))):
+        return Annotated[Any, AfterValidator(_check_entries)]  # `Spawn` reads them in the words of a scene file
     if get_origin(hint) in (Union, UnionType):
         return Union[tuple(_checked(part) for part in get_args(hint))]  # noqa: UP007
     if get_origin(hint) is not tuple:
@@ -90,6 +93,13 @@ def _checked(hint: Any) -> Any:
     count = 0 if Ellipsis in parts else len(parts)
     most = count or 1_000_000
     return Annotated[tuple[parts], Listed(f"of {count}" if count else "", count, most)]  # type: ignore[valid-type]
+
+
+def _check_entries(value: Any) -> Any:
+    entries = [value] if isinstance(value, dict) else value
+    if not isinstance(entries, (list, tuple)) or not all(isinstance(entry, dict) for entry in entries):
+        raise PydanticCustomError("entries", "must be an object or a list of objects")
+    return value
 
 
 def _plain(value: Any, place: str) -> Any:
