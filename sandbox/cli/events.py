@@ -67,7 +67,7 @@ def _checked(kinds: list[str]) -> list[str]:
 
 
 def _check_body(wanted: str, scene: Scene) -> None:
-    from sandbox.scene.finding import did_you_mean
+    from sandbox.scene.near_names import did_you_mean
 
     flat = scene.flatten()
     names = [*(body.id for body in flat.bodies), *(joint.id for joint in flat.joints)]
