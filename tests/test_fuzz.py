@@ -7,10 +7,10 @@ from hypothesis import settings
 
 pytest.importorskip("resource", reason="the bounds of time and memory are those of POSIX")
 
-from tests.fuzz import budget  # noqa: E402
-from tests.fuzz.budget import OverBudgetError, within_budget  # noqa: E402
-from tests.fuzz.kinds import KINDS, make_case, text_of  # noqa: E402
-from tests.fuzz.run import run_cases, shares  # noqa: E402
+from tests.fuzz import budget
+from tests.fuzz.budget import OverBudgetError, within_budget
+from tests.fuzz.kinds import KINDS, make_case, text_of
+from tests.fuzz.run import run_cases, shares
 
 CASES = 10_000
 """In the profiles for CI; a tenth of it where tests are to be quick."""
