@@ -63,7 +63,11 @@ COMMANDS = [(name, line) for path, name in zip(GUIDES, NAMES, strict=True) for b
 
 @pytest.mark.parametrize(("name", "line"), COMMANDS, ids=[f"{name}: {line[:50]}" for name, line in COMMANDS])
 def test_commands_have_the_options_that_guides_name(name: str, line: str) -> None:
-    command, *words = said(line)
+    check_options(*said(line))
+
+
+def check_options(command: str, *words: str) -> None:
+    """That `sandbox COMMAND` exists and has the options among the words."""
     assert command in app.COMMANDS
     options = {option for parameter in app.build().get_command(None, command).params for option in parameter.opts}
     assert [word for word in words if re.match(r"--?[a-zA-Z]", word) and word.partition("=")[0] not in options] == []
