@@ -60,4 +60,4 @@ class SceneProgress:
     ) -> None:
         if not self._bar.disable:
             bars.remove(self._bar)
-        self._bar.stop()
+            self._bar.stop()  # a bar that is not shown would end a line, with rich up to 14
