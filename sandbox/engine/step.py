@@ -13,7 +13,7 @@ from sandbox.engine.active.substep_level import assign_substep_levels
 from sandbox.engine.active.wake_islands import wake_touched
 from sandbox.engine.bodies.flags import clear_flags
 from sandbox.engine.bodies.integrate import begin_motions, finish_motions, rewind_driven
-from sandbox.engine.bodies.quarantine import guard_positions
+from sandbox.engine.bodies.quarantine import guard_forces, guard_positions
 from sandbox.engine.broad_phase.pairs import sort_pairs
 from sandbox.engine.broad_phase.proxies import bound_shapes
 from sandbox.engine.broad_phase.resting_grid import find_all_pairs, order_shapes
@@ -101,7 +101,9 @@ def solve(
     setting = state.settings[0]
     counter = state.counters[0]
     count = counter.found_count
-    if wake_touched(bodies, contacts, joints, active.info, state.counters):
+    awake = active.bodies[1 : 1 + active.bodies[0]]
+    froze = guard_forces(bodies, awake, setting, active.info, state.counters)
+    if wake_touched(bodies, contacts, joints, active.info, state.counters) or froze:
         update_active_set(bodies, active, solver, ccd.bodies)
         list_active_contacts(bodies, contacts, count)
     rows = active.bodies[1 : 1 + active.bodies[0]]

@@ -44,7 +44,7 @@ class Stepper:
         self._state = state
         self.workers = workers if jit_enabled() else 1
         self._threads = WorkerThreads(self.workers - 1) if self.workers > 1 else None
-        self._turn = self._broken = 0
+        self._turn = self._lost = 0
         self._jointed = False
         self._room = Room.of(state)
         self._calls: dict[tuple[Any, int], tuple[Call, Callable[[], Any]]] = {}
@@ -81,7 +81,7 @@ class Stepper:
         self._turn = 1 - self._turn
         self._state.contacts = self.scratch.contacts.now
         self.scratch.contacts = self._contacts[self._turn]
-        if self.counters["broken_count"][0] != self._broken:
+        if self._lost != self._count_lost():
             self.assemble_joints()
 
     def renew(self) -> None:
@@ -140,6 +140,10 @@ class Stepper:
         scratch.joint_filter, scratch.joints = assemble(state.joints, state.bodies, self._layouts, room)
         self._prepare_calls()
 
+    def _count_lost(self) -> int:
+        """How many joints have broken, and bodies been frozen: what hangs together has changed where there are more."""
+        return int(self.counters["broken_count"][0]) + int(self.counters["frozen_count"][0])
+
     def _copies(self) -> Sequence[tuple[Records, Records]]:
         """What a step has changed by the time that it may be refused, with copies."""
         tables = (self._state.counters, *((self._state.bodies,) if self._fields[0] else ()))
@@ -184,7 +188,7 @@ class Stepper:
         state, scratch = self._state, self.scratch
         self._crowded = len(state.shapes) > _FEW
         self.counters = kernel_argument(state.counters)
-        self._broken = int(self.counters["broken_count"][0])
+        self._lost = self._count_lost()
         here = scratch.contacts._replace(before=state.contacts)
         there = here._replace(now=here.before, before=here.now)
         self._contacts = (here, there) if self._turn == 0 else (there, here)

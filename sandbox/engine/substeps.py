@@ -113,9 +113,9 @@ def run_substeps(
     prepare_forces(bodies, rows, solver, level, setting, seconds)
     for substep in range(substeps):
         integrate_velocities(rows, solver, workers)
-        guard_velocities(bodies, rows, motions, solver.forces, active.info, state.counters)
         resolve_impacts(bodies, solver, contacts, impacts, seconds)
         solve_mouse_joints(state, solver, level, seconds)
+        guard_velocities(bodies, rows, motions, solver.forces, active.info, state.counters)
         if warm:
             warm_start(motions, blocks, count, workers)
         else:

@@ -1,8 +1,12 @@
-"""Stage: a body with bad numbers is frozen where it last was sound, so that it cannot poison the world."""
+"""Stage: a body with bad numbers is frozen where it last was sound, so that it cannot poison the world.
+
+Only its own numbers freeze a body: its velocity and the forces on it, before anything is solved with them, and where it
+would go. What contacts and joints make too fast is slowed down to the highest speed.
+"""
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.tables import Integers, Records
 from sandbox.world.records import STATIC
 
@@ -13,18 +17,45 @@ MAX_COORDINATE = 1e9
 
 
 @kernel
+def guard_forces(
+    bodies: Records, active_bodies: Integers, setting: Records, active_info: Records, counters: Records
+) -> bool:
+    """Freeze bodies that their own velocity and the forces on them would make too fast within a step.
+
+    It comes before contacts and joints look at masses, so that to them such a body is one that does not move. Returns
+    whether there was one: then the active set is out of date.
+    """
+    found = False
+    seconds = setting.step_seconds
+    for i in active_bodies:
+        body = bodies[i]
+        if body.type == STATIC:
+            continue
+        linear = MAX_SPEED * (1.0 + seconds * body.linear_damping)
+        angular = MAX_SPEED * (1.0 + seconds * body.angular_damping)
+        ax = body.gravity_scale * setting.gravity_x + body.inverse_mass * body.force_x
+        ay = body.gravity_scale * setting.gravity_y + body.inverse_mass * body.force_y
+        aw = body.inverse_inertia * body.torque
+        sound = abs(body.velocity_x + seconds * ax) <= linear and abs(body.velocity_y + seconds * ay) <= linear
+        if not (sound and abs(body.angular_velocity + seconds * aw) <= angular):
+            active_info[0].stale = 1
+            _freeze(body, counters[0])
+            found = True
+    return found
+
+
+@kernel
 def guard_velocities(
     bodies: Records, active_bodies: Integers, motions: Records, forces: Records, active_info: Records, counters: Records
 ) -> None:
-    """Freeze bodies whose velocity is not a number, or too high, before the solver can pass it on."""
+    """Slow down what the solver made too fast, before it can pass that on, and freeze what has no velocity at all."""
     for i in active_bodies:
         if forces[i].moves == 0:
             continue
-        motion = motions[i]
-        sound = abs(motion.velocity_x) <= MAX_SPEED and abs(motion.velocity_y) <= MAX_SPEED
-        if not (sound and abs(motion.angular_velocity) <= MAX_SPEED):
+        if not _slowed(motions[i]):
             active_info[0].stale = 1
-            _freeze(bodies[i], motion, counters[0])
+            _freeze(bodies[i], counters[0])
+            _stop(motions[i])
             forces[i].moves = 0
 
 
@@ -32,7 +63,7 @@ def guard_velocities(
 def guard_positions(
     bodies: Records, active_bodies: Integers, motions: Records, active_info: Records, counters: Records
 ) -> None:
-    """Freeze bodies that would leave the world, or whose displacement is not a number, before they are moved."""
+    """Freeze bodies that would leave the world, or whose motion is not a number, before they are moved."""
     for i in active_bodies:
         body = bodies[i]
         if body.type == STATIC:
@@ -41,13 +72,33 @@ def guard_positions(
         x = abs(body.center_x + motion.delta_x)
         y = abs(body.center_y + motion.delta_y)
         turned = abs(body.angle + motion.delta_angle)
-        if not (x <= MAX_COORDINATE and y <= MAX_COORDINATE and turned <= MAX_COORDINATE):
+        inside = x <= MAX_COORDINATE and y <= MAX_COORDINATE and turned <= MAX_COORDINATE
+        if not (_slowed(motion) and inside):
             active_info[0].stale = 1
-            _freeze(body, motion, counters[0])
+            _freeze(body, counters[0])
+            _stop(motion)
 
 
 @kernel
-def _freeze(body: Records, motion: Records, counter: Records) -> None:
+def _slowed(motion: Records) -> bool:
+    """Keep velocities within `MAX_SPEED`; whether they are numbers."""
+    motion.velocity_x = _within(motion.velocity_x)
+    motion.velocity_y = _within(motion.velocity_y)
+    motion.angular_velocity = _within(motion.angular_velocity)
+    speed = abs(motion.velocity_x) + abs(motion.velocity_y) + abs(motion.angular_velocity)
+    return bool(speed <= 3.0 * MAX_SPEED)
+
+
+@inlined_kernel
+def _within(speed: float) -> float:
+    """What is not a number stays so."""
+    if speed > MAX_SPEED:
+        return MAX_SPEED
+    return -MAX_SPEED if speed < -MAX_SPEED else speed
+
+
+@kernel
+def _freeze(body: Records, counter: Records) -> None:
     """Make a body static at the pose it had when the step began."""
     body.type = STATIC
     body.frozen_step = counter.step_count
@@ -60,6 +111,12 @@ def _freeze(body: Records, motion: Records, counter: Records) -> None:
     body.force_x = 0.0
     body.force_y = 0.0
     body.torque = 0.0
+    counter.frozen_count += 1
+
+
+@kernel
+def _stop(motion: Records) -> None:
+    """Take back what a body has moved in this step."""
     motion.velocity_x = 0.0
     motion.velocity_y = 0.0
     motion.angular_velocity = 0.0
@@ -68,4 +125,3 @@ def _freeze(body: Records, motion: Records, counter: Records) -> None:
     motion.delta_cos = 1.0
     motion.delta_sin = 0.0
     motion.delta_angle = 0.0
-    counter.frozen_count += 1

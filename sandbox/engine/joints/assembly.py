@@ -13,7 +13,7 @@ from sandbox.engine.joints.pair_filter import JointFilter
 from sandbox.engine.joints.part_layout import NOBODY, WORLD, PartLayouts
 from sandbox.engine.joints.part_tables import Parts, joint_work
 from sandbox.engine.joints.records import BOND, JointWork
-from sandbox.tables import Integers, Records, plain, taken
+from sandbox.tables import Integers, Records, taken
 from sandbox.world import joint_records as kinds
 
 Flags = NDArray[np.bool_]
@@ -52,7 +52,7 @@ def assemble_more(
     apart = joint_filter.joined[seen] == 0
     if work is not None:
         apart &= work.part_of[seen] < 0
-    if not (apart.all() and (plain(bodies)["mass"][seen] > 0.0).all()):
+    if not (apart.all() and _movable(bodies)[seen].all()):
         return None
     room = len(joint_filter.joined)
     more_filter, more = _assembled(joints, bodies, layouts, room, (held, sides), others=work is not None)
@@ -79,10 +79,18 @@ def _assembled(
     joined[bound.low] = joined[bound.high] = 1
     if not len(held):
         return JointFilter(bound, joined), None
-    # A body that bad numbers froze keeps its mass: what hangs together must not depend on that.
-    movable = np.append(np.asarray(bodies.mass) > 0.0, [False, False])  # nobody and the world are the last rows
-    parts = _parts(held, sides, movable[sides])
+    movable = np.append(_movable(bodies), [False, False])  # nobody and the world are the last rows
+    moves = movable[sides]
+    some = moves.any(axis=1)  # what froze may hang on what never moved
+    if not some.any():
+        return JointFilter(bound, joined), None
+    parts = _parts(held[some], sides[some], moves[some])
     return JointFilter(bound, joined), joint_work(joints, parts, _bonds(sides, len(bodies)), room, layouts, others)
+
+
+def _movable(bodies: Records) -> Flags:
+    """Which bodies joints can move: those with a mass, unless bad numbers froze them."""
+    return (np.asarray(bodies.mass) > 0.0) & (np.asarray(bodies.frozen_step) < 0)
 
 
 def _sides(joints: Records, held: Integers) -> Integers:

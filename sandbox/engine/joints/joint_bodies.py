@@ -29,6 +29,17 @@ def load_members(work: JointWork, bodies: Records) -> None:
 
 
 @kernel
+def part_level(work: JointWork, part: Records, free_motions: Records) -> int:
+    """The substep level of a part: that of the first of its bodies which the solver moves."""
+    for i in range(part.first_member, part.member_end):
+        member = work.members[i]
+        if member.inverse_mass > 0.0:
+            level: int = free_motions[member.body].substep_level
+            return level
+    return 0
+
+
+@kernel
 def gather_members(work: JointWork, motions: Records) -> None:
     """Take over the velocities of nets, and of what joints cannot move."""
     i = 1

@@ -16,7 +16,13 @@ from sandbox.engine.joints.direct.position_correction import apply_corrections
 from sandbox.engine.joints.direct.solve import solve_batches
 from sandbox.engine.joints.gauss_seidel import solve_softly
 from sandbox.engine.joints.hinges import accumulate_hinges, load_hinges
-from sandbox.engine.joints.joint_bodies import gather_members, load_members, move_by_end_velocity, scatter_members
+from sandbox.engine.joints.joint_bodies import (
+    gather_members,
+    load_members,
+    move_by_end_velocity,
+    part_level,
+    scatter_members,
+)
 from sandbox.engine.joints.reactions import accumulate, read_impulses
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.contacts import Contacts
@@ -51,7 +57,7 @@ def select_parts(work: JointWork, free_motions: Records, substep_level: int) -> 
     work.direct.level[0] = substep_level
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
-        same = part.awake == 1 and free_motions[work.members[part.first_member].body].substep_level == substep_level
+        same = part.awake == 1 and part_level(work, part, free_motions) == substep_level
         part.current = 1 if same else 0
 
 

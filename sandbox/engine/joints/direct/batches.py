@@ -11,6 +11,7 @@ from sandbox._vectors import WIDTH
 from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.records import LEVELS, Batches
+from sandbox.engine.joints.joint_bodies import part_level
 from sandbox.engine.joints.records import JointWork
 from sandbox.tables import Floats, Records
 
@@ -23,8 +24,7 @@ def fill_batches(work: JointWork, bodies: Records, free_motions: Records) -> Non
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
         if part.direct == 1 and part.awake == 1:
-            level = free_motions[work.members[part.first_member].body].substep_level
-            _join(d, p, part.layout, level)
+            _join(d, p, part.layout, part_level(work, part, free_motions))
     v = d.memory
     for n in range(d.found[0]):
         batch = d.batches[n]
