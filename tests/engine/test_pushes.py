@@ -83,6 +83,10 @@ def test_an_explosion_pushes_all_or_nobody():
     assert "dust" in refused(w, Explode((0.0, 0.0), 3.0, 1e4))
     assert "radius" in refused(w, Explode((0.0, 0.0), 0.0, 1.0))
     assert "finite" in refused(w, Explode((0.0, math.inf), 1.0, 1.0))
+    assert "Explode: its push on 'dust' would make it faster" in refused(w, Explode((0.0, 0.0), 3.0, 1e4))
+    for radius in (1e9, 1.1e7, 1e-7):
+        message = refused(w, Explode((0.0, 0.0), radius, 1.0))
+        assert message.startswith(f"Explode: radius must be from 1e-06 to 1e+07 m, not {radius:g}")
 
 
 def test_gravity_turns_over():

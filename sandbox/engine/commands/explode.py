@@ -10,8 +10,10 @@ from typing import TYPE_CHECKING
 
 from sandbox.engine.active.wake import wake_body
 from sandbox.engine.commands.base import Command, CommandTarget, Touched, Vec
+from sandbox.engine.commands.checks import title
 from sandbox.engine.commands.pushes import ApplyImpulse
 from sandbox.errors import CommandError
+from sandbox.geometry.checks import LARGEST, SMALLEST
 
 if TYPE_CHECKING:
     from sandbox.geometry.shapes import Shape
@@ -31,17 +33,19 @@ class Explode(Command):
 
     def apply(self, target: CommandTarget) -> Touched:
         """Push all or none: bodies that cannot take their push keep the others from theirs."""
-        if self.radius <= 0.0:
-            raise CommandError(f"Explode: radius must be greater than 0 m, not {self.radius:g}")
+        if not SMALLEST <= self.radius <= LARGEST:
+            bounds = f"from {SMALLEST:g} to {LARGEST:g} m"
+            raise CommandError(f"Explode: radius must be {bounds}, not {self.radius:g}; give one within these")
         state = target.state
         before = state.bodies.copy()
-        try:
-            for row, push in _blasts(target, self):
+        for row, push in _blasts(target, self):
+            try:
                 push.checked().change(state, row)
-                wake_body(state, row)
-        except CommandError as error:
-            state.bodies[:] = before
-            raise CommandError(f"Explode: {error}") from None
+            except CommandError as error:
+                state.bodies[:] = before
+                text = str(error).removeprefix(f"{title(push)}: ")
+                raise CommandError(f"Explode: its push on {push.body!r} {text}; give a smaller impulse") from None
+            wake_body(state, row)
         return Touched()
 
 
