@@ -118,6 +118,7 @@ def tables(draw: st.DrawFn) -> tuple[Any, Any]:
     """Any joints between some bodies, a few of which do not move; gears among them."""
     bodies = BODY.zeros(draw(st.integers(2, 9)))
     bodies.mass = draw(st.lists(st.sampled_from((0.0, 1.0, 1.0, 1.0)), min_size=len(bodies), max_size=len(bodies)))
+    bodies.frozen_step = draw(st.lists(st.sampled_from((-1, -1, -1, 5)), min_size=len(bodies), max_size=len(bodies)))
     joints = JOINT.zeros(draw(st.integers(0, 14)))
     side = st.integers(-1, len(bodies) - 1)
     flags = st.sampled_from((0, 0, 0, 1))

@@ -101,8 +101,8 @@ def assemble(joints: Records, bodies: Records) -> tuple[JointFilter, NaiveWork |
 class _Layout:
     def __init__(self, joints: Records, bodies: Records) -> None:
         self.joints = joints
-        # A body that bad numbers froze keeps its mass: what hangs together must not depend on that.
-        self.movable = np.asarray(bodies.mass) > 0.0
+        # A body that bad numbers froze keeps its mass, but moves no more.
+        self.movable = (np.asarray(bodies.mass) > 0.0) & (np.asarray(bodies.frozen_step) < 0)
         self.holding = [j for j, holds in enumerate(holding(joints)) if holds]
         self.touched = {j: self._touched(joints[j]) for j in self.holding}
 

@@ -80,11 +80,7 @@ def _assembled(
     if not len(held):
         return JointFilter(bound, joined), None
     movable = np.append(_movable(bodies), [False, False])  # nobody and the world are the last rows
-    moves = movable[sides]
-    some = moves.any(axis=1)  # what froze may hang on what never moved
-    if not some.any():
-        return JointFilter(bound, joined), None
-    parts = _parts(held[some], sides[some], moves[some])
+    parts = _parts(held, sides, movable[sides])
     return JointFilter(bound, joined), joint_work(joints, parts, _bonds(sides, len(bodies)), room, layouts, others)
 
 
