@@ -33,7 +33,7 @@ def flat_shapes(shape: AnyShape, material: Material | None, categories: Sequence
     scene's names for bits.
     """
     base = material or _DEFAULT
-    given = {name: getattr(shape, name) for name in Material.model_fields}
+    given = {name: getattr(shape, name) for name in Material.model_fields if name != "bumper"}  # which only allows
     surface: dict[str, Any] = {name: getattr(base, name) if value is None else value for name, value in given.items()}
     surface["category"], surface["mask"] = _bits(shape.category, categories), _bits(shape.mask, categories)
     surface["group"], surface["sensor"] = shape.group, shape.sensor

@@ -6,7 +6,7 @@ from pydantic import Field
 
 from sandbox.scene.base import Model
 from sandbox.scene.objects import known_as
-from sandbox.scene.quantities import Density, Distance, Fraction, Ratio, Velocity
+from sandbox.scene.quantities import Bounce, Density, Distance, Ratio, Velocity
 
 
 @known_as("a material")
@@ -15,8 +15,10 @@ class Material(Model):
 
     density: Density = Field(default=1.0, description="Mass per area, kg/m^2.")
     friction: Ratio = Field(default=0.5, description="Coulomb coefficient; a pair of shapes uses sqrt(a b).")
-    restitution: Fraction = Field(
-        default=0.0, description="Bounce: 0 none, 1 keeps its speed; a pair of shapes uses max(a, b)."
+    bumper: bool = Field(default=False, description="true: restitution may be above 1, up to 5, which adds energy.")
+    restitution: Bounce = Field(
+        default=0.0,
+        description="Bounce: 0 none, 1 keeps its speed, above 1 (with bumper) more; a pair of shapes uses max(a, b).",
     )
     rolling_resistance: Distance = Field(
         default=0.0, description="Lever arm of the rolling friction, m; a pair uses max(a, b)."
@@ -32,7 +34,10 @@ class Surface(Model):
 
     density: Density | None = Field(default=None, description="Overrides the material's density, kg/m^2.")
     friction: Ratio | None = Field(default=None, description="Overrides the material's friction coefficient.")
-    restitution: Fraction | None = Field(default=None, description="Overrides the material's bounce, 0 to 1.")
+    bumper: bool | None = Field(default=None, description="true: the restitution beside it may be above 1, up to 5.")
+    restitution: Bounce | None = Field(
+        default=None, description="Overrides the material's bounce, 0 to 1; up to 5 with bumper."
+    )
     rolling_resistance: Distance | None = Field(
         default=None, description="Overrides the material's rolling resistance, m."
     )

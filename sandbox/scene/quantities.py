@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import Annotated, Any
 
-from pydantic import AfterValidator, Field, JsonValue
+from pydantic import AfterValidator, Field, JsonValue, ValidationInfo
 from pydantic_core import PydanticCustomError
 
 from sandbox.scene.constraints import Listed, Range
@@ -34,11 +34,21 @@ def _check_order(pair: tuple[Any, Any]) -> tuple[Any, Any]:
     return pair
 
 
+def _check_bounce(restitution: float | None, info: ValidationInfo) -> float | None:
+    """What comes back faster than it came is no mistake only where the author says so: `bumper` comes before."""
+    if restitution is not None and restitution > 1.0 and not info.data.get("bumper"):
+        raise PydanticCustomError("limit", f'must not be above 1, or {MAX_BOUNCE:g} beside "bumper": true')
+    return restitution
+
+
 def _check_rectangle(box: Rectangle) -> Rectangle:
     if not (box[0] < box[2] and box[1] < box[3]):
         raise PydanticCustomError("order", "must be [left, bottom, right, top] with left < right and bottom < top")
     return box
 
+
+MAX_BOUNCE = 5.0
+"""Highest restitution, that of a bumper."""
 
 Coordinate = Annotated[float, Range(-1e9, 1e9, "m")]
 Size = Annotated[float, Range(1e-6, 1e7, "m")]
@@ -57,7 +67,7 @@ Damping = Annotated[float, Range(0, 1e4, "1/s")]
 Hertz = Annotated[float, Range(1, 1e4, "Hz")]
 Ratio = Annotated[float, Range(0, 1e3)]
 Factor = Annotated[float, Range(-1e3, 1e3)]
-Fraction = Annotated[float, Range(0, 1)]
+Bounce = Annotated[float, Range(0, MAX_BOUNCE), AfterValidator(_check_bounce)]
 Force = Annotated[float, Range(0, 1e15, "N")]
 Torque = Annotated[float, Range(0, 1e15, "N m")]
 Frequency = Annotated[float, Range(0, 1e4, "Hz")]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -21,9 +22,9 @@ class SetSurface(BodyCommand):
     """Change the surface of a body's shapes; what is None stays as it is.
 
     `friction` and `restitution` are coefficients, `rolling_resistance` is in m, `surface_speed` in m/s, within the
-    limits of scene files. `shape` is the number of one of the body's shapes, from 0; None means all of them. A new
-    `density` (kg/m^2) changes mass, inertia and centre of mass, as far as the scene does not give those itself; every
-    point of the body goes on as it moved.
+    limits of scene files; above 1, up to 5, `restitution` needs `bumper=True` beside it. `shape` is the number of one
+    of the body's shapes, from 0; None means all of them. A new `density` (kg/m^2) changes mass, inertia and centre of
+    mass, as far as the scene does not give those itself; every point of the body goes on as it moved.
     """
 
     friction: float | None = None
@@ -32,6 +33,7 @@ class SetSurface(BodyCommand):
     surface_speed: float | None = None
     shape: int | None = None
     density: float | None = None
+    bumper: bool | None = None
 
     @property
     def outdates_events(self) -> bool:
@@ -46,14 +48,15 @@ class SetSurface(BodyCommand):
                 raise CommandError(f"{title(self)}: the body has no shape {self.shape}, but {len(rows)}")
             rows = rows[self.shape : self.shape + 1]
         given = {name: value for name in _FIELDS if (value := getattr(self, name)) is not None}
-        _check(self, given | ({} if self.density is None else {"density": self.density}))
+        allowing = {name: value for name in ("density", "bumper") if (value := getattr(self, name)) is not None}
+        _check(self, given | allowing)
         if self.density is not None:
             _weigh(state, row, rows, self)
         for name, value in given.items():
             state.shapes[name][rows] = value
 
 
-def _check(command: SetSurface, given: dict[str, float]) -> None:
+def _check(command: SetSurface, given: dict[str, Any]) -> None:
     from sandbox.scene.material import Material
 
     try:

@@ -123,9 +123,10 @@ class BodyView(FixedAttributes):
         rolling_resistance: float | None = None,
         surface_speed: float | None = None,
         shape: int | None = None,
+        bumper: bool | None = None,
     ) -> None:
         """Change what its shapes, or the one of that number, are made of: `SetSurface`; for densities apply that."""
-        self._apply(SetSurface(self.id, friction, restitution, rolling_resistance, surface_speed, shape))
+        self._apply(SetSurface(self.id, friction, restitution, rolling_resistance, surface_speed, shape, bumper=bumper))
 
     def delete(self) -> None:
         """Take it out of the world, with the joints that hold it."""
