@@ -21,7 +21,8 @@ NOTES: dict[int, str] = {
     "contacts that find none of 62 colours get further ones, where they were solved one by one",
     12: "the torque that a gear reports counts from the anchor of the first joint it couples, no longer from a place "
     "that another joint has left; where something heavy lands on light bodies, their pile takes twelve relax passes; "
-    "friction on something immovable acts at the surface of what moves, no longer in the middle of the overlap",
+    "friction on something immovable acts at the surface of what moves, no longer in the middle of the overlap; only "
+    "the body whose own velocity or forces are too large is frozen, before anything is solved with them",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 
