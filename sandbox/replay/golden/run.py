@@ -40,8 +40,8 @@ def run_of(what: Run | Recording | Scene, call: str = "to play") -> Run:
 class RunStepper:
     """A world that takes a run; `world` is at `step`, its commands of that step not yet applied."""
 
-    def __init__(self, scene: Scene | FlatScene, commands: Iterable[TimedCommand]) -> None:
-        self.world = World(scene)
+    def __init__(self, scene: Scene | FlatScene, commands: Iterable[TimedCommand], workers: int = 1) -> None:
+        self.world = World(scene, workers)
         self.commands = list(commands)
         self._applied = 0
 
@@ -50,9 +50,10 @@ class RunStepper:
         """Steps taken since the start."""
         return self.world.step_count
 
-    def apply_due(self) -> None:
-        """Apply the commands of this step that have not been. Raises what `World.apply` raises."""
-        while self._applied < len(self.commands) and self.commands[self._applied][0] <= self.step:
+    def apply_due(self, until: int | None = None) -> None:
+        """Apply this step's commands that have not been, up to `until` in all. Raises what `World.apply` raises."""
+        end = len(self.commands) if until is None else until
+        while self._applied < end and self.commands[self._applied][0] <= self.step:
             self.world.apply(self.commands[self._applied][1])
             self._applied += 1
 
@@ -64,8 +65,22 @@ class RunStepper:
     def add(self, command: Any) -> None:
         """Apply a command now and know it from now on. Raises what `World.apply` raises."""
         self.world.apply(command)
+        self.note(command)
+
+    def note(self, command: Any) -> None:
+        """Know a command that the world has just been given."""
         self.commands.insert(self._applied, (self.step, command))
         self._applied += 1
+
+    def take_back(self, snapshot: bytes) -> None:
+        """Forget the last command; `snapshot` is the world before it. Raises `SnapshotError`."""
+        self.world.restore(snapshot)
+        self._applied -= 1
+        del self.commands[self._applied]
+
+    def forget_coming(self) -> None:
+        """Forget the commands that have not been applied."""
+        self.commands = self.commands[: self._applied]
 
     def commands_done_at(self, step: int) -> list[TimedCommand]:
         """The commands of `step` that have been applied."""

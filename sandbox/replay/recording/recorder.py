@@ -12,12 +12,11 @@ from sandbox.engine.commands.base import Command
 from sandbox.engine.world import World
 from sandbox.errors import Problem, RecordingError
 from sandbox.replay.headless_run import planned_steps
-from sandbox.replay.recording.checkpoint import EVERY, Checkpoint, checkpoint
 from sandbox.replay.recording.command_words import TimedCommand, plain_command
-from sandbox.replay.recording.fingerprint import fingerprint
 from sandbox.replay.recording.meaning import meaning_of
 from sandbox.replay.recording.recording import Recording
 from sandbox.replay.recording.recording_fields import SceneSource
+from sandbox.replay.recording.tape import Tape
 from sandbox.scene import Scene, load_scene
 
 _REPORT_EVERY = 16
@@ -26,7 +25,7 @@ _REPORT_EVERY = 16
 class Recorder(FixedAttributes):
     """Stands between a user and a fresh `world`: what goes through `apply` and `step` can be replayed."""
 
-    __slots__ = ("_checkpoints", "_commands", "_digests", "scene", "world")
+    __slots__ = ("_commands", "_tape", "scene", "world")
 
     def __init__(self, world: World) -> None:
         check_kind("Recorder", "a World", world, World)
@@ -37,8 +36,7 @@ class Recorder(FixedAttributes):
         self.world = world
         self.scene: Scene = world.scene
         self._commands: list[TimedCommand] = []
-        self._digests: list[str] = []
-        self._checkpoints: list[Checkpoint] = []
+        self._tape = Tape()
 
     def apply(self, command: Command) -> None:
         """Apply a command to the world, and note it if the world takes it."""
@@ -54,27 +52,28 @@ class Recorder(FixedAttributes):
 
     def note_step(self) -> None:
         """Note the step that the world has just taken, for who steps it himself."""
-        self._digests.append(fingerprint(self.world.state))
-        if self.world.step_count % EVERY == 0:
-            self._checkpoints.append(checkpoint(self.world))
+        self._tape.note(self.world)
 
     def recording(self) -> Recording:
         """What was recorded up to now. Raises `RecordingError` if the world was changed past the recorder."""
-        world, steps = self.world, len(self._digests)
-        if world.step_count != steps or steps == 0:
-            missed = "has not taken a step yet" if steps == 0 else f"was stepped past the recorder after step {steps}"
-            raise RecordingError("the world", [Problem(missed)])
-        last = [] if steps % EVERY == 0 else [checkpoint(world)]
-        return Recording(
-            scene=_source_of(self.scene),
-            steps=steps,
-            step_rate=self.scene.settings.step_rate,
-            commands=tuple(self._commands),
-            digests=tuple(self._digests),
-            checkpoints=(*self._checkpoints, *last),
-            final=final_poses(world),
-            digest=world.digest(),
-        )
+        return recording_of(self.world, self._commands, self._tape)
+
+
+def recording_of(world: World, commands: Iterable[TimedCommand], tape: Tape) -> Recording:
+    """The recording of a run that has brought `world` of a `Scene` to where it is. Raises what `Tape.ended_by` does."""
+    scene = world.scene
+    assert isinstance(scene, Scene)
+    digests, checkpoints = tape.ended_by(world)
+    return Recording(
+        scene=_source_of(scene),
+        steps=len(digests),
+        step_rate=scene.settings.step_rate,
+        commands=tuple(commands),
+        digests=digests,
+        checkpoints=checkpoints,
+        final=final_poses(world),
+        digest=world.digest(),
+    )
 
 
 def final_poses(world: World) -> dict[str, tuple[float, float, float]]:
