@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from sandbox.render.camera import Floats, Vec
@@ -10,14 +12,14 @@ from sandbox.render.geometry import Ints
 from sandbox.world.records import DYNAMIC
 
 
-def pick(frame: Frame, point: Vec, slack: float = 0.0) -> int | None:
-    """The dynamic body at `point`, the topmost if there are several; None if there is none.
+def pick(frame: Frame, point: Vec, slack: float = 0.0, types: Sequence[int] = (DYNAMIC,)) -> int | None:
+    """The body of one of `types` at `point`, the topmost if there are several; None if there is none.
 
     A body up to `slack` metres away counts as well where none is hit, so that small ones can be caught.
     """
     origin, axis = frame.shape_poses()
     local = _to_shape_frames(np.asarray(point) - origin, axis)
-    near = _near(frame, local, slack)
+    near = _near(frame, local, slack, types)
     if len(near) == 0:
         return None
     distance = np.array([shape_distance(frame, int(i), local[i]) for i in near])
@@ -31,11 +33,11 @@ def _to_shape_frames(offset: Floats, axis: Floats) -> Floats:
     return np.column_stack([c * x + s * y, c * y - s * x])
 
 
-def _near(frame: Frame, local: Floats, slack: float) -> Ints:
-    """Shapes of dynamic bodies whose box in the shape frame, widened by `slack`, holds the point."""
+def _near(frame: Frame, local: Floats, slack: float, types: Sequence[int]) -> Ints:
+    """Shapes of bodies of `types` whose box in the shape frame, widened by `slack`, holds the point."""
     mesh = frame.mesh
     beyond = np.abs(local) - mesh.half - mesh.radius[:, None] - slack
-    return np.flatnonzero((beyond <= 0.0).all(axis=1) & (frame.type[mesh.body] == DYNAMIC))
+    return np.flatnonzero((beyond <= 0.0).all(axis=1) & np.isin(frame.type[mesh.body], types))
 
 
 def shape_distance(frame: Frame, shape: int, point: Floats) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -40,6 +41,16 @@ class Moment:
     applied: int
 
 
+@dataclass(frozen=True)
+class Mark:
+    """A place in a run to which commands can be taken back; `held` are drags of a future that they will replace."""
+
+    step: int
+    applied: int
+    snapshot: bytes
+    held: frozenset[str]
+
+
 class Timeline(FixedAttributes):
     """A live run of `scene`: `step` takes the known future first and then goes on, `apply` begins another one.
 
@@ -47,7 +58,7 @@ class Timeline(FixedAttributes):
     did; it is known from the start, up to `length` steps.
     """
 
-    __slots__ = ("_frames", "_length", "_redo", "_stepper", "_tape", "_undo", "scene")
+    __slots__ = ("_cost", "_frames", "_length", "_redo", "_stepper", "_tape", "_undo", "scene")
 
     def __init__(
         self, scene: Scene, script: Sequence[TimedCommand] = (), length: int = 0, workers: int = 1, budget: int = BUDGET
@@ -59,6 +70,7 @@ class Timeline(FixedAttributes):
         self._length = length
         self._undo: list[Moment] = []
         self._redo: list[Moment] = []
+        self._cost = 0.0
         self._keep()
 
     @property
@@ -75,6 +87,11 @@ class Timeline(FixedAttributes):
     def length(self) -> int:
         """The last step that is known."""
         return max(self._length, self.step_count)
+
+    @property
+    def cost(self) -> float:
+        """Seconds that the last step took the world."""
+        return self._cost
 
     @property
     def at_end(self) -> bool:
@@ -109,7 +126,9 @@ class Timeline(FixedAttributes):
         except SandboxError:
             self._forget_coming()
             raise
+        begin = time.perf_counter()
         self.world.step()
+        self._cost = time.perf_counter() - begin
         self._length = max(self._length, self.step_count)
         if self.step_count <= MAX_STEPS:
             self._tape.note(self.world)
@@ -147,25 +166,22 @@ class Timeline(FixedAttributes):
 
         Drags that the forgotten future would have ended end here.
         """
-        command, stepper = plain_command(command), self._stepper
-        held = self._held()
-        self.world.apply(command)
-        self._redo.clear()
-        if self.at_end:
-            stepper.note(command)
-            return
-        self._forget_coming()
-        stepper.note(command)
-        for name in sorted(held & self._held() - {getattr(command, "body", None)}):
-            stepper.add(EndDrag(name))
+        self._apply(command, frozenset() if self.at_end else self._held())
 
-    def amend(self, command: Command, snapshot: bytes) -> None:
-        """Take back the last command, before which `snapshot` was taken in this step, and apply another instead.
+    def mark(self) -> Mark:
+        """This place in the run, for `amend`."""
+        held = frozenset() if self.at_end else self._held()
+        return Mark(self.step_count, self._stepper.applied, self.world.snapshot(), held)
 
-        For what is adjusted by hand while time stands still. Raises what `World.apply` raises.
+    def amend(self, mark: Mark, *commands: Command) -> None:
+        """Apply commands instead of those that were applied since `mark`, for what is adjusted by hand.
+
+        If steps have been taken since, nothing is taken back. Raises what `World.apply` raises.
         """
-        self._stepper.take_back(snapshot)
-        self.apply(command)
+        if self.step_count == mark.step and self._stepper.applied > mark.applied:
+            self._stepper.take_back(mark.snapshot, mark.applied)
+        for command in commands:
+            self._apply(command, mark.held)
 
     def undo(self) -> str | None:
         """Go to where the last act began, as if it had never been; gives its label, None if there is none."""
@@ -187,9 +203,19 @@ class Timeline(FixedAttributes):
         finally:
             self._place(here, applied)
 
-    def _held(self) -> set[str]:
+    def _apply(self, command: Command, ending: frozenset[str]) -> None:
+        command, stepper = plain_command(command), self._stepper
+        self.world.apply(command)
+        self._redo.clear()
+        if not self.at_end:
+            self._forget_coming()
+        stepper.note(command)
+        for name in sorted(ending & self._held() - {getattr(command, "body", None)}):
+            stepper.add(EndDrag(name))
+
+    def _held(self) -> frozenset[str]:
         """The bodies that hands hold."""
-        return {self.world.names[drag.body] for drag in self.world.state.drags if drag.body >= 0}
+        return frozenset(self.world.names[drag.body] for drag in self.world.state.drags if drag.body >= 0)
 
     def _go(self, step: int, anew: bool = False) -> None:
         """To a step, the commands after it not yet applied; `anew` if the world does not belong to this run."""

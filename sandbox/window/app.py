@@ -19,6 +19,7 @@ from sandbox.window.scene_index import scene_entries
 from sandbox.window.scene_list import SceneList
 from sandbox.window.screen import Canvas, Screen
 from sandbox.window.session import Session
+from sandbox.window.workspace import Wish
 
 LOADING_FPS = 20
 """Enough to look alive; each picture more would slow the loading thread down."""
@@ -36,6 +37,7 @@ class Options:
     frames: int | None = None
     screenshot: Path | None = None
     workers: int = 1
+    script: Path | None = None
 
 
 def run_window(options: Options) -> None:
@@ -85,8 +87,8 @@ class App:
         for event in pygame.event.get():
             if event.type == pygame.QUIT:
                 return False
-            self.canvas.gui.process(event)
-            screen.handle(event)
+            taken = self.canvas.gui.process(event)
+            screen.handle(event, taken)
         return True
 
     def _tick(self, screen: Screen) -> float:
@@ -101,7 +103,7 @@ class App:
 
     def _draw(self, screen: Screen) -> None:
         if isinstance(screen, PlayScreen):
-            screen.fps = self._clock.get_fps()
+            screen.workspace.fps = self._clock.get_fps()
         self.canvas.display.begin()
         self.canvas.gui.begin(self.canvas.display.size)
         screen.draw(self.canvas)
@@ -114,14 +116,23 @@ class App:
         title = session.scene.title or (self.options.scene or Path()).name
         self.canvas.display.title(f"{title} - sandbox")
         lockstep = self.options.frames is not None
-        return PlayScreen(session, self.canvas.display.size, self._back, lockstep)
+        shown = self.options.frames is None or self.options.script is not None
+        return PlayScreen(session, self.canvas.display.size, self._lead, lockstep, shown)
 
-    def _back(self) -> Screen | None:
-        """From a scene: to the list it was chosen from, or out."""
-        if self._list is None:
-            return None
-        self.canvas.display.title("sandbox")
-        return self._list
+    def _lead(self, wish: Wish, screen: PlayScreen) -> Screen | None:
+        """Where a wish of the user's leads to."""
+        match wish.kind:
+            case "open" if wish.path is not None:
+                return self._load(wish.path)
+            case "reload":
+                return self._load(Path(screen.session.scene.source))
+            case "gallery":
+                self.canvas.display.title("sandbox")
+                return self._list or self._scene_list()
+            case "leave" if self._list is not None:
+                self.canvas.display.title("sandbox")
+                return self._list
+        return None
 
     def _failed(self, error: Exception) -> Screen | None:
         """A scene that cannot be loaded is fatal where it was asked for, and a message in the list."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-SPEEDS = (1 / 16, 1 / 8, 1 / 4, 1 / 2, 1.0, 2.0, 4.0)
+SPEEDS = (1 / 64, 1 / 32, 1 / 16, 1 / 8, 1 / 4, 1 / 2, 1.0, 2.0, 4.0)
 """Speeds that the keys step through; physics always advances in the same fixed steps."""
 
 

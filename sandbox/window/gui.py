@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import imgui_bundle
-from imgui_bundle import imgui
+from imgui_bundle import imgui, implot
 
 from sandbox.render.camera import Size
 from sandbox.window.platform import choose_gl_platform
@@ -14,6 +14,9 @@ from sandbox.window.platform import choose_gl_platform
 TEXT_SIZE = 16.0
 _FONT = Path(imgui_bundle.__file__).parent / "assets" / "fonts" / "Roboto" / "Roboto-Regular.ttf"
 _BOLD = _FONT.with_name("Roboto-Bold.ttf")
+_MONO = _FONT.parents[1] / "Inconsolata-Medium.ttf"
+_ICONS = _FONT.parents[1] / "Font_Awesome_6_Free-Solid-900.otf"
+ICON_SIZE = 14.0
 
 
 class Gui:
@@ -27,17 +30,24 @@ class Gui:
         self.io = imgui.get_io()
         self.io.set_ini_filename("")  # the window leaves no files behind
         self.io.set_log_filename("")
+        self.io.config_flags |= imgui.ConfigFlags_.docking_enable
         self.regular = self._font(_FONT)
+        self._add_icons()
         self.bold = self._font(_BOLD)
-        _style()
+        self.mono = self._font(_MONO)
+        implot.create_context()
         self._renderer: Any = PygameRenderer()  # type: ignore[no-untyped-call]
 
-    def process(self, event: Any) -> None:
-        """Let ImGui see a pygame event. Resizing is not its business: it would open the window anew."""
+    def process(self, event: Any) -> tuple[bool, bool]:
+        """Let ImGui see a pygame event; says whether its widgets want the mouse, and the keyboard.
+
+        Resizing is not its business: it would open the window anew.
+        """
         import pygame
 
         if event.type not in (pygame.VIDEORESIZE, pygame.QUIT):
             self._renderer.process_event(event)
+        return bool(self.io.want_capture_mouse), bool(self.io.want_text_input)
 
     def begin(self, size: Size) -> None:
         """Start a frame in a window of `size` pixels."""
@@ -53,25 +63,18 @@ class Gui:
     def close(self) -> None:
         """Free what the context holds; the window must still be open."""
         self._renderer.shutdown()
+        implot.destroy_context()
         imgui.destroy_context()
+
+    def _add_icons(self) -> None:
+        """The icons of buttons and panels, as characters of the regular font."""
+        if _ICONS.is_file():
+            merged = imgui.ImFontConfig()
+            merged.merge_mode = True
+            merged.glyph_offset = imgui.ImVec2(0.0, 1.0)
+            self.io.fonts.add_font_from_file_ttf(str(_ICONS), ICON_SIZE, merged)
 
     def _font(self, path: Path) -> Any:
         if path.is_file():
             return self.io.fonts.add_font_from_file_ttf(str(path), TEXT_SIZE)
         return self.io.fonts.add_font_default()
-
-
-def _style() -> None:
-    """A scroll bar that keeps in the background; all else is drawn by pens."""
-    style = imgui.get_style()
-    style.window_padding = imgui.ImVec2(0.0, 0.0)
-    style.window_border_size = 0.0
-    style.scrollbar_size = 9.0
-    style.scrollbar_rounding = 5.0
-    for name, gray in (
-        ("scrollbar_grab", 0.22),
-        ("scrollbar_grab_hovered", 0.32),
-        ("scrollbar_grab_active", 0.4),
-    ):
-        style.set_color_(getattr(imgui.Col_, name), imgui.ImVec4(gray, gray + 0.02, gray + 0.06, 1.0))
-    style.set_color_(imgui.Col_.scrollbar_bg, imgui.ImVec4(0.0, 0.0, 0.0, 0.0))

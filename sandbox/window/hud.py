@@ -1,4 +1,4 @@
-"""What is written over a running scene: the line of figures, the state of time, and the help line."""
+"""What is written over a running scene: the line of figures, the state of time, and notes."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from sandbox.render.camera import Size
 from sandbox.render.theme import hex_color
 from sandbox.window.gui import TEXT_SIZE
-from sandbox.window.keys import help_items
 from sandbox.window.overlay import Overlay, shorten
 
 TEXT, FAINT, WARM = hex_color("#e6eaf1"), hex_color("#8e99aa"), hex_color("#ffd479")
@@ -72,31 +71,13 @@ def speed_text(speed: float) -> str:
     return f"×{speed:.0f}" if speed >= 1.0 else f"×1/{1.0 / speed:.0f}"
 
 
-def draw_help(overlay: Overlay, size: Size, opacity: float) -> None:
-    """The keys along the bottom, in as many lines as the window's width asks for."""
-    lines = _wrap(overlay, size[0] - 2 * (MARGIN + PAD_X))
-    line_height = TEXT_SIZE + 8.0
-    top = size[1] - MARGIN - 2 * PAD_Y - line_height * len(lines) + 8.0
-    widths = [sum(w for _, _, w in line) + GAP * (len(line) - 1) for line in lines]
-    left = (size[0] - max(widths)) / 2
-    box = (left - PAD_X, top, left + max(widths) + PAD_X, size[1] - MARGIN)
-    overlay.panel(box, PANEL, PANEL_OPACITY * opacity, 10.0)
-    for row, line in enumerate(lines):
-        x, y = (size[0] - widths[row]) / 2, top + PAD_Y + row * line_height
-        for key, text, width in line:
-            overlay.text(x, y, key, TEXT, opacity)
-            overlay.text(x + overlay.width(key) + 6.0, y, text, FAINT, opacity)
-            x += width + GAP
-
-
-def draw_note(overlay: Overlay, size: Size, text: str, opacity: float) -> None:
-    """A line in the middle of the picture's upper half, for what just happened."""
-    shown = shorten(overlay, text, size[0] - 2 * (MARGIN + PAD_X))
+def draw_note(overlay: Overlay, rect: tuple[int, int, int, int], text: str, opacity: float) -> None:
+    """A line in the upper part of a rectangle (left, top, width, height in pixels), for what just happened."""
+    shown = shorten(overlay, text, rect[2] - 2 * (MARGIN + PAD_X))
     width = overlay.width(shown)
-    x, y = (size[0] - width) / 2, size[1] / 4
-    overlay.panel(
-        (x - PAD_X, y - PAD_Y, x + width + PAD_X, y + TEXT_SIZE + PAD_Y + 2.0), PANEL, PANEL_OPACITY * opacity, 10.0
-    )
+    x, y = rect[0] + (rect[2] - width) / 2, rect[1] + MARGIN + PAD_Y
+    box = x - PAD_X, y - PAD_Y, x + width + PAD_X, y + TEXT_SIZE + PAD_Y + 2.0
+    overlay.panel(box, PANEL, PANEL_OPACITY * opacity, 10.0)
     overlay.text(x, y, shown, WARM, opacity)
 
 
@@ -118,19 +99,6 @@ def draw_title(overlay: Overlay, size: Size, title: str, about: str, opacity: fl
     for text, color, points, down in shown:
         overlay.text(MARGIN + PAD_X, y, text, color, opacity, points)
         y += down
-
-
-def _wrap(overlay: Overlay, room: float) -> list[list[tuple[str, str, float]]]:
-    lines: list[list[tuple[str, str, float]]] = [[]]
-    used = 0.0
-    for key, text in help_items():
-        width = overlay.width(key) + 6.0 + overlay.width(text)
-        if lines[-1] and used + GAP + width > room:
-            lines.append([])
-            used = 0.0
-        used += width + (GAP if lines[-1] else 0.0)
-        lines[-1].append((key, text, width))
-    return lines
 
 
 def _panel(overlay: Overlay, x: float, y: float, width: float) -> None:

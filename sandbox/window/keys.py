@@ -1,4 +1,4 @@
-"""What keys and mouse do, as data: the window acts on this table and its help line is written from it."""
+"""Keys by name, as menus and the help write them: "Space", "Ctrl+Shift+S", "."."""
 
 from __future__ import annotations
 
@@ -6,44 +6,48 @@ from dataclasses import dataclass
 
 import pygame
 
+_NAMED = {
+    "Space": pygame.K_SPACE, "Esc": pygame.K_ESCAPE, "Tab": pygame.K_TAB, "Enter": pygame.K_RETURN,
+    "Delete": pygame.K_DELETE, "Backspace": pygame.K_BACKSPACE, "Home": pygame.K_HOME, "End": pygame.K_END,
+    "PageUp": pygame.K_PAGEUP, "PageDown": pygame.K_PAGEDOWN,
+    "Left": pygame.K_LEFT, "Right": pygame.K_RIGHT, "Up": pygame.K_UP, "Down": pygame.K_DOWN,
+    **{f"F{n}": getattr(pygame, f"K_F{n}") for n in range(1, 13)},
+}  # fmt: skip
+_KEYPAD = {"+": pygame.K_KP_PLUS, "-": pygame.K_KP_MINUS, ".": pygame.K_KP_PERIOD}
+
 
 @dataclass(frozen=True)
-class Binding:
-    """Keys that do the same thing, the action's name, and how the help line puts it (empty: not listed)."""
+class Chord:
+    """One key with the modifiers that must be held. Where `character` is given, what the key types counts instead."""
 
-    keys: tuple[int, ...]
-    action: str
-    label: str = ""
-    help: str = ""
+    key: int
+    character: str = ""
+    ctrl: bool = False
+    shift: bool = False
 
-
-BINDINGS = (
-    Binding((pygame.K_SPACE,), "pause", "Space", "pause"),
-    Binding((pygame.K_PERIOD, pygame.K_KP_PERIOD), "step", ".", "one step"),
-    Binding((pygame.K_MINUS, pygame.K_KP_MINUS), "slower", "− +", "slow motion"),
-    Binding((pygame.K_PLUS, pygame.K_EQUALS, pygame.K_KP_PLUS), "faster"),
-    Binding((pygame.K_r,), "restart", "R", "restart"),
-    Binding((pygame.K_s,), "save", "S", "save a replay"),
-    Binding((pygame.K_f,), "fit", "F", "fit view"),
-    Binding((pygame.K_h, pygame.K_F1), "help", "H", "help"),
-    Binding((pygame.K_ESCAPE,), "leave", "Esc", "leave"),
-)
-
-MOUSE_HELP = (("Drag", "move a body"), ("Right drag", "pan"), ("Wheel", "zoom"))
-
-_BY_KEY = {key: binding.action for binding in BINDINGS for key in binding.keys}
+    def matches(self, event: pygame.event.Event) -> bool:
+        """Whether a key press means it. Marks lie on other keys in other layouts, so these go by their character."""
+        mods = getattr(event, "mod", 0)
+        if bool(mods & (pygame.KMOD_CTRL | pygame.KMOD_META)) != self.ctrl or mods & pygame.KMOD_ALT:
+            return False
+        if self.character:
+            return event.unicode == self.character or event.key == _KEYPAD.get(self.character)
+        return event.key == self.key and bool(mods & pygame.KMOD_SHIFT) == self.shift
 
 
-def action_of(event: pygame.event.Event) -> str | None:
-    """The action of a key press; None for all other events and keys."""
-    if event.type != pygame.KEYDOWN:
-        return None
-    # By character first: the full stop, minus and plus lie on other keys in other layouts.
-    by_character = {".": "step", "-": "slower", "+": "faster", "=": "faster"}.get(event.unicode)
-    return by_character or _BY_KEY.get(event.key)
+def chord(text: str) -> Chord:
+    """The chord that a text such as "Ctrl+Z" means. Raises `ValueError`."""
+    *held, last = [text] if len(text) == 1 else text.replace("++", "+\0").split("+")
+    last = "+" if last == "\0" else last
+    ctrl, shift = "Ctrl" in held, "Shift" in held
+    if last in _NAMED:
+        return Chord(_NAMED[last], "", ctrl, shift)
+    if len(last) != 1:
+        raise ValueError(f"there is no key {last!r}")
+    mark = not last.isalnum()
+    return Chord(ord(last.lower()), last if mark else "", ctrl, shift)
 
 
-def help_items() -> list[tuple[str, str]]:
-    """(key, what it does) for the help line."""
-    keys = [(binding.label, binding.help) for binding in BINDINGS if binding.label]
-    return [*keys[:5], *MOUSE_HELP, *keys[5:]]
+def key_of(text: str) -> int:
+    """SDL's number of the key that a chord's text names, whatever its modifiers."""
+    return chord(text).key

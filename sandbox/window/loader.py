@@ -50,24 +50,24 @@ class Loader:
     def _load(self) -> Session:
         from sandbox.engine.world import World
 
-        scene, script = self._read()
+        scene, script, length = self._read()
         self.message = "Preparing the engine"
         # The first step of a process compiles or loads kernels. It is taken here in a world of its own, so
         # that the first step a person sees does not wait.
         World(scene, self.workers).step()
-        session = Session(scene, World(scene, self.workers), script)
+        session = Session(scene, script, length, self.workers)
         if self.start_step:
             self.message = f"Simulating the first {self.start_step:,} steps"
             session.skip(self.start_step)
         return session
 
-    def _read(self) -> tuple[Scene, tuple[TimedCommand, ...]]:
-        """A scene, and what a recording did to it."""
+    def _read(self) -> tuple[Scene, tuple[TimedCommand, ...], int]:
+        """A scene, what a recording did to it, and in how many steps."""
         from sandbox.replay.recording.limits import SUFFIX
         from sandbox.replay.recording.recording import Recording
         from sandbox.scene import load_scene
 
         if not self.path.name.endswith(SUFFIX):
-            return load_scene(self.path), ()
+            return load_scene(self.path), (), 0
         recording = Recording.load(self.path)
-        return recording.load_scene(), recording.commands
+        return recording.load_scene(), recording.commands, recording.steps

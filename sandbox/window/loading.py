@@ -39,7 +39,7 @@ class LoadingScreen:
         self._failed = failed
         self._age = 0.0
 
-    def handle(self, event: pygame.event.Event) -> None:
+    def handle(self, event: pygame.event.Event, taken: tuple[bool, bool] = (False, False)) -> None:
         """Nothing to act on: loading cannot be stopped half way."""
 
     def update(self, elapsed: float) -> Screen | None:

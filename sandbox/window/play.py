@@ -1,4 +1,4 @@
-"""The screen on which a scene runs."""
+"""The screen on which a scene runs: hands events to tools and actions, lets time pass, draws scene and panels."""
 
 from __future__ import annotations
 
@@ -7,98 +7,150 @@ from pathlib import Path
 
 import pygame
 
-from sandbox.errors import SandboxError
 from sandbox.render.body_colors import body_colors_of
-from sandbox.render.camera import Camera, Size, fit, scene_camera
+from sandbox.render.camera import Camera, Size
 from sandbox.render.draw_list import build_draw_list
 from sandbox.window import hud
-from sandbox.window.keys import action_of
+from sandbox.window.actions.registry import BY_NAME, action_of, released
+from sandbox.window.gui_style import apply_style
+from sandbox.window.help import draw_help
+from sandbox.window.layout import Layout, first_panels
 from sandbox.window.mouse import Mouse
 from sandbox.window.overlay import Overlay
+from sandbox.window.panels.registry import new_panels
 from sandbox.window.screen import Canvas, Screen
 from sandbox.window.session import Session
+from sandbox.window.tools.act import MagnetTool
+from sandbox.window.tools.registry import new_tools
+from sandbox.window.viewport import Viewport
+from sandbox.window.widgets import begin_picture
+from sandbox.window.workspace import Wish, Workspace
 
-TITLE_SECONDS, HELP_SECONDS, NOTE_SECONDS, FADE_SECONDS = 5.0, 9.0, 5.0, 0.8
+TITLE_SECONDS, FADE_SECONDS = 5.0, 0.8
 
 
 class PlayScreen:
-    """Runs a session; Esc leaves for what `back` gives. With `lockstep`, one physics step a picture."""
+    """Runs a session; `lead` says what comes after it for a wish that leads away. With `lockstep`, a step a picture."""
 
     counts = True
 
-    def __init__(self, session: Session, size: Size, back: Callable[[], Screen | None], lockstep: bool = False) -> None:
-        self.session = session
+    def __init__(
+        self,
+        session: Session,
+        size: Size,
+        lead: Callable[[Wish, PlayScreen], Screen | None],
+        lockstep: bool = False,
+        interface: bool = True,
+    ) -> None:
         self.lockstep = lockstep
-        self.mouse = Mouse(session, self._fitted(size))
-        self.fps = 0.0
+        self.tools, self.panels = new_tools(), new_panels()
+        viewport = Viewport.of(session, size)
+        self.workspace = Workspace(session, viewport, self.tools["hand"], Path.cwd(), interface=interface)
+        self.workspace.panels = first_panels(self.panels, size)
+        self.mouse = Mouse(self.workspace)
+        self._layout = Layout(self.panels, self.tools)
         self._body_colors = body_colors_of(session.world.state)
-        self._back = back
-        self._leaving = False
-        self._age = 0.0
-        self._help_until = HELP_SECONDS
-        self.note = ""
-        """What there is to tell the user now."""
-        self._note_until = 0.0
-        self._actions: dict[str, Callable[[], object]] = {
-            "pause": self._pause,
-            "step": self._step,
-            "slower": lambda: session.clock.change_speed(-1),
-            "faster": lambda: session.clock.change_speed(1),
-            "restart": session.restart,
-            "save": self._save,
-            "fit": self._fit,
-            "help": self._toggle_help,
-            "leave": self._leave,
-        }
+        self._lead = lead
 
-    def handle(self, event: pygame.event.Event) -> None:
-        """Keys and mouse."""
-        action = action_of(event)
-        if action is not None:
-            self._actions[action]()
-        self.mouse.handle(event)
+    @property
+    def session(self) -> Session:
+        """What is played."""
+        return self.workspace.session
+
+    @property
+    def camera(self) -> Camera:
+        """What is looked through."""
+        return self.workspace.viewport.camera
+
+    @property
+    def note(self) -> str:
+        """What the user was told last."""
+        return self.workspace.note
+
+    def handle(self, event: pygame.event.Event, taken: tuple[bool, bool] = (False, False)) -> None:
+        """Act on an event; `taken` says whether panels want the mouse, and the keyboard."""
+        workspace = self.workspace
+        if event.type == pygame.KEYDOWN and not taken[1]:
+            self._key(event)
+        workspace.held -= released(event)
+        self.mouse.handle(event, taken[0])
 
     def update(self, elapsed: float) -> Screen | None:
         """Let time pass."""
-        if self._leaving:
-            return self._back()
-        self._age += elapsed
+        workspace, session = self.workspace, self.session
+        if workspace.wish is not None:
+            wish, workspace.wish = workspace.wish, None
+            return self._lead(wish, self)
+        workspace.age += elapsed
+        for name in sorted(workspace.held):
+            if BY_NAME[name].enabled(workspace):
+                BY_NAME[name].run(workspace)
+        if isinstance(workspace.tool, MagnetTool):
+            workspace.tool.tick(workspace)
         if not self.lockstep:
-            self.session.update(elapsed)
-        elif not self.session.clock.paused:
-            self.session.step_once()
-        if self.session.trouble:
-            self._say(f"{self.session.trouble}; the recording's other commands are left out")
-            self.session.trouble = ""
+            session.update(elapsed)
+        elif not session.clock.paused:
+            session.step_once()
+        if session.trouble:
+            workspace.say(f"{session.trouble}; the recording's other commands are left out")
+            session.trouble = ""
         return self
 
     def draw(self, canvas: Canvas) -> None:
-        """The bodies, then the HUD."""
-        self._follow_window(canvas.display.size)
-        frame = self.session.frame()
+        """The scene in its rectangle, the panels around it, and what there is to tell."""
+        workspace = self.workspace
+        if workspace.theme is not self._body_colors.theme:
+            self._body_colors = body_colors_of(self.session.world.state, workspace.theme)
+        apply_style(workspace.theme)
+        begin_picture()
+        workspace.viewport.place(self._layout.draw(workspace, canvas.display.size), self.session)
+        workspace.frame = frame = self.session.frame()
         self._body_colors = self._body_colors.for_frame(frame)
-        strokes = self.mouse.strokes(frame, canvas.theme)
-        canvas.painter.paint(build_draw_list(frame, self.mouse.camera, self._body_colors, strokes))
-        self._draw_hud(Overlay(canvas.gui), canvas.display.size)
+        picture = build_draw_list(frame, self.camera, self._body_colors, self.mouse.strokes())
+        canvas.paint(picture, workspace.viewport.rect)
+        self._draw_hud(Overlay(canvas.gui))
 
-    def _draw_hud(self, overlay: Overlay, size: Size) -> None:
-        clock, scene = self.session.clock, self.session.scene
-        hud.draw_figures(overlay, self._figures())
-        hud.draw_time_state(overlay, size, clock.paused, clock.speed)
-        title = _fade(TITLE_SECONDS - self._age)
-        if title > 0.0:
-            hud.draw_title(overlay, size, scene.title, scene.about, title)
-        noted = _fade(self._note_until - self._age)
+    def _key(self, event: pygame.event.Event) -> None:
+        workspace = self.workspace
+        if event.key in (pygame.K_RETURN, pygame.K_KP_ENTER) and workspace.tool.confirm(workspace):
+            return
+        action = action_of(event)
+        if action is not None and action.held:
+            workspace.held.add(action.name)
+        elif action is not None:
+            action.run(workspace)
+        elif not event.mod & (pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META):
+            self._choose_by_key(event)
+
+    def _choose_by_key(self, event: pygame.event.Event) -> None:
+        """Tools and panels have keys as well."""
+        typed = event.unicode.upper()
+        for tool in self.tools.values():
+            if tool.key and tool.key == typed:
+                self.workspace.choose_tool(tool)
+        for panel in self.panels.values():
+            if panel.key and pygame.key.name(event.key).upper() == panel.key:
+                self.workspace.panels ^= {panel.name}
+
+    def _draw_hud(self, overlay: Overlay) -> None:
+        workspace, clock, scene = self.workspace, self.session.clock, self.session.scene
+        rect = workspace.viewport.rect
+        if not workspace.interface:
+            hud.draw_figures(overlay, self._figures())
+            hud.draw_time_state(overlay, (rect[2], rect[3]), clock.paused, clock.speed)
+            title = _fade(TITLE_SECONDS - workspace.age)
+            if title > 0.0:
+                hud.draw_title(overlay, (rect[2], rect[3]), scene.title, scene.about, title)
+        noted = _fade(workspace.note_until - workspace.age)
         if noted > 0.0:
-            hud.draw_note(overlay, size, self.note, noted)
-        shown = _fade(self._help_until - self._age)
-        if shown > 0.0:
-            hud.draw_help(overlay, size, shown)
+            hud.draw_note(overlay, rect, workspace.note, noted)
+        if workspace.help_shown:
+            draw_help(workspace, self.tools, self.panels)
 
     def _figures(self) -> hud.Figures:
         world = self.session.world
         return hud.Figures(
-            fps=self.fps,
+            fps=self.workspace.fps,
             step_cost=self.session.step_cost,
             bodies=len(world.names),
             contacts=len(world.contacts),
@@ -106,40 +158,6 @@ class PlayScreen:
             time=world.time,
             frozen=int(world.state.counters[0].frozen_count),
         )
-
-    def _follow_window(self, size: Size) -> None:
-        if size != self.mouse.camera.size:
-            self.mouse.camera = self.mouse.camera.resized(size) if self.mouse.touched else self._fitted(size)
-
-    def _fitted(self, size: Size) -> Camera:
-        return scene_camera(self.session.scene.view, self.session.home, size)
-
-    def _pause(self) -> None:
-        self.session.clock.paused = not self.session.clock.paused
-
-    def _step(self) -> None:
-        self.session.clock.paused = True
-        self.session.step_once()
-
-    def _save(self) -> None:
-        """Write the session into the folder that the program was started in."""
-        try:
-            path = self.session.save_recording(Path.cwd())
-            self._say(f"saved {path.name}: {self.session.world.step_count:,} steps; run it again with sandbox replay")
-        except (SandboxError, OSError) as error:
-            self._say(f"not saved: {error}")
-
-    def _say(self, text: str) -> None:
-        self.note, self._note_until = text, self._age + NOTE_SECONDS
-
-    def _fit(self) -> None:
-        self.mouse.camera = fit(self.session.bounds(), self.mouse.camera.size)
-
-    def _toggle_help(self) -> None:
-        self._help_until = 0.0 if self._help_until > self._age else float("inf")
-
-    def _leave(self) -> None:
-        self._leaving = True
 
 
 def _fade(left: float) -> float:

@@ -47,7 +47,7 @@ class SceneList:
         self._scroll_to_selected = False
         self._rows: list[Row] = []
 
-    def handle(self, event: pygame.event.Event) -> None:
+    def handle(self, event: pygame.event.Event, taken: tuple[bool, bool] = (False, False)) -> None:
         """Arrow keys, Enter and Esc."""
         if event.type != pygame.KEYDOWN:
             return

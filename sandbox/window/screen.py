@@ -7,6 +7,7 @@ from typing import Protocol
 
 import pygame
 
+from sandbox.render.draw_list import DrawList
 from sandbox.render.theme import Theme
 from sandbox.window.display import Display
 from sandbox.window.gl_painter import GlPainter
@@ -26,6 +27,15 @@ class Canvas:
         """An empty picture."""
         self.display.context.clear(*self.theme.background)
 
+    def paint(self, picture: DrawList, rect: tuple[int, int, int, int]) -> None:
+        """Draw a picture into a part of the window: left, top, width, height in pixels. The rest is left empty."""
+        context, height = self.display.context, self.display.size[1]
+        context.clear(*picture.theme.background)
+        box = rect[0], height - rect[1] - rect[3], rect[2], rect[3]
+        context.viewport = context.scissor = box
+        self.painter.paint(picture)
+        context.viewport, context.scissor = (0, 0, *self.display.size), None
+
 
 class Screen(Protocol):
     """One of the things that the window can show."""
@@ -33,8 +43,8 @@ class Screen(Protocol):
     counts: bool
     """Whether its pictures count towards a limit on frames."""
 
-    def handle(self, event: pygame.event.Event) -> None:
-        """Act on an event."""
+    def handle(self, event: pygame.event.Event, taken: tuple[bool, bool] = (False, False)) -> None:
+        """Act on an event; `taken` says whether panels want the mouse, and the keyboard."""
 
     def update(self, elapsed: float) -> Screen | None:
         """Let `elapsed` seconds pass; gives the screen to show now, None to leave the program."""

@@ -1,4 +1,4 @@
-"""A scene being played: world, clock, the last two frames and the hand that drags. Knows no window."""
+"""A scene being played: timeline, clock, the last two frames and the hand that drags. Knows no window."""
 
 from __future__ import annotations
 
@@ -6,14 +6,16 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from sandbox.engine.commands.base import Command
 from sandbox.engine.commands.drags import EndDrag, MoveDrag, StartDrag
 from sandbox.engine.world import World
 from sandbox.errors import CommandError, SandboxError
 from sandbox.render.camera import Bounds, Vec
 from sandbox.render.frame import Frame, blend, capture, interesting_bounds
 from sandbox.render.pick import pick
+from sandbox.replay.recording.limits import SUFFIX
+from sandbox.replay.timeline import Mark, Timeline
 from sandbox.window.clock import StepClock
-from sandbox.window.session_recorder import SessionRecorder
 
 if TYPE_CHECKING:
     from sandbox.replay.recording.command_words import TimedCommand
@@ -28,23 +30,27 @@ DRAG_ACCELERATION = 500.0
 
 
 class Session:
-    """One scene from its start; `restart` begins again. `script` is what a recording did to it."""
+    """One scene from its start. `script` is what a recording did to it, in `length` steps; it is played again."""
 
-    def __init__(self, scene: Scene, world: World, script: Sequence[TimedCommand] = ()) -> None:
+    def __init__(self, scene: Scene, script: Sequence[TimedCommand] = (), length: int = 0, workers: int = 1) -> None:
         self.scene = scene
-        self.world = world
-        self._script = script
-        self._recorder = SessionRecorder(world, script)
+        self.timeline = Timeline(scene, script, length, workers)
+        self._script = tuple(script)
         self.trouble = ""
         """What went wrong last, for the user."""
-        self.clock = StepClock(float(world.state.settings[0].step_seconds))
+        self.clock = StepClock(float(self.world.state.settings[0].step_seconds))
         self.step_cost = 0.0
         self._held: int | None = None
         self.target: Vec = (0.0, 0.0)
         self._grip: Vec = (0.0, 0.0)
-        self.previous = self.current = capture(world.state)
+        self.previous = self.current = capture(self.world.state)
         self.home = interesting_bounds(self.current)
         """What is worth looking at when the scene begins, in metres."""
+
+    @property
+    def world(self) -> World:
+        """The world as it is now; change it through `do` or `apply`."""
+        return self.timeline.world
 
     def update(self, elapsed: float) -> int:
         """Let `elapsed` seconds of real time pass; gives the number of steps taken."""
@@ -62,22 +68,76 @@ class Session:
     def skip(self, steps: int) -> None:
         """Take many steps unseen."""
         for _ in range(steps):
-            self._recorder.step()
-        self.previous = self.current = capture(self.world.state, self.current.mesh)
+            self.timeline.step()
+        self._look_anew()
+
+    def seek(self, step: int) -> None:
+        """Go to a step that is known, or to the nearest one."""
+        self._let_go()
+        self.timeline.seek(min(max(step, 0), self.timeline.length))
+        self._look_anew()
 
     def restart(self) -> None:
         """Begin again from the scene as it was written."""
-        self._held = None
-        self.world = World(self.scene, self.world.workers)
-        self._recorder = SessionRecorder(self.world, self._script)
-        self.previous = self.current = capture(self.world.state, self.current.mesh)
+        self._let_go()
+        self.timeline.begin_again(self._script)
+        self._look_anew()
+
+    def undo(self) -> str | None:
+        """Take back the last act; gives its label."""
+        self._let_go()
+        label = self.timeline.undo()
+        self._look_anew()
+        return label
+
+    def redo(self) -> str | None:
+        """Bring back what `undo` took; gives its label."""
+        self._let_go()
+        label = self.timeline.redo()
+        self._look_anew()
+        return label
+
+    def do(self, label: str, *commands: Command) -> bool:
+        """Apply commands as one act. False if one is refused: `trouble` says why, and those before it are taken back."""
+        self.timeline.begin_act(label)
+        try:
+            for done, command in enumerate(commands):  # noqa: B007 - how many were taken is asked for below
+                self.timeline.apply(command)
+        except SandboxError as error:
+            self.trouble = str(error)
+            if done:
+                self.timeline.undo()
+            self.timeline.end_act()
+            return False
+        finally:
+            self._look_anew()
+        return True
+
+    def apply(self, command: Command) -> None:
+        """Apply a command as part of the act that has begun. Raises what `World.apply` raises."""
+        self.timeline.apply(command)
+        self._look_anew()
+
+    def adjust(self, mark: Mark, *commands: Command) -> None:
+        """Apply commands instead of those since `mark`. Raises what `World.apply` raises."""
+        self.timeline.amend(mark, *commands)
+        self._look_anew()
 
     def save_recording(self, folder: Path) -> Path:
-        """Write all steps and commands since the start into a new file in `folder`, for `sandbox replay`.
+        """Write all that is known as the first free of NAME.replay.json, NAME-2.replay.json, ... in `folder`.
 
         Raises `RecordingError` if there is nothing to write, `OSError` if it cannot be written.
         """
-        return self._recorder.save(folder)
+        self._let_go()
+        recording = self.timeline.recording()
+        path = free_path(folder, self.stem, SUFFIX)
+        recording.save(path)
+        return path
+
+    @property
+    def stem(self) -> str:
+        """What files of this session are called."""
+        return Path(self.scene.source).name.split(".")[0] if self.scene.text is not None else "scene"
 
     def frame(self) -> Frame:
         """What is to be seen now: between the last two steps, as far as the clock says."""
@@ -113,14 +173,12 @@ class Session:
     def drag(self, point: Vec) -> None:
         """Pull the grabbed body towards `point`."""
         if self.grabbed is not None and point != self.target:
-            self._recorder.apply(MoveDrag(self.world.names[self.grabbed], point))
+            self.timeline.apply(MoveDrag(self.world.names[self.grabbed], point))
             self.target = point
 
     def release(self) -> None:
         """Let go."""
-        if self.grabbed is not None:
-            self._recorder.apply(EndDrag(self.world.names[self.grabbed]))
-        self._held = None
+        self._let_go()
 
     def grip(self, frame: Frame) -> Vec:
         """Where the grabbed point of the body is in `frame`, in metres."""
@@ -131,20 +189,43 @@ class Session:
 
     def _send_grab(self, body: int, point: Vec) -> bool:
         force = DRAG_ACCELERATION * float(self.world.state.bodies[body].mass)
+        name = self.world.names[body]
+        self.timeline.begin_act(f"Drag {name}")
         try:
-            self._recorder.apply(StartDrag(self.world.names[body], point, force))
+            self.timeline.apply(StartDrag(name, point, force))
         except CommandError:
+            self.timeline.end_act()
             return False
         self.target = point
         return True
 
+    def _let_go(self) -> None:
+        if self.grabbed is not None:
+            self.timeline.apply(EndDrag(self.world.names[self.grabbed]))
+        self._held = None
+
+    def _look_anew(self) -> None:
+        """Time has jumped, or something was put elsewhere: show the world as it is, without a blend."""
+        self.previous = self.current = capture(self.world.state, self.current.mesh)
+
     def _step(self) -> None:
         try:
-            cost = self._recorder.step()
+            self.timeline.step()
         except SandboxError as error:
-            self.trouble, cost = str(error), self._recorder.step()
+            self.trouble = str(error)
+            self.timeline.step()
+        cost = self.timeline.cost
         self.step_cost = cost if self.step_cost == 0.0 else 0.9 * self.step_cost + 0.1 * cost
         self.previous, self.current = self.current, capture(self.world.state, self.current.mesh)
+
+
+def free_path(folder: Path, stem: str, suffix: str) -> Path:
+    """The first of STEM+SUFFIX, STEM-2+SUFFIX, ... in `folder` that does not exist."""
+    path, count = folder / (stem + suffix), 1
+    while path.exists():
+        count += 1
+        path = folder / f"{stem}-{count}{suffix}"
+    return path
 
 
 def _to_body(frame: Frame, body: int, point: Vec) -> Vec:

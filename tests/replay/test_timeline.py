@@ -151,10 +151,9 @@ def test_what_is_adjusted_while_time_stands_is_one_command() -> None:
     timeline = Timeline(SCENE)
     play(timeline, 4)
     timeline.begin_act("Gravity")
-    snapshot = timeline.world.snapshot()
-    timeline.apply(SetGravity((0.0, -1.0)))
-    for strength in (2.0, 3.0, 4.0):
-        timeline.amend(SetGravity((0.0, -strength)), snapshot)
+    mark = timeline.mark()
+    for strength in (1.0, 2.0, 3.0, 4.0):
+        timeline.amend(mark, SetGravity((0.0, -strength)))
     assert timeline.run.commands == ((4, SetGravity((0.0, -4.0))),)
     assert timeline.world.digest() == straight(timeline)
 

@@ -20,7 +20,7 @@ SCENE = sandbox.Scene(
 
 @pytest.fixture
 def session() -> Session:
-    return Session(SCENE, sandbox.World(SCENE))
+    return Session(SCENE)
 
 
 def test_a_session_is_the_world_stepped(session: Session) -> None:

@@ -72,11 +72,14 @@ class RunStepper:
         self.commands.insert(self._applied, (self.step, command))
         self._applied += 1
 
-    def take_back(self, snapshot: bytes) -> None:
-        """Forget the last command; `snapshot` is the world before it. Raises `SnapshotError`."""
+    def take_back(self, snapshot: bytes, applied: int) -> None:
+        """Forget all commands but the first `applied`; `snapshot` is the world after these, in this step.
+
+        Raises `SnapshotError`.
+        """
         self.world.restore(snapshot)
-        self._applied -= 1
-        del self.commands[self._applied]
+        self._applied = applied
+        self.commands = self.commands[:applied]
 
     def forget_coming(self) -> None:
         """Forget the commands that have not been applied."""

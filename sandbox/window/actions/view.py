@@ -1,0 +1,33 @@
+"""Actions on how the scene is seen."""
+
+from __future__ import annotations
+
+from sandbox.render.theme import DARK, LIGHT
+from sandbox.window.actions.action import Action
+from sandbox.window.workspace import Workspace
+
+
+def _toggle_interface(workspace: Workspace) -> None:
+    workspace.interface = not workspace.interface
+
+
+def _toggle_help(workspace: Workspace) -> None:
+    workspace.help_shown = not workspace.help_shown
+
+
+def _toggle_theme(workspace: Workspace) -> None:
+    workspace.theme = LIGHT if workspace.theme is DARK else DARK
+
+
+ACTIONS = (
+    Action("fit", "Fit", "View", ("F",), "Show all that there is to see now.", lambda w: w.viewport.fit(w.session)),
+    Action("home-view", "As the scene asks", "View", ("0",), "Look as the scene asks for.",
+           lambda w: w.viewport.look_home(w.session)),
+    Action("zoom-in", "Zoom in", "View", ("Up",), "Nearer.", lambda w: w.viewport.zoom(1.05), held=True),
+    Action("zoom-out", "Zoom out", "View", ("Down",), "Farther.", lambda w: w.viewport.zoom(1 / 1.05), held=True),
+    Action("interface", "Panels", "View", ("Tab",), "Show or hide all but the scene.", _toggle_interface,
+           checked=lambda w: w.interface),
+    Action("theme", "Light", "View", ("F8",), "Light or dark.", _toggle_theme, checked=lambda w: w.theme is LIGHT),
+    Action("help", "Keys and mouse", "Help", ("F1", "H"), "All keys, and what the mouse does.", _toggle_help,
+           checked=lambda w: w.help_shown),
+)  # fmt: skip

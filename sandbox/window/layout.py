@@ -1,0 +1,150 @@
+"""Where things stand: menus at the top, tools at the left, time at the bottom, panels docked, the scene in between."""
+
+from __future__ import annotations
+
+from imgui_bundle import imgui
+
+from sandbox.render.camera import Size
+from sandbox.window.actions.registry import ACTIONS, MENUS
+from sandbox.window.panels.panel import Panel
+from sandbox.window.time_bar import draw_time_bar
+from sandbox.window.tool_bar import TOOL_BAR_WIDTH, draw_tool_bar
+from sandbox.window.tools.tool import Tool
+from sandbox.window.viewport import Rect
+from sandbox.window.widgets import mark
+from sandbox.window.workspace import Workspace
+
+TIME_BAR_HEIGHT = 66.0
+PANEL_WIDTH = 340.0
+NARROW = 760
+"""Below this width of the window, in pixels, no panel is open at first."""
+FIXED = (
+    imgui.WindowFlags_.no_decoration
+    | imgui.WindowFlags_.no_docking
+    | imgui.WindowFlags_.no_saved_settings
+    | imgui.WindowFlags_.no_move
+    | imgui.WindowFlags_.no_bring_to_front_on_focus
+    | imgui.WindowFlags_.no_nav_focus
+)
+
+
+class Layout:
+    """Draws all that is not the scene; `draw` says which rectangle is left for it."""
+
+    def __init__(self, panels: dict[str, Panel], tools: dict[str, Tool]) -> None:
+        self.panels = panels
+        self.tools = tools
+        self._docked = False
+
+    def draw(self, workspace: Workspace, size: Size) -> Rect:
+        """One picture of it in a window of `size` pixels."""
+        if not workspace.interface:
+            return 0, 0, *size
+        top = _draw_menus(workspace, self.panels)
+        bottom = size[1] - TIME_BAR_HEIGHT
+        _fixed("##tools", 0.0, top, TOOL_BAR_WIDTH, bottom - top)
+        draw_tool_bar(workspace, self.tools)
+        imgui.end()
+        _fixed("##time", 0.0, bottom, float(size[0]), TIME_BAR_HEIGHT)
+        draw_time_bar(workspace)
+        imgui.end()
+        rect = self._dock(size[0] - TOOL_BAR_WIDTH, bottom - top, top)
+        for panel in self.panels.values():
+            if panel.name in workspace.panels:
+                self._draw_panel(workspace, panel)
+        return rect
+
+    def _draw_panel(self, workspace: Workspace, panel: Panel) -> None:
+        imgui.set_next_window_size(imgui.ImVec2(PANEL_WIDTH, 480.0), imgui.Cond_.first_use_ever)
+        shown, still_open = imgui.begin(_window_title(panel), True)
+        mark(f"panel.{panel.name}")
+        if shown:
+            panel.draw(workspace)
+        imgui.end()
+        if not still_open:
+            workspace.panels.discard(panel.name)
+
+    def _dock(self, width: float, height: float, top: float) -> Rect:
+        """The room for panels and scene; gives what the scene gets."""
+        imgui.set_next_window_pos(imgui.ImVec2(TOOL_BAR_WIDTH, top))
+        imgui.set_next_window_size(imgui.ImVec2(width, height))
+        imgui.push_style_var(imgui.StyleVar_.window_padding, imgui.ImVec2(0.0, 0.0))
+        imgui.begin("##dock", None, FIXED | imgui.WindowFlags_.no_background)
+        imgui.pop_style_var()
+        dock = imgui.get_id("dock")
+        if not self._docked:
+            self._docked = True
+            self._arrange(dock, width, height)
+        imgui.dock_space(dock, imgui.ImVec2(0.0, 0.0), imgui.DockNodeFlags_.passthru_central_node)
+        imgui.end()
+        node = imgui.internal.dock_builder_get_central_node(dock)
+        if node is None:
+            return int(TOOL_BAR_WIDTH), int(top), int(width), int(height)
+        return int(node.pos.x), int(node.pos.y), max(int(node.size.x), 1), max(int(node.size.y), 1)
+
+    def _arrange(self, dock: int, width: float, height: float) -> None:
+        """Where panels are docked at first."""
+        builder = imgui.internal
+        builder.dock_builder_remove_node(dock)
+        builder.dock_builder_add_node(dock, imgui.internal.DockNodeFlagsPrivate_.dock_space)
+        builder.dock_builder_set_node_size(dock, imgui.ImVec2(width, height))
+        share = min(PANEL_WIDTH / width, 0.5)
+        right = builder.dock_builder_split_node(dock, imgui.Dir.right, share)
+        below = builder.dock_builder_split_node(right.id_at_opposite_dir, imgui.Dir.down, 0.34)
+        for panel in self.panels.values():
+            node = below.id_at_dir if panel.side == "bottom" else right.id_at_dir
+            builder.dock_builder_dock_window(_window_title(panel), node)
+        builder.dock_builder_finish(dock)
+
+
+def first_panels(panels: dict[str, Panel], size: Size) -> set[str]:
+    """The panels that are open at first in a window of `size` pixels."""
+    return {panel.name for panel in panels.values() if panel.shown_at_first and size[0] >= NARROW}
+
+
+def _window_title(panel: Panel) -> str:
+    return f"{panel.icon} {panel.title}###panel {panel.name}"
+
+
+def _fixed(name: str, x: float, y: float, width: float, height: float) -> None:
+    imgui.set_next_window_pos(imgui.ImVec2(x, y))
+    imgui.set_next_window_size(imgui.ImVec2(width, height))
+    imgui.push_style_var(imgui.StyleVar_.window_rounding, 0.0)
+    imgui.push_style_var(imgui.StyleVar_.window_padding, imgui.ImVec2(6.0, 6.0))
+    imgui.push_style_var(imgui.StyleVar_.window_min_size, imgui.ImVec2(1.0, 1.0))
+    imgui.begin(name, None, FIXED)
+    imgui.pop_style_var(3)
+
+
+def _draw_menus(workspace: Workspace, panels: dict[str, Panel]) -> float:
+    """The menu bar, made of the table of actions; gives its height."""
+    if not imgui.begin_main_menu_bar():
+        return 0.0
+    for menu in MENUS:
+        opened = imgui.begin_menu(menu)
+        mark(f"menu.{menu.lower()}")
+        if not opened:
+            continue
+        for action in ACTIONS:
+            if action.menu == menu and not action.held:
+                keys = action.keys[0] if action.keys else ""
+                checked = action.checked is not None and action.checked(workspace)
+                clicked, _ = imgui.menu_item(action.title, keys, checked, action.enabled(workspace))
+                mark(f"menu.{action.name}", action.help)
+                if clicked:
+                    action.run(workspace)
+        if menu == "View":
+            _draw_panel_items(workspace, panels)
+        imgui.end_menu()
+    height = imgui.get_window_height()
+    imgui.end_main_menu_bar()
+    return float(height)
+
+
+def _draw_panel_items(workspace: Workspace, panels: dict[str, Panel]) -> None:
+    imgui.separator()
+    for panel in panels.values():
+        clicked, on = imgui.menu_item(f"{panel.icon}  {panel.title}", panel.key, panel.name in workspace.panels)
+        mark(f"menu.panel.{panel.name}", panel.help)
+        if clicked:
+            (workspace.panels.add if on else workspace.panels.discard)(panel.name)

@@ -1,0 +1,28 @@
+"""What a panel is: a part of the window beside the scene that shows and changes one kind of thing."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, ClassVar
+
+if TYPE_CHECKING:
+    from sandbox.window.workspace import Workspace
+
+
+class Panel:
+    """A panel. One object each, in the registry; `draw` is called between ImGui's begin and end while it is shown.
+
+    A panel that is not shown is not called, so it costs nothing.
+    """
+
+    name: ClassVar[str]
+    title: ClassVar[str]
+    icon: ClassVar[str]
+    help: ClassVar[str]
+    key: ClassVar[str] = ""
+    shown_at_first: ClassVar[bool] = False
+    side: ClassVar[str] = "right"
+    """Where it is docked at first: "right" or "bottom"."""
+
+    def draw(self, workspace: Workspace) -> None:
+        """Draw its widgets."""
+        raise NotImplementedError

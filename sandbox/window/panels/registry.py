@@ -1,0 +1,13 @@
+"""All panels, in the order of the menu."""
+
+from __future__ import annotations
+
+from sandbox.window.panels.panel import Panel
+from sandbox.window.panels.world import WorldPanel
+
+PANELS: tuple[type[Panel], ...] = (WorldPanel,)
+
+
+def new_panels() -> dict[str, Panel]:
+    """One of each, by name."""
+    return {kind.name: kind() for kind in PANELS}

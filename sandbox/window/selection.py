@@ -1,0 +1,35 @@
+"""What the user has picked: bodies, by id, and a joint; and the pair of bodies whose test is looked at."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from sandbox.engine.world import World
+
+
+@dataclass
+class Selection:
+    """Ids, so that they mean the same after undo and when rows have moved."""
+
+    bodies: tuple[str, ...] = ()
+    joint: str | None = None
+    pair: tuple[str, str] | None = None
+
+    def pick(self, name: str | None, more: bool = False) -> None:
+        """Select a body alone, or with `more` add it to those selected, or take it out if it is one."""
+        if name is None:
+            self.bodies = self.bodies if more else ()
+        elif not more:
+            self.bodies = (name,)
+        elif name in self.bodies:
+            self.bodies = tuple(one for one in self.bodies if one != name)
+        else:
+            self.bodies = (*self.bodies, name)
+        self.joint = None
+        if len(self.bodies) == 2:
+            self.pair = self.bodies[0], self.bodies[1]
+
+    def present(self, world: World) -> tuple[str, ...]:
+        """Those bodies of it that there are now, in the order in which they were selected."""
+        names = set(world.names)
+        return tuple(name for name in self.bodies if name in names)

@@ -1,0 +1,161 @@
+"""Tools that act on what they touch: erase, explode, push and pull."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from imgui_bundle import icons_fontawesome_6 as icons
+
+from sandbox.engine.commands.delete import Delete, DeleteJoint
+from sandbox.engine.commands.explode import Explode
+from sandbox.errors import SandboxError
+from sandbox.render.line import Line
+from sandbox.window.tools.joint_pick import joint_under
+from sandbox.window.tools.tool import Pointer, Tool, body_under, outline
+from sandbox.window.workspace import Workspace
+
+BLAST_SHARE = 0.2
+"""Radius of a blast as a share of the height that is seen."""
+BLAST_IMPULSE = 10.0
+"""N s for each metre of a shape's width and each metre of the blast's radius, per kg/m^2 of usual density."""
+MAGNET_IMPULSE = 0.6
+"""The same for one step of a magnet."""
+
+
+class EraseTool(Tool):
+    """Deletes what is clicked or swept over: joints before bodies."""
+
+    name, title, icon, key = "erase", "Erase", icons.ICON_FA_ERASER, "E"
+    help = "Click what is to go, or sweep over it: joints first, then bodies."
+
+    def __init__(self) -> None:
+        self._down = False
+
+    def press(self, workspace: Workspace, pointer: Pointer) -> bool:
+        """Begin to erase."""
+        self._down = True
+        workspace.session.timeline.begin_act("Erase")
+        self._erase(workspace, pointer)
+        return True
+
+    def move(self, workspace: Workspace, pointer: Pointer) -> None:
+        """Erase on the way."""
+        if self._down:
+            self._erase(workspace, pointer)
+
+    def release(self, workspace: Workspace, pointer: Pointer) -> None:
+        """Enough."""
+        self._down = False
+        workspace.session.timeline.end_act()
+
+    def _erase(self, workspace: Workspace, pointer: Pointer) -> None:
+        joint, body = joint_under(workspace, pointer), body_under(workspace, pointer)
+        if joint is None and body is None:
+            return
+        with workspace.attempt("not erased"):
+            workspace.session.apply(Delete(body) if joint is None and body is not None else DeleteJoint(joint or ""))
+
+
+class BlastTool(Tool):
+    """Explosions: the longer the drag, the farther they reach."""
+
+    name, title, icon, key = "blast", "Explode", icons.ICON_FA_BURST, "X"
+    help = "Click for a blast, or drag to say how far it reaches."
+
+    def __init__(self) -> None:
+        self._from: Pointer | None = None
+        self._radius = 0.0
+
+    def press(self, workspace: Workspace, pointer: Pointer) -> bool:
+        """Where it will be."""
+        self._from = pointer
+        self._radius = self._usual(workspace)
+        return True
+
+    def move(self, workspace: Workspace, pointer: Pointer) -> None:
+        """How far it will reach."""
+        if self._from is not None and math.dist(self._from.pixel, pointer.pixel) > 6.0:
+            self._radius = math.dist(self._from.point, pointer.point)
+
+    def release(self, workspace: Workspace, pointer: Pointer) -> None:
+        """Bang."""
+        start, self._from = self._from, None
+        if start is not None:
+            workspace.do("Explode", Explode(start.point, self._radius, BLAST_IMPULSE * self._radius))
+
+    def cancel(self, workspace: Workspace) -> bool:
+        """No bang."""
+        busy, self._from = self._from is not None, None
+        return busy
+
+    def strokes(self, workspace: Workspace) -> Sequence[Line]:
+        """A ring."""
+        if self._from is None:
+            return ()
+        (x, y), turns = self._from.point, [2.0 * math.pi * k / 64 for k in range(64)]
+        ring = [(x + self._radius * math.cos(t), y + self._radius * math.sin(t)) for t in turns]
+        return outline(workspace, ring, closed=True)
+
+    @staticmethod
+    def _usual(workspace: Workspace) -> float:
+        camera = workspace.viewport.camera
+        return BLAST_SHARE * camera.size[1] / camera.scale
+
+
+class MagnetTool(Tool):
+    """Pulls towards the pointer while the button is down, or with Shift pushes away."""
+
+    name, title, icon, key = "magnet", "Magnet", icons.ICON_FA_MAGNET, "M"
+    help = "Hold to pull everything near to the pointer; with Shift it is pushed away."
+
+    def __init__(self) -> None:
+        self._at: Pointer | None = None
+        self._step = -1
+
+    def press(self, workspace: Workspace, pointer: Pointer) -> bool:
+        """Switch it on."""
+        self._at, self._step = pointer, -1
+        workspace.session.timeline.begin_act("Magnet")
+        self.tick(workspace)
+        return True
+
+    def move(self, workspace: Workspace, pointer: Pointer) -> None:
+        """Carry it along."""
+        if self._at is not None:
+            self._at = pointer
+
+    def release(self, workspace: Workspace, pointer: Pointer) -> None:
+        """Switch it off."""
+        self._at = None
+        workspace.session.timeline.end_act()
+
+    def cancel(self, workspace: Workspace) -> bool:
+        """Switch it off."""
+        busy, self._at = self._at is not None, None
+        return busy
+
+    def tick(self, workspace: Workspace) -> None:
+        """Pull once in each step."""
+        step = workspace.session.timeline.step_count
+        if self._at is None or step == self._step:
+            return
+        self._step = step
+        camera = workspace.viewport.camera
+        radius = 1.5 * BLAST_SHARE * camera.size[1] / camera.scale
+        impulse = MAGNET_IMPULSE * radius * (1.0 if self._at.more else -1.0)
+        try:
+            workspace.session.apply(Explode(self._at.point, radius, impulse))
+        except SandboxError as error:
+            workspace.say(str(error))
+            self._at = None
+
+    def strokes(self, workspace: Workspace) -> Sequence[Line]:
+        """Two rings."""
+        if self._at is None:
+            return ()
+        camera = workspace.viewport.camera
+        radius, turns = 1.5 * BLAST_SHARE * camera.size[1] / camera.scale, [2.0 * math.pi * k / 64 for k in range(64)]
+        x, y = self._at.point
+        rings = [[(x + r * math.cos(t), y + r * math.sin(t)) for t in turns] for r in (radius, 0.6 * radius)]
+        return [line for ring in rings for line in outline(workspace, ring, closed=True, width=1.2)]

@@ -1,0 +1,106 @@
+"""The hand: picks bodies, throws them while time runs, and puts them elsewhere while it stands still."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from imgui_bundle import icons_fontawesome_6 as icons
+
+from sandbox.engine.commands.motion import SetPose
+from sandbox.errors import SandboxError
+from sandbox.render.camera import Vec
+from sandbox.render.line import Line
+from sandbox.replay.timeline import Mark
+from sandbox.window.tools.tool import GRAB_PIXELS, Pointer, Tool, body_under
+from sandbox.window.workspace import Workspace
+
+CLICK_PIXELS = 4.0
+"""A press that moves less is a click."""
+
+
+class Hand(Tool):
+    """A click selects. A drag pulls by a spring while time runs; while it stands still it moves what is selected."""
+
+    name = "hand"
+    title = "Hand"
+    icon = icons.ICON_FA_HAND
+    key = "V"
+    help = "Drag a body to throw it; while paused, to move it. Click selects, Shift adds."
+
+    def __init__(self) -> None:
+        self._start: Pointer | None = None
+        self._moving: dict[str, tuple[Vec, float]] = {}
+        self._mark: Mark | None = None
+        self._moved = False
+
+    def press(self, workspace: Workspace, pointer: Pointer) -> bool:
+        """Take hold of what is under the pointer."""
+        self._start, self._moved = pointer, False
+        name = body_under(workspace, pointer)
+        if name is None:
+            if not pointer.more:
+                workspace.selection.pick(None)
+            return False
+        if workspace.session.clock.paused:
+            self._take(workspace, name, pointer.more)
+            return True
+        workspace.selection.pick(name, pointer.more)
+        slack = GRAB_PIXELS / workspace.viewport.camera.scale
+        return workspace.session.grab(pointer.point, slack)
+
+    def move(self, workspace: Workspace, pointer: Pointer) -> None:
+        """Pull, or put elsewhere."""
+        workspace.session.drag(pointer.point)
+        start = self._start
+        if not self._moving or start is None:
+            return
+        dx, dy = pointer.pixel[0] - start.pixel[0], pointer.pixel[1] - start.pixel[1]
+        self._moved = self._moved or dx * dx + dy * dy > CLICK_PIXELS**2
+        if self._moved:
+            self._put(workspace, (pointer.point[0] - start.point[0], pointer.point[1] - start.point[1]))
+
+    def release(self, workspace: Workspace, pointer: Pointer) -> None:
+        """Let go."""
+        workspace.session.release()
+        workspace.session.timeline.end_act()
+        self._forget()
+
+    def cancel(self, workspace: Workspace) -> bool:
+        """Let go, or unselect."""
+        busy = bool(self._moving) or workspace.session.grabbed is not None or bool(workspace.selection.bodies)
+        workspace.session.release()
+        workspace.selection.bodies = ()
+        self._forget()
+        return busy
+
+    def strokes(self, workspace: Workspace) -> Sequence[Line]:
+        """The line from the grabbed point to the hand."""
+        session, camera = workspace.session, workspace.viewport.camera
+        if session.grabbed is None:
+            return ()
+        start, end = camera.to_screen([session.grip(session.frame()), session.target])
+        grip, hand = (float(start[0]), float(start[1])), (float(end[0]), float(end[1]))
+        color = workspace.theme.drag
+        return Line(grip, hand, 1.6, color, 0.75), Line(grip, grip, 6.0, color), Line(hand, hand, 8.0, color)
+
+    def _take(self, workspace: Workspace, name: str, more: bool) -> None:
+        """Get ready to move the body under the pointer, and with it the others that are selected."""
+        if more or name not in workspace.selection.bodies:
+            workspace.selection.pick(name, more)
+        world = workspace.session.world
+        views = [world.body(one) for one in workspace.selection.present(world)]
+        self._moving = {view.id: (view.position, view.angle) for view in views}
+        self._mark = workspace.session.timeline.mark()
+        workspace.session.timeline.begin_act(f"Move {', '.join(self._moving)}")
+
+    def _put(self, workspace: Workspace, by: Vec) -> None:
+        assert self._mark is not None
+        session = workspace.session
+        poses = [SetPose(name, (at[0] + by[0], at[1] + by[1]), angle) for name, (at, angle) in self._moving.items()]
+        try:
+            session.adjust(self._mark, *poses)
+        except SandboxError as error:
+            workspace.say(str(error))
+
+    def _forget(self) -> None:
+        self._start, self._moving, self._mark = None, {}, None

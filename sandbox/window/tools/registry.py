@@ -1,0 +1,32 @@
+"""All tools, in the order of the toolbar."""
+
+from __future__ import annotations
+
+from sandbox.window.tools.act import BlastTool, EraseTool, MagnetTool
+from sandbox.window.tools.draw import BoxTool, CapsuleTool, CircleTool, WallTool
+from sandbox.window.tools.freehand import ChainTool, PolygonTool
+from sandbox.window.tools.hand import Hand
+from sandbox.window.tools.join import (
+    HingeTool,
+    MotorTool,
+    PinTool,
+    RodTool,
+    RopeTool,
+    SliderTool,
+    SpringTool,
+    WeldTool,
+    WheelTool,
+)  # fmt: skip
+from sandbox.window.tools.tool import Tool
+
+GROUPS: tuple[tuple[str, tuple[type[Tool], ...]], ...] = (
+    ("Move", (Hand,)),
+    ("Draw", (CircleTool, BoxTool, CapsuleTool, PolygonTool, WallTool, ChainTool)),
+    ("Join", (HingeTool, WeldTool, RodTool, SpringTool, RopeTool, SliderTool, WheelTool, MotorTool, PinTool)),
+    ("Act", (EraseTool, BlastTool, MagnetTool)),
+)
+
+
+def new_tools() -> dict[str, Tool]:
+    """One of each, by name."""
+    return {kind.name: kind() for _, kinds in GROUPS for kind in kinds}

@@ -1,0 +1,76 @@
+"""The part of the window in which the scene is seen: where it lies, and through which camera one looks."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from sandbox.render.camera import Camera, Size, Vec, fit, scene_camera
+from sandbox.window.session import Session
+
+Rect = tuple[int, int, int, int]
+"""Left, top, width, height in pixels of the window."""
+ZOOM_A_NOTCH = 1.15
+
+
+@dataclass
+class Viewport:
+    """A camera and the rectangle it fills."""
+
+    rect: Rect
+    camera: Camera
+    touched: bool = False
+    """True once the user has chosen the view; until then it follows the window."""
+
+    @classmethod
+    def of(cls, session: Session, size: Size) -> Viewport:
+        """All of a window of `size` pixels, looking as the scene asks for."""
+        return cls((0, 0, *size), _home(session, size))
+
+    def place(self, rect: Rect, session: Session) -> None:
+        """Lie at `rect` from now on."""
+        size = rect[2], rect[3]
+        if size != self.camera.size:
+            self.camera = self.camera.resized(size) if self.touched else _home(session, size)
+        self.rect = rect
+
+    def local(self, pixel: Vec) -> Vec:
+        """A pixel of the window as one of the viewport."""
+        return pixel[0] - self.rect[0], pixel[1] - self.rect[1]
+
+    def holds(self, pixel: Vec) -> bool:
+        """Whether a pixel of the window lies in it."""
+        x, y = self.local(pixel)
+        return 0 <= x < self.rect[2] and 0 <= y < self.rect[3]
+
+    def point(self, pixel: Vec) -> Vec:
+        """The point of the plane, in metres, under a pixel of the window."""
+        return self.camera.point(self.local(pixel))
+
+    def pixel(self, point: Vec) -> Vec:
+        """The pixel of the window over a point of the plane."""
+        x, y = self.camera.to_screen(point)
+        return float(x) + self.rect[0], float(y) + self.rect[1]
+
+    def pan(self, dx: float, dy: float) -> None:
+        """Move the picture by pixels."""
+        self.camera = self.camera.panned(dx, dy)
+        self.touched = True
+
+    def zoom(self, factor: float, pixel: Vec | None = None) -> None:
+        """Zoom about a pixel of the window, or about the middle."""
+        about = (self.rect[2] / 2, self.rect[3] / 2) if pixel is None else self.local(pixel)
+        self.camera = self.camera.zoomed(factor, about)
+        self.touched = True
+
+    def fit(self, session: Session) -> None:
+        """Show all that there is to see now."""
+        self.camera = fit(session.bounds(), self.camera.size)
+        self.touched = True
+
+    def look_home(self, session: Session) -> None:
+        """Look as the scene asks for."""
+        self.camera, self.touched = _home(session, self.camera.size), False
+
+
+def _home(session: Session, size: Size) -> Camera:
+    return scene_camera(session.scene.view, session.home, size)

@@ -1,0 +1,112 @@
+"""Widgets with a name, a tooltip and units, in one look. Their places are known, so that scripts can click them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from imgui_bundle import imgui
+
+Box = tuple[float, float, float, float]
+"""Left, top, right, bottom in pixels of the window."""
+
+places: dict[str, Box] = {}
+"""Where each widget of the last picture lies, by name."""
+
+
+def begin_picture() -> None:
+    """Forget where the widgets of the picture before were."""
+    places.clear()
+
+
+def mark(name: str, tip: str = "") -> None:
+    """Note the place of the widget drawn last, and give it a tooltip."""
+    low, high = imgui.get_item_rect_min(), imgui.get_item_rect_max()
+    places[name] = (low.x, low.y, high.x, high.y)
+    if tip and imgui.is_item_hovered(imgui.HoveredFlags_.for_tooltip | imgui.HoveredFlags_.allow_when_disabled):
+        imgui.set_tooltip(tip)
+
+
+def button(name: str, label: str, tip: str = "", *, on: bool = False, enabled: bool = True, width: float = 0.0) -> bool:
+    """A button; `on` shows it lit. True in the picture in which it is clicked."""
+    if on:
+        color = imgui.get_style_color_vec4(imgui.Col_.button_active)
+        imgui.push_style_color(imgui.Col_.button, color)
+    imgui.begin_disabled(not enabled)
+    clicked = imgui.button(f"{label}##{name}", imgui.ImVec2(width, 0.0))
+    imgui.end_disabled()
+    if on:
+        imgui.pop_style_color()
+    mark(name, tip)
+    return bool(clicked)
+
+
+def checkbox(name: str, label: str, value: bool, tip: str = "") -> bool:
+    """A box to tick; gives what it is now."""
+    _, value = imgui.checkbox(f"{label}##{name}", value)
+    mark(name, tip)
+    return bool(value)
+
+
+def drag(
+    name: str, label: str, value: float, tip: str = "", *, unit: str = "", speed: float = 0.01,
+    limits: tuple[float, float] = (0.0, 0.0), digits: int = 3,
+) -> tuple[bool, float]:  # fmt: skip
+    """A number that is dragged or typed, with its unit. (changed, number)."""
+    shown = f"%.{digits}g {unit}".rstrip()
+    changed, value = imgui.drag_float(f"{label}##{name}", value, speed, limits[0], limits[1], shown)
+    mark(name, tip)
+    return bool(changed), float(value)
+
+
+def drag2(
+    name: str, label: str, value: tuple[float, float], tip: str = "", *, unit: str = "", speed: float = 0.01
+) -> tuple[bool, tuple[float, float]]:
+    """Two numbers beside each other. (changed, numbers)."""
+    changed, got = imgui.drag_float2(f"{label}##{name}", list(value), speed, 0.0, 0.0, f"%.3f {unit}".rstrip())
+    mark(name, tip)
+    return bool(changed), (float(got[0]), float(got[1]))
+
+
+def integer(name: str, label: str, value: int, tip: str = "", *, limits: tuple[int, int] = (0, 0)) -> tuple[bool, int]:
+    """A whole number that is dragged or typed. (changed, number)."""
+    changed, value = imgui.drag_int(f"{label}##{name}", value, 0.05, limits[0], limits[1])
+    mark(name, tip)
+    return bool(changed), int(value)
+
+
+def text(name: str, label: str, value: str, hint: str = "") -> str:
+    """A line of text to type; gives what it is now."""
+    _, value = imgui.input_text_with_hint(f"{label}##{name}", hint, value)
+    mark(name)
+    return str(value)
+
+
+def choice(name: str, label: str, value: str, options: Sequence[str], tip: str = "") -> str:
+    """One of several words; gives what is chosen now."""
+    at = options.index(value) if value in options else 0
+    _, at = imgui.combo(f"{label}##{name}", at, list(options))
+    mark(name, tip)
+    return options[at]
+
+
+def section(label: str) -> bool:
+    """A heading that opens and closes what comes below it; open at first."""
+    return bool(imgui.collapsing_header(label, imgui.TreeNodeFlags_.default_open))
+
+
+def row(label: str, value: str, tip: str = "") -> None:
+    """A name and what it is, in two columns."""
+    imgui.text_disabled(label)
+    imgui.same_line(imgui.get_font_size() * 8.0)
+    imgui.text_unformatted(value)
+    if tip and imgui.is_item_hovered():
+        imgui.set_tooltip(tip)
+
+
+def wrapped(words: str) -> None:
+    """A paragraph in the quiet colour."""
+    imgui.push_text_wrap_pos(0.0)
+    imgui.push_style_color(imgui.Col_.text, imgui.get_style_color_vec4(imgui.Col_.text_disabled))
+    imgui.text_unformatted(words)
+    imgui.pop_style_color()
+    imgui.pop_text_wrap_pos()

@@ -1,0 +1,114 @@
+"""What the window knows while a scene is open: all that actions, tools and panels look at and change."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from sandbox.errors import SandboxError
+from sandbox.render.frame import Frame
+from sandbox.render.theme import DARK, Theme
+from sandbox.window.selection import Selection
+from sandbox.window.session import Session
+from sandbox.window.viewport import Viewport
+
+if TYPE_CHECKING:
+    from sandbox.engine.commands.base import Command
+    from sandbox.window.tools.tool import Tool
+
+NOTE_SECONDS = 5.0
+
+
+@dataclass(frozen=True)
+class Wish:
+    """What the user wants that leads away from this session: "leave", "quit", "reload", "gallery" or "open" `path`."""
+
+    kind: str
+    path: Path | None = None
+
+
+@dataclass
+class Workspace:
+    """One open scene.
+
+    `panels` and `overlays` are the names of those that are shown; `interface` False hides all but the scene. `held`
+    are the names of actions whose keys are held down. `wish` is taken by the screen at its next update.
+    """
+
+    session: Session
+    viewport: Viewport
+    tool: Tool
+    folder: Path
+    theme: Theme = DARK
+    selection: Selection = field(default_factory=Selection)
+    panels: set[str] = field(default_factory=set)
+    overlays: list[str] = field(default_factory=list)
+    interface: bool = True
+    help_shown: bool = False
+    held: set[str] = field(default_factory=set)
+    wish: Wish | None = None
+    fps: float = 0.0
+    age: float = 0.0
+    note: str = ""
+    note_until: float = 0.0
+    frame: Frame | None = None
+    """What the last picture showed."""
+
+    def say(self, text: str) -> None:
+        """Tell the user for a while."""
+        self.note, self.note_until = text, self.age + NOTE_SECONDS
+
+    def do(self, label: str, *commands: Command) -> bool:
+        """Apply commands as one act that can be undone; False, and a note, if one is refused."""
+        done = self.session.do(label, *commands)
+        if not done:
+            self.say_trouble()
+        return done
+
+    def say_trouble(self) -> None:
+        """Tell what went wrong in the session, if anything did."""
+        if self.session.trouble:
+            self.say(self.session.trouble)
+            self.session.trouble = ""
+
+    def restart(self) -> None:
+        """Begin again: with what the file says now if it says something else, or with the same scene."""
+        source = Path(self.session.scene.source)
+        try:
+            changed = (
+                self.session.scene.text is not None and source.read_text(encoding="utf-8") != self.session.scene.text
+            )
+        except (OSError, ValueError):
+            changed = False
+        if changed:
+            self.wish = Wish("reload")
+        else:
+            self.session.restart()
+
+    def attempt(self, what: str, *errors: type[Exception]) -> Attempt:
+        """A context in which `errors`, and those of this package, become a note that begins with `what`."""
+        return Attempt(self, what, (SandboxError, *errors))
+
+    def choose_tool(self, tool: Tool) -> None:
+        """Put the tool in hand away and take another."""
+        self.tool.cancel(self)
+        self.tool = tool
+
+
+@dataclass
+class Attempt:
+    """See `Workspace.attempt`."""
+
+    workspace: Workspace
+    what: str
+    errors: tuple[type[Exception], ...]
+
+    def __enter__(self) -> None:
+        return None
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, _: object) -> bool:
+        if not isinstance(error, self.errors):
+            return False
+        self.workspace.say(f"{self.what}: {error}")
+        return True
