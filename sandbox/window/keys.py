@@ -31,8 +31,8 @@ class Chord:
         if bool(mods & (pygame.KMOD_CTRL | pygame.KMOD_META)) != self.ctrl or mods & pygame.KMOD_ALT:
             return False
         if self.character:
-            return event.unicode == self.character or event.key == _KEYPAD.get(self.character)
-        return event.key == self.key and bool(mods & pygame.KMOD_SHIFT) == self.shift
+            return bool(event.unicode == self.character or event.key == _KEYPAD.get(self.character))
+        return bool(event.key == self.key) and bool(mods & pygame.KMOD_SHIFT) == self.shift
 
 
 def chord(text: str) -> Chord:

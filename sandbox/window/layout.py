@@ -9,7 +9,7 @@ from sandbox.window.actions.registry import ACTIONS, MENUS
 from sandbox.window.panels.panel import Panel
 from sandbox.window.time_bar import draw_time_bar
 from sandbox.window.tool_bar import TOOL_BAR_WIDTH, draw_tool_bar
-from sandbox.window.tools.tool import Tool
+from sandbox.window.tools.tool_box import ToolBox
 from sandbox.window.viewport import Rect
 from sandbox.window.widgets import mark
 from sandbox.window.workspace import Workspace
@@ -31,9 +31,9 @@ FIXED = (
 class Layout:
     """Draws all that is not the scene; `draw` says which rectangle is left for it."""
 
-    def __init__(self, panels: dict[str, Panel], tools: dict[str, Tool]) -> None:
+    def __init__(self, panels: dict[str, Panel], tool_box: ToolBox) -> None:
         self.panels = panels
-        self.tools = tools
+        self.tool_box = tool_box
         self._docked = False
 
     def draw(self, workspace: Workspace, size: Size) -> Rect:
@@ -43,7 +43,7 @@ class Layout:
         top = _draw_menus(workspace, self.panels)
         bottom = size[1] - TIME_BAR_HEIGHT
         _fixed("##tools", 0.0, top, TOOL_BAR_WIDTH, bottom - top)
-        draw_tool_bar(workspace, self.tools)
+        draw_tool_bar(self.tool_box)
         imgui.end()
         _fixed("##time", 0.0, bottom, float(size[0]), TIME_BAR_HEIGHT)
         draw_time_bar(workspace)

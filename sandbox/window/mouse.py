@@ -9,6 +9,7 @@ import pygame
 from sandbox.render.camera import Vec
 from sandbox.render.line import Line
 from sandbox.window.tools.tool import Pointer
+from sandbox.window.tools.tool_box import ToolBox
 from sandbox.window.viewport import ZOOM_A_NOTCH
 from sandbox.window.workspace import Workspace
 
@@ -18,8 +19,9 @@ PAN_BUTTONS = (2, 3)
 class Mouse:
     """The mouse over a workspace's viewport."""
 
-    def __init__(self, workspace: Workspace) -> None:
+    def __init__(self, workspace: Workspace, tool_box: ToolBox) -> None:
         self.workspace = workspace
+        self._tool_box = tool_box
         self._panning = False
         self._pressed = False
         self._at: Vec = (0.0, 0.0)
@@ -34,7 +36,7 @@ class Mouse:
                 self._panning = False
                 if event.button == 1 and self._pressed:
                     self._pressed = False
-                    workspace.tool.release(workspace, self._pointer(event.pos))
+                    self._tool_box.tool.release(workspace, self._pointer(event.pos))
             case pygame.MOUSEMOTION:
                 self._move(event)
             case pygame.MOUSEWHEEL if not taken:
@@ -42,11 +44,11 @@ class Mouse:
 
     def strokes(self) -> Sequence[Line]:
         """What the tool draws over the scene."""
-        return self.workspace.tool.strokes(self.workspace)
+        return self._tool_box.tool.strokes(self.workspace)
 
     def _press(self, event: pygame.event.Event) -> None:
         if event.button == 1:
-            self._pressed = self.workspace.tool.press(self.workspace, self._pointer(event.pos))
+            self._pressed = self._tool_box.tool.press(self.workspace, self._pointer(event.pos))
             self._panning = not self._pressed
         elif event.button in PAN_BUTTONS:
             self._panning = True
@@ -56,7 +58,7 @@ class Mouse:
         if self._panning:
             self.workspace.viewport.pan(*event.rel)
         # The hand holds a point of the plane, so a pan or zoom moves the target as well.
-        self.workspace.tool.move(self.workspace, self._pointer(event.pos))
+        self._tool_box.tool.move(self.workspace, self._pointer(event.pos))
 
     def _pointer(self, pixel: Vec) -> Pointer:
         held = pygame.key.get_mods() if pygame.display.get_init() else 0

@@ -21,7 +21,7 @@ from sandbox.window.panels.registry import new_panels
 from sandbox.window.screen import Canvas, Screen
 from sandbox.window.session import Session
 from sandbox.window.tools.act import MagnetTool
-from sandbox.window.tools.registry import new_tools
+from sandbox.window.tools.tool_box import ToolBox
 from sandbox.window.viewport import Viewport
 from sandbox.window.widgets import begin_picture
 from sandbox.window.workspace import Wish, Workspace
@@ -43,12 +43,13 @@ class PlayScreen:
         interface: bool = True,
     ) -> None:
         self.lockstep = lockstep
-        self.tools, self.panels = new_tools(), new_panels()
+        self.panels = new_panels()
         viewport = Viewport.of(session, size)
-        self.workspace = Workspace(session, viewport, self.tools["hand"], Path.cwd(), interface=interface)
+        self.workspace = Workspace(session, viewport, Path.cwd(), interface=interface)
+        self.tool_box = ToolBox(self.workspace)
         self.workspace.panels = first_panels(self.panels, size)
-        self.mouse = Mouse(self.workspace)
-        self._layout = Layout(self.panels, self.tools)
+        self.mouse = Mouse(self.workspace, self.tool_box)
+        self._layout = Layout(self.panels, self.tool_box)
         self._body_colors = body_colors_of(session.world.state)
         self._lead = lead
 
@@ -85,8 +86,8 @@ class PlayScreen:
         for name in sorted(workspace.held):
             if BY_NAME[name].enabled(workspace):
                 BY_NAME[name].run(workspace)
-        if isinstance(workspace.tool, MagnetTool):
-            workspace.tool.tick(workspace)
+        if isinstance(self.tool_box.tool, MagnetTool):
+            self.tool_box.tool.tick(workspace)
         if not self.lockstep:
             session.update(elapsed)
         elif not session.clock.paused:
@@ -112,7 +113,7 @@ class PlayScreen:
 
     def _key(self, event: pygame.event.Event) -> None:
         workspace = self.workspace
-        if event.key in (pygame.K_RETURN, pygame.K_KP_ENTER) and workspace.tool.confirm(workspace):
+        if event.key in (pygame.K_RETURN, pygame.K_KP_ENTER) and self.tool_box.tool.confirm(workspace):
             return
         action = action_of(event)
         if action is not None and action.held:
@@ -125,9 +126,9 @@ class PlayScreen:
     def _choose_by_key(self, event: pygame.event.Event) -> None:
         """Tools and panels have keys as well."""
         typed = event.unicode.upper()
-        for tool in self.tools.values():
+        for tool in self.tool_box.tools.values():
             if tool.key and tool.key == typed:
-                self.workspace.choose_tool(tool)
+                self.tool_box.choose(tool.name)
         for panel in self.panels.values():
             if panel.key and pygame.key.name(event.key).upper() == panel.key:
                 self.workspace.panels ^= {panel.name}
@@ -145,7 +146,7 @@ class PlayScreen:
         if noted > 0.0:
             hud.draw_note(overlay, rect, workspace.note, noted)
         if workspace.help_shown:
-            draw_help(workspace, self.tools, self.panels)
+            draw_help(workspace, self.tool_box.tools, self.panels)
 
     def _figures(self) -> hud.Figures:
         world = self.session.world

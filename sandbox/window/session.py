@@ -98,7 +98,7 @@ class Session:
         return label
 
     def do(self, label: str, *commands: Command) -> bool:
-        """Apply commands as one act. False if one is refused: `trouble` says why, and those before it are taken back."""
+        """Apply commands as one act. False if one is refused: `trouble` says why, and all are taken back."""
         self.timeline.begin_act(label)
         try:
             for done, command in enumerate(commands):  # noqa: B007 - how many were taken is asked for below

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from imgui_bundle import imgui
 
@@ -47,22 +48,38 @@ def checkbox(name: str, label: str, value: bool, tip: str = "") -> bool:
     return bool(value)
 
 
-def drag(
-    name: str, label: str, value: float, tip: str = "", *, unit: str = "", speed: float = 0.01,
-    limits: tuple[float, float] = (0.0, 0.0), digits: int = 3,
-) -> tuple[bool, float]:  # fmt: skip
+@dataclass(frozen=True)
+class Scale:
+    """How a number is shown and dragged: its unit, how much a pixel changes it, its limits, how many digits."""
+
+    unit: str = ""
+    speed: float = 0.01
+    low: float = 0.0
+    high: float = 0.0
+    digits: int = 4
+
+    @property
+    def format(self) -> str:
+        """As ImGui takes it."""
+        return f"%.{self.digits}g {self.unit}".rstrip()
+
+
+PLAIN = Scale()
+
+
+def drag(name: str, label: str, value: float, tip: str = "", scale: Scale = PLAIN) -> tuple[bool, float]:
     """A number that is dragged or typed, with its unit. (changed, number)."""
-    shown = f"%.{digits}g {unit}".rstrip()
-    changed, value = imgui.drag_float(f"{label}##{name}", value, speed, limits[0], limits[1], shown)
+    changed, value = imgui.drag_float(f"{label}##{name}", value, scale.speed, scale.low, scale.high, scale.format)
     mark(name, tip)
     return bool(changed), float(value)
 
 
 def drag2(
-    name: str, label: str, value: tuple[float, float], tip: str = "", *, unit: str = "", speed: float = 0.01
+    name: str, label: str, value: tuple[float, float], tip: str = "", scale: Scale = PLAIN
 ) -> tuple[bool, tuple[float, float]]:
     """Two numbers beside each other. (changed, numbers)."""
-    changed, got = imgui.drag_float2(f"{label}##{name}", list(value), speed, 0.0, 0.0, f"%.3f {unit}".rstrip())
+    wide = f"{label}##{name}"
+    changed, got = imgui.drag_float2(wide, list(value), scale.speed, scale.low, scale.high, scale.format)
     mark(name, tip)
     return bool(changed), (float(got[0]), float(got[1]))
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -15,7 +16,6 @@ from sandbox.window.viewport import Viewport
 
 if TYPE_CHECKING:
     from sandbox.engine.commands.base import Command
-    from sandbox.window.tools.tool import Tool
 
 NOTE_SECONDS = 5.0
 
@@ -28,6 +28,10 @@ class Wish:
     path: Path | None = None
 
 
+def _nothing() -> bool:
+    return False
+
+
 @dataclass
 class Workspace:
     """One open scene.
@@ -38,7 +42,6 @@ class Workspace:
 
     session: Session
     viewport: Viewport
-    tool: Tool
     folder: Path
     theme: Theme = DARK
     selection: Selection = field(default_factory=Selection)
@@ -48,6 +51,8 @@ class Workspace:
     help_shown: bool = False
     held: set[str] = field(default_factory=set)
     wish: Wish | None = None
+    interrupt: Callable[[], bool] = _nothing
+    """Gives up what the tool in hand is in the middle of; False if there is nothing."""
     fps: float = 0.0
     age: float = 0.0
     note: str = ""
@@ -89,11 +94,6 @@ class Workspace:
     def attempt(self, what: str, *errors: type[Exception]) -> Attempt:
         """A context in which `errors`, and those of this package, become a note that begins with `what`."""
         return Attempt(self, what, (SandboxError, *errors))
-
-    def choose_tool(self, tool: Tool) -> None:
-        """Put the tool in hand away and take another."""
-        self.tool.cancel(self)
-        self.tool = tool
 
 
 @dataclass

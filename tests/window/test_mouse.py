@@ -10,8 +10,8 @@ from sandbox.window.actions.registry import ACTIONS, action_of
 from sandbox.window.mouse import Mouse
 from sandbox.window.panels.registry import new_panels
 from sandbox.window.session import Session
-from sandbox.window.tools.hand import Hand
 from sandbox.window.tools.registry import new_tools
+from sandbox.window.tools.tool_box import ToolBox
 from sandbox.window.viewport import Viewport
 from sandbox.window.workspace import Workspace
 from tests.window.test_session import SCENE
@@ -22,7 +22,8 @@ CAMERA = Camera((2.0, 2.0), 50.0, (800, 600))
 @pytest.fixture
 def mouse() -> Mouse:
     viewport = Viewport((0, 0, 800, 600), CAMERA, touched=True)
-    return Mouse(Workspace(Session(SCENE), viewport, Hand(), Path()))
+    workspace = Workspace(Session(SCENE), viewport, Path())
+    return Mouse(workspace, ToolBox(workspace))
 
 
 def pixel(x: float, y: float) -> tuple[int, int]:

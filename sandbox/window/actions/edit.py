@@ -8,13 +8,13 @@ from sandbox.window.workspace import Workspace
 
 
 def _undo(workspace: Workspace) -> None:
-    workspace.tool.cancel(workspace)
+    workspace.interrupt()
     label = workspace.session.undo()
     workspace.say(f"undone: {label}" if label else "there is nothing to undo")
 
 
 def _redo(workspace: Workspace) -> None:
-    workspace.tool.cancel(workspace)
+    workspace.interrupt()
     label = workspace.session.redo()
     workspace.say(f"done again: {label}" if label else "there is nothing to redo")
 

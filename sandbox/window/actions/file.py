@@ -20,7 +20,7 @@ def _leave(workspace: Workspace) -> None:
     """Esc: first what the tool is in the middle of, then the help, then the scene."""
     if workspace.help_shown:
         workspace.help_shown = False
-    elif not workspace.tool.cancel(workspace):
+    elif not workspace.interrupt():
         workspace.wish = Wish("leave")
 
 

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
-if TYPE_CHECKING:
-    from sandbox.window.workspace import Workspace
+from sandbox.window.workspace import Workspace
 
 
 class Panel:

@@ -11,7 +11,7 @@ from sandbox.engine.commands.set_gravity import SetGravity
 from sandbox.window.adjustment import Adjustment
 from sandbox.window.gui_style import palette_of
 from sandbox.window.panels.panel import Panel
-from sandbox.window.widgets import button, drag2, mark, row, section
+from sandbox.window.widgets import Scale, button, drag2, mark, row, section
 from sandbox.window.workspace import Workspace
 
 DIAL_PIXELS = 92.0
@@ -47,7 +47,7 @@ class WorldPanel(Panel):
         imgui.same_line()
         imgui.begin_group()
         imgui.set_next_item_width(-1.0)
-        changed, typed = drag2("world.gravity", "", gravity, "Gravity, x and y", unit="m/s²", speed=0.05)
+        changed, typed = drag2("world.gravity", "", gravity, "Gravity, x and y", Scale("m/s²", 0.05))
         self._gravity.follow(workspace, changed, SetGravity(typed))
         for number, (label, strength) in enumerate(PRESETS):
             if number % 3:

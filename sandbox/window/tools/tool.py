@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 from sandbox.render.camera import Vec
 from sandbox.render.line import Line
 from sandbox.render.pick import pick
+from sandbox.window.workspace import Workspace
 from sandbox.world.records import DYNAMIC, KINEMATIC, STATIC
-
-if TYPE_CHECKING:
-    from sandbox.window.workspace import Workspace
 
 GRAB_PIXELS = 6.0
 """How far beside a body a click still catches it."""
@@ -21,7 +19,7 @@ ANY_TYPE = (STATIC, KINEMATIC, DYNAMIC)
 
 @dataclass(frozen=True)
 class Pointer:
-    """Where the mouse is: `pixel` of the window, `point` of the plane in metres; `more`: Shift is held, `free`: Ctrl."""
+    """Where the mouse is: `pixel` of the window, `point` in metres; `more`: Shift is held, `free`: Ctrl."""
 
     pixel: Vec
     point: Vec
@@ -69,7 +67,7 @@ class Tool:
 
 
 def body_under(workspace: Workspace, pointer: Pointer, types: Sequence[int] = ANY_TYPE) -> str | None:
-    """The id of the body under the pointer, or up to `GRAB_PIXELS` beside it; what moves comes before what is static."""
+    """The id of the body under the pointer, or up to `GRAB_PIXELS` beside it; static ones come last."""
     frame = workspace.session.frame()
     slack = GRAB_PIXELS / workspace.viewport.camera.scale
     moving = [kind for kind in types if kind != STATIC]
