@@ -14,6 +14,7 @@ _SCENE = typer.Argument(show_default=False, help="A scene file, the name of a sh
 _SIZE = typer.Option(metavar="WxH", help="Size of the window in pixels.")
 _STEP = typer.Option(min=0, max=10_000_000, help="Start after this many steps.")
 _FRAMES = typer.Option(min=1, show_default=False, help="Quit after this many pictures, with one physics step for each.")
+_SCRIPT = typer.Option(show_default=False, help="Do what this file of keys and clicks says, a step a picture, then quit.")
 _SCREENSHOT = typer.Option(show_default=False, help="Write the last picture to this PNG file.")
 
 
@@ -23,12 +24,13 @@ def run(
     step: Annotated[int, _STEP] = 0,
     frames: Annotated[int | None, _FRAMES] = None,
     screenshot: Annotated[Path | None, _SCREENSHOT] = None,
+    script: Annotated[Path | None, _SCRIPT] = None,
     workers: Annotated[int, WORKERS] = 1,
 ) -> None:
     """Open a scene in a window; without a scene, choose one from a list.
 
-    Space pauses, . takes one step, - and + change the speed, R restarts, F fits the view, H shows all keys.
-    Drag bodies with the mouse. S saves all that was done since the start as a recording in this folder.
+    Space pauses, Left rewinds, Ctrl+Z undoes; the tools at the left throw, draw, join and erase. F1 shows all keys.
+    S saves all that was done since the start as a recording in this folder.
     """
     from sandbox.cli.picture_options import parse_size, writable_picture
 
@@ -41,4 +43,4 @@ def run(
     from sandbox.window.app import Options, run_window
 
     path = find_scene(scene) if scene is not None else None
-    run_window(Options(path, pixels, step, frames, screenshot, workers))
+    run_window(Options(path, pixels, step, frames, screenshot, workers, script))

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 import pygame
 
-from sandbox.render.camera import Size
+from sandbox.errors import SandboxError
+from sandbox.render.camera import Size, Vec
 from sandbox.render.theme import DARK
 from sandbox.window.display import Display, check_size
 from sandbox.window.gl_painter import GlPainter
@@ -18,6 +20,7 @@ from sandbox.window.play import PlayScreen
 from sandbox.window.scene_index import scene_entries
 from sandbox.window.scene_list import SceneList
 from sandbox.window.screen import Canvas, Screen
+from sandbox.window.script import Script
 from sandbox.window.session import Session
 from sandbox.window.workspace import Wish
 
@@ -43,7 +46,8 @@ class Options:
 def run_window(options: Options) -> None:
     """Show the window until it is closed. Raises `MissingDependencyError` or `SceneError`."""
     check_size(options.size)
-    with Display(options.size, "sandbox", visible=options.frames is None) as display:
+    counted = options.frames is not None or options.script is not None
+    with Display(options.size, "sandbox", visible=not counted) as display:
         gui = Gui(display.driver)
         try:
             App(Canvas(display, GlPainter(display.context), gui, DARK), options).run()
@@ -59,6 +63,14 @@ class App:
         self.options = options
         self._clock = pygame.time.Clock()
         self._list: SceneList | None = None
+        self._script = Script(options.script) if options.script is not None else None
+        self._hands: Iterator[None] | None = None
+        self._shown: Screen | None = None
+
+    @property
+    def _counting(self) -> bool:
+        """Whether pictures are counted: then each takes one step, however long it takes."""
+        return self.options.frames is not None or self._script is not None
 
     def run(self) -> None:
         """Until the user leaves, or the frames are used up."""
@@ -66,16 +78,37 @@ class App:
         drawn, last = 0, screen
         while screen is not None and (self.options.frames is None or drawn < self.options.frames):
             elapsed = self._tick(screen)
-            if not self._handle_events(screen):
+            if not self._act(screen) or not self._handle_events(screen):
                 break
             screen = self._update(screen, elapsed)
             if screen is not None:
                 self._draw(screen)
+                self._save_shots()
                 self.canvas.display.show()
                 drawn, last = drawn + screen.counts, screen
         if self.options.screenshot is not None and last is not None:
             self._draw(last)  # once more: what is behind a shown picture is undefined
             self.canvas.display.save(self.options.screenshot)
+
+    def _act(self, screen: Screen) -> bool:
+        """Let the script do what comes next; False once it is over."""
+        if self._script is None or not screen.counts:
+            return True
+        if self._hands is None:
+            self._hands = self._script.hands(self._locate)
+        self._shown = screen
+        return next(self._hands, self) is None
+
+    def _locate(self, point: Vec) -> Vec:
+        """The pixel over a point of the scene that is shown."""
+        if not isinstance(self._shown, PlayScreen):
+            raise SandboxError(f"no scene is shown in which {point[0]:g},{point[1]:g} m could be")
+        return self._shown.workspace.viewport.pixel(point)
+
+    def _save_shots(self) -> None:
+        """The pictures that the script asks for; before they are shown, for what is behind a shown one is undefined."""
+        while self._script is not None and self._script.shots:
+            self.canvas.display.save(self._script.shots.pop(0))
 
     def _update(self, screen: Screen, elapsed: float) -> Screen | None:
         """Let time pass; a screen that comes on gets its share at once: one update a picture."""
@@ -93,7 +126,7 @@ class App:
 
     def _tick(self, screen: Screen) -> float:
         """Wait for the next picture; gives the seconds since the last one."""
-        counting = self.options.frames is not None
+        counting = self._counting
         if not screen.counts:
             limit = LOADING_FPS
         else:
@@ -115,7 +148,7 @@ class App:
     def _play(self, session: Session) -> Screen:
         title = session.scene.title or (self.options.scene or Path()).name
         self.canvas.display.title(f"{title} - sandbox")
-        lockstep = self.options.frames is not None
+        lockstep = self._counting
         shown = self.options.frames is None or self.options.script is not None
         return PlayScreen(session, self.canvas.display.size, self._lead, lockstep, shown)
 

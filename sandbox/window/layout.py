@@ -5,7 +5,7 @@ from __future__ import annotations
 from imgui_bundle import imgui
 
 from sandbox.render.camera import Size
-from sandbox.window.actions.registry import ACTIONS, MENUS
+from sandbox.window.menu_bar import draw_menu_bar
 from sandbox.window.panels.panel import Panel
 from sandbox.window.time_bar import draw_time_bar
 from sandbox.window.tool_bar import TOOL_BAR_WIDTH, draw_tool_bar
@@ -40,13 +40,13 @@ class Layout:
         """One picture of it in a window of `size` pixels."""
         if not workspace.interface:
             return 0, 0, *size
-        top = _draw_menus(workspace, self.panels)
+        top = draw_menu_bar(workspace, self.panels)
         bottom = size[1] - TIME_BAR_HEIGHT
         _fixed("##tools", 0.0, top, TOOL_BAR_WIDTH, bottom - top)
         draw_tool_bar(self.tool_box)
         imgui.end()
         _fixed("##time", 0.0, bottom, float(size[0]), TIME_BAR_HEIGHT)
-        draw_time_bar(workspace)
+        draw_time_bar(workspace, self.tool_box.tool.hint(workspace))
         imgui.end()
         rect = self._dock(size[0] - TOOL_BAR_WIDTH, bottom - top, top)
         for panel in self.panels.values():
@@ -114,37 +114,3 @@ def _fixed(name: str, x: float, y: float, width: float, height: float) -> None:
     imgui.push_style_var(imgui.StyleVar_.window_min_size, imgui.ImVec2(1.0, 1.0))
     imgui.begin(name, None, FIXED)
     imgui.pop_style_var(3)
-
-
-def _draw_menus(workspace: Workspace, panels: dict[str, Panel]) -> float:
-    """The menu bar, made of the table of actions; gives its height."""
-    if not imgui.begin_main_menu_bar():
-        return 0.0
-    for menu in MENUS:
-        opened = imgui.begin_menu(menu)
-        mark(f"menu.{menu.lower()}")
-        if not opened:
-            continue
-        for action in ACTIONS:
-            if action.menu == menu and not action.held:
-                keys = action.keys[0] if action.keys else ""
-                checked = action.checked is not None and action.checked(workspace)
-                clicked, _ = imgui.menu_item(action.title, keys, checked, action.enabled(workspace))
-                mark(f"menu.{action.name}", action.help)
-                if clicked:
-                    action.run(workspace)
-        if menu == "View":
-            _draw_panel_items(workspace, panels)
-        imgui.end_menu()
-    height = imgui.get_window_height()
-    imgui.end_main_menu_bar()
-    return float(height)
-
-
-def _draw_panel_items(workspace: Workspace, panels: dict[str, Panel]) -> None:
-    imgui.separator()
-    for panel in panels.values():
-        clicked, on = imgui.menu_item(f"{panel.icon}  {panel.title}", panel.key, panel.name in workspace.panels)
-        mark(f"menu.panel.{panel.name}", panel.help)
-        if clicked:
-            (workspace.panels.add if on else workspace.panels.discard)(panel.name)

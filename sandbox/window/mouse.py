@@ -24,7 +24,8 @@ class Mouse:
         self._tool_box = tool_box
         self._panning = False
         self._pressed = False
-        self._at: Vec = (0.0, 0.0)
+        self.at: Vec = (-1.0, -1.0)
+        """Where the pointer is, in pixels of the window."""
 
     def handle(self, event: pygame.event.Event, taken: bool = False) -> None:
         """Act on a mouse event; all others pass. Those `taken` by panels only end what has begun."""
@@ -40,7 +41,7 @@ class Mouse:
             case pygame.MOUSEMOTION:
                 self._move(event)
             case pygame.MOUSEWHEEL if not taken:
-                workspace.viewport.zoom(ZOOM_A_NOTCH ** (getattr(event, "precise_y", 0.0) or event.y), self._at)
+                workspace.viewport.zoom(ZOOM_A_NOTCH ** (getattr(event, "precise_y", 0.0) or event.y), self.at)
 
     def strokes(self) -> Sequence[Line]:
         """What the tool draws over the scene."""
@@ -54,7 +55,7 @@ class Mouse:
             self._panning = True
 
     def _move(self, event: pygame.event.Event) -> None:
-        self._at = event.pos
+        self.at = event.pos
         if self._panning:
             self.workspace.viewport.pan(*event.rel)
         # The hand holds a point of the plane, so a pan or zoom moves the target as well.

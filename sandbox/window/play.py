@@ -18,6 +18,7 @@ from sandbox.window.layout import Layout, first_panels
 from sandbox.window.mouse import Mouse
 from sandbox.window.overlay import Overlay
 from sandbox.window.panels.registry import new_panels
+from sandbox.window.scale_bar import draw_scale_bar
 from sandbox.window.screen import Canvas, Screen
 from sandbox.window.session import Session
 from sandbox.window.tools.act import MagnetTool
@@ -142,6 +143,8 @@ class PlayScreen:
             title = _fade(TITLE_SECONDS - workspace.age)
             if title > 0.0:
                 hud.draw_title(overlay, (rect[2], rect[3]), scene.title, scene.about, title)
+        else:
+            draw_scale_bar(overlay, workspace, self.mouse.at)
         noted = _fade(workspace.note_until - workspace.age)
         if noted > 0.0:
             hud.draw_note(overlay, rect, workspace.note, noted)

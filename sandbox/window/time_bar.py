@@ -21,8 +21,8 @@ BUTTONS = (
 TRACK_HEIGHT = 18.0
 
 
-def draw_time_bar(workspace: Workspace) -> None:
-    """The scrubber above, the buttons and figures below."""
+def draw_time_bar(workspace: Workspace, hint: str) -> None:
+    """The scrubber above; the buttons, figures and `hint`, what the tool in hand does, below."""
     _draw_scrubber(workspace)
     clock, timeline = workspace.session.clock, workspace.session.timeline
     for name, icon in BUTTONS:
@@ -40,6 +40,17 @@ def draw_time_bar(workspace: Workspace) -> None:
     imgui.text_unformatted(f"{workspace.session.world.time:8.2f} s")
     imgui.same_line()
     imgui.text_disabled(f"step {timeline.step_count:,}{known}")
+    imgui.same_line()
+    _draw_hint(hint)
+
+
+def _draw_hint(hint: str) -> None:
+    """At the right edge, cut where there is no room."""
+    left, room = imgui.get_cursor_pos_x() + 20.0, imgui.get_content_region_avail().x - 24.0
+    width = imgui.calc_text_size(hint).x
+    if room > 60.0:
+        imgui.set_cursor_pos_x(left + max(room - width, 0.0))
+        imgui.text_disabled(hint)
 
 
 def _draw_scrubber(workspace: Workspace) -> None:

@@ -1,0 +1,74 @@
+"""The menus at the top, made of the table of actions, with the scene's title and figures beside them."""
+
+from __future__ import annotations
+
+from imgui_bundle import imgui
+
+from sandbox.window.actions.registry import ACTIONS, MENUS
+from sandbox.window.panels.panel import Panel
+from sandbox.window.widgets import mark
+from sandbox.window.workspace import Workspace
+
+
+def draw_menu_bar(workspace: Workspace, panels: dict[str, Panel]) -> float:
+    """Draw it; gives its height in pixels."""
+    if not imgui.begin_main_menu_bar():
+        return 0.0
+    for menu in MENUS:
+        opened = imgui.begin_menu(menu)
+        mark(f"menu.{menu.lower()}")
+        if opened:
+            _draw_actions(workspace, menu)
+            if menu == "View":
+                _draw_panel_items(workspace, panels)
+            imgui.end_menu()
+    _draw_title(workspace)
+    height = imgui.get_window_height()
+    imgui.end_main_menu_bar()
+    return float(height)
+
+
+def _draw_actions(workspace: Workspace, menu: str) -> None:
+    for action in ACTIONS:
+        if action.menu == menu and not action.held:
+            keys = action.keys[0] if action.keys else ""
+            checked = action.checked is not None and action.checked(workspace)
+            clicked, _ = imgui.menu_item(action.title, keys, checked, action.enabled(workspace))
+            mark(f"menu.{action.name}", action.help)
+            if clicked:
+                action.run(workspace)
+
+
+def _draw_panel_items(workspace: Workspace, panels: dict[str, Panel]) -> None:
+    imgui.separator()
+    for panel in panels.values():
+        clicked, on = imgui.menu_item(f"{panel.icon}  {panel.title}", panel.key, panel.name in workspace.panels)
+        mark(f"menu.panel.{panel.name}", panel.help)
+        if clicked:
+            (workspace.panels.add if on else workspace.panels.discard)(panel.name)
+
+
+def _draw_title(workspace: Workspace) -> None:
+    """The title in the middle, with what to watch for as its tooltip; figures at the right. What does not fit is left
+    out."""
+    world, scene = workspace.session.world, workspace.session.scene
+    width, used = imgui.get_window_width(), imgui.get_cursor_pos_x()
+    frozen = int(world.state.counters[0].frozen_count)
+    figures = [
+        f"{len(world.names):,} bodies", f"{len(world.contacts):,} contacts",
+        f"{1000.0 * workspace.session.step_cost:5.2f} ms/step", f"{workspace.fps:3.0f} fps",
+    ]  # fmt: skip
+    text = "    ".join([*([f"{frozen} frozen"] if frozen else []), *figures])
+    right = width - imgui.calc_text_size(text).x - 14.0
+    if right < used + 20.0:
+        right = width
+    else:
+        imgui.set_cursor_pos_x(right)
+        imgui.text_disabled(text)
+        mark("figures", "Bodies, contacts, time of a step, pictures a second")
+    size = imgui.calc_text_size(scene.title).x
+    left = max((width - size) / 2, used + 16.0)
+    if left + size < right - 16.0:
+        imgui.set_cursor_pos_x(left)
+        imgui.text_unformatted(scene.title)
+        mark("title", scene.about)
