@@ -14,7 +14,7 @@ _SCENE = typer.Argument(show_default=False, help="A scene file, the name of a sh
 _SIZE = typer.Option(metavar="WxH", help="Size of the window in pixels.")
 _STEP = typer.Option(min=0, max=10_000_000, help="Start after this many steps.")
 _FRAMES = typer.Option(min=1, show_default=False, help="Quit after this many pictures, with one physics step for each.")
-_SCRIPT = typer.Option(show_default=False, help="Do what this file of keys and clicks says, a step a picture, then quit.")
+_SCRIPT = typer.Option(show_default=False, help="Do what this file of keys and clicks says, then quit.")
 _SCREENSHOT = typer.Option(show_default=False, help="Write the last picture to this PNG file.")
 
 

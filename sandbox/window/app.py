@@ -83,7 +83,7 @@ class App:
             screen = self._update(screen, elapsed)
             if screen is not None:
                 self._draw(screen)
-                self._save_shots()
+                self._save_shots(screen)
                 self.canvas.display.show()
                 drawn, last = drawn + screen.counts, screen
         if self.options.screenshot is not None and last is not None:
@@ -105,10 +105,16 @@ class App:
             raise SandboxError(f"no scene is shown in which {point[0]:g},{point[1]:g} m could be")
         return self._shown.workspace.viewport.pixel(point)
 
-    def _save_shots(self) -> None:
-        """The pictures that the script asks for; before they are shown, for what is behind a shown one is undefined."""
+    def _save_shots(self, screen: Screen) -> None:
+        """The pictures that script and user ask for, before this one is shown: then it is undefined what is there."""
         while self._script is not None and self._script.shots:
             self.canvas.display.save(self._script.shots.pop(0))
+        if not isinstance(screen, PlayScreen) or not screen.workspace.shots:
+            return
+        with screen.workspace.attempt("no picture saved", OSError):
+            path = screen.workspace.shots.pop(0)
+            self.canvas.display.save(path)
+            screen.workspace.say(f"saved {path.name}")
 
     def _update(self, screen: Screen, elapsed: float) -> Screen | None:
         """Let time pass; a screen that comes on gets its share at once: one update a picture."""
@@ -145,7 +151,7 @@ class App:
     def _load(self, path: Path) -> Screen:
         return LoadingScreen(Loader(path, self.options.start_step, self.options.workers), self._play, self._failed)
 
-    def _play(self, session: Session) -> Screen:
+    def _play(self, session: Session) -> PlayScreen:
         title = session.scene.title or (self.options.scene or Path()).name
         self.canvas.display.title(f"{title} - sandbox")
         lockstep = self._counting
@@ -157,8 +163,10 @@ class App:
         match wish.kind:
             case "open" if wish.path is not None:
                 return self._load(wish.path)
-            case "reload":
-                return self._load(Path(screen.session.scene.source))
+            case "play" if wish.session is not None:
+                following = self._play(wish.session)
+                following.take_over(screen)
+                return following
             case "gallery":
                 self.canvas.display.title("sandbox")
                 return self._list or self._scene_list()

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import TypeAlias
+
 from imgui_bundle import imgui
 
 from sandbox.window.actions.registry import ACTIONS, MENUS
 from sandbox.window.panels.panel import Panel
 from sandbox.window.tools.tool import Tool
-from sandbox.window.widgets import mark
+from sandbox.window.widgets import mark, wrapped
 from sandbox.window.workspace import Workspace
 
 MOUSE = (
@@ -15,41 +18,59 @@ MOUSE = (
     ("Middle or right button", "pan"),
     ("Wheel", "zoom about the pointer"),
 )
-WIDEST, MARGIN = 900.0, 24.0
+WIDEST, HIGHEST, MARGIN = 980.0, 760.0, 24.0
+Rows: TypeAlias = Sequence[tuple[str, str]]
 
 
 def draw_help(workspace: Workspace, tools: dict[str, Tool], panels: dict[str, Panel]) -> None:
     """A window in the middle; Esc or F1 closes it."""
     left, top, width, height = workspace.viewport.rect
-    wide = min(WIDEST, width - 2 * MARGIN)
-    imgui.set_next_window_pos(
-        imgui.ImVec2(left + width / 2, top + height / 2), imgui.Cond_.always, imgui.ImVec2(0.5, 0.5)
-    )
-    imgui.set_next_window_size_constraints(imgui.ImVec2(wide, 80.0), imgui.ImVec2(wide, height - 2 * MARGIN))
+    wide, high = min(WIDEST, width - 2 * MARGIN), min(HIGHEST, height - 2 * MARGIN)
+    middle = imgui.ImVec2(left + width / 2, top + height / 2)
+    imgui.set_next_window_pos(middle, imgui.Cond_.always, imgui.ImVec2(0.5, 0.5))
+    imgui.set_next_window_size(imgui.ImVec2(wide, high))
     flags = imgui.WindowFlags_.no_docking | imgui.WindowFlags_.no_saved_settings | imgui.WindowFlags_.no_collapse
-    shown, still_open = imgui.begin(
-        "Keys and mouse", True, flags | imgui.WindowFlags_.no_move | imgui.WindowFlags_.always_auto_resize
-    )
+    shown, still_open = imgui.begin("Keys and mouse", True, flags | imgui.WindowFlags_.no_move)
     mark("help")
-    if shown and imgui.begin_table("help", 2 if wide > 560.0 else 1):
-        for menu in MENUS:
-            rows = [(", ".join(one.keys), one.help) for one in ACTIONS if one.menu == menu and one.keys]
-            _draw_block(menu, rows)
-        _draw_block("Mouse", MOUSE)
-        _draw_block("Tools", [(one.key, f"{one.title}: {one.help}") for one in tools.values() if one.key])
-        _draw_block("Panels", [(one.key, f"{one.title}: {one.help}") for one in panels.values() if one.key])
+    blocks = _blocks(tools, panels)
+    columns = 2 if wide > 620.0 else 1
+    if shown and imgui.begin_table("help", columns, imgui.TableFlags_.sizing_stretch_same):
+        imgui.table_next_row()
+        for column in range(columns):
+            imgui.table_set_column_index(column)
+            for title, rows in blocks[column::columns]:
+                _draw_block(title, rows)
         imgui.end_table()
     imgui.end()
     if not still_open:
         workspace.help_shown = False
 
 
-def _draw_block(title: str, rows: object) -> None:
-    imgui.table_next_column()
+def _blocks(tools: dict[str, Tool], panels: dict[str, Panel]) -> list[tuple[str, Rows]]:
+    """(title, (keys, help) of each row) of every block, so that two columns of them are about as long."""
+    menus: dict[str, Rows] = {
+        menu: [(", ".join(one.keys), one.help) for one in ACTIONS if one.menu == menu and one.keys] for menu in MENUS
+    }
+    return [
+        ("Time", menus["Time"]),
+        ("Tools", [(one.key, f"{one.title}. {one.help}") for one in tools.values() if one.key]),
+        ("Mouse", MOUSE),
+        ("Panels", [(one.key, f"{one.title}: {one.help}") for one in panels.values() if one.key]),
+        ("Edit", menus["Edit"]),
+        ("View", menus["View"]),
+        ("File", [*menus["File"], *menus["Help"]]),
+    ]
+
+
+def _draw_block(title: str, rows: Rows) -> None:
     imgui.separator_text(title)
-    for keys, help_line in rows:  # type: ignore[attr-defined]
-        imgui.text_unformatted(keys)
-        imgui.same_line(imgui.get_font_size() * 7.5)
-        imgui.push_text_wrap_pos(0.0)
-        imgui.text_disabled(help_line)
-        imgui.pop_text_wrap_pos()
+    if imgui.begin_table(f"help {title}", 2):
+        imgui.table_setup_column("keys", imgui.TableColumnFlags_.width_fixed, imgui.get_font_size() * 7.0)
+        imgui.table_setup_column("help", imgui.TableColumnFlags_.width_stretch)
+        for keys, help_line in rows:
+            imgui.table_next_row()
+            imgui.table_next_column()
+            imgui.text_wrapped(keys)
+            imgui.table_next_column()
+            wrapped(help_line)
+        imgui.end_table()

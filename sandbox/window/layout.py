@@ -29,12 +29,12 @@ FIXED = (
 
 
 class Layout:
-    """Draws all that is not the scene; `draw` says which rectangle is left for it."""
+    """Draws all that is not the scene; `draw` says which rectangle is left. `docked`: panels have their places."""
 
-    def __init__(self, panels: dict[str, Panel], tool_box: ToolBox) -> None:
+    def __init__(self, panels: dict[str, Panel], tool_box: ToolBox, docked: bool = False) -> None:
         self.panels = panels
         self.tool_box = tool_box
-        self._docked = False
+        self._docked = docked
 
     def draw(self, workspace: Workspace, size: Size) -> Rect:
         """One picture of it in a window of `size` pixels."""

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pygame
+from imgui_bundle import imgui
 
 from sandbox.render.body_colors import body_colors_of
 from sandbox.render.camera import Camera, Size
@@ -18,6 +19,8 @@ from sandbox.window.layout import Layout, first_panels
 from sandbox.window.mouse import Mouse
 from sandbox.window.overlay import Overlay
 from sandbox.window.panels.registry import new_panels
+from sandbox.window.problem_box import draw_problem
+from sandbox.window.reload import Reloader
 from sandbox.window.scale_bar import draw_scale_bar
 from sandbox.window.screen import Canvas, Screen
 from sandbox.window.session import Session
@@ -28,6 +31,9 @@ from sandbox.window.widgets import begin_picture
 from sandbox.window.workspace import Wish, Workspace
 
 TITLE_SECONDS, FADE_SECONDS = 5.0, 0.8
+ANY_POPUP = imgui.PopupFlags_.any_popup_id | imgui.PopupFlags_.any_popup_level
+MOST_SKIPPED = 3600
+"""Steps that a file which is read again is taken forward at most, where time is to be kept."""
 
 
 class PlayScreen:
@@ -51,6 +57,7 @@ class PlayScreen:
         self.workspace.panels = first_panels(self.panels, size)
         self.mouse = Mouse(self.workspace, self.tool_box)
         self._layout = Layout(self.panels, self.tool_box)
+        self._reloader = Reloader(Path(session.scene.source)) if session.scene.text is not None else None
         self._body_colors = body_colors_of(session.world.state)
         self._lead = lead
 
@@ -69,12 +76,28 @@ class PlayScreen:
         """What the user was told last."""
         return self.workspace.note
 
+    def take_over(self, before: PlayScreen) -> None:
+        """Look as the screen before it did, which showed the same file."""
+        mine, its = self.workspace, before.workspace
+        for name in ("theme", "panels", "overlays", "interface", "keep_time", "selection", "age"):
+            setattr(mine, name, getattr(its, name))
+        mine.viewport.rect, mine.viewport.camera = its.viewport.rect, its.viewport.camera
+        mine.viewport.touched = its.viewport.touched
+        clock, old = mine.session.clock, its.session.clock
+        clock.speed, clock.paused = old.speed, old.paused
+        self._layout = Layout(self.panels, self.tool_box, docked=True)
+        if its.keep_time:
+            mine.session.skip(min(its.session.timeline.step_count, MOST_SKIPPED))
+        mine.say("read again")
+
     def handle(self, event: pygame.event.Event, taken: tuple[bool, bool] = (False, False)) -> None:
         """Act on an event; `taken` says whether panels want the mouse, and the keyboard."""
         workspace = self.workspace
         if event.type == pygame.KEYDOWN and not taken[1]:
             self._key(event)
         workspace.held -= released(event)
+        if event.type == pygame.DROPFILE:
+            workspace.wish = Wish("open", Path(event.file))
         self.mouse.handle(event, taken[0])
 
     def update(self, elapsed: float) -> Screen | None:
@@ -84,6 +107,8 @@ class PlayScreen:
             wish, workspace.wish = workspace.wish, None
             return self._lead(wish, self)
         workspace.age += elapsed
+        if (fresh := self._reread(elapsed)) is not None:
+            return self._lead(Wish("play", session=fresh), self)
         for name in sorted(workspace.held):
             if BY_NAME[name].enabled(workspace):
                 BY_NAME[name].run(workspace)
@@ -112,8 +137,21 @@ class PlayScreen:
         canvas.paint(picture, workspace.viewport.rect)
         self._draw_hud(Overlay(canvas.gui))
 
+    def _reread(self, elapsed: float) -> Session | None:
+        """The session of the file as it is now, if it has changed on disk."""
+        if self._reloader is None:
+            self.workspace.reread = False
+            return None
+        if self.workspace.reread:
+            self.workspace.reread = False
+            self._reloader.read()
+        return self._reloader.poll(elapsed)
+
     def _key(self, event: pygame.event.Event) -> None:
         workspace = self.workspace
+        if event.key == pygame.K_ESCAPE and imgui.is_popup_open("", ANY_POPUP):
+            imgui.internal.close_popup_to_level(0, True)
+            return
         if event.key in (pygame.K_RETURN, pygame.K_KP_ENTER) and self.tool_box.tool.confirm(workspace):
             return
         action = action_of(event)
@@ -148,6 +186,9 @@ class PlayScreen:
         noted = _fade(workspace.note_until - workspace.age)
         if noted > 0.0:
             hud.draw_note(overlay, rect, workspace.note, noted)
+        reloader = self._reloader
+        if reloader and reloader.problem and draw_problem(workspace, reloader.problem, overlay.gui.mono):
+            reloader.problem = ""
         if workspace.help_shown:
             draw_help(workspace, self.tool_box.tools, self.panels)
 

@@ -22,8 +22,11 @@ def draw_scale_bar(overlay: Overlay, workspace: Workspace, pointer: tuple[float,
     length = round_length(WIDEST_PIXELS / viewport.camera.scale)
     pixels = length * viewport.camera.scale
     right, y = left + width - MARGIN, top + height - MARGIN
-    for box in ((right - pixels, y - 2.0, right, y), (right - pixels, y - 7.0, right - pixels + 1.5, y),
-                (right - 1.5, y - 7.0, right, y)):
+    for box in (
+        (right - pixels, y - 2.0, right, y),
+        (right - pixels, y - 7.0, right - pixels + 1.5, y),
+        (right - 1.5, y - 7.0, right, y),
+    ):
         overlay.panel(box, colors.faint, 0.9, 0.0)
     text = length_text(length)
     overlay.text(right - pixels / 2 - overlay.width(text, SIZE) / 2, y - 20.0, text, colors.faint, size=SIZE)

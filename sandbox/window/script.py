@@ -22,6 +22,7 @@ from __future__ import annotations
 import shlex
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pygame
 
@@ -97,7 +98,7 @@ class Script:
         x, y = locate((x, y)) if text.startswith("@") else (x, y)
         return round(x), round(y)
 
-    def _post(self, kind: int, **given: object) -> None:
+    def _post(self, kind: int, **given: Any) -> None:
         pygame.event.post(pygame.event.Event(kind, **given))
 
     def _press_key(self, key: int, text: str, down: bool) -> None:

@@ -22,10 +22,12 @@ NOTE_SECONDS = 5.0
 
 @dataclass(frozen=True)
 class Wish:
-    """What the user wants that leads away from this session: "leave", "quit", "reload", "gallery" or "open" `path`."""
+    """What the user wants that leads away from this session: "leave", "quit", "gallery", "open" `path`, or to go on
+    with another `session` of the same file."""
 
     kind: str
     path: Path | None = None
+    session: Session | None = None
 
 
 def _nothing() -> bool:
@@ -53,6 +55,12 @@ class Workspace:
     wish: Wish | None = None
     interrupt: Callable[[], bool] = _nothing
     """Gives up what the tool in hand is in the middle of; False if there is nothing."""
+    reread: bool = False
+    """Whether the file is to be read again now."""
+    keep_time: bool = False
+    """Whether a scene that is read again goes on from the step at which the one before it stood."""
+    shots: list[Path] = field(default_factory=list)
+    """Pictures of the window that are asked for."""
     fps: float = 0.0
     age: float = 0.0
     note: str = ""
@@ -87,7 +95,7 @@ class Workspace:
         except (OSError, ValueError):
             changed = False
         if changed:
-            self.wish = Wish("reload")
+            self.reread = True
         else:
             self.session.restart()
 

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
+from sandbox.resources import SCENE_SUFFIX
 from sandbox.window.actions.action import Action
+from sandbox.window.session import free_path
 from sandbox.window.workspace import Wish, Workspace
 
 
@@ -14,6 +17,21 @@ def _save_replay(workspace: Workspace) -> None:
         path = workspace.session.save_recording(workspace.folder)
         steps = workspace.session.timeline.length
         workspace.say(f"saved {path.name}: {steps:,} steps; run it again with sandbox replay")
+
+
+def _shoot(workspace: Workspace) -> None:
+    path = free_path(workspace.folder, workspace.session.stem, ".png")
+    workspace.shots.append(path)
+
+
+def _open_beside(workspace: Workspace, by: int) -> None:
+    """Another scene of the same folder."""
+    here = Path(workspace.session.scene.source)
+    beside = sorted(here.parent.glob(f"*{SCENE_SUFFIX}")) if workspace.session.scene.text is not None else []
+    if here not in beside:
+        workspace.say("this scene has no neighbours: it does not come from a folder of scenes")
+        return
+    workspace.wish = Wish("open", beside[(beside.index(here) + by) % len(beside)])
 
 
 def _leave(workspace: Workspace) -> None:
@@ -34,6 +52,15 @@ def _wish(kind: str) -> Callable[[Workspace], None]:
 ACTIONS = (
     Action("gallery", "Gallery", "File", ("Ctrl+O",), "Choose another scene.", _wish("gallery")),
     Action("save", "Save as replay", "File", ("S", "Ctrl+S"), "Write all that was done as a recording.", _save_replay),
+    Action("reload", "Read again", "File", ("F9",), "Read the file again and begin with it.",
+           lambda w: setattr(w, "reread", True)),
+    Action("keep-time", "Keep the time", "File", (), "A file that is read again goes on from this step.",
+           lambda w: setattr(w, "keep_time", not w.keep_time), checked=lambda w: w.keep_time),
+    Action("next", "Next scene", "File", ("PageDown",), "The next scene of the same folder.",
+           lambda w: _open_beside(w, 1)),
+    Action("previous", "Previous scene", "File", ("PageUp",), "The scene before in the same folder.",
+           lambda w: _open_beside(w, -1)),
+    Action("screenshot", "Picture", "File", ("F12",), "Save a picture of the window.", _shoot),
     Action("leave", "Leave", "File", ("Esc",), "Give up what is begun, else back to the gallery or out.", _leave),
     Action("quit", "Quit", "File", ("Ctrl+Q",), "Close the window.", _wish("quit")),
 )  # fmt: skip

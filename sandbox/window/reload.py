@@ -1,0 +1,68 @@
+"""Reading a scene's file again while the scene that was read last runs on."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from sandbox.errors import SandboxError
+from sandbox.window.loader import Loader
+from sandbox.window.session import Session
+
+LOOK_SECONDS = 0.5
+"""How often the file is looked at."""
+
+
+class Reloader:
+    """Watches the file of a session: `poll` gives the new session, `problem` says what is wrong with the file."""
+
+    def __init__(self, path: Path, workers: int = 1) -> None:
+        self.path = path
+        self.problem = ""
+        """Why the file as it stands cannot be used; empty if it can."""
+        self._workers = workers
+        self._stamp = _stamp(path)
+        self._since = 0.0
+        self._loader: Loader | None = None
+
+    @property
+    def busy(self) -> bool:
+        """Whether the file is being read just now."""
+        return self._loader is not None
+
+    def poll(self, elapsed: float) -> Session | None:
+        """Let `elapsed` seconds pass; a session once the file has changed and is right."""
+        if self._loader is not None:
+            return self._take() if self._loader.done else None
+        self._since += elapsed
+        if self._since >= LOOK_SECONDS:
+            self._since = 0.0
+            stamp = _stamp(self.path)
+            if stamp is not None and stamp != self._stamp:
+                self._stamp = stamp
+                self.read()
+        return None
+
+    def read(self) -> None:
+        """Read it now, whether it has changed or not."""
+        if self._loader is None:
+            self._loader = Loader(self.path, workers=self._workers)
+
+    def _take(self) -> Session | None:
+        assert self._loader is not None
+        loader, self._loader = self._loader, None
+        try:
+            session = loader.result()
+        except (SandboxError, OSError) as error:
+            self.problem = str(error)
+            return None
+        self.problem = ""
+        return session
+
+
+def _stamp(path: Path) -> tuple[int, int] | None:
+    """Changes when the file does; None while there is none, as when an editor is just writing it."""
+    try:
+        status = path.stat()
+    except OSError:
+        return None
+    return status.st_mtime_ns, status.st_size
