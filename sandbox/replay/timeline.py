@@ -104,6 +104,11 @@ class Timeline(FixedAttributes):
         return Run(self.scene, self.length, tuple(self._stepper.commands))
 
     @property
+    def commands(self) -> list[TimedCommand]:
+        """All that is known to be done, with the steps it comes after. Another list once a future was forgotten."""
+        return self._stepper.commands
+
+    @property
     def act_steps(self) -> list[int]:
         """The steps after which something was done, in order, each once."""
         return sorted({step for step, _ in self._stepper.commands})

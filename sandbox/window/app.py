@@ -14,8 +14,10 @@ from sandbox.render.theme import DARK
 from sandbox.window.display import Display, check_size
 from sandbox.window.gl_painter import GlPainter
 from sandbox.window.gui import Gui
+from sandbox.window.journal import Journal, Leftover, journal_folder, leftovers
 from sandbox.window.loader import Loader
 from sandbox.window.loading import LoadingScreen
+from sandbox.window.offer_box import draw_offer
 from sandbox.window.play import PlayScreen
 from sandbox.window.scene_index import scene_entries
 from sandbox.window.scene_list import SceneList
@@ -66,6 +68,9 @@ class App:
         self._script = Script(options.script) if options.script is not None else None
         self._hands: Iterator[None] | None = None
         self._shown: Screen | None = None
+        self._folder = journal_folder() if options.frames is None else None
+        self._offered = leftovers(self._folder)[:1] if self._folder is not None else []
+        self._accepted = False
 
     @property
     def _counting(self) -> bool:
@@ -79,9 +84,12 @@ class App:
         while screen is not None and (self.options.frames is None or drawn < self.options.frames):
             elapsed = self._tick(screen)
             if not self._act(screen) or not self._handle_events(screen):
+                self._finish(screen)
                 break
-            screen = self._update(screen, elapsed)
-            if screen is not None:
+            screen = self._recovered() or self._update(screen, elapsed)
+            if screen is None:
+                self._finish(last)
+            else:
                 self._draw(screen)
                 self._save_shots(screen)
                 self.canvas.display.show()
@@ -146,20 +154,53 @@ class App:
         self.canvas.display.begin()
         self.canvas.gui.begin(self.canvas.display.size)
         screen.draw(self.canvas)
+        if self._offered and screen.counts:
+            self._offer(self._offered[0])
         self.canvas.gui.end()
+
+    def _offer(self, leftover: Leftover) -> None:
+        """Ask whether to go on with a session that ended without a goodbye."""
+        answer = draw_offer(leftover, self.canvas.display.size)
+        if answer is False:
+            leftover.discard()
+            self._offered.pop()
+        self._accepted = answer is True
+
+    def _recovered(self) -> Screen | None:
+        """The screen of the session that was offered, if the user wants it."""
+        if not self._accepted:
+            return None
+        leftover, self._accepted = self._offered.pop(), False
+        loader = Loader(Path(leftover.scene.source), leftover.steps, self.options.workers, leftover)
+        return LoadingScreen(loader, lambda session: self._play(session, leftover), self._failed)
+
+    @staticmethod
+    def _finish(screen: Screen | None) -> None:
+        """The program ends as it should."""
+        if isinstance(screen, PlayScreen):
+            screen.close()
 
     def _load(self, path: Path) -> Screen:
         return LoadingScreen(Loader(path, self.options.start_step, self.options.workers), self._play, self._failed)
 
-    def _play(self, session: Session) -> PlayScreen:
+    def _play(self, session: Session, leftover: Leftover | None = None) -> PlayScreen:
         title = session.scene.title or (self.options.scene or Path()).name
         self.canvas.display.title(f"{title} - sandbox")
         lockstep = self._counting
         shown = self.options.frames is None or self.options.script is not None
-        return PlayScreen(session, self.canvas.display.size, self._lead, lockstep, shown)
+        screen = PlayScreen(session, self.canvas.display.size, self._lead, lockstep, shown)
+        if self._folder is not None:
+            screen.journal = Journal(self._folder)
+            screen.journal.sync(session)
+        if leftover is not None:
+            leftover.discard()
+            session.clock.paused = True
+            screen.workspace.say("here you were; Space goes on")
+        return screen
 
     def _lead(self, wish: Wish, screen: PlayScreen) -> Screen | None:
         """Where a wish of the user's leads to."""
+        screen.close()
         match wish.kind:
             case "open" if wish.path is not None:
                 return self._load(wish.path)

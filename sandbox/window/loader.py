@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sandbox.errors import SandboxError
+from sandbox.window.journal import Leftover
 from sandbox.window.session import Session
 
 if TYPE_CHECKING:
@@ -17,8 +18,10 @@ if TYPE_CHECKING:
 class Loader:
     """Loads a scene file or a recording and warms up the engine; look at `done`, then take `result`."""
 
-    def __init__(self, path: Path, start_step: int = 0, workers: int = 1) -> None:
+    def __init__(self, path: Path, start_step: int = 0, workers: int = 1, leftover: Leftover | None = None) -> None:
+        """With `leftover`, what is in it is loaded, and not the file at `path`."""
         self.path = path
+        self._leftover = leftover
         self.start_step = start_step
         self.workers = workers
         self.message = "Reading the scene"
@@ -63,6 +66,8 @@ class Loader:
 
     def _read(self) -> tuple[Scene, tuple[TimedCommand, ...], int]:
         """A scene, what a recording did to it, and in how many steps."""
+        if self._leftover is not None:
+            return self._leftover.scene, self._leftover.commands, self._leftover.steps
         from sandbox.replay.recording.limits import SUFFIX
         from sandbox.replay.recording.recording import Recording
         from sandbox.scene import load_scene

@@ -15,6 +15,7 @@ from sandbox.window import hud
 from sandbox.window.actions.registry import BY_NAME, action_of, released
 from sandbox.window.gui_style import apply_style
 from sandbox.window.help import draw_help
+from sandbox.window.journal import Journal
 from sandbox.window.layout import Layout, first_panels
 from sandbox.window.mouse import Mouse
 from sandbox.window.overlay import Overlay
@@ -60,6 +61,8 @@ class PlayScreen:
         self._reloader = Reloader(Path(session.scene.source)) if session.scene.text is not None else None
         self._body_colors = body_colors_of(session.world.state)
         self._lead = lead
+        self.journal: Journal | None = None
+        """Where the session is written down while it is played."""
 
     @property
     def session(self) -> Session:
@@ -75,6 +78,11 @@ class PlayScreen:
     def note(self) -> str:
         """What the user was told last."""
         return self.workspace.note
+
+    def close(self) -> None:
+        """The session ends as it should."""
+        if self.journal is not None:
+            self.journal.close()
 
     def take_over(self, before: PlayScreen) -> None:
         """Look as the screen before it did, which showed the same file."""
@@ -121,6 +129,8 @@ class PlayScreen:
         if session.trouble:
             workspace.say(f"{session.trouble}; the recording's other commands are left out")
             session.trouble = ""
+        if self.journal is not None:
+            self.journal.sync(session)
         return self
 
     def draw(self, canvas: Canvas) -> None:
