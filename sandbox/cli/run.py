@@ -37,10 +37,14 @@ def run(
     pixels = parse_size(size)
     if screenshot is not None:
         writable_picture(screenshot, {".png"})
+    from sandbox.scene.read import check_readable
+
+    path = find_scene(scene) if scene is not None else None
+    if path is not None:
+        check_readable(path)  # before there is a window, which would close again at once
     from sandbox.window.requirements import check_packages
 
     check_packages()
     from sandbox.window.app import Options, run_window
 
-    path = find_scene(scene) if scene is not None else None
     run_window(Options(path, pixels, step, frames, screenshot, workers, script))

@@ -13,6 +13,7 @@ from sandbox.engine.fields.records import has_fields
 from sandbox.engine.joints.assembly import assemble, assemble_more
 from sandbox.engine.joints.fewer_parts import going_parts, without_parts
 from sandbox.engine.joints.part_layout import PartLayouts
+from sandbox.engine.joints.wiring import wiring
 from sandbox.engine.memory.binding import contact_arguments, parameters, scratch_arguments, state_arguments
 from sandbox.engine.memory.limit import room_for
 from sandbox.engine.memory.scratch import Room, Scratch
@@ -139,6 +140,19 @@ class Stepper:
         room = scratch.room.bodies
         scratch.joint_filter, scratch.joints = assemble(state.joints, state.bodies, self._layouts, room)
         self._prepare_calls()
+
+    def wiring(self) -> bytes:
+        """What decides how joints hang together now."""
+        return wiring(self._state.joints, self._state.bodies)
+
+    def follow_restore(self, wiring: bytes | None) -> None:
+        """The state was restored. `wiring` is what it was before, or None where rows have moved."""
+        if wiring is None or len(self._state.contacts) != len(self.scratch.contacts.now):
+            self.renew()
+        elif wiring != self.wiring():
+            self.assemble_joints()
+        self._lost = self._count_lost()
+        self.forget()
 
     def _count_lost(self) -> int:
         """How many joints have broken, and bodies been frozen: what hangs together has changed where there are more."""

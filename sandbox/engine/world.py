@@ -23,7 +23,7 @@ from sandbox.engine.views.joint import JointView
 from sandbox.errors import ArgumentError, CapacityError, CommandError, SnapshotError
 from sandbox.notebook import Shown
 from sandbox.scene.flat import FlatScene
-from sandbox.tables import Floats
+from sandbox.tables import Floats, plain
 from sandbox.world.build import build_state
 from sandbox.world.digest import digest
 from sandbox.world.directory import Directory
@@ -263,17 +263,13 @@ class World(Shown, FixedAttributes):
         if not isinstance(data, (bytes, bytearray, memoryview)):
             raise SnapshotError(f"a snapshot is bytes, as World.snapshot gives them, not {shown(data)}")
         self._changes += 1
-        layout = self.layout
+        layout, wiring = self.layout, self._stepper.wiring()
         restore(self.state, bytes(data), self._read_roster)
         if self.layout != layout:
             self._know_rows()
         self._last_switch = last_switch(self.state)
-        if self.layout != layout or len(self.state.contacts) != len(self.scratch.contacts.now):
-            self._stepper.renew()
-        elif len(self.state.joints):
-            self._stepper.assemble_joints()
-        self._stepper.forget()
-        self.scratch.contacts.reports.total_impulse = 0.0
+        self._stepper.follow_restore(wiring if self.layout == layout else None)
+        plain(self.scratch.contacts.reports)["total_impulse"] = 0.0
         self._events.clear(rows_moved=self.layout != layout)
 
     def __reduce_ex__(self, protocol: Any) -> tuple[Any, ...]:

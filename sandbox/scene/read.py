@@ -24,6 +24,11 @@ def read_text(path: Path, what: str = "scene", limit: int = MAX_BYTES) -> str:
         raise _not_utf8(path, data, error.start) from None
 
 
+def check_readable(path: Path, what: str = "scene") -> None:
+    """Raises `SceneError` where no file can be read that holds `what`; opens it, and reads nothing."""
+    _read_bytes(path, what, -1)
+
+
 def _read_bytes(path: Path, what: str, limit: int) -> bytes:
     try:
         return read_bytes(path, limit + 1)

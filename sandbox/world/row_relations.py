@@ -2,29 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.tables import Integers
-from sandbox.world.joint_records import GEAR, PRISMATIC, REVOLUTE, WHEEL
+from sandbox.world.joint_records import FRICTION, GEAR, PRISMATIC, REVOLUTE, WHEEL
 from sandbox.world.records import DYNAMIC, SEAMED
 from sandbox.world.runs import run_starts
 
 Rows = Mapping[str, NDArray[Any]]
 """The rows of every table by its name, as plain arrays. Each number by itself is one that its column may hold."""
 Flags = NDArray[np.bool_]
+_CAN_BE_COUPLED = np.isin(np.arange(FRICTION + 1), (REVOLUTE, WHEEL, PRISMATIC))
+"""By the kind of a joint."""
 
 
-def broken_relations(rows: Rows) -> Iterator[str]:
-    """What does not fit together, in words, each with the first row in which it does not."""
-    for table, field, fits, rule in _RELATIONS:
-        if len(rows[table]):
-            sound = fits(rows)
-            if not sound.all():
-                row = int(np.argmin(sound))
+def broken_relations(rows: Rows, sound: Collection[str] = ()) -> Iterator[str]:
+    """What does not fit together, in words, each with the first row in which it does not. The rows of tables that are
+    `sound` fit each other."""
+    for table, others, field, fits, rule in _RELATIONS:
+        if len(rows[table]) and not (table in sound and all(other in sound for other in others)):
+            fitting = fits(rows)
+            if not fitting.all():
+                row = int(np.argmin(fitting))
                 yield f"{field} is {rows[table][field][row]} in row {row} of its {table} table, but {rule}"
 
 
@@ -79,8 +82,9 @@ def _coupled(side: int) -> Callable[[Rows], Flags]:
     def fits(rows: Rows) -> Flags:
         joints = rows["joint"]
         row = joints[f"joint_{side}"]
-        turns = np.isin(joints["kind"][row], (REVOLUTE, WHEEL, PRISMATIC)) & (joints["joint_1"] != joints["joint_2"])
-        found: Flags = np.where(joints["kind"] == GEAR, (row >= 0) & turns, row < 0)
+        kind = joints["kind"]
+        turns = _CAN_BE_COUPLED[kind[row]] & (joints["joint_1"] != joints["joint_2"])
+        found: Flags = np.where(kind == GEAR, (row >= 0) & turns, row < 0)
         return found
 
     return fits
@@ -105,16 +109,16 @@ def _not_less(column: NDArray[Any]) -> Flags:
     return fits
 
 
-_RELATIONS: tuple[tuple[str, str, Callable[[Rows], Flags], str], ...] = (
-    ("shape", "body", _owners_in_order, "shapes are in the order of their bodies"),
-    ("shape", "vertex_start", _cores_side_by_side, "cores lie one after the other"),
-    ("shape", "seam_start", _seams_inside, "the seam table has too few rows"),
-    ("contact", "shape_b", _pairs_in_order, "contacts are in the order of their shapes"),
-    ("contact", "body_a", _body_of_shape("a"), "shape_a is of another one"),
-    ("contact", "body_b", _body_of_shape("b"), "shape_b is of another one"),
-    ("joint", "body_a", _own_bodies, "a joint holds two bodies, one of which can move, and a gear none"),
-    ("joint", "joint_1", _coupled(1), "a gear couples two joints that turn or slide, and others none"),
-    ("joint", "joint_2", _coupled(2), "a gear couples two joints that turn or slide, and others none"),
-    ("counters", "asleep_count", _sleepers_counted, "more bodies are asleep"),
+_RELATIONS: tuple[tuple[str, tuple[str, ...], str, Callable[[Rows], Flags], str], ...] = (
+    ("shape", (), "body", _owners_in_order, "shapes are in the order of their bodies"),
+    ("shape", ("vertex",), "vertex_start", _cores_side_by_side, "cores lie one after the other"),
+    ("shape", ("seam",), "seam_start", _seams_inside, "the seam table has too few rows"),
+    ("contact", ("shape",), "shape_b", _pairs_in_order, "contacts are in the order of their shapes"),
+    ("contact", ("shape",), "body_a", _body_of_shape("a"), "shape_a is of another one"),
+    ("contact", ("shape",), "body_b", _body_of_shape("b"), "shape_b is of another one"),
+    ("joint", ("body",), "body_a", _own_bodies, "a joint holds two bodies, one of which can move, and a gear none"),
+    ("joint", (), "joint_1", _coupled(1), "a gear couples two joints that turn or slide, and others none"),
+    ("joint", (), "joint_2", _coupled(2), "a gear couples two joints that turn or slide, and others none"),
+    ("counters", ("body",), "asleep_count", _sleepers_counted, "more bodies are asleep"),
 )
-"""Table, field, which rows fit, and the rule."""
+"""Table, the others that are looked into, field, which rows fit, and the rule."""

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import hashlib
 import struct
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 from zlib import crc32
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sandbox.errors import SnapshotError
+from sandbox.tables import plain
 from sandbox.world.census import Census
 from sandbox.world.records import TABLES
 from sandbox.world.roster import Roster
@@ -33,9 +35,8 @@ def snapshot(state: State) -> bytes:
     """Bytes of all records: magic, layout hash, checksum, then for each table its row count and its rows, and the
     roster: its length and its text, which is empty while nothing has been spawned or deleted."""
     parts: list[Any] = []
-    for table, array in zip(TABLES, state.arrays, strict=True):
-        rows = array[: int(state.counters[0].contact_count)] if table.name == "contact" else array
-        parts += [struct.pack("<q", len(rows)), np.asarray(rows).view(np.uint8)]
+    for rows in _in_use(state):
+        parts += [struct.pack("<q", len(rows)), rows.view(np.uint8)]
     text = state.roster.text
     parts += [struct.pack("<q", len(text)), text]
     return b"".join([_MAGIC, _LAYOUT, checksum(*parts), *parts])
@@ -57,20 +58,40 @@ def restore(state: State, data: bytes, read: Callable[[bytes], Roster]) -> None:
     rows, text = _parts(_checked_body(data))
     roster = state.roster if text == state.roster.text else read(text)
     _check(state, roster, rows)
-    check_tables(rows)
+    # What the world has in its tables is sound: most of them are as they were when the snapshot was taken.
+    kept = _kept(state, rows) if roster is state.roster else {}
+    check_tables(rows, kept)
     if roster is not state.roster:
         state.census = Census(roster)
         state.layout += 1
         state.tiling = None
-    elif not np.array_equal(rows["shape"]["density"], state.shapes.density):
+    elif "shape" not in kept and not np.array_equal(rows["shape"]["density"], state.shapes.density):
         state.layout += 1  # centres of mass, from which vertices are measured, lie elsewhere
     for table, name in zip(TABLES, ARRAYS, strict=True):
+        if table.name in kept:
+            continue
         array, values = getattr(state, name), rows[table.name]
         if len(values) > len(array) or (len(values) < len(array) and table.name != "contact"):
             array = table.zeros(len(values))
             setattr(state, name, array)
         # As bytes: numpy copies records field by field, which takes six times as long.
-        np.asarray(array)[: len(values)].view(np.uint8)[:] = values.view(np.uint8)
+        plain(array)[: len(values)].view(np.uint8)[:] = values.view(np.uint8)
+
+
+def _kept(state: State, rows: dict[str, Any]) -> set[str]:
+    """The tables whose rows in a snapshot are those that a state has, bit for bit."""
+    return {table.name for table, own in zip(TABLES, _in_use(state), strict=True) if _are_alike(rows[table.name], own)}
+
+
+def _are_alike(rows: NDArray[Any], others: NDArray[Any]) -> bool:
+    return len(rows) == len(others) and bool((rows.view(np.int64) == others.view(np.int64)).all())
+
+
+def _in_use(state: State) -> Iterator[NDArray[Any]]:
+    """The rows of every table, without the spare ones of contacts, which may tell of bodies that have gone."""
+    for table, array in zip(TABLES, state.arrays, strict=True):
+        rows = plain(array)
+        yield rows[: int(plain(state.counters)["contact_count"][0])] if table.name == "contact" else rows
 
 
 def _parts(body: memoryview) -> tuple[dict[str, Any], bytes]:

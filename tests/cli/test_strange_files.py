@@ -57,7 +57,7 @@ def test_it_is_told_and_the_others_run(cli: Callable, here: Path, name: str, end
 @pytest.mark.parametrize(
     "arguments",
     [
-        ["check"], ["events"], ["sat"], ["solver"], ["compare"], ["bench"], ["render", "-o", "x.png"],
+        ["run"], ["check"], ["events"], ["sat"], ["solver"], ["compare"], ["bench"], ["render", "-o", "x.png"],
         ["render", "-o", "x.html"], ["record", "-o", "x.replay.json"], ["replay"],
         ["record", "pyramid-10", "-o", "x.replay.json", "--commands"],
     ],
@@ -70,6 +70,18 @@ def test_every_command_refuses_it(cli: Callable, here: Path, arguments: list[str
     assert done.code == 2
     assert words in done.err
     assert os.listdir(here) == ["strange.scene.json"]
+
+
+@pytest.mark.parametrize("name", ["strange.replay.json", "none.scene.json", "."])
+def test_no_window_opens_for_what_is_no_file(
+    cli: Callable, here: Path, monkeypatch: pytest.MonkeyPatch, name: str
+) -> None:
+    """It is told of first even where no window could be opened."""
+    os.mkfifo(here / "strange.replay.json")
+    monkeypatch.setenv("SDL_VIDEODRIVER", "none")
+    done = cli("run", name)
+    words = {"strange.replay.json": "it is a pipe", "none.scene.json": "no such file", ".": "this is a folder"}
+    assert (done.code, words[name] in done.err, done.err.count("\n")) == (2, True, 1)
 
 
 def test_a_pipe_in_the_place_of_a_recording_is_not_written_to(cli: Callable, here: Path) -> None:

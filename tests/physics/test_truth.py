@@ -1,4 +1,4 @@
-"""Every experiment of `tests/physics/truth`: our error is small, and nobody's is smaller."""
+"""Every experiment of `tests/physics/truth`: our error is small, and nobody's is smaller but where it says so."""
 
 from __future__ import annotations
 
@@ -15,6 +15,8 @@ from tests.physics.truth.ours import NAME
 from tests.physics.truth.table import EXPERIMENTS, head, is_best, measure_one
 
 NAMES = [each.name for each in EXPERIMENTS]
+ENGINES = 3
+"""With all of them installed."""
 
 
 def test_each_experiment_has_its_own_name():
@@ -26,7 +28,9 @@ def test_we_are_as_near_to_the_truth_as_promised_and_nobody_is_nearer(each):
     """Both are asked of one measurement: two tests may be run by two processes, and each would measure."""
     row = measure_one(each)
     assert row[NAME] <= each.bound
-    assert is_best(row[NAME], row), row
+    # Who is nearer where we are behind may be Box2D, which is not installed everywhere.
+    if not each.behind or len(row) == ENGINES:
+        assert is_best(row[NAME], row) != each.behind, row
 
 
 def test_the_architecture_shows_these_rows():

@@ -10,8 +10,9 @@ import pytest
 
 from sandbox.engine.world import World
 from sandbox.errors import SnapshotError
-from sandbox.tables import FINITE, UNLIMITED
+from sandbox.tables import FINITE, UNLIMITED, plain
 from sandbox.world.records import TABLES
+from sandbox.world.row_relations import _RELATIONS
 from sandbox.world.snapshot import checksum
 from tests.shipped import shipped
 
@@ -125,3 +126,53 @@ def test_any_number_that_may_be_there_comes_back(worlds: dict[str, World]) -> No
     world.restore(huge)
     assert world.state.bodies.force_x[2] == 1.7e308
     world.restore(saved)
+
+
+class _Watched(dict[str, Any]):
+    """Tables that note who was asked for."""
+
+    def __init__(self, rows: dict[str, Any]) -> None:
+        super().__init__(rows)
+        self.asked: set[str] = set()
+
+    def __getitem__(self, name: str) -> Any:
+        self.asked.add(name)
+        return super().__getitem__(name)
+
+
+def test_rules_look_into_no_other_tables_than_they_say(worlds: dict[str, World]) -> None:
+    """Else a rule would be left out although a table that it looks into has changed."""
+    for world in worlds.values():
+        for table, others, _, fits, _ in _RELATIONS:
+            rows = _Watched({t.name: plain(array) for t, array in zip(TABLES, world.state.arrays, strict=True)})
+            if len(rows[table]):
+                fits(rows)
+                assert rows.asked <= {table, *others}
+
+
+def test_spare_rows_of_contacts_are_not_taken_for_sound(worlds: dict[str, World]) -> None:
+    """They may tell of bodies that have gone."""
+    world = worlds["pyramid-10"]
+    before, count = world.snapshot(), len(world.contacts)
+    contacts, counters = plain(world.state.contacts), plain(world.state.counters)
+    assert len(contacts) > count
+    contacts[count] = contacts[count - 1]
+    contacts["shape_b"][count] = 99
+    counters["contact_count"] = count + 1
+    unsound = world.snapshot()
+    counters["contact_count"] = count
+    with pytest.raises(SnapshotError, match="shape_b is 99"):
+        world.restore(unsound)
+    assert world.snapshot() == before
+
+
+@pytest.mark.parametrize("name", ["pyramid-10", "gears-and-pulley", "harbour", "rolling-hills"])
+def test_a_world_elsewhere_refuses_what_the_same_world_does(worlds: dict[str, World], name: str) -> None:
+    """Tables that are as the world's own are not looked at again; those of another moment are."""
+    elsewhere = World(shipped(name))
+    elsewhere.step(3)
+    for scene, table, row, field, number, said in CASES:
+        if scene == name:
+            with pytest.raises(SnapshotError) as caught:
+                elsewhere.restore(changed(worlds[name], table, row, field, number))
+            assert said in str(caught.value)

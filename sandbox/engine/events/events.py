@@ -14,6 +14,7 @@ from sandbox.engine.events.records import CONTACT_EVENT, SENSOR_EVENT
 from sandbox.tables import Integers, Records, Table, plain
 from sandbox.world.state import State
 
+_NO_CONTACTS, _NO_SENSORS, _NO_BODIES = CONTACT_EVENT.zeros(0), SENSOR_EVENT.zeros(0), np.zeros(0, np.int64)
 HIT_SPEED = 1.0
 """Slower contacts are no hits, in m/s."""
 
@@ -82,7 +83,7 @@ def _plain(row: Any, names: tuple[str, ...]) -> dict[str, Any]:
 
 def no_events(step: int, names: tuple[str, ...]) -> Events:
     """The events of a step in which nothing happened."""
-    contact, sensor, body = CONTACT_EVENT.zeros(0), SENSOR_EVENT.zeros(0), np.zeros(0, np.int64)
+    contact, sensor, body = _NO_CONTACTS, _NO_SENSORS, _NO_BODIES
     return Events(step, names, contact, contact, contact, sensor, sensor, body, body, body, body)
 
 

@@ -13,6 +13,7 @@ from sandbox.engine.joints.pair_filter import JointFilter
 from sandbox.engine.joints.part_layout import NOBODY, WORLD, PartLayouts
 from sandbox.engine.joints.part_tables import Parts, joint_work
 from sandbox.engine.joints.records import BOND, JointWork
+from sandbox.engine.joints.wiring import movable
 from sandbox.tables import Integers, Records, taken
 from sandbox.world import joint_records as kinds
 
@@ -31,8 +32,9 @@ def assemble(joints: Records, bodies: Records, layouts: PartLayouts, room: int) 
     """The pairs of bodies that joints keep from colliding, and scratch memory for all joints that hold.
 
     The memory is None where no joint holds, so that such worlds pay nothing. Both are functions of the two tables
-    alone: a world that goes on and one that is restored solve in the same order. `layouts` are those of the last time,
-    so that only parts of a new kind are laid out; `room` is for how many bodies there is to be memory.
+    alone, and of no more of them than `wiring` tells: a world that goes on and one that is restored solve in the same
+    order. `layouts` are those of the last time, so that only parts of a new kind are laid out; `room` is for how many
+    bodies there is to be memory.
     """
     held = np.flatnonzero(holding(joints))
     return _assembled(joints, bodies, layouts, room, (held, _sides(joints, held)))
@@ -52,7 +54,7 @@ def assemble_more(
     apart = joint_filter.joined[seen] == 0
     if work is not None:
         apart &= work.part_of[seen] < 0
-    if not (apart.all() and _movable(bodies)[seen].all()):
+    if not (apart.all() and movable(bodies)[seen].all()):
         return None
     room = len(joint_filter.joined)
     more_filter, more = _assembled(joints, bodies, layouts, room, (held, sides), others=work is not None)
@@ -79,14 +81,9 @@ def _assembled(
     joined[bound.low] = joined[bound.high] = 1
     if not len(held):
         return JointFilter(bound, joined), None
-    movable = np.append(_movable(bodies), [False, False])  # nobody and the world are the last rows
-    parts = _parts(held, sides, movable[sides])
+    moves = np.append(movable(bodies), [False, False])  # nobody and the world are the last rows
+    parts = _parts(held, sides, moves[sides])
     return JointFilter(bound, joined), joint_work(joints, parts, _bonds(sides, len(bodies)), room, layouts, others)
-
-
-def _movable(bodies: Records) -> Flags:
-    """Which bodies joints can move: those with a mass, unless bad numbers froze them."""
-    return (np.asarray(bodies.mass) > 0.0) & (np.asarray(bodies.frozen_step) < 0)
 
 
 def _sides(joints: Records, held: Integers) -> Integers:

@@ -71,6 +71,7 @@ def _build_body(world: Any, flat: FlatBody) -> Any:
     if flat.mass is not None or flat.inertia is not None or flat.center is not None:
         raise ValueError(f"{flat.id}: experiments give masses by densities, which every engine takes")
     body = world.create_body(type=_TYPES[flat.type], position=flat.position, rotation=flat.angle)
+    body.linear_damping, body.angular_damping = flat.linear_damping, flat.angular_damping
     for shape in flat.shapes:
         surface = box2d.surface_material(
             friction=shape.friction, restitution=shape.restitution, tangent_speed=shape.surface_speed
