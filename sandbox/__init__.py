@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     from sandbox.engine.commands.set_gravity import SetGravity as SetGravity
     from sandbox.engine.commands.set_joint import SetJoint as SetJoint
     from sandbox.engine.commands.set_region import SetRegion as SetRegion
+    from sandbox.engine.commands.set_settings import SetSettings as SetSettings
     from sandbox.engine.commands.set_surface import SetSurface as SetSurface
     from sandbox.engine.commands.set_thruster import SetThruster as SetThruster
     from sandbox.engine.commands.spawn import Spawn as Spawn

@@ -13,6 +13,7 @@ _MODULES = {
     "sandbox.engine.commands.set_gravity": "SetGravity",
     "sandbox.engine.commands.set_joint": "SetJoint",
     "sandbox.engine.commands.set_region": "SetRegion",
+    "sandbox.engine.commands.set_settings": "SetSettings",
     "sandbox.engine.commands.set_surface": "SetSurface",
     "sandbox.engine.commands.set_thruster": "SetThruster",
     "sandbox.engine.commands.spawn": "Spawn",

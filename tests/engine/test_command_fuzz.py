@@ -19,6 +19,7 @@ from sandbox import (
     MoveDrag,
     SetGravity,
     SetPose,
+    SetSettings,
     SetSurface,
     SetVelocity,
     StartDrag,
@@ -45,6 +46,9 @@ commands = st.one_of(
     st.builds(ApplyImpulse, names, pairs, numbers, st.none() | pairs),
     st.builds(SetSurface, names, *[st.none() | numbers] * 4, st.none() | st.integers(-2, 3), st.none() | numbers),
     st.builds(SetGravity, pairs),
+    st.builds(
+        SetSettings, st.none() | st.integers(-1, 70), *[st.none() | numbers] * 4, *[st.none() | st.booleans()] * 6
+    ),
     st.builds(Explode, pairs, numbers, numbers),
     st.builds(StartDrag, names, pairs, st.none() | numbers),
     st.builds(MoveDrag, names, pairs),

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
 from sandbox.tables import Integers, plain
+from sandbox.world.records import DYNAMIC
 from sandbox.world.state import State
 
 
@@ -30,4 +32,14 @@ def wake_bodies(state: State, rows: Sequence[int] | Integers) -> None:
     awoken = np.flatnonzero(chosen[:-1])
     if islands.any():
         awoken = np.union1d(awoken, np.flatnonzero(np.isin(bodies["island"], islands[islands > 0])))
-    bodies["awake"][awoken], bodies["sleep_time"][awoken], bodies["island"][awoken] = 1, 0.0, 0
+    _rouse(bodies, awoken)
+
+
+def wake_all(state: State) -> None:
+    """Wake every sleeper."""
+    bodies = plain(state.bodies)
+    _rouse(bodies, np.flatnonzero((bodies["type"] == DYNAMIC) & (bodies["awake"] == 0)))
+
+
+def _rouse(bodies: Any, rows: Integers) -> None:
+    bodies["awake"][rows], bodies["sleep_time"][rows], bodies["island"][rows] = 1, 0.0, 0

@@ -12,6 +12,7 @@ from sandbox.engine.commands.pushes import ApplyForce, ApplyImpulse
 from sandbox.engine.commands.set_gravity import SetGravity
 from sandbox.engine.commands.set_joint import SetJoint
 from sandbox.engine.commands.set_region import SetRegion
+from sandbox.engine.commands.set_settings import SetSettings
 from sandbox.engine.commands.set_surface import SetSurface
 from sandbox.engine.commands.set_thruster import SetThruster
 from sandbox.engine.commands.spawn import Spawn
@@ -21,7 +22,7 @@ COMMAND_CLASSES: dict[str, type[Command]] = {
     for kind in (
         ApplyForce, ApplyImpulse, SetPose, SetVelocity, SetSurface, SetThruster, StartDrag, MoveDrag, EndDrag,
         SetMotor, SetLimits, SetSpring, SetTarget, SetJoint, BreakJoint,
-        SetGravity, Explode, SetRegion, Spawn, Delete, DeleteJoint,
+        SetGravity, SetSettings, Explode, SetRegion, Spawn, Delete, DeleteJoint,
     )
 }  # fmt: skip
 """Every command that a world takes, by the name that recordings call it."""

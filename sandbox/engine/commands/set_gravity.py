@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-
+from sandbox.engine.active.wake import wake_all
 from sandbox.engine.commands.base import Command, CommandTarget, Touched, Vec
-from sandbox.world.records import DYNAMIC
 
 
 @dataclass(frozen=True)
@@ -18,8 +16,7 @@ class SetGravity(Command):
 
     def apply(self, target: CommandTarget) -> Touched:
         """Write the gravity and wake all sleepers."""
-        setting, bodies = target.state.settings[0], target.state.bodies
+        setting = target.state.settings[0]
         setting.gravity_x, setting.gravity_y = self.gravity
-        asleep = np.flatnonzero((bodies.type == DYNAMIC) & (bodies.awake == 0))
-        bodies.awake[asleep], bodies.sleep_time[asleep], bodies.island[asleep] = 1, 0.0, 0
+        wake_all(target.state)
         return Touched()
