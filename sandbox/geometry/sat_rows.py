@@ -1,8 +1,8 @@
 """The rows of the separating-axis table: one axis each, with the two intervals that the shapes cast on it.
 
-Axes are not normalised and vertices are those of the author, so whole numbers stay whole. Every number is exact
-(`fractions`) and rounded once at the end: the rows are the definition of the test, written as a person would do it
-on paper. What the engine runs is `geometry/sat.py`; tests hold the two against each other.
+Axes are not normalised and vertices are those of the author, so whole numbers stay whole. Every number is exact (whole
+numbers of a unit that is a power of two) and rounded once at the end: the rows are the definition of the test, written
+as a person would do it on paper. What the engine runs is `geometry/sat.py`; tests hold the two against each other.
 """
 
 from __future__ import annotations
@@ -11,13 +11,15 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import product
 from typing import Literal, NamedTuple
 
+from sandbox.geometry.exact import Point, distance_squared, scaled
 from sandbox.geometry.shapes import Shape
 
 Vec = tuple[float, float]
-Exact = tuple[Fraction, Fraction]
 Owner = Literal["a", "b", "corners"]
+_OWNERS: tuple[Owner, Owner] = ("a", "b")
 
 
 @dataclass(frozen=True)
@@ -52,25 +54,16 @@ class SatRow:
         return math.hypot(*self.axis)
 
 
-class _Axis(NamedTuple):
-    """Where an axis comes from, and its exact direction."""
-
-    owner: Owner
-    edge: int
-    other: int
-    x: Fraction
-    y: Fraction
-
-
 def sat_rows(a: Shape, b: Shape) -> Iterator[SatRow]:
     """The rows of all axes: edges of a, edges of b, then the one between the nearest vertices if a shape is round."""
-    for number, axis in enumerate(_axes(a, b), start=1):
-        yield _row(number, axis, a, b)
+    whole = _Whole(a, b)
+    for number, axis in enumerate(whole.axes(), start=1):
+        yield whole.row(number, axis)
 
 
 def count_axes(a: Shape, b: Shape) -> int:
     """How many rows there are."""
-    return len(_axes(a, b))
+    return len(_Whole(a, b).axes())
 
 
 def author_edges(shape: Shape) -> list[tuple[int, Vec, Vec]]:
@@ -92,61 +85,79 @@ def corners_in_order(shape: Shape) -> tuple[Vec, ...]:
 
 def nearest_vertices(a: Shape, b: Shape) -> tuple[int, int]:
     """Indices into the cores of a and b of the two vertices that are nearest to each other; the first of equals."""
-    pairs = [(i, j) for i in range(len(a.vertices)) for j in range(len(b.vertices))]
-
-    def square(pair: tuple[int, int]) -> Fraction:
-        (px, py), (qx, qy) = _exact(a.vertices[pair[0]]), _exact(b.vertices[pair[1]])
-        return (qx - px) ** 2 + (qy - py) ** 2
-
-    return min(pairs, key=square)
+    return _Whole(a, b).nearest()
 
 
-def _axes(a: Shape, b: Shape) -> list[_Axis]:
-    axes = [_perpendicular("a", *edge) for edge in author_edges(a)]
-    axes += [_perpendicular("b", *edge) for edge in author_edges(b)]
-    if a.radius > 0.0 or b.radius > 0.0:
-        i, j = nearest_vertices(a, b)
-        (px, py), (qx, qy) = _exact(a.vertices[i]), _exact(b.vertices[j])
-        numbers = _vertex_number(a, i), _vertex_number(b, j)
-        if (px, py) != (qx, qy):
-            axes.append(_Axis("corners", *numbers, qx - px, qy - py))
-        elif not axes:
-            # Concentric discs: any axis will do, and the engine takes this one.
-            axes.append(_Axis("corners", *numbers, Fraction(0), Fraction(1)))
-    return axes
+class _Axis(NamedTuple):
+    """Where an axis comes from, and its direction in whole numbers."""
+
+    owner: Owner
+    edge: int
+    other: int
+    x: int
+    y: int
 
 
-def _perpendicular(owner: Owner, number: int, start: Vec, end: Vec) -> _Axis:
-    (px, py), (qx, qy) = _exact(start), _exact(end)
-    return _Axis(owner, number, 0, -(qy - py), qx - px)
+class _Whole:
+    """Both shapes in whole numbers: all coordinates and radii times one power of two, `unit`."""
+
+    def __init__(self, a: Shape, b: Shape) -> None:
+        self.shapes = a, b
+        edges = [(owner, *edge) for owner, shape in zip(_OWNERS, (a, b), strict=True) for edge in author_edges(shape)]
+        ends = [end for _, _, start, last in edges for end in (start, last)]
+        points, self.unit = scaled([*a.vertices, *b.vertices, (a.radius, b.radius), *ends])
+        count, before = len(a.vertices), len(a.vertices) + len(b.vertices)
+        self.a, self.b, self.radii = points[:count], points[count:before], sum(points[before])
+        self._edges = [(owner, number) for owner, number, _, _ in edges]
+        self._ends = points[before + 1 :]
+
+    def nearest(self) -> tuple[int, int]:
+        pairs = product(range(len(self.a)), range(len(self.b)))
+        return min(pairs, key=lambda pair: distance_squared(self.a[pair[0]], self.b[pair[1]]))
+
+    def axes(self) -> list[_Axis]:
+        axes = []
+        for k, (owner, number) in enumerate(self._edges):
+            (px, py), (qx, qy) = self._ends[2 * k], self._ends[2 * k + 1]
+            axes.append(_Axis(owner, number, 0, py - qy, qx - px))
+        if self.radii > 0:
+            i, j = self.nearest()
+            (px, py), (qx, qy) = self.a[i], self.b[j]
+            numbers = _vertex_number(self.shapes[0], i), _vertex_number(self.shapes[1], j)
+            if (px, py) != (qx, qy):
+                axes.append(_Axis("corners", *numbers, qx - px, qy - py))
+            elif not axes:
+                # Concentric discs: any axis will do, and the engine takes this one.
+                axes.append(_Axis("corners", *numbers, 0, self.unit))
+        return axes
+
+    def row(self, number: int, axis: _Axis) -> SatRow:
+        alow, ahigh = _interval(self.a, axis)
+        blow, bhigh = _interval(self.b, axis)
+        square, unit = axis.x * axis.x + axis.y * axis.y, self.unit
+        length = _root(Fraction(square, unit * unit))
+        core_gap, way = max((blow - ahigh, 1), (alow - bhigh, -1))
+        # Intervals that only touch have nothing in common: a gap of 0 is a gap.
+        gap = core_gap >= 0 and core_gap * core_gap >= self.radii * self.radii * square
+        apart = _root(Fraction(core_gap * core_gap, square * unit * unit))
+        reach = self.shapes[0].radius, self.shapes[1].radius
+        return SatRow(
+            number, axis.owner, axis.edge, axis.other, (axis.x / unit, axis.y / unit),
+            self._end(alow, -reach[0], length), self._end(ahigh, reach[0], length),
+            self._end(blow, -reach[1], length), self._end(bhigh, reach[1], length),
+            gap, math.copysign(apart, 1 if core_gap >= 0 else -1) - self.radii / unit, way,
+        )  # fmt: skip
+
+    def _end(self, projection: int, radius: float, length: float) -> float:
+        """The end of an interval once the shape is rounded: a radius reaches as far as the axis is long."""
+        end = projection / (self.unit * self.unit)
+        return end if radius == 0.0 else end + radius * length
 
 
-def _row(number: int, axis: _Axis, a: Shape, b: Shape) -> SatRow:
-    alow, ahigh = _core_interval(a, axis)
-    blow, bhigh = _core_interval(b, axis)
-    square = axis.x * axis.x + axis.y * axis.y
-    length = _root(square)
-    core_gap, way = max((blow - ahigh, 1), (alow - bhigh, -1))
-    radii = Fraction(a.radius) + Fraction(b.radius)
-    # Intervals that only touch have nothing in common: a gap of 0 is a gap.
-    gap = core_gap >= 0 and core_gap * core_gap >= radii * radii * square
-    return SatRow(
-        number, axis.owner, axis.edge, axis.other, (float(axis.x), float(axis.y)),
-        _grown(alow, -a.radius, length), _grown(ahigh, a.radius, length),
-        _grown(blow, -b.radius, length), _grown(bhigh, b.radius, length),
-        gap, math.copysign(_root(core_gap * core_gap / square), core_gap) - float(radii), way,
-    )  # fmt: skip
-
-
-def _core_interval(shape: Shape, axis: _Axis) -> tuple[Fraction, Fraction]:
+def _interval(core: list[Point], axis: _Axis) -> tuple[int, int]:
     """Least and greatest dot product of a core vertex and the axis."""
-    dots = [x * axis.x + y * axis.y for x, y in map(_exact, shape.vertices)]
+    dots = [x * axis.x + y * axis.y for x, y in core]
     return min(dots), max(dots)
-
-
-def _grown(projection: Fraction, radius: float, length: float) -> float:
-    """The end of an interval once the shape is rounded: a radius reaches as far as the axis is long."""
-    return float(projection) if radius == 0.0 else float(projection) + radius * length
 
 
 def _vertex_number(shape: Shape, index: int) -> int:
@@ -156,10 +167,6 @@ def _vertex_number(shape: Shape, index: int) -> int:
 def _is_backwards(numbers: Sequence[int]) -> bool:
     """Whether the author went clockwise: then the numbers fall along the core, which goes the other way."""
     return sum(numbers[i] < numbers[i - 1] for i in range(len(numbers))) > 1
-
-
-def _exact(point: Vec) -> Exact:
-    return Fraction(point[0]), Fraction(point[1])
 
 
 def _root(square: Fraction) -> float:

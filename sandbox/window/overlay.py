@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 from imgui_bundle import imgui
@@ -15,7 +17,17 @@ class Overlay:
 
     def __init__(self, gui: Gui, target: Any = None) -> None:
         self.gui = gui
-        self._list = target if target is not None else imgui.get_background_draw_list()
+        self.pen: Any = target if target is not None else imgui.get_background_draw_list()
+
+    @contextmanager
+    def within(self, rect: tuple[int, int, int, int]) -> Iterator[None]:
+        """Cut off what is drawn meanwhile at the edges of a rectangle: left, top, width, height."""
+        left, top, width, height = rect
+        self.pen.push_clip_rect(imgui.ImVec2(left, top), imgui.ImVec2(left + width, top + height), True)
+        try:
+            yield
+        finally:
+            self.pen.pop_clip_rect()
 
     def text(
         self,
@@ -29,7 +41,7 @@ class Overlay:
     ) -> None:
         """Write one line with its top left corner at (x, y)."""
         font = self.gui.bold if bold else self.gui.regular
-        self._list.add_text(font, size, imgui.ImVec2(round(x), round(y)), packed_color(color, opacity), text)
+        self.pen.add_text(font, size, imgui.ImVec2(round(x), round(y)), packed_color(color, opacity), text)
 
     def width(self, text: str, size: float = TEXT_SIZE, bold: bool = False) -> float:
         """Pixels that a line of text takes."""
@@ -41,12 +53,12 @@ class Overlay:
     def panel(self, box: tuple[float, float, float, float], color: Color, opacity: float, rounding: float) -> None:
         """Fill a rectangle (left, top, right, bottom) with round corners."""
         low, high = imgui.ImVec2(box[0], box[1]), imgui.ImVec2(box[2], box[3])
-        self._list.add_rect_filled(low, high, packed_color(color, opacity), rounding)
+        self.pen.add_rect_filled(low, high, packed_color(color, opacity), rounding)
 
     def arc(self, x: float, y: float, radius: float, turn: tuple[float, float], color: Color, width: float) -> None:
         """Stroke a part of a circle between two angles in radians."""
-        self._list.path_arc_to(imgui.ImVec2(x, y), radius, turn[0], turn[1], 32)
-        self._list.path_stroke(packed_color(color, 1.0), thickness=width)
+        self.pen.path_arc_to(imgui.ImVec2(x, y), radius, turn[0], turn[1], 32)
+        self.pen.path_stroke(packed_color(color, 1.0), thickness=width)
 
 
 def packed_color(color: Color, opacity: float) -> int:

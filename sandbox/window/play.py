@@ -145,7 +145,9 @@ class PlayScreen:
         self._body_colors = self._body_colors.for_frame(frame)
         picture = build_draw_list(frame, self.camera, self._body_colors, self.mouse.strokes())
         canvas.paint(picture, workspace.viewport.rect)
-        self._draw_hud(Overlay(canvas.gui))
+        overlay = Overlay(canvas.gui)
+        self._draw_over(overlay)
+        self._draw_hud(overlay)
 
     def _reread(self, elapsed: float) -> Session | None:
         """The session of the file as it is now, if it has changed on disk."""
@@ -181,6 +183,14 @@ class PlayScreen:
         for panel in self.panels.values():
             if panel.key and pygame.key.name(event.key).upper() == panel.key:
                 self.workspace.panels ^= {panel.name}
+
+    def _draw_over(self, overlay: Overlay) -> None:
+        """What open panels draw over the scene; nothing of it leaves the viewport."""
+        workspace = self.workspace
+        shown = workspace.panels if workspace.interface else set()
+        for name in sorted(shown & self.panels.keys()):
+            with overlay.within(workspace.viewport.rect):
+                self.panels[name].draw_over(workspace, overlay)
 
     def _draw_hud(self, overlay: Overlay) -> None:
         workspace, clock, scene = self.workspace, self.session.clock, self.session.scene

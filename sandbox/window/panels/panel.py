@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import ClassVar
 
+from sandbox.window.overlay import Overlay
 from sandbox.window.workspace import Workspace
 
 
@@ -25,3 +26,6 @@ class Panel:
     def draw(self, workspace: Workspace) -> None:
         """Draw its widgets."""
         raise NotImplementedError
+
+    def draw_over(self, workspace: Workspace, overlay: Overlay) -> None:
+        """Draw over the scene, in pixels of the window; called after `draw`, also while another tab hides the panel."""
