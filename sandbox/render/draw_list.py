@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +15,9 @@ from sandbox.render.frame import Frame
 from sandbox.render.geometry import Ints, Mesh
 from sandbox.render.grid import grid_lines
 from sandbox.render.joint_strokes import joint_strokes
+from sandbox.render.label import Label
 from sandbox.render.line import Line
+from sandbox.render.marks import Marks
 from sandbox.render.theme import Theme
 from sandbox.world.records import DYNAMIC, SEGMENT, STATIC
 
@@ -25,6 +27,10 @@ SEGMENT_HALF_PIXELS = 1.0
 """Half the least width of a segment, which is drawn in the outline's colour throughout."""
 SENSOR_FILL, SENSOR_EDGE = 0.85, 0.3
 """How far the colours of sensors move towards the background."""
+HOLLOW_PIXELS, HOLLOW_OPACITY = 1.6, 0.1
+"""Width of the outline of hollow shapes, and how much of their fill is left."""
+CALM = 0.45
+"""How far bodies move towards the background below what overlays draw."""
 MARK_FROM_PIXELS, MARK_FULL_PIXELS = 3.0, 8.0
 """Half thickness at which orientation marks begin to show, and at which they show fully."""
 
@@ -36,7 +42,7 @@ class ShapeItems:
     `index` row in the mesh; `origin` (k, 2) pixels of the shape frame's origin; `axis` (k, 2) its x axis on
     screen (cos, sin with y down); `grow` (k,) pixels added to the radius of what is too small to see; `line`
     (k,) outline width in pixels; `fill`, `edge`, `mark` (k, 3) sRGB; `mark_opacity` (k,); `hatched` (k,) 1
-    for frozen bodies and for sensors.
+    for frozen bodies and for sensors; `opacity` (k,) of what is within the outline.
     """
 
     index: Ints
@@ -49,11 +55,15 @@ class ShapeItems:
     mark: Floats
     mark_opacity: Floats
     hatched: Floats
+    opacity: Floats
 
 
 @dataclass(frozen=True)
 class DrawList:
-    """One picture: region fills, strokes below, shapes, strokes above. `camera.scale` turns the mesh into pixels."""
+    """One picture: region fills, strokes below, shapes, strokes above, then the layers of overlays (`marks`).
+
+    `camera.scale` turns the mesh into pixels.
+    """
 
     camera: Camera
     theme: Theme
@@ -62,15 +72,31 @@ class DrawList:
     shapes: ShapeItems
     above: Sequence[Line]
     region_fills: Sequence[RegionFill] = ()
+    marks: Sequence[Marks] = ()
+
+    @property
+    def labels(self) -> list[Label]:
+        """All words on the picture, which lie over everything else."""
+        return [label for layer in self.marks for label in layer.labels]
 
 
-def build_draw_list(frame: Frame, camera: Camera, body_colors: BodyColors, above: Sequence[Line] = ()) -> DrawList:
-    """The draw list of a frame seen through a camera; `above` are strokes of tools, such as the drag line."""
+def build_draw_list(
+    frame: Frame,
+    camera: Camera,
+    body_colors: BodyColors,
+    above: Sequence[Line] = (),
+    marks: Sequence[Marks] = (),
+) -> DrawList:
+    """The draw list of a frame seen through a camera.
+
+    `above` are strokes of tools, such as the drag line; `marks` what `draw_overlays` gives.
+    """
     theme, body_colors = body_colors.theme, body_colors.for_frame(frame)
-    shapes = _shapes(frame, camera, body_colors)
+    shapes = _shapes(frame, camera, body_colors, marks)
     strokes = [*joint_strokes(frame.joints, camera, theme), *above]
     below = [*grid_strokes(camera, theme), *field_strokes(frame.fields, camera, theme)]
-    return DrawList(camera, theme, frame.mesh, below, shapes, strokes, region_fills(frame.fields, camera, theme))
+    fills = region_fills(frame.fields, camera, theme)
+    return DrawList(camera, theme, frame.mesh, below, shapes, strokes, fills, marks)
 
 
 def grid_strokes(camera: Camera, theme: Theme) -> list[Line]:
@@ -93,8 +119,14 @@ def stroke_sizes(mesh: Mesh, scale: float) -> tuple[Floats, Floats]:
     return grow, np.where(segment, half + grow, np.clip(0.16 * half, 0.0, 1.4))
 
 
-def _shapes(frame: Frame, camera: Camera, body_colors: BodyColors) -> ShapeItems:
-    mesh, colors = frame.mesh, frame_colors(frame, body_colors)
+def hollow_lines(mesh: Mesh, scale: float) -> Floats:
+    """The outline width of every shape in the mesh (m,) where only outlines are drawn."""
+    return np.minimum(HOLLOW_PIXELS, mesh.thickness * scale + stroke_sizes(mesh, scale)[0])
+
+
+def _shapes(frame: Frame, camera: Camera, body_colors: BodyColors, marks: Sequence[Marks]) -> ShapeItems:
+    mesh, colors = frame.mesh, _tinted(frame_colors(frame, body_colors), body_colors.theme, marks)
+    hollow = any(layer.hollow for layer in marks)
     world, axis = frame.shape_poses()
     origin = camera.to_screen(world)
     index = _in_order(frame, _visible(origin, mesh.reach * camera.scale, camera))
@@ -102,6 +134,8 @@ def _shapes(frame: Frame, camera: Camera, body_colors: BodyColors) -> ShapeItems
     sensor = mesh.sensor[index]
     half = mesh.thickness[index] * camera.scale
     grow, line = stroke_sizes(mesh, camera.scale)
+    if hollow:
+        line = hollow_lines(mesh, camera.scale)
     return ShapeItems(
         index=index,
         origin=origin.take(index, axis=0),
@@ -110,10 +144,24 @@ def _shapes(frame: Frame, camera: Camera, body_colors: BodyColors) -> ShapeItems
         line=line[index],
         fill=_faded(_fills(colors, body, mesh.kind[index] == SEGMENT), sensor, body_colors.theme, SENSOR_FILL),
         edge=_faded(colors.edge.take(body, axis=0), sensor, body_colors.theme, SENSOR_EDGE),
-        mark=colors.mark.take(body, axis=0),
+        mark=(colors.edge if hollow else colors.mark).take(body, axis=0),
         mark_opacity=np.where(sensor, 0.0, _mark_opacity(half, frame.type[body])),
         hatched=np.where(sensor, 1.0, colors.hatched[body]),
+        opacity=np.where(hollow & ~sensor, HOLLOW_OPACITY, 1.0),
     )
+
+
+def _tinted(colors: FrameColors, theme: Theme, marks: Sequence[Marks]) -> FrameColors:
+    """The colours of the bodies, faded and with those that overlays lay over them."""
+    if any(layer.calm for layer in marks):
+        fill, edge, mark = (mix(own, theme.background, CALM) for own in (colors.fill, colors.edge, colors.mark))
+        colors = replace(colors, fill=fill, edge=edge, mark=mark)
+    for tint in (tint for layer in marks for tint in layer.tints):
+        share = tint.amount[:, None]
+        fill = colors.fill * (1.0 - share) + tint.color * share
+        edge = colors.edge * (1.0 - share) + mix(tint.color, theme.light, theme.outline) * share
+        colors = replace(colors, fill=fill, edge=edge, mark=mix(fill, theme.ink, 0.55))
+    return colors
 
 
 def _fills(colors: FrameColors, body: Ints, segment: NDArray[np.bool_]) -> Floats:

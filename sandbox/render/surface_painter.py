@@ -6,14 +6,16 @@ from typing import Any
 
 import numpy as np
 import pygame
+import pygame.gfxdraw
 from PIL import Image
 
 from sandbox.render.camera import Floats
 from sandbox.render.contour import ContourTable, clip, concave_pieces
-from sandbox.render.draw_list import DrawList, ShapeItems, stroke_sizes
+from sandbox.render.draw_list import DrawList, ShapeItems, hollow_lines, stroke_sizes
 from sandbox.render.field_drawing import RegionFill
 from sandbox.render.geometry import Mesh, gather
 from sandbox.render.line import Line
+from sandbox.render.surface_marks import paint_labels, paint_marks
 
 HATCH_PIXELS = 7.0
 """Distance of the stripes on frozen bodies."""
@@ -26,7 +28,7 @@ class SurfacePainter:
         """`samples` x `samples` points are averaged for each pixel."""
         self.samples = samples
         self._mesh: Mesh | None = None
-        self._scale = 0.0
+        self._seen = (0.0, False)
         self._tables: tuple[ContourTable, ContourTable]
 
     def paint(self, picture: DrawList) -> Any:
@@ -41,9 +43,13 @@ class SurfacePainter:
         self._shapes(surface, picture)
         for line in picture.above:
             self._stroke(surface, line, picture.theme.background)
+        for layer in picture.marks:
+            paint_marks(surface, layer, self.samples)
         # Pillow's average is exact; pygame's smoothscale darkens colours by about two levels.
         large = Image.frombytes("RGB", surface.get_size(), pygame.image.tobytes(surface, "RGB"))
-        return large.reduce(self.samples)
+        image = large.reduce(self.samples)
+        paint_labels(image, picture.labels, picture.theme)
+        return image
 
     def _fill_region(self, surface: Any, fill: RegionFill) -> None:
         points = np.rint(fill.points * self.samples)
@@ -75,7 +81,9 @@ class SurfacePainter:
         marks = _marks(picture, self.samples)
         fill, edge, mark = _bytes(items.fill), _bytes(items.edge), _bytes(_mark_colors(items))
         for i in range(len(items.index)):
-            if items.index[i] in picture.mesh.outlines:
+            if items.opacity[i] < 1.0:
+                self._hollow(surface, picture, i, (edges[i], fills[i]), (fill[i], edge[i]))
+            elif items.index[i] in picture.mesh.outlines:
                 self._concave(surface, picture, i, fill[i], edge[i])
             else:
                 _fill(surface, edge[i], edges[i])
@@ -87,6 +95,22 @@ class SurfacePainter:
         _fill(surface, color, points)
         if hatch is not None and len(points) >= 3:
             _hatch(surface, hatch, np.array(points), HATCH_PIXELS * self.samples)
+
+    def _hollow(self, surface: Any, picture: DrawList, i: int, rings: tuple[Any, Any], colors: tuple[Any, Any]) -> None:
+        """A shape of which little more than the outline is seen; `rings` are its rim and the middle of its outline."""
+        items, outline = picture.shapes, picture.mesh.outlines.get(int(picture.shapes.index[i]))
+        alpha, width = round(255 * items.opacity[i]), max(round(items.line[i] * self.samples), 1)
+        parts, strips = [rings[0]], []
+        if outline is not None:
+            pieces = concave_pieces(outline, picture.camera.scale, items.grow[i], items.line[i])
+            parts, strips = ([self._placed_piece(picture, i, piece) for piece in group] for group in pieces)
+        for part in parts:
+            if len(part) >= 3:
+                pygame.gfxdraw.filled_polygon(surface, part, (*colors[0], alpha))
+        for strip in strips:
+            _fill(surface, colors[1], strip)
+        if outline is None and len(rings[1]) >= 3:
+            pygame.draw.lines(surface, colors[1], True, rings[1], width)
 
     def _concave(self, surface: Any, picture: DrawList, i: int, color: Any, edge: Any) -> None:
         """The parts of a concave polygon, which overlap by their boundary pixels, and its outline over them."""
@@ -120,11 +144,13 @@ class SurfacePainter:
 
     def _contours(self, picture: DrawList) -> tuple[ContourTable, ContourTable]:
         mesh, scale = picture.mesh, picture.camera.scale
-        if mesh is not self._mesh or scale != self._scale:
+        hollow = any(layer.hollow for layer in picture.marks)
+        if mesh is not self._mesh or (scale, hollow) != self._seen:
             grow, line = stroke_sizes(mesh, scale)
+            inner = 0.5 * hollow_lines(mesh, scale) if hollow else line
             outer = ContourTable(mesh, scale, grow, np.zeros_like(line))
-            self._tables = outer, ContourTable(mesh, scale, grow, line)
-            self._mesh, self._scale = mesh, scale
+            self._tables = outer, ContourTable(mesh, scale, grow, inner)
+            self._mesh, self._seen = mesh, (scale, hollow)
         return self._tables
 
 

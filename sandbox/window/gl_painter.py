@@ -11,7 +11,7 @@ import numpy as np
 from sandbox.render.draw_list import DrawList
 from sandbox.render.field_drawing import RegionFill
 from sandbox.render.geometry import Mesh
-from sandbox.window.instances import INSTANCE, pack
+from sandbox.window.instances import INSTANCE, Instances, pack, pack_strokes, triangles_of
 
 TEXTURE_WIDTH = 1024
 
@@ -36,25 +36,32 @@ class GlPainter:
 
     def paint(self, picture: DrawList) -> None:
         """Clear the framebuffer and draw the picture; the viewport has to be the size of its camera."""
-        instances = pack(picture)
-        self._reserve(len(instances))
         self._upload(picture.mesh)
-        self._buffer.write(instances.tobytes())
         self.program["screen"].value = picture.camera.size
         self.program["scale"].value = picture.camera.scale
         self.context.clear(*picture.theme.background)
         self.context.enable_only(moderngl.BLEND)
         self.context.blend_func = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA
-        self._fill_region(picture)
+        self._triangles([_triangles(fill) for fill in picture.region_fills], picture)
+        self._instances(pack(picture))
+        for layer in picture.marks:
+            self._triangles([triangles_of(fills) for fills in layer.fills], picture)
+            self._instances(pack_strokes(layer.strokes))
+
+    def _instances(self, instances: Instances) -> None:
+        """Quads in one call."""
+        if len(instances) == 0:
+            return
+        self._reserve(len(instances))
+        self._buffer.write(instances.tobytes())
         self._vertices.use(0)
         self._quads.render(moderngl.TRIANGLE_STRIP, instances=len(instances))
 
-    def _fill_region(self, picture: DrawList) -> None:
-        """The fills of regions, as triangles; few, so that their buffer is made anew for each picture."""
-        if not picture.region_fills:
+    def _triangles(self, corners: list[Any], picture: DrawList) -> None:
+        """Fills as triangles; few, so that their buffer is made anew for each picture."""
+        if not corners:
             return
-        corners = np.vstack([_triangles(fill) for fill in picture.region_fills])
-        buffer = self.context.buffer(corners.astype("f4").tobytes())
+        buffer = self.context.buffer(np.vstack(corners).astype("f4").tobytes())
         triangles = self.context.vertex_array(self._region_program, [(buffer, "2f 4f", "pixel", "paint")])
         self._region_program["screen"].value = picture.camera.size
         triangles.render(moderngl.TRIANGLES)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from sandbox.render.draw_list import DrawList
 from sandbox.render.line import Line
+from sandbox.render.strokes import Fills, Strokes
 
 Instances: TypeAlias = NDArray[np.void]
 
@@ -51,6 +52,28 @@ def _strokes(out: Instances, lines: Sequence[Line]) -> None:
         row["fill"] = *line.color, line.opacity
 
 
+def pack_strokes(strokes: Strokes) -> Instances:
+    """The quads of the strokes of an overlay."""
+    out = np.zeros(len(strokes), INSTANCE)
+    way = strokes.end - strokes.start
+    length = np.hypot(way[:, 0], way[:, 1])
+    out["origin"] = (strokes.start + strokes.end) / 2
+    out["axis"] = np.where((length > 0.0)[:, None], way / np.maximum(length, 1e-300)[:, None], (1.0, 0.0))
+    out["extent"][:, 0], out["extent"][:, 2] = length / 2, strokes.width / 2
+    out["fill"][:, :3], out["fill"][:, 3] = strokes.color, strokes.opacity
+    return out
+
+
+def triangles_of(fills: Fills) -> Any:
+    """Convex polygons as fans (t, 6): x, y in pixels, sRGB, opacity."""
+    points = fills.points
+    first = np.broadcast_to(points[:, :1], points[:, 2:].shape)
+    fan = np.stack([first, points[:, 1:-1], points[:, 2:]], axis=2).reshape(-1, 2)
+    each = 3 * (points.shape[1] - 2)
+    paint = np.column_stack([fills.color, fills.opacity])
+    return np.hstack([fan, np.repeat(paint, each, axis=0)])
+
+
 def _shapes(out: Instances, picture: DrawList) -> None:
     items, mesh, scale = picture.shapes, picture.mesh, picture.camera.scale
     origin, half, trimmed = _trim(picture)
@@ -58,7 +81,7 @@ def _shapes(out: Instances, picture: DrawList) -> None:
     out["extent"][:, :2] = half
     out["extent"][:, 2] = mesh.radius[items.index] * scale + items.grow
     out["extent"][:, 3] = items.line
-    out["fill"][:, :3], out["fill"][:, 3] = items.fill, 1.0
+    out["fill"][:, :3], out["fill"][:, 3] = items.fill, items.opacity
     out["edge"][:, :3], out["edge"][:, 3] = items.edge, items.hatched
     out["mark"][:, :3], out["mark"][:, 3] = items.mark, np.where(trimmed, 0.0, items.mark_opacity)
     out["detail"][:, :2] = mesh.mark.take(items.index, axis=0) * scale

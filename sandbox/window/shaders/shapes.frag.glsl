@@ -72,6 +72,7 @@ void main() {
     }
     float spoke = clamp(0.5 + max(f_extent.w, 0.7) * 0.75 - stroke_distance(place, f_detail.x, f_detail.y), 0.0, 1.0);
     paint = mix(paint, f_mark.rgb, spoke * f_mark.a);
-    paint = mix(paint, f_edge.rgb, clamp(distance + f_extent.w + 0.5, 0.0, 1.0) * min(f_extent.w, 1.0));
-    color = vec4(paint, coverage * f_fill.a);
+    float rim = clamp(distance + f_extent.w + 0.5, 0.0, 1.0) * min(f_extent.w, 1.0);
+    paint = mix(paint, f_edge.rgb, rim);
+    color = vec4(paint, coverage * mix(f_fill.a, 1.0, max(rim, spoke * f_mark.a)));  // hollow shapes keep their lines
 }

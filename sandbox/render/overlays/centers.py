@@ -1,0 +1,32 @@
+"""Where the centres of mass are."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from sandbox.render.marks import Marks
+from sandbox.render.overlays.look import Look, Overlay
+from sandbox.render.overlays.pen import Pen
+
+ARM = 6.0
+"""Pixels of each arm of the cross."""
+
+
+def _draw(look: Look) -> Marks:
+    pen, color = Pen(look), look.palette
+    rows = look.visible_bodies()
+    at = look.camera.to_screen(look.frame.center[rows])
+    if len(rows) > 2000:
+        pen.dots(at, 1.6, color.yellow)
+    else:
+        turn = look.frame.rotation[rows] * (1.0, -1.0)
+        for axis, ink in ((turn, color.red), (np.column_stack([turn[:, 1], -turn[:, 0]]), color.green)):
+            pen.lines(at, at + 2.0 * ARM * axis, 1.6, ink, halo=True)
+        pen.dots(at, 2.6, color.yellow)
+        pen.legend(color.red, "x axis of the body")
+        pen.legend(color.green, "y axis of the body")
+    pen.legend(color.yellow, "centre of mass")
+    return pen.marks()
+
+
+OVERLAY = Overlay("centers", "Centres of mass", "Centre of mass of each body that moves, with the body's axes.", _draw)

@@ -1,0 +1,40 @@
+"""How long arrows are: a round number of units for so many pixels, so that arrows of two pictures can be compared."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from sandbox.render.camera import Floats
+from sandbox.render.number_text import plain
+
+REACH = 42.0
+"""Pixels of an arrow that is as long as the scale says."""
+LONGEST = 2.6
+"""Longer arrows than so many times that are cut."""
+
+
+def round_scale(values: Floats, share: float = 0.9) -> float:
+    """The least of 1, 2, 5 times a power of ten that is not below the `share` quantile of the sizes; 1 without any."""
+    sizes = np.abs(values[np.isfinite(values)])
+    sizes = sizes[sizes > 1e-3 * sizes.max(initial=0.0)]
+    if len(sizes) == 0:
+        return 1.0
+    typical = float(np.quantile(sizes, share))
+    power = 10.0 ** math.floor(math.log10(typical))
+    return next(k * power for k in (1.0, 2.0, 5.0, 10.0) if k * power >= typical * (1.0 - 1e-9))
+
+
+def lengths(values: Floats, scale: float) -> Floats:
+    """Signed pixels for values, where `scale` is `REACH`; none is longer than `LONGEST` times that."""
+    cut: Floats = REACH * np.clip(values / scale, -LONGEST, LONGEST)
+    return cut
+
+
+def amount(value: float, unit: str) -> str:
+    """A number to three digits with its unit, in thousands and thousandths where that is shorter."""
+    for factor, prefix in ((1e6, "M"), (1e3, "k")):
+        if abs(value) >= factor:
+            return f"{plain(float(f'{value / factor:.3g}'))} {prefix}{unit}"
+    return f"{plain(float(f'{value:.3g}'))} {unit}"
