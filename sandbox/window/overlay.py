@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
 from imgui_bundle import imgui
 
+from sandbox.render.label import Label
 from sandbox.render.theme import Color
 from sandbox.window.gui import TEXT_SIZE, Gui
 
@@ -49,6 +50,15 @@ class Overlay:
         width = float(imgui.calc_text_size(text).x)
         imgui.pop_font()
         return width
+
+    def labels(self, labels: Iterable[Label], rect: tuple[int, int, int, int]) -> None:
+        """Write the labels of a picture that fills `rect` (left, top, width, height in pixels)."""
+        for label in labels:
+            width = self.width(label.text, label.size)
+            left = label.at[0] - {"left": 0.0, "middle": 0.5, "right": 1.0}[label.anchor] * width
+            self.text(
+                rect[0] + left, rect[1] + label.at[1] - 0.55 * label.size, label.text, label.color, 1.0, label.size
+            )
 
     def panel(self, box: tuple[float, float, float, float], color: Color, opacity: float, rounding: float) -> None:
         """Fill a rectangle (left, top, right, bottom) with round corners."""

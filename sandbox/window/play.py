@@ -11,10 +11,15 @@ from imgui_bundle import imgui
 from sandbox.render.body_colors import body_colors_of
 from sandbox.render.camera import Camera, Size
 from sandbox.render.draw_list import build_draw_list
+from sandbox.render.frame import Frame
+from sandbox.render.marks import Marks
+from sandbox.render.overlays.look import Look
+from sandbox.render.overlays.registry import OVERLAYS, draw_overlays
 from sandbox.window import hud
 from sandbox.window.actions.registry import BY_NAME, action_of, released
 from sandbox.window.gui_style import apply_style
 from sandbox.window.help import draw_help
+from sandbox.window.highlight import highlight
 from sandbox.window.journal import Journal
 from sandbox.window.layout import Layout, first_panels
 from sandbox.window.mouse import Mouse
@@ -143,11 +148,21 @@ class PlayScreen:
         workspace.viewport.place(self._layout.draw(workspace, canvas.display.size), self.session)
         workspace.frame = frame = self.session.frame()
         self._body_colors = self._body_colors.for_frame(frame)
-        picture = build_draw_list(frame, self.camera, self._body_colors, self.mouse.strokes())
+        picture = build_draw_list(frame, self.camera, self._body_colors, self.mouse.strokes(), self._marks(frame))
         canvas.paint(picture, workspace.viewport.rect)
         overlay = Overlay(canvas.gui)
+        with overlay.within(workspace.viewport.rect):
+            overlay.labels(picture.labels, workspace.viewport.rect)
         self._draw_over(overlay)
         self._draw_hud(overlay)
+
+    def _marks(self, frame: Frame) -> tuple[Marks, ...]:
+        """The overlays that are on, and the outline of what is selected."""
+        workspace = self.workspace
+        theme, world = workspace.theme, self.session.world
+        lit = highlight(frame, self.camera, workspace.selection.bodies, theme.drag)
+        shown = [OVERLAYS[name] for name in workspace.overlays]
+        return *draw_overlays(shown, Look(world, frame, self.camera, theme)), lit
 
     def _reread(self, elapsed: float) -> Session | None:
         """The session of the file as it is now, if it has changed on disk."""

@@ -33,7 +33,8 @@ def draw_scale_bar(overlay: Overlay, workspace: Workspace, pointer: tuple[float,
     if viewport.holds(pointer):
         digits = max(2 - math.floor(math.log10(max(1.0 / viewport.camera.scale, 1e-12))) - 2, 0)
         x, up = viewport.point(pointer)
-        overlay.text(left + MARGIN, y - 12.0, f"{x:.{digits}f}, {up:.{digits}f} m", colors.faint, size=SIZE)
+        place = f"{x:.{digits}f}, {up:.{digits}f} m"
+        overlay.text(right - pixels - 20.0 - overlay.width(place, SIZE), y - 12.0, place, colors.faint, size=SIZE)
 
 
 def round_length(most: float) -> float:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from sandbox.window.panels.overlays import OverlaysPanel
 from sandbox.window.panels.panel import Panel
 from sandbox.window.panels.world import WorldPanel
 
-PANELS: tuple[type[Panel], ...] = (WorldPanel,)
+PANELS: tuple[type[Panel], ...] = (WorldPanel, OverlaysPanel)
 
 
 def new_panels() -> dict[str, Panel]:

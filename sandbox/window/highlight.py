@@ -1,0 +1,46 @@
+"""The outline around what is selected."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from sandbox.render.camera import Camera, Floats
+from sandbox.render.contour import contour
+from sandbox.render.frame import Frame
+from sandbox.render.marks import Marks
+from sandbox.render.strokes import joined, strokes
+from sandbox.render.theme import Color
+
+WIDTH, GAP = 2.0, 3.0
+"""Pixels."""
+MOST = 300
+"""Outlines that are drawn at most."""
+
+
+def highlight(frame: Frame, camera: Camera, names: tuple[str, ...], color: Color) -> Marks:
+    """An outline a little outside of every shape of the bodies of these ids."""
+    wanted = set(names)
+    bodies = [row for row, name in enumerate(frame.roster.names) if name in wanted] if names else []
+    if not bodies:
+        return Marks()
+    origin, axis = frame.shape_poses()
+    shapes = np.flatnonzero(np.isin(frame.mesh.body, bodies))[:MOST]
+    lines = []
+    for shape in shapes.tolist():
+        corners = camera.to_screen(origin[shape] + _turned(_contour(frame, shape, camera.scale), axis[shape]))
+        lines.append(strokes(corners, np.roll(corners, -1, axis=0), WIDTH, color, 0.95))
+    return Marks(strokes=joined(lines))
+
+
+def _contour(frame: Frame, shape: int, scale: float) -> Floats:
+    """The outline of a shape in its own frame, in metres; of a concave one, that of the box around it."""
+    mesh, gap = frame.mesh, GAP / scale
+    if shape in mesh.outlines:
+        x, y = mesh.half[shape] + gap
+        return np.array([[-x, -y], [x, -y], [x, y], [-x, y]])
+    return contour(mesh.core(shape), float(mesh.radius[shape]) + gap, 0.25 / scale)
+
+
+def _turned(points: Floats, axis: Floats) -> Floats:
+    c, s = axis
+    return np.column_stack([c * points[:, 0] - s * points[:, 1], s * points[:, 0] + c * points[:, 1]])
