@@ -12,6 +12,7 @@ from sandbox.errors import SandboxError
 from sandbox.render.camera import Size, Vec
 from sandbox.render.theme import DARK
 from sandbox.window.display import Display, check_size
+from sandbox.window.gallery import Gallery
 from sandbox.window.gl_painter import GlPainter
 from sandbox.window.gui import Gui
 from sandbox.window.journal import Journal, Leftover, journal_folder, leftovers
@@ -19,8 +20,8 @@ from sandbox.window.loader import Loader
 from sandbox.window.loading import LoadingScreen
 from sandbox.window.offer_box import draw_offer
 from sandbox.window.play import PlayScreen
+from sandbox.window.recent import note_recent
 from sandbox.window.scene_index import scene_entries
-from sandbox.window.scene_list import SceneList
 from sandbox.window.screen import Canvas, Screen
 from sandbox.window.script import Script
 from sandbox.window.session import Session
@@ -64,7 +65,7 @@ class App:
         self.canvas = canvas
         self.options = options
         self._clock = pygame.time.Clock()
-        self._list: SceneList | None = None
+        self._gallery: Gallery | None = None
         self._script = Script(options.script) if options.script is not None else None
         self._hands: Iterator[None] | None = None
         self._shown: Screen | None = None
@@ -79,7 +80,7 @@ class App:
 
     def run(self) -> None:
         """Until the user leaves, or the frames are used up."""
-        screen: Screen | None = self._load(self.options.scene) if self.options.scene else self._scene_list()
+        screen: Screen | None = self._load(self.options.scene) if self.options.scene else self._open_gallery()
         drawn, last = 0, screen
         while screen is not None and (self.options.frames is None or drawn < self.options.frames):
             elapsed = self._tick(screen)
@@ -181,7 +182,10 @@ class App:
             screen.close()
 
     def _load(self, path: Path) -> Screen:
-        return LoadingScreen(Loader(path, self.options.start_step, self.options.workers), self._play, self._failed)
+        if self._folder is not None and path.is_file():
+            note_recent(self._folder, path)
+        start = self.options.start_step if path == self.options.scene else 0
+        return LoadingScreen(Loader(path, start, self.options.workers), self._play, self._failed)
 
     def _play(self, session: Session, leftover: Leftover | None = None) -> PlayScreen:
         title = session.scene.title or (self.options.scene or Path()).name
@@ -209,20 +213,23 @@ class App:
                 following.take_over(screen)
                 return following
             case "gallery":
-                self.canvas.display.title("sandbox")
-                return self._list or self._scene_list()
-            case "leave" if self._list is not None:
-                self.canvas.display.title("sandbox")
-                return self._list
+                return self._open_gallery()
+            case "leave" if self._gallery is not None:
+                return self._open_gallery()
         return None
 
     def _failed(self, error: Exception) -> Screen | None:
         """A scene that cannot be loaded is fatal where it was asked for, and a message in the list."""
-        if self._list is None:
+        if self._gallery is None:
             raise error
-        self._list.say(str(error))
-        return self._list
+        self._gallery.say(str(error))
+        return self._gallery
 
-    def _scene_list(self) -> SceneList:
-        self._list = SceneList(scene_entries(), self._load)
-        return self._list
+    def _open_gallery(self) -> Gallery:
+        entries = scene_entries(self._folder, Path.cwd())
+        if self._gallery is None:
+            self._gallery = Gallery(entries, self._load)
+        else:
+            self._gallery.know(entries)
+        self.canvas.display.title("sandbox")
+        return self._gallery

@@ -24,3 +24,9 @@ def display() -> Iterator[object]:
         pytest.skip(f"no window can be opened here: {error}")
     with opened:
         yield opened
+
+
+@pytest.fixture(autouse=True)
+def _state(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Sessions and recent files of tests are not those of whoever runs them."""
+    monkeypatch.setenv("SANDBOX_STATE_DIR", str(tmp_path_factory.mktemp("state")))

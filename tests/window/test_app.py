@@ -12,13 +12,13 @@ import pytest
 from PIL import Image
 
 from sandbox.window.app import App, Options
+from sandbox.window.gallery import Gallery
 from sandbox.window.gl_painter import GlPainter
 from sandbox.window.gui import Gui
 from sandbox.window.loader import Loader
 from sandbox.window.loading import LoadingScreen
 from sandbox.window.play import PlayScreen
 from sandbox.window.scene_index import Entry
-from sandbox.window.scene_list import SceneList
 from sandbox.window.screen import Canvas, Screen
 from tests.window.test_session import SCENE
 
@@ -67,7 +67,7 @@ def scenes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[Entry]:
     SCENE.save(tmp_path / "good.scene.json")
     (tmp_path / "bad.scene.json").write_text('{"format": 1, "bodys": []}')
     entries = [Entry(tmp_path / f"{name}.scene.json", name, "", "a theme") for name in ("bad", "good")]
-    monkeypatch.setattr("sandbox.window.app.scene_entries", lambda: entries)
+    monkeypatch.setattr("sandbox.window.app.scene_entries", lambda *folders: entries)
     return entries
 
 
@@ -80,17 +80,17 @@ def test_from_the_list_to_a_scene_and_back_and_out(canvas: Canvas, scenes: list[
         return len(steps) >= 4
 
     script = [
-        (shows(SceneList), key(pygame.K_DOWN)),
-        (shows(SceneList), key(pygame.K_RIGHT)),
-        (shows(SceneList), key(pygame.K_RETURN)),
+        (shows(Gallery), key(pygame.K_DOWN)),
+        (shows(Gallery), key(pygame.K_RIGHT)),
+        (shows(Gallery), key(pygame.K_RETURN)),
         (lambda s: isinstance(s, PlayScreen) and s.session.world.step_count > 5, key(pygame.K_SPACE, " ")),
         (paused, key(pygame.K_ESCAPE)),
-        (shows(SceneList), key(pygame.K_ESCAPE)),
+        (shows(Gallery), key(pygame.K_ESCAPE)),
     ]
     hands = Hands(canvas, Options(), script)
     hands.run()
     assert hands.script == []
-    assert hands.seen == ["SceneList", "PlayScreen", "SceneList"]
+    assert hands.seen == ["Gallery", "PlayScreen", "Gallery"]
     assert len(set(steps)) == 1  # nothing moved while paused
 
 
@@ -101,10 +101,10 @@ def test_a_bad_scene_leads_back_to_the_list_with_a_message(canvas: Canvas, scene
         messages.append(getattr(screen, "message", ""))
         return bool(messages[-1])
 
-    script = [(shows(SceneList), key(pygame.K_RETURN)), (told, key(pygame.K_ESCAPE))]
+    script = [(shows(Gallery), key(pygame.K_RETURN)), (told, key(pygame.K_ESCAPE))]
     hands = Hands(canvas, Options(), script)
     hands.run()
-    assert hands.seen == ["SceneList"]
+    assert hands.seen == ["Gallery"]
     assert "bad.scene.json:1:15" in messages[-1]
 
 
@@ -115,8 +115,8 @@ def test_a_click_on_a_card_opens_it(canvas: Canvas, scenes: list[Entry]) -> None
         pygame.event.Event(pygame.MOUSEBUTTONDOWN, pos=(x, y), button=1),
         pygame.event.Event(pygame.MOUSEBUTTONUP, pos=(x, y), button=1),
     ]
-    script: list[tuple[Condition, pygame.event.Event]] = [(shows(SceneList), move) for move in moves]
-    script.append((lambda s: isinstance(s, SceneList) and bool(s.message), key(pygame.K_ESCAPE)))
+    script: list[tuple[Condition, pygame.event.Event]] = [(shows(Gallery), move) for move in moves]
+    script.append((lambda s: isinstance(s, Gallery) and bool(s.message), key(pygame.K_ESCAPE)))
     hands = Hands(canvas, Options(), script)
     hands.run()
     assert hands.script == []
@@ -146,6 +146,6 @@ def test_what_loads_does_not_count_as_a_picture(canvas: Canvas, scenes: list[Ent
 
 
 def test_closing_the_window_ends_the_program(canvas: Canvas, scenes: list[Entry]) -> None:
-    hands = Hands(canvas, Options(), [(shows(SceneList), pygame.event.Event(pygame.QUIT))])
+    hands = Hands(canvas, Options(), [(shows(Gallery), pygame.event.Event(pygame.QUIT))])
     hands.run()
-    assert hands.seen == ["SceneList"]
+    assert hands.seen == ["Gallery"]

@@ -128,10 +128,8 @@ def test_a_killed_window_offers_its_session_at_the_next_start(display: Any, tmp_
     command = [sys.executable, "-m", "sandbox", "run", "two.scene.json", "--size", "800x500", "--script"]
     environment = {**os.environ, "SANDBOX_STATE_DIR": str(tmp_path / "state")}
     window = subprocess.Popen([*command, "play.txt"], cwd=tmp_path, env=environment)
-    deadline = time.monotonic() + 120.0
     while not (tmp_path / "done.png").exists():
         assert window.poll() is None
-        assert time.monotonic() < deadline
         time.sleep(0.1)
     window.kill()
     window.wait()

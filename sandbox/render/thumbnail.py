@@ -1,0 +1,31 @@
+"""A small picture of a scene, some moments after it has begun."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sandbox.engine.world import World
+from sandbox.render.camera import Size
+from sandbox.render.frame import capture
+from sandbox.render.image import renderer_of
+from sandbox.scene import Scene
+
+MOMENT = 1.2
+"""Seconds after the start: things have begun to move, and few have left the view."""
+FEW, MANY = 400, 4000
+"""Up to so many bodies the whole time is simulated; above so many, nothing."""
+OVERSAMPLING = 2
+"""The picture is drawn so many times as large and then made smaller, so that thin lines stay."""
+
+
+def thumbnail(scene: Scene, size: Size) -> Any:
+    """A `PIL.Image.Image` of `size` pixels. Raises what `World` and its steps raise."""
+    from PIL import Image
+
+    world = World(scene)
+    count = max(len(world.names), 1)
+    share = 0.0 if count > MANY else min(FEW / count, 1.0)
+    world.step(round(MOMENT * share * scene.settings.step_rate))
+    large = size[0] * OVERSAMPLING, size[1] * OVERSAMPLING
+    picture = renderer_of(World(scene), large).picture(capture(world.state))
+    return picture.resize(size, Image.Resampling.LANCZOS)

@@ -1,0 +1,89 @@
+"""The gallery: what it lists, what is found by words, and its pictures."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from sandbox.render.thumbnail import thumbnail
+from sandbox.window.recent import note_recent, recent_files
+from sandbox.window.scene_index import OWN, RECENT, Entry, found_by, scene_entries
+from tests.window.test_session import SCENE
+
+
+def test_recent_files_are_listed_once_the_last_one_first(tmp_path: Path) -> None:
+    files = [tmp_path / f"{name}.scene.json" for name in "abc"]
+    for file in files:
+        SCENE.save(file)
+        note_recent(tmp_path / "state", file)
+    note_recent(tmp_path / "state", files[0])
+    files[2].unlink()
+    assert recent_files(tmp_path / "state") == [files[0], files[1]]
+
+
+@pytest.mark.parametrize("text", ["", "{", "3", "[[]]", '["\\u0000"]'])
+def test_a_damaged_list_of_recent_files_is_an_empty_one(tmp_path: Path, text: str) -> None:
+    (tmp_path / "recent.json").write_text(text)
+    assert recent_files(tmp_path) == []
+
+
+def test_recent_and_own_files_come_before_the_shipped_ones(tmp_path: Path) -> None:
+    for name in ("mine", "below/deeper"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        SCENE.save(tmp_path / f"{name}.scene.json")
+    note_recent(tmp_path / "state", tmp_path / "mine.scene.json")
+    entries = scene_entries(tmp_path / "state", tmp_path)
+    first = [(entry.theme, entry.path.name) for entry in entries[:3]]
+    assert first == [
+        (RECENT, "mine.scene.json"), (OWN, "mine.scene.json"), (OWN, "deeper.scene.json"),
+    ]  # fmt: skip
+    assert entries[3].theme == "first"
+    assert {entry.title for entry in entries[:3]} == {"Two crates"}
+
+
+def test_words_find_whatever_has_them_all() -> None:
+    entry = Entry(Path("long-bridge.scene.json"), "A bridge of 160 planks", "It hangs.", "joints")
+    assert all(found_by(entry, words) for words in ("", "bridge", "JOINT plank", "hangs 160", "long-br"))
+    assert not any(found_by(entry, words) for words in ("bridges", "joint pyramid"))
+
+
+def test_a_thumbnail_shows_the_scene_in_motion() -> None:
+    picture = thumbnail(SCENE, (304, 171))
+    assert picture.size == (304, 171)
+    colors = np.asarray(picture.convert("RGB")).reshape(-1, 3)
+    assert len(np.unique(colors, axis=0)) > 50
+
+
+def gallery(tmp_path: Path, script: str) -> subprocess.CompletedProcess[str]:
+    (tmp_path / "hands.txt").write_text(script)
+    environment = {**os.environ, "SANDBOX_STATE_DIR": str(tmp_path / "state")}
+    command = [sys.executable, "-m", "sandbox", "run", "--size", "1000x700", "--script", "hands.txt"]
+    return subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True)
+
+
+def test_what_is_typed_filters_and_enter_opens(display: Any, tmp_path: Path) -> None:
+    SCENE.save(tmp_path / "mine.scene.json")
+    script = "type two crates\nwait 90\nshot found.png\nkey Enter\nwait 5\nkey S\nkey Esc\nwait 2\nkey Esc\n"
+    done = gallery(tmp_path, script)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert (tmp_path / "mine.replay.json").is_file()
+    assert recent_files(tmp_path / "state") == [tmp_path / "mine.scene.json"]
+    with Image.open(tmp_path / "found.png") as image:
+        shown = np.asarray(image.convert("RGB")).astype(int)
+    # One card, at the left; where a second one would be there is nothing.
+    assert shown[200:320, 40:240].std(axis=(0, 1)).max() > 5.0
+    assert shown[200:320, 300:900].std(axis=(0, 1)).max() < 0.5
+
+
+def test_a_file_that_is_gone_leads_back_with_a_message(display: Any, tmp_path: Path) -> None:
+    (tmp_path / "bad.scene.json").write_text('{"format": 1, "bodys": []}')
+    done = gallery(tmp_path, "type bad\nkey Enter\nwait 5\nshot told.png\nkey Esc\nkey Esc\n")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert (tmp_path / "told.png").is_file()
