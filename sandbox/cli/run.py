@@ -11,7 +11,9 @@ from sandbox.cli.options import WORKERS
 from sandbox.resources import find_scene
 
 _SCENE = typer.Argument(show_default=False, help="A scene file, the name of a shipped scene, or a recording.")
-_SIZE = typer.Option(metavar="WxH", help="Size of the window in pixels.")
+_SIZE = typer.Option(
+    metavar="WxH", show_default=False, help="Size of the window in pixels; default 1280x800, or as it was left."
+)
 _STEP = typer.Option(min=0, max=10_000_000, help="Start after this many steps.")
 _FRAMES = typer.Option(min=1, show_default=False, help="Quit after this many pictures, with one physics step for each.")
 _SCRIPT = typer.Option(show_default=False, help="Do what this file of keys and clicks says, then quit.")
@@ -20,7 +22,7 @@ _SCREENSHOT = typer.Option(show_default=False, help="Write the last picture to t
 
 def run(
     scene: Annotated[Path | None, _SCENE] = None,
-    size: Annotated[str, _SIZE] = "1280x800",
+    size: Annotated[str | None, _SIZE] = None,
     step: Annotated[int, _STEP] = 0,
     frames: Annotated[int | None, _FRAMES] = None,
     screenshot: Annotated[Path | None, _SCREENSHOT] = None,
@@ -34,7 +36,7 @@ def run(
     """
     from sandbox.cli.picture_options import parse_size, writable_picture
 
-    pixels = parse_size(size)
+    pixels = parse_size(size) if size is not None else None
     if screenshot is not None:
         writable_picture(screenshot, {".png"})
     from sandbox.scene.read import check_readable

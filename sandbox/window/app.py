@@ -7,10 +7,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pygame
+from imgui_bundle import imgui
 
 from sandbox.errors import SandboxError
 from sandbox.render.camera import Size, Vec
-from sandbox.render.theme import DARK
+from sandbox.render.theme import DARK, LIGHT
 from sandbox.window.display import Display, check_size
 from sandbox.window.gallery import Gallery
 from sandbox.window.gl_painter import GlPainter
@@ -21,12 +22,14 @@ from sandbox.window.loading import LoadingScreen
 from sandbox.window.offer_box import draw_offer
 from sandbox.window.play import PlayScreen
 from sandbox.window.recent import note_recent
+from sandbox.window.remembered import Remembered, remembered
 from sandbox.window.scene_index import scene_entries
 from sandbox.window.screen import Canvas, Screen
 from sandbox.window.script import Script
 from sandbox.window.session import Session
-from sandbox.window.workspace import Wish
+from sandbox.window.workspace import Wish, Workspace
 
+USUAL_SIZE: Size = (1280, 800)
 LOADING_FPS = 20
 """Enough to look alive; each picture more would slow the loading thread down."""
 LOCKSTEP_SECONDS = 1 / 60
@@ -35,10 +38,13 @@ LOCKSTEP_SECONDS = 1 / 60
 
 @dataclass(frozen=True)
 class Options:
-    """What to show and when to end: `frames` pictures, then quit, with one physics step a picture."""
+    """What to show and when to end: `frames` pictures, then quit, with one physics step a picture.
+
+    Without a `size`, the window is as large as it was the last time.
+    """
 
     scene: Path | None = None
-    size: Size = (1280, 800)
+    size: Size | None = None
     start_step: int = 0
     frames: int | None = None
     screenshot: Path | None = None
@@ -48,12 +54,17 @@ class Options:
 
 def run_window(options: Options) -> None:
     """Show the window until it is closed. Raises `MissingDependencyError` or `SceneError`."""
-    check_size(options.size)
+    if options.size is not None:
+        check_size(options.size)
     counted = options.frames is not None or options.script is not None
-    with Display(options.size, "sandbox", visible=not counted) as display:
+    kept = Remembered() if counted else remembered(journal_folder())
+    with Display(options.size or kept.size or USUAL_SIZE, "sandbox", visible=not counted) as display:
         gui = Gui(display.driver)
+        if kept.docks:
+            imgui.load_ini_settings_from_memory(kept.docks)
         try:
-            App(Canvas(display, GlPainter(display.context), gui, DARK), options).run()
+            theme = LIGHT if kept.light else DARK
+            App(Canvas(display, GlPainter(display.context), gui, theme, kept), options).run()
         finally:
             gui.close()
 
@@ -72,6 +83,7 @@ class App:
         self._folder = journal_folder() if options.frames is None else None
         self._offered = leftovers(self._folder)[:1] if self._folder is not None else []
         self._accepted = False
+        self._remembered = canvas.remembered
 
     @property
     def _counting(self) -> bool:
@@ -175,11 +187,30 @@ class App:
         loader = Loader(Path(leftover.scene.source), leftover.steps, self.options.workers, leftover)
         return LoadingScreen(loader, lambda session: self._play(session, leftover), self._failed)
 
-    @staticmethod
-    def _finish(screen: Screen | None) -> None:
+    def _finish(self, screen: Screen | None) -> None:
         """The program ends as it should."""
         if isinstance(screen, PlayScreen):
             screen.close()
+            self._memorise(screen.workspace)
+        if self._folder is not None and self._script is None:
+            self._remembered.size = self.canvas.display.size
+            self._remembered.docks = imgui.save_ini_settings_to_memory()
+            self._remembered.keep(self._folder)
+
+    def _recall(self, workspace: Workspace) -> None:
+        """Make a workspace as the user left the last one."""
+        kept = self._remembered
+        workspace.theme = self.canvas.theme
+        workspace.text_scale, workspace.less_motion = kept.text_scale, kept.less_motion
+        if kept.panels is not None:
+            workspace.panels = set(kept.panels)
+
+    def _memorise(self, workspace: Workspace) -> None:
+        """Note how the user likes it."""
+        kept = self._remembered
+        kept.light, kept.panels = workspace.theme is LIGHT, sorted(workspace.panels)
+        kept.text_scale, kept.less_motion = workspace.text_scale, workspace.less_motion
+        self.canvas.theme = workspace.theme
 
     def _load(self, path: Path) -> Screen:
         if self._folder is not None and path.is_file():
@@ -193,6 +224,7 @@ class App:
         lockstep = self._counting
         shown = self.options.frames is None or self.options.script is not None
         screen = PlayScreen(session, self.canvas.display.size, self._lead, lockstep, shown)
+        self._recall(screen.workspace)
         if self._folder is not None:
             screen.journal = Journal(self._folder)
             screen.journal.sync(session)
@@ -205,6 +237,7 @@ class App:
     def _lead(self, wish: Wish, screen: PlayScreen) -> Screen | None:
         """Where a wish of the user's leads to."""
         screen.close()
+        self._memorise(screen.workspace)
         match wish.kind:
             case "open" if wish.path is not None:
                 return self._load(wish.path)

@@ -44,11 +44,12 @@ def palette_of(theme: Theme) -> Palette:
     return ON_DARK if theme is DARK else ON_LIGHT
 
 
-def apply_style(theme: Theme) -> None:
-    """Make all panels look as they are to look beside a scene in `theme`."""
+def apply_style(theme: Theme, text_scale: float = 1.0) -> None:
+    """Make all panels look as they are to look beside a scene in `theme`, text `text_scale` times as large."""
     colors, style = palette_of(theme), imgui.get_style()
     (imgui.style_colors_dark if theme is DARK else imgui.style_colors_light)()
     (implot.style_colors_dark if theme is DARK else implot.style_colors_light)()
+    style.font_scale_main = text_scale
     style.window_padding = imgui.ImVec2(10.0, 8.0)
     style.frame_padding = imgui.ImVec2(7.0, 4.0)
     style.item_spacing = imgui.ImVec2(7.0, 5.0)

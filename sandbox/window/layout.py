@@ -8,7 +8,7 @@ from sandbox.render.camera import Size
 from sandbox.window.menu_bar import draw_menu_bar
 from sandbox.window.panels.panel import Panel
 from sandbox.window.time_bar import draw_time_bar
-from sandbox.window.tool_bar import TOOL_BAR_WIDTH, draw_tool_bar
+from sandbox.window.tool_bar import draw_tool_bar, tool_bar_width
 from sandbox.window.tools.tool_box import ToolBox
 from sandbox.window.viewport import Rect
 from sandbox.window.widgets import mark
@@ -16,7 +16,7 @@ from sandbox.window.workspace import Workspace
 
 TIME_BAR_HEIGHT = 66.0
 PANEL_WIDTH = 340.0
-NARROW = 760
+NARROW = 900
 """Below this width of the window, in pixels, no panel is open at first."""
 FIXED = (
     imgui.WindowFlags_.no_decoration
@@ -29,26 +29,27 @@ FIXED = (
 
 
 class Layout:
-    """Draws all that is not the scene; `draw` says which rectangle is left. `docked`: panels have their places."""
+    """Draws all that is not the scene; `draw` says which rectangle is left."""
 
-    def __init__(self, panels: dict[str, Panel], tool_box: ToolBox, docked: bool = False) -> None:
+    def __init__(self, panels: dict[str, Panel], tool_box: ToolBox) -> None:
         self.panels = panels
         self.tool_box = tool_box
-        self._docked = docked
 
     def draw(self, workspace: Workspace, size: Size) -> Rect:
         """One picture of it in a window of `size` pixels."""
         if not workspace.interface:
             return 0, 0, *size
         top = draw_menu_bar(workspace, self.panels)
-        bottom = size[1] - TIME_BAR_HEIGHT
-        _fixed("##tools", 0.0, top, TOOL_BAR_WIDTH, bottom - top)
-        draw_tool_bar(self.tool_box)
+        bar = TIME_BAR_HEIGHT * workspace.text_scale
+        bottom = size[1] - bar
+        left = tool_bar_width(bottom - top)
+        _fixed("##tools", 0.0, top, left, bottom - top)
+        draw_tool_bar(self.tool_box, bottom - top)
         imgui.end()
-        _fixed("##time", 0.0, bottom, float(size[0]), TIME_BAR_HEIGHT)
+        _fixed("##time", 0.0, bottom, float(size[0]), bar)
         draw_time_bar(workspace, self.tool_box.tool.hint(workspace))
         imgui.end()
-        rect = self._dock(size[0] - TOOL_BAR_WIDTH, bottom - top, top)
+        rect = self._dock((left, top, size[0] - left, bottom - top))
         for panel in self.panels.values():
             if panel.name in workspace.panels:
                 self._draw_panel(workspace, panel)
@@ -64,22 +65,22 @@ class Layout:
         if not still_open:
             workspace.panels.discard(panel.name)
 
-    def _dock(self, width: float, height: float, top: float) -> Rect:
-        """The room for panels and scene; gives what the scene gets."""
-        imgui.set_next_window_pos(imgui.ImVec2(TOOL_BAR_WIDTH, top))
+    def _dock(self, box: tuple[float, float, float, float]) -> Rect:
+        """The room for panels and scene: left, top, width, height. Gives what the scene gets."""
+        left, top, width, height = box
+        imgui.set_next_window_pos(imgui.ImVec2(left, top))
         imgui.set_next_window_size(imgui.ImVec2(width, height))
         imgui.push_style_var(imgui.StyleVar_.window_padding, imgui.ImVec2(0.0, 0.0))
         imgui.begin("##dock", None, FIXED | imgui.WindowFlags_.no_background)
         imgui.pop_style_var()
         dock = imgui.get_id("dock")
-        if not self._docked:
-            self._docked = True
+        if imgui.internal.dock_builder_get_node(dock) is None:
             self._arrange(dock, width, height)
         imgui.dock_space(dock, imgui.ImVec2(0.0, 0.0), imgui.DockNodeFlags_.passthru_central_node)
         imgui.end()
         node = imgui.internal.dock_builder_get_central_node(dock)
         if node is None:
-            return int(TOOL_BAR_WIDTH), int(top), int(width), int(height)
+            return int(left), int(top), int(width), int(height)
         return int(node.pos.x), int(node.pos.y), max(int(node.size.x), 1), max(int(node.size.y), 1)
 
     def _arrange(self, dock: int, width: float, height: float) -> None:

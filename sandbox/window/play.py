@@ -37,6 +37,10 @@ from sandbox.window.widgets import begin_picture
 from sandbox.window.workspace import Wish, Workspace
 
 TITLE_SECONDS, FADE_SECONDS = 5.0, 0.8
+TAKEN_OVER = (
+    "theme", "panels", "overlays", "interface", "text_scale", "less_motion", "keep_time", "selection", "age",
+)  # fmt: skip
+"""What of a workspace stays when its file is read again."""
 ANY_POPUP = imgui.PopupFlags_.any_popup_id | imgui.PopupFlags_.any_popup_level
 MOST_SKIPPED = 3600
 """Steps that a file which is read again is taken forward at most, where time is to be kept."""
@@ -92,13 +96,12 @@ class PlayScreen:
     def take_over(self, before: PlayScreen) -> None:
         """Look as the screen before it did, which showed the same file."""
         mine, its = self.workspace, before.workspace
-        for name in ("theme", "panels", "overlays", "interface", "keep_time", "selection", "age"):
+        for name in TAKEN_OVER:
             setattr(mine, name, getattr(its, name))
         mine.viewport.rect, mine.viewport.camera = its.viewport.rect, its.viewport.camera
         mine.viewport.touched = its.viewport.touched
         clock, old = mine.session.clock, its.session.clock
         clock.speed, clock.paused = old.speed, old.paused
-        self._layout = Layout(self.panels, self.tool_box, docked=True)
         if its.keep_time:
             mine.session.skip(min(its.session.timeline.step_count, MOST_SKIPPED))
         mine.say("read again")
@@ -143,7 +146,7 @@ class PlayScreen:
         workspace = self.workspace
         if workspace.theme is not self._body_colors.theme:
             self._body_colors = body_colors_of(self.session.world.state, workspace.theme)
-        apply_style(workspace.theme)
+        apply_style(workspace.theme, workspace.text_scale)
         begin_picture()
         workspace.viewport.place(self._layout.draw(workspace, canvas.display.size), self.session)
         workspace.frame = frame = self.session.frame()
@@ -213,12 +216,12 @@ class PlayScreen:
         if not workspace.interface:
             hud.draw_figures(overlay, self._figures())
             hud.draw_time_state(overlay, (rect[2], rect[3]), clock.paused, clock.speed)
-            title = _fade(TITLE_SECONDS - workspace.age)
+            title = self._fade(TITLE_SECONDS - workspace.age)
             if title > 0.0:
                 hud.draw_title(overlay, (rect[2], rect[3]), scene.title, scene.about, title)
         else:
             draw_scale_bar(overlay, workspace, self.mouse.at)
-        noted = _fade(workspace.note_until - workspace.age)
+        noted = self._fade(workspace.note_until - workspace.age)
         if noted > 0.0:
             hud.draw_note(overlay, rect, workspace.note, noted)
         reloader = self._reloader
@@ -226,6 +229,10 @@ class PlayScreen:
             reloader.problem = ""
         if workspace.help_shown:
             draw_help(workspace, self.tool_box.tools, self.panels)
+
+    def _fade(self, left: float) -> float:
+        """Opacity of what disappears in `left` seconds."""
+        return float(left > 0.0) if self.workspace.less_motion else min(max(left / FADE_SECONDS, 0.0), 1.0)
 
     def _figures(self) -> hud.Figures:
         world = self.session.world
@@ -238,8 +245,3 @@ class PlayScreen:
             time=world.time,
             frozen=int(world.state.counters[0].frozen_count),
         )
-
-
-def _fade(left: float) -> float:
-    """Opacity of what disappears in `left` seconds."""
-    return min(max(left / FADE_SECONDS, 0.0), 1.0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Protocol
 
 import pygame
@@ -12,9 +12,10 @@ from sandbox.render.theme import Theme
 from sandbox.window.display import Display
 from sandbox.window.gl_painter import GlPainter
 from sandbox.window.gui import Gui
+from sandbox.window.remembered import Remembered
 
 
-@dataclass(frozen=True)
+@dataclass
 class Canvas:
     """What screens draw with."""
 
@@ -22,6 +23,7 @@ class Canvas:
     painter: GlPainter
     gui: Gui
     theme: Theme
+    remembered: Remembered = field(default_factory=Remembered)
 
     def clear(self) -> None:
         """An empty picture."""

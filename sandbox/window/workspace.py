@@ -51,6 +51,9 @@ class Workspace:
     overlays: list[str] = field(default_factory=list)
     interface: bool = True
     help_shown: bool = False
+    text_scale: float = 1.0
+    less_motion: bool = False
+    """Nothing fades or turns."""
     held: set[str] = field(default_factory=set)
     wish: Wish | None = None
     interrupt: Callable[[], bool] = _nothing

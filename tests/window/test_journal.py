@@ -133,10 +133,10 @@ def test_a_killed_window_offers_its_session_at_the_next_start(display: Any, tmp_
         time.sleep(0.1)
     window.kill()
     window.wait()
-    assert len(list((tmp_path / "state").iterdir())) == 1
+    assert len(list((tmp_path / "state").glob(f"*{SUFFIX}"))) == 1
     done = subprocess.run([*command, "restore.txt"], cwd=tmp_path, env=environment, capture_output=True, text=True)
     assert (done.returncode, done.stderr) == (0, "")
-    assert list((tmp_path / "state").iterdir()) == []
+    assert not list((tmp_path / "state").glob(f"*{SUFFIX}"))
     from sandbox import Recording
 
     kinds = [type(command).__name__ for _, command in Recording.load(tmp_path / "two.replay.json").commands]

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import pygame
 
-from sandbox.window.actions import edit, file, time, view
+from sandbox.window.actions import arrange, edit, file, time, view
 from sandbox.window.actions.action import Action
 from sandbox.window.keys import Chord, chord
 
-MENUS = ("File", "Edit", "Time", "View", "Help")
-ACTIONS: tuple[Action, ...] = (*file.ACTIONS, *edit.ACTIONS, *time.ACTIONS, *view.ACTIONS)
+MENUS = ("File", "Edit", "Arrange", "Time", "View", "Help")
+ACTIONS: tuple[Action, ...] = (*file.ACTIONS, *edit.ACTIONS, *arrange.ACTIONS, *time.ACTIONS, *view.ACTIONS)
 BY_NAME = {action.name: action for action in ACTIONS}
 _CHORDS: tuple[tuple[Chord, Action], ...] = tuple((chord(key), action) for action in ACTIONS for key in action.keys)
 

@@ -19,6 +19,10 @@ def _toggle_theme(workspace: Workspace) -> None:
     workspace.theme = LIGHT if workspace.theme is DARK else DARK
 
 
+def _scale_text(workspace: Workspace, factor: float) -> None:
+    workspace.text_scale = min(max(round(workspace.text_scale * factor, 3), 0.5), 3.0)
+
+
 ACTIONS = (
     Action("fit", "Fit", "View", ("F",), "Show all that there is to see now.", lambda w: w.viewport.fit(w.session)),
     Action("home-view", "As the scene asks", "View", ("0",), "Look as the scene asks for.",
@@ -28,6 +32,12 @@ ACTIONS = (
     Action("interface", "Panels", "View", ("Tab",), "Show or hide all but the scene.", _toggle_interface,
            checked=lambda w: w.interface),
     Action("theme", "Light", "View", ("F8",), "Light or dark.", _toggle_theme, checked=lambda w: w.theme is LIGHT),
+    Action("larger-text", "Larger text", "View", ("Ctrl++", "Ctrl+="), "Text, buttons and panels a tenth larger.",
+           lambda w: _scale_text(w, 1.1)),
+    Action("smaller-text", "Smaller text", "View", ("Ctrl+-",), "Text, buttons and panels a tenth smaller.",
+           lambda w: _scale_text(w, 1 / 1.1)),
+    Action("less-motion", "Less motion", "View", (), "Nothing fades; what appears is there at once.",
+           lambda w: setattr(w, "less_motion", not w.less_motion), checked=lambda w: w.less_motion),
     Action("help", "Keys and mouse", "Help", ("F1", "H"), "All keys, and what the mouse does.", _toggle_help,
            checked=lambda w: w.help_shown),
 )  # fmt: skip
