@@ -155,6 +155,10 @@ if TYPE_CHECKING:
     from sandbox.scene import load_scene as load_scene
     from sandbox.scene import loads_scene as loads_scene
     from sandbox.scene import schema as schema
+    from sandbox.world.export.copies import copy_of as copy_of
+    from sandbox.world.export.copies import paste_of as paste_of
+    from sandbox.world.export.scene_now import SceneNow as SceneNow
+    from sandbox.world.export.scene_now import scene_of as scene_of
 
 __all__ = [*sorted(HOMES), "__version__"]
 

@@ -49,6 +49,8 @@ _MODULES = {
         Prismatic Pulley Pyramid Rests Revolute Row Scatter Scene SegmentShape Senses Settings Speeding
         Stack Stands Target Thruster Touches Turned View Water Weld Wheel Wind load_scene loads_scene schema
     """,
+    "sandbox.world.export.copies": "copy_of paste_of",
+    "sandbox.world.export.scene_now": "SceneNow scene_of",
 }
 
 HOMES = {name: module for module, names in _MODULES.items() for name in names.split()}

@@ -14,24 +14,9 @@ from sandbox.engine.commands.checks import title
 from sandbox.engine.commands.switch import switch
 from sandbox.errors import CommandError, SceneError
 from sandbox.tables import Integers
-from sandbox.world.build_fields import KINDS
 from sandbox.world.records import DYNAMIC
+from sandbox.world.region_columns import columns_of
 from sandbox.world.state import State
-
-_FLOW = ("flow_x", "flow_y")
-_COLUMNS: dict[str, dict[str, tuple[str, ...]]] = {
-    "water": {
-        "water": ("density",), "surface": (), "drag": ("drag",), "angular_drag": ("angular_drag",), "flow": _FLOW,
-    },
-    "gravity": {"gravity": ("gravity_x", "gravity_y")},
-    "gravity_scale": {"gravity_scale": ("scale",)},
-    "attraction": {
-        "attraction": ("strength",), "at": ("center_x", "center_y"), "falloff": ("falloff",), "core": ("core",),
-        "range": ("range",),
-    },
-    "wind": {"wind": _FLOW, "density": ("density",), "drag": ("drag",)},
-}  # fmt: skip
-"""The fields that a region of each kind has, and where its record keeps them."""
 
 
 @dataclass(frozen=True)
@@ -71,7 +56,7 @@ class SetRegion(Command):
         if "surface" in given and not flat.surfaced:
             raise CommandError(f"{title(self)}: this water has no surface; give it one in the scene")
         inside = _inside(state, row)
-        for field, columns in _columns(row).items():
+        for field, columns in columns_of(row).items():
             if field in given and columns:
                 for column, value in zip(columns, given[field] if len(columns) > 1 else (given[field],), strict=True):
                     row[column] = value
@@ -82,15 +67,11 @@ class SetRegion(Command):
         return Touched(schedules=True)
 
 
-def _columns(row: Any) -> Mapping[str, tuple[str, ...]]:
-    return _COLUMNS[next(name for name, number in KINDS.items() if number == row.kind)]
-
-
 def _check(row: Any, given: Mapping[str, Any], command: SetRegion) -> None:
     """The fields must be those of the kind, and their values such as a scene may have."""
     from sandbox.scene.regions import REGIONS
 
-    known = _columns(row)
+    known = columns_of(row)
     kind = next(iter(known))
     strays = [name for name in given if name not in known]
     if strays:

@@ -1,0 +1,116 @@
+"""A body as an entry of `bodies`: as its author wrote it, but where it is now and as it moves."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from sandbox.geometry.rotation import RADIANS_PER_DEGREE
+from sandbox.scene.body import Body, Prefab
+from sandbox.scene.generators import kind_of
+from sandbox.world.export.numbers import degrees, fitted, pair, pose_degrees, shortest
+from sandbox.world.export.present import Present
+from sandbox.world.export.shape_words import shape_words
+from sandbox.world.export.thruster_words import thruster_words
+
+Words = dict[str, Any]
+
+
+def body_words(present: Present, row: int) -> Words:
+    """The entry of a body of now; only what has changed differs from the one that it came with."""
+    words = _first_words(present, row)
+    if present.changed[row]:
+        pattern = _pattern(present, words)
+        body, first = present.state.bodies[row], present.start.bodies[row]
+        for name, value in _motion(present, body, first).items():
+            _put(present, words, pattern, name, value)
+        shapes = shape_words(present, row, words, pattern)
+        if shapes is not None:
+            words["shapes"] = shapes
+        thrusters = thruster_words(present, row, words["thrusters"] if "thrusters" in words else pattern["thrusters"])
+        if thrusters is not None:
+            words["thrusters"] = thrusters
+        if body.type != first.type:
+            _freeze(present, words, pattern)
+    return words
+
+
+def written(present: Present, row: int) -> Body:
+    """The same as a model; it is the author's own object if nothing has changed."""
+    pointer = present.state.census.bodies.items[row].pointer
+    if pointer.startswith("/bodies/") and not present.changed[row]:
+        return present.scene.bodies[_number(pointer)]
+    return Body(**body_words(present, row))
+
+
+def _first_words(present: Present, row: int) -> Words:
+    """The entry that a body came with: written, made by a generator, or spawned."""
+    census = present.state.census.bodies
+    flat = census.items[row]
+    if flat.pointer.startswith("/bodies/"):
+        return present.scene.bodies[_number(flat.pointer)].to_data()
+    if not flat.pointer:
+        return dict(census.words[census.serials[row]])
+    generator = present.scene.generate[_number(flat.pointer)]
+    prefab: str = getattr(generator, kind_of(generator))
+    words: Words = {"id": flat.id, "prefab": prefab, "position": pair(*flat.position)}
+    if present.scene.prefabs[prefab].angle * RADIANS_PER_DEGREE != flat.angle:
+        words["angle"] = degrees(flat.angle)
+    return words
+
+
+def _number(pointer: str) -> int:
+    return int(pointer.rsplit("/", 1)[1])
+
+
+def _pattern(present: Present, words: Words) -> Words:
+    """What holds for the fields that an entry does not give, as data."""
+    name = words.get("prefab")
+    prefab = Prefab() if name is None else present.scene.prefabs[name]
+    return prefab.model_dump(mode="json", exclude={"shapes", "thrusters"}) | {
+        "shapes": [shape.to_data() for shape in prefab.shapes],
+        "thrusters": [thruster.to_data() for thruster in prefab.thrusters],
+        "position": [0.0, 0.0],
+    }
+
+
+def _motion(present: Present, body: Any, first: Any) -> Words:
+    """The fields of place and motion that are others than at first."""
+    found: Words = {}
+    if (body.center_x, body.center_y) != (first.center_x, first.center_y) or body.angle != first.angle:
+        found["position"] = _position(body)
+    if body.angle != first.angle:
+        found["angle"] = pose_degrees(float(body.angle))
+    if (body.velocity_x, body.velocity_y) != (first.velocity_x, first.velocity_y):
+        found["velocity"] = pair(body.velocity_x, body.velocity_y)
+    if body.angular_velocity != first.angular_velocity:
+        found["angular_velocity"] = degrees(float(body.angular_velocity))
+    return found
+
+
+def _position(body: Any) -> list[float]:
+    """Where the origin is, m: so that the centre of mass comes to lie where it is, to the bit if that can be."""
+    c, s, x, y = (float(body[name]) for name in ("rotation_cos", "rotation_sin", "local_center_x", "local_center_y"))
+    right, up = c * x - s * y, s * x + c * y
+    return [
+        shortest(float(body.position_x), float(body.center_x), lambda found: found + right),
+        shortest(float(body.position_y), float(body.center_y), lambda found: found + up),
+    ]
+
+
+def _put(present: Present, words: Words, pattern: Mapping[str, Any], name: str, value: Any) -> None:
+    """Write a field, unless the pattern says the same."""
+    inside = fitted(Body, name, value)
+    if inside != value:
+        present.remarks.note(f"{name} past the limit of scene files is cut to it", words["id"])
+    words.pop(name, None)
+    if inside != pattern[name]:
+        words[name] = inside
+
+
+def _freeze(present: Present, words: Words, pattern: Mapping[str, Any]) -> None:
+    """What bad numbers have frozen is static."""
+    present.remarks.note("bodies that bad numbers froze are static for good", words["id"])
+    words["type"] = "static"
+    if words.get("thrusters", pattern["thrusters"]):
+        words["thrusters"] = []

@@ -1,0 +1,38 @@
+"""A region as an entry of a file, with the settings and the schedule of now."""
+
+from __future__ import annotations
+
+from math import inf
+from typing import Any
+
+from sandbox.scene.regions import REGIONS, Region
+from sandbox.world.export.numbers import pair
+from sandbox.world.export.present import Present
+from sandbox.world.export.schedule_words import write_schedule
+from sandbox.world.region_columns import columns_of
+
+
+def written_region(present: Present, index: int) -> Region:
+    """The region of that number; it is the author's own object if nothing has changed."""
+    author = present.scene.regions[index]
+    row, first = present.state.regions[index], present.start.regions[index]
+    before = author.to_data()
+    words = dict(before)
+    for field, columns in columns_of(row).items():
+        values = [row[column].item() for column in columns]
+        if values != [first[column].item() for column in columns]:
+            words[field] = pair(*values) if len(values) == 2 else values[0]
+    if words.get("range") == inf:
+        del words["range"]
+    if "water" in words:
+        _write_water(present, words, row)
+    write_schedule(present, words, row, first, author.id or "")
+    return author if words == before else REGIONS[next(iter(columns_of(row)))](**words)
+
+
+def _write_water(present: Present, words: dict[str, Any], row: Any) -> None:
+    """What is not in a column of its own, or follows another one unless it is given."""
+    if "angular_drag" not in words and row.angular_drag != row.drag:
+        words["angular_drag"] = float(row.angular_drag)
+    if words.get("surface") is not None:
+        words["surface"] = float(present.state.edges[int(row.first_edge + row.edge_count) - 1].offset)
