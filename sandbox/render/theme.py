@@ -89,3 +89,6 @@ LIGHT = Theme(
     chroma=0.13,
 )
 """The same hues on paper: for pictures in pages that a reader may see light or dark."""
+
+THEMES = {"dark": DARK, "light": LIGHT}
+"""The themes by name."""

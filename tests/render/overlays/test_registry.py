@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -86,3 +87,10 @@ def test_a_world_that_was_rewound_can_be_looked_at(name: str) -> None:
     world.step(80)
     world.restore(start)
     shown(look_at(world), name)
+
+
+def test_the_guide_tells_of_every_overlay() -> None:
+    guide = (Path(__file__).parents[3] / "sandbox" / "cli" / "README.md").read_text(encoding="utf-8")
+    for name, overlay in OVERLAYS.items():
+        what = overlay.help.removesuffix(".")
+        assert f"| `{name}` | {what[0].lower()}{what[1:]} |" in guide
