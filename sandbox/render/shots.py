@@ -13,6 +13,7 @@ from sandbox.render.draw_list import DrawList, build_draw_list
 from sandbox.render.follow import followed
 from sandbox.render.frame import Frame, blend, capture, interesting_bounds
 from sandbox.render.marks import Marks
+from sandbox.render.overlays.legend import Corner, quiet_corner
 from sandbox.render.overlays.look import Look, Overlay
 from sandbox.render.overlays.registry import draw_overlays
 from sandbox.render.theme import DARK, Theme
@@ -62,6 +63,8 @@ class Shooting:
         self._home = self._camera = look_at(style.center or camera.center, height, style.size)
         self._follow = style.follow or (None if style.center else getattr(view, "follow", None))
         self._arrived = False
+        self._corner: Corner | None = None
+        """Where the legend is: it stays there through a film."""
 
     def shot(self, world: World, frame: Frame, seconds: float = 0.0) -> Shot:
         """What is seen of a frame of the world, `seconds` after the shot before."""
@@ -69,7 +72,9 @@ class Shooting:
             waited = seconds if self._arrived else None
             self._camera, self._arrived = followed(self._camera, frame, self._follow, self._home, waited), True
         look = Look(world, frame, self._camera, self.style.theme)
-        return Shot(frame, self._camera, draw_overlays(self.style.overlays, look))
+        if self.style.overlays and self._corner is None:
+            self._corner = quiet_corner(look)
+        return Shot(frame, self._camera, draw_overlays(self.style.overlays, look, self._corner))
 
     def draw_list(self, shot: Shot) -> DrawList:
         """What painters draw of a shot."""

@@ -27,7 +27,7 @@ from sandbox.render.overlays import (
     sweeps,
     velocities,
 )
-from sandbox.render.overlays.legend import legend_card
+from sandbox.render.overlays.legend import Corner, legend_card
 from sandbox.render.overlays.look import Look, Overlay
 from sandbox.render.overlays.sat import SAT, sat_overlay
 from sandbox.scene.near_names import did_you_mean
@@ -71,8 +71,8 @@ def _two_bodies(text: str, rest: str, bodies: Collection[str]) -> tuple[str, str
     return pair
 
 
-def draw_overlays(shown: Sequence[Overlay], look: Look, legend: bool = True) -> tuple[Marks, ...]:
-    """The layers of all overlays `shown`, for a draw list; the last one says what the colours mean, if `legend`.
+def draw_overlays(shown: Sequence[Overlay], look: Look, corner: Corner | None = "lower left") -> tuple[Marks, ...]:
+    """The layers of all overlays `shown`, for a draw list; the last one says in a `corner` what the colours mean.
 
     Nothing is looked at if none is shown, and there are no marks if bodies have come or gone since the frame. Only
     labels that have room are left; they are all in the last layer.
@@ -80,6 +80,7 @@ def draw_overlays(shown: Sequence[Overlay], look: Look, legend: bool = True) -> 
     if not shown or look.frame.mesh.layout != look.world.layout:
         return ()
     layers = [overlay.draw(look) for overlay in shown]
-    card, taken = legend_card([entry for layer in layers for entry in layer.legend], look) if legend else (Marks(), ())
+    entries = [entry for layer in layers for entry in layer.legend] if corner else []
+    card, taken = legend_card(entries, look, corner or "lower left")
     labels = place_labels([label for layer in layers for label in layer.labels], look.camera.size, taken)
     return (*(replace(layer, labels=()) for layer in layers), replace(card, labels=[*card.labels, *labels]))
