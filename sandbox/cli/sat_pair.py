@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -55,19 +54,11 @@ def pair_in(path: Path, bodies: tuple[str, str] | None, step: int) -> SatPair:
 
 def chosen_pair(world: World, names: tuple[str, str]) -> SatPair:
     """The deepest pair of shapes of two bodies; if none overlaps, the nearest; the first of equals."""
+    from sandbox.geometry.nearest_pair import nearest_pair
 
     shapes = world.body(names[0]).shapes, world.body(names[1]).shapes
-    pairs = list(product(enumerate(shapes[0], 1), enumerate(shapes[1], 1)))
-    (i, a), (j, b) = pairs[0] if len(pairs) == 1 else min(pairs, key=lambda pair: _apart(pair[0][1], pair[1][1]))
-    return SatPair(names, a, b, world, (i, j), (len(shapes[0]), len(shapes[1])))
-
-
-def _apart(a: Shape, b: Shape) -> float:
-    """Distance, or minus the depth (m)."""
-    from sandbox.geometry.collide import collide, distance
-
-    contact = collide(a, b)
-    return distance(a, b).value if contact is None else -contact.depth
+    i, j = nearest_pair(*shapes)
+    return SatPair(names, shapes[0][i], shapes[1][j], world, (i + 1, j + 1), (len(shapes[0]), len(shapes[1])))
 
 
 def _only_two(world: World) -> tuple[str, str]:

@@ -47,7 +47,7 @@ def field_strokes(marks: FieldMarks, camera: Camera, theme: Theme) -> list[Line]
         length = float(np.clip(0.6 * camera.scale, 6.0, 60.0))
         end = start + length * np.array([jet_x, -jet_y])
         lines.append(Line(tuple(start), tuple(end), 0.35 * length, theme.flame, 0.45))
-        lines.append(Line(tuple(start), tuple(start + 0.6 * (end - start)), 0.16 * length, theme.light, 0.8))
+        lines.append(Line(tuple(start), tuple(start + 0.6 * (end - start)), 0.16 * length, theme.spark, 0.8))
     return lines
 
 

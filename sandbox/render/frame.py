@@ -22,9 +22,9 @@ from sandbox.world.state import State
 class Frame:
     """Poses and conditions of all bodies at `time` seconds.
 
-    `center` (n, 2) in metres, `angle` (n,) in radians, `rotation` (n, 2) as (cos, sin), `type`, `awake`,
-    `frozen` (n,); `mesh` says what hangs on the bodies, `joints` what holds them together, `fields` what pushes them,
-    `roster` who they are.
+    `center` (n, 2) in metres, `angle` (n,) in radians, `rotation` (n, 2) as (cos, sin), `type`, `awake`, `frozen` (n,),
+    `speed` (n,) of the fastest point in m/s; `mesh` says what hangs on the bodies, `joints` what holds them together,
+    `fields` what pushes them, `roster` who they are.
     """
 
     mesh: Mesh
@@ -36,6 +36,7 @@ class Frame:
     awake: NDArray[np.bool_]
     frozen: NDArray[np.bool_]
     roster: Register[FlatBody]
+    speed: Floats
     fields: FieldMarks = field(default_factory=FieldMarks)
     step: int = 0
     time: float = 0.0
@@ -56,6 +57,12 @@ def _read_only(array: Any) -> Any:
     return copy
 
 
+def _speed(bodies: Any) -> Floats:
+    """Of the fastest point of each body, m/s."""
+    speed: Floats = np.hypot(bodies.velocity_x, bodies.velocity_y) + np.abs(bodies.angular_velocity) * bodies.extent
+    return speed
+
+
 def capture(state: State, mesh: Mesh | None = None) -> Frame:
     """The frame of a world as it stands. The `mesh` of an earlier frame is used again unless bodies came or went."""
     bodies, counters = state.bodies, state.counters[0]
@@ -72,6 +79,7 @@ def capture(state: State, mesh: Mesh | None = None) -> Frame:
         type=_read_only(bodies.type),
         awake=_read_only(bodies.awake != 0),
         frozen=_read_only(bodies.frozen_step >= 0),
+        speed=_read_only(_speed(bodies)),
         fields=capture_fields(state),
         step=int(counters.step_count),
         time=int(counters.step_count) * step_seconds,

@@ -6,6 +6,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
+import numpy as np
+
 from sandbox.render.camera import Size, Vec
 from sandbox.render.theme import Color
 
@@ -16,6 +18,8 @@ Anchor = Literal["left", "middle", "right"]
 LETTER = 0.56
 """Mean width of a letter, in parts of the size of the text."""
 MOST_LABELS, MOST_TRIED = 300, 1200
+_BEFORE: dict[Anchor, float] = {"left": 0.0, "middle": 0.5, "right": 1.0}
+"""Share of its width that lies left of a label's anchor."""
 APART = 20, 12
 """Pixels across and down within which only the first of several points is tried."""
 CELL = 6
@@ -41,9 +45,7 @@ class Label:
     @property
     def box(self) -> Box:
         """About what it covers."""
-        width = LETTER * self.size * len(self.text)
-        left = self.at[0] - {"left": 0.0, "middle": 0.5, "right": 1.0}[self.anchor] * width
-        return left, self.at[1] - 0.62 * self.size, left + width, self.at[1] + 0.62 * self.size
+        return _box(self.at, self.anchor, self)
 
 
 def place_labels(
@@ -53,14 +55,16 @@ def place_labels(
 
     None comes to lie in the boxes that are `taken`.
     """
-    booked = {cell for box in taken for cell in _cells(box)}
+    booked = np.zeros((size[1] // CELL + 1, size[0] // CELL + 1), np.bool_)
+    for box in taken:
+        booked[_cells(box)] = True
     placed: list[Label] = []
     for label in _spread(labels):
-        for candidate in _places(label):
-            cells = _cells(candidate.box)
-            if _within(candidate.box, size) and booked.isdisjoint(cells):
-                booked.update(cells)
-                placed.append(candidate)
+        for at, anchor in _places(label):
+            box = _box(at, anchor, label)
+            if _within(box, size) and not booked[_cells(box)].any():
+                booked[_cells(box)] = True
+                placed.append(replace(label, at=at, anchor=anchor, gap=0.0))
                 break
         if len(placed) == most:
             break
@@ -75,25 +79,27 @@ def _spread(labels: Sequence[Label]) -> list[Label]:
     return list(firsts.values())[:MOST_TRIED]
 
 
-def _places(label: Label) -> Iterable[Label]:
+def _places(label: Label) -> Iterable[tuple[Vec, Anchor]]:
     """Right of the point, left of it, above and below; only where it is if it has no gap."""
     if label.gap == 0.0:
-        return (label,)
+        return ((label.at, label.anchor),)
     (x, y), gap = label.at, label.gap
     rise = gap + 0.5 * label.size
-    return (
-        replace(label, at=(x + gap, y), anchor="left", gap=0.0),
-        replace(label, at=(x - gap, y), anchor="right", gap=0.0),
-        replace(label, at=(x, y - rise), anchor="middle", gap=0.0),
-        replace(label, at=(x, y + rise), anchor="middle", gap=0.0),
-    )
+    return ((x + gap, y), "left"), ((x - gap, y), "right"), ((x, y - rise), "middle"), ((x, y + rise), "middle")
+
+
+def _box(at: Vec, anchor: Anchor, label: Label) -> Box:
+    """About what a label covers if it stands there."""
+    width = LETTER * label.size * len(label.text)
+    left = at[0] - _BEFORE[anchor] * width
+    return left, at[1] - 0.62 * label.size, left + width, at[1] + 0.62 * label.size
 
 
 def _within(box: Box, size: Size) -> bool:
     return box[0] >= 0.0 and box[1] >= 0.0 and box[2] <= size[0] and box[3] <= size[1]
 
 
-def _cells(box: Box) -> list[tuple[int, int]]:
-    """The cells of the raster that a box covers."""
-    left, top, right, bottom = (int(side) // CELL for side in box)
-    return [(column, row) for row in range(top, bottom + 1) for column in range(left, right + 1)]
+def _cells(box: Box) -> tuple[slice, slice]:
+    """The rows and columns of the raster that a box covers."""
+    left, top, right, bottom = (max(int(side) // CELL, 0) for side in box)
+    return slice(top, bottom + 1), slice(left, right + 1)

@@ -41,6 +41,7 @@ class Theme:
     wind: Color
     gravity: Color
     flame: Color
+    spark: Color = (1.0, 0.97, 0.88)
     hues: tuple[float, ...] = (28.0, 62.0, 92.0, 140.0, 178.0, 215.0, 250.0, 288.0, 325.0, 358.0)
     sweep: float = 75.0
     jitter: float = 26.0
@@ -89,3 +90,6 @@ LIGHT = Theme(
     chroma=0.13,
 )
 """The same hues on paper: for pictures in pages that a reader may see light or dark."""
+
+THEMES = {"dark": DARK, "light": LIGHT}
+"""The themes by name."""

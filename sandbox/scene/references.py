@@ -16,6 +16,8 @@ from sandbox.scene.limits import MAX_EXPECTATIONS, MAX_MATCHES, MAX_NAME
 from sandbox.scene.names import BodyNames
 from sandbox.scene.near_names import did_you_mean
 
+MOVING = "moving"
+"""What a camera follows that goes with whatever moves."""
 _TOO_MANY = f"there are too many patterns for so many bodies; patterns times bodies may be {MAX_MATCHES:,}"
 
 
@@ -27,6 +29,7 @@ def unknown_names(data: dict[str, Any], ids: BodyNames, known: Known) -> Iterato
     yield from _prefabs(data)
     yield from _categories(data)
     yield from _bodies(data, ids)
+    yield from _followed(data, ids)
     yield from joint_references(data, ids, known.kinds)
 
 
@@ -71,6 +74,13 @@ def _bodies(data: dict[str, Any], ids: BodyNames) -> Iterator[Finding]:
                     known[name] = _is_known(name, ids)
                 if not known[name]:
                     yield _unknown_body(name, place, ids)
+
+
+def _followed(data: dict[str, Any], ids: BodyNames) -> Iterator[Finding]:
+    """The body that the camera goes with; `MOVING` means whatever moves."""
+    name = plain.mapping(data.get("view")).get("follow")
+    if ids.counted and isinstance(name, str) and name != MOVING and not name.startswith(ids.unread) and name not in ids:
+        yield _unknown_body(name, ("view", "follow"), ids)
 
 
 def _is_known(name: str, ids: BodyNames) -> bool:

@@ -10,7 +10,7 @@ from sandbox.scene.base import Model
 from sandbox.scene.constraints import Range
 from sandbox.scene.limits import MAX_SUBSTEPS
 from sandbox.scene.objects import known_as
-from sandbox.scene.quantities import Hertz, Point, Ratio, Size, Speed
+from sandbox.scene.quantities import Hertz, Name, Point, Ratio, Size, Speed
 
 
 @known_as('"settings"')
@@ -47,3 +47,4 @@ class View(Model):
 
     center: Point = Field(default=(0.0, 0.0), description="Middle of the picture, m.")
     height: Size | None = Field(default=None, description="Height of the picture, m; default: as without a view.")
+    follow: Name | None = Field(default=None, description='Body that the camera goes with; "moving": whatever moves.')

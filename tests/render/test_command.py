@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+import sys
 from pathlib import Path
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -79,11 +81,26 @@ def test_a_film_and_what_json_says_of_it(scene: str, tmp_path: Path, capsys: pyt
 @pytest.mark.parametrize(
     ("output", "options", "words"),
     [
-        ("a.jpg", (), ".gif, .html or .png"),
-        ("a", (), ".gif, .html or .png"),
+        ("a.jpg", (), ".gif, .html, .mp4, .png, .svg or .webm"),
+        ("a", (), ".gif, .html, .mp4, .png, .svg or .webm"),
         ("nowhere/a.png", (), "does not exist"),
         ("a.png", ("--size", "12"), "1280x800"),
         ("a.html", ("--size", "640x400"), "fits itself"),
+        ("a.html", ("--overlay", "contacts"), "controls of its own"),
+        ("a.html", ("--theme", "light"), "as its reader likes"),
+        ("a.png", ("--theme", "lihgt"), 'did you mean "light"'),
+        ("a.png", ("--overlay", "boxes,contcats"), 'did you mean "contacts"'),
+        ("a.png", ("--overlay", "sat:crate:gruond"), 'did you mean "ground"'),
+        ("a.png", ("--overlay", "sat:crate"), "two bodies: sat:A:B"),
+        ("a.png", ("--overlay", "sat:crate:crate"), "does not collide with itself"),
+        ("a.png", ("--follow", "crat"), 'did you mean "crate"'),
+        ("a.png", ("--center", "3"), "--center=-2.5,4"),
+        ("a.png", ("--height", "-1"), "--height"),
+        ("a.png", ("--range", "10:20"), "are for films"),
+        ("a.gif", ("--range", "20:10"), "comes after the first"),
+        ("a.gif", ("--range", "ten"), "60:240"),
+        ("a.gif", ("--range", "1:9", "--step", "3"), "leave --step"),
+        ("a.gif", ("--fps", "60"), "at most 50"),
         ("a.html", ("--step", "1200"), "the run has"),
         ("a.png", ("--size", "100000x2"), "8192"),
     ],
@@ -118,3 +135,92 @@ def test_a_page_of_a_scene_and_of_a_recording(scene: str, tmp_path: Path, capsys
 def test_a_scene_that_is_not_there(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert call(str(tmp_path / "none.json"), "-o", str(tmp_path / "a.png")) == 2
     assert "none.json" in capsys.readouterr().err
+
+
+def orange(path: Path) -> np.ndarray:
+    """The middle (row, column) of the crate, in shares of the picture."""
+    with Image.open(path) as image:
+        pixels = np.asarray(image.convert("RGB")).astype(int)
+    rows, columns = np.nonzero((pixels[:, :, 0] > 200) & (pixels[:, :, 2] < 100))
+    return np.array([rows.mean() / pixels.shape[0], columns.mean() / pixels.shape[1]])
+
+
+def test_center_and_height_say_what_is_seen(scene: str, tmp_path: Path) -> None:
+    path = tmp_path / "a.png"
+    assert call(scene, "-o", str(path), "--size", "160x100", "--center=2,3", "--height", "8") == 0
+    assert orange(path) == pytest.approx([0.5, 0.5 - 2 / 12.8], abs=0.02)
+
+
+def test_follow_keeps_a_body_in_the_middle(scene: str, tmp_path: Path) -> None:
+    for who in ("crate", "moving"):
+        path = tmp_path / f"{who}.png"
+        assert call(scene, "-o", str(path), "--size", "160x100", "--step", "30", "--follow", who) == 0
+        assert orange(path) == pytest.approx([0.5, 0.5], abs=0.02)
+
+
+def test_a_scene_may_say_whom_to_follow(tmp_path: Path) -> None:
+    path = tmp_path / "b.scene.json"
+    path.write_text(json.dumps({**SCENE, "view": {"follow": "crate", "height": 5}}))
+    assert call(str(path), "-o", str(tmp_path / "b.png"), "--size", "160x100", "--step", "40") == 0
+    assert orange(tmp_path / "b.png") == pytest.approx([0.5, 0.5], abs=0.02)
+
+
+def test_recordings_are_filmed_with_their_commands(
+    scene: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    replay = tmp_path / "fall.replay.json"
+    commands = [(5, sandbox.SetPose("crate", (6.0, 2.0), 0.0))]
+    recording = sandbox.record(scene, 30, commands)
+    recording.save(replay)
+    assert call(str(replay), "-o", str(tmp_path / "a.png"), "--step", "30", "--size", "160x100", "--json") == 0
+    assert json.loads(capsys.readouterr().out)["digest"] == recording.digest
+    assert call(str(replay), "-o", str(tmp_path / "a.gif"), "--size", "64x40", "--json") == 0
+    facts = json.loads(capsys.readouterr().out)
+    assert (facts["step"], facts["digest"]) == (30, recording.digest)
+    for options, words in ((["--range", "0:40"], "has 30 steps"), (["--step", "30"], "ends there")):
+        assert call(str(replay), "-o", str(tmp_path / "b.gif"), *options) == 2
+        assert words in capsys.readouterr().err
+    assert not (tmp_path / "b.gif").exists()
+
+
+def test_overlays_and_themes_change_the_picture(scene: str, tmp_path: Path) -> None:
+    files = []
+    for k, options in enumerate(([], ["--overlay", "boxes"], ["--overlay", "sat:crate:ground"], ["--theme", "light"])):
+        path = tmp_path / f"{k}.png"
+        assert call(scene, "-o", str(path), "--step", "20", "--size", "320x200", *options) == 0
+        files.append(path.read_bytes())
+    assert len(set(files)) == 4
+
+
+def test_a_range_is_step_and_steps(scene: str, tmp_path: Path) -> None:
+    assert call(scene, "-o", str(tmp_path / "a.gif"), "--range", "10:40", "--size", "64x40") == 0
+    assert call(scene, "-o", str(tmp_path / "b.gif"), "--step", "10", "--steps", "30", "--size", "64x40") == 0
+    assert (tmp_path / "a.gif").read_bytes() == (tmp_path / "b.gif").read_bytes()
+
+
+def test_a_vector_picture_has_what_the_scene_has(scene: str, tmp_path: Path) -> None:
+    path = tmp_path / "a.svg"
+    assert call(scene, "-o", str(path), "--step", "90", "--overlay", "contacts") == 0
+    root = ElementTree.parse(path).getroot()
+    assert (root.get("width"), root.get("height")) == ("1280", "800")
+    fills = [node.get("fill") for node in root.iter("{http://www.w3.org/2000/svg}polygon")]
+    assert len(fills) >= 2
+    assert any("touching: 2" in (node.text or "") for node in root.iter("{http://www.w3.org/2000/svg}text"))
+
+
+def test_a_video_of_a_scene(scene: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    av = pytest.importorskip("av")
+    path = tmp_path / "a.mp4"
+    assert call(scene, "-o", str(path), "--steps", "60", "--fps", "30", "--size", "160x100", "--json") == 0
+    assert json.loads(capsys.readouterr().out)["pictures"] == 31
+    with av.open(str(path)) as video:
+        assert sum(1 for _ in video.decode(video=0)) == 31
+
+
+def test_a_video_without_av_is_refused_before_anything_runs(
+    scene: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "av", None)
+    assert call(scene, "-o", str(tmp_path / "a.webm")) == 2
+    assert 'pip install "av' in capsys.readouterr().err
+    assert not (tmp_path / "a.webm").exists()

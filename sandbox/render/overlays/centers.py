@@ -7,9 +7,10 @@ import numpy as np
 from sandbox.render.marks import Marks
 from sandbox.render.overlays.look import Look, Overlay
 from sandbox.render.overlays.pen import Pen
+from sandbox.tables import plain
 
-ARM = 6.0
-"""Pixels of each arm of the cross."""
+ARM, ARM_PIXELS = 0.5, (4.0, 16.0)
+"""Length of the axes as a share of the body's extent, and within what it is kept on screen."""
 
 
 def _draw(look: Look) -> Marks:
@@ -19,9 +20,11 @@ def _draw(look: Look) -> Marks:
     if len(rows) > 2000:
         pen.dots(at, 1.6, color.yellow)
     else:
+        extent = plain(look.world.state.bodies)["extent"][rows]
+        length = np.clip(ARM * extent * look.camera.scale, *ARM_PIXELS)[:, None]
         turn = look.frame.rotation[rows] * (1.0, -1.0)
         for axis, ink in ((turn, color.red), (np.column_stack([turn[:, 1], -turn[:, 0]]), color.green)):
-            pen.lines(at, at + 2.0 * ARM * axis, 1.6, ink, halo=True)
+            pen.lines(at, at + length * axis, 1.6, ink, halo=True)
         pen.dots(at, 2.6, color.yellow)
         pen.legend(color.red, "x axis of the body")
         pen.legend(color.green, "y axis of the body")

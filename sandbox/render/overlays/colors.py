@@ -12,6 +12,7 @@ from sandbox.render.geometry import Ints
 from sandbox.render.marks import Marks
 from sandbox.render.overlays.look import Look, Overlay
 from sandbox.render.overlays.pen import Pen
+from sandbox.render.overlays.scale import counted
 
 _MOST_LEGEND = 8
 
@@ -29,7 +30,7 @@ def _draw(look: Look) -> Marks:
     own, count = np.unique(color[known & np.isin(np.arange(len(color)), first)], return_counts=True)
     for each, contacts in list(zip(own.tolist(), count.tolist(), strict=True))[:_MOST_LEGEND]:
         name = f"colour {each}" if each < MAX_COLORS else "one by one"
-        pen.legend(look.palette.categories(np.array([each]))[0], f"{name}: {contacts} contacts")
+        pen.legend(look.palette.categories(np.array([each]))[0], f"{name}: {counted(contacts, 'contact')}")
     if not known.all():
         pen.legend(look.palette.quiet, "not solved in the last pass: asleep, or of another substep level")
     return pen.marks()

@@ -5,6 +5,7 @@ from __future__ import annotations
 from sandbox.render.marks import Marks
 from sandbox.render.overlays.look import Look, Overlay
 from sandbox.render.overlays.pen import Pen
+from sandbox.render.overlays.scale import counted
 
 NORMAL_PIXELS = 20.0
 
@@ -20,7 +21,7 @@ def _draw(look: Look) -> Marks:
     else:
         pen.lines(points.pixel[on], points.pixel[on] + 0.5 * NORMAL_PIXELS * points.normal[on], 1.0, color.orange)
     pen.dots(points.pixel[on], 2.0 if crowded else 3.0, color.orange)
-    pen.legend(color.orange, f"touching: {int(on.sum())} points, normals from a to b")
+    pen.legend(color.orange, f"touching: {counted(int(on.sum()), 'point')}, normals from a to b")
     if off.any():
         pen.legend(color.blue, f"not yet touching (speculative): {int(off.sum())}")
     return pen.marks()

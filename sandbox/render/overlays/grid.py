@@ -9,6 +9,7 @@ from sandbox.render.number_text import metres
 from sandbox.render.overlays.look import Look, Overlay
 from sandbox.render.overlays.memory import GridCells, grid_cells
 from sandbox.render.overlays.pen import Pen, box_corners
+from sandbox.render.overlays.scale import counted
 
 _NUMBER_PIXELS = 26.0
 """Cells smaller than this have no number."""
@@ -49,7 +50,7 @@ def _explain(pen: Pen, cells: GridCells, own: np.ndarray[tuple[int], np.dtype[np
         size = float((cells.high - cells.low)[rows, 0].max())
         boxes, count = int(cells.count[rows].sum()), int(rows.sum())
         color = pen.palette.categories(np.array([k]))[0]
-        pen.legend(color, f"level {level}: cells of {metres(size)}, {boxes} boxes in {count}")
+        pen.legend(color, f"level {level}: cells of {metres(size)}, {counted(boxes, 'box', 'boxes')} in {count}")
 
 
 OVERLAY = Overlay("grid", "Uniform grid", "Cells of the broad phase by level, with the number of boxes in each.", _draw)

@@ -6,12 +6,16 @@ from typing import Any
 
 import numpy as np
 
+from sandbox.render.body_colors import mix
 from sandbox.render.geometry import Ints
 from sandbox.render.marks import Marks
 from sandbox.render.overlays.look import Look, Overlay
 from sandbox.render.overlays.pen import Pen
 from sandbox.tables import plain
 from sandbox.world.records import DYNAMIC
+
+ASLEEP = 0.4
+"""How far the colours of sleepers move towards the background."""
 
 
 def _draw(look: Look) -> Marks:
@@ -23,7 +27,8 @@ def _draw(look: Look) -> Marks:
     colors = look.palette.categories(own[number])
     colors[alone] = look.palette.quiet
     asleep = (look.frame.type == DYNAMIC) & ~look.frame.awake
-    pen.tint(colors, np.where(asleep, 0.5, 0.9) * part)
+    colors[asleep] = mix(colors[asleep], look.theme.background, ASLEEP)
+    pen.tint(colors, part)
     count = int((size[own >= 0] > 1).sum())
     largest = int(size[own >= 0].max(initial=0))
     pen.legend(look.palette.text, f"islands of several bodies: {count}, the largest of {largest}")

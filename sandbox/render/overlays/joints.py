@@ -13,8 +13,8 @@ from sandbox.render.overlays.pen import Pen
 from sandbox.render.overlays.scale import REACH, amount, lengths, round_scale
 from sandbox.tables import plain
 
-AXIS = 14.0
-"""Pixels of the axes of a joint frame."""
+AXIS_METRES, AXIS_PIXELS = 0.3, (5.0, 14.0)
+"""Length of the axes of a joint frame, and within what it is kept on screen."""
 
 
 def _draw(look: Look) -> Marks:
@@ -44,9 +44,10 @@ def _draw(look: Look) -> Marks:
 
 def _frames(look: Look, pen: Pen, at: Floats, body: Any) -> None:
     """The axes of the body that an anchor is on; those of the world where it is on the world."""
+    length = float(np.clip(AXIS_METRES * look.camera.scale, *AXIS_PIXELS))
     turn = np.vstack([look.frame.rotation, [[1.0, 0.0]]])[body] * (1.0, -1.0)
     for axis, ink in ((turn, pen.palette.red), (np.column_stack([turn[:, 1], -turn[:, 0]]), pen.palette.green)):
-        pen.lines(at, at + AXIS * axis, 1.4, ink, halo=True)
+        pen.lines(at, at + length * axis, 1.4, ink, halo=True)
     pen.dots(at, 2.4, pen.palette.text)
 
 

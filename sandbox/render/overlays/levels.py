@@ -10,6 +10,7 @@ from sandbox.engine.active.pile_stability import MAX_LEVEL
 from sandbox.render.marks import Marks
 from sandbox.render.overlays.look import Look, Overlay
 from sandbox.render.overlays.pen import Pen
+from sandbox.render.overlays.scale import counted
 from sandbox.tables import plain
 from sandbox.world.records import DYNAMIC
 
@@ -28,7 +29,7 @@ def _draw(look: Look) -> Marks:
     for each in np.unique(level[frame.type == DYNAMIC]).tolist():
         count = int(((level == each) & (frame.type == DYNAMIC)).sum())
         color = look.palette.ramp(np.array([each / MAX_LEVEL]))[0]
-        pen.legend(color, f"{substeps << each} substeps: {count} bodies")
+        pen.legend(color, f"{counted(substeps << each, 'substep')}: {counted(count, 'body', 'bodies')}")
     return pen.marks(calm=False)
 
 

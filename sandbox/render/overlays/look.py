@@ -73,13 +73,9 @@ class Look:
 
 @dataclass(frozen=True)
 class Overlay:
-    """One overlay: a stable `name` for options and files, a `title` for menus, a line of `help`, and what it draws.
-
-    `takes` names what stands after the name, such as `A:B` for two bodies; "" for nothing.
-    """
+    """One overlay: a stable `name` for options and files, a `title` for menus, a line of `help`, and what it draws."""
 
     name: str
     title: str
     help: str
     draw: Callable[[Look], Marks]
-    takes: str = ""

@@ -38,3 +38,14 @@ def amount(value: float, unit: str) -> str:
         if abs(value) >= factor:
             return f"{plain(float(f'{value / factor:.3g}'))} {prefix}{unit}"
     return f"{plain(float(f'{value:.3g}'))} {unit}"
+
+
+def counted(count: int, one: str, many: str = "") -> str:
+    """`1 box`, `2 boxes`; with an s if `many` is not said."""
+    return f"{count:,} {one if count == 1 else many or one + 's'}"
+
+
+def length_text(value: float) -> str:
+    """A length in metres to three digits, in millimetres where it is below a tenth of a metre."""
+    small = abs(value) < 0.1
+    return f"{plain(float(f'{1000.0 * value if small else value:.3g}'))} {'mm' if small else 'm'}"

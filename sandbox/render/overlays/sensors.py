@@ -7,6 +7,7 @@ import numpy as np
 from sandbox.render.marks import Marks
 from sandbox.render.overlays.look import Look, Overlay
 from sandbox.render.overlays.pen import Pen, box_corners
+from sandbox.render.overlays.scale import counted
 from sandbox.tables import plain
 
 
@@ -28,7 +29,7 @@ def _draw(look: Look) -> Marks:
     amount = np.zeros(len(frame.type))
     amount[pairs[:, 1]] = 0.85
     pen.tint(np.broadcast_to(np.array(color.green), (len(amount), 3)), amount)
-    pen.legend(color.green, f"sensors with something in them, and what that is: {len(pairs)} pairs")
+    pen.legend(color.green, f"sensors with something in them, and what that is: {counted(len(pairs), 'pair')}")
     pen.legend(color.quiet, "sensors with nothing in them")
     return pen.marks(calm=False)
 

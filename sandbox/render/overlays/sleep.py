@@ -23,17 +23,17 @@ def _draw(look: Look) -> Marks:
     share = np.clip(bodies["sleep_time"] / SLEEP_SECONDS, 0.0, 1.0)
     kept = dynamic & frame.awake & (look.world.scratch.solver.flags[: len(frame.type)] & KEPT_AWAKE != 0)
     drowsy = share[:, None]
-    inks = np.array(color.orange) * (1.0 - drowsy) + np.array(color.yellow) * drowsy
+    inks = np.array(color.orange) * (1.0 - drowsy) + np.array(color.purple) * drowsy
     inks[asleep], inks[kept] = color.blue, color.red
     pen.tint(inks, np.where(asleep, 0.55, 0.85) * dynamic)
     rows = look.visible_bodies()
-    waiting = rows[(dynamic & frame.awake & (share > 0.0))[rows]]
+    waiting = rows[(dynamic & frame.awake & (share >= 0.1))[rows]]
     for row, at in zip(waiting.tolist(), look.camera.to_screen(frame.center[waiting]).tolist(), strict=True):
         if share[row] < 1.0:
             pen.words(f"{bodies['sleep_time'][row]:.1f} s", at, color.text)
     for ink, name, which in (
         (color.orange, "awake", dynamic & frame.awake & (share == 0.0) & ~kept),
-        (color.yellow, f"slow: sleeps after {SLEEP_SECONDS} s", dynamic & frame.awake & (share > 0.0) & ~kept),
+        (color.purple, f"slow: sleeps after {SLEEP_SECONDS} s", dynamic & frame.awake & (share > 0.0) & ~kept),
         (color.red, "kept awake", kept),
         (color.blue, "asleep", asleep),
     ):

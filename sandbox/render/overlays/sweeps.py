@@ -12,6 +12,7 @@ from sandbox.render.geometry import Ints
 from sandbox.render.marks import Marks
 from sandbox.render.overlays.look import Look, Overlay
 from sandbox.render.overlays.pen import Pen
+from sandbox.render.overlays.scale import counted
 from sandbox.tables import plain
 
 NORMAL_PIXELS = 24.0
@@ -41,7 +42,7 @@ def _draw(look: Look) -> Marks:
     pen.dots(hit, 3.0, color.red)
     shares = [f"{100 * time:.0f} %" for time in impacts["time"][stopped].tolist()]
     pen.labels(shares, hit, color.red, gap=8.0)
-    pen.legend(color.blue, f"swept: {len(swept)} bodies, from where the step began")
+    pen.legend(color.blue, f"swept: {counted(len(swept), 'body', 'bodies')}, from where the step began")
     pen.legend(color.red, f"stopped at a share of the step: {int(stopped.sum())}")
     return pen.marks()
 

@@ -1,16 +1,19 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
 from sandbox.errors import ArgumentError
+from sandbox.render.camera import Camera
 from sandbox.render.frame import capture
+from sandbox.render.overlays.legend import quiet_corner
 from sandbox.render.overlays.registry import OVERLAYS, draw_overlays, find_overlay
 from sandbox.render.theme import DARK, LIGHT
-from tests.render.overlays.looks import GROUND, crate, look_at, shipped_world, shown, world_of
+from tests.render.overlays.looks import GROUND, SIZE, crate, look_at, shipped_world, shown, world_of
 
 SCENES = {
     "first/crates-on-a-ramp": 60,
@@ -86,3 +89,41 @@ def test_a_world_that_was_rewound_can_be_looked_at(name: str) -> None:
     world.step(80)
     world.restore(start)
     shown(look_at(world), name)
+
+
+def test_the_guide_tells_of_every_overlay() -> None:
+    guide = (Path(__file__).parents[3] / "sandbox" / "cli" / "README.md").read_text(encoding="utf-8")
+    for name, overlay in OVERLAYS.items():
+        what = overlay.help.removesuffix(".")
+        assert f"| `{name}` | {what[0].lower()}{what[1:]} |" in guide
+
+
+@pytest.mark.parametrize(
+    ("places", "corner"),
+    [
+        ([(0, 0)], "lower left"),
+        ([(-9, -5)], "upper left"),
+        ([(-9, -5), (-9, 5)], "upper right"),
+        ([(-9, -5), (-9, 5), (9, 5)], "lower right"),
+        ([(-9, -5), (-9, 5), (9, 5), (9, -5), (9.5, -5)], "lower left"),
+    ],
+)
+def test_the_legend_looks_for_a_corner_in_which_nothing_is(places: list[tuple[float, float]], corner: str) -> None:
+    world = world_of(*(crate(f"c{k}", x, y) for k, (x, y) in enumerate(places)))
+    look = look_at(world, Camera((0.0, 0.0), 30.0, SIZE))
+    assert quiet_corner(look) == corner
+    *_, card = draw_overlays([OVERLAYS["boxes"]], look, quiet_corner(look))
+    left, top = card.fills[0].points[0].min(axis=0)
+    assert (left < SIZE[0] / 3) == corner.endswith("left")
+    assert (top < SIZE[1] / 3) == corner.startswith("upper")
+
+
+def test_words_of_overlays_keep_off_the_legend() -> None:
+    look = look_at(shipped_world("pile", 60))
+    *_, card = shown(look, "separations", "grid")
+    low, high = card.fills[0].points[0].min(axis=0), card.fills[0].points[0].max(axis=0)
+    names = {entry.text for name in ("separations", "grid") for entry in OVERLAYS[name].draw(look).legend}
+    others = [label.box for label in card.labels if label.text not in names]
+    assert others
+    for left, top, right, bottom in others:
+        assert right <= low[0] or left >= high[0] or bottom <= low[1] or top >= high[1]

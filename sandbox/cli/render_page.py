@@ -1,0 +1,62 @@
+"""The page of `sandbox render`, which plays a run offline."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from sandbox._atomic_write import write_text
+from sandbox._printable import told
+from sandbox.cli.render_options import RenderOptions, steps_asked_for
+from sandbox.errors import SandboxError
+
+if TYPE_CHECKING:
+    from sandbox.report.film import Film
+
+_PICTURES_ONLY = ("size", "fps", "center", "height", "follow", "overlay")
+
+
+def write_page(options: RenderOptions) -> None:
+    """Run it and write the page. Raises `SandboxError` and `OSError`."""
+    from dataclasses import replace
+
+    from rich.console import Console
+
+    from sandbox.cli.compiling import announce_compilation
+    from sandbox.cli.progress import SceneProgress
+    from sandbox.cli.render_pictures import run_to_show
+    from sandbox.report.filming import film_run
+    from sandbox.report.player_page import player_page
+
+    _check(options)
+    skip, steps = steps_asked_for(options)
+    run = run_to_show(options.scene)
+    if steps is None and skip >= run.steps:
+        raise SandboxError(f"--step {skip}: the run has {run.steps} steps; --steps says how many to show from there")
+    run = run if steps is None else replace(run, steps=skip + steps)
+    announce_compilation()
+    with SceneProgress(Console(stderr=True), 1) as progress:
+        progress.begin(options.scene.name, run.steps)
+        film = film_run(run, skip=skip, on_steps=progress.done)
+    write_text(options.output, player_page(getattr(run.scene, "title", "") or options.scene.name, film))
+    _tell(options, film)
+
+
+def _check(options: RenderOptions) -> None:
+    """Raise `SandboxError` for an option that a page has no use for."""
+    for name in _PICTURES_ONLY:
+        if getattr(options, name):
+            why = "a page fits itself to its window" if name == "size" else "a page has controls of its own for that"
+            raise SandboxError(f"--{name} is for pictures: {why}")
+    if options.theme != "dark":
+        raise SandboxError("--theme is for pictures: a page is light or dark as its reader likes")
+
+
+def _tell(options: RenderOptions, film: Film) -> None:
+    size = options.output.stat().st_size
+    if options.json:
+        import json
+
+        facts = {"file": str(options.output), "bytes": size, "first_step": film.start, "last_step": film.end}
+        print(json.dumps({**facts, "every": film.every, "bodies": len(film.bodies)}, indent=2))
+    else:
+        print(f"{told(options.output)}: a page, {size / 1000:.0f} kB, steps {film.start} to {film.end}")
