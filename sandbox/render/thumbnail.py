@@ -5,9 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 from sandbox.engine.world import World
-from sandbox.render.camera import Size
-from sandbox.render.frame import capture
-from sandbox.render.image import renderer_of
+from sandbox.render.body_colors import body_colors_of
+from sandbox.render.camera import Size, scene_camera
+from sandbox.render.draw_list import build_draw_list
+from sandbox.render.frame import capture, interesting_bounds
+from sandbox.render.surface_painter import SurfacePainter
 from sandbox.scene import Scene
 
 MOMENT = 1.2
@@ -23,9 +25,11 @@ def thumbnail(scene: Scene, size: Size) -> Any:
     from PIL import Image
 
     world = World(scene)
+    start = capture(world.state)
     count = max(len(world.names), 1)
     share = 0.0 if count > MANY else min(FEW / count, 1.0)
     world.step(round(MOMENT * share * scene.settings.step_rate))
     large = size[0] * OVERSAMPLING, size[1] * OVERSAMPLING
-    picture = renderer_of(World(scene), large).picture(capture(world.state))
+    camera = scene_camera(scene.view, interesting_bounds(start), large)
+    picture = SurfacePainter().paint(build_draw_list(capture(world.state), camera, body_colors_of(world.state)))
     return picture.resize(size, Image.Resampling.LANCZOS)

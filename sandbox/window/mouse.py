@@ -55,7 +55,9 @@ class Mouse:
             self._panning = True
 
     def _move(self, event: pygame.event.Event) -> None:
+        viewport = self.workspace.viewport
         self.at = event.pos
+        self.workspace.pointer = viewport.point(event.pos) if viewport.holds(event.pos) else None
         if self._panning:
             self.workspace.viewport.pan(*event.rel)
         # The hand holds a point of the plane, so a pan or zoom moves the target as well.

@@ -38,7 +38,8 @@ from sandbox.window.workspace import Wish, Workspace
 
 TITLE_SECONDS, FADE_SECONDS = 5.0, 0.8
 TAKEN_OVER = (
-    "theme", "panels", "overlays", "interface", "text_scale", "less_motion", "keep_time", "selection", "age",
+    "theme", "panels", "overlays", "interface", "text_scale", "less_motion", "keep_time", "selection",
+    "clipboard", "age",
 )  # fmt: skip
 """What of a workspace stays when its file is read again."""
 ANY_POPUP = imgui.PopupFlags_.any_popup_id | imgui.PopupFlags_.any_popup_level
@@ -70,6 +71,7 @@ class PlayScreen:
         self._reloader = Reloader(Path(session.scene.source)) if session.scene.text is not None else None
         self._body_colors = body_colors_of(session.world.state)
         self._lead = lead
+        self._since_picture = 0.0
         self.journal: Journal | None = None
         """Where the session is written down while it is played."""
 
@@ -123,6 +125,7 @@ class PlayScreen:
             wish, workspace.wish = workspace.wish, None
             return self._lead(wish, self)
         workspace.age += elapsed
+        self._since_picture += elapsed
         if (fresh := self._reread(elapsed)) is not None:
             return self._lead(Wish("play", session=fresh), self)
         for name in sorted(workspace.held):
@@ -150,6 +153,8 @@ class PlayScreen:
         begin_picture()
         workspace.viewport.place(self._layout.draw(workspace, canvas.display.size), self.session)
         workspace.frame = frame = self.session.frame()
+        workspace.viewport.go_along(frame, None if workspace.less_motion else self._since_picture)
+        self._since_picture = 0.0
         self._body_colors = self._body_colors.for_frame(frame)
         picture = build_draw_list(frame, self.camera, self._body_colors, self.mouse.strokes(), self._marks(frame))
         canvas.paint(picture, workspace.viewport.rect)

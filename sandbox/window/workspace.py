@@ -8,11 +8,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sandbox.errors import SandboxError
+from sandbox.render.camera import Vec
 from sandbox.render.frame import Frame
 from sandbox.render.theme import DARK, Theme
 from sandbox.window.selection import Selection
 from sandbox.window.session import Session
 from sandbox.window.viewport import Viewport
+from sandbox.world.export.copies import Entries
 
 if TYPE_CHECKING:
     from sandbox.engine.commands.base import Command
@@ -54,6 +56,10 @@ class Workspace:
     text_scale: float = 1.0
     less_motion: bool = False
     """Nothing fades or turns."""
+    clipboard: Entries | None = None
+    """What was copied."""
+    pointer: Vec | None = None
+    """The point of the plane under the mouse in metres; None where it is over something else."""
     held: set[str] = field(default_factory=set)
     wish: Wish | None = None
     interrupt: Callable[[], bool] = _nothing

@@ -9,6 +9,7 @@ from sandbox.resources import SCENE_SUFFIX
 from sandbox.window.actions.action import Action
 from sandbox.window.session import free_path
 from sandbox.window.workspace import Wish, Workspace
+from sandbox.world.export.scene_now import scene_of
 
 
 def _save_replay(workspace: Workspace) -> None:
@@ -34,6 +35,16 @@ def _open_beside(workspace: Workspace, by: int) -> None:
     workspace.wish = Wish("open", beside[(beside.index(here) + by) % len(beside)])
 
 
+def _save_scene(workspace: Workspace) -> None:
+    """Write the moment as a scene, with the author's own words where they still hold."""
+    with workspace.attempt("not saved", OSError):
+        found = scene_of(workspace.session.world)
+        path = free_path(workspace.folder, workspace.session.stem, SCENE_SUFFIX)
+        found.scene.save(path)
+        lost = f"; {'; '.join(found.remarks)}" if found.remarks else ""
+        workspace.say(f"saved {path.name}: a scene that begins as it is now{lost}")
+
+
 def _leave(workspace: Workspace) -> None:
     """Esc: first what the tool is in the middle of, then the help, then the scene."""
     if workspace.help_shown:
@@ -52,6 +63,8 @@ def _wish(kind: str) -> Callable[[Workspace], None]:
 ACTIONS = (
     Action("gallery", "Gallery", "File", ("Ctrl+O",), "Choose another scene.", _wish("gallery")),
     Action("save", "Save as replay", "File", ("S", "Ctrl+S"), "Write all that was done as a recording.", _save_replay),
+    Action("save-scene", "Save as scene", "File", ("Ctrl+Shift+S",), "Write a scene that begins as it is now.",
+           _save_scene),
     Action("reload", "Read again", "File", ("F9",), "Read the file again and begin with it.",
            lambda w: setattr(w, "reread", True)),
     Action("keep-time", "Keep the time", "File", (), "A file that is read again goes on from this step.",

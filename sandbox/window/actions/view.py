@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from sandbox.render.theme import DARK, LIGHT
+from sandbox.scene.references import MOVING
 from sandbox.window.actions.action import Action
 from sandbox.window.workspace import Workspace
 
@@ -23,10 +24,24 @@ def _scale_text(workspace: Workspace, factor: float) -> None:
     workspace.text_scale = min(max(round(workspace.text_scale * factor, 3), 0.5), 3.0)
 
 
+def _follow(workspace: Workspace) -> None:
+    """The selected body, else what moves; nothing if anything is followed."""
+    viewport = workspace.viewport
+    selected = workspace.selection.present(workspace.session.world)
+    if viewport.follow is not None:
+        viewport.set_follow(None)
+        workspace.say("nothing is followed")
+    else:
+        viewport.set_follow(selected[0] if selected else MOVING)
+        workspace.say(f"following {selected[0] if selected else 'what moves'}")
+
+
 ACTIONS = (
     Action("fit", "Fit", "View", ("F",), "Show all that there is to see now.", lambda w: w.viewport.fit(w.session)),
     Action("home-view", "As the scene asks", "View", ("0",), "Look as the scene asks for.",
            lambda w: w.viewport.look_home(w.session)),
+    Action("follow", "Follow", "View", ("G",), "Go along with the selected body, or with what moves.", _follow,
+           checked=lambda w: w.viewport.follow is not None),
     Action("zoom-in", "Zoom in", "View", ("Up",), "Nearer.", lambda w: w.viewport.zoom(1.05), held=True),
     Action("zoom-out", "Zoom out", "View", ("Down",), "Farther.", lambda w: w.viewport.zoom(1 / 1.05), held=True),
     Action("interface", "Panels", "View", ("Tab",), "Show or hide all but the scene.", _toggle_interface,

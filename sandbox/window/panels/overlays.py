@@ -26,8 +26,6 @@ class OverlaysPanel(Panel):
         if button("overlays.none", "None", "Switch all off.", enabled=bool(workspace.overlays)):
             workspace.overlays = []
         for overlay in OVERLAYS.values():
-            if overlay.takes:
-                continue
             shown = overlay.name in workspace.overlays
             if checkbox(f"overlay.{overlay.name}", overlay.title, shown, overlay.help) != shown:
                 others = [name for name in workspace.overlays if name != overlay.name]
