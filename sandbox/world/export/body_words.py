@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from math import atan2
 from typing import Any
 
 from sandbox.geometry.rotation import RADIANS_PER_DEGREE
 from sandbox.scene.body import Body, Prefab
 from sandbox.scene.generators import kind_of
-from sandbox.world.export.numbers import degrees, fitted, pair, pose_degrees, shortest
-from sandbox.world.export.present import Present
+from sandbox.world.export.numbers import degrees, fitted, pair, shortest
+from sandbox.world.export.present import Motion, Present
 from sandbox.world.export.shape_words import shape_words
 from sandbox.world.export.thruster_words import thruster_words
 
 Words = dict[str, Any]
+
+_MOST = 1e6
+"""Largest angle (degrees) that a scene may have."""
 
 
 def body_words(present: Present, row: int) -> Words:
@@ -21,15 +25,14 @@ def body_words(present: Present, row: int) -> Words:
     words = _first_words(present, row)
     if present.changed[row]:
         pattern = _pattern(present, words)
-        body, first = present.state.bodies[row], present.start.bodies[row]
-        for name, value in _motion(present, body, first).items():
+        body, first = (motions[row] for motions in present.motions)
+        for name, value in _motion(body, first).items():
             _put(present, words, pattern, name, value)
-        shapes = shape_words(present, row, words, pattern)
-        if shapes is not None:
-            words["shapes"] = shapes
-        thrusters = thruster_words(present, row, words["thrusters"] if "thrusters" in words else pattern["thrusters"])
-        if thrusters is not None:
-            words["thrusters"] = thrusters
+        if present.resurfaced[row]:
+            words["shapes"] = shape_words(present, row, words, pattern)
+        if present.rethrust[row]:
+            given = words["thrusters"] if "thrusters" in words else pattern["thrusters"]
+            words["thrusters"] = thruster_words(present, row, given)
         if body.type != first.type:
             _freeze(present, words, pattern)
     return words
@@ -74,27 +77,33 @@ def _pattern(present: Present, words: Words) -> Words:
     }
 
 
-def _motion(present: Present, body: Any, first: Any) -> Words:
+def _motion(body: Motion, first: Motion) -> Words:
     """The fields of place and motion that are others than at first."""
     found: Words = {}
     if (body.center_x, body.center_y) != (first.center_x, first.center_y) or body.angle != first.angle:
         found["position"] = _position(body)
     if body.angle != first.angle:
-        found["angle"] = pose_degrees(float(body.angle))
+        found["angle"] = _angle(body)
     if (body.velocity_x, body.velocity_y) != (first.velocity_x, first.velocity_y):
         found["velocity"] = pair(body.velocity_x, body.velocity_y)
     if body.angular_velocity != first.angular_velocity:
-        found["angular_velocity"] = degrees(float(body.angular_velocity))
+        found["angular_velocity"] = degrees(body.angular_velocity)
     return found
 
 
-def _position(body: Any) -> list[float]:
+def _angle(body: Motion) -> float:
+    """Degrees; without whole turns if it has turned farther than a scene may say."""
+    angle = degrees(body.angle)
+    return angle if abs(angle) <= _MOST else degrees(atan2(body.rotation_sin, body.rotation_cos))
+
+
+def _position(body: Motion) -> list[float]:
     """Where the origin is, m: so that the centre of mass comes to lie where it is, to the bit if that can be."""
-    c, s, x, y = (float(body[name]) for name in ("rotation_cos", "rotation_sin", "local_center_x", "local_center_y"))
+    c, s, x, y = body.rotation_cos, body.rotation_sin, body.local_center_x, body.local_center_y
     right, up = c * x - s * y, s * x + c * y
     return [
-        shortest(float(body.position_x), float(body.center_x), lambda found: found + right),
-        shortest(float(body.position_y), float(body.center_y), lambda found: found + up),
+        shortest(body.position_x, body.center_x, lambda found: found + right),
+        shortest(body.position_y, body.center_y, lambda found: found + up),
     ]
 
 

@@ -12,9 +12,6 @@ from sandbox.scene.base import Model
 from sandbox.scene.constraints import Range
 
 _DIGITS = 12
-_TURN = 360.0
-_MOST = 1e6
-"""Largest angle (degrees) that a scene may have."""
 
 
 def shortest(value: float, wanted: float, read: Callable[[float], float]) -> float:
@@ -27,12 +24,6 @@ def shortest(value: float, wanted: float, read: Callable[[float], float]) -> flo
 def degrees(radians: float) -> float:
     """The shortest number of degrees that is read as so many radians; the nearest one if there is none."""
     return shortest(radians / RADIANS_PER_DEGREE, radians, lambda found: found * RADIANS_PER_DEGREE)
-
-
-def pose_degrees(radians: float) -> float:
-    """The angle of a body in degrees; whole turns are taken off what has turned farther than a scene may say."""
-    angle = degrees(radians)
-    return angle if abs(angle) <= _MOST else angle - _TURN * round(angle / _TURN)
 
 
 def pair(x: float, y: float) -> list[float]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Any, Protocol
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +27,24 @@ _MOTION = ("velocity_x", "velocity_y", "angular_velocity", "type")
 _REPORTED = (*(f"impulse_{k}" for k in range(5)), "force_x", "force_y", "torque")
 """What a joint did in the last step."""
 _PLACED = ("anchor_ax", "anchor_ay", "anchor_bx", "anchor_by", "axis_x", "axis_y")
+
+
+class Motion(NamedTuple):
+    """Place and motion of a body: columns of its record, as Python's own numbers."""
+
+    position_x: float
+    position_y: float
+    angle: float
+    velocity_x: float
+    velocity_y: float
+    angular_velocity: float
+    center_x: float
+    center_y: float
+    rotation_cos: float
+    rotation_sin: float
+    local_center_x: float
+    local_center_y: float
+    type: int
 
 
 class AnyWorld(Protocol):
@@ -66,17 +84,32 @@ class Present:
         return self.moved | _with_world(_differ(self.state.bodies, self.start.bodies, _MOTION))
 
     @cached_property
+    def resurfaced(self) -> Flags:
+        """Bodies of which some shape has another surface."""
+        state, found = self.state, np.zeros(len(self.moved), np.bool_)
+        found[state.shapes.body[_differ(state.shapes, self.start.shapes, SURFACE)]] = True
+        return found
+
+    @cached_property
+    def rethrust(self) -> Flags:
+        """Bodies of which some thruster pushes otherwise, or at other times from now on."""
+        thrusters, start = self.state.thrusters, self.start.thrusters
+        found = np.zeros(len(self.moved), np.bool_)
+        others = _differ(thrusters, start, ("force_x", "force_y"))
+        for row in range(len(thrusters)):
+            if others[row] or self.rescheduled(thrusters[row], start[row]):
+                found[thrusters.body[row]] = True
+        return found
+
+    @cached_property
     def changed(self) -> Flags:
         """Bodies of which anything is different."""
-        state, start = self.state, self.start
-        found = self.in_motion.copy()
-        found[state.shapes.body[_differ(state.shapes, start.shapes, SURFACE)]] = True
-        thrusters = _differ(state.thrusters, start.thrusters, ("force_x", "force_y"))
-        for row, thruster in enumerate(state.thrusters):
-            if self.rescheduled(thruster, start.thrusters[row]):
-                thrusters[row] = True
-        found[state.thrusters.body[thrusters]] = True
-        return found
+        return self.in_motion | self.resurfaced | self.rethrust
+
+    @cached_property
+    def motions(self) -> tuple[list[Motion], list[Motion]]:
+        """Place and motion of every body now, and as it came."""
+        return _motions(self.state), _motions(self.start)
 
     @cached_property
     def held_still(self) -> Flags:
@@ -119,6 +152,11 @@ def _author(world: AnyWorld, scene: Scene | None) -> Scene:
     if found.flatten() is not flat and found.flatten() != flat:
         raise ArgumentError("the world did not begin with this scene: give the one that it was made of")
     return found
+
+
+def _motions(state: State) -> list[Motion]:
+    bodies = plain(state.bodies)
+    return list(map(Motion._make, zip(*(bodies[name].tolist() for name in Motion._fields), strict=True)))
 
 
 def _with_world(flags: Flags) -> Flags:

@@ -14,12 +14,10 @@ from sandbox.world.export.present import SURFACE, Present
 Words = dict[str, Any]
 
 
-def shape_words(present: Present, row: int, words: Words, pattern: Mapping[str, Any]) -> list[Words] | None:
-    """All shapes of a body, if some have other surfaces than they came with; else None."""
+def shape_words(present: Present, row: int, words: Words, pattern: Mapping[str, Any]) -> list[Words]:
+    """All shapes of a body; what has changed of their surfaces is written on them."""
     rows = slice(*np.searchsorted(present.state.shapes.body, (row, row + 1)).tolist())
     now, first = present.state.shapes[rows], present.start.shapes[rows]
-    if all((now[name] == first[name]).all() for name in SURFACE):
-        return None
     entries = [dict(entry) for entry in words.get("shapes", pattern["shapes"])]
     begin = 0
     for entry, shape in zip(entries, Prefab.model_validate({"shapes": entries}).shapes, strict=True):

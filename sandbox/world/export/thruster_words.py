@@ -14,8 +14,8 @@ from sandbox.world.export.schedule_words import write_schedule
 Words = dict[str, Any]
 
 
-def thruster_words(present: Present, row: int, entries: Sequence[Words]) -> list[Words] | None:
-    """All thrusters of a body, if some are others than they came with; else None."""
+def thruster_words(present: Present, row: int, entries: Sequence[Words]) -> list[Words]:
+    """All thrusters of a body."""
     found = [dict(entry) for entry in entries]
     name = present.state.names[row]
     for entry, index in zip(found, np.flatnonzero(present.state.thrusters.body == row).tolist(), strict=False):
@@ -23,4 +23,4 @@ def thruster_words(present: Present, row: int, entries: Sequence[Words]) -> list
         if (thruster.force_x, thruster.force_y) != (first.force_x, first.force_y):
             entry["force"] = pair(thruster.force_x, thruster.force_y)
         write_schedule(present, entry, thruster, first, name)
-    return None if found == list(entries) else found
+    return found
