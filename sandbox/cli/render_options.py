@@ -35,7 +35,7 @@ _FPS = typer.Option(
     min=1.0, max=120.0, show_default=False, help="Pictures a second in a film; default 25, of a video 60; a GIF: to 50."
 )
 _SIZE = typer.Option(
-    metavar="WxH", show_default=False, help=f"Pixels; default {STILL_SIZE} for pictures, {FILM_SIZE} for GIF."
+    metavar="WxH", show_default=False, help=f"Pixels; default {STILL_SIZE} for pictures, {FILM_SIZE} for films."
 )
 _CENTER = typer.Option(metavar="X,Y", show_default=False, help="Middle of the picture, m.")
 _HEIGHT = typer.Option(

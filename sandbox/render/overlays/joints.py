@@ -10,7 +10,7 @@ from sandbox.render.camera import Floats
 from sandbox.render.marks import Marks
 from sandbox.render.overlays.look import Look, Overlay
 from sandbox.render.overlays.pen import Pen
-from sandbox.render.overlays.scale import REACH, amount, lengths, round_scale
+from sandbox.render.overlays.scale import amount, lengths, reach, round_scale
 from sandbox.tables import plain
 
 AXIS_METRES, AXIS_PIXELS = 0.3, (5.0, 14.0)
@@ -31,12 +31,12 @@ def _draw(look: Look) -> Marks:
         _frames(look, pen, at, body)
     force = np.column_stack([held["force_x"], -held["force_y"]])
     size = np.hypot(*force.T)
-    scale = round_scale(size)
+    scale, pixels = round_scale(size), reach(look)
     unit = force / np.maximum(size, 1e-300)[:, None]
-    pen.arrows(b, lengths(size, scale)[:, None] * unit, 2.0, color.orange)
+    pen.arrows(b, lengths(size, scale, pixels)[:, None] * unit, 2.0, color.orange)
     for row in np.flatnonzero((size > 0.0) | (held["torque"] != 0.0)).tolist():
         pen.label(_load(float(size[row]), float(held["torque"][row])), b[row], color.text, 9.0, float(size[row]))
-    pen.legend(color.orange, f"force on b, {amount(scale, 'N')}", REACH)
+    pen.legend(color.orange, f"force on b, {amount(scale, 'N')}", pixels)
     pen.legend(color.red, "x axis of a joint frame")
     pen.legend(color.green, "y axis")
     return pen.marks()

@@ -9,7 +9,7 @@ from sandbox.engine.world import World
 from sandbox.render.camera import Camera
 from sandbox.render.overlays.colors import contact_colors
 from sandbox.render.overlays.features import feature_text
-from sandbox.render.overlays.scale import REACH, lengths, round_scale
+from sandbox.render.overlays.scale import FARTHEST, REACH, lengths, reach, round_scale
 from sandbox.render.overlays.separations import millimetres
 from sandbox.world.records import DYNAMIC
 from tests.render.overlays.looks import GROUND, SIZE, crate, look_at, own_marks, shipped_world, words, world_of
@@ -70,8 +70,15 @@ def test_force_arrows_are_to_scale(resting: World) -> None:
     orange = (marks.strokes.color == look.palette.orange).all(axis=1)
     way = (marks.strokes.start - marks.strokes.end)[orange, 1]
     shafts = np.sort(way)[-4:]
-    assert shafts == pytest.approx(np.sort(lengths(look.points.pushing, scale)), abs=0.1)
+    assert shafts == pytest.approx(np.sort(lengths(look.points.pushing, scale, reach(look))), abs=0.1)
     assert marks.legend[0].length == REACH
+
+
+def test_arrows_grow_with_the_bodies_that_are_seen(resting: World) -> None:
+    reaches = [reach(look_at(resting, Camera((0.0, 1.0), scale, SIZE))) for scale in (1.0, 80.0, 200.0, 300.0, 5000.0)]
+    assert reaches[:2] == [REACH, REACH]
+    assert REACH < reaches[2] < reaches[3] < FARTHEST
+    assert reaches[4] == REACH  # only the ground is in sight
 
 
 def test_the_cone_is_as_wide_as_friction_says(resting: World) -> None:
