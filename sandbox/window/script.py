@@ -10,7 +10,8 @@ name of a widget (`world.gravity.moon`). After each act the window draws a pictu
     double PLACE            twice
     drag PLACE to PLACE [in N]    with the left button, over N pictures (12)
     hold KEY for N          keep a key down for N pictures
-    hold Shift              until `let Shift`
+    hold Shift              until `let Shift`; Ctrl likewise
+    press left              keep a button down until `let left`; `move` drags meanwhile
     wheel N [PLACE]         turn the wheel by N notches
     wait N                  let N pictures pass
     shot FILE.png           save a picture of the window
@@ -34,6 +35,8 @@ Locate = Callable[[tuple[float, float]], tuple[float, float]]
 """The pixel of the window over a point of the scene in metres."""
 _MODS = {"Ctrl": pygame.KMOD_LCTRL, "Shift": pygame.KMOD_LSHIFT}
 _MOD_KEYS = {"Ctrl": pygame.K_LCTRL, "Shift": pygame.K_LSHIFT}
+ACTS = ("key", "type", "move", "click", "double", "hold", "press", "let", "wheel", "wait", "shot")
+"""Those that need a word."""
 _BUTTONS = {"left": 1, "middle": 2, "right": 3}
 DRAG_PICTURES = 12
 
@@ -71,13 +74,12 @@ class Script:
 
     def _check(self, number: int, words: list[str]) -> None:
         name, *rest = words
-        least = {"key": 1, "type": 1, "move": 1, "click": 1, "double": 1, "drag": 3, "hold": 1, "let": 1, "wheel": 1,
-                 "wait": 1, "shot": 1, "quit": 0}  # fmt: skip
+        least = {"drag": 3, "quit": 0, **dict.fromkeys(ACTS, 1)}
         if name not in least:
             raise self._error(number, f"there is no act {name!r}; there are {', '.join(least)}")
         if len(rest) < least[name]:
             raise self._error(number, f"{name!r} needs {least[name]} words after it")
-        if name in ("key", "hold", "let") and rest[0] not in _MODS:
+        if name in ("key", "hold", "let") and rest[0] not in {**_MODS, **_BUTTONS}:
             try:
                 chord(rest[0])
             except ValueError as error:
@@ -180,7 +182,16 @@ class Script:
         yield from [None] * (int(words[2]) if len(words) > 2 else 1)
         self._press_key(one.key, one.character, False)
 
+    def _press(self, number: int, words: list[str], locate: Locate) -> Iterator[None]:
+        yield from [None] * 2
+        self._button(_BUTTONS.get(words[0], 1), True)
+        yield
+
     def _let(self, number: int, words: list[str], locate: Locate) -> Iterator[None]:
+        if words[0] in _BUTTONS:
+            self._button(_BUTTONS[words[0]], False)
+            yield
+            return
         self._mods &= ~_MODS[words[0]]
         self._press_key(_MOD_KEYS[words[0]], "", False)
         pygame.key.set_mods(self._mods)
