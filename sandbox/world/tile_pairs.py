@@ -18,7 +18,7 @@ from sandbox.world.tile_outlines import Outlines, Tiles, kept
 
 _NEAR = 1e-6
 """Boxes this near to each other, in metres, on both sides, meet."""
-_AT_ONCE = 200_000
+_AT_ONCE = 60_000
 """So many pairs at a time keep the memory small."""
 _MARGIN = 1.001
 """Levels allow for what differences of coordinates round."""

@@ -90,6 +90,40 @@ def test_a_floor_of_many_tiles_is_seamed_within():
     assert check(build_state(scene(*floor(144)))) == 144
 
 
+def test_a_crowd_in_one_place():
+    """Most edges run within dozens of others."""
+    draw = np.random.default_rng(5)
+    crowd = [
+        body(
+            f"{k}",
+            box(1.0 + 0.2 * draw.random(), 1.0),
+            type="static",
+            position=(0.5 * draw.random(), 0.5 * draw.random()),
+            angle=float(draw.choice([0.0, 0.0, 0.4, 2.0])),
+        )
+        for k in range(50)
+    ]
+    assert check(build_state(scene(*crowd))) == 50
+
+
+@pytest.mark.parametrize("missing", [None, 1, 16, 37])
+def test_a_long_edge_is_covered_by_many_one_after_the_other(missing):
+    """Up to the first gap from either end; some of those that cover it lie over each other, in no order."""
+    places = [*range(0, 40, 2), *range(39, 0, -2)]
+    bricks = [
+        body(f"{k}", box(1.0 + 2.0 * (k % 7 == 5), 1.0), type="static", position=(k + 0.5, 0.5))
+        for k in places
+        if k != missing
+    ]
+    ledge = body("ledge", box(40.0, 1.0), type="static", position=(20.0, -0.5))
+    state = build_state(scene(*bricks, ledge))
+    check(state)
+    top = state.seams[state.shapes[len(bricks)].seam_start + 2]
+    shown = (float(top.shown_from), float(top.shown_to))
+    gap = (1.0, 0.0) if missing is None else (1.0 - (missing + 1) / 40.0, 1.0 - missing / 40.0)
+    assert shown == pytest.approx(gap, abs=1e-3)
+
+
 def test_tiles_of_all_sizes_find_each_other():
     bodies = [
         body(f"{k}", box(2.0**k, 3.0 ** (k - 9)), type="static", position=(0.5 * 2.0**k, 0.5 * 3.0 ** (k - 9)))

@@ -71,6 +71,8 @@ def lowest_free(taken: int) -> int:
     """Lowest colour that is not in a set. A table, as nobody can guess when a loop over its bits ends."""
     color = FREE[taken & 0xFF]
     if color == 8:
-        while color < MAX_COLORS and (taken >> color) & 1:
-            color += 1
+        while color < MAX_COLORS - 8 and (taken >> color) & 0xFF == 0xFF:
+            color += 8
+        color += FREE[(taken >> color) & 0xFF]
+        color = color if color < MAX_COLORS else MAX_COLORS
     return color

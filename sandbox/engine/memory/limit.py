@@ -16,7 +16,7 @@ from sandbox.world.records import CONTACT
 MAX_STEP_BYTES = 4 * 1024**3
 """Memory of all tables that grow with pairs and contacts, in bytes: about 4 million pairs."""
 _WORD = 8
-_PAIR_BYTES = 3 * _WORD + sum(
+_PAIR_BYTES = 4 * _WORD + sum(
     table.dtype.itemsize
     for table in (CONTACT, CONTACT, PAIR, PAIR, SLEEPING_RUN, SLEEPING_RUN, SLEEPING_RUN, REPORT, SLOT)
 )

@@ -31,8 +31,9 @@ class ContactBlocks(NamedTuple):
     """Contact constraints laid out for the solver, see `blocks`.
 
     `colors` has the colour of each active contact, `starts` first how many ranges of one colour the blocks fall into,
-    then the first block of each and behind them the number of blocks; `heads` and `further` are scratch of the counting
-    sorts by colour. `impacts` has the contacts that may have an impact.
+    then the first block of each and behind them the number of blocks; `heads`, `further` and `further_heads` are
+    scratch of the counting sorts by colour, `sets` the further colours that bodies have. `impacts` has the contacts
+    that may have an impact.
     """
 
     slots: Records
@@ -42,6 +43,8 @@ class ContactBlocks(NamedTuple):
     starts: Integers
     heads: Integers
     further: Integers
+    further_heads: Integers
+    sets: Integers
     impacts: Records
 
 
