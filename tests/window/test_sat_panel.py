@@ -25,7 +25,7 @@ from sandbox.window.screen import Canvas, Screen
 from sandbox.window.widgets import places
 
 LARGE = (1280, 1000)
-PICK = "key Space\nkey F3\nkey T\nclick @7,6\nclick @12,13\n"
+PICK = "key Space\nkey F3\nkey K\nclick @7,6\nclick @12,13\n"
 """Pause, close the panel of the world, and click square and triangle with the tool of pairs."""
 
 

@@ -37,7 +37,7 @@ class PairView:
             self._draw_names(workspace, seen)
             self._draw_shapes(seen)
         else:
-            wrapped(self._inspector.trouble or "Take the tool Pair (T) and click two bodies, select two bodies with "
+            wrapped(self._inspector.trouble or "Take the tool Pair (K) and click two bodies, select two bodies with "
                     "Shift, or choose a pair from the list.")  # fmt: skip
         flags = imgui.TreeNodeFlags_.default_open if seen is None else imgui.TreeNodeFlags_.none
         opened = imgui.collapsing_header("Pairs the grid proposes", flags)
