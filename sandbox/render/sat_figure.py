@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from sandbox.render.number_text import point
+from sandbox.render.rail_geometry import rail_ends
 from sandbox.render.sat_clipping import draw_clipping
 from sandbox.render.sat_dot import draw_dot
 from sandbox.render.sat_labels import axis_name, deciding_row, headline, shortened
@@ -21,7 +22,7 @@ from sandbox.render.sat_page import (
 )
 from sandbox.render.sat_parts import draw_parts
 from sandbox.render.sat_plane import Plane
-from sandbox.render.sat_rails import ROW, RailList, plane_rail, rail_ends
+from sandbox.render.sat_rails import ROW, RailList, plane_rail
 from sandbox.render.sat_scene import draw_scene
 from sandbox.render.sat_tilt import draw_tilt
 from sandbox.render.svg import Svg

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from sandbox.geometry.sat_rows import SatRow, Vec
 from sandbox.geometry.sat_table import SatTable
+from sandbox.geometry.shape_box import box_of
 from sandbox.geometry.shapes import Shape
 from sandbox.render.sat_labels import deciding_row, headline
 from sandbox.render.sat_plane import Plane
@@ -112,12 +113,6 @@ def in_sight(table: SatTable) -> tuple[Shape, ...]:
     """Both shapes, or the smaller one if it is so much smaller that a picture of both would not show it."""
     small, large = sorted((table.a, table.b), key=lambda shape: _size(box_of(shape)))
     return (small,) if _size(box_of(large)) > _DWARFED * _size(box_of(small)) else (table.a, table.b)
-
-
-def box_of(shape: Shape) -> tuple[float, float, float, float]:
-    """Left, bottom, right and top of a shape (m)."""
-    xs, ys, r = [x for x, _ in shape.vertices], [y for _, y in shape.vertices], shape.radius
-    return min(xs) - r, min(ys) - r, max(xs) + r, max(ys) + r
 
 
 def _size(box: tuple[float, float, float, float]) -> float:

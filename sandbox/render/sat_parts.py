@@ -7,8 +7,9 @@ from itertools import pairwise
 
 from sandbox.geometry.sat_rows import Vec
 from sandbox.geometry.sat_table import SatTable, sat_table
+from sandbox.geometry.shape_box import box_of
 from sandbox.geometry.shapes import Polygon
-from sandbox.render.sat_page import EDGE, HEAD, SatFigure, Whole, box_of, draw_outcome, page
+from sandbox.render.sat_page import EDGE, HEAD, SatFigure, Whole, draw_outcome, page
 from sandbox.render.sat_plane import Plane
 from sandbox.render.svg import Pixel, Svg, number
 

@@ -8,10 +8,9 @@ from itertools import islice
 
 from sandbox.geometry.sat_rows import SatRow, Vec, sat_rows
 from sandbox.geometry.sat_table import SatTable
-from sandbox.geometry.shapes import Shape
 from sandbox.render.number_text import short
+from sandbox.render.rail_geometry import extreme_point, middle_aside, rail_point, rail_side
 from sandbox.render.sat_labels import axis_name, way_out
-from sandbox.render.sat_page import in_sight
 from sandbox.render.sat_plane import Plane
 from sandbox.render.svg import Pixel, Svg
 
@@ -109,20 +108,20 @@ def plane_rail(plane: Plane, table: SatTable, row: SatRow) -> None:
     svg = plane.svg
     low, high = min(row.amin, row.bmin) / row.length, max(row.amax, row.bmax) / row.length
     pad = 24.0 / plane.scale
-    plane.arrow(_at(u, low - pad, side), _at(u, high + pad, side), "rail", 9.0)
+    plane.arrow(rail_point(u, low - pad, side), rail_point(u, high + pad, side), "rail", 9.0)
     _plane_band(plane, row, u, side)
     below = abs(u[0]) >= abs(u[1])
     both = (("a", table.a, row.amin, row.amax, 1), ("b", table.b, row.bmin, row.bmax, 2))
-    outwards = 1.0 if side > _aside(table, u) else -1.0
+    outwards = 1.0 if side > middle_aside(table, u) else -1.0
     for kind, shape, least, most, lane in both:
         off = outwards * (-7.0 if lane == 1 else 7.0) / plane.scale
-        ends = _at(u, least / row.length, side + off), _at(u, most / row.length, side + off)
+        ends = rail_point(u, least / row.length, side + off), rail_point(u, most / row.length, side + off)
         svg.line(plane.pixel(ends[0]), plane.pixel(ends[1]), f"{kind} bar")
         # Numbers of a level rail need a line of text each, those of an upright one a column each.
         words = outwards * (22.0 + (lane - 1) * (16.0 * abs(u[0]) + 40.0 * abs(u[1]))) / plane.scale
         for value, end in ((least, ends[0]), (most, ends[1])):
-            svg.line(plane.pixel(_extreme(shape, u, value == most)), plane.pixel(end), f"{kind} drop")
-            x, y = plane.pixel(_at(u, value / row.length, side + words))
+            svg.line(plane.pixel(extreme_point(shape, u, value == most)), plane.pixel(end), f"{kind} drop")
+            x, y = plane.pixel(rail_point(u, value / row.length, side + words))
             anchor = "middle" if below else "start"
             svg.text((x, y + 4.5), short(value), f"{kind} small strong number", anchor)
 
@@ -131,40 +130,5 @@ def _plane_band(plane: Plane, row: SatRow, u: Vec, side: float) -> None:
     low, high = sorted((max(row.amin, row.bmin) / row.length, min(row.amax, row.bmax) / row.length))
     wide = 14.0 / plane.scale
     corners = [(low, -wide), (high, -wide), (high, wide), (low, wide)]
-    band = [plane.pixel(_at(u, along, side + aside)) for along, aside in corners]
+    band = [plane.pixel(rail_point(u, along, side + aside)) for along, aside in corners]
     plane.svg.polygon(band, "gap band" if row.gap else "out band")
-
-
-def rail_side(table: SatTable, row: SatRow, away: float) -> float:
-    """Where along the perpendicular of the axis the rail lies (m): below both shapes or to the right."""
-    u = row.axis[0] / row.length, row.axis[1] / row.length
-    aside = [(-u[1] * x + u[0] * y, shape.radius) for shape in in_sight(table) for x, y in shape.vertices]
-    # (-u[1], u[0]) is the side the rail could lie on; a level rail reads best below, an upright one to the right.
-    positive = u[0] < 0.0 if abs(u[0]) >= abs(u[1]) else u[1] < 0.0
-    return max(s + r for s, r in aside) + away if positive else min(s - r for s, r in aside) - away
-
-
-def _aside(table: SatTable, u: Vec) -> float:
-    """Where the middle of both shapes lies along the perpendicular of an axis."""
-    aside = [-u[1] * x + u[0] * y for shape in in_sight(table) for x, y in shape.vertices]
-    return sum(aside) / len(aside)
-
-
-def rail_ends(table: SatTable, row: SatRow, away: float, pad: float) -> list[Vec]:
-    """Both ends of a rail in the plane, for the window to hold them."""
-    u = row.axis[0] / row.length, row.axis[1] / row.length
-    side, shapes = rail_side(table, row, away), in_sight(table)
-    ends = [(row.amin, row.amax)] * (table.a in shapes) + [(row.bmin, row.bmax)] * (table.b in shapes)
-    low, high = min(least for least, _ in ends) / row.length, max(most for _, most in ends) / row.length
-    return [_at(u, low - pad, side), _at(u, high + pad, side)]
-
-
-def _at(u: Vec, along: float, aside: float) -> Vec:
-    return u[0] * along - u[1] * aside, u[1] * along + u[0] * aside
-
-
-def _extreme(shape: Shape, u: Vec, high: bool) -> Vec:
-    """The point of a shape that goes farthest along u, or against it."""
-    sign = 1.0 if high else -1.0
-    x, y = max(shape.vertices, key=lambda v: sign * (u[0] * v[0] + u[1] * v[1]))
-    return x + sign * shape.radius * u[0], y + sign * shape.radius * u[1]

@@ -5,8 +5,9 @@ from __future__ import annotations
 from itertools import combinations
 
 from sandbox.geometry.sat_rows import Vec
+from sandbox.geometry.shape_box import box_of
 from sandbox.geometry.shapes import Shape
-from sandbox.render.sat_page import Member, SatFigure, alone, box_of
+from sandbox.render.sat_page import Member, SatFigure, alone
 from sandbox.render.svg import Svg
 
 

@@ -40,6 +40,11 @@ def style_sheet() -> str:
     return f"{_LAYOUT}\n{_colors(LIGHT)}\n@media (prefers-color-scheme: dark) {{\n{_colors(DARK)}\n}}"
 
 
+def color_of(theme: Theme, name: str) -> Color:
+    """The colour of `a`, `b`, `gap`, `out` or `mtv`."""
+    return oklch_to_srgb(theme.lightness, theme.chroma * 1.15, _HUES[name])
+
+
 def _colors(theme: Theme) -> str:
     ink, paper = theme.light, theme.background
     rules = [
@@ -53,8 +58,8 @@ def _colors(theme: Theme) -> str:
         f".rail.head {{ fill: {_hex(_mix(ink, paper, 0.6))}; }}",
         f".lit {{ fill: {_hex(theme.grid_minor)}; }}",
     ]
-    for name, hue in _HUES.items():
-        color = _hex(oklch_to_srgb(theme.lightness, theme.chroma * 1.15, hue))
+    for name in _HUES:
+        color = _hex(color_of(theme, name))
         rules.append(f".{name} {{ stroke: {color}; }}")
         rules.append(
             f".{name}.head, .{name}.dot, .{name}.band, .{name}.shape, text.{name}, tspan.{name} {{ fill: {color}; }}"

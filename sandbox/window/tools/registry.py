@@ -17,6 +17,7 @@ from sandbox.window.tools.join import (
     WeldTool,
     WheelTool,
 )  # fmt: skip
+from sandbox.window.tools.pair import PairTool
 from sandbox.window.tools.tool import Tool
 from sandbox.window.tools.turn import TurnTool
 
@@ -25,6 +26,7 @@ GROUPS: tuple[tuple[str, tuple[type[Tool], ...]], ...] = (
     ("Draw", (CircleTool, BoxTool, CapsuleTool, PolygonTool, WallTool, ChainTool)),
     ("Join", (HingeTool, WeldTool, RodTool, SpringTool, RopeTool, SliderTool, WheelTool, MotorTool, PinTool)),
     ("Act", (EraseTool, BlastTool, MagnetTool)),
+    ("Look", (PairTool,)),
 )
 
 

@@ -1,0 +1,172 @@
+"""The inspector of separating axes in the real window, worked by real events."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pygame
+import pytest
+
+from sandbox.geometry.sat_table import sat_table
+from sandbox.render.theme import DARK
+from sandbox.resources import find_scene
+from sandbox.window.app import App, Options
+from sandbox.window.gl_painter import GlPainter
+from sandbox.window.gui import Gui
+from sandbox.window.panels.sat import SatPanel
+from sandbox.window.play import PlayScreen
+from sandbox.window.sat.overlap_curve import axis_angle
+from sandbox.window.screen import Canvas, Screen
+from sandbox.window.widgets import places
+
+LARGE = (1280, 1000)
+PICK = "key Space\nkey F3\nkey K\nclick @7,6\nclick @12,13\n"
+"""Pause, close the panel of the world, and click square and triangle with the tool of pairs."""
+
+
+@pytest.fixture
+def canvas(display: Any) -> Iterator[Canvas]:
+    window = pygame.Window.from_display_module()
+    before, window.size = window.size, LARGE
+    gui = Gui(display.driver)
+    yield Canvas(display, GlPainter(display.context), gui, DARK)
+    gui.close()
+    window.size = before
+
+
+class Watched(App):
+    """The program, keeping the screen that it showed last and where its widgets were."""
+
+    screen: PlayScreen
+
+    def _draw(self, screen: Screen) -> None:
+        super()._draw(screen)
+        if isinstance(screen, PlayScreen):
+            self.screen = screen
+            self.places = dict(places)
+
+    @property
+    def panel(self) -> SatPanel:
+        panel = self.screen.panels["sat"]
+        assert isinstance(panel, SatPanel)
+        return panel
+
+
+def run(canvas: Canvas, folder: Path, scene: str, script: str, first: str = PICK) -> Watched:
+    """Let hands work the window of a shipped scene."""
+    path = folder / "hands.txt"
+    path.write_text(first + script)
+    app = Watched(canvas, Options(scene=find_scene(Path(scene)), script=path))
+    app.run()
+    return app
+
+
+def test_two_clicks_pick_a_pair_and_its_table_is_that_of_the_world(canvas: Canvas, tmp_path: Path) -> None:
+    app = run(canvas, tmp_path, "test-two", "wait 2\n")
+    world = app.screen.session.world
+    assert app.screen.workspace.selection.pair == ("square", "triangle")
+    seen = app.panel.look(app.screen.workspace)
+    assert seen is not None
+    a, b = world.body("square").shapes[0], world.body("triangle").shapes[0]
+    assert seen.table == sat_table(a, b, all_axes=True)
+    assert {f"sat.row.{number}" for number in range(1, 8)} <= app.places.keys()
+    assert seen.opinion.asked
+    assert seen.opinion.same
+
+
+def test_a_row_and_its_edge_are_linked_by_the_pointer(canvas: Canvas, tmp_path: Path) -> None:
+    app = run(canvas, tmp_path, "test-two", "move sat.row.3\nwait 2\n")
+    assert app.panel.focus.pointed == 3
+    # The third edge of the square is its left one, from (4, 3) to (4, 10).
+    app = run(canvas, tmp_path, "test-two", "move @4,7\nwait 2\n")
+    assert (app.panel.focus.pointed, app.panel.focus.lit) == (None, 3)
+    seen = app.panel.look(app.screen.workspace)
+    assert seen is not None
+    row = app.panel.focus.row(seen)
+    assert row is not None
+    assert (row.owner, row.edge) == ("a", 3)
+
+
+def test_a_gap_ends_the_test_and_a_rewound_pair_is_that_of_its_step(canvas: Canvas, tmp_path: Path) -> None:
+    app = run(canvas, tmp_path, "test-one", "key Space\nwait 112\nkey Space\nwait 2\n")
+    found = []
+    for step in (1, 100, *range(106, 112)):
+        app.screen.session.seek(step)
+        seen = app.panel.look(app.screen.workspace)
+        assert seen is not None
+        b = app.screen.session.world.body("triangle").shapes[0]
+        assert seen.b == b
+        found.append((seen.table.colliding, seen.tested))
+    assert found[0] == (False, 2)
+    assert found[-1] == (False, 6)  # only now does a later axis part them: they all but touch
+
+
+def test_the_axis_is_turned_in_the_scene_and_clicks_into_place_at_edges(canvas: Canvas, tmp_path: Path) -> None:
+    app = run(canvas, tmp_path, "test-two", "click sat.free\nwait 2\ndrag sat.handle to @13,9.55\nwait 2\n")
+    free = app.panel.focus.free
+    assert free is not None
+    seen = app.panel.look(app.screen.workspace)
+    assert seen is not None
+    assert min(abs(free % 180.0 - axis_angle(row.axis)) for row in seen.table.rows) == 0.0
+    before = app.screen.session.world.digest()
+    app = run(canvas, tmp_path, "test-two", "drag sat.dial to 1100,760\nwait 2\n")
+    assert app.panel.focus.free not in (None, free)
+    assert app.screen.session.world.digest() == before  # turning an axis moves no body
+
+
+def test_the_tour_goes_from_the_axes_to_the_contact_points(canvas: Canvas, tmp_path: Path) -> None:
+    app = run(
+        canvas, tmp_path, "test-two", "click sat.tour.start\nwait 1\n" + "click sat.tour.next\n" * 20 + "wait 1\n"
+    )
+    seen = app.panel.look(app.screen.workspace)
+    assert seen is not None
+    steps = app.panel.steps(seen)
+    assert app.panel.focus.step == len(steps) - 1
+    kinds = [step.kind for step in steps]
+    assert kinds == ["axes", *["project"] * 7, "minimum", "orientation", "reference", "cut", "points"]
+    app = run(canvas, tmp_path, "test-one", "click sat.tour.start\nclick sat.tour.next\n")
+    seen = app.panel.look(app.screen.workspace)
+    assert seen is not None
+    assert [step.kind for step in app.panel.steps(seen)] == ["axes", "project", "project", "exit"]
+    assert "42 to 91" in app.panel.steps(seen)[1].text
+
+
+@pytest.mark.parametrize(("scene", "verdict"), [("test-one", "apart"), ("test-two", "touches")])
+def test_a_saved_pair_passes_check(
+    canvas: Canvas, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, scene: str, verdict: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    app = run(canvas, tmp_path, scene, "click sat.save\nclick sat.save\n")
+    assert app.screen.note == f"saved: {scene}-square-triangle-2.scene.json"
+    saved = sorted(tmp_path.glob("*.scene.json"))
+    assert len(saved) == 2
+    assert json.loads(saved[0].read_text())["expect"] == [{"at": 1, verdict: ["square", "triangle"]}]
+    checked = subprocess.run(
+        [sys.executable, "-m", "sandbox", "check", *map(str, saved)], capture_output=True, text=True
+    )
+    assert checked.returncode == 0, checked.stdout + checked.stderr
+
+
+def test_pairs_of_the_grid_can_be_chosen_from_the_list(canvas: Canvas, tmp_path: Path) -> None:
+    first = "wait 20\nkey Space\nkey F3\nkey F4\nwait 2\n"
+    app = run(canvas, tmp_path, "pyramid-10", "click sat.pair.ground.block-1-2\nwait 1\n", first)
+    assert app.screen.workspace.selection.pair == ("ground", "block-1-2")
+    seen = app.panel.look(app.screen.workspace)
+    assert seen is not None
+    assert seen.b == app.screen.session.world.body("block-1-2").shapes[0]
+
+
+def test_a_closed_panel_is_not_called(canvas: Canvas, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    calls: list[str] = []
+    monkeypatch.setattr(SatPanel, "draw", lambda self, workspace: calls.append("draw"))
+    monkeypatch.setattr(SatPanel, "draw_over", lambda self, workspace, overlay: calls.append("over"))
+    run(canvas, tmp_path, "test-two", "key F4\nwait 5\n")  # the tool has opened it
+    assert calls
+    opened = len(calls)
+    run(canvas, tmp_path, "test-two", "wait 5\n", first="")
+    assert len(calls) == opened
