@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from sandbox.window.panels.inspector.panel import InspectorPanel
 from sandbox.window.panels.overlays import OverlaysPanel
 from sandbox.window.panels.panel import Panel
 from sandbox.window.panels.world import WorldPanel
 
-PANELS: tuple[type[Panel], ...] = (WorldPanel, OverlaysPanel)
+PANELS: tuple[type[Panel], ...] = (InspectorPanel, WorldPanel, OverlaysPanel)
 
 
 def new_panels() -> dict[str, Panel]:
