@@ -58,7 +58,7 @@ class Timeline(FixedAttributes):
     did; it is known from the start, up to `length` steps.
     """
 
-    __slots__ = ("_cost", "_frames", "_length", "_redo", "_stepper", "_tape", "_undo", "scene")
+    __slots__ = ("_cost", "_cuts", "_frames", "_length", "_redo", "_stepper", "_tape", "_undo", "scene")
 
     def __init__(
         self, scene: Scene, script: Sequence[TimedCommand] = (), length: int = 0, workers: int = 1, budget: int = BUDGET
@@ -71,6 +71,7 @@ class Timeline(FixedAttributes):
         self._undo: list[Moment] = []
         self._redo: list[Moment] = []
         self._cost = 0.0
+        self._cuts: list[int] = []
         self._keep()
 
     @property
@@ -92,6 +93,12 @@ class Timeline(FixedAttributes):
     def cost(self) -> float:
         """Seconds that the last step took the world."""
         return self._cost
+
+    @property
+    def cuts(self) -> Sequence[int]:
+        """The steps after which another future began, in the order of the user's time; what was seen of the old future
+        holds no more. It only grows: who keeps something for each step compares its length with what it was."""
+        return self._cuts
 
     @property
     def at_end(self) -> bool:
@@ -238,6 +245,7 @@ class Timeline(FixedAttributes):
 
     def _forget_coming(self) -> None:
         """Cut the run off here; moments that know more of it keep their own lists."""
+        self._cuts.append(self.step_count)
         self._stepper.forget_coming()
         self._tape = self._tape.up_to(self.step_count)
         self._frames = self._frames.up_to(self.step_count)
@@ -263,6 +271,7 @@ class Timeline(FixedAttributes):
         common = _common(mine, theirs)
         parting = min((step for step, _ in (*mine[common : common + 1], *theirs[common : common + 1])), default=None)
         if parting is not None:
+            self._cuts.append(parting)
             self._frames = self._frames.up_to(parting)
         stepper.commands, self._tape, self._length = theirs, moment.tape.up_to(moment.length), moment.length
         self._place(moment.step, moment.applied, anew=stepper.applied > common or _past(self.step_count, parting))

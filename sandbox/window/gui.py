@@ -31,6 +31,7 @@ class Gui:
         self.io.set_ini_filename("")  # the window leaves no files behind
         self.io.set_log_filename("")
         self.io.config_flags |= imgui.ConfigFlags_.docking_enable
+        self.io.config_drag_click_to_input_text = True  # a click on a number is for typing, a drag for dragging
         self.regular = self._font(_FONT)
         self._add_icons()
         self.bold = self._font(_BOLD)

@@ -34,6 +34,7 @@ class Layout:
     def __init__(self, panels: dict[str, Panel], tool_box: ToolBox) -> None:
         self.panels = panels
         self.tool_box = tool_box
+        self._settling = 0
 
     def draw(self, workspace: Workspace, size: Size) -> Rect:
         """One picture of it in a window of `size` pixels."""
@@ -53,7 +54,16 @@ class Layout:
         for panel in self.panels.values():
             if panel.name in workspace.panels:
                 self._draw_panel(workspace, panel)
+        self._settling -= 1
+        if self._settling == 0:  # docked by now
+            self._bring_first_to_front(workspace)
         return rect
+
+    def _bring_first_to_front(self, workspace: Workspace) -> None:
+        """Of panels that opened together in one place, the last would be in front."""
+        first = next((panel for panel in self.panels.values() if panel.name in workspace.panels), None)
+        if first is not None:
+            imgui.set_window_focus(_window_title(first))
 
     def _draw_panel(self, workspace: Workspace, panel: Panel) -> None:
         imgui.set_next_window_size(imgui.ImVec2(PANEL_WIDTH, 480.0), imgui.Cond_.first_use_ever)
@@ -85,6 +95,7 @@ class Layout:
 
     def _arrange(self, dock: int, width: float, height: float) -> None:
         """Where panels are docked at first."""
+        self._settling = 2
         builder = imgui.internal
         builder.dock_builder_remove_node(dock)
         builder.dock_builder_add_node(dock, imgui.internal.DockNodeFlagsPrivate_.dock_space)

@@ -74,6 +74,7 @@ class PlayScreen:
         self._since_picture = 0.0
         self.journal: Journal | None = None
         """Where the session is written down while it is played."""
+        session.watchers.append(self._tell_panels)
 
     @property
     def session(self) -> Session:
@@ -214,6 +215,12 @@ class PlayScreen:
         for name in sorted(shown & self.panels.keys()):
             with overlay.within(workspace.viewport.rect):
                 self.panels[name].draw_over(workspace, overlay)
+
+    def _tell_panels(self) -> None:
+        """A step was taken: those panels that are shown may keep something of it."""
+        for name, panel in self.panels.items():
+            if name in self.workspace.panels:
+                panel.note_step(self.workspace)
 
     def _draw_hud(self, overlay: Overlay) -> None:
         workspace, clock, scene = self.workspace, self.session.clock, self.session.scene

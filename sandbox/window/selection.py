@@ -1,4 +1,4 @@
-"""What the user has picked: bodies, by id, and a joint; and the pair of bodies whose test is looked at."""
+"""What the user has picked: bodies, by id, a joint or a region; and the pair of bodies whose test is looked at."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ class Selection:
 
     bodies: tuple[str, ...] = ()
     joint: str | None = None
+    region: str | None = None
     pair: tuple[str, str] | None = None
 
     def pick(self, name: str | None, more: bool = False) -> None:
@@ -25,9 +26,23 @@ class Selection:
             self.bodies = tuple(one for one in self.bodies if one != name)
         else:
             self.bodies = (*self.bodies, name)
-        self.joint = None
+        self.joint = self.region = None
         if len(self.bodies) == 2:
             self.pair = self.bodies[0], self.bodies[1]
+
+    def pick_joint(self, name: str) -> None:
+        """Select a joint alone."""
+        self.bodies, self.joint, self.region = (), name, None
+
+    def pick_region(self, name: str) -> None:
+        """Select a region alone."""
+        self.bodies, self.joint, self.region = (), None, name
+
+    def clear(self) -> bool:
+        """Select nothing; False if nothing was."""
+        some = bool(self.bodies or self.joint or self.region)
+        self.pick(None)
+        return some
 
     def present(self, world: World) -> tuple[str, ...]:
         """Those bodies of it that there are now, in the order in which they were selected."""

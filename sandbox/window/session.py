@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -40,6 +40,8 @@ class Session:
         """What went wrong last, for the user."""
         self.clock = StepClock(float(self.world.state.settings[0].step_seconds))
         self.step_cost = 0.0
+        self.watchers: list[Callable[[], None]] = []
+        """Called after each step that is shown; what they keep of it holds until `timeline.cuts` says otherwise."""
         self._held: int | None = None
         self.target: Vec = (0.0, 0.0)
         self._grip: Vec = (0.0, 0.0)
@@ -217,6 +219,8 @@ class Session:
         cost = self.timeline.cost
         self.step_cost = cost if self.step_cost == 0.0 else 0.9 * self.step_cost + 0.1 * cost
         self.previous, self.current = self.current, capture(self.world.state, self.current.mesh)
+        for watch in self.watchers:
+            watch()
 
 
 def free_path(folder: Path, stem: str, suffix: str) -> Path:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from sandbox.render.camera import Camera, Size, Vec, fit, scene_camera
 from sandbox.render.follow import followed
@@ -85,6 +85,11 @@ class Viewport:
         """Show all that there is to see now; nothing is followed any more."""
         self.follow = None
         self.camera = fit(session.bounds(), self.camera.size)
+        self.touched = True
+
+    def center_on(self, point: Vec) -> None:
+        """Bring a point of the plane (m) into the middle."""
+        self.camera = replace(self.camera, center=point)
         self.touched = True
 
     def look_home(self, session: Session) -> None:

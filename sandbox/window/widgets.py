@@ -10,6 +10,9 @@ from imgui_bundle import imgui
 Box = tuple[float, float, float, float]
 """Left, top, right, bottom in pixels of the window."""
 
+LABEL_EMS = 8.0
+"""Width of the left column of rows, in heights of the text."""
+
 places: dict[str, Box] = {}
 """Where each widget of the last picture lies, by name."""
 
@@ -50,18 +53,22 @@ def checkbox(name: str, label: str, value: bool, tip: str = "") -> bool:
 
 @dataclass(frozen=True)
 class Scale:
-    """How a number is shown and dragged: its unit, how much a pixel changes it, its limits, how many digits."""
+    """How a number is shown and dragged: its unit, how much a pixel changes it, its limits, how many digits.
+
+    `mixed` says that there are several, of which the one given is the first.
+    """
 
     unit: str = ""
     speed: float = 0.01
     low: float = 0.0
     high: float = 0.0
     digits: int = 4
+    mixed: bool = False
 
     @property
     def format(self) -> str:
         """As ImGui takes it."""
-        return f"%.{self.digits}g {self.unit}".rstrip()
+        return "mixed" if self.mixed else f"%.{self.digits}g {self.unit}".rstrip()
 
 
 PLAIN = Scale()
@@ -77,16 +84,21 @@ def drag(name: str, label: str, value: float, tip: str = "", scale: Scale = PLAI
 def drag2(
     name: str, label: str, value: tuple[float, float], tip: str = "", scale: Scale = PLAIN
 ) -> tuple[bool, tuple[float, float]]:
-    """Two numbers beside each other. (changed, numbers)."""
+    """Two numbers beside each other, NAME.x and NAME.y. (changed, numbers)."""
     wide = f"{label}##{name}"
     changed, got = imgui.drag_float2(wide, list(value), scale.speed, scale.low, scale.high, scale.format)
     mark(name, tip)
+    left, top, right, bottom = places[name]
+    middle = 0.5 * (left + right)
+    places[f"{name}.x"], places[f"{name}.y"] = (left, top, middle, bottom), (middle, top, right, bottom)
     return bool(changed), (float(got[0]), float(got[1]))
 
 
-def integer(name: str, label: str, value: int, tip: str = "", *, limits: tuple[int, int] = (0, 0)) -> tuple[bool, int]:
-    """A whole number that is dragged or typed. (changed, number)."""
-    changed, value = imgui.drag_int(f"{label}##{name}", value, 0.05, limits[0], limits[1])
+def integer(
+    name: str, label: str, value: int, tip: str = "", *, limits: tuple[int, int] = (0, 0), shown: str = "%d"
+) -> tuple[bool, int]:
+    """A whole number that is dragged or typed, `shown` in C's format. (changed, number)."""
+    changed, value = imgui.drag_int(f"{label}##{name}", value, 0.05, limits[0], limits[1], shown)
     mark(name, tip)
     return bool(changed), int(value)
 
@@ -111,10 +123,20 @@ def section(label: str) -> bool:
     return bool(imgui.collapsing_header(label, imgui.TreeNodeFlags_.default_open))
 
 
+def label(words: str, tip: str = "") -> None:
+    """The name of the widget that comes next, which fills the rest of the line."""
+    imgui.align_text_to_frame_padding()
+    imgui.text_disabled(words)
+    if tip and imgui.is_item_hovered():
+        imgui.set_tooltip(tip)
+    imgui.same_line(imgui.get_font_size() * LABEL_EMS)
+    imgui.set_next_item_width(-1.0)
+
+
 def row(label: str, value: str, tip: str = "") -> None:
     """A name and what it is, in two columns."""
     imgui.text_disabled(label)
-    imgui.same_line(imgui.get_font_size() * 8.0)
+    imgui.same_line(imgui.get_font_size() * LABEL_EMS)
     imgui.text_unformatted(value)
     if tip and imgui.is_item_hovered():
         imgui.set_tooltip(tip)

@@ -234,3 +234,34 @@ def test_whatever_is_done_the_world_is_that_of_a_straight_run(acts: list[tuple[s
         act(timeline, what, value)
         assert timeline.world.digest() == straight(timeline)
         assert len(timeline._tape) == timeline.length
+
+
+def test_cuts_say_what_is_no_longer_so() -> None:
+    """Whoever keeps the digest of each step, and forgets those after a cut, never holds a wrong one."""
+    timeline, kept, seen = Timeline(SCENE), {0: Timeline(SCENE).world.digest()}, 0
+
+    def run(steps: int) -> None:
+        nonlocal seen
+        for _ in range(steps):
+            timeline.step()
+            last = min(timeline.cuts[seen:], default=None)
+            for step in [] if last is None else [step for step in kept if step > last]:
+                del kept[step]
+            seen = len(timeline.cuts)
+            assert kept.setdefault(timeline.step_count, timeline.world.digest()) == timeline.world.digest()
+
+    run(40)
+    timeline.seek(20)
+    assert list(timeline.cuts) == []
+    timeline.begin_act("Push")
+    timeline.apply(ApplyImpulse("crate", (3.0, 0.0)))
+    assert list(timeline.cuts) == [20]
+    run(15)
+    assert 40 not in kept
+    timeline.undo()
+    run(30)
+    timeline.redo()
+    run(20)
+    timeline.begin_again()
+    run(60)
+    assert len(kept) == 61

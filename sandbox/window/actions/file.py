@@ -46,10 +46,10 @@ def _save_scene(workspace: Workspace) -> None:
 
 
 def _leave(workspace: Workspace) -> None:
-    """Esc: first what the tool is in the middle of, then the help, then the scene."""
+    """Esc: first the help, then what the tool is in the middle of, then the selection, then the scene."""
     if workspace.help_shown:
         workspace.help_shown = False
-    elif not workspace.interrupt():
+    elif not workspace.interrupt() and not workspace.selection.clear():
         workspace.wish = Wish("leave")
 
 
@@ -74,6 +74,6 @@ ACTIONS = (
     Action("previous", "Previous scene", "File", ("PageUp",), "The scene before in the same folder.",
            lambda w: _open_beside(w, -1)),
     Action("screenshot", "Picture", "File", ("F12",), "Save a picture of the window.", _shoot),
-    Action("leave", "Leave", "File", ("Esc",), "Give up what is begun, else back to the gallery or out.", _leave),
+    Action("leave", "Leave", "File", ("Esc",), "Give up what is begun, else unselect, else back or out.", _leave),
     Action("quit", "Quit", "File", ("Ctrl+Q",), "Close the window.", _wish("quit")),
 )  # fmt: skip

@@ -11,7 +11,7 @@ from sandbox.window.workspace import Workspace
 class Panel:
     """A panel. One object each, in the registry; `draw` is called between ImGui's begin and end while it is shown.
 
-    A panel that is not shown is not called, so it costs nothing.
+    A panel that is not shown is not called, neither to draw nor after steps, so it costs nothing.
     """
 
     name: ClassVar[str]
@@ -29,3 +29,6 @@ class Panel:
 
     def draw_over(self, workspace: Workspace, overlay: Overlay) -> None:
         """Draw over the scene, in pixels of the window; called after `draw`, also while another tab hides the panel."""
+
+    def note_step(self, workspace: Workspace) -> None:
+        """A step has been taken while the panel is shown: keep of it what is needed later."""

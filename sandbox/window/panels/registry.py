@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+from sandbox.window.panels.inspector.panel import InspectorPanel
 from sandbox.window.panels.overlays import OverlaysPanel
 from sandbox.window.panels.panel import Panel
 from sandbox.window.panels.sat import SatPanel
 from sandbox.window.panels.world import WorldPanel
 
-PANELS: tuple[type[Panel], ...] = (WorldPanel, OverlaysPanel, SatPanel)
+PANELS: tuple[type[Panel], ...] = (
+    InspectorPanel,
+    WorldPanel,
+    OverlaysPanel,
+    SatPanel,
+)
 
 
 def new_panels() -> dict[str, Panel]:

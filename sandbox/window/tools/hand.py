@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 from imgui_bundle import icons_fontawesome_6 as icons
@@ -11,6 +12,7 @@ from sandbox.errors import SandboxError
 from sandbox.render.camera import Vec
 from sandbox.render.line import Line
 from sandbox.replay.timeline import Mark
+from sandbox.window.tools.joint_pick import joint_under
 from sandbox.window.tools.tool import GRAB_PIXELS, Pointer, Tool, body_under
 from sandbox.window.workspace import Workspace
 
@@ -25,20 +27,24 @@ class Hand(Tool):
     title = "Hand"
     icon = icons.ICON_FA_HAND
     key = "V"
-    help = "Drag a body to throw it; while paused, to move it. Click selects, Shift adds."
+    help = "Drag a body to throw it; while paused, to move it. Click selects it, or a joint by its anchor; Shift adds."
 
     def __init__(self) -> None:
         self._start: Pointer | None = None
         self._moving: dict[str, tuple[Vec, float]] = {}
         self._mark: Mark | None = None
         self._moved = False
+        self._joint: str | None = None
 
     def press(self, workspace: Workspace, pointer: Pointer) -> bool:
         """Take hold of what is under the pointer."""
         self._start, self._moved = pointer, False
         name = body_under(workspace, pointer)
+        self._joint = joint_under(workspace, pointer, lines=name is None)
         if name is None:
-            if not pointer.more:
+            if self._joint is not None:
+                workspace.selection.pick_joint(self._joint)
+            elif not pointer.more:
                 workspace.selection.pick(None)
             return False
         if workspace.session.clock.paused:
@@ -52,24 +58,24 @@ class Hand(Tool):
         """Pull, or put elsewhere."""
         workspace.session.drag(pointer.point)
         start = self._start
-        if not self._moving or start is None:
+        if start is None:
             return
-        dx, dy = pointer.pixel[0] - start.pixel[0], pointer.pixel[1] - start.pixel[1]
-        self._moved = self._moved or dx * dx + dy * dy > CLICK_PIXELS**2
-        if self._moved:
+        self._moved = self._moved or math.dist(start.pixel, pointer.pixel) > CLICK_PIXELS
+        if self._moved and self._moving:
             self._put(workspace, (pointer.point[0] - start.point[0], pointer.point[1] - start.point[1]))
 
     def release(self, workspace: Workspace, pointer: Pointer) -> None:
-        """Let go."""
+        """Let go. A click on the anchor of a joint means the joint."""
         workspace.session.release()
         workspace.session.timeline.end_act()
+        if self._joint is not None and not self._moved:
+            workspace.selection.pick_joint(self._joint)
         self._forget()
 
     def cancel(self, workspace: Workspace) -> bool:
-        """Let go, or unselect."""
-        busy = bool(self._moving) or workspace.session.grabbed is not None or bool(workspace.selection.bodies)
+        """Let go."""
+        busy = bool(self._moving) or workspace.session.grabbed is not None
         workspace.session.release()
-        workspace.selection.bodies = ()
         self._forget()
         return busy
 
@@ -103,4 +109,4 @@ class Hand(Tool):
             workspace.say(str(error))
 
     def _forget(self) -> None:
-        self._start, self._moving, self._mark = None, {}, None
+        self._start, self._joint, self._moving, self._mark = None, None, {}, None

@@ -2,31 +2,68 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
+from sandbox.tables import Floats, Integers, plain
 from sandbox.window.tools.tool import GRAB_PIXELS, Pointer
 from sandbox.window.workspace import Workspace
+from sandbox.world.joint_records import GEAR, PULLEY, TARGET
+from sandbox.world.state import State
 
 
-def joint_under(workspace: Workspace, pointer: Pointer) -> str | None:
-    """The id of the joint whose anchors, or the line between them, are nearest; None beyond `GRAB_PIXELS`."""
-    world, best = workspace.session.world, (GRAB_PIXELS / workspace.viewport.camera.scale, "")
-    for joint in world.joints:
-        if not joint.id or joint.broken:
-            continue
-        distance = min((_distance(pointer.point, part) for part in _parts(joint.anchors)), default=np.inf)
-        best = min(best, (distance, joint.id))
-    return best[1] or None
+def joint_under(workspace: Workspace, pointer: Pointer, lines: bool = True) -> str | None:
+    """The id of the joint whose anchors, or with `lines` what it spans, are nearest; None beyond `GRAB_PIXELS`."""
+    state = workspace.session.world.state
+    rows, starts, ends = joint_spans(state)
+    if not len(rows):
+        return None
+    point = np.asarray(pointer.point)
+    if lines:
+        distance = _from_spans(point, starts, ends)
+    else:
+        distance = np.minimum(_length(point - starts), _length(point - ends))
+    nearest = int(distance.argmin())
+    found = distance[nearest] <= GRAB_PIXELS / workspace.viewport.camera.scale
+    return state.joint_names[rows[nearest]] if found else None
 
 
-def _parts(anchors: object) -> list[tuple[np.ndarray, np.ndarray]]:
-    points = np.atleast_2d(np.asarray(anchors, float))
-    return list(zip(points, [*points[1:], points[-1]], strict=True)) if points.size else []
+def joint_spans(state: State) -> tuple[Integers, Floats, Floats]:
+    """Of joints that hold: their rows, and the two ends of what is between their anchors in the world, m.
+
+    A pulley has three, two lengths of rope and what is between its wheels; a gear has none.
+    """
+    joints: Any = plain(state.joints)
+    rows = np.flatnonzero((joints["broken_step"] < 0) & (joints["kind"] != GEAR))
+    table = joints[rows]
+    a, b = _anchors(state, table, "a"), _anchors(state, table, "b")
+    wheel_a, wheel_b = (np.column_stack([table[f"point_{side}x"], table[f"point_{side}y"]]) for side in "ab")
+    to_target, roped = table["kind"] == TARGET, table["kind"] == PULLEY
+    a = np.where(to_target[:, None], wheel_a, a)
+    first_ends = np.where(roped[:, None], wheel_a, b)
+    starts = np.concatenate([a, wheel_a[roped], b[roped]])
+    ends = np.concatenate([first_ends, wheel_b[roped], wheel_b[roped]])
+    return np.concatenate([rows, rows[roped], rows[roped]]), starts, ends
 
 
-def _distance(point: tuple[float, float], part: tuple[np.ndarray, np.ndarray]) -> float:
-    """Of a point from the line between two points, in metres."""
-    start, along = part[0], part[1] - part[0]
-    square = float(along @ along)
-    share = 0.0 if square == 0.0 else min(max(float((point - start) @ along) / square, 0.0), 1.0)
-    return float(np.hypot(*(point - start - share * along)))
+def _anchors(state: State, joints: Any, side: str) -> Floats:
+    """Where the anchors on one side are in the world; those on the world itself are there already."""
+    body, bodies = joints[f"body_{side}"], plain(state.bodies)
+    x, y = joints[f"anchor_{side}x"], joints[f"anchor_{side}y"]
+    held = body >= 0
+    c, s = np.where(held, bodies["rotation_cos"][body], 1.0), np.where(held, bodies["rotation_sin"][body], 0.0)
+    places = [np.where(held, bodies[name][body], 0.0) for name in ("center_x", "center_y")]
+    return np.column_stack([places[0] + (c * x - s * y), places[1] + (s * x + c * y)])
+
+
+def _from_spans(point: Floats, starts: Floats, ends: Floats) -> Floats:
+    """How far a point is from each line between two ends, in metres."""
+    along, to = ends - starts, point - starts
+    square = np.maximum((along * along).sum(axis=1), 1e-300)
+    share = np.clip((to * along).sum(axis=1) / square, 0.0, 1.0)
+    return _length(to - along * share[:, None])
+
+
+def _length(vectors: Floats) -> Floats:
+    return np.asarray(np.hypot(vectors[:, 0], vectors[:, 1]))

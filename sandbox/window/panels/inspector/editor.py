@@ -1,0 +1,135 @@
+"""Numbers and switches of what is selected: a change is a command, and all changes of one drag are one act."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from imgui_bundle import imgui
+
+from sandbox.engine.commands.base import Command
+from sandbox.window.adjustment import Adjustment
+from sandbox.window.widgets import PLAIN, Scale, button, checkbox, drag, drag2, label
+from sandbox.window.workspace import Workspace
+
+Vec = tuple[float, float]
+NEXT_TO_NOTHING = 5e-7
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A number of what is selected: the widget's name, what it is called, how it is shown, its tooltip."""
+
+    name: str
+    title: str
+    scale: Scale = PLAIN
+    tip: str = ""
+
+
+class Editor:
+    """Draws entries of the inspector. `of` says whose they are, for the names of acts."""
+
+    def __init__(self) -> None:
+        self.of = ""
+        self._adjustment = Adjustment("Edit")
+
+    def number(
+        self, workspace: Workspace, entry: Entry, values: Any, commands: Callable[[float], Iterable[Command]]
+    ) -> None:
+        """One number. `values` are those of all that is selected; `commands` give all of them another one."""
+        label(entry.title, entry.tip)
+        changed, value = drag(entry.name, "", tidy(values[0]), entry.tip, _scale(entry, is_mixed(values)))
+        given = tuple(commands(plain_number(value))) if changed else ()
+        self._adjustment.follow(workspace, changed, *given, label=self._label(entry))
+
+    def pair(
+        self, workspace: Workspace, entry: Entry, values: Any, commands: Callable[[Vec], Iterable[Command]]
+    ) -> None:
+        """Two numbers, x and y; the one that is not touched keeps all its digits."""
+        label(entry.title, entry.tip)
+        now, mixed = (float(values[0][0]), float(values[0][1])), is_mixed(values)
+        changed, (x, y) = drag2(entry.name, "", (tidy(now[0]), tidy(now[1])), entry.tip, _scale(entry, mixed))
+        given = tuple(commands((kept(now[0], x), kept(now[1], y)))) if changed else ()
+        self._adjustment.follow(workspace, changed, *given, label=self._label(entry))
+
+    def switch(
+        self, workspace: Workspace, entry: Entry, value: bool, commands: Callable[[bool], Iterable[Command]]
+    ) -> None:
+        """On or off, in the right column."""
+        label(entry.title, entry.tip)
+        wanted = checkbox(entry.name, "", value, entry.tip)
+        if wanted != value:
+            workspace.do(self._label(entry), *commands(wanted))
+
+    def optional(
+        self,
+        workspace: Workspace,
+        entry: Entry,
+        value: float | None,
+        start: float,
+        commands: Callable[[float | None], Iterable[Command]],
+    ) -> None:
+        """A number that may be missing: a box to tick, which begins with `start`, and the number beside it."""
+        label(entry.title, entry.tip)
+        wanted = checkbox(f"{entry.name}.on", "", value is not None, entry.tip)
+        if wanted != (value is not None):
+            workspace.do(self._label(entry), *commands(start if wanted else None))
+        elif value is not None:
+            self._beside(workspace, entry, value, commands)
+
+    def ceiling(
+        self,
+        workspace: Workspace,
+        entry: Entry,
+        value: float,
+        start: float,
+        commands: Callable[[float], Iterable[Command]],
+    ) -> None:
+        """A number that may be infinite: a button that gives it `start`, or the number."""
+        if math.isfinite(value):
+            self.number(workspace, entry, [value], commands)
+            return
+        label(entry.title, entry.tip)
+        if button(f"{entry.name}.set", "any: set a limit", f"{entry.tip}\nBegins with {start:g} {entry.scale.unit}."):
+            workspace.do(self._label(entry), *commands(start))
+
+    def _beside(
+        self, workspace: Workspace, entry: Entry, value: float, commands: Callable[[float | None], Iterable[Command]]
+    ) -> None:
+        imgui.same_line()
+        imgui.set_next_item_width(-1.0)
+        changed, got = drag(entry.name, "", value, entry.tip, entry.scale)
+        given = tuple(commands(plain_number(got))) if changed else ()
+        self._adjustment.follow(workspace, changed, *given, label=self._label(entry))
+
+    def _label(self, entry: Entry) -> str:
+        title = entry.title[:1].upper() + entry.title[1:]
+        return f"{title} of {self.of}"
+
+
+def _scale(entry: Entry, mixed: bool) -> Scale:
+    return replace(entry.scale, mixed=mixed)
+
+
+def is_mixed(values: Any) -> bool:
+    """Whether not all values are the same."""
+    rows = np.asarray(values, float)
+    return bool((rows != rows[0]).any())
+
+
+def plain_number(value: float) -> float:
+    """What a widget's single precision stands for: 0.3, not 0.30000001."""
+    return float(f"{value:.7g}")
+
+
+def tidy(value: float) -> float:
+    """A number as it is shown: what is nothing but rounding is 0, so that it does not flicker."""
+    return 0.0 if abs(value) < NEXT_TO_NOTHING else float(value)
+
+
+def kept(before: float, after: float) -> float:
+    """The number after an edit: the one before with all its digits, if a widget shows no other."""
+    return before if np.float32(tidy(before)) == np.float32(after) else plain_number(after)

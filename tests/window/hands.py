@@ -1,0 +1,77 @@
+"""Real keys and clicks on a real window with all panels, with looks at what has become of them in between."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+
+import pygame
+
+from sandbox import Scene
+from sandbox.window.app import App, Options
+from sandbox.window.play import PlayScreen
+from sandbox.window.screen import Canvas, Screen
+from sandbox.window.script import Script
+
+Act = str | Callable[[PlayScreen], None]
+"""Lines of a script (`sandbox.window.script`), or what looks at the screen after those before it."""
+SIZE = (1280, 800)
+
+
+class Hands(App):
+    """The program with a scene, and hands that do one act after another."""
+
+    def __init__(self, canvas: Canvas, scene: Scene, folder: Path, acts: Sequence[Act]) -> None:
+        scene.save(folder / "played.scene.json")
+        empty = folder / "hands.txt"
+        empty.write_text("")
+        super().__init__(canvas, Options(folder / "played.scene.json", script=empty))
+        self.screen: PlayScreen | None = None
+        self._folder, self._acts = folder, acts
+        self._doing: Iterator[None] | None = None
+
+    def _act(self, screen: Screen) -> bool:
+        if not isinstance(screen, PlayScreen):
+            return True
+        if self._doing is None:
+            self.screen = self._shown = screen
+            screen.workspace.folder = self._folder
+            screen.session.clock.paused = True
+            self._doing = self._do(screen)
+        return next(self._doing, self) is None
+
+    def _do(self, screen: PlayScreen) -> Iterator[None]:
+        for act in self._acts:
+            if callable(act):
+                act(screen)
+                continue
+            (self._folder / "part.txt").write_text(act)
+            yield from Script(self._folder / "part.txt").hands(self._locate)
+
+
+def play(canvas: Canvas, scene: Scene, folder: Path, *acts: Act) -> PlayScreen:
+    """Play `scene` in a window of `SIZE` pixels, a step a picture; after the first, time stands still at first."""
+    hands = Hands(canvas, scene, folder, acts)
+    with _window_of(SIZE):
+        hands.run()
+    assert hands.screen is not None
+    return hands.screen
+
+
+@contextmanager
+def _window_of(size: tuple[int, int]) -> Iterator[None]:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", DeprecationWarning)
+        from pygame._sdl2.video import Window
+
+        window = Window.from_display_module()
+    before = window.size
+    window.size = size
+    pygame.event.get()
+    try:
+        yield
+    finally:
+        window.size = before
+        pygame.event.get()
