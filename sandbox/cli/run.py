@@ -47,6 +47,7 @@ def run(
     from sandbox.window.requirements import check_packages
 
     check_packages()
-    from sandbox.window.app import Options, run_window
+    from sandbox.window.options import Options
+    from sandbox.window.start import run_window
 
     run_window(Options(path, pixels, step, frames, screenshot, workers, script))

@@ -118,7 +118,7 @@ class Timeline(FixedAttributes):
     @property
     def act_steps(self) -> list[int]:
         """The steps after which something was done, in order, each once."""
-        return sorted({step for step, _ in self._stepper.commands})
+        return list(dict.fromkeys(step for step, _ in self._stepper.commands))
 
     @property
     def undo_label(self) -> str | None:

@@ -1,72 +1,35 @@
-"""The program with a window: opens it, shows one screen after another, and ends as asked."""
+"""The program in its window: shows one screen after another, and ends as asked."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 
 import pygame
 from imgui_bundle import imgui
 
 from sandbox.errors import SandboxError
-from sandbox.render.camera import Size, Vec
-from sandbox.render.theme import DARK, LIGHT
-from sandbox.window.display import Display, check_size
+from sandbox.render.camera import Vec
+from sandbox.render.theme import LIGHT
 from sandbox.window.gallery import Gallery
-from sandbox.window.gl_painter import GlPainter
-from sandbox.window.gui import Gui
-from sandbox.window.journal import Journal, Leftover, journal_folder, leftovers
+from sandbox.window.journal import Journal, Leftover, leftovers
 from sandbox.window.loader import Loader
 from sandbox.window.loading import LoadingScreen
 from sandbox.window.offer_box import draw_offer
+from sandbox.window.options import Options
 from sandbox.window.play import PlayScreen
 from sandbox.window.recent import note_recent
-from sandbox.window.remembered import Remembered, remembered
 from sandbox.window.scene_index import scene_entries
 from sandbox.window.screen import Canvas, Screen
 from sandbox.window.script import Script
 from sandbox.window.session import Session
+from sandbox.window.state_folder import state_folder
 from sandbox.window.workspace import Wish, Workspace
 
-USUAL_SIZE: Size = (1280, 800)
 LOADING_FPS = 20
 """Enough to look alive; each picture more would slow the loading thread down."""
 LOCKSTEP_SECONDS = 1 / 60
 """What a frame counts for where frames are counted, so that fading text is the same every time."""
-
-
-@dataclass(frozen=True)
-class Options:
-    """What to show and when to end: `frames` pictures, then quit, with one physics step a picture.
-
-    Without a `size`, the window is as large as it was the last time.
-    """
-
-    scene: Path | None = None
-    size: Size | None = None
-    start_step: int = 0
-    frames: int | None = None
-    screenshot: Path | None = None
-    workers: int = 1
-    script: Path | None = None
-
-
-def run_window(options: Options) -> None:
-    """Show the window until it is closed. Raises `MissingDependencyError` or `SceneError`."""
-    if options.size is not None:
-        check_size(options.size)
-    counted = options.frames is not None or options.script is not None
-    kept = Remembered() if counted else remembered(journal_folder())
-    with Display(options.size or kept.size or USUAL_SIZE, "sandbox", visible=not counted) as display:
-        gui = Gui(display.driver)
-        if kept.docks:
-            imgui.load_ini_settings_from_memory(kept.docks)
-        try:
-            theme = LIGHT if kept.light else DARK
-            App(Canvas(display, GlPainter(display.context), gui, theme, kept), options).run()
-        finally:
-            gui.close()
 
 
 class App:
@@ -80,7 +43,7 @@ class App:
         self._script = Script(options.script) if options.script is not None else None
         self._hands: Iterator[None] | None = None
         self._shown: Screen | None = None
-        self._folder = journal_folder() if options.frames is None else None
+        self._folder = state_folder() if options.frames is None else None
         self._offered = leftovers(self._folder)[:1] if self._folder is not None else []
         self._accepted = False
         self._remembered = canvas.remembered

@@ -11,7 +11,6 @@ import pygame
 
 from sandbox.errors import SandboxError
 from sandbox.render.camera import Size
-from sandbox.render.image import save_png
 from sandbox.window.platform import choose_video_driver, survive_x_errors
 from sandbox.window.requirements import no_window
 
@@ -71,6 +70,8 @@ class Display:
     def save(self, path: Path) -> None:
         """Write what was drawn last, before `show`, as a PNG file."""
         from PIL import Image
+
+        from sandbox.render.image import save_png
 
         viewport = (0, 0, *self.size)
         pixels = self.context.screen.read(viewport=viewport, components=3, alignment=1)

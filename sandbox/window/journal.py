@@ -15,8 +15,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import platformdirs
-
 from sandbox.errors import SandboxError
 from sandbox.replay.recording.command_words import TimedCommand, decode, encode
 from sandbox.scene import Scene, loads_scene
@@ -29,12 +27,6 @@ EVERY = 60
 """Steps between two lines that say how far the run has come."""
 LARGEST = 64 * 1024 * 1024
 """Bytes of a journal that is read back at most."""
-
-
-def journal_folder() -> Path:
-    """Where journals are: the folder for states of programs, or `SANDBOX_STATE_DIR`."""
-    chosen = os.environ.get("SANDBOX_STATE_DIR")
-    return Path(chosen) if chosen else platformdirs.user_state_path("sandbox2d")
 
 
 class Journal:

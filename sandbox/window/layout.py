@@ -34,6 +34,8 @@ class Layout:
     def __init__(self, panels: dict[str, Panel], tool_box: ToolBox) -> None:
         self.panels = panels
         self.tool_box = tool_box
+        self._shown: set[str] = set()
+        self._fresh: set[str] = set()
         self._settling = 0
 
     def draw(self, workspace: Workspace, size: Size) -> Rect:
@@ -67,6 +69,8 @@ class Layout:
 
     def _draw_panel(self, workspace: Workspace, panel: Panel) -> None:
         imgui.set_next_window_size(imgui.ImVec2(PANEL_WIDTH, 480.0), imgui.Cond_.first_use_ever)
+        if panel.name in self._fresh:
+            imgui.set_next_window_focus()
         shown, still_open = imgui.begin(_window_title(panel), True)
         mark(f"panel.{panel.name}")
         if shown:

@@ -10,7 +10,8 @@ from pathlib import Path
 import pygame
 
 from sandbox import Scene
-from sandbox.window.app import App, Options
+from sandbox.window.app import App
+from sandbox.window.options import Options
 from sandbox.window.play import PlayScreen
 from sandbox.window.screen import Canvas, Screen
 from sandbox.window.script import Script

@@ -11,12 +11,13 @@ import pygame
 import pytest
 from PIL import Image
 
-from sandbox.window.app import App, Options
+from sandbox.window.app import App
 from sandbox.window.gallery import Gallery
 from sandbox.window.gl_painter import GlPainter
 from sandbox.window.gui import Gui
 from sandbox.window.loader import Loader
 from sandbox.window.loading import LoadingScreen
+from sandbox.window.options import Options
 from sandbox.window.play import PlayScreen
 from sandbox.window.scene_index import Entry
 from sandbox.window.screen import Canvas, Screen

@@ -15,9 +15,10 @@ import pytest
 from sandbox.geometry.sat_table import sat_table
 from sandbox.render.theme import DARK
 from sandbox.resources import find_scene
-from sandbox.window.app import App, Options
+from sandbox.window.app import App
 from sandbox.window.gl_painter import GlPainter
 from sandbox.window.gui import Gui
+from sandbox.window.options import Options
 from sandbox.window.panels.sat import SatPanel
 from sandbox.window.play import PlayScreen
 from sandbox.window.sat.overlap_curve import axis_angle

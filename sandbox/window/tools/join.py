@@ -154,7 +154,7 @@ class SliderTool(JoinTool):
 class WheelTool(JoinTool):
     """A wheel on a suspension."""
 
-    name, title, icon, key = "axle", "Wheel", icons.ICON_FA_GEAR, ""
+    name, title, icon, key = "axle", "Wheel", icons.ICON_FA_DHARMACHAKRA, ""
     help = "Click a frame, then the wheel that it is to have, at its axle."
 
     def words(self, first: Vec, second: Vec) -> dict[str, Any]:
@@ -165,7 +165,7 @@ class WheelTool(JoinTool):
 class MotorTool(JoinTool):
     """A hinge with a motor."""
 
-    name, title, icon, key = "motor", "Motor", icons.ICON_FA_ROTATE, ""
+    name, title, icon, key = "motor", "Motor", icons.ICON_FA_FAN, ""
     help = "Click one body, then the other where it is to be turned by a motor."
 
     def words(self, first: Vec, second: Vec) -> dict[str, Any]:

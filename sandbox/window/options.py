@@ -1,0 +1,24 @@
+"""What the window is asked to show."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from sandbox.render.camera import Size
+
+
+@dataclass(frozen=True)
+class Options:
+    """What to show and when to end: `frames` pictures, then quit, with one physics step a picture.
+
+    Without a `size`, the window is as large as it was the last time.
+    """
+
+    scene: Path | None = None
+    size: Size | None = None
+    start_step: int = 0
+    frames: int | None = None
+    screenshot: Path | None = None
+    workers: int = 1
+    script: Path | None = None
