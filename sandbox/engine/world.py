@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-import numpy as np
-
 from sandbox.arguments import checked_count, shown
 from sandbox.attributes import FixedAttributes, attributes_besides
 from sandbox.engine.commands.base import Command, Touched, Vec
@@ -13,9 +11,8 @@ from sandbox.engine.commands.delete import Delete
 from sandbox.engine.commands.set_gravity import SetGravity
 from sandbox.engine.commands.spawn import Spawn
 from sandbox.engine.events.event_log import EventLog, KeptEvents
-from sandbox.engine.events.events import Events
 from sandbox.engine.fields.records import last_switch
-from sandbox.engine.memory.scratch import Scratch
+from sandbox.engine.readings import Readings
 from sandbox.engine.stepper import Stepper
 from sandbox.engine.views.bodies import Bodies
 from sandbox.engine.views.body import BodyView
@@ -25,12 +22,9 @@ from sandbox.notebook import Shown
 from sandbox.scene.flat import FlatScene
 from sandbox.tables import Floats, plain
 from sandbox.world.build import build_state
-from sandbox.world.digest import digest
 from sandbox.world.directory import Directory
-from sandbox.world.records import DYNAMIC
 from sandbox.world.roster import Roster
-from sandbox.world.snapshot import restore, snapshot
-from sandbox.world.state import State
+from sandbox.world.snapshot import restore
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -43,7 +37,7 @@ LastStep: TypeAlias = tuple[KeptEvents, Floats]
 """What a copy has to know of the last step: events, and the impulses (N s) of its contacts."""
 
 
-class World(Shown, FixedAttributes):
+class World(Readings, Shown, FixedAttributes):
     """A simulation of one scene.
 
     The same scene and the same commands give the same bits on every machine. `step` advances, `apply` is the only
@@ -65,7 +59,7 @@ class World(Shown, FixedAttributes):
         if not isinstance(flat, FlatScene):
             raise ArgumentError(f"World: takes a Scene, not {shown(scene)}; load_scene reads one from a file")
         self.scene = scene
-        self.state: State = build_state(flat)
+        self.state = build_state(flat)
         self._changes = 0
         self._spawning: Spawning | None = None
         self._queries: Queries | None = None
@@ -138,46 +132,6 @@ class World(Shown, FixedAttributes):
         self.apply(Delete(bodies))
 
     @property
-    def changes(self) -> int:
-        """Counts steps, commands and restores: while it stays the same, nothing has moved."""
-        return self._changes
-
-    @property
-    def directory(self) -> Directory:
-        """From ids to rows, as they are now."""
-        return self._directory
-
-    @property
-    def time(self) -> float:
-        """Seconds since the start."""
-        return self.step_count * float(self.state.settings[0].step_seconds)
-
-    @property
-    def step_count(self) -> int:
-        """Steps taken since the start."""
-        return int(self._stepper.counters["step_count"][0])
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """Body ids in the order of `bodies`."""
-        return self.state.names
-
-    @property
-    def joint_names(self) -> tuple[str, ...]:
-        """Joint ids in the order of the scene, then those that were spawned."""
-        return self.state.joint_names
-
-    @property
-    def flat(self) -> FlatScene:
-        """The scene with the bodies and joints that are there now, row by row, as they came into the world."""
-        return self.state.roster.flat
-
-    @property
-    def layout(self) -> int:
-        """Counts how often rows have moved: while it stays the same, row `i` of `bodies` is the same body."""
-        return self.state.layout
-
-    @property
     def spawning(self) -> Spawning:
         """Reads what is spawned."""
         if self._spawning is None:
@@ -200,48 +154,6 @@ class World(Shown, FixedAttributes):
         return tuple(JointView(self, row) for row in range(len(self.state.joints)))
 
     @property
-    def awake_count(self) -> int:
-        """How many dynamic bodies are awake now."""
-        bodies = self.state.bodies
-        return int(np.count_nonzero((bodies.type == DYNAMIC) & (bodies.awake == 1)))
-
-    @property
-    def contacts(self) -> Any:
-        """The contacts of the last step: `records.CONTACT` rows, sorted by shape. A view; copy what you keep."""
-        return self.state.contacts[: int(self.state.counters[0].contact_count)]
-
-    @property
-    def contact_impulses(self) -> Floats:
-        """Normal impulse (N s) of each of `contacts` over the whole last step, impacts included. A copy."""
-        impulses: Floats = self.scratch.contacts.reports.total_impulse[: len(self.contacts)].copy()
-        return impulses
-
-    @property
-    def events(self) -> Events:
-        """What happened during the last step: contacts that began, ended or struck, sensors, sleep. Ask every step."""
-        return self._events.events(self.scratch)
-
-    @property
-    def sensed(self) -> tuple[tuple[str, str], ...]:
-        """(sensor's body, other body) for everything that a sensor has in it now, each pair once, in scene order."""
-        rows = self._events.sensed
-        if rows is None:
-            return ()
-        pairs = sorted(set(zip(rows.sensor_body.tolist(), rows.body.tolist(), strict=True)))
-        return tuple((self.names[a], self.names[b]) for a, b in pairs)
-
-    @property
-    def scratch(self) -> Scratch:
-        """What the last step left in its memory (boxes, proposed pairs), for tools that look into it; read only."""
-        return self._stepper.scratch
-
-    @property
-    def frozen(self) -> list[tuple[str, int]]:
-        """(body id, step) of every body that bad numbers froze."""
-        rows = self.state.bodies.frozen_step
-        return [(self.names[i], int(rows[i])) for i in np.flatnonzero(rows >= 0).tolist()]
-
-    @property
     def query(self) -> Queries:
         """Rays, casts, overlaps and distances: read-only questions about where things are."""
         if self._queries is None:
@@ -249,14 +161,6 @@ class World(Shown, FixedAttributes):
 
             self._queries = Queries(self)
         return self._queries
-
-    def digest(self) -> str:
-        """Fingerprint of the whole state, 16 hex digits: equal bits, equal digest."""
-        return digest(self.state)
-
-    def snapshot(self) -> bytes:
-        """The whole state as bytes, for `restore`."""
-        return snapshot(self.state)
 
     def restore(self, data: bytes) -> None:
         """Go back to a snapshot of this scene. Raises `SnapshotError` and changes nothing if it can't."""
