@@ -5,9 +5,10 @@ from __future__ import annotations
 from sandbox.window.panels.inspector.panel import InspectorPanel
 from sandbox.window.panels.overlays import OverlaysPanel
 from sandbox.window.panels.panel import Panel
+from sandbox.window.panels.plots.panel import PlotsPanel
 from sandbox.window.panels.world import WorldPanel
 
-PANELS: tuple[type[Panel], ...] = (InspectorPanel, WorldPanel, OverlaysPanel)
+PANELS: tuple[type[Panel], ...] = (InspectorPanel, WorldPanel, OverlaysPanel, PlotsPanel)
 
 
 def new_panels() -> dict[str, Panel]:
