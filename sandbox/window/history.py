@@ -69,7 +69,7 @@ class History:
 
 
 def thinned(values: Floats, first: int, end: int, most: int) -> Integers:
-    """Places between `first` and `end` that draw the same line in `most` pixels: extremes of each stretch of them."""
+    """Places between `first` and `end` that draw the same line in `most` pixels: the extremes of each stretch."""
     count = end - first
     if count <= 2 * most:
         return np.arange(first, end)
@@ -77,5 +77,6 @@ def thinned(values: Floats, first: int, end: int, most: int) -> Integers:
     rows = values[first : first + count // stretch * stretch].reshape(-1, stretch)
     filled = np.where(np.isnan(rows), np.inf, rows), np.where(np.isnan(rows), -np.inf, rows)
     starts = first + stretch * np.arange(len(rows))
-    places = [starts + filled[0].argmin(axis=1), starts + filled[1].argmax(axis=1), [first, end - 1]]
-    return np.unique(np.concatenate(places))
+    lowest, highest = starts + filled[0].argmin(axis=1), starts + filled[1].argmax(axis=1)
+    left_over = np.arange(first + rows.size, end)
+    return np.unique(np.concatenate([[first], lowest, highest, left_over, [end - 1]]))

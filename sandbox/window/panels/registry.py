@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from sandbox.window.panels.events.panel import EventsPanel
 from sandbox.window.panels.inspector.panel import InspectorPanel
 from sandbox.window.panels.overlays import OverlaysPanel
 from sandbox.window.panels.panel import Panel
 from sandbox.window.panels.plots.panel import PlotsPanel
+from sandbox.window.panels.profile.panel import ProfilePanel
 from sandbox.window.panels.world import WorldPanel
 
-PANELS: tuple[type[Panel], ...] = (InspectorPanel, WorldPanel, OverlaysPanel, PlotsPanel)
+PANELS: tuple[type[Panel], ...] = (InspectorPanel, WorldPanel, OverlaysPanel, ProfilePanel, PlotsPanel, EventsPanel)
 
 
 def new_panels() -> dict[str, Panel]:
