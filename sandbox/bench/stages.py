@@ -28,9 +28,19 @@ class TimedStepper(Stepper):
 
     @classmethod
     def in_place(cls, world: World) -> Self:
-        """A timed stepper in the place of the one that a new world has."""
+        """A timed stepper in the place of the one that a world has; its events are kept, and it goes on to the bit."""
+        _ = world.events
         stepper = cls(world.state, world.workers)
         world._stepper = stepper
+        return stepper
+
+    @classmethod
+    def of(cls, world: World, clock: Callable[[], float]) -> Self:
+        """The timed stepper of a world, which it gets if it has none: one that goes by `clock`, in seconds."""
+        stepper = world._stepper
+        if not isinstance(stepper, cls):
+            stepper = cls.in_place(world)
+            stepper._clock = clock
         return stepper
 
     def forget_times(self) -> None:

@@ -13,9 +13,9 @@ import pytest
 import sandbox
 from sandbox.render.theme import DARK
 from sandbox.resources import find_scene
+from sandbox.window.editor import kept, plain_number
 from sandbox.window.gl_painter import GlPainter
 from sandbox.window.gui import Gui
-from sandbox.window.panels.inspector.editor import kept, plain_number
 from sandbox.window.panels.inspector.finder import Found, everything, kind_of, matching
 from sandbox.window.panels.inspector.surfaces import filter_text, size_text
 from sandbox.window.play import PlayScreen

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from sandbox.window.panels.events.panel import EventsPanel
 from sandbox.window.panels.inspector.panel import InspectorPanel
 from sandbox.window.panels.overlays import OverlaysPanel
 from sandbox.window.panels.panel import Panel
+from sandbox.window.panels.plots.panel import PlotsPanel
+from sandbox.window.panels.profile.panel import ProfilePanel
 from sandbox.window.panels.sat import SatPanel
 from sandbox.window.panels.world import WorldPanel
 
@@ -13,6 +16,9 @@ PANELS: tuple[type[Panel], ...] = (
     WorldPanel,
     OverlaysPanel,
     SatPanel,
+    EventsPanel,
+    PlotsPanel,
+    ProfilePanel,
 )
 
 

@@ -11,6 +11,7 @@ from sandbox.engine.commands.set_gravity import SetGravity
 from sandbox.window.adjustment import Adjustment
 from sandbox.window.gui_style import palette_of
 from sandbox.window.panels.panel import Panel
+from sandbox.window.panels.solver_switches import SolverSwitches
 from sandbox.window.widgets import Scale, button, drag2, mark, row, section
 from sandbox.window.workspace import Workspace
 
@@ -32,11 +33,14 @@ class WorldPanel(Panel):
 
     def __init__(self) -> None:
         self._gravity = Adjustment("Gravity")
+        self._solver = SolverSwitches()
 
     def draw(self, workspace: Workspace) -> None:
-        """Gravity, then figures of the world."""
+        """Gravity, the solver, then figures of the world."""
         if section("Gravity"):
             self._draw_gravity(workspace)
+        if section("Solver"):
+            self._solver.draw(workspace)
         if section("Now"):
             self._draw_figures(workspace)
 

@@ -11,7 +11,7 @@ import numpy as np
 from sandbox.engine.commands.base import Command
 from sandbox.engine.commands.motion import SetPose, SetVelocity
 from sandbox.tables import plain
-from sandbox.window.panels.inspector.editor import Editor, Entry, Vec
+from sandbox.window.editor import Editor, Entry, Vec
 from sandbox.window.widgets import Scale, row
 from sandbox.window.workspace import Workspace
 from sandbox.world.records import DYNAMIC, STATIC

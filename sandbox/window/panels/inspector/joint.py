@@ -11,7 +11,7 @@ from sandbox.engine.commands.delete import DeleteJoint
 from sandbox.engine.commands.joint_parts import BreakJoint
 from sandbox.engine.commands.set_joint import SetJoint
 from sandbox.engine.views.joint import JointView
-from sandbox.window.panels.inspector.editor import Editor, Entry, tidy
+from sandbox.window.editor import Editor, Entry, tidy
 from sandbox.window.panels.inspector.joint_parts import draw_limits, draw_motor, draw_spring
 from sandbox.window.panels.inspector.joint_settings import draw_settings
 from sandbox.window.widgets import button, label, row, section

@@ -11,7 +11,7 @@ from sandbox.engine.commands.joint_command import MOTORS, SPRINGS
 from sandbox.engine.commands.joint_parts import SetLimits, SetMotor, SetSpring
 from sandbox.engine.commands.set_joint import ANGLES
 from sandbox.engine.views.joint import JointView
-from sandbox.window.panels.inspector.editor import Editor, Entry
+from sandbox.window.editor import Editor, Entry
 from sandbox.window.widgets import Scale, section
 from sandbox.window.workspace import Workspace
 from sandbox.world import joint_records as kinds

@@ -10,7 +10,7 @@ from sandbox.engine.commands.joint_command import MOTORS, SPRINGS
 from sandbox.engine.commands.set_joint import SetJoint
 from sandbox.engine.views.joint import JointView
 from sandbox.scene.joints.any_joint import JOINTS
-from sandbox.window.panels.inspector.editor import Editor, Entry, Vec
+from sandbox.window.editor import Editor, Entry, Vec
 from sandbox.window.panels.inspector.joint_parts import USUAL_FORCE, in_degrees
 from sandbox.window.widgets import Scale, section
 from sandbox.window.workspace import Workspace

@@ -10,9 +10,9 @@ from imgui_bundle import icons_fontawesome_6 as icons
 from imgui_bundle import imgui
 
 from sandbox.tables import Integers, plain
+from sandbox.window.editor import Editor
 from sandbox.window.panels.inspector.bodies import describe, draw_mass, draw_motion
 from sandbox.window.panels.inspector.contacts import contacts_of, draw_contacts
-from sandbox.window.panels.inspector.editor import Editor
 from sandbox.window.panels.inspector.finder import Finder
 from sandbox.window.panels.inspector.joint import draw_joint
 from sandbox.window.panels.inspector.region import draw_region

@@ -8,7 +8,7 @@ from typing import Any
 from sandbox.engine.commands.base import Command
 from sandbox.engine.commands.set_region import SetRegion
 from sandbox.scene.regions import REGIONS
-from sandbox.window.panels.inspector.editor import Editor, Entry
+from sandbox.window.editor import Editor, Entry
 from sandbox.window.widgets import Scale, row, section
 from sandbox.window.workspace import Workspace
 from sandbox.world.region_columns import columns_of

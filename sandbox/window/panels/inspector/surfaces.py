@@ -12,7 +12,7 @@ from sandbox.engine.commands.base import Command
 from sandbox.engine.commands.set_surface import SetSurface
 from sandbox.scene.limits import ALL_BITS
 from sandbox.tables import plain
-from sandbox.window.panels.inspector.editor import Editor, Entry
+from sandbox.window.editor import Editor, Entry
 from sandbox.window.widgets import Scale, integer, label, row
 from sandbox.window.workspace import Workspace
 from sandbox.world.records import BOX, CAPSULE, CIRCLE, DYNAMIC, SEGMENT

@@ -10,7 +10,7 @@ import numpy as np
 from sandbox.engine.commands.base import Command
 from sandbox.engine.commands.set_thruster import SetThruster
 from sandbox.tables import plain
-from sandbox.window.panels.inspector.editor import Editor, Entry, Vec
+from sandbox.window.editor import Editor, Entry, Vec
 from sandbox.window.widgets import Scale
 from sandbox.window.workspace import Workspace
 

@@ -1,0 +1,165 @@
+"""The events of the steps that were seen, as a table that is filtered quickly."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from sandbox.engine.events.events import KINDS, Events
+from sandbox.replay.timeline import Timeline
+from sandbox.tables import Integers
+from sandbox.window.history import Branches
+
+MOST_ROWS = 50_000
+"""When there are more, the older half of them is forgotten."""
+NOBODY = -1
+_ROW = np.dtype(
+    [("step", "i8"), ("kind", "i8"), ("a", "i8"), ("b", "i8"), ("x", "f8"), ("y", "f8"), ("speed", "f8"),
+     ("impulse", "f8")]
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Happening:
+    """One event in words. `point` (m) is where bodies met, None for other kinds; `joint` is one that broke."""
+
+    step: int
+    kind: str
+    bodies: tuple[str, ...]
+    point: tuple[float, float] | None = None
+    speed: float = 0.0
+    impulse: float = 0.0
+    joint: str | None = None
+
+    @property
+    def words(self) -> str:
+        """What a filter looks into."""
+        return " ".join((self.kind, *self.bodies, self.joint or "")).lower()
+
+
+@dataclass
+class Filter:
+    """What is shown: events of these kinds whose kind or ids hold every word."""
+
+    kinds: set[str] = field(default_factory=lambda: set(KINDS))
+    words: str = ""
+
+    @property
+    def key(self) -> tuple[object, ...]:
+        """Changes when the filter does."""
+        return frozenset(self.kinds), self.words.lower().split()
+
+
+class EventTable:
+    """Rows of events, and the ids of who they speak of, by step."""
+
+    def __init__(self) -> None:
+        self._rows: Any = np.zeros(1024, _ROW)
+        self._count = 0
+        self._names: dict[int, tuple[tuple[str, ...], tuple[str, ...]]] = {}
+        self._noted: set[int] = set()
+        self._branches = Branches()
+        self._found: tuple[tuple[object, ...], Integers] | None = None
+        self._held: tuple[list[str], list[bool]] = [], []
+        self.forgotten = False
+        """Whether older events were forgotten, for there were too many."""
+
+    def __len__(self) -> int:
+        return self._count
+
+    def follow(self, timeline: Timeline) -> None:
+        """Forget what is no longer so."""
+        parting = self._branches.parting(timeline)
+        if parting is None:
+            return
+        self._keep(self._rows["step"][: self._count] <= parting)
+        self._noted = {step for step in self._noted if step <= parting}
+
+    def note(self, events: Events) -> None:
+        """Keep the events of a step, unless they are known."""
+        if events.step in self._noted:
+            return
+        self._noted.add(events.step)
+        parts = [_rows(events, number) for number in range(len(KINDS))]
+        fresh = np.concatenate(parts)
+        if not len(fresh):
+            return
+        self._names[events.step] = events.names, events.joint_names
+        if self._count + len(fresh) > len(self._rows):
+            self._rows = np.concatenate([self._rows, np.zeros(max(len(self._rows), len(fresh)), _ROW)])
+        self._rows[self._count : self._count + len(fresh)] = fresh
+        self._count += len(fresh)
+        self._found = None
+        if self._count > MOST_ROWS:
+            self._forget_older()
+
+    def matching(self, wanted: Filter) -> Integers:
+        """The numbers of the events that a filter lets through, latest step first."""
+        key = wanted.key
+        if self._found is None or self._found[0] != key:
+            self._found = key, self._search(wanted)
+        return self._found[1]
+
+    def happening(self, number: int) -> Happening:
+        """The event of that number."""
+        row = self._rows[number]
+        step, kind = int(row["step"]), KINDS[int(row["kind"])]
+        names, joints = self._names[step]
+        a, b = int(row["a"]), int(row["b"])
+        if kind == "joint_break":
+            return Happening(step, kind, (), joint=joints[a])
+        bodies = tuple(names[index] for index in (a, b) if index != NOBODY)
+        point = None if np.isnan(row["x"]) else (float(row["x"]), float(row["y"]))
+        return Happening(step, kind, bodies, point, float(row["speed"]), float(row["impulse"]))
+
+    def _search(self, wanted: Filter) -> Integers:
+        rows = self._rows[: self._count]
+        chosen = np.array([kind in wanted.kinds for kind in KINDS])
+        found = np.flatnonzero(chosen[rows["kind"]] & self._holding(wanted.words.lower().split()))
+        return found[np.argsort(-rows["step"][found], kind="stable")]
+
+    def _holding(self, words: list[str]) -> Any:
+        """Which events hold all the words; those that came since the same words were asked for are looked at anew."""
+        if not words:
+            return np.ones(self._count, np.bool_)
+        if self._held[0] != words:
+            self._held = words, []
+        held = self._held[1]
+        for number in range(len(held), self._count):
+            has = self.happening(number).words
+            held.append(all(word in has for word in words))
+        return np.array(held, np.bool_)
+
+    def _keep(self, mask: Any) -> None:
+        kept = self._rows[: self._count][mask]
+        self._rows[: len(kept)] = kept
+        self._count, self._found, self._held = len(kept), None, ([], [])
+        there = set(np.unique(kept["step"]).tolist())
+        self._names = {step: names for step, names in self._names.items() if step in there}
+
+    def _forget_older(self) -> None:
+        order = np.argsort(self._rows["step"][: self._count], kind="stable")
+        newer = np.zeros(self._count, np.bool_)
+        newer[order[-(MOST_ROWS // 2) :]] = True
+        self._keep(newer)
+        self.forgotten = True
+
+
+def _rows(events: Events, number: int) -> Any:
+    """The events of one kind as rows of the table."""
+    found: Any = getattr(events, KINDS[number])
+    rows = np.zeros(len(found), _ROW)
+    rows["step"], rows["kind"], rows["b"] = events.step, number, NOBODY
+    rows["x"] = rows["y"] = np.nan
+    names = found.dtype.names
+    if names is None:
+        rows["a"] = found
+    elif "sensor" in names:
+        rows["a"], rows["b"] = found["sensor_body"], found["body"]
+    else:
+        for column, source in (("a", "body_a"), ("b", "body_b"), ("x", "x"), ("y", "y")):
+            rows[column] = found[source]
+        rows["speed"], rows["impulse"] = found["speed"], found["impulse"]
+    return rows
