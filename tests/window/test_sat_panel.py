@@ -6,6 +6,7 @@ import json
 import subprocess
 import sys
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +22,7 @@ from sandbox.window.gui import Gui
 from sandbox.window.options import Options
 from sandbox.window.panels.sat import SatPanel
 from sandbox.window.play import PlayScreen
+from sandbox.window.remembered import Remembered
 from sandbox.window.sat.overlap_curve import axis_angle
 from sandbox.window.screen import Canvas, Screen
 from sandbox.window.widgets import places
@@ -62,6 +64,7 @@ def run(canvas: Canvas, folder: Path, scene: str, script: str, first: str = PICK
     """Let hands work the window of a shipped scene."""
     path = folder / "hands.txt"
     path.write_text(first + script)
+    canvas = replace(canvas, remembered=Remembered())
     app = Watched(canvas, Options(scene=find_scene(Path(scene)), script=path))
     app.run()
     return app

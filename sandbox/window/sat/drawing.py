@@ -141,8 +141,12 @@ class Drawing:
     def _outcome_label(self, rail: Rail, gap: bool) -> None:
         low, high = rail.shared
         anchor, offs = _beside(rail)
-        at = self.pen.pixel(rail.at((low + high) / 2, offs[2] / self.pen.scale))
+        middle = (low + high) / 2
+        at = self.pen.pixel(rail.at(middle, offs[2] / self.pen.scale))
         words = f"gap {metres(rail.separation)}" if gap else f"overlap {metres(-rail.separation)}"
+        if not self.pen.fits(at, words, anchor):  # then between rail and shapes
+            anchor = "right" if anchor == "left" else "left" if anchor == "right" else anchor
+            at = self.pen.pixel(rail.at(middle, -offs[0] / self.pen.scale))
         self.pen.label(at, words, self.colors.gap if gap else self.colors.out, anchor, bold=True)
 
     def outcome(self) -> None:

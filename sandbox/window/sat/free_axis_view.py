@@ -16,8 +16,9 @@ from sandbox.window.overlay import packed_color
 from sandbox.window.sat.colors import SatColors
 from sandbox.window.sat.focus import Focus
 from sandbox.window.sat.inspection import Inspection
+from sandbox.window.sat.measure import scaled
 from sandbox.window.sat.overlap_curve import axis_angle, overlap_at
-from sandbox.window.widgets import mark
+from sandbox.window.widgets import button, mark
 
 DIAL = 112.0
 """Pixels across the dial; the curve beside it is as high."""
@@ -50,8 +51,8 @@ class FreeAxisView:
         self._curve()
 
     def _dial(self) -> None:
-        corner, radius = imgui.get_cursor_screen_pos(), DIAL / 2
-        imgui.invisible_button("##sat dial", imgui.ImVec2(DIAL, DIAL))
+        corner, radius = imgui.get_cursor_screen_pos(), scaled(DIAL) / 2
+        imgui.invisible_button("##sat dial", imgui.ImVec2(2 * radius, 2 * radius))
         mark("sat.dial", "Turn the axis. It clicks into place at the axes of edges; hold Ctrl to turn it freely.\n"
              "The ring says on which axes there is a gap.")  # fmt: skip
         middle = corner.x + radius, corner.y + radius
@@ -72,12 +73,13 @@ class FreeAxisView:
                 pen.path_arc_to(center, ring, -math.radians(end + half), -math.radians(start + half), 0)
                 pen.path_stroke(color, thickness=RING - 2.0)
         for row in self.seen.table.rows:
+            color = packed_color(self.colors.of(row.owner), 1.0)
             for half in (0.0, math.pi):
                 turn = math.radians(axis_angle(row.axis)) + half
-                c, s = math.cos(turn), -math.sin(turn)
-                p = imgui.ImVec2(middle[0] + c * (radius - RING - 8), middle[1] + s * (radius - RING - 8))
-                q = imgui.ImVec2(middle[0] + c * (radius - RING - 1), middle[1] + s * (radius - RING - 1))
-                pen.add_line(p, q, packed_color(self.colors.of(row.owner), 1.0), 2.0)
+                c, s, far = math.cos(turn), -math.sin(turn), radius - RING - 1
+                p = imgui.ImVec2(middle[0] + c * (far - 7), middle[1] + s * (far - 7))
+                q = imgui.ImVec2(middle[0] + c * far, middle[1] + s * far)
+                pen.add_line(p, q, color, 2.0)
         turn = math.radians(self.angle)
         x, y = math.cos(turn) * (radius - RING - 11), -math.sin(turn) * (radius - RING - 11)
         on = self.focus.free is not None
@@ -88,6 +90,7 @@ class FreeAxisView:
     def _figures(self) -> None:
         angle = self.angle % 180.0
         overlap = float(overlap_at(self.seen.a, self.seen.b, np.array([angle]))[0])
+        imgui.align_text_to_frame_padding()
         imgui.text_unformatted(f"{angle:.1f}°")
         imgui.same_line(0.0, 16.0)
         color, word = (self.colors.out, "overlap") if overlap > 0.0 else (self.colors.gap, "gap")
@@ -95,9 +98,10 @@ class FreeAxisView:
         imgui.text_unformatted(f"{word} {metres(abs(overlap))}")
         imgui.pop_style_color()
         imgui.same_line(0.0, 16.0)
-        if imgui.small_button(f"{icons.ICON_FA_ROTATE}##sat free"):
-            self.focus.free, self.focus.step = (self.angle if self.focus.free is None else None), None
-        mark("sat.free", "Turn an axis by hand in the scene, or stop doing so.")
+        on = self.focus.free is not None
+        words = "  by hand" if imgui.get_content_region_avail().x > scaled(90.0) else ""
+        if button("sat.free", icons.ICON_FA_ROTATE + words, "Turn an axis in the scene, or stop doing so.", on=on):
+            self.focus.free, self.focus.step = (None if on else self.angle), None
 
     def _moral(self) -> str:
         """What the curve shows."""
@@ -114,7 +118,7 @@ class FreeAxisView:
         implot.push_style_var(implot.StyleVar_.plot_padding, imgui.ImVec2(12.0, 6.0))
         implot.push_style_color(implot.Col_.plot_bg, imgui.ImVec4(*self.palette.inset, 1.0))
         implot.push_style_color(implot.Col_.plot_border, imgui.ImVec4(*self.palette.line, 1.0))
-        if implot.begin_plot("##sat curve", imgui.ImVec2(imgui.get_content_region_avail().x - 4.0, DIAL), PLOT):
+        if implot.begin_plot("##sat curve", imgui.ImVec2(imgui.get_content_region_avail().x - 4.0, scaled(DIAL)), PLOT):
             implot.setup_axes("", "", LOCKED, LOCKED | implot.AxisFlags_.no_grid_lines)
             implot.setup_axis_limits(implot.ImAxis_.x1, 0.0, 180.0, implot.Cond_.always)
             implot.setup_axis_limits(implot.ImAxis_.y1, low, high, implot.Cond_.always)

@@ -62,7 +62,7 @@ class Inspection:
     @cached_property
     def opinion(self) -> Opinion:
         """What pymunk says."""
-        return opinion_on(self.a, self.b)
+        return opinion_on(self.a, self.b, self.table.contact)
 
     def row(self, number: int | None) -> SatRow | None:
         """The row of that number, from 1; None if there is none."""
@@ -103,9 +103,6 @@ def _inspect(world: World, names: tuple[str, str], numbers: Numbers | None) -> I
     if names[0] == names[1]:
         raise SandboxError(f"{names[0]} with itself is no pair: pick two bodies")
     first, second = world.body(names[0]).shapes, world.body(names[1]).shapes
-    empty = [name for name, shapes in zip(names, (first, second), strict=True) if not shapes]
-    if empty:
-        raise SandboxError(f"{' and '.join(empty)}: a body without shapes touches nothing")
     i, j = numbers or nearest_pair(first, second)
     i, j = min(i, len(first) - 1), min(j, len(second) - 1)
     return Inspection(names, (i, j), (len(first), len(second)), sat_table(first[i], second[j], all_axes=True))

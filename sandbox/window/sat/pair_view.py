@@ -14,6 +14,7 @@ from sandbox.window.overlay import packed_color
 from sandbox.window.sat.candidates import Candidates, candidates_of
 from sandbox.window.sat.colors import sat_colors
 from sandbox.window.sat.inspection import Inspection, Inspector
+from sandbox.window.sat.measure import scaled
 from sandbox.window.widgets import button, choice, mark, wrapped
 from sandbox.window.workspace import Workspace
 
@@ -47,14 +48,14 @@ class PairView:
 
     def _draw_names(self, workspace: Workspace, seen: Inspection) -> None:
         colors = sat_colors(workspace.theme)
-        left, wide = imgui.get_cursor_pos_x(), imgui.get_content_region_avail().x - 74.0
+        left, wide = imgui.get_cursor_pos_x(), imgui.get_content_region_avail().x - scaled(74.0)
         for side, (name, color) in enumerate(zip(seen.names, (colors.a, colors.b), strict=True)):
             imgui.set_cursor_pos_x(left + side * wide / 2)
             corner = imgui.get_cursor_screen_pos()
-            _chip(corner.x, corner.y + 2.0, "ab"[side], color, palette_of(workspace.theme).panel)
-            imgui.set_cursor_pos_x(left + side * wide / 2 + 25.0)
+            _chip(corner.x, corner.y + scaled(2.0), "ab"[side], color, palette_of(workspace.theme).panel)
+            imgui.set_cursor_pos_x(left + side * wide / 2 + scaled(25.0))
             imgui.align_text_to_frame_padding()
-            imgui.text_unformatted(_fitting(name, wide / 2 - 32.0))
+            imgui.text_unformatted(_fitting(name, wide / 2 - scaled(32.0)))
             mark(f"sat.name.{'ab'[side]}", name)
             imgui.same_line()
         imgui.set_cursor_pos_x(left + wide)
@@ -78,7 +79,7 @@ class PairView:
             if count == 1:
                 continue
             options = [f"shape {k + 1} of {count}" for k in range(count)]
-            imgui.set_next_item_width(140.0)
+            imgui.set_next_item_width(scaled(140.0))
             chosen = choice(f"sat.shape.{letter}", letter, options[numbers[side]], options, "Which shape of the body.")
             numbers[side] = options.index(chosen)
             imgui.same_line()
@@ -138,7 +139,7 @@ class PairView:
             f"sat.pair.{pair[0]}.{pair[1]}",
             "They touch." if touching else "Proposed by the grid, rejected by the test.",
         )
-        center = imgui.ImVec2(corner.x + 9.0, corner.y + imgui.get_text_line_height() / 2)
+        center = imgui.ImVec2(corner.x + scaled(9.0), corner.y + imgui.get_text_line_height() / 2)
         pen, color = imgui.get_window_draw_list(), packed_color(colors.out if touching else colors.gap, 1.0)
         (pen.add_circle_filled(center, 4.0, color, 16) if touching else pen.add_circle(center, 3.5, color, 16, 1.6))
         if clicked:
@@ -161,10 +162,11 @@ def look_at_pair(workspace: Workspace, seen: Inspection) -> None:
 def _chip(x: float, y: float, letter: str, color: Color, ink: Color) -> None:
     """A round sign with a letter."""
     pen = imgui.get_window_draw_list()
-    pen.add_circle_filled(imgui.ImVec2(x + 10.0, y + 10.0), 9.0, packed_color(color, 1.0), 24)
+    middle = x + scaled(10.0), y + scaled(10.0)
+    pen.add_circle_filled(imgui.ImVec2(*middle), scaled(9.0), packed_color(color, 1.0), 24)
     size = imgui.calc_text_size(letter)
     pen.add_text(
-        imgui.ImVec2(round(x + 10.0 - size.x / 2), round(y + 9.0 - size.y / 2)), packed_color(ink, 1.0), letter
+        imgui.ImVec2(round(middle[0] - size.x / 2), round(middle[1] - 1.0 - size.y / 2)), packed_color(ink, 1.0), letter
     )
 
 

@@ -14,6 +14,7 @@ from sandbox.render.shape_outline import outline_of
 from sandbox.render.theme import Color
 from sandbox.window.gui_style import palette_of
 from sandbox.window.overlay import Overlay, packed_color
+from sandbox.window.sat.measure import scaled
 from sandbox.window.workspace import Workspace
 
 Anchor = Literal["left", "middle", "right"]
@@ -134,11 +135,17 @@ class Pen:
         self, pixel: Vec, text: str, color: Color, anchor: Anchor = "middle", bold: bool = False, size: float = SMALL
     ) -> None:
         """A word at a pixel, on a plate so that it can be read over anything."""
-        wide = self.overlay.width(text, size, bold)
+        wide, size = self.overlay.width(text, size, bold), scaled(size)
         left = pixel[0] - {"left": 0.0, "middle": wide / 2, "right": wide}[anchor]
         top = pixel[1] - size / 2
         self.overlay.panel((left - 4, top - 1, left + wide + 4, top + size + 2), self.theme.background, 0.78, 4.0)
         self.overlay.text(left, top, text, color, 1.0, size, bold)
+
+    def fits(self, pixel: Vec, text: str, anchor: Anchor) -> bool:
+        """Whether a bold label would lie in the viewport."""
+        wide, (left, top, width, height) = self.overlay.width(text, SMALL, True), self.rect
+        start = pixel[0] - {"left": 0.0, "middle": wide / 2, "right": wide}[anchor]
+        return left <= start and start + wide <= left + width and top + 8 <= pixel[1] <= top + height - 8
 
     def away(self, point: Vec, direction: Vec, pixels: float) -> Vec:
         """The pixel so far from a point, in a direction of the plane of length 1."""

@@ -14,12 +14,13 @@ from sandbox.window.overlay import packed_color
 from sandbox.window.sat.colors import SatColors
 from sandbox.window.sat.focus import Focus
 from sandbox.window.sat.inspection import Inspection
+from sandbox.window.sat.measure import scaled
 from sandbox.window.widgets import mark
 
 ROW, MOST_ROWS = 36.0, 9
 """Height of a row in pixels, and how many are shown before the table scrolls."""
-WIDE = 430.0
-"""Pixels from which the axis is written out as well."""
+WIDE, NARROW = 430.0, 300.0
+"""Pixels from which the axis is written out as well, and below which all is written smaller."""
 TEXT = 13.0
 
 
@@ -28,6 +29,7 @@ class TableView:
 
     def __init__(self, seen: Inspection, focus: Focus, palette: Palette, colors: SatColors) -> None:
         self.seen, self.focus, self.palette, self.colors = seen, focus, palette, colors
+        self._high = scaled(ROW)
         rows = seen.table.rows
         shorter = [min(row.amax - row.amin, row.bmax - row.bmin) / row.length for row in rows]
         self._half = max(1.1 * one + max(row.separation, 0.0) / 2 for one, row in zip(shorter, rows, strict=True))
@@ -38,13 +40,15 @@ class TableView:
         wide = imgui.get_content_region_avail().x
         rows = self.seen.table.rows
         scrolls = len(rows) > MOST_ROWS
-        columns = _Columns(wide - (imgui.get_style().scrollbar_size if scrolls else 0.0))
-        imgui.push_font(None, TEXT)
+        wide -= imgui.get_style().scrollbar_size if scrolls else 0.0
+        shrink = min(1.0, wide / scaled(NARROW))
+        columns = _Columns(wide, shrink)
+        imgui.push_font(None, TEXT * shrink)
         self._header(columns)
         imgui.push_style_var(imgui.StyleVar_.item_spacing, imgui.ImVec2(0.0, 0.0))
-        imgui.begin_child("##sat rows", imgui.ImVec2(0.0, ROW * min(len(rows), MOST_ROWS)))
+        imgui.begin_child("##sat rows", imgui.ImVec2(0.0, self._high * min(len(rows), MOST_ROWS)))
         clipper = imgui.ListClipper()
-        clipper.begin(len(rows), ROW)
+        clipper.begin(len(rows), self._high)
         while clipper.step():
             for number in range(clipper.display_start, clipper.display_end):
                 self._row(rows[number], columns)
@@ -63,14 +67,15 @@ class TableView:
             words.append((columns.axis, "axis", False))
         for at, word, right in words:
             _text(corner.x + at, corner.y, word, self.palette.faint, right)
-        imgui.dummy(imgui.ImVec2(0.0, TEXT + 3.0))
+        imgui.dummy(imgui.ImVec2(0.0, scaled(TEXT) + 3.0))
 
     def _row(self, row: SatRow, columns: _Columns) -> None:
         seen, name = self.seen, f"sat.row.{row.number}"
         corner = imgui.get_cursor_screen_pos()
-        clicked, _ = imgui.selectable(f"##{name}", self.focus.chosen == row.number, 0, imgui.ImVec2(0.0, ROW))
-        mark(name, self._tip(row))
-        if imgui.is_item_hovered():
+        clicked, _ = imgui.selectable(f"##{name}", self.focus.chosen == row.number, 0, imgui.ImVec2(0.0, self._high))
+        hovered = imgui.is_item_hovered()
+        mark(name, self._tip(row) if hovered else "")
+        if hovered:
             self.focus.pointed = row.number
         if clicked:
             self.focus.chosen = None if self.focus.chosen == row.number else row.number
@@ -85,7 +90,7 @@ class TableView:
     def _plate(self, row: SatRow, corner: imgui.ImVec2, columns: _Columns) -> None:
         """A lit ground under the row that is pointed at, and a stripe at the one that decides."""
         pen, least = imgui.get_window_draw_list(), imgui.ImVec2(corner.x, corner.y + 1)
-        most = imgui.ImVec2(corner.x + columns.width, corner.y + ROW - 1)
+        most = imgui.ImVec2(corner.x + columns.width, corner.y + self._high - 1)
         if self.focus.lit == row.number:
             pen.add_rect_filled(least, most, packed_color(self.palette.hovered, 0.9), 4.0)
         if row is self.seen.deciding:
@@ -94,7 +99,7 @@ class TableView:
             pen.add_rect_filled(least, imgui.ImVec2(corner.x + 3, most.y), packed_color(color, 1.0), 1.5)
 
     def _words(self, row: SatRow, corner: imgui.ImVec2, columns: _Columns, strength: float) -> None:
-        x, y = corner.x, corner.y + 4.0
+        x, y = corner.x, corner.y + scaled(4.0)
         _text(x + columns.number, y, str(row.number), self.palette.faint, True, strength)
         _text(x + columns.owner, y, _owner(row), self.colors.of(row.owner), False, strength)
         if columns.axis is not None:
@@ -110,12 +115,19 @@ class TableView:
         _text(x + columns.last, y, metres(abs(row.separation)), outcome, True, strength)
         note = icons.ICON_FA_HAND if row.stopped else "2nd" if second else ""
         if note:
-            _text(x + columns.owner, y + 15.0, note, outcome if row.stopped else self.palette.faint, False, strength)
+            _text(
+                x + columns.owner,
+                y + scaled(15.0),
+                note,
+                outcome if row.stopped else self.palette.faint,
+                False,
+                strength,
+            )
 
     def _bars(self, row: SatRow, corner: imgui.ImVec2, columns: _Columns, strength: float) -> None:
         """Both intervals, about what they share, in one scale for all rows."""
         pen = imgui.get_window_draw_list()
-        left, right, top = corner.x + columns.bars, corner.x + columns.width - 4.0, corner.y + 22.0
+        left, right, top = corner.x + columns.bars, corner.x + columns.width - 4.0, corner.y + scaled(22.0)
         low, high = max(row.amin, row.bmin) / row.length, min(row.amax, row.bmax) / row.length
         middle, scale = (low + high) / 2, (right - left) / (2.0 * self._half)
 
@@ -131,7 +143,7 @@ class TableView:
             pen.add_rect_filled(start, end, packed_color(color, strength), 1.5)
 
     def _exit_line(self, corner: imgui.ImVec2, columns: _Columns) -> None:
-        y = corner.y + ROW - 0.5
+        y = corner.y + self._high - 0.5
         color = packed_color(self.colors.gap, 0.9)
         imgui.get_window_draw_list().add_line(
             imgui.ImVec2(corner.x, y), imgui.ImVec2(corner.x + columns.width, y), color, 1.5
@@ -148,13 +160,13 @@ class TableView:
 class _Columns:
     """Where columns begin or, of numbers, end, in pixels from the left."""
 
-    def __init__(self, width: float) -> None:
+    def __init__(self, width: float, shrink: float) -> None:
         self.width = width
-        self.number, self.owner = 20.0, 27.0
-        self.axis = 72.0 if width >= WIDE else None
-        self.bars = 60.0
-        start, self.last = (190.0 if width >= WIDE else 48.0), width - 4.0
-        each = (width - 78.0 - start) / 4.0
+        wide, unit = width >= scaled(WIDE), scaled(shrink)
+        self.number, self.owner, self.bars = 20.0 * unit, 27.0 * unit, 60.0 * unit
+        self.axis = 72.0 * unit if wide else None
+        start, self.last = (190.0 if wide else 48.0) * unit, width - 4.0
+        each = (width - 78.0 * unit - start) / 4.0
         self.numbers = [start + each * (k + 1) for k in range(4)]
 
 

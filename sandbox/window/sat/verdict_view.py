@@ -13,6 +13,7 @@ from sandbox.window.gui_style import Palette
 from sandbox.window.overlay import packed_color
 from sandbox.window.sat.colors import SatColors
 from sandbox.window.sat.inspection import Inspection
+from sandbox.window.sat.measure import scaled
 from sandbox.window.widgets import mark, row
 
 CARD, ROUNDING = 62.0, 6.0
@@ -36,7 +37,7 @@ def draw_verdict(seen: Inspection, palette: Palette, colors: SatColors) -> None:
         words, color = ("not asked", ""), palette.faint
     _card(corner.x + half + spacing, corner.y, half, "pymunk", words, color, palette)
     _sign(corner.x + half + spacing / 2, corner.y + 15.0, opinion.same and opinion.asked, palette, colors)
-    imgui.dummy(imgui.ImVec2(wide, CARD))
+    imgui.dummy(imgui.ImVec2(wide, scaled(CARD)))
     mark("sat.verdict", headline(table, seen.names))
     if opinion.remark:
         _wrapped(opinion.remark, colors.out if not opinion.same else palette.faint)
@@ -75,16 +76,18 @@ def _color(hit: bool, seen: Inspection, colors: SatColors) -> Color:
 
 
 def _card(x: float, y: float, wide: float, name: str, words: tuple[str, str], color: Color, palette: Palette) -> None:
-    pen = imgui.get_window_draw_list()
+    pen, high = imgui.get_window_draw_list(), scaled(CARD)
     pen.add_rect_filled(
-        imgui.ImVec2(x, y), imgui.ImVec2(x + wide, y + CARD), packed_color(palette.inset, 1.0), ROUNDING
+        imgui.ImVec2(x, y), imgui.ImVec2(x + wide, y + high), packed_color(palette.inset, 1.0), ROUNDING
     )
-    pen.add_rect_filled(imgui.ImVec2(x, y + 6), imgui.ImVec2(x + 3, y + CARD - 6), packed_color(color, 1.0), 1.5)
+    pen.add_rect_filled(imgui.ImVec2(x, y + 6), imgui.ImVec2(x + 3, y + high - 6), packed_color(color, 1.0), 1.5)
     font = imgui.get_font()
     lines = ((name, palette.faint, 13.0, 6.0), (words[0], color, 15.5, 22.0), (words[1], palette.faint, 13.0, 41.0))
-    pen.push_clip_rect(imgui.ImVec2(x, y), imgui.ImVec2(x + wide - 4, y + CARD), True)
+    pen.push_clip_rect(imgui.ImVec2(x, y), imgui.ImVec2(x + wide - 4, y + high), True)
     for text, ink, size, down in lines:
-        pen.add_text(font, size, imgui.ImVec2(round(x + 11), round(y + down)), packed_color(ink, 1.0), text)
+        pen.add_text(
+            font, scaled(size), imgui.ImVec2(round(x + 11), round(y + scaled(down))), packed_color(ink, 1.0), text
+        )
     pen.pop_clip_rect()
 
 
