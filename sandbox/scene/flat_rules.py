@@ -10,8 +10,8 @@ from sandbox.scene.flat_body import INFINITE, FlatBody, Vec
 
 Names = tuple[str, ...]
 """Ids, patterns for ids, and what an event gives: "@first", "@second"."""
-FIRST, SECOND, SELF, POINTER = "@first", "@second", "@self", "@pointer"
-"""Bodies of the event that a rule sees; the body that is pushed; where the pointer of a control is."""
+FIRST, SECOND, SELF, MOTION, POINTER = "@first", "@second", "@self", "@motion", "@pointer"
+"""Bodies of the event that a rule sees; axes and way of the body that is pushed; where a control's pointer is."""
 
 
 @dataclass(frozen=True)
@@ -44,8 +44,9 @@ class FlatSpawn(FlatAction):
 class FlatPush(FlatAction):
     """Bodies are pushed: an impulse (N s, N m s), a force for one step (N, N m), or a velocity (m/s, rad/s).
 
-    `vector` counts along the axes of the world, of the body ("@self"), or with x towards a place. Up to `reach` metres
-    away from that the push is the weaker the nearer it is. None leaves that part of a velocity as it is.
+    `vector` counts along the axes of the world, of the body ("@self"), or with x the way it moves ("@motion") or
+    towards a place. Up to `reach` metres away from that the push is the weaker the nearer it is. None leaves that part
+    of a velocity as it is.
     """
 
     kind: Literal["impulse", "force", "velocity"] = "impulse"

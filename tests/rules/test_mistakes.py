@@ -44,7 +44,7 @@ CASES: list[tuple[dict[str, Any], str, str]] = [
     (rule({"delete": "@first"}, when={"time": 1}), "/rules/0/do/0/delete",
      "@first is a body of the event, and here is none: triggers with two: hit, begin, end, enter, leave"),
     (rule({"delete": "@frist"}), "/rules/0/do/0/delete",
-     'there is no "@frist"; there are @first, @second, @pointer, @self: did you mean "@first"?'),
+     'there is no "@frist"; there are @first, @second, @pointer, @self, @motion: did you mean "@first"?'),
     (rule({"put": "ball", "at": "@pointer"}), "/rules/0/do/0/at",
      "@pointer is where a control's pointer is: only controls and rules with press have one"),
     (rule({"put": "ball", "at": "wal*"}), "/rules/0/do/0/at", 'a place is one body, and "wal*" may be several'),

@@ -189,6 +189,8 @@ class TestActions:
         assert w.body("ball").velocity == pytest.approx((0.0, 1.0))
         w = self.do({"velocity": [2, 0], "of": "ball", "along": "@self"}, bodies=[ball(angle=90)])
         assert w.body("ball").velocity == pytest.approx((0.0, 2.0))
+        w = self.do({"velocity": [10, 0], "of": "ball", "along": "@motion"}, bodies=[ball(velocity=[3, 4])])
+        assert w.body("ball").velocity == pytest.approx((6.0, 8.0))
 
     def test_bodies_are_put_somewhere(self):
         w = self.do({"put": "ball", "at": [3, 4], "angle": 180}, bodies=[ball(velocity=[1, 0])])

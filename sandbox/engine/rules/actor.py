@@ -21,7 +21,7 @@ from sandbox.engine.rules.settings import setting_commands
 from sandbox.engine.rules.spawner import Spawner
 from sandbox.errors import CommandError, UnknownBodyError, UnknownJointError, UnknownRegionError
 from sandbox.scene import flat_rules as flat
-from sandbox.scene.flat_rules import FIRST, POINTER, SECOND, SELF, FlatAction, Names
+from sandbox.scene.flat_rules import FIRST, MOTION, POINTER, SECOND, SELF, FlatAction, Names
 from sandbox.tables import plain
 
 MOST_IN_A_STEP = 10_000
@@ -165,15 +165,26 @@ class Actor:
             return 1.0, 0.0
         if action.along == SELF:
             return float(body["rotation_cos"]), float(body["rotation_sin"])
-        place = self._place(action.along, occasion)
-        if place is None:
+        way = self._way(action.along, body, occasion)
+        if way is None:
             return None
-        x, y = place[0] - float(body["center_x"]), place[1] - float(body["center_y"])
+        x, y = way
         length = math.sqrt(x * x + y * y)
         if not length > 0.0:
             return None
-        strength = length / action.reach if length < action.reach else 1.0
+        strength = length / action.reach if length < action.reach and action.along != MOTION else 1.0
         return strength * (x / length), strength * (y / length)
+
+    def _way(self, along: str, body: Any, occasion: Occasion) -> Vec | None:
+        """From the centre of a body to the pointer, or to the centre of another body; or its velocity."""
+        if along == MOTION:
+            return float(body["velocity_x"]), float(body["velocity_y"])
+        place = occasion.pointer
+        if along != POINTER:
+            rows = plain(self._world.state.bodies)
+            found = [rows[self._world.directory.body(name)] for name in self._bodies((along,), occasion)]
+            place = (float(found[0]["center_x"]), float(found[0]["center_y"])) if found else None
+        return None if place is None else (place[0] - float(body["center_x"]), place[1] - float(body["center_y"]))
 
     def _put(self, action: flat.FlatPut, occasion: Occasion) -> None:
         for name in self._bodies(action.of, occasion):

@@ -90,8 +90,8 @@ class Pushing(Action):
     of: Ids = Field(description="Which bodies.")
     along: Along | None = Field(
         default=None,
-        description='Which way x points: towards a body or "@pointer", or as in the body itself with "@self"; '
-        "default: as in the world.",
+        description='Which way x points: towards the centre of a body or "@pointer", as in the body itself with '
+        '"@self", the way it moves with "@motion"; default: as in the world.',
     )
     reach: Distance = Field(
         default=0.0, description="With a place in along: nearer than this it pushes in proportion to the distance, m."

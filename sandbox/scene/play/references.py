@@ -10,7 +10,7 @@ from sandbox.scene import plain
 from sandbox.scene.body_check import BodyCheck
 from sandbox.scene.body_refs import is_pattern, matches_any
 from sandbox.scene.finding import Finding, Path, quoted
-from sandbox.scene.flat_rules import FIRST, POINTER, SECOND, SELF
+from sandbox.scene.flat_rules import FIRST, MOTION, POINTER, SECOND, SELF
 from sandbox.scene.joint_references import joint_ids
 from sandbox.scene.limits import MAX_EXPECTATIONS, MAX_NAME, MAX_RULES
 from sandbox.scene.names import BodyNames
@@ -101,7 +101,7 @@ def _action(action: dict[str, Any], path: Path, look_up: _LookUp, there: set[str
         yield from look_up.bodies(action.get(field), (*path, field), bodies)
     for field in _PLACES:
         if isinstance(action.get(field), str):
-            known = there | ({SELF} if field == "along" else set())
+            known = there | ({SELF, MOTION} if field == "along" else set())
             if field == "at" and "spawn" in action:
                 known = bodies
             yield from _place(action[field], (*path, field), look_up, known)
@@ -127,8 +127,9 @@ def _token(name: str, place: Path, there: Collection[str]) -> Iterator[Finding]:
         )
     elif name == POINTER:
         yield Finding(place, "@pointer is where a control's pointer is", "only controls and rules with press have one")
-    elif name == SELF:
-        yield Finding(place, '@self only says in "along" which way x points: as in the body itself')
+    elif name in (SELF, MOTION):
+        way = "as in the body itself" if name == SELF else "the way the body moves"
+        yield Finding(place, f'{name} only says in "along" which way x points: {way}')
     else:
-        listed = (FIRST, SECOND, POINTER, SELF)
+        listed = (FIRST, SECOND, POINTER, SELF, MOTION)
         yield Finding(place, f"there is no {quoted(name)}; there are {', '.join(listed)}", did_you_mean(name, listed))
