@@ -25,6 +25,7 @@ from sandbox.notebook import render_with
 
 if TYPE_CHECKING:
     from sandbox.engine.commands.base import Command as Command
+    from sandbox.engine.commands.control import Control as Control
     from sandbox.engine.commands.delete import Delete as Delete
     from sandbox.engine.commands.delete import DeleteJoint as DeleteJoint
     from sandbox.engine.commands.drags import EndDrag as EndDrag
@@ -42,6 +43,7 @@ if TYPE_CHECKING:
     from sandbox.engine.commands.pushes import ApplyImpulse as ApplyImpulse
     from sandbox.engine.commands.set_gravity import SetGravity as SetGravity
     from sandbox.engine.commands.set_joint import SetJoint as SetJoint
+    from sandbox.engine.commands.set_path import SetPath as SetPath
     from sandbox.engine.commands.set_region import SetRegion as SetRegion
     from sandbox.engine.commands.set_settings import SetSettings as SetSettings
     from sandbox.engine.commands.set_surface import SetSurface as SetSurface
@@ -58,6 +60,8 @@ if TYPE_CHECKING:
     from sandbox.engine.queries.results import RayHits as RayHits
     from sandbox.engine.views.bodies import Bodies as Bodies
     from sandbox.engine.views.body import BodyView as BodyView
+    from sandbox.engine.views.game import ControlState as ControlState
+    from sandbox.engine.views.game import Ending as Ending
     from sandbox.engine.views.joint import JointView as JointView
     from sandbox.engine.world import World as World
     from sandbox.errors import ArgumentError as ArgumentError
@@ -111,38 +115,70 @@ if TYPE_CHECKING:
     from sandbox.scene import Asleep as Asleep
     from sandbox.scene import Attraction as Attraction
     from sandbox.scene import Below as Below
+    from sandbox.scene import Blast as Blast
     from sandbox.scene import Body as Body
+    from sandbox.scene import BodyPath as BodyPath
     from sandbox.scene import BoxShape as BoxShape
+    from sandbox.scene import BreakJoints as BreakJoints
     from sandbox.scene import CapsuleShape as CapsuleShape
     from sandbox.scene import Chain as Chain
     from sandbox.scene import ChainShape as ChainShape
+    from sandbox.scene import ChangeGravity as ChangeGravity
+    from sandbox.scene import ChangeJoint as ChangeJoint
+    from sandbox.scene import ChangeRegion as ChangeRegion
     from sandbox.scene import CircleShape as CircleShape
+    from sandbox.scene import Condition as Condition
+    from sandbox.scene import Count as Count
+    from sandbox.scene import CounterIs as CounterIs
+    from sandbox.scene import DeleteBodies as DeleteBodies
     from sandbox.scene import DistanceJoint as DistanceJoint
+    from sandbox.scene import Ended as Ended
     from sandbox.scene import Friction as Friction
     from sandbox.scene import Gear as Gear
     from sandbox.scene import Gravity as Gravity
     from sandbox.scene import GravityScale as GravityScale
     from sandbox.scene import Grid as Grid
+    from sandbox.scene import InputControl as InputControl
     from sandbox.scene import Inside as Inside
+    from sandbox.scene import Lose as Lose
     from sandbox.scene import Material as Material
     from sandbox.scene import Motor as Motor
+    from sandbox.scene import MoveAt as MoveAt
     from sandbox.scene import Near as Near
+    from sandbox.scene import OnBegin as OnBegin
+    from sandbox.scene import OnCount as OnCount
+    from sandbox.scene import OnEnd as OnEnd
+    from sandbox.scene import OnEnter as OnEnter
+    from sandbox.scene import OnEvery as OnEvery
+    from sandbox.scene import OnHit as OnHit
+    from sandbox.scene import OnJointBreak as OnJointBreak
+    from sandbox.scene import OnLeave as OnLeave
+    from sandbox.scene import OnPress as OnPress
+    from sandbox.scene import OnTime as OnTime
     from sandbox.scene import PolygonShape as PolygonShape
     from sandbox.scene import Prefab as Prefab
     from sandbox.scene import Prismatic as Prismatic
     from sandbox.scene import Pulley as Pulley
+    from sandbox.scene import PushOnce as PushOnce
+    from sandbox.scene import PushStep as PushStep
+    from sandbox.scene import PutBodies as PutBodies
     from sandbox.scene import Pyramid as Pyramid
     from sandbox.scene import Rests as Rests
     from sandbox.scene import Revolute as Revolute
     from sandbox.scene import Row as Row
+    from sandbox.scene import Rule as Rule
+    from sandbox.scene import RunPath as RunPath
     from sandbox.scene import Scatter as Scatter
     from sandbox.scene import Scene as Scene
     from sandbox.scene import SegmentShape as SegmentShape
     from sandbox.scene import Senses as Senses
+    from sandbox.scene import SetBodySurface as SetBodySurface
     from sandbox.scene import Settings as Settings
+    from sandbox.scene import SpawnBody as SpawnBody
     from sandbox.scene import Speeding as Speeding
     from sandbox.scene import Stack as Stack
     from sandbox.scene import Stands as Stands
+    from sandbox.scene import SwitchThruster as SwitchThruster
     from sandbox.scene import Target as Target
     from sandbox.scene import Thruster as Thruster
     from sandbox.scene import Touches as Touches
@@ -151,6 +187,7 @@ if TYPE_CHECKING:
     from sandbox.scene import Water as Water
     from sandbox.scene import Weld as Weld
     from sandbox.scene import Wheel as Wheel
+    from sandbox.scene import Win as Win
     from sandbox.scene import Wind as Wind
     from sandbox.scene import load_scene as load_scene
     from sandbox.scene import loads_scene as loads_scene

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 _MODULES = {
     "sandbox.engine.commands.base": "Command",
+    "sandbox.engine.commands.control": "Control",
     "sandbox.engine.commands.delete": "Delete DeleteJoint",
     "sandbox.engine.commands.drags": "EndDrag MoveDrag StartDrag",
     "sandbox.engine.commands.explode": "Explode",
@@ -12,6 +13,7 @@ _MODULES = {
     "sandbox.engine.commands.pushes": "ApplyForce ApplyImpulse",
     "sandbox.engine.commands.set_gravity": "SetGravity",
     "sandbox.engine.commands.set_joint": "SetJoint",
+    "sandbox.engine.commands.set_path": "SetPath",
     "sandbox.engine.commands.set_region": "SetRegion",
     "sandbox.engine.commands.set_settings": "SetSettings",
     "sandbox.engine.commands.set_surface": "SetSurface",
@@ -23,6 +25,7 @@ _MODULES = {
     "sandbox.engine.queries.results": "BodyDistance CastHit Overlap PointHit RayHit RayHits",
     "sandbox.engine.views.bodies": "Bodies",
     "sandbox.engine.views.body": "BodyView",
+    "sandbox.engine.views.game": "ControlState Ending",
     "sandbox.engine.views.joint": "JointView",
     "sandbox.engine.world": "World",
     "sandbox.errors": """
@@ -44,10 +47,14 @@ _MODULES = {
     "sandbox.replay.recording.recorder": "Recorder record",
     "sandbox.replay.recording.recording": "Recording",
     "sandbox.scene": """
-        Above Apart Asleep Attraction Below Body BoxShape CapsuleShape Chain ChainShape CircleShape
-        DistanceJoint Friction Gear Gravity GravityScale Grid Inside Material Motor Near PolygonShape Prefab
-        Prismatic Pulley Pyramid Rests Revolute Row Scatter Scene SegmentShape Senses Settings Speeding
-        Stack Stands Target Thruster Touches Turned View Water Weld Wheel Wind load_scene loads_scene schema
+        Above Apart Asleep Attraction Below Blast Body BodyPath BoxShape BreakJoints CapsuleShape Chain
+        ChainShape ChangeGravity ChangeJoint ChangeRegion CircleShape Condition Count CounterIs DeleteBodies
+        DistanceJoint Ended Friction Gear Gravity GravityScale Grid InputControl Inside Lose Material Motor
+        MoveAt Near OnBegin OnCount OnEnd OnEnter OnEvery OnHit OnJointBreak OnLeave OnPress OnTime
+        PolygonShape Prefab Prismatic Pulley PushOnce PushStep PutBodies Pyramid Rests Revolute Row Rule
+        RunPath Scatter Scene SegmentShape Senses SetBodySurface Settings SpawnBody Speeding Stack Stands
+        SwitchThruster Target Thruster Touches Turned View Water Weld Wheel Win Wind load_scene loads_scene
+        schema
     """,
     "sandbox.world.export.copies": "copy_of paste_of",
     "sandbox.world.export.scene_now": "SceneNow scene_of",

@@ -114,8 +114,9 @@ def test_the_programs_of_the_python_guide_run_one_after_the_other(
     printed = capsys.readouterr().out.splitlines()
     assert printed[0].startswith("5.0 (")
     assert re.fullmatch(r"\d+ ground ball [\d.]+ [\d.]+", printed[1])  # the hit
-    assert printed[2].startswith("ball (0.0, ")  # what the ray met
-    assert printed[3].startswith("(Overlap(body='ball'")
+    assert printed[2] == "{} None"  # nothing is played there
+    assert printed[3].startswith("ball (0.0, ")  # what the ray met
+    assert printed[4].startswith("(Overlap(body='ball'")
     assert len(sandbox.load_scene(crate / "balls.scene.json").bodies) == 3
 
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from sandbox._printable import printable
 from sandbox.errors import SandboxError
 from sandbox.resources import find_scene
 
@@ -21,7 +22,8 @@ _STEPS = typer.Option(
 )
 _KIND = typer.Option(
     "--kind", metavar="KIND", show_default=False,
-    help="Only this kind (may be repeated): begin, end, hit, enter, leave, sleep, wake, freeze or joint_break.",
+    help="Only this kind (may be repeated): begin, end, hit, enter, leave, sleep, wake, freeze, joint_break; of "
+    "what rules did: counter, spawn, delete, win, lose or refused.",
 )  # fmt: skip
 _BODY = typer.Option(
     "--body", metavar="ID", show_default=False, help='Only of bodies (or joints) with this id, or "crate-*".'
@@ -40,6 +42,7 @@ def events(
 
     begin, end: two shapes touch, or have come apart. hit: they strike at 1 m/s or more. enter, leave: a sensor has, or
     no longer has, a body in it. sleep, wake: a body. freeze: bad numbers stopped a body. joint_break: a joint.
+    What the rules of the scene did: counter, spawn, delete, win, lose; refused: an action that could not be done.
 
     Exit code 0: it ran.
     Exit code 2: the scene, or an option, could not be used.
@@ -112,6 +115,9 @@ def _words(row: dict[str, Any]) -> str:
         return (
             f"{row['body']} in {row['sensor']}" if row["event"] == "enter" else f"{row['body']} out of {row['sensor']}"
         )
+    if "text" in row or "counter" in row:
+        text = f"{row['counter']} {row['value']:g}" if "counter" in row else row["text"]
+        return printable(f"{text} ({row['by']})" if "by" in row else text)
     if "body" in row or "joint" in row:
         return str(row.get("body") or row["joint"])
     text = f"{row['a']} and {row['b']}"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -17,6 +17,9 @@ from sandbox.world.directory import Directory
 from sandbox.world.records import DYNAMIC
 from sandbox.world.snapshot import snapshot
 from sandbox.world.state import State
+
+if TYPE_CHECKING:
+    from sandbox.engine.views.game import ControlState, Ending
 
 
 class Readings:
@@ -100,6 +103,27 @@ class Readings:
             return ()
         pairs = sorted(set(zip(rows.sensor_body.tolist(), rows.body.tolist(), strict=True)))
         return tuple((self.names[a], self.names[b]) for a, b in pairs)
+
+    @property
+    def controls(self) -> tuple[ControlState, ...]:
+        """What a player can hold, and how it is held now, in the order of the scene: `Control` changes it."""
+        from sandbox.engine.views.game import control_states
+
+        return control_states(self.state)
+
+    @property
+    def counters(self) -> dict[str, float]:
+        """The counters of the scene's rules by name. A copy."""
+        from sandbox.engine.views.game import counter_values
+
+        return counter_values(self.state)
+
+    @property
+    def outcome(self) -> Ending | None:
+        """How the game ended; None while it is neither won nor lost."""
+        from sandbox.engine.views.game import ending
+
+        return ending(self.state)
 
     @property
     def scratch(self) -> Scratch:

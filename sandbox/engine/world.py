@@ -30,6 +30,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from sandbox.engine.queries.queries import Queries
+    from sandbox.engine.rules.game import Game
+    from sandbox.engine.rules.paths import Paths
     from sandbox.scene import Scene
     from sandbox.scene.spawned import Spawning
 
@@ -50,8 +52,8 @@ class World(Readings, Shown, FixedAttributes):
     """
 
     __slots__ = (
-        "__weakref__", "_changes", "_directory", "_events", "_last_switch", "_queries", "_spawning", "_stepper",
-        "bodies", "scene", "state",
+        "__weakref__", "_changes", "_directory", "_events", "_game", "_last_switch", "_paths", "_queries",
+        "_spawning", "_stepper", "bodies", "scene", "state",
     )  # fmt: skip
 
     def __init__(self, scene: Scene | FlatScene, workers: int = 1) -> None:
@@ -65,7 +67,10 @@ class World(Readings, Shown, FixedAttributes):
         self._queries: Queries | None = None
         self._events = EventLog(self.state)
         self._stepper = Stepper(self.state, checked_count("World", workers, "workers", 1))
+        self._game: Game | None = None
+        self._paths: Paths | None = None
         self._know_rows()
+        self._know_play()
         self.bodies = Bodies(self)
 
     @property
@@ -83,6 +88,13 @@ class World(Readings, Shown, FixedAttributes):
         n = checked_count("World.step", n)
         self._stepper.compile()
         self._changes += 1
+        if self._game is None and self._paths is None:
+            self._advance(n)
+            return
+        for _ in range(n):
+            self._play_step()
+
+    def _advance(self, n: int) -> None:
         stepper, counters = self._stepper, self._stepper.counters
         for taken in range(n):
             if counters["still"][0] and counters["step_count"][0] > self._last_switch:
@@ -95,6 +107,20 @@ class World(Readings, Shown, FixedAttributes):
                 self._events.clear(rows_moved=False)
                 raise
             self._events.note_step()
+
+    def _play_step(self) -> None:
+        """A step with what controls and paths do before it, and rules after it."""
+        if self._game is not None:
+            self._game.before_step()
+        if self._paths is not None:
+            self._paths.lead()
+        self._advance(1)
+        if self._paths is not None:
+            self._paths.arrive()
+        if self._game is not None:
+            told = self._game.after_step(self._events.sensed)
+            if told:
+                self._events.note_happenings(self.scratch, told)
 
     def apply(self, command: Command) -> None:
         """Apply a command.
@@ -172,6 +198,7 @@ class World(Readings, Shown, FixedAttributes):
         if self.layout != layout:
             self._know_rows()
         self._last_switch = last_switch(self.state)
+        self._know_play()
         self._stepper.follow_restore(wiring if self.layout == layout else None)
         plain(self.scratch.contacts.reports)["total_impulse"] = 0.0
         self._events.clear(rows_moved=self.layout != layout)
@@ -192,11 +219,25 @@ class World(Readings, Shown, FixedAttributes):
         self._directory = Directory(self.state)
         self._last_switch = last_switch(self.state)
 
+    def _know_play(self) -> None:
+        """Make what plays around a step, in worlds where something does: others neither import nor ask it."""
+        state = self.state
+        if self._game is None and len(state.outcome):
+            from sandbox.engine.rules.game import Game
+
+            self._game = Game(self)
+        if self._paths is None and len(state.paths):
+            from sandbox.engine.rules.paths import Paths
+
+            self._paths = Paths(state, lambda: self._note(Touched()))
+
     def _note(self, touched: Touched) -> None:
         """Bring up to date what is worked out from the records."""
         if touched.added is not None:
             self._stepper.add_rows(touched.added)
             self._events.note_added(touched.added)
+            if touched.added.paths:
+                self._know_play()
             if touched.added.thrusters:
                 self._last_switch = last_switch(self.state)
         if touched.rows is not None:

@@ -150,6 +150,34 @@ def _angle(wanted: expect.Turned, start: State) -> list[Condition]:
     return [Condition(them.labels, measures.angle(them.rows), text, "{name} is at {value:.4g}°", low, high)]
 
 
+def _counter(wanted: expect.CounterIs, start: State) -> list[Condition]:
+    row = [counter.id for counter in start.census.scene.counters].index(wanted.counter)
+    low, high = (wanted.least, wanted.most) if wanted.equals is None else (wanted.equals, wanted.equals)
+    limits = {} if low is None else {"low": low}
+    limits |= {} if high is None else {"high": high}
+    text = f"{wanted.counter} is {_range_words(low, high)}"
+    return [Condition([wanted.counter], measures.counter(row), text, "{name} is {value:g}", **limits)]
+
+
+def _range_words(low: float | None, high: float | None) -> str:
+    if low is None or high is None:
+        return f"at most {high:g}" if low is None else f"at least {low:g}"
+    return f"{low:g}" if low == high else f"in [{low:g}, {high:g}]"
+
+
+def _outcome(wanted: expect.Ended, start: State) -> list[Condition]:
+    number = _RESULTS.index(wanted.outcome)
+    return [_Outcome([""], measures.outcome, f"the game is {wanted.outcome}", "", float(number), float(number))]
+
+
+class _Outcome(Condition):
+    """A condition on how the game ended, which is told in words."""
+
+    def _describe(self, values: Values, good: Any) -> str:
+        return f"it is {_RESULTS[int(values[0])]}"
+
+
+_RESULTS = ("open", "won", "lost")
 _AT_HEIGHT = "{name} is at y = {value:.4g} m"
 _CONDITIONS: dict[type[expect.Expectation], Callable[[Any, State], list[Condition]]] = {
     expect.Rests: _rests,
@@ -164,4 +192,6 @@ _CONDITIONS: dict[type[expect.Expectation], Callable[[Any, State], list[Conditio
     expect.Near: _near,
     expect.Speeding: _speed,
     expect.Turned: _angle,
+    expect.CounterIs: _counter,
+    expect.Ended: _outcome,
 }

@@ -119,3 +119,13 @@ def _mask(state: State, rows: Rows) -> NDArray[np.bool_]:
     mask = np.zeros(len(state.bodies), dtype=np.bool_)
     mask[rows] = True
     return mask
+
+
+def counter(row: int) -> Measure:
+    """The value of a counter of the scene's rules, by its row."""
+    return lambda state: np.array([float(state.tallies[row].value)])
+
+
+def outcome(state: State) -> Values:
+    """0 while the game is open, 1 won, 2 lost; open where nothing is played."""
+    return np.array([float(state.outcome[0].result) if len(state.outcome) else 0.0])

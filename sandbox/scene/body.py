@@ -10,6 +10,7 @@ from sandbox.scene.base import Model
 from sandbox.scene.constraints import Listed
 from sandbox.scene.limits import MAX_SHAPES, MAX_THRUSTERS
 from sandbox.scene.objects import known_as
+from sandbox.scene.play.path import BodyPath
 from sandbox.scene.quantities import (
     Color,
     Damping,
@@ -60,6 +61,7 @@ class Prefab(Model):
     thrusters: Annotated[tuple[Thruster, ...], Listed("of thrusters", 0, MAX_THRUSTERS)] = Field(
         default=(), description="Forces fixed to the body, with a schedule."
     )
+    path: BodyPath | None = Field(default=None, description="Where a kinematic body goes, and when.")
     material: Name | None = Field(default=None, description="Material of all shapes that do not name their own.")
     color: Color | None = Field(default=None, description='Such as "#3a7bd5"; default: chosen by the theme.')
 

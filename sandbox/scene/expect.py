@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import Field, Tag
 
@@ -13,6 +13,8 @@ from sandbox.scene.quantities import (
     Coordinate,
     Degrees,
     Distance,
+    Name,
+    Number,
     Point,
     Rectangle,
     Speed,
@@ -27,6 +29,8 @@ __all__ = [
     "Apart",
     "Asleep",
     "Below",
+    "CounterIs",
+    "Ended",
     "Expectation",
     "Ids",
     "Inside",
@@ -127,6 +131,21 @@ class Turned(Expectation):
     of: Ids = Field(description="Which bodies.")
 
 
+class CounterIs(Expectation):
+    """A counter has a value, or lies in a range."""
+
+    counter: Name = Field(description="The name of a counter.")
+    equals: Number | None = Field(default=None, description="It has this value.")
+    least: Number | None = Field(default=None, description="It is at least this.")
+    most: Number | None = Field(default=None, description="It is at most this.")
+
+
+class Ended(Expectation):
+    """The game is won, lost, or still open."""
+
+    outcome: Literal["won", "lost", "open"] = Field(description='"won", "lost", or "open" while it is neither.')
+
+
 CONDITIONS: dict[str, type[Expectation]] = {
     "rests": Rests,
     "stands": Stands,
@@ -140,6 +159,8 @@ CONDITIONS: dict[str, type[Expectation]] = {
     "near": Near,
     "speed": Speeding,
     "angle": Turned,
+    "counter": CounterIs,
+    "outcome": Ended,
 }
 """Every kind of expectation by its key."""
 
@@ -155,7 +176,9 @@ AnyExpectation = Annotated[
     | Annotated[Asleep, Tag(TAG + "asleep")]
     | Annotated[Near, Tag(TAG + "near")]
     | Annotated[Speeding, Tag(TAG + "speed")]
-    | Annotated[Turned, Tag(TAG + "angle")],
+    | Annotated[Turned, Tag(TAG + "angle")]
+    | Annotated[CounterIs, Tag(TAG + "counter")]
+    | Annotated[Ended, Tag(TAG + "outcome")],
     by_key("expectation", CONDITIONS),
 ]
 """Any expectation; exactly one of the keys of `CONDITIONS` tells which."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import fields
+from dataclasses import fields, replace
 from typing import Any
 
 from sandbox.geometry.decompose import decompose
@@ -13,10 +13,13 @@ from sandbox.scene.body import Body, Prefab
 from sandbox.scene.finding import Finding, Path
 from sandbox.scene.flat import FlatBody, FlatJoint, FlatScene, FlatSettings, FlatShape
 from sandbox.scene.flat_joints import chain_joints, flat_joint, joint_faults
+from sandbox.scene.flat_rules import FlatAction, FlatCounter, FlatSpawn
 from sandbox.scene.flat_shapes import flat_shapes
 from sandbox.scene.generators import Chain, Generator, body_count, body_names, kind_of
 from sandbox.scene.known import NOTHING, Known
 from sandbox.scene.limits import MAX_ALIKE, MAX_SHAPES
+from sandbox.scene.play.actions import Action, SpawnBody
+from sandbox.scene.play.flatten_play import flat_controls, flat_rules
 from sandbox.scene.scene_fields import SceneFields
 from sandbox.scene.shapes import PolygonShape
 from sandbox.scene.solidity import faults
@@ -47,7 +50,18 @@ class Flattener:
         joints = (*self._written_joints(), *self._chained())
         regions = tuple(region.flat() for region in self.scene.regions)
         self.findings += joint_faults(joints, bodies, self._known)
-        return FlatScene(bodies, self.scene.gravity, FlatSettings(**settings), joints, regions)
+        counters = tuple(FlatCounter(name, value) for name, value in self.scene.counters.items())
+        play = counters, flat_controls(self.scene.controls, self._action), flat_rules(self.scene.rules, self._action)
+        return FlatScene(bodies, self.scene.gravity, FlatSettings(**settings), joints, regions, *play)
+
+    def _action(self, action: Action, path: Path) -> FlatAction:
+        """An action in plain values; what it brings is read as a body of the scene is."""
+        flat = action.flat()
+        if not isinstance(flat, FlatSpawn) or not isinstance(action, SpawnBody):
+            return flat
+        entry = action.spawn
+        traits = self._traits(self._merged(entry), (*path, "spawn"))
+        return replace(flat, body=FlatBody(id=entry.id, position=entry.position, **traits))
 
     def _too_many_shapes(self) -> bool:
         own = self._known.shapes + sum(_part_count(self._merged(body)["shapes"]) for body in self.scene.bodies)
@@ -109,6 +123,7 @@ class Flattener:
         traits["shapes"] = self._flat_shapes(values["shapes"], values["material"])
         traits["angle"] = values["angle"] * RADIANS_PER_DEGREE
         traits["angular_velocity"] = values["angular_velocity"] * RADIANS_PER_DEGREE
+        traits["path"] = None if values["path"] is None else values["path"].flat()
         traits["thrusters"] = tuple(thruster.flat() for thruster in values["thrusters"])
         traits["pointer"] = "".join(f"/{part}" for part in path)
         self.findings += [Finding(path, message, hint) for message, hint in faults(traits)]

@@ -33,6 +33,12 @@ def joint_references(data: dict[str, Any], ids: BodyNames, others: Collection[st
                 yield Finding(place, f"no joint has the id {quoted(name)}", did_you_mean(name, chain(known, others)))
 
 
+def joint_ids(data: dict[str, Any]) -> dict[str, Path]:
+    """The ids of all joints, as far as they can be read, and where they are from."""
+    joints = islice(plain.children(data.get("joints"), ("joints",)), MAX_JOINTS)
+    return {**_chain_ids(data), **{str(joint.get("id")): path for path, joint in joints}}
+
+
 def _chain_ids(data: dict[str, Any]) -> dict[str, Path]:
     """The ids of the hinges that chains make, as far as they can be read."""
     known: dict[str, Path] = {}

@@ -63,3 +63,24 @@ MAX_FINDINGS = 2000
 
 ALL_BITS = 0xFFFFFFFF
 """A mask that collides with everything."""
+
+MAX_RULES = 1000
+"""Rules of a scene."""
+
+MAX_CONTROLS = 100
+"""Controls of a scene."""
+
+MAX_COUNTERS = 100
+"""Named counters of a scene."""
+
+MAX_ACTIONS = 100
+"""Actions of a rule, or of a control for one occasion."""
+
+MAX_ALL_ACTIONS = 5000
+"""Actions of all rules and controls of a scene."""
+
+MAX_ALIVE = 10_000
+"""Bodies that rules and controls may have brought that are there at once, all kinds together."""
+
+MAX_TEXT = 500
+"""Characters of a text to the player."""

@@ -13,7 +13,7 @@ from sandbox.scene.finding import Finding, Path, quoted
 from sandbox.scene.generators import AnyGenerator, Generator, body_count, body_names
 from sandbox.scene.known import NOTHING, Known
 from sandbox.scene.limits import MAX_BODIES
-from sandbox.scene.plain import children
+from sandbox.scene.plain import children, spawns
 
 _FEW = 100
 _GENERATOR: TypeAdapter[Generator] = TypeAdapter(AnyGenerator, config=ConfigDict(defer_build=True))
@@ -24,7 +24,8 @@ class BodyNames:
     """The path of the body or generator behind each id.
 
     `unread` begins the ids that may come from generators with mistakes of their own; `counted` is False
-    where the scene is too large to name its bodies. `known` are the ids that a world has besides.
+    where the scene is too large to name its bodies. `known` are the ids that a world has besides; `spawned` begin the
+    ids of what rules and controls bring.
     """
 
     origins: dict[str, Path] = field(default_factory=dict)
@@ -32,6 +33,16 @@ class BodyNames:
     counted: bool = True
     findings: list[Finding] = field(default_factory=list)
     known: Collection[str] = ()
+    spawned: Collection[str] = ()
+
+    def is_spawned(self, name: str) -> bool:
+        """Whether it is an id that rules or controls may give: that of an entry, and a number."""
+        head, _, number = name.rpartition("-")
+        return head in self.spawned and number.isascii() and number.isdigit() and number[0] != "0"
+
+    def spawned_ids(self) -> list[str]:
+        """The first ids that rules or controls may give."""
+        return [f"{name}-1" for name in self.spawned]
 
     def __contains__(self, name: str) -> bool:
         return name in self.origins or name in self.known
@@ -56,7 +67,7 @@ class BodyNames:
 def body_ids(data: dict[str, Any], known: Known = NOTHING) -> BodyNames:
     """All ids of the bodies of a scene's plain data and of `known`, or the mistakes that stand against them."""
     generators = list(_generators(data))
-    found = BodyNames(unread=_unread(data, generators), known=known.types)
+    found = BodyNames(unread=_unread(data, generators), known=known.types, spawned=_spawned(data))
     bodies = data.get("bodies")
     written = len(bodies) if isinstance(bodies, (list, tuple)) else 0
     total = len(known.types) + written + sum(body_count(generator) for _, generator in generators if generator)
@@ -73,6 +84,11 @@ def body_ids(data: dict[str, Any], known: Known = NOTHING) -> BodyNames:
         for name in body_names(generator) if generator else ():
             found.add(name, path, (*path, "id"))
     return found
+
+
+def _spawned(data: dict[str, Any]) -> tuple[str, ...]:
+    found = (entry.get("id") for _, entry in spawns(data))
+    return tuple(dict.fromkeys(name for name in found if isinstance(name, str)))
 
 
 def _unread(data: dict[str, Any], generators: list[tuple[Path, Generator | None]]) -> tuple[str, ...]:

@@ -10,7 +10,7 @@ from itertools import islice
 from typing import Any, TypeGuard
 
 from sandbox.scene.finding import Path
-from sandbox.scene.limits import MAX_SHAPES
+from sandbox.scene.limits import MAX_ACTIONS, MAX_CONTROLS, MAX_RULES, MAX_SHAPES
 
 Node = tuple[Path, dict[str, Any]]
 """An object of the file and the path to it."""
@@ -33,13 +33,39 @@ def children(parent: object, path: Path) -> Iterator[Node]:
 
 
 def patterns(data: dict[str, Any]) -> Iterator[Node]:
-    """Every body and prefab."""
+    """Every body and prefab, those that rules and controls bring included."""
     yield from children(data.get("prefabs"), ("prefabs",))
+    yield from entries(data)
+
+
+def entries(data: dict[str, Any]) -> Iterator[Node]:
+    """Every body, those that rules and controls bring included."""
     yield from children(data.get("bodies"), ("bodies",))
+    yield from spawns(data)
+
+
+def spawns(data: dict[str, Any]) -> Iterator[Node]:
+    """Every body that rules and controls bring."""
+    for path, action in actions(data):
+        if isinstance(action.get("spawn"), dict):
+            yield (*path, "spawn"), action["spawn"]
+
+
+def actions(data: dict[str, Any]) -> Iterator[Node]:
+    """Every action of every rule and control."""
+    for path, rule in islice(children(data.get("rules"), ("rules",)), MAX_RULES):
+        yield from islice(children(rule.get("do"), (*path, "do")), MAX_ACTIONS)
+    for path, control in islice(children(data.get("controls"), ("controls",)), MAX_CONTROLS):
+        for occasion in OCCASIONS:
+            yield from islice(children(control.get(occasion), (*path, occasion)), MAX_ACTIONS)
+
+
+OCCASIONS = ("press", "hold", "release")
+"""When a control does something."""
 
 
 def shapes(data: dict[str, Any]) -> Iterator[Node]:
-    """Every shape of every body and prefab."""
+    """Every shape of every pattern."""
     for path, pattern in patterns(data):
         yield from children(pattern.get("shapes"), (*path, "shapes"))
 

@@ -73,6 +73,7 @@ Torque = Annotated[float, Range(0, 1e15, "N m")]
 Frequency = Annotated[float, Range(0, 1e4, "Hz")]
 Seconds = Annotated[float, Range(0, 1e6, "s")]
 Step = Annotated[int, Range(0, 1_000_000)]
+Number = Annotated[float, Range(-1e12, 1e12)]
 Bits = Annotated[int, Range(0, 0xFFFFFFFF)]
 
 Name = Annotated[str, AfterValidator(_check_name), Field(json_schema_extra=_LENGTHS)]

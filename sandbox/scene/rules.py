@@ -15,6 +15,7 @@ from sandbox.scene.known import NOTHING, Known
 from sandbox.scene.limits import MAX_FINDINGS
 from sandbox.scene.names import body_ids
 from sandbox.scene.near_names import did_you_mean
+from sandbox.scene.play.play_rules import play_rules
 from sandbox.scene.references import unknown_names
 
 _TIMES = ("at", "always", "within")
@@ -35,6 +36,7 @@ def cross_checks(data: object, known: Known = NOTHING) -> list[Finding]:
         _overrounded(data),
         _times(data),
         field_rules(data),
+        play_rules(data),
         _repeated_categories(data),
     ]
     return [finding for rule in rules for finding in islice(rule, MAX_FINDINGS)]
@@ -42,7 +44,7 @@ def cross_checks(data: object, known: Known = NOTHING) -> list[Finding]:
 
 def _without_shapes(data: dict[str, Any]) -> Iterator[Finding]:
     prefabs = plain.mapping(data.get("prefabs"))
-    for path, body in plain.children(data.get("bodies"), ("bodies",)):
+    for path, body in plain.entries(data):
         if "shapes" in body or _misspelt(body) or ("prefab" in body and _has_shapes(prefabs, body["prefab"])):
             continue
         name = body.get("id")

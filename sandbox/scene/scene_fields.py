@@ -12,9 +12,20 @@ from sandbox.scene.constraints import Exactly, Listed
 from sandbox.scene.expect import AnyExpectation
 from sandbox.scene.generators import AnyGenerator
 from sandbox.scene.joints import AnyJoint
-from sandbox.scene.limits import MAX_BODIES, MAX_CATEGORIES, MAX_EXPECTATIONS, MAX_GENERATORS, MAX_JOINTS, MAX_REGIONS
+from sandbox.scene.limits import (
+    MAX_BODIES,
+    MAX_CATEGORIES,
+    MAX_CONTROLS,
+    MAX_EXPECTATIONS,
+    MAX_GENERATORS,
+    MAX_JOINTS,
+    MAX_REGIONS,
+    MAX_RULES,
+)
 from sandbox.scene.material import Material
-from sandbox.scene.quantities import Acceleration2, Name
+from sandbox.scene.play.control import InputControl
+from sandbox.scene.play.rule import Rule
+from sandbox.scene.quantities import Acceleration2, Name, Number
 from sandbox.scene.regions import AnyRegion
 from sandbox.scene.settings import Settings, View
 
@@ -43,6 +54,15 @@ class SceneFields(Model):
     )
     regions: Annotated[tuple[AnyRegion, ...], Listed("of regions", 0, MAX_REGIONS)] = Field(
         default=(), description="Areas in which a field pushes: water, gravity, wind."
+    )
+    counters: dict[Name, Number] = Field(
+        default={}, description="Numbers that rules count with, by name: what they start with."
+    )
+    controls: Annotated[tuple[InputControl, ...], Listed("of controls", 0, MAX_CONTROLS)] = Field(
+        default=(), description="What a player presses, and what it does."
+    )
+    rules: Annotated[tuple[Rule, ...], Listed("of rules", 0, MAX_RULES)] = Field(
+        default=(), description="What is done when something happens."
     )
     settings: Settings = Field(default=Settings(), description="How the scene is simulated.")
     view: View | None = Field(

@@ -8,6 +8,7 @@ from sandbox.world import records
 from sandbox.world.body_rows import body_tables
 from sandbox.world.build_fields import build_regions, build_thrusters
 from sandbox.world.build_joints import build_joints
+from sandbox.world.build_rules import build_paths, build_rules
 from sandbox.world.census import Census
 from sandbox.world.flush import join_tiles, with_room_for_tiles
 from sandbox.world.roster import Roster
@@ -24,6 +25,7 @@ def build_state(scene: FlatScene) -> State:
     drags = records.DRAG.zeros(_DRAGS)
     drags.body = -1
     regions, edges = build_regions(scene.regions, scene.settings.step_rate)
+    played = build_rules(scene)
     census = Census(Roster.of(scene))
     rows = {name: row for row, name in enumerate(census.bodies.names)}
     joint_rows = {name: row for row, name in enumerate(census.joints.names)}
@@ -41,6 +43,13 @@ def build_state(scene: FlatScene) -> State:
         thrusters=build_thrusters(scene.bodies, bodies, scene.settings.step_rate),
         settings=_settings(scene),
         counters=records.COUNTERS.zeros(1),
+        controls=played.controls,
+        tallies=played.tallies,
+        rules=played.rules,
+        spawners=played.spawners,
+        sensings=played.sensings,
+        outcome=played.outcome,
+        paths=build_paths(scene.bodies, bodies),
         census=census,
     )
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 from sandbox.arguments import shown
-from sandbox.errors import SandboxError, UnknownBodyError, UnknownJointError, UnknownRegionError
+from sandbox.errors import CommandError, SandboxError, UnknownBodyError, UnknownJointError, UnknownRegionError
 from sandbox.scene.known import Known
 from sandbox.scene.near_names import nearest
 from sandbox.world.census import Ledger
@@ -25,6 +25,7 @@ class Directory:
         self._bodies: dict[str, int] = {}
         self._joints: dict[str, int] = {}
         self.add(len(census.bodies), len(census.joints))
+        self._controls = {control.id: row for row, control in enumerate(census.scene.controls)}
         self._regions = {region.id: row for row, region in enumerate(census.scene.regions) if region.id}
 
     def add(self, bodies: int, joints: int) -> None:
@@ -39,6 +40,10 @@ class Directory:
             for name in names:
                 serials.pop(name, None)
 
+    def has_body(self, name: str) -> bool:
+        """Whether there is a body of that id."""
+        return name in self._bodies
+
     def body(self, name: str) -> int:
         """The row of a body. Raises `UnknownBodyError` with the nearest name."""
         return _row(self._state.census.bodies, _looked_up("body", name, self._bodies, UnknownBodyError))
@@ -50,6 +55,10 @@ class Directory:
     def region(self, name: str) -> int:
         """The row of a region that has an id. Raises `UnknownRegionError` with the nearest name."""
         return _looked_up("region", name, self._regions, UnknownRegionError)
+
+    def control(self, name: str) -> int:
+        """The row of a control. Raises `CommandError` with the nearest name."""
+        return _looked_up("control", name, self._controls, CommandError)
 
     def known(self) -> Known:
         """What a body or a joint that comes may refer to."""

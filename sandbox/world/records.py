@@ -11,6 +11,7 @@ from sandbox.tables import ANY_WHOLE, COUNT, FLAG, STEP_OR_NEVER, Field, Table, 
 from sandbox.world.bounds import LENGTH, PLACE, SHARE, SPEED
 from sandbox.world.field_records import EDGE, REGION, THRUSTER
 from sandbox.world.joint_records import JOINT
+from sandbox.world.rule_records import CONTROL, OUTCOME, PATH, RULE, SENSING, SPAWNER, TALLY
 
 STATIC, KINEMATIC, DYNAMIC = 0, 1, 2
 CIRCLE, BOX, CAPSULE, SEGMENT, POLYGON = 0, 1, 2, 3, 4
@@ -241,5 +242,8 @@ COUNTERS = Table(
     ),
 )
 
-TABLES = (BODY, SHAPE, VERTEX, OUTLINE, SEAM, CONTACT, JOINT, DRAG, REGION, EDGE, THRUSTER, SETTINGS, COUNTERS)
+TABLES = (
+    BODY, SHAPE, VERTEX, OUTLINE, SEAM, CONTACT, JOINT, DRAG, REGION, EDGE, THRUSTER, SETTINGS, COUNTERS,
+    CONTROL, TALLY, RULE, SPAWNER, SENSING, PATH, OUTCOME,
+)  # fmt: skip
 """All stored tables, in the order of the snapshot and the digest."""

@@ -19,6 +19,7 @@ from sandbox.world import records
 from sandbox.world.body_rows import body_rows
 from sandbox.world.build_fields import build_thrusters
 from sandbox.world.build_joints import build_joints
+from sandbox.world.build_rules import build_paths
 from sandbox.world.directory import Directory
 from sandbox.world.joint_pose import coordinate
 from sandbox.world.reseam import add_seams, remove_seams
@@ -32,12 +33,13 @@ Flags = NDArray[np.bool_]
 
 @dataclass(frozen=True)
 class Added:
-    """How many bodies, shapes and joints there were before others came after them, and how many thrusters came."""
+    """How many bodies, shapes and joints there were before others came; how many thrusters and paths came."""
 
     bodies: int
     shapes: int
     joints: int
     thrusters: int
+    paths: int = 0
 
 
 @dataclass(frozen=True)
@@ -65,7 +67,7 @@ def add_rows(
     `directory` knows those that are there, and then these as well.
     """
     before = len(state.bodies), len(state.shapes), len(state.joints)
-    thrusters = len(state.thrusters)
+    thrusters, paths = len(state.thrusters), len(state.paths)
     if bodies:
         _append_bodies(state, bodies)
     state.census.bodies.add(bodies, words[0])
@@ -74,13 +76,17 @@ def add_rows(
     if joints:
         _append_joints(state, build_joints(joints, state.bodies, directory.body, directory.joint))
     state.layout += 1
-    return Added(*before, len(state.thrusters) - thrusters)
+    return Added(*before, len(state.thrusters) - thrusters, len(state.paths) - paths)
 
 
 def _append_bodies(state: State, flat: Sequence[FlatBody]) -> None:
     bodies, shapes, vertices, sides, seams = body_rows(flat, state.patterns)
     if any(body.thrusters for body in flat):
         _append_thrusters(state, flat, bodies)
+    if any(body.path is not None for body in flat):
+        paths = plain(build_paths(flat, bodies))
+        paths["body"] += len(state.bodies)
+        state.paths = extended(state.paths, paths)
     fixed = bodies["type"] != records.DYNAMIC
     if fixed.any() and (plain(state.bodies)["awake"] == 0).any():
         bodies["posed"][fixed] = 1  # what sleeps where it comes has to notice
@@ -143,6 +149,19 @@ def _remove_bodies(state: State, left: Flags, body_rows: Integers) -> None:
         state.thrusters = without(state.thrusters, left[thrusters["body"]])
         thrusters = plain(state.thrusters)
         thrusters["body"] = body_rows[thrusters["body"]]
+    if len(state.paths):
+        state.paths = without(state.paths, left[plain(state.paths)["body"]])
+        plain(state.paths)["body"] = body_rows[plain(state.paths)["body"]]
+    if len(state.sensings):
+        _remove_sensings(state, left, body_rows)
+
+
+def _remove_sensings(state: State, left: Flags, body_rows: Integers) -> None:
+    sensings = plain(state.sensings)
+    state.sensings = without(state.sensings, left[sensings["sensor_body"]] & left[sensings["body"]])
+    sensings = plain(state.sensings)
+    for name in ("sensor_body", "body"):
+        sensings[name] = body_rows[sensings[name]]
 
 
 def _remove_contacts(state: State, body_rows: Integers, shape_rows: Integers) -> Flags:

@@ -12,7 +12,7 @@ from sandbox.world.tile_rows import Tiling
 
 ARRAYS = (
     "bodies", "shapes", "vertices", "outlines", "seams", "contacts", "joints", "drags", "regions", "edges", "thrusters",
-    "settings", "counters",
+    "settings", "counters", "controls", "tallies", "rules", "spawners", "sensings", "paths", "outcome",
 )  # fmt: skip
 """The record arrays of a state in the order of `records.TABLES`."""
 
@@ -22,9 +22,10 @@ class State:
     """Everything that a step reads and writes, and nothing else. Scratch memory lives in the engine.
 
     `contacts` has spare rows; the first `counters[0].contact_count` are in use. `settings` and `counters` have one
-    row each. `census` says who is behind the rows, and `layout` counts how often they have moved, or centres of mass
-    in their bodies: while it stays the same, row `i` is the same body, and its shapes lie where they did. `tiling` says
-    which shapes are tiles, once that was asked; `patterns` are those of what was spawned.
+    row each; `tallies` are the counters of the scene's rules. `census` says who is behind the rows, and `layout` counts
+    how often they have moved, or centres of mass in their bodies: while it stays the same, row `i` is the same body,
+    and its shapes lie where they did. `tiling` says which shapes are tiles, once that was asked; `patterns` are those
+    of what was spawned.
     """
 
     bodies: Records
@@ -40,6 +41,13 @@ class State:
     thrusters: Records
     settings: Records
     counters: Records
+    controls: Records
+    tallies: Records
+    rules: Records
+    spawners: Records
+    sensings: Records
+    paths: Records
+    outcome: Records
     census: Census
     layout: int = 0
     tiling: Tiling | None = None

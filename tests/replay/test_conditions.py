@@ -13,6 +13,7 @@ from sandbox.replay.conditions import Condition
 from sandbox.replay.expectation_conditions import conditions
 from sandbox.scene import expect
 from sandbox.scene.flat import FlatBody, FlatScene, FlatShape
+from sandbox.scene.flat_rules import FlatCounter
 from sandbox.world.build import build_state
 from sandbox.world.state import State
 
@@ -24,7 +25,7 @@ def state() -> State:
     """A ground and two crates at x = 0 and x = 3, at rest, no contacts."""
     ground = FlatBody("ground", "static", BOX, position=(0.0, -1.0))
     crates = (FlatBody("crate-1", "dynamic", BOX), FlatBody("crate-2", "dynamic", BOX, position=(3.0, 0.0)))
-    return build_state(FlatScene((ground, *crates)))
+    return build_state(FlatScene((ground, *crates), counters=(FlatCounter("score", 3.0),)))
 
 
 def fault(wanted: expect.Expectation, state: State, start: State | None = None) -> str | None:
@@ -143,6 +144,25 @@ def test_angle_counts_full_turns(state: State) -> None:
     assert fault(expect.Turned(at=0, angle=(-1, 1), of="crate-1"), state) == "crate-1 is at 360°"
 
 
+def test_counters(state: State) -> None:
+    assert fault(expect.CounterIs(at=0, counter="score", equals=3.0), state) is None
+    assert fault(expect.CounterIs(at=0, counter="score", least=1.0, most=3.0), state) is None
+    for limits, told in [({"equals": 4.0}, "4"), ({"least": 4.0}, "at least 4"), ({"most": 2.0}, "at most 2"),
+                         ({"least": 0.0, "most": 2.0}, "in [0, 2]")]:  # fmt: skip
+        wanted = expect.CounterIs(at=0, counter="score", **limits)
+        assert fault(wanted, state) == "score is 3"
+        assert conditions(wanted, state)[0].expected == f"score is {told}"
+
+
+def test_outcome(state: State) -> None:
+    assert fault(expect.Ended(at=0, outcome="open"), state) is None
+    assert fault(expect.Ended(at=0, outcome="won"), state) == "it is open"
+    state.outcome[0].result = 2
+    assert fault(expect.Ended(at=0, outcome="lost"), state) is None
+    assert fault(expect.Ended(at=0, outcome="won"), state) == "it is lost"
+    assert conditions(expect.Ended(at=0, outcome="won"), state)[0].expected == "the game is won"
+
+
 @pytest.mark.parametrize("kind", list(expect.CONDITIONS))
 def test_every_kind_of_expectation_can_be_judged(kind: str, state: State) -> None:
     values = {
@@ -153,10 +173,12 @@ def test_every_kind_of_expectation_can_be_judged(kind: str, state: State) -> Non
         "above": 0,
         "below": 0,
     }
+    others = {"counter": {"counter": "score", "equals": 1.0}, "outcome": {"outcome": "won"}}
     pair = ("crate-1", "ground")
     value = values.get(kind, pair if kind in ("touches", "apart", "senses") else "crate-1")
     subject = {"of": "crate-1"} if kind in values else {}
-    model = expect.CONDITIONS[kind](at=0, **{kind: value}, **subject)
+    fields = others.get(kind, {kind: value, **subject})
+    model = expect.CONDITIONS[kind](at=0, **fields)
     assert all(condition.expected for condition in conditions(model, state))  # type: ignore[arg-type]
 
 

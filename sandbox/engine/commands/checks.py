@@ -21,15 +21,19 @@ SPEED_LIMIT = 1e6
 """Highest velocity a command may set or cause, in m/s or rad/s."""
 GRAVITY_LIMIT = 1e6
 """Strongest gravity a command may set along an axis, in m/s^2."""
+TIME_LIMIT = 1e9
+"""Latest time of a path that a command may set, in s."""
 
 _LIMITS = {
-    **dict.fromkeys(("position", "angle", "point", "target", "radius"), MAX_COORDINATE),
+    **dict.fromkeys(("position", "angle", "point", "target", "radius", "pointer"), MAX_COORDINATE),
     **dict.fromkeys(("velocity", "angular_velocity", "speed"), SPEED_LIMIT),
     "gravity": GRAVITY_LIMIT,
+    "value": 1.0,
+    "time": TIME_LIMIT,
 }
 """Largest size of a number, by the name of its field; the others may be as large as they like."""
-_NOT_NEGATIVE = ("hertz", "damping_ratio", "strongest", "max_force")
-_IDS = ("body", "joint", "region")
+_NOT_NEGATIVE = ("hertz", "damping_ratio", "strongest", "max_force", "time")
+_IDS = ("body", "joint", "region", "name")
 _WORDS = {float: "a number", int: "a whole number", bool: "True or False", str: "a text"}
 _PAIR = "a pair of numbers (x, y)"
 

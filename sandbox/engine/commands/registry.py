@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from sandbox.engine.commands.base import Command
+from sandbox.engine.commands.control import Control
 from sandbox.engine.commands.delete import Delete, DeleteJoint
 from sandbox.engine.commands.drags import EndDrag, MoveDrag, StartDrag
 from sandbox.engine.commands.explode import Explode
@@ -11,6 +12,7 @@ from sandbox.engine.commands.motion import SetPose, SetVelocity
 from sandbox.engine.commands.pushes import ApplyForce, ApplyImpulse
 from sandbox.engine.commands.set_gravity import SetGravity
 from sandbox.engine.commands.set_joint import SetJoint
+from sandbox.engine.commands.set_path import SetPath
 from sandbox.engine.commands.set_region import SetRegion
 from sandbox.engine.commands.set_settings import SetSettings
 from sandbox.engine.commands.set_surface import SetSurface
@@ -23,6 +25,7 @@ COMMAND_CLASSES: dict[str, type[Command]] = {
         ApplyForce, ApplyImpulse, SetPose, SetVelocity, SetSurface, SetThruster, StartDrag, MoveDrag, EndDrag,
         SetMotor, SetLimits, SetSpring, SetTarget, SetJoint, BreakJoint,
         SetGravity, SetSettings, Explode, SetRegion, Spawn, Delete, DeleteJoint,
+        Control, SetPath,
     )
 }  # fmt: skip
 """Every command that a world takes, by the name that recordings call it."""

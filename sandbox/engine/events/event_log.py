@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.engine.events.events import Events, find_events, no_events
+from sandbox.engine.events.happening import Happening
 from sandbox.engine.events.pending import DeletedPairs, PendingEvents
 from sandbox.engine.events.records import SENSOR_EVENT
 from sandbox.engine.memory.scratch import Scratch
@@ -67,6 +70,10 @@ class EventLog:
     def note_quiet_steps(self) -> None:
         """Steps were taken in which everybody slept."""
         self._events = self._no_events()
+
+    def note_happenings(self, scratch: Scratch, happenings: Sequence[Happening]) -> None:
+        """Rules and controls have done something in the last step, or before it."""
+        self._events = replace(self.events(scratch), happenings=tuple(happenings))
 
     def note_displaced(self, row: int, center: Vec) -> None:
         """A command has put the body of that row elsewhere; `center` is where its centre of mass was (m)."""

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from sandbox.engine.events.happening import HAPPENINGS, Happening
 from sandbox.engine.events.pending import DeletedPair, PendingEvents, RowLookup
 from sandbox.engine.events.records import CONTACT_EVENT, SENSOR_EVENT
 from sandbox.tables import Integers, Records, Table, plain
@@ -27,7 +28,7 @@ class Events:
     small bodies). `hit`: points that did not push before struck at `HIT_SPEED` or more. All three are `CONTACT_EVENT`
     rows; an `end` has neither impulse nor speed. `enter` and `leave`: a sensor has, or no longer has, a shape in
     it (`SENSOR_EVENT` rows). `sleep`, `wake` and `freeze` are body indices,
-    `joint_break` are rows of joints: `joint_names[row]`.
+    `joint_break` are rows of joints: `joint_names[row]`. `happenings` is what rules and controls did, in that order.
 
     Contacts and sensings of bodies that were deleted before the step come last in `end` and `leave`. `names` are the
     ids of the bodies, and after them those of deleted ones of which these rows speak.
@@ -45,25 +46,30 @@ class Events:
     freeze: Integers
     joint_break: Integers
     joint_names: tuple[str, ...] = ()
+    happenings: tuple[Happening, ...] = ()
 
     @property
     def counts(self) -> dict[str, int]:
         """How many there are of each kind."""
-        return {kind: len(getattr(self, kind)) for kind in KINDS}
+        did = [happening.event for happening in self.happenings]
+        return {kind: did.count(kind) if kind in HAPPENINGS else len(getattr(self, kind)) for kind in KINDS}
 
     def __len__(self) -> int:
         return sum(self.counts.values())
 
     def __iter__(self) -> Iterator[dict[str, Any]]:
         """Every event as plain data: its `event` kind, its `step`, body ids and figures."""
-        for kind in KINDS:
+        for kind in _OF_STEPS:
             for row in getattr(self, kind):
                 plain = {"joint": self.joint_names[row]} if kind == "joint_break" else _plain(row, self.names)
                 yield {"event": kind, "step": self.step, **plain}
+        for happening in self.happenings:
+            yield {"event": happening.event, "step": self.step, **happening.plain()}
 
 
-KINDS = tuple(field.name for field in fields(Events))[2:-1]
-"""The kinds of events, in the order in which they are told."""
+_OF_STEPS = tuple(field.name for field in fields(Events))[2:-2]
+KINDS = (*_OF_STEPS, *HAPPENINGS)
+"""The kinds of events: those of steps in the order in which they are told, then those of rules."""
 
 
 def _plain(row: Any, names: tuple[str, ...]) -> dict[str, Any]:

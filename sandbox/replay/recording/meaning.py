@@ -10,7 +10,7 @@ from typing import Any
 
 from sandbox.scene.flat import FlatScene
 
-_SILENT = {"pointer", "color", "clockwise"}
+_SILENT = {"pointer", "color", "clockwise", "words", "title", "keys", "minus", "pad", "mouse"}
 """What a flat scene remembers for messages and pictures; it moves nothing."""
 
 
