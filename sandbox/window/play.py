@@ -17,6 +17,7 @@ from sandbox.render.overlays.look import Look
 from sandbox.render.overlays.registry import OVERLAYS, draw_overlays
 from sandbox.window import hud
 from sandbox.window.actions.registry import BY_NAME, action_of, released
+from sandbox.window.controls.player import Player
 from sandbox.window.gui_style import apply_style
 from sandbox.window.help import draw_help
 from sandbox.window.highlight import highlight
@@ -28,9 +29,11 @@ from sandbox.window.panels.registry import new_panels
 from sandbox.window.problem_box import draw_problem
 from sandbox.window.reload import Reloader
 from sandbox.window.scale_bar import draw_scale_bar
+from sandbox.window.scoreboard import draw_scoreboard
 from sandbox.window.screen import Canvas, Screen
 from sandbox.window.session import Session
 from sandbox.window.tools.act import MagnetTool
+from sandbox.window.tools.play import PlayTool
 from sandbox.window.tools.tool_box import ToolBox
 from sandbox.window.viewport import Viewport
 from sandbox.window.widgets import begin_picture
@@ -66,6 +69,9 @@ class PlayScreen:
         self.workspace = Workspace(session, viewport, Path.cwd(), interface=interface)
         self.tool_box = ToolBox(self.workspace)
         self.workspace.panels = first_panels(self.panels, size)
+        self.player = Player(self.workspace)
+        if self.player.controls:
+            self.tool_box.choose("play")
         self.mouse = Mouse(self.workspace, self.tool_box)
         self._layout = Layout(self.panels, self.tool_box)
         self._reloader = Reloader(Path(session.scene.source)) if session.scene.text is not None else None
@@ -112,12 +118,29 @@ class PlayScreen:
     def handle(self, event: pygame.event.Event, taken: tuple[bool, bool] = (False, False)) -> None:
         """Act on an event; `taken` says whether panels want the mouse, and the keyboard."""
         workspace = self.workspace
+        if self._plays(event, taken):
+            return
         if event.type == pygame.KEYDOWN and not taken[1]:
             self._key(event)
         workspace.held -= released(event)
         if event.type == pygame.DROPFILE:
             workspace.wish = Wish("open", Path(event.file))
         self.mouse.handle(event, taken[0])
+        if event.type == pygame.MOUSEMOTION and workspace.pointer is not None:
+            self.player.point(workspace.pointer)
+
+    def _plays(self, event: pygame.event.Event, taken: tuple[bool, bool]) -> bool:
+        """Whether an event is the scene's own: while the tool for playing is in hand and time runs."""
+        if not isinstance(self.tool_box.tool, PlayTool) or self.session.clock.paused:
+            self.player.let_go()
+            return False
+        begins = event.type in (pygame.KEYDOWN, pygame.MOUSEBUTTONDOWN)
+        if begins and getattr(event, "mod", 0) & (pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META):
+            return False
+        if event.type == pygame.MOUSEBUTTONDOWN and not self.workspace.viewport.holds(event.pos):
+            return False
+        mouse = event.type in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP)
+        return not (begins and taken[0 if mouse else 1]) and self.player.wants(event)
 
     def update(self, elapsed: float) -> Screen | None:
         """Let time pass."""
@@ -134,6 +157,8 @@ class PlayScreen:
                 BY_NAME[name].run(workspace)
         if isinstance(self.tool_box.tool, MagnetTool):
             self.tool_box.tool.tick(workspace)
+        if not session.clock.paused:
+            self.player.play()
         if not self.lockstep:
             session.update(elapsed)
         elif not session.clock.paused:
@@ -233,6 +258,7 @@ class PlayScreen:
                 hud.draw_title(overlay, (rect[2], rect[3]), scene.title, scene.about, title)
         else:
             draw_scale_bar(overlay, workspace, self.mouse.at)
+        draw_scoreboard(overlay, workspace)
         noted = self._fade(workspace.note_until - workspace.age)
         if noted > 0.0:
             hud.draw_note(overlay, rect, workspace.note, noted)

@@ -37,7 +37,7 @@ def _known_after(workspace: Workspace) -> bool:
 
 
 ACTIONS = (
-    Action("pause", "Pause", "Time", ("Space",), "Stop time, or let it run.", _pause,
+    Action("pause", "Pause", "Time", ("Space", "Ctrl+Space"), "Stop time, or let it run.", _pause,
            checked=lambda w: w.session.clock.paused),
     Action("step", "One step", "Time", (".",), "Pause, and take one step.", _step),
     Action("step-back", "One step back", "Time", (",",), "Pause, and go back one step.", lambda w: _go(w, -1),
