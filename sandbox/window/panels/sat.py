@@ -35,10 +35,11 @@ class SatPanel(Panel):
     """The inspector of one pair."""
 
     name = "sat"
-    title = "Separating axes"
+    title = "SAT"
     icon = icons.ICON_FA_CODE_COMPARE
     help = "The separating-axis test of two bodies, axis by axis."
     key = "F4"
+    exact = True
 
     def __init__(self) -> None:
         self.inspector = Inspector()
@@ -63,9 +64,6 @@ class SatPanel(Panel):
 
     def draw(self, workspace: Workspace) -> None:
         """Pair, verdict, steps, table, free axis."""
-        clock = workspace.session.clock
-        if clock.paused and clock.alpha < 1.0:
-            clock.snap_to_step()  # the picture is to show what the table speaks of
         seen = self.look(workspace)
         self._pairs.draw(workspace, seen)
         if seen is None:

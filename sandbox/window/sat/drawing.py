@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from sandbox.geometry.sat_rows import SatRow, Vec, author_edges
+from sandbox.geometry.sat_rows import SatRow, Vec
 from sandbox.geometry.shapes import Shape
 from sandbox.render.camera import Camera
 from sandbox.render.number_text import metres, short
@@ -49,9 +49,7 @@ class Drawing:
                 self.pen.dot(vertex, 2.6, color)
                 if numbered:
                     at = self.pen.away(vertex, _unit(vertex, middle), 13.0 + shape.radius * self.pen.scale)
-                    self.pen.overlay.text(
-                        at[0] - 4, at[1] - 7, str(shape.given.index(vertex) + 1), color, 0.95, 13.0, True
-                    )
+                    self.pen.label(at, str(shape.given.index(vertex) + 1), color, bold=True, size=12.0)
 
     def edge(self, row: SatRow) -> None:
         """Light up the edge that gave an axis, or the two vertices, and the axis itself as an arrow from there."""
@@ -62,8 +60,7 @@ class Drawing:
             self.pen.dot(p, 4.0, color)
             self.pen.dot(q, 4.0, color)
             return
-        shape = self.seen.a if row.owner == "a" else self.seen.b
-        start, end, out = surface_edge(shape, row.edge)
+        start, end, out = self.seen.edges[row.owner, row.edge]
         self.pen.line(start, end, color, 5.5)
         u = row.axis[0] / row.length, row.axis[1] / row.length
         middle = (start[0] + end[0]) / 2, (start[1] + end[1]) / 2
@@ -79,8 +76,7 @@ class Drawing:
             if row.owner == "corners":
                 self.edge(row)
                 continue
-            shape = self.seen.a if row.owner == "a" else self.seen.b
-            start, end, _ = surface_edge(shape, row.edge)
+            start, end, _ = self.seen.edges[row.owner, row.edge]
             u = row.axis[0] / row.length, row.axis[1] / row.length
             middle, long = ((start[0] + end[0]) / 2, (start[1] + end[1]) / 2), 42.0 / self.pen.scale
             color = self.colors.of(row.owner)
@@ -238,25 +234,13 @@ def _beside(rail: Rail) -> tuple[Anchor, tuple[float, float, float]]:
     return "left" if across > 0.0 else "right", (20.0, 70.0, 124.0)
 
 
-def surface_edge(shape: Shape, number: int) -> tuple[Vec, Vec, Vec]:
-    """(start, end, outward unit normal) of the author's edge on the surface of a shape, hence moved by its radius."""
-    start, end = next((p, q) for n, p, q in author_edges(shape) if n == number)
-    long = math.dist(start, end)
-    nx, ny = (end[1] - start[1]) / long, (start[0] - end[0]) / long
-    middle = _middle(shape.vertices)
-    if nx * (start[0] - middle[0]) + ny * (start[1] - middle[1]) < 0.0:
-        nx, ny = -nx, -ny
-    r = shape.radius
-    return (start[0] + nx * r, start[1] + ny * r), (end[0] + nx * r, end[1] + ny * r), (nx, ny)
-
-
 def edge_near(seen: Inspection, point: Vec, slack: float) -> SatRow | None:
     """The row of the edge that is nearest to a point, if it is at most `slack` metres away."""
     best: tuple[float, SatRow] | None = None
     for row in seen.table.rows:
         if row.owner == "corners":
             continue
-        start, end, _ = surface_edge(seen.a if row.owner == "a" else seen.b, row.edge)
+        start, end, _ = seen.edges[row.owner, row.edge]
         off = _distance(point, start, end)
         if off <= slack and (best is None or off < best[0]):
             best = off, row
