@@ -17,13 +17,13 @@ from sandbox.geometry.shape_box import box_of
 from sandbox.geometry.shapes import Box, Capsule, Circle, Polygon, Segment, Shape
 from sandbox.render.camera import Camera, fit
 from sandbox.render.shape_outline import outline_of
-from sandbox.window.sat.drawing import edge_near
 from sandbox.window.sat.focus import Focus
 from sandbox.window.sat.inspection import Inspection, Inspector
 from sandbox.window.sat.overlap_curve import axis_angle, axis_at, overlap_at, overlap_curve
 from sandbox.window.sat.rail import interval, rail_of
 from sandbox.window.sat.regression import regression_scene
 from sandbox.window.sat.second_opinion import opinion_on
+from sandbox.window.sat.shape_drawing import edge_near
 from sandbox.window.sat.table_view import narrow
 from sandbox.window.sat.tour import tour_of
 
