@@ -178,7 +178,10 @@ class PlayScreen:
         apply_style(workspace.theme, workspace.text_scale)
         begin_picture()
         workspace.viewport.place(self._layout.draw(workspace, canvas.display.size), self.session)
-        workspace.frame = frame = self.session.frame()
+        frame = self.session.frame()
+        if any(panel.exact and panel.name in workspace.panels for panel in self.panels.values()):
+            frame = self.session.current
+        workspace.frame = frame
         workspace.viewport.go_along(frame, None if workspace.less_motion else self._since_picture)
         self._since_picture = 0.0
         self._body_colors = self._body_colors.for_frame(frame)

@@ -17,13 +17,13 @@ from sandbox.geometry.shape_box import box_of
 from sandbox.geometry.shapes import Box, Capsule, Circle, Polygon, Segment, Shape
 from sandbox.render.camera import Camera, fit
 from sandbox.render.shape_outline import outline_of
-from sandbox.window.sat.drawing import edge_near, surface_edge
 from sandbox.window.sat.focus import Focus
 from sandbox.window.sat.inspection import Inspection, Inspector
 from sandbox.window.sat.overlap_curve import axis_angle, axis_at, overlap_at, overlap_curve
 from sandbox.window.sat.rail import interval, rail_of
 from sandbox.window.sat.regression import regression_scene
 from sandbox.window.sat.second_opinion import opinion_on
+from sandbox.window.sat.shape_drawing import edge_near
 from sandbox.window.sat.table_view import narrow
 from sandbox.window.sat.tour import tour_of
 
@@ -143,7 +143,7 @@ def test_an_outline_lies_on_the_surface(shape: Shape) -> None:
 
 def test_an_edge_is_found_on_the_surface_of_a_rounded_shape() -> None:
     seen = inspection(Polygon(SQUARE.given, 0.5), TRIANGLE)
-    start, end, out = surface_edge(seen.a, 3)
+    start, end, out = seen.edges["a", 3]
     assert {start[0], end[0]} == {3.5}
     assert out == (-1.0, 0.0)
     row = edge_near(seen, (3.45, 6.0), 0.1)

@@ -22,6 +22,8 @@ class Panel:
     shown_at_first: ClassVar[bool] = False
     side: ClassVar[str] = "right"
     """Where it is docked at first: "right" or "bottom"."""
+    exact: ClassVar[bool] = False
+    """While it is open, pictures show the last step as it is, not a blend of the last two: it draws over the scene."""
 
     def draw(self, workspace: Workspace) -> None:
         """Draw its widgets."""

@@ -11,7 +11,7 @@ from sandbox.window.gui_style import palette_of
 from sandbox.window.overlay import Overlay
 from sandbox.window.panels.panel import Panel
 from sandbox.window.sat.colors import sat_colors
-from sandbox.window.sat.drawing import Drawing, edge_near
+from sandbox.window.sat.drawing import Drawing
 from sandbox.window.sat.focus import Focus
 from sandbox.window.sat.free_axis_view import FreeAxisView
 from sandbox.window.sat.inspection import Inspection, Inspector
@@ -20,6 +20,7 @@ from sandbox.window.sat.pair_view import PairView
 from sandbox.window.sat.pen import Pen
 from sandbox.window.sat.regression import save_regression
 from sandbox.window.sat.scene_handle import draw_handle
+from sandbox.window.sat.shape_drawing import edge_near
 from sandbox.window.sat.table_view import TableView
 from sandbox.window.sat.tour import Step, tour_of
 from sandbox.window.sat.tour_view import draw_tour
@@ -35,10 +36,11 @@ class SatPanel(Panel):
     """The inspector of one pair."""
 
     name = "sat"
-    title = "Separating axes"
+    title = "SAT"
     icon = icons.ICON_FA_CODE_COMPARE
     help = "The separating-axis test of two bodies, axis by axis."
     key = "F4"
+    exact = True
 
     def __init__(self) -> None:
         self.inspector = Inspector()
@@ -63,9 +65,6 @@ class SatPanel(Panel):
 
     def draw(self, workspace: Workspace) -> None:
         """Pair, verdict, steps, table, free axis."""
-        clock = workspace.session.clock
-        if clock.paused and clock.alpha < 1.0:
-            clock.snap_to_step()  # the picture is to show what the table speaks of
         seen = self.look(workspace)
         self._pairs.draw(workspace, seen)
         if seen is None:

@@ -1,0 +1,87 @@
+"""An axis beside the shapes: the two intervals on it, and the lines that cast them."""
+
+from __future__ import annotations
+
+from sandbox.geometry.sat_rows import SatRow, Vec
+from sandbox.render.number_text import metres, short
+from sandbox.render.theme import Color
+from sandbox.window.sat.pen import Anchor
+from sandbox.window.sat.rail import Rail, drops, rail_of
+from sandbox.window.sat.sheet import Sheet
+
+BAND, LANE, BAR = 15.0, 7.0, 6.0
+"""Pixels: half the width of the band on a rail, how far the bars lie from its middle, their thickness."""
+
+
+class RailDrawing(Sheet):
+    """Draws rails."""
+
+    def rail(self, axis: Vec, row: SatRow | None = None) -> None:
+        """An axis beside the shapes with both intervals, and what casts them; of a `row`, with its numbers."""
+        rail = rail_of(self.seen.table, axis, self.camera)
+        gap = row.gap if row is not None else rail.separation >= 0.0
+        self._band(rail, gap)
+        self._line(rail)
+        for number, (shape, color) in enumerate(((self.seen.a, self.colors.a), (self.seen.b, self.colors.b))):
+            off = (LANE if number else -LANE) / self.pen.scale
+            ends = rail.b if number else rail.a
+            extremes, corners = drops(shape, rail.unit)
+            if len(corners) <= 16:
+                for corner in corners:
+                    self._drop(rail, corner, color, 0.28)
+            for corner in extremes:
+                self._drop(rail, corner, color, 0.9)
+            self.pen.line(rail.at(ends[0], off), rail.at(ends[1], off), color, BAR)
+        for lane, ends in enumerate((rail.a, rail.b)):
+            self._numbers(rail, ends, lane, row)
+        self._outcome_label(rail, gap)
+
+    def _line(self, rail: Rail) -> None:
+        pad = 26.0 / self.pen.scale
+        low, high = min(rail.a[0], rail.b[0]) - pad, max(rail.a[1], rail.b[1]) + pad
+        self.pen.arrow(rail.at(low), rail.at(high), self.pen.palette.faint, 1.2, 9.0)
+
+    def _band(self, rail: Rail, gap: bool) -> None:
+        """What parts the intervals, or what they share; never so thin that it cannot be seen."""
+        low, high = rail.shared
+        least = 1.5 / self.pen.scale
+        if high - low < 2 * least:
+            low, high = (low + high) / 2 - least, (low + high) / 2 + least
+        wide = BAND / self.pen.scale
+        corners = [rail.at(low, -wide), rail.at(high, -wide), rail.at(high, wide), rail.at(low, wide)]
+        color = self.colors.gap if gap else self.colors.out
+        self.pen.fill(corners, color, 0.35)
+        for at in (low, high):
+            self.pen.line(rail.at(at, -wide), rail.at(at, wide), color, 1.5)
+
+    def _drop(self, rail: Rail, corner: Vec, color: Color, opacity: float) -> None:
+        along = corner[0] * rail.unit[0] + corner[1] * rail.unit[1]
+        self.pen.line(corner, rail.at(along), color, 1.0, opacity, dash=(3.0, 4.0))
+
+    def _numbers(self, rail: Rail, ends: tuple[float, float], lane: int, row: SatRow | None) -> None:
+        """The ends of an interval: projections as in the table, or metres for an axis that is in no table."""
+        values = ends if row is None else ((row.amin, row.amax), (row.bmin, row.bmax))[lane]
+        color = self.colors.b if lane else self.colors.a
+        anchor, offs = _beside(rail)
+        for value, end in zip(values, ends, strict=True):
+            at = self.pen.pixel(rail.at(end, offs[lane] / self.pen.scale))
+            self.pen.label(at, short(value), color, anchor, size=13.0)
+
+    def _outcome_label(self, rail: Rail, gap: bool) -> None:
+        low, high = rail.shared
+        anchor, offs = _beside(rail)
+        middle = (low + high) / 2
+        at = self.pen.pixel(rail.at(middle, offs[2] / self.pen.scale))
+        words = f"gap {metres(rail.separation)}" if gap else f"overlap {metres(-rail.separation)}"
+        if not self.pen.fits(at, words, anchor):  # then between rail and shapes
+            anchor = "right" if anchor == "left" else "left" if anchor == "right" else anchor
+            at = self.pen.pixel(rail.at(middle, -offs[0] / self.pen.scale))
+        self.pen.label(at, words, self.colors.gap if gap else self.colors.out, anchor, bold=True)
+
+
+def _beside(rail: Rail) -> tuple[Anchor, tuple[float, float, float]]:
+    """How words beside a rail are anchored, and how many pixels from it: numbers of a, of b, and the outcome."""
+    across = -rail.unit[1] * rail.outwards
+    if abs(across) < 0.5:
+        return "middle", (24.0, 41.0, 60.0)
+    return "left" if across > 0.0 else "right", (20.0, 70.0, 124.0)
