@@ -21,6 +21,10 @@ _ROW = np.dtype(
 )  # fmt: skip
 
 
+Book = tuple[tuple[str, ...], tuple[str, ...]]
+"""Ids of bodies and of joints, by row."""
+
+
 @dataclass(frozen=True)
 class Happening:
     """One event in words. `point` (m) is where bodies met, None for other kinds; `joint` is one that broke."""
@@ -32,11 +36,6 @@ class Happening:
     speed: float = 0.0
     impulse: float = 0.0
     joint: str | None = None
-
-    @property
-    def words(self) -> str:
-        """What a filter looks into."""
-        return " ".join((self.kind, *self.bodies, self.joint or "")).lower()
 
 
 @dataclass
@@ -58,11 +57,12 @@ class EventTable:
     def __init__(self) -> None:
         self._rows: Any = np.zeros(1024, _ROW)
         self._count = 0
-        self._names: dict[int, tuple[tuple[str, ...], tuple[str, ...]]] = {}
+        self._names: dict[int, Book] = {}
+        self._last: Book = (), ()
         self._noted: set[int] = set()
         self._branches = Branches()
         self._found: tuple[tuple[object, ...], Integers] | None = None
-        self._held: tuple[list[str], list[bool]] = [], []
+        self._known: dict[tuple[int, str], tuple[Any, ...]] = {}
         self.forgotten = False
         """Whether older events were forgotten, for there were too many."""
 
@@ -86,7 +86,7 @@ class EventTable:
         fresh = np.concatenate(parts)
         if not len(fresh):
             return
-        self._names[events.step] = events.names, events.joint_names
+        self._names[events.step] = self._book(events)
         if self._count + len(fresh) > len(self._rows):
             self._rows = np.concatenate([self._rows, np.zeros(max(len(self._rows), len(fresh)), _ROW)])
         self._rows[self._count : self._count + len(fresh)] = fresh
@@ -94,6 +94,12 @@ class EventTable:
         self._found = None
         if self._count > MOST_ROWS:
             self._forget_older()
+
+    def _book(self, events: Events) -> Book:
+        """The ids that a step's events speak of: the same object as before while they are the same."""
+        if self._last[0] is not events.names or self._last[1] is not events.joint_names:
+            self._last = events.names, events.joint_names
+        return self._last
 
     def matching(self, wanted: Filter) -> Integers:
         """The numbers of the events that a filter lets through, latest step first."""
@@ -121,21 +127,34 @@ class EventTable:
         return found[np.argsort(-rows["step"][found], kind="stable")]
 
     def _holding(self, words: list[str]) -> Any:
-        """Which events hold all the words; those that came since the same words were asked for are looked at anew."""
+        """Which events hold all the words, in their kind or in the ids of who they speak of."""
+        rows = self._rows[: self._count]
+        held = np.ones(self._count, np.bool_)
         if not words:
-            return np.ones(self._count, np.bool_)
-        if self._held[0] != words:
-            self._held = words, []
-        held = self._held[1]
-        for number in range(len(held), self._count):
-            has = self.happening(number).words
-            held.append(all(word in has for word in words))
-        return np.array(held, np.bool_)
+            return held
+        steps, at = np.unique(rows["step"], return_inverse=True)
+        books = [self._names[step] for step in steps.tolist()]
+        for book in {id(book): book for book in books}.values():
+            mine = np.array([other is book for other in books])[at]
+            for word in words:
+                held[mine] &= self._has(book, word, rows[mine])
+        return held
+
+    def _has(self, book: Book, word: str, rows: Any) -> Any:
+        """Which of the rows, that speak of the ids in `book`, hold a word."""
+        key = id(book), word
+        if key not in self._known:  # the book is kept as long as this is
+            self._known[key] = tuple(np.array([word in name.lower() for name in (*names, "")]) for names in book)
+        bodies, joints = self._known[key]
+        of_joint = rows["kind"] == KINDS.index("joint_break")
+        of_body = bodies[np.where(of_joint, NOBODY, rows["a"])] | bodies[rows["b"]]
+        in_kind = np.array([word in kind for kind in KINDS])[rows["kind"]]
+        return in_kind | of_body | joints[np.where(of_joint, rows["a"], NOBODY)]
 
     def _keep(self, mask: Any) -> None:
         kept = self._rows[: self._count][mask]
         self._rows[: len(kept)] = kept
-        self._count, self._found, self._held = len(kept), None, ([], [])
+        self._count, self._found, self._known = len(kept), None, {}
         there = set(np.unique(kept["step"]).tolist())
         self._names = {step: names for step, names in self._names.items() if step in there}
 
