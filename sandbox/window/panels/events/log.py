@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from sandbox.engine.events.events import KINDS, Events
+from sandbox.engine.events.happening import HAPPENINGS, Happening
 from sandbox.replay.timeline import Timeline
 from sandbox.tables import Integers
 from sandbox.window.history import Branches
@@ -15,15 +16,23 @@ from sandbox.window.history import Branches
 MOST_ROWS = 50_000
 """When there are more, the older half of them is forgotten."""
 NOBODY = -1
+STEP_KINDS = tuple(kind for kind in KINDS if kind not in HAPPENINGS)
 _ROW = np.dtype(
     [("step", "i8"), ("kind", "i8"), ("a", "i8"), ("b", "i8"), ("x", "f8"), ("y", "f8"), ("speed", "f8"),
      ("impulse", "f8")]
 )  # fmt: skip
 
 
+Book = tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]
+"""Ids of bodies and of joints, by row, and what rules told."""
+
+
 @dataclass(frozen=True)
-class Happening:
-    """One event in words. `point` (m) is where bodies met, None for other kinds; `joint` is one that broke."""
+class LoggedEvent:
+    """One event in words. `point` (m) is where bodies met, None for other kinds; `joint` is one that broke.
+
+    `said` is what a rule or control did, with the figures and ids that it tells.
+    """
 
     step: int
     kind: str
@@ -32,11 +41,7 @@ class Happening:
     speed: float = 0.0
     impulse: float = 0.0
     joint: str | None = None
-
-    @property
-    def words(self) -> str:
-        """What a filter looks into."""
-        return " ".join((self.kind, *self.bodies, self.joint or "")).lower()
+    said: str = ""
 
 
 @dataclass
@@ -58,11 +63,12 @@ class EventTable:
     def __init__(self) -> None:
         self._rows: Any = np.zeros(1024, _ROW)
         self._count = 0
-        self._names: dict[int, tuple[tuple[str, ...], tuple[str, ...]]] = {}
+        self._names: dict[int, Book] = {}
+        self._last: Book = (), (), ()
         self._noted: set[int] = set()
         self._branches = Branches()
         self._found: tuple[tuple[object, ...], Integers] | None = None
-        self._held: tuple[list[str], list[bool]] = [], []
+        self._known: dict[tuple[int, str], Any] = {}
         self.forgotten = False
         """Whether older events were forgotten, for there were too many."""
 
@@ -82,11 +88,10 @@ class EventTable:
         if events.step in self._noted:
             return
         self._noted.add(events.step)
-        parts = [_rows(events, number) for number in range(len(KINDS))]
-        fresh = np.concatenate(parts)
+        fresh = np.concatenate([*(_rows(events, kind) for kind in STEP_KINDS), _rows_of_rules(events)])
         if not len(fresh):
             return
-        self._names[events.step] = events.names, events.joint_names
+        self._names[events.step] = self._book(events)
         if self._count + len(fresh) > len(self._rows):
             self._rows = np.concatenate([self._rows, np.zeros(max(len(self._rows), len(fresh)), _ROW)])
         self._rows[self._count : self._count + len(fresh)] = fresh
@@ -95,6 +100,13 @@ class EventTable:
         if self._count > MOST_ROWS:
             self._forget_older()
 
+    def _book(self, events: Events) -> Book:
+        """The ids that a step's events speak of: the same object as before while they are the same."""
+        said = tuple(_words(happening) for happening in events.happenings)
+        if (self._last[0] is not events.names) or (self._last[1] is not events.joint_names) or self._last[2] != said:
+            self._last = events.names, events.joint_names, said
+        return self._last
+
     def matching(self, wanted: Filter) -> Integers:
         """The numbers of the events that a filter lets through, latest step first."""
         key = wanted.key
@@ -102,17 +114,19 @@ class EventTable:
             self._found = key, self._search(wanted)
         return self._found[1]
 
-    def happening(self, number: int) -> Happening:
+    def event(self, number: int) -> LoggedEvent:
         """The event of that number."""
         row = self._rows[number]
         step, kind = int(row["step"]), KINDS[int(row["kind"])]
-        names, joints = self._names[step]
+        names, joints, said = self._names[step]
         a, b = int(row["a"]), int(row["b"])
         if kind == "joint_break":
-            return Happening(step, kind, (), joint=joints[a])
+            return LoggedEvent(step, kind, (), joint=joints[a])
+        if kind in HAPPENINGS:
+            return LoggedEvent(step, kind, tuple(name for name in names if name in said[a].split()), said=said[a])
         bodies = tuple(names[index] for index in (a, b) if index != NOBODY)
         point = None if np.isnan(row["x"]) else (float(row["x"]), float(row["y"]))
-        return Happening(step, kind, bodies, point, float(row["speed"]), float(row["impulse"]))
+        return LoggedEvent(step, kind, bodies, point, float(row["speed"]), float(row["impulse"]))
 
     def _search(self, wanted: Filter) -> Integers:
         rows = self._rows[: self._count]
@@ -121,21 +135,39 @@ class EventTable:
         return found[np.argsort(-rows["step"][found], kind="stable")]
 
     def _holding(self, words: list[str]) -> Any:
-        """Which events hold all the words; those that came since the same words were asked for are looked at anew."""
+        """Which events hold all the words, in their kind or in the ids of who they speak of."""
+        rows = self._rows[: self._count]
+        held = np.ones(self._count, np.bool_)
         if not words:
-            return np.ones(self._count, np.bool_)
-        if self._held[0] != words:
-            self._held = words, []
-        held = self._held[1]
-        for number in range(len(held), self._count):
-            has = self.happening(number).words
-            held.append(all(word in has for word in words))
-        return np.array(held, np.bool_)
+            return held
+        steps, at = np.unique(rows["step"], return_inverse=True)
+        books = [self._names[step] for step in steps.tolist()]
+        for book in {id(book): book for book in books}.values():
+            mine = np.array([other is book for other in books])[at]
+            for word in words:
+                held[mine] &= self._has(book, word, rows[mine])
+        return held
+
+    def _has(self, book: Book, word: str, rows: Any) -> Any:
+        """Which of the rows, that speak of the ids in `book`, hold a word."""
+        held = np.array([word in kind for kind in KINDS])[rows["kind"]]
+        bodies, joints, said = (self._having(names, word) for names in book)
+        of_body, of_joint, of_rule = _sorts(rows["kind"])
+        for has, mine in ((bodies, of_body), (joints, of_joint), (said, of_rule)):
+            held |= has[np.where(mine, rows["a"], NOBODY)]
+        return held | bodies[rows["b"]]
+
+    def _having(self, names: tuple[str, ...], word: str) -> Any:
+        """Which names have a word in them, and a last one that has none, for nobody."""
+        key = id(names), word
+        if key not in self._known:
+            self._known[key] = np.array([*(word in name.lower() for name in names), False])
+        return self._known[key]
 
     def _keep(self, mask: Any) -> None:
         kept = self._rows[: self._count][mask]
         self._rows[: len(kept)] = kept
-        self._count, self._found, self._held = len(kept), None, ([], [])
+        self._count, self._found, self._known = len(kept), None, {}
         there = set(np.unique(kept["step"]).tolist())
         self._names = {step: names for step, names in self._names.items() if step in there}
 
@@ -147,11 +179,31 @@ class EventTable:
         self.forgotten = True
 
 
-def _rows(events: Events, number: int) -> Any:
+def _sorts(kinds: Any) -> tuple[Any, Any, Any]:
+    """Which rows speak of bodies, which of a joint, and which tell what a rule did."""
+    of_joint, of_rule = kinds == KINDS.index("joint_break"), kinds >= len(STEP_KINDS)
+    return ~(of_joint | of_rule), of_joint, of_rule
+
+
+def _words(happening: Happening) -> str:
+    """What a rule or control did: figures and ids by name."""
+    return "  ".join(f"{name} {value}" for name, value in happening.plain().items())
+
+
+def _rows_of_rules(events: Events) -> Any:
+    """What rules and controls did, as rows of the table that number what was told."""
+    rows = np.zeros(len(events.happenings), _ROW)
+    rows["step"], rows["a"], rows["b"] = events.step, np.arange(len(rows)), NOBODY
+    rows["kind"] = [KINDS.index(happening.event) for happening in events.happenings]
+    rows["x"] = rows["y"] = np.nan
+    return rows
+
+
+def _rows(events: Events, kind: str) -> Any:
     """The events of one kind as rows of the table."""
-    found: Any = getattr(events, KINDS[number])
+    found: Any = getattr(events, kind)
     rows = np.zeros(len(found), _ROW)
-    rows["step"], rows["kind"], rows["b"] = events.step, number, NOBODY
+    rows["step"], rows["kind"], rows["b"] = events.step, KINDS.index(kind), NOBODY
     rows["x"] = rows["y"] = np.nan
     names = found.dtype.names
     if names is None:

@@ -10,21 +10,25 @@ from imgui_bundle import imgui
 
 from sandbox.engine.events.events import KINDS
 from sandbox.window.gui_style import palette_of
-from sandbox.window.panels.events.log import EventTable, Filter, Happening
+from sandbox.window.panels.events.log import STEP_KINDS, EventTable, Filter, LoggedEvent
 from sandbox.window.panels.panel import Panel
 from sandbox.window.widgets import button, mark, text, wrapped
 from sandbox.window.workspace import Workspace
 
 TITLES = {
     "begin": "begin", "end": "end", "hit": "hit", "enter": "enter", "leave": "leave", "sleep": "sleep", "wake": "wake",
-    "freeze": "freeze", "joint_break": "break",
+    "freeze": "freeze", "joint_break": "break", "counter": "counter", "spawn": "spawn", "delete": "delete",
+    "win": "win", "lose": "lose", "refused": "refused",
 }  # fmt: skip
 TIPS = {
     "begin": "Shapes began to push or overlap.", "end": "Shapes came apart.", "hit": "Struck at 1 m/s or more.",
     "enter": "A sensor has something in it that it had not.", "leave": "Something left a sensor.",
     "sleep": "Fell asleep.", "wake": "Woke up.", "freeze": "Stopped for good by bad numbers.",
-    "joint_break": "A joint broke.",
+    "joint_break": "A joint broke.", "counter": "A rule has counted.", "spawn": "A rule brought bodies in.",
+    "delete": "A rule took bodies out.", "win": "Won.", "lose": "Lost.",
+    "refused": "What a rule or control was to do could not be done.",
 }  # fmt: skip
+STRONG = ("hit", "joint_break", "freeze", "win", "lose", "refused")
 _FLAGS = (
     imgui.TableFlags_.row_bg | imgui.TableFlags_.scroll_y | imgui.TableFlags_.sizing_stretch_prop
     | imgui.TableFlags_.borders_inner_h
@@ -54,7 +58,7 @@ class EventsPanel(Panel):
     def draw(self, workspace: Workspace) -> None:
         """The filter above, the events below, the latest first."""
         self.table.follow(workspace.session.timeline)
-        self._draw_filter()
+        self._draw_filter(workspace)
         found = self.table.matching(self.filter)
         if len(found):
             self._draw_table(workspace, found)
@@ -63,13 +67,19 @@ class EventsPanel(Panel):
         else:
             wrapped("Let time run: events are taken at each step from now on.")
 
-    def _draw_filter(self) -> None:
+    @staticmethod
+    def _kinds(workspace: Workspace) -> tuple[str, ...]:
+        """Those that there can be: what rules do, only where there are rules or controls."""
+        scene = workspace.session.scene
+        return KINDS if getattr(scene, "rules", None) or getattr(scene, "controls", None) else STEP_KINDS
+
+    def _draw_filter(self, workspace: Workspace) -> None:
         em = imgui.get_font_size()
         imgui.set_next_item_width(min(10.0 * em, imgui.get_content_region_avail().x))
         hint = f"{icons.ICON_FA_MAGNIFYING_GLASS}  words"
         self.filter.words = text("events.words", "", self.filter.words, hint)
         right = imgui.get_window_pos().x + imgui.get_window_width()
-        for kind in KINDS:
+        for kind in self._kinds(workspace):
             width = imgui.calc_text_size(TITLES[kind]).x + 2.0 * imgui.get_style().frame_padding.x
             if imgui.get_item_rect_max().x + width + 12.0 < right:
                 imgui.same_line()
@@ -86,12 +96,12 @@ class EventsPanel(Panel):
         for title, share in _COLUMNS:
             imgui.table_setup_column(title, imgui.TableColumnFlags_.width_stretch, share)
         imgui.table_headers_row()
-        chosen: Happening | None = None
+        chosen: LoggedEvent | None = None
         clipper = imgui.ListClipper()
         clipper.begin(len(found))
         while clipper.step():
             for number in range(clipper.display_start, clipper.display_end):
-                one = self.table.happening(int(found[number]))
+                one = self.table.event(int(found[number]))
                 if _draw_row(workspace, one, number):
                     chosen = one
         imgui.end_table()
@@ -99,7 +109,7 @@ class EventsPanel(Panel):
             go_to(workspace, chosen)
 
 
-def _draw_row(workspace: Workspace, one: Happening, number: int) -> bool:
+def _draw_row(workspace: Workspace, one: LoggedEvent, number: int) -> bool:
     """True in the picture in which it is clicked."""
     imgui.table_next_row()
     here = one.step == workspace.session.timeline.step_count
@@ -109,10 +119,10 @@ def _draw_row(workspace: Workspace, one: Happening, number: int) -> bool:
     mark(f"events.row.{number}")
     imgui.table_set_column_index(1)
     colors = palette_of(workspace.theme)
-    strong = one.kind in ("hit", "joint_break", "freeze")
+    strong = one.kind in STRONG
     imgui.text_colored(imgui.ImVec4(*(colors.accent if strong else colors.faint), 1.0), TITLES[one.kind])
     imgui.table_set_column_index(2)
-    imgui.text_unformatted(one.joint or "  ·  ".join(one.bodies))
+    imgui.text_unformatted(one.joint or one.said or "  ·  ".join(one.bodies))
     for column, value in ((3, one.speed), (4, one.impulse)):
         imgui.table_set_column_index(column)
         if value:
@@ -120,7 +130,7 @@ def _draw_row(workspace: Workspace, one: Happening, number: int) -> bool:
     return bool(clicked)
 
 
-def go_to(workspace: Workspace, one: Happening) -> None:
+def go_to(workspace: Workspace, one: LoggedEvent) -> None:
     """Pause at its step, look at where it was, and select who it speaks of."""
     session = workspace.session
     session.clock.paused = True
