@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import functools
 import os
+import threading
 from collections.abc import Callable, Mapping
 from typing import Any, TypeVar, cast
 
@@ -72,6 +73,8 @@ class EntryPoint(Kernel):
     def __init__(self, function: Callable[..., Any]) -> None:
         super().__init__(function)
         self._versions: dict[tuple[Any, ...], Version] = {}
+        self._making = threading.RLock()
+        """Held while machine code is looked for: two threads that made the same would drop what one of them runs."""
 
     def __call__(self, *arguments: Any) -> Any:
         version = self.version(arguments)
@@ -82,17 +85,22 @@ class EntryPoint(Kernel):
         """The machine code for arguments of these types: from memory, from disk or made now, which takes seconds."""
         kinds = tuple(map(_kind, arguments))
         if kinds not in self._versions:
-            file = kept_file(cast(Any, self.py_func), kinds)
-            found = read_kept(file)
-            if found is None or not is_usable(*found):
-                from sandbox._linking import machine_code
-
-                with compiling(self, arguments):
-                    found = machine_code(self.dispatcher, arguments)
-                    write_kept(file, *found)
-            returns, code = found
-            self._versions[kinds] = Version(code, returns)
+            with self._making:
+                if kinds not in self._versions:
+                    self._versions[kinds] = self._made(kinds, arguments)
         return self._versions[kinds]
+
+    def _made(self, kinds: tuple[Any, ...], arguments: tuple[Any, ...]) -> Version:
+        file = kept_file(cast(Any, self.py_func), kinds)
+        found = read_kept(file)
+        if found is None or not is_usable(*found):
+            from sandbox._linking import machine_code
+
+            with compiling(self, arguments):
+                found = machine_code(self.dispatcher, arguments)
+                write_kept(file, *found)
+        returns, code = found
+        return Version(code, returns)
 
 
 class Door:

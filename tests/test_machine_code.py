@@ -156,3 +156,29 @@ def test_a_table_of_one_row_is_of_the_same_kind_as_others() -> None:
     fresh = entry_point(interpreted(last_of))
     assert [fresh(np.full((rows, 2), rows)) for rows in (1, 2)] == [1, 2]  # by rows and by columns; by rows
     assert len(fresh._versions) == 1  # type: ignore[attr-defined]
+
+
+THREADS = """
+import threading, sandbox
+scene = sandbox.Scene(bodies=[{"id": "a", "shapes": [{"circle": 1}]}, {"id": "b", "shapes": [{"circle": 1}]}])
+worlds = [sandbox.World(scene) for _ in range(8)]
+start = threading.Barrier(len(worlds))
+
+def run(world):
+    start.wait()
+    world.step(50)
+
+threads = [threading.Thread(target=run, args=(world,)) for world in worlds]
+for thread in threads:
+    thread.start()
+for thread in threads:
+    thread.join()
+print(*{world.digest() for world in worlds})
+"""
+
+
+def test_threads_of_a_fresh_process_may_step_their_worlds_at_once() -> None:
+    for _ in range(3):
+        done = subprocess.run([sys.executable, "-c", THREADS], capture_output=True, text=True)
+        assert (done.returncode, done.stderr) == (0, "")
+        assert len(done.stdout.split()) == 1

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from pathlib import Path
 
@@ -13,6 +14,7 @@ from sandbox.window.card_grid import Row, card_rows, move
 from sandbox.window.gallery_card import ABOUT_HEIGHT, PICTURE_SHARE, Card, draw_card
 from sandbox.window.gui_style import apply_style, palette_of
 from sandbox.window.overlay import Overlay, shorten
+from sandbox.window.path_search import is_path, path_entries
 from sandbox.window.scene_index import Entry, found_by
 from sandbox.window.screen import Canvas, Screen
 from sandbox.window.thumbnails import Thumbnails
@@ -79,6 +81,10 @@ class Gallery:
         if self._chosen is None:
             return self
         chosen, self._chosen, self.message = self._chosen, None, ""
+        if chosen.is_dir():
+            self._look_for(f"{chosen}{os.sep}")
+            self._focused = False
+            return self
         return self._open(chosen)
 
     def say(self, message: str) -> None:
@@ -103,7 +109,7 @@ class Gallery:
         overlay = Overlay(canvas.gui)
         colors = palette_of(canvas.theme)
         overlay.text(left, 26.0, "sandbox", colors.text, size=32.0, bold=True)
-        hint = "type to search  ·  arrows and Enter, or click  ·  Esc leaves"
+        hint = "type words, or a path from / ~ or .  ·  arrows and Enter, or click  ·  Esc leaves"
         count = len(self._entries)
         shown = self.message or f"{count} scene{'' if count == 1 else 's'}"
         room = wide - overlay.width(hint) - 30.0
@@ -114,11 +120,12 @@ class Gallery:
         self._draw_cards(canvas, left, wide, height)
 
     def _look_for(self, words: str) -> None:
-        """Show what has all of these words."""
+        """Show what has all of these words, or what lies at the path that they are."""
         if words != self.search or self._entries is not self._all:
             self._selected = 0
         self.search = words
-        self._entries = [entry for entry in self._all if found_by(entry, words)]
+        known = [entry for entry in self._all if found_by(entry, words)]
+        self._entries = path_entries(words) if is_path(words) else known
 
     def _draw_search(self, left: float, width: float) -> None:
         imgui.set_next_window_pos(imgui.ImVec2(left, 26.0))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 from sandbox.replay.recording.limits import SUFFIX
@@ -32,13 +32,14 @@ def scene_entries(state: Path | None = None, folder: Path | None = None) -> list
 
     `state` is the folder that keeps what was opened lately. The shipped scenes for beginners come first.
     """
-    shipped = [_entry(path, scenes_dir()) for path in shipped_scenes()]
+    root = scenes_dir()
+    shipped = [entry_of(path, path.parent.name if path.parent != root else "") for path in shipped_scenes()]
     shipped = sorted(shipped, key=lambda entry: entry.theme != _BEGINNERS)
     recent = recent_files(state) if state is not None else []
     own = _own_files(folder) if folder is not None else []
     return [
-        *(replace(_entry(path, path.parent), theme=RECENT) for path in recent),
-        *(replace(_entry(path, path.parent), theme=OWN) for path in own),
+        *(entry_of(path, RECENT) for path in recent),
+        *(entry_of(path, OWN) for path in own),
         *shipped,
     ]
 
@@ -61,10 +62,9 @@ def _own_files(folder: Path) -> list[Path]:
     return found[:MOST_OWN]
 
 
-def _entry(path: Path, root: Path) -> Entry:
+def entry_of(path: Path, theme: str) -> Entry:
     """Title and about alone are read: whether the scene is right shows when it is opened."""
     name = path.name.removesuffix(SCENE_SUFFIX)
-    theme = path.parent.name if path.parent != root else ""
     try:
         if path.name.endswith(SUFFIX) or path.stat().st_size > LARGEST:
             return Entry(path, name, "", theme)

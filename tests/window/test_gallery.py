@@ -13,6 +13,7 @@ import pytest
 from PIL import Image
 
 from sandbox.render.thumbnail import thumbnail
+from sandbox.window.path_search import is_path, path_entries
 from sandbox.window.recent import note_recent, recent_files
 from sandbox.window.scene_index import OWN, RECENT, Entry, found_by, scene_entries
 from tests.window.test_session import SCENE
@@ -54,6 +55,20 @@ def test_words_find_whatever_has_them_all() -> None:
     assert not any(found_by(entry, words) for words in ("bridges", "joint pyramid"))
 
 
+def test_a_path_finds_folders_scenes_and_recordings(tmp_path: Path) -> None:
+    (tmp_path / "deep").mkdir()
+    (tmp_path / ".hidden").mkdir()
+    for name in ("deep/a.scene.json", "drop.scene.json", "drop.replay.json", "other.json"):
+        (tmp_path / name).write_text("{}")
+    assert all(map(is_path, (str(tmp_path), "~/x", "./x")))
+    assert not is_path("bridge")
+    assert [entry.title for entry in path_entries(f"{tmp_path}{os.sep}")] == [
+        f"deep{os.sep}", "drop.replay.json", "drop",
+    ]  # fmt: skip
+    assert [entry.path for entry in path_entries(str(tmp_path / "DE"))] == [tmp_path / "deep"]
+    assert path_entries(str(tmp_path / "nowhere" / "x")) == []
+
+
 def test_a_thumbnail_shows_the_scene_in_motion() -> None:
     picture = thumbnail(SCENE, (304, 171))
     assert picture.size == (304, 171)
@@ -80,6 +95,14 @@ def test_what_is_typed_filters_and_enter_opens(display: Any, tmp_path: Path) -> 
     # One card, at the left; where a second one would be there is nothing.
     assert shown[200:320, 40:240].std(axis=(0, 1)).max() > 5.0
     assert shown[200:320, 300:900].std(axis=(0, 1)).max() < 0.5
+
+
+def test_a_scene_is_opened_by_its_path_folder_by_folder(display: Any, tmp_path: Path) -> None:
+    (tmp_path / "deep").mkdir()
+    SCENE.save(tmp_path / "deep" / "inner.scene.json")
+    done = gallery(tmp_path, "type ./dee\nkey Enter\nwait 3\ntype inn\nwait 2\nkey Enter\nwait 5\nkey S\nquit\n")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert (tmp_path / "inner.replay.json").is_file()
 
 
 def test_a_file_that_is_gone_leads_back_with_a_message(display: Any, tmp_path: Path) -> None:
