@@ -52,6 +52,7 @@ class Gallery:
         self._leaving = False
         self._scroll_to_selected = False
         self._focused = False
+        self._field = 0
         self._rows: list[Row] = []
         self._thumbnails: Thumbnails | None = None
 
@@ -63,15 +64,14 @@ class Gallery:
             return
         if event.key == pygame.K_ESCAPE:
             self._leaving = not self.search
-            self._look_for("")
+            self._write_search("")
         elif event.key in (pygame.K_RETURN, pygame.K_KP_ENTER) and self._entries:
             self._chosen = self._entries[self._selected].path
         elif event.key in _MOVES and self._rows:
             self._selected = move(self._rows, self._selected, *_MOVES[event.key])
             self._scroll_to_selected = True
         elif not taken[1] and event.unicode.isprintable():
-            self._look_for(self.search + event.unicode)
-            self._focused = False
+            self._write_search(self.search + event.unicode)
 
     def update(self, elapsed: float) -> Screen | None:
         """Go where the user wants to."""
@@ -82,8 +82,7 @@ class Gallery:
             return self
         chosen, self._chosen, self.message = self._chosen, None, ""
         if chosen.is_dir():
-            self._look_for(f"{chosen}{os.sep}")
-            self._focused = False
+            self._write_search(f"{chosen}{os.sep}")
             return self
         return self._open(chosen)
 
@@ -127,6 +126,11 @@ class Gallery:
         known = [entry for entry in self._all if found_by(entry, words)]
         self._entries = path_entries(words) if is_path(words) else known
 
+    def _write_search(self, words: str) -> None:
+        """As if they had been typed. ImGui's field keeps its own text while it is in use: another takes its place."""
+        self._look_for(words)
+        self._field, self._focused = self._field + 1, False
+
     def _draw_search(self, left: float, width: float) -> None:
         imgui.set_next_window_pos(imgui.ImVec2(left, 26.0))
         imgui.set_next_window_size(imgui.ImVec2(width, 44.0))
@@ -135,7 +139,9 @@ class Gallery:
         if not self._focused:
             imgui.set_keyboard_focus_here()
             self._focused = True
+        imgui.push_id(self._field)
         words = text("gallery.search", "", self.search, f"{icons.ICON_FA_MAGNIFYING_GLASS}  title, theme or file")
+        imgui.pop_id()
         if words != self.search:
             self._look_for(words)
         imgui.end()
