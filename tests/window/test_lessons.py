@@ -60,7 +60,7 @@ def test_a_button_of_a_lesson_opens_its_scene_and_shows_the_test(
     canvas: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(LessonsPanel, "bookmark", Bookmark())
-    script = "key Space\nkey F6\nwait 2\n" + "click lessons.next\n" * 14 + "click lessons.show.0\nwait 12\n"
+    script = "key Space\nkey U\nwait 2\n" + "click lessons.next\n" * 14 + "click lessons.show.0\nwait 12\n"
     app = run(canvas, tmp_path, "pyramid-10", script, first="")
     assert app.screen.session.stem == "test-two"
     assert app.screen.workspace.selection.pair == ("square", "triangle")

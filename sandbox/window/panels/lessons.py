@@ -37,7 +37,7 @@ class LessonsPanel(Panel):
     title = "Lessons"
     icon = icons.ICON_FA_GRADUATION_CAP
     help = "The lessons on the separating-axis test and on contact solvers, with their scenes at hand."
-    key = "F6"
+    key = "U"
     side = "bottom"
 
     bookmark: ClassVar[Bookmark] = Bookmark()
