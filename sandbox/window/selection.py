@@ -15,6 +15,8 @@ class Selection:
     joint: str | None = None
     region: str | None = None
     pair: tuple[str, str] | None = None
+    figure: tuple[str, int | None] | None = None
+    """What of the pair's test is to be shown next: a figure of `sandbox sat`, and an axis. The inspector takes it."""
 
     def pick(self, name: str | None, more: bool = False) -> None:
         """Select a body alone, or with `more` add it to those selected, or take it out if it is one."""

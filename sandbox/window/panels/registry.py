@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from sandbox.window.panels.events.panel import EventsPanel
 from sandbox.window.panels.inspector.panel import InspectorPanel
+from sandbox.window.panels.lessons import LessonsPanel
 from sandbox.window.panels.overlays import OverlaysPanel
 from sandbox.window.panels.panel import Panel
 from sandbox.window.panels.plots.panel import PlotsPanel
@@ -19,6 +20,7 @@ PANELS: tuple[type[Panel], ...] = (
     EventsPanel,
     PlotsPanel,
     ProfilePanel,
+    LessonsPanel,
 )
 
 

@@ -22,7 +22,7 @@ from sandbox.window.sat.regression import save_regression
 from sandbox.window.sat.scene_handle import draw_handle
 from sandbox.window.sat.shape_drawing import edge_near
 from sandbox.window.sat.table_view import TableView
-from sandbox.window.sat.tour import Step, tour_of
+from sandbox.window.sat.tour import Kind, Step, tour_of
 from sandbox.window.sat.tour_view import draw_tour
 from sandbox.window.sat.verdict_view import draw_verdict
 from sandbox.window.widgets import button, section
@@ -30,6 +30,9 @@ from sandbox.window.workspace import Workspace
 
 EDGE_PIXELS = 7.0
 """How near the pointer must be to an edge in the scene to point at it."""
+
+FIGURES: dict[str, Kind] = {"edges": "axes", "perpendiculars": "axes", "mtv": "orientation", "clipping": "cut"}
+"""Steps of the tour that show what figures of `sandbox sat` show."""
 
 
 class SatPanel(Panel):
@@ -69,6 +72,7 @@ class SatPanel(Panel):
         self._pairs.draw(workspace, seen)
         if seen is None:
             return
+        self._take_figure(workspace, seen)
         palette, colors = palette_of(workspace.theme), sat_colors(workspace.theme)
         draw_verdict(seen, palette, colors)
         if section("Step by step"):
@@ -106,6 +110,16 @@ class SatPanel(Panel):
             drawing.rail(axis_at(self.focus.free))
         if self.focus.free is not None:
             draw_handle(workspace, drawing, self.focus)
+
+    def _take_figure(self, workspace: Workspace, seen: Inspection) -> None:
+        """Show what somebody else has asked for: an axis, or a step of the tour."""
+        if workspace.selection.figure is None:
+            return
+        (figure, axis), workspace.selection.figure = workspace.selection.figure, None
+        kinds = [step.kind for step in self.steps(seen)]
+        wanted = FIGURES.get(figure)
+        self.focus.free, self.focus.chosen = None, axis
+        self.focus.step = kinds.index(wanted) if wanted in kinds else None
 
     def _step(self, seen: Inspection) -> Step | None:
         """The step that is told, if one is."""

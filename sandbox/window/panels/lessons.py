@@ -1,0 +1,111 @@
+"""The lessons inside the window: their words section by section, and buttons that show what they speak of."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import ClassVar
+
+from imgui_bundle import icons_fontawesome_6 as icons
+from imgui_bundle import imgui
+
+from sandbox.resources import find_scene, scene_name, scenes_dir
+from sandbox.window.lessons.lesson import LESSONS, Section, Showing, lesson
+from sandbox.window.lessons.words import draw_words
+from sandbox.window.panels.panel import Panel
+from sandbox.window.sat.measure import scaled
+from sandbox.window.widgets import button, choice
+from sandbox.window.workspace import Wish, Workspace
+
+WIDE = 620.0
+"""Pixels from which all that chooses stands in one line."""
+
+
+@dataclass
+class Bookmark:
+    """Where the reader is, and what is to be shown once its scene is open. Kept while the program runs."""
+
+    lesson: str = LESSONS[0]
+    section: int = 0
+    wanted: Showing | None = None
+
+
+class LessonsPanel(Panel):
+    """The lessons on the separating-axis test and on contact solvers."""
+
+    name = "lessons"
+    title = "Lessons"
+    icon = icons.ICON_FA_GRADUATION_CAP
+    help = "The lessons on the separating-axis test and on contact solvers, with their scenes at hand."
+    key = "U"
+    side = "bottom"
+
+    bookmark: ClassVar[Bookmark] = Bookmark()
+
+    def draw(self, workspace: Workspace) -> None:
+        """Which lesson, which section, what can be shown, and the words."""
+        self._show_wanted(workspace)
+        place = self.bookmark
+        try:
+            titles = [lesson(name)[0].title for name in LESSONS]
+            sections = lesson(place.lesson)
+        except OSError as error:
+            imgui.text_wrapped(f"The lessons cannot be read: {error}")
+            return
+        wide = imgui.get_content_region_avail().x >= scaled(WIDE)
+        imgui.set_next_item_width(scaled(250.0) if wide else -1.0)
+        chosen = choice("lessons.which", "", titles[LESSONS.index(place.lesson)], titles, "Which lesson.")
+        if chosen != titles[LESSONS.index(place.lesson)]:
+            place.lesson, place.section = LESSONS[titles.index(chosen)], 0
+            sections = lesson(place.lesson)
+        if wide:
+            imgui.same_line()
+        place.section = min(place.section, len(sections) - 1)
+        self._draw_steps(sections, wide)
+        section = sections[place.section]
+        for number, showing in enumerate(section.showings):
+            self._draw_showing(workspace, showing, number)
+            if wide:
+                imgui.same_line()
+        if wide and section.showings:
+            imgui.new_line()
+        draw_words(section, f"{place.lesson} {place.section}", workspace)
+
+    def _draw_steps(self, sections: tuple[Section, ...], wide: bool) -> None:
+        at, last = self.bookmark.section, len(sections) - 1
+        if button("lessons.back", icons.ICON_FA_ARROW_LEFT, "The section before", enabled=at > 0):
+            self.bookmark.section = at - 1
+        imgui.same_line()
+        if button("lessons.next", icons.ICON_FA_ARROW_RIGHT, "The next section", enabled=at < last):
+            self.bookmark.section = at + 1
+        imgui.same_line()
+        imgui.set_next_item_width(scaled(220.0) if wide else -1.0)
+        titles = [section.title for section in sections]
+        chosen = choice("lessons.section", "", titles[at], titles, "Which section.")
+        if chosen != titles[at]:
+            self.bookmark.section = titles.index(chosen)
+
+    def _draw_showing(self, workspace: Workspace, showing: Showing, number: int) -> None:
+        tip = "Opens the scene, and what the section speaks of in it."
+        if button(f"lessons.show.{number}", f"{icons.ICON_FA_PLAY}  {showing.label}", tip):
+            self.bookmark.wanted = showing
+            if _name(workspace) != showing.scene:
+                workspace.wish = Wish("open", find_scene(scenes_dir() / showing.scene))
+
+    def _show_wanted(self, workspace: Workspace) -> None:
+        """Once the scene is open: the pair, and what of its test."""
+        wanted = self.bookmark.wanted
+        if wanted is None or _name(workspace) != wanted.scene:
+            return
+        self.bookmark.wanted = None
+        names = workspace.session.world.names
+        if wanted.figure and len(names) > 1:
+            workspace.session.clock.paused = True
+            workspace.session.seek(0)  # the lesson's numbers are those of the start
+            workspace.selection.pair = wanted.bodies or (names[0], names[1])
+            workspace.selection.figure = (wanted.figure, wanted.axis)
+            workspace.panels.add("sat")
+
+
+def _name(workspace: Workspace) -> str:
+    return scene_name(Path(workspace.session.scene.source))
