@@ -8,19 +8,14 @@ from typing import Any
 import numpy as np
 
 from sandbox.engine.events.events import KINDS, Events
-from sandbox.engine.events.happening import HAPPENINGS, Happening
+from sandbox.engine.events.happening import HAPPENINGS
 from sandbox.replay.timeline import Timeline
 from sandbox.tables import Integers
 from sandbox.window.history import Branches
+from sandbox.window.panels.events.rows import NOBODY, ROW, rows_of, sorts_of, told_by_rules
 
 MOST_ROWS = 50_000
 """When there are more, the older half of them is forgotten."""
-NOBODY = -1
-STEP_KINDS = tuple(kind for kind in KINDS if kind not in HAPPENINGS)
-_ROW = np.dtype(
-    [("step", "i8"), ("kind", "i8"), ("a", "i8"), ("b", "i8"), ("x", "f8"), ("y", "f8"), ("speed", "f8"),
-     ("impulse", "f8")]
-)  # fmt: skip
 
 
 Book = tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]
@@ -61,7 +56,7 @@ class EventTable:
     """Rows of events, and the ids of who they speak of, by step."""
 
     def __init__(self) -> None:
-        self._rows: Any = np.zeros(1024, _ROW)
+        self._rows: Any = np.zeros(1024, ROW)
         self._count = 0
         self._names: dict[int, Book] = {}
         self._last: Book = (), (), ()
@@ -88,12 +83,12 @@ class EventTable:
         if events.step in self._noted:
             return
         self._noted.add(events.step)
-        fresh = np.concatenate([*(_rows(events, kind) for kind in STEP_KINDS), _rows_of_rules(events)])
+        fresh = rows_of(events)
         if not len(fresh):
             return
         self._names[events.step] = self._book(events)
         if self._count + len(fresh) > len(self._rows):
-            self._rows = np.concatenate([self._rows, np.zeros(max(len(self._rows), len(fresh)), _ROW)])
+            self._rows = np.concatenate([self._rows, np.zeros(max(len(self._rows), len(fresh)), ROW)])
         self._rows[self._count : self._count + len(fresh)] = fresh
         self._count += len(fresh)
         self._found = None
@@ -102,7 +97,7 @@ class EventTable:
 
     def _book(self, events: Events) -> Book:
         """The ids that a step's events speak of: the same object as before while they are the same."""
-        said = tuple(_words(happening) for happening in events.happenings)
+        said = told_by_rules(events)
         if (self._last[0] is not events.names) or (self._last[1] is not events.joint_names) or self._last[2] != said:
             self._last = events.names, events.joint_names, said
         return self._last
@@ -152,7 +147,7 @@ class EventTable:
         """Which of the rows, that speak of the ids in `book`, hold a word."""
         held = np.array([word in kind for kind in KINDS])[rows["kind"]]
         bodies, joints, said = (self._having(names, word) for names in book)
-        of_body, of_joint, of_rule = _sorts(rows["kind"])
+        of_body, of_joint, of_rule = sorts_of(rows["kind"])
         for has, mine in ((bodies, of_body), (joints, of_joint), (said, of_rule)):
             held |= has[np.where(mine, rows["a"], NOBODY)]
         return held | bodies[rows["b"]]
@@ -177,41 +172,3 @@ class EventTable:
         newer[order[-(MOST_ROWS // 2) :]] = True
         self._keep(newer)
         self.forgotten = True
-
-
-def _sorts(kinds: Any) -> tuple[Any, Any, Any]:
-    """Which rows speak of bodies, which of a joint, and which tell what a rule did."""
-    of_joint, of_rule = kinds == KINDS.index("joint_break"), kinds >= len(STEP_KINDS)
-    return ~(of_joint | of_rule), of_joint, of_rule
-
-
-def _words(happening: Happening) -> str:
-    """What a rule or control did: figures and ids by name."""
-    return "  ".join(f"{name} {value}" for name, value in happening.plain().items())
-
-
-def _rows_of_rules(events: Events) -> Any:
-    """What rules and controls did, as rows of the table that number what was told."""
-    rows = np.zeros(len(events.happenings), _ROW)
-    rows["step"], rows["a"], rows["b"] = events.step, np.arange(len(rows)), NOBODY
-    rows["kind"] = [KINDS.index(happening.event) for happening in events.happenings]
-    rows["x"] = rows["y"] = np.nan
-    return rows
-
-
-def _rows(events: Events, kind: str) -> Any:
-    """The events of one kind as rows of the table."""
-    found: Any = getattr(events, kind)
-    rows = np.zeros(len(found), _ROW)
-    rows["step"], rows["kind"], rows["b"] = events.step, KINDS.index(kind), NOBODY
-    rows["x"] = rows["y"] = np.nan
-    names = found.dtype.names
-    if names is None:
-        rows["a"] = found
-    elif "sensor" in names:
-        rows["a"], rows["b"] = found["sensor_body"], found["body"]
-    else:
-        for column, source in (("a", "body_a"), ("b", "body_b"), ("x", "x"), ("y", "y")):
-            rows[column] = found[source]
-        rows["speed"], rows["impulse"] = found["speed"], found["impulse"]
-    return rows

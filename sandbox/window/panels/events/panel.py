@@ -10,7 +10,8 @@ from imgui_bundle import imgui
 
 from sandbox.engine.events.events import KINDS
 from sandbox.window.gui_style import palette_of
-from sandbox.window.panels.events.log import STEP_KINDS, EventTable, Filter, LoggedEvent
+from sandbox.window.panels.events.log import EventTable, Filter, LoggedEvent
+from sandbox.window.panels.events.rows import STEP_KINDS
 from sandbox.window.panels.panel import Panel
 from sandbox.window.widgets import button, mark, text, wrapped
 from sandbox.window.workspace import Workspace

@@ -63,7 +63,9 @@ def value_range(lines: list[Floats]) -> tuple[float, float]:
     if not len(values):
         return 0.0, 1.0
     low, high = float(values.min()), float(values.max())
-    size = max(high - low, 1e-6 * max(abs(low), abs(high)), 1e-9)
+    size = high - low
+    if size <= 1e-6 * max(abs(low), abs(high)):  # a level line: no noise blown up, no zooming into nothing
+        size = 0.1 * abs(high) or 1.0
     return low - 0.1 * size, high + 0.3 * size
 
 
