@@ -10,7 +10,10 @@ import typer
 from sandbox.cli.options import WORKERS
 from sandbox.resources import find_scene
 
-_SCENE = typer.Argument(show_default=False, help="A scene file, the name of a shipped scene, or a recording.")
+_SCENE = typer.Argument(
+    show_default=False,
+    help="A scene file, the name of a shipped scene, or a recording; of two recordings the second is what is expected.",
+)
 _SIZE = typer.Option(
     metavar="WxH", show_default=False, help="Size of the window in pixels; default 1280x800, or as it was left."
 )
@@ -21,7 +24,7 @@ _SCREENSHOT = typer.Option(show_default=False, help="Write the last picture to t
 
 
 def run(
-    scene: Annotated[Path | None, _SCENE] = None,
+    scene: Annotated[list[Path] | None, _SCENE] = None,
     size: Annotated[str | None, _SIZE] = None,
     step: Annotated[int, _STEP] = 0,
     frames: Annotated[int | None, _FRAMES] = None,
@@ -41,13 +44,30 @@ def run(
         writable_picture(screenshot, {".png"})
     from sandbox.scene.read import check_readable
 
-    path = find_scene(scene) if scene is not None else None
-    if path is not None:
+    paths = [find_scene(path) for path in scene or ()]
+    for path in paths:
         check_readable(path)  # before there is a window, which would close again at once
+    if len(paths) > 1:
+        _check_two_recordings(paths)
     from sandbox.window.requirements import check_packages
 
     check_packages()
     from sandbox.window.options import Options
     from sandbox.window.start import run_window
 
-    run_window(Options(path, pixels, step, frames, screenshot, workers, script))
+    first, other = (*paths, None, None)[:2]
+    run_window(Options(first, pixels, step, frames, screenshot, workers, script, other))
+
+
+def _check_two_recordings(paths: list[Path]) -> None:
+    from sandbox._printable import told
+    from sandbox.errors import SandboxError
+    from sandbox.replay.recording.limits import SUFFIX
+
+    if len(paths) > 2:
+        raise SandboxError(f"{len(paths)} files: give one, or two recordings of which the second is what is expected")
+    for path in paths:
+        if not path.name.endswith(SUFFIX):
+            raise SandboxError(
+                f"{told(path)} is no recording (*{SUFFIX}): two files are compared if both are recordings"
+            )

@@ -106,6 +106,11 @@ class Timeline(FixedAttributes):
         return self.step_count >= self._length and self._stepper.applied >= len(self._stepper.commands)
 
     @property
+    def tape(self) -> Tape:
+        """What was noted of the steps taken: look at it only."""
+        return self._tape
+
+    @property
     def run(self) -> Run:
         """All that is known, as data."""
         return Run(self.scene, self.length, tuple(self._stepper.commands))

@@ -11,6 +11,7 @@ from imgui_bundle import imgui
 from sandbox.errors import SandboxError
 from sandbox.render.camera import Vec
 from sandbox.render.theme import LIGHT
+from sandbox.window.compare import OWNER, begin_comparison, open_panel
 from sandbox.window.gallery import Gallery
 from sandbox.window.journal import Journal, Leftover, leftovers
 from sandbox.window.loader import Loader
@@ -171,7 +172,7 @@ class App:
     def _memorise(self, workspace: Workspace) -> None:
         """Note how the user likes it."""
         kept = self._remembered
-        kept.light, kept.panels = workspace.theme is LIGHT, sorted(workspace.panels)
+        kept.light, kept.panels = workspace.theme is LIGHT, sorted(workspace.panels - {OWNER})
         kept.text_scale, kept.less_motion = workspace.text_scale, workspace.less_motion
         self.canvas.theme = workspace.theme
 
@@ -179,7 +180,9 @@ class App:
         if self._folder is not None and path.is_file():
             note_recent(self._folder, path)
         start = self.options.start_step if path == self.options.scene else 0
-        return LoadingScreen(Loader(path, start, self.options.workers), self._play, self._failed)
+        other = self.options.other if path == self.options.scene else None
+        loader = Loader(path, start, self.options.workers, other=other)
+        return LoadingScreen(loader, self._play, self._failed)
 
     def _play(self, session: Session, leftover: Leftover | None = None) -> PlayScreen:
         title = session.scene.title or (self.options.scene or Path()).name
@@ -188,6 +191,9 @@ class App:
         shown = self.options.frames is None or self.options.script is not None
         screen = PlayScreen(session, self.canvas.display.size, self._lead, lockstep, shown)
         self._recall(screen.workspace)
+        if session.recording is not None and shown:
+            begin_comparison(screen.workspace, session.other, lockstep)
+            open_panel(screen.workspace)
         if self._folder is not None:
             screen.journal = Journal(self._folder)
             screen.journal.sync(session)

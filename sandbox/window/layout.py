@@ -7,6 +7,7 @@ from imgui_bundle import imgui
 from sandbox.render.camera import Size
 from sandbox.window.menu_bar import draw_menu_bar
 from sandbox.window.panels.panel import Panel
+from sandbox.window.scrubber import Scrubber
 from sandbox.window.time_bar import draw_time_bar
 from sandbox.window.tool_bar import draw_tool_bar, tool_bar_width
 from sandbox.window.tools.tool_box import ToolBox
@@ -37,6 +38,7 @@ class Layout:
         self._shown: set[str] = set()
         self._fresh: set[str] = set()
         self._settling = 0
+        self._scrubber = Scrubber()
 
     def draw(self, workspace: Workspace, size: Size) -> Rect:
         """One picture of it in a window of `size` pixels."""
@@ -50,7 +52,7 @@ class Layout:
         draw_tool_bar(self.tool_box, bottom - top)
         imgui.end()
         _fixed("##time", 0.0, bottom, float(size[0]), bar)
-        draw_time_bar(workspace, self.tool_box.tool.hint(workspace))
+        draw_time_bar(workspace, self._scrubber, self.tool_box.tool.hint(workspace))
         imgui.end()
         rect = self._dock((left, top, size[0] - left, bottom - top))
         for panel in self.panels.values():

@@ -12,15 +12,24 @@ from sandbox.window.session import Session
 
 if TYPE_CHECKING:
     from sandbox.replay.recording.command_words import TimedCommand
+    from sandbox.replay.recording.recording import Recording
     from sandbox.scene import Scene
 
 
 class Loader:
     """Loads a scene file or a recording and warms up the engine; look at `done`, then take `result`."""
 
-    def __init__(self, path: Path, start_step: int = 0, workers: int = 1, leftover: Leftover | None = None) -> None:
-        """With `leftover`, what is in it is loaded, and not the file at `path`."""
+    def __init__(
+        self,
+        path: Path,
+        start_step: int = 0,
+        workers: int = 1,
+        leftover: Leftover | None = None,
+        other: Path | None = None,
+    ) -> None:
+        """With `leftover`, what is in it is loaded, and not the file at `path`; `other` is a recording beside it."""
         self.path = path
+        self._other = other
         self._leftover = leftover
         self.start_step = start_step
         self.workers = workers
@@ -52,27 +61,36 @@ class Loader:
 
     def _load(self) -> Session:
         from sandbox.engine.world import World
+        from sandbox.replay.recording.recording import Recording
 
-        scene, script, length = self._read()
+        recording = self._recording()
+        scene, script, length = self._read(recording)
         self.message = "Preparing the engine"
         # The first step of a process compiles or loads kernels. It is taken here in a world of its own, so
         # that the first step a person sees does not wait.
         World(scene, self.workers).step()
         session = Session(scene, script, length, self.workers)
+        session.recording = recording
+        session.other = Recording.load(self._other) if self._other is not None else None
         if self.start_step:
             self.message = f"Simulating the first {self.start_step:,} steps"
             session.skip(self.start_step)
         return session
 
-    def _read(self) -> tuple[Scene, tuple[TimedCommand, ...], int]:
-        """A scene, what a recording did to it, and in how many steps."""
-        if self._leftover is not None:
-            return self._leftover.scene, self._leftover.commands, self._leftover.steps
+    def _recording(self) -> Recording | None:
+        """What the file is, if it is a recording."""
         from sandbox.replay.recording.limits import SUFFIX
         from sandbox.replay.recording.recording import Recording
+
+        plays = self._leftover is None and self.path.name.endswith(SUFFIX)
+        return Recording.load(self.path) if plays else None
+
+    def _read(self, recording: Recording | None) -> tuple[Scene, tuple[TimedCommand, ...], int]:
+        """A scene, what a recording did to it, and in how many steps."""
         from sandbox.scene import load_scene
 
-        if not self.path.name.endswith(SUFFIX):
+        if self._leftover is not None:
+            return self._leftover.scene, self._leftover.commands, self._leftover.steps
+        if recording is None:
             return load_scene(self.path), (), 0
-        recording = Recording.load(self.path)
         return recording.load_scene(), recording.commands, recording.steps

@@ -22,3 +22,5 @@ class Options:
     screenshot: Path | None = None
     workers: int = 1
     script: Path | None = None
+    other: Path | None = None
+    """A recording that says what is expected of the one that is played."""

@@ -17,6 +17,7 @@ from sandbox.render.overlays.look import Look
 from sandbox.render.overlays.registry import OVERLAYS, draw_overlays
 from sandbox.window import hud
 from sandbox.window.actions.registry import BY_NAME, action_of, released
+from sandbox.window.compare import end_comparison, follow_comparison, ghost_over
 from sandbox.window.controls.player import Player
 from sandbox.window.gui_style import apply_style
 from sandbox.window.help import draw_help
@@ -74,7 +75,7 @@ class PlayScreen:
             self.tool_box.choose("play")
         self.mouse = Mouse(self.workspace, self.tool_box)
         self._layout = Layout(self.panels, self.tool_box)
-        self._reloader = Reloader(Path(session.scene.source)) if session.scene.text is not None else None
+        self._reloader = Reloader(session) if session.scene.text is not None else None
         self._body_colors = body_colors_of(session.world.state)
         self._lead = lead
         self._since_picture = 0.0
@@ -99,6 +100,7 @@ class PlayScreen:
 
     def close(self) -> None:
         """The session ends as it should."""
+        end_comparison(self.workspace)
         if self.journal is not None:
             self.journal.close()
 
@@ -166,6 +168,7 @@ class PlayScreen:
         if session.trouble:
             workspace.say(f"{session.trouble}; the recording's other commands are left out")
             session.trouble = ""
+        follow_comparison(workspace)
         if self.journal is not None:
             self.journal.sync(session)
         return self
@@ -199,7 +202,7 @@ class PlayScreen:
         theme, world = workspace.theme, self.session.world
         lit = highlight(frame, self.camera, workspace.selection.bodies, theme.drag)
         shown = [OVERLAYS[name] for name in workspace.overlays]
-        return *draw_overlays(shown, Look(world, frame, self.camera, theme)), lit
+        return *draw_overlays(shown, Look(world, frame, self.camera, theme)), ghost_over(workspace, frame), lit
 
     def _reread(self, elapsed: float) -> Session | None:
         """The session of the file as it is now, if it has changed on disk."""

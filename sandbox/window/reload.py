@@ -15,12 +15,16 @@ LOOK_SECONDS = 0.5
 class Reloader:
     """Watches the file of a session: `poll` gives the new session, `problem` says what is wrong with the file."""
 
-    def __init__(self, path: Path, workers: int = 1) -> None:
-        self.path = path
+    def __init__(self, session: Session, workers: int = 1) -> None:
+        """Of a recording the file of its scene is watched; it is then played with the scene as it is now."""
+        self.path = Path(session.scene.source)
+        recording, other = session.recording, session.other
+        self._read_from = (recording.source if recording is not None else None) or self.path
+        self._other = other.source if other is not None else None
         self.problem = ""
         """Why the file as it stands cannot be used; empty if it can."""
         self._workers = workers
-        self._stamp = _stamp(path)
+        self._stamp = _stamp(self.path)
         self._since = 0.0
         self._loader: Loader | None = None
 
@@ -45,7 +49,7 @@ class Reloader:
     def read(self) -> None:
         """Read it now, whether it has changed or not."""
         if self._loader is None:
-            self._loader = Loader(self.path, workers=self._workers)
+            self._loader = Loader(self._read_from, workers=self._workers, other=self._other)
 
     def _take(self) -> Session | None:
         assert self._loader is not None

@@ -19,6 +19,7 @@ from sandbox.window.clock import StepClock
 
 if TYPE_CHECKING:
     from sandbox.replay.recording.command_words import TimedCommand
+    from sandbox.replay.recording.recording import Recording
     from sandbox.scene import Scene
 
 MOST_STEPS = 8
@@ -36,6 +37,10 @@ class Session:
         self.scene = scene
         self.timeline = Timeline(scene, script, length, workers)
         self._script = tuple(script)
+        self.recording: Recording | None = None
+        """What it plays, if it plays a recording."""
+        self.other: Recording | None = None
+        """Another one, which says what is expected."""
         self.trouble = ""
         """What went wrong last, for the user."""
         self.clock = StepClock(float(self.world.state.settings[0].step_seconds))

@@ -6,10 +6,9 @@ from imgui_bundle import icons_fontawesome_6 as icons
 from imgui_bundle import imgui
 
 from sandbox.window.actions.registry import BY_NAME
-from sandbox.window.gui_style import palette_of
 from sandbox.window.hud import speed_text
-from sandbox.window.overlay import packed_color
-from sandbox.window.widgets import button, mark
+from sandbox.window.scrubber import Scrubber
+from sandbox.window.widgets import button
 from sandbox.window.workspace import Workspace
 
 BUTTONS = (
@@ -18,12 +17,11 @@ BUTTONS = (
     ("slower", icons.ICON_FA_MINUS), ("faster", icons.ICON_FA_PLUS), ("undo", icons.ICON_FA_ARROW_ROTATE_LEFT),
     ("redo", icons.ICON_FA_ARROW_ROTATE_RIGHT),
 )  # fmt: skip
-TRACK_HEIGHT = 18.0
 
 
-def draw_time_bar(workspace: Workspace, hint: str) -> None:
+def draw_time_bar(workspace: Workspace, scrubber: Scrubber, hint: str) -> None:
     """The scrubber above; the buttons, figures and `hint`, what the tool in hand does, below."""
-    _draw_scrubber(workspace)
+    scrubber.draw(workspace)
     clock, timeline = workspace.session.clock, workspace.session.timeline
     for name, icon in BUTTONS:
         action = BY_NAME[name]
@@ -51,32 +49,3 @@ def _draw_hint(hint: str) -> None:
     if room > 60.0:
         imgui.set_cursor_pos_x(left + max(room - width, 0.0))
         imgui.text_disabled(hint)
-
-
-def _draw_scrubber(workspace: Workspace) -> None:
-    """A track from step 0 to the last one known, with a tick for each act."""
-    timeline, colors = workspace.session.timeline, palette_of(workspace.theme)
-    corner, width = imgui.get_cursor_screen_pos(), max(imgui.get_content_region_avail().x, 1.0)
-    imgui.invisible_button("scrubber", imgui.ImVec2(width, TRACK_HEIGHT))
-    length = max(timeline.length, 1)
-    if imgui.is_item_active():
-        share = (imgui.get_io().mouse_pos.x - corner.x) / width
-        workspace.session.clock.paused = True
-        wanted = round(min(max(share, 0.0), 1.0) * timeline.length)
-        if wanted != timeline.step_count:
-            workspace.session.seek(wanted)
-    mark("time.scrubber", "Drag to any moment. What you do there begins another future; undo brings this one back.")
-    pen, y = imgui.get_window_draw_list(), corner.y + TRACK_HEIGHT / 2
-
-    def rect(left: float, right: float, half: float, color: tuple[float, float, float]) -> None:
-        low, high = imgui.ImVec2(corner.x + left, y - half), imgui.ImVec2(corner.x + right, y + half)
-        pen.add_rect_filled(low, high, packed_color(color, 1.0), half)
-
-    here = width * timeline.step_count / length
-    rect(0.0, width, 2.5, colors.raised)
-    rect(0.0, here, 2.5, colors.accent)
-    for step in timeline.act_steps[-2000:]:
-        x = corner.x + width * step / length
-        color = packed_color(colors.second, 0.9)
-        pen.add_line(imgui.ImVec2(x, y - 7.0), imgui.ImVec2(x, y + 7.0), color, 1.5)
-    pen.add_circle_filled(imgui.ImVec2(corner.x + here, y), 7.0, packed_color(colors.accent, 1.0), 24)

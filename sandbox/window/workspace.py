@@ -11,8 +11,10 @@ from sandbox.errors import SandboxError
 from sandbox.render.camera import Vec
 from sandbox.render.frame import Frame
 from sandbox.render.theme import DARK, Theme
+from sandbox.window.comparer import Comparer
 from sandbox.window.selection import Selection
 from sandbox.window.session import Session
+from sandbox.window.time_marks import TimeMarks
 from sandbox.window.viewport import Viewport
 from sandbox.world.export.copies import Entries
 
@@ -68,6 +70,10 @@ class Workspace:
     """Whether the file is to be read again now."""
     keep_time: bool = False
     """Whether a scene that is read again goes on from the step at which the one before it stood."""
+    comparer: Comparer | None = None
+    """Holds the session against a recording."""
+    time_marks: TimeMarks = field(default_factory=TimeMarks)
+    """What stands on the scrubber, and the range chosen there."""
     shots: list[Path] = field(default_factory=list)
     """Pictures of the window that are asked for."""
     fps: float = 0.0

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from sandbox.engine.world import World
 from sandbox.errors import Problem, RecordingError
 from sandbox.replay.recording.checkpoint import EVERY, Checkpoint, checkpoint
@@ -19,6 +21,15 @@ class Tape:
 
     def __len__(self) -> int:
         return len(self._digests)
+
+    @property
+    def checkpoints(self) -> Sequence[Checkpoint]:
+        """The figures noted up to now, in the order of their steps."""
+        return self._checkpoints
+
+    def digest(self, step: int) -> str | None:
+        """The fingerprint after a step; None if it was not noted."""
+        return self._digests[step - 1] if 0 < step <= len(self._digests) else None
 
     def note(self, world: World) -> None:
         """Note the step that `world` has just taken, unless it is one that was noted before."""

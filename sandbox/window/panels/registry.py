@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from sandbox.window.panels.compare.panel import ComparePanel
 from sandbox.window.panels.events.panel import EventsPanel
 from sandbox.window.panels.inspector.panel import InspectorPanel
 from sandbox.window.panels.lessons import LessonsPanel
@@ -17,6 +18,7 @@ PANELS: tuple[type[Panel], ...] = (
     WorldPanel,
     OverlaysPanel,
     SatPanel,
+    ComparePanel,
     EventsPanel,
     PlotsPanel,
     ProfilePanel,
