@@ -17,10 +17,16 @@ from sandbox.replay.golden.rerun import rerun
 from sandbox.replay.player import Player
 from sandbox.replay.recording.recorder import record
 from sandbox.scene import Scene
+from sandbox.world.records import TABLES
+from sandbox.world.rule_records import SENSING
 from tests.examples import examples
 from tests.rules.games import BREAKOUT, breakout
 
 STEPS = 150
+TABLE_NAMES = {
+    "controls": "control", "tallies": "tally", "rules": "rule", "spawners": "spawner", "paths": "path",
+    "outcome": "outcome", "sensings": "sensing",
+}  # fmt: skip
 SCENE = Scene(**BREAKOUT)
 places = st.tuples(st.floats(-4, 4), st.floats(-4, 4))
 controls = st.builds(
@@ -124,6 +130,27 @@ def test_every_table_of_play_is_in_the_digest_and_the_snapshot():
             assert world.digest() != fresh.digest(), (name, field)
             table[field][0] = before
     assert world.digest() == fresh.digest()
+
+
+@pytest.mark.parametrize("name", ["controls", "tallies", "rules", "spawners", "paths", "outcome", "sensings"])
+def test_a_snapshot_whose_numbers_are_all_it_may_hold_can_be_gone_on_from(name: str):
+    world = breakout()
+    world.apply(Control("serve"))
+    world.step(90)
+    world.state.sensings = SENSING.zeros(1)
+    table = next(table for table in TABLES if table.name == TABLE_NAMES[name])
+    sizes = {each.name: len(array) for each, array in zip(TABLES, world.state.arrays, strict=True)}
+    for field in table.fields:
+        values, column = field.values, getattr(world.state, name)[field.name]
+        kept = column.copy()
+        for extreme in (values.low, values.highest(sizes)):
+            column[:] = extreme
+            fresh = World(SCENE)
+            fresh.restore(world.snapshot())
+            fresh.step(3)
+            assert fresh.outcome is None or isinstance(fresh.outcome.text, str)
+            assert len(fresh.controls) == 3
+        column[:] = kept
 
 
 def test_a_snapshot_of_another_game_is_refused():

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 from sandbox.scene.flat_rules import FlatControl
 from sandbox.tables import plain
@@ -44,8 +44,8 @@ def control_states(state: State) -> tuple[ControlState, ...]:
     return tuple(_control(control, row) for control, row in zip(flat, plain(state.controls), strict=True))
 
 
-def _control(control: FlatControl, row: object) -> ControlState:
-    value, x, y = (float(row[name]) for name in ("value", "pointer_x", "pointer_y"))  # type: ignore[index]
+def _control(control: FlatControl, row: Any) -> ControlState:
+    value, x, y = (float(row[name]) for name in ("value", "pointer_x", "pointer_y"))
     inputs = control.keys, control.minus, control.pad, control.mouse
     return ControlState(control.id, control.title, *inputs, value, (x, y))
 
