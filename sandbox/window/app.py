@@ -94,6 +94,8 @@ class App:
         """The pictures that script and user ask for, before this one is shown: then it is undefined what is there."""
         while self._script is not None and self._script.shots:
             self.canvas.display.save(self._script.shots.pop(0))
+        if self._script is not None and self._script.reel is not None:
+            self._script.reel.see(self.canvas.display)
         if not isinstance(screen, PlayScreen) or not screen.workspace.shots:
             return
         with screen.workspace.attempt("no picture saved", OSError):

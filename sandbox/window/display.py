@@ -69,15 +69,18 @@ class Display:
 
     def save(self, path: Path) -> None:
         """Write what was drawn last, before `show`, as a PNG file."""
-        from PIL import Image
-
         from sandbox.render.image import save_png
+
+        save_png(self.picture(), path)
+
+    def picture(self) -> Any:
+        """What was drawn last, before `show`, as a Pillow image."""
+        from PIL import Image
 
         viewport = (0, 0, *self.size)
         pixels = self.context.screen.read(viewport=viewport, components=3, alignment=1)
         _ = self.context.error  # reading the window leaves a stale error flag, which ImGui's painter would raise
-        picture = Image.frombytes("RGB", self.size, pixels).transpose(Image.Transpose.FLIP_TOP_BOTTOM)
-        save_png(picture, path)
+        return Image.frombytes("RGB", self.size, pixels).transpose(Image.Transpose.FLIP_TOP_BOTTOM)
 
     def close(self) -> None:
         """Close the window."""

@@ -15,6 +15,7 @@ name of a widget (`world.gravity.moon`). After each act the window draws a pictu
     wheel N [PLACE]         turn the wheel by N notches
     wait N                  let N pictures pass
     shot FILE.png           save a picture of the window
+    film FILE.gif           every fourth picture from here on, until `cut`, as a film of 15 a second
     quit                    close the window
 """
 
@@ -29,13 +30,14 @@ import pygame
 
 from sandbox.errors import SandboxError
 from sandbox.window.keys import chord
+from sandbox.window.reel import Reel
 from sandbox.window.widgets import places
 
 Locate = Callable[[tuple[float, float]], tuple[float, float]]
 """The pixel of the window over a point of the scene in metres."""
 _MODS = {"Ctrl": pygame.KMOD_LCTRL, "Shift": pygame.KMOD_LSHIFT}
 _MOD_KEYS = {"Ctrl": pygame.K_LCTRL, "Shift": pygame.K_LSHIFT}
-ACTS = ("key", "type", "move", "click", "double", "hold", "press", "let", "wheel", "wait", "shot")
+ACTS = ("key", "type", "move", "click", "double", "hold", "press", "let", "wheel", "wait", "shot", "film")
 """Those that need a word."""
 _BUTTONS = {"left": 1, "middle": 2, "right": 3}
 DRAG_PICTURES = 12
@@ -48,6 +50,8 @@ class Script:
         """Read and check a file. Raises `SandboxError` with the line of the first mistake, `OSError`."""
         self.path = path
         self.shots: list[Path] = []
+        self.reel: Reel | None = None
+        """The film that is being shot."""
         self._mods = 0
         self._at = (0.0, 0.0)
         self._acts = [
@@ -74,7 +78,7 @@ class Script:
 
     def _check(self, number: int, words: list[str]) -> None:
         name, *rest = words
-        least = {"drag": 3, "quit": 0, **dict.fromkeys(ACTS, 1)}
+        least = {"drag": 3, "quit": 0, "cut": 0, **dict.fromkeys(ACTS, 1)}
         if name not in least:
             raise self._error(number, f"there is no act {name!r}; there are {', '.join(least)}")
         if len(rest) < least[name]:
@@ -210,6 +214,16 @@ class Script:
 
     def _shot(self, number: int, words: list[str], locate: Locate) -> Iterator[None]:
         self.shots.append(Path(words[0]))
+        yield
+
+    def _film(self, number: int, words: list[str], locate: Locate) -> Iterator[None]:
+        self.reel = Reel(Path(words[0]))
+        yield
+
+    def _cut(self, number: int, words: list[str], locate: Locate) -> Iterator[None]:
+        if self.reel is not None:
+            self.reel.save()
+        self.reel = None
         yield
 
     def _quit(self, number: int, words: list[str], locate: Locate) -> Iterator[None]:
