@@ -141,6 +141,11 @@ class Pen:
         self.overlay.panel((left - 4, top - 1, left + wide + 4, top + size + 2), self.theme.background, 0.78, 4.0)
         self.overlay.text(left, top, text, color, 1.0, size, bold)
 
+    def sees(self, pixel: Vec) -> bool:
+        """Whether a pixel of the window lies in the viewport."""
+        left, top, width, height = self.rect
+        return left <= pixel[0] <= left + width and top <= pixel[1] <= top + height
+
     def fits(self, pixel: Vec, text: str, anchor: Anchor) -> bool:
         """Whether a bold label would lie in the viewport."""
         wide, (left, top, width, height) = self.overlay.width(text, SMALL, True), self.rect

@@ -32,9 +32,7 @@ class RailDrawing(Sheet):
             for corner in extremes:
                 self._drop(rail, corner, color, 0.9)
             self.pen.line(rail.at(ends[0], off), rail.at(ends[1], off), color, BAR)
-        for lane, ends in enumerate((rail.a, rail.b)):
-            self._numbers(rail, ends, lane, row)
-        self._outcome_label(rail, gap)
+        self._words(rail, gap, row)
 
     def _line(self, rail: Rail) -> None:
         pad = 26.0 / self.pen.scale
@@ -58,25 +56,33 @@ class RailDrawing(Sheet):
         along = corner[0] * rail.unit[0] + corner[1] * rail.unit[1]
         self.pen.line(corner, rail.at(along), color, 1.0, opacity, dash=(3.0, 4.0))
 
-    def _numbers(self, rail: Rail, ends: tuple[float, float], lane: int, row: SatRow | None) -> None:
-        """The ends of an interval: projections as in the table, or metres for an axis that is in no table."""
-        values = ends if row is None else ((row.amin, row.amax), (row.bmin, row.bmax))[lane]
-        color = self.colors.b if lane else self.colors.a
-        anchor, offs = _beside(rail)
-        for value, end in zip(values, ends, strict=True):
-            at = self.pen.pixel(rail.at(end, offs[lane] / self.pen.scale))
-            self.pen.label(at, short(value), color, anchor, size=13.0)
+    def _words(self, rail: Rail, gap: bool, row: SatRow | None) -> None:
+        """The ends of both intervals, and what comes of it: beyond the rail, or before it where there is no room.
 
-    def _outcome_label(self, rail: Rail, gap: bool) -> None:
-        low, high = rail.shared
+        Numbers are projections as in the table, or metres for an axis that is in no table.
+        """
         anchor, offs = _beside(rail)
-        middle = (low + high) / 2
-        at = self.pen.pixel(rail.at(middle, offs[2] / self.pen.scale))
+        values = (*rail.a, *rail.b) if row is None else (row.amin, row.amax, row.bmin, row.bmax)
+        ends = [
+            (along, short(value), k // 2)
+            for k, (along, value) in enumerate(zip((*rail.a, *rail.b), values, strict=True))
+        ]
+        inside = [end for end in ends if self.pen.sees(self.pen.pixel(rail.at(end[0])))]
+        near = any(not self._fits(rail, along, offs[lane], words, anchor) for along, words, lane in inside)
+        back: Anchor = "right" if anchor == "left" else "left" if anchor == "right" else anchor
+        for along, words, lane in ends:
+            off = -offs[lane] if near else offs[lane]
+            at = self.pen.pixel(rail.at(along, off / self.pen.scale))
+            self.pen.label(at, words, (self.colors.a, self.colors.b)[lane], back if near else anchor, size=13.0)
+        middle = sum(rail.shared) / 2
         words = f"gap {metres(rail.separation)}" if gap else f"overlap {metres(-rail.separation)}"
-        if not self.pen.fits(at, words, anchor):  # then between rail and shapes
-            anchor = "right" if anchor == "left" else "left" if anchor == "right" else anchor
-            at = self.pen.pixel(rail.at(middle, -offs[0] / self.pen.scale))
-        self.pen.label(at, words, self.colors.gap if gap else self.colors.out, anchor, bold=True)
+        off = -offs[2] if near else offs[2] if self._fits(rail, middle, offs[2], words, anchor) else -offs[0]
+        at = self.pen.pixel(rail.at(middle, off / self.pen.scale))
+        color = self.colors.gap if gap else self.colors.out
+        self.pen.label(at, words, color, anchor if off > 0.0 else back, bold=True)
+
+    def _fits(self, rail: Rail, along: float, off: float, words: str, anchor: Anchor) -> bool:
+        return self.pen.fits(self.pen.pixel(rail.at(along, off / self.pen.scale)), words, anchor)
 
 
 def _beside(rail: Rail) -> tuple[Anchor, tuple[float, float, float]]:

@@ -84,6 +84,7 @@ class TableView:
         self._plate(row, corner, columns)
         self._words(row, corner, columns, 0.42 if untested else 1.0)
         self._bars(row, corner, columns, 0.3 if untested else 1.0)
+        self._arrow(row, corner, columns, 0.42 if untested else 1.0)
         if row.stopped:
             self._exit_line(corner, columns)
 
@@ -141,6 +142,17 @@ class TableView:
         for color, least, most, y in ends:
             start, end = imgui.ImVec2(x(least / row.length), y), imgui.ImVec2(x(most / row.length), y + 3.0)
             pen.add_rect_filled(start, end, packed_color(color, strength), 1.5)
+
+    def _arrow(self, row: SatRow, corner: imgui.ImVec2, columns: _Columns, strength: float) -> None:
+        """Which way the axis points."""
+        x, y, half = corner.x + columns.number - 5.0, corner.y + scaled(26.0), scaled(6.0)
+        ux, uy = row.axis[0] / row.length * half, -row.axis[1] / row.length * half
+        pen, color = imgui.get_window_draw_list(), packed_color(self.colors.of(row.owner), strength)
+        tip = imgui.ImVec2(x + ux, y + uy)
+        pen.add_line(imgui.ImVec2(x - ux, y - uy), tip, color, 1.5)
+        for side in (1.0, -1.0):
+            barb = imgui.ImVec2(tip.x - 0.55 * ux + side * 0.45 * uy, tip.y - 0.55 * uy - side * 0.45 * ux)
+            pen.add_line(tip, barb, color, 1.5)
 
     def _exit_line(self, corner: imgui.ImVec2, columns: _Columns) -> None:
         y = corner.y + self._high - 0.5
