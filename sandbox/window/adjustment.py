@@ -21,6 +21,9 @@ class Adjustment:
     def follow(self, workspace: Workspace, changed: bool, *commands: Command, label: str = "") -> None:
         """Apply `commands` if the widget drawn last says `changed`; a refusal becomes a note."""
         timeline = workspace.session.timeline
+        if self._mark is not None and imgui.is_item_activated():  # its widget went while it was dragged
+            timeline.end_act()
+            self._mark = None
         if changed:
             item = imgui.get_item_id()
             if self._mark is None or self._item != item:

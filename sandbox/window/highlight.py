@@ -10,11 +10,19 @@ from sandbox.render.frame import Frame
 from sandbox.render.marks import Marks
 from sandbox.render.strokes import joined, strokes
 from sandbox.render.theme import Color
+from sandbox.window.tools.joint_pick import joint_spans
+from sandbox.world.state import State
 
 WIDTH, GAP = 2.0, 3.0
 """Pixels."""
+RING = 9.0
+"""Pixels of the radius of a ring around an anchor."""
 MOST = 300
 """Outlines that are drawn at most."""
+
+
+_TURN = np.linspace(0.0, 2.0 * np.pi, 25)
+_CIRCLE = np.column_stack([np.cos(_TURN), np.sin(_TURN)])
 
 
 def highlight(frame: Frame, camera: Camera, names: tuple[str, ...], color: Color) -> Marks:
@@ -30,6 +38,18 @@ def highlight(frame: Frame, camera: Camera, names: tuple[str, ...], color: Color
         corners = camera.to_screen(origin[shape] + _turned(_contour(frame, shape, camera.scale), axis[shape]))
         lines.append(strokes(corners, np.roll(corners, -1, axis=0), WIDTH, color, 0.95))
     return Marks(strokes=joined(lines))
+
+
+def highlight_joint(state: State, frame: Frame, camera: Camera, name: str | None, color: Color) -> Marks:
+    """Rings around the anchors of the joint of that id, and a line along what it spans."""
+    rows, starts, ends = joint_spans(state, frame)
+    mine = rows == state.joint_names.index(name) if name in state.joint_names else np.zeros(len(rows), np.bool_)
+    if not mine.any():
+        return Marks()
+    first, last = camera.to_screen(starts[mine]), camera.to_screen(ends[mine])
+    rings = np.concatenate([first, last])[:, None, :] + RING * _CIRCLE
+    around = strokes(rings[:, :-1].reshape(-1, 2), rings[:, 1:].reshape(-1, 2), WIDTH, color, 0.95)
+    return Marks(strokes=joined([strokes(first, last, WIDTH, color, 0.95), around]))
 
 
 def _contour(frame: Frame, shape: int, scale: float) -> Floats:

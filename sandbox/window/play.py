@@ -21,7 +21,7 @@ from sandbox.window.compare import end_comparison, follow_comparison, ghost_over
 from sandbox.window.controls.player import Player
 from sandbox.window.gui_style import apply_style
 from sandbox.window.help import draw_help
-from sandbox.window.highlight import highlight
+from sandbox.window.highlight import highlight, highlight_joint
 from sandbox.window.journal import Journal
 from sandbox.window.layout import Layout, first_panels
 from sandbox.window.mouse import Mouse
@@ -201,6 +201,8 @@ class PlayScreen:
         workspace = self.workspace
         theme, world = workspace.theme, self.session.world
         lit = highlight(frame, self.camera, workspace.selection.bodies, theme.drag)
+        if workspace.selection.joint is not None:
+            lit = highlight_joint(world.state, frame, self.camera, workspace.selection.joint, theme.drag)
         shown = [OVERLAYS[name] for name in workspace.overlays]
         return *draw_overlays(shown, Look(world, frame, self.camera, theme)), ghost_over(workspace, frame), lit
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -11,11 +12,14 @@ import numpy as np
 import pytest
 
 import sandbox
+from sandbox.render.camera import Camera
+from sandbox.render.frame import capture
 from sandbox.render.theme import DARK
 from sandbox.resources import find_scene
 from sandbox.window.editor import kept, plain_number
 from sandbox.window.gl_painter import GlPainter
 from sandbox.window.gui import Gui
+from sandbox.window.highlight import RING, highlight_joint
 from sandbox.window.panels.inspector.finder import Found, everything, kind_of, matching
 from sandbox.window.panels.inspector.surfaces import filter_text, size_text
 from sandbox.window.play import PlayScreen
@@ -200,7 +204,7 @@ def test_numbers_of_widgets_are_told_apart_from_rounding() -> None:
 def test_spans_of_joints_are_where_their_anchors_are() -> None:
     world = sandbox.World(sandbox.load_scene(find_scene(Path("gears-and-pulley"))))
     world.step(30)
-    rows, starts, ends = joint_spans(world.state)
+    rows, starts, ends = joint_spans(world.state, capture(world.state))
     first = {int(row): k for k, row in reversed(list(enumerate(rows)))}
     plain = [row for row in first if world.joint(world.joint_names[row]).type not in ("pulley", "target")]
     assert plain
@@ -209,3 +213,26 @@ def test_spans_of_joints_are_where_their_anchors_are() -> None:
         assert np.allclose(starts[first[row]], a)
         assert np.allclose(ends[first[row]], b)
     assert len(rows) > len(first)  # a pulley's rope has three pieces
+
+
+def test_a_selected_joint_is_ringed_where_the_picture_shows_it() -> None:
+    world = sandbox.World(SCENE)
+    frame, camera = capture(world.state), Camera((0.0, 0.0), 50.0, (800, 600))
+    marks = highlight_joint(world.state, frame, camera, "hinge", (1.0, 0.0, 0.0))
+    middle = camera.to_screen([(4.0, 3.0)])[0]
+    points = marks.strokes.start
+    assert np.allclose(np.hypot(*(points[1:] - middle).T), RING, atol=1e-9)
+    assert len(highlight_joint(world.state, frame, camera, "gone", (1.0, 0.0, 0.0)).strokes.start) == 0
+
+
+def test_ten_thousand_joints_are_picked_from_in_no_time() -> None:
+    count = 10_000
+    bodies = [{"id": f"b{k}", "shapes": [{"circle": 0.1}], "position": [k, 0]} for k in range(count)]
+    joints = [{"id": f"j{k}", "type": "weld", "bodies": [f"b{k}"], "anchor": [k, 0]} for k in range(count)]
+    world = sandbox.World(sandbox.Scene(gravity=[0, 0], bodies=bodies, joints=joints))
+    frame = capture(world.state)
+    begin = time.process_time()
+    rows, starts, _ = joint_spans(world.state, frame)
+    assert time.process_time() - begin < 0.05
+    assert len(rows) == count
+    assert starts[1234].tolist() == [1234.0, 0.0]

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from sandbox.render.frame import Frame
 from sandbox.tables import Floats, Integers, plain
 from sandbox.window.tools.tool import GRAB_PIXELS, Pointer
 from sandbox.window.workspace import Workspace
@@ -16,7 +17,7 @@ from sandbox.world.state import State
 def joint_under(workspace: Workspace, pointer: Pointer, lines: bool = True) -> str | None:
     """The id of the joint whose anchors, or with `lines` what it spans, are nearest; None beyond `GRAB_PIXELS`."""
     state = workspace.session.world.state
-    rows, starts, ends = joint_spans(state)
+    rows, starts, ends = joint_spans(state, workspace.session.frame())
     if not len(rows):
         return None
     point = np.asarray(pointer.point)
@@ -29,15 +30,15 @@ def joint_under(workspace: Workspace, pointer: Pointer, lines: bool = True) -> s
     return state.joint_names[rows[nearest]] if found else None
 
 
-def joint_spans(state: State) -> tuple[Integers, Floats, Floats]:
-    """Of joints that hold: their rows, and the two ends of what is between their anchors in the world, m.
+def joint_spans(state: State, frame: Frame) -> tuple[Integers, Floats, Floats]:
+    """Of joints that hold: their rows, and the two ends of what is between their anchors where a frame shows it, m.
 
     A pulley has three, two lengths of rope and what is between its wheels; a gear has none.
     """
     joints: Any = plain(state.joints)
     rows = np.flatnonzero((joints["broken_step"] < 0) & (joints["kind"] != GEAR))
     table = joints[rows]
-    a, b = _anchors(state, table, "a"), _anchors(state, table, "b")
+    a, b = _anchors(frame, table, "a"), _anchors(frame, table, "b")
     wheel_a, wheel_b = (np.column_stack([table[f"point_{side}x"], table[f"point_{side}y"]]) for side in "ab")
     to_target, roped = table["kind"] == TARGET, table["kind"] == PULLEY
     a = np.where(to_target[:, None], wheel_a, a)
@@ -47,14 +48,15 @@ def joint_spans(state: State) -> tuple[Integers, Floats, Floats]:
     return np.concatenate([rows, rows[roped], rows[roped]]), starts, ends
 
 
-def _anchors(state: State, joints: Any, side: str) -> Floats:
+def _anchors(frame: Frame, joints: Any, side: str) -> Floats:
     """Where the anchors on one side are in the world; those on the world itself are there already."""
-    body, bodies = joints[f"body_{side}"], plain(state.bodies)
+    body = joints[f"body_{side}"]
     x, y = joints[f"anchor_{side}x"], joints[f"anchor_{side}y"]
     held = body >= 0
-    c, s = np.where(held, bodies["rotation_cos"][body], 1.0), np.where(held, bodies["rotation_sin"][body], 0.0)
-    places = [np.where(held, bodies[name][body], 0.0) for name in ("center_x", "center_y")]
-    return np.column_stack([places[0] + (c * x - s * y), places[1] + (s * x + c * y)])
+    c, s = (np.where(held, frame.rotation[body, k], (1.0, 0.0)[k]) for k in range(2))
+    center = np.where(held[:, None], frame.center[body], 0.0)
+    anchors: Floats = center + np.column_stack([c * x - s * y, s * x + c * y])
+    return anchors
 
 
 def _from_spans(point: Floats, starts: Floats, ends: Floats) -> Floats:
