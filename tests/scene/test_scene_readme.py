@@ -13,6 +13,12 @@ from sandbox.errors import SceneError
 from sandbox.scene import Body, Material, Prefab, Scene, Settings, load_scene, loads_scene, schema
 from sandbox.scene.expect import CONDITIONS
 from sandbox.scene.generators import GENERATORS
+from sandbox.scene.play.any_action import ACTIONS
+from sandbox.scene.play.control import KEYS, MOUSE_INPUTS, PAD_INPUTS, InputControl
+from sandbox.scene.play.path import BodyPath
+from sandbox.scene.play.rule import Condition, Rule
+from sandbox.scene.play.setting_actions import RegionFields
+from sandbox.scene.play.triggers import TRIGGERS
 from sandbox.scene.regions import REGIONS
 from sandbox.scene.schema import schema_text
 from sandbox.scene.shapes import SHAPES
@@ -58,16 +64,24 @@ def test_the_error_example_is_real():
 MODELS = [Scene, Body, Prefab, Material, Settings, Thruster]
 
 
-@pytest.mark.parametrize("model", [*MODELS, *SHAPES.values(), *GENERATORS.values(), *REGIONS.values()])
+PLAY = [Rule, Condition, InputControl, BodyPath, RegionFields, *ACTIONS.values(), *TRIGGERS.values()]
+
+
+@pytest.mark.parametrize("model", [*MODELS, *PLAY, *SHAPES.values(), *GENERATORS.values(), *REGIONS.values()])
 def test_every_field_is_explained(model):
     for name, field in model.model_fields.items():
         assert field.description, name
         assert f"`{field.alias or name}`" in README or f'`"{name}":' in README, name
 
 
-@pytest.mark.parametrize("kind", [*SHAPES, *GENERATORS, *CONDITIONS, *REGIONS])
+@pytest.mark.parametrize("kind", [*SHAPES, *GENERATORS, *CONDITIONS, *REGIONS, *ACTIONS, *TRIGGERS])
 def test_every_kind_is_explained(kind):
     assert f'`"{kind}":' in README
+
+
+def test_every_input_is_named():
+    named = [*(key for key in KEYS if len(key) > 1), *PAD_INPUTS, *MOUSE_INPUTS]
+    assert [name for name in named if f"`{name}`" not in README] == []
 
 
 def test_the_shipped_schema_is_that_of_the_models():
