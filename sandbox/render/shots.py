@@ -9,6 +9,7 @@ from typing import Protocol
 from sandbox.engine.world import World
 from sandbox.render.body_colors import BodyColors, body_colors_of
 from sandbox.render.camera import Camera, Size, Vec, look_at, scene_camera
+from sandbox.render.coloring.registry import THEME, shown_coloring
 from sandbox.render.draw_list import DrawList, build_draw_list
 from sandbox.render.follow import followed
 from sandbox.render.frame import Frame, blend, capture, interesting_bounds
@@ -32,7 +33,9 @@ class Stepping(Protocol):
 
 @dataclass(frozen=True)
 class Style:
-    """How a world is to be seen; where `center` (m), `height` (m) and `follow` are silent, as its scene says."""
+    """How a world is to be seen; where `center` (m), `height` (m), `follow` and `color_by` are silent, as its scene
+    says. `depth`: what moves casts a soft shadow.
+    """
 
     size: Size
     theme: Theme = DARK
@@ -40,6 +43,8 @@ class Style:
     height: float | None = None
     follow: str | None = None
     overlays: Sequence[Overlay] = ()
+    color_by: str | None = None
+    depth: bool = True
 
 
 @dataclass(frozen=True)
@@ -61,6 +66,8 @@ class Shooting:
         camera = scene_camera(view, interesting_bounds(capture(world.state)), style.size)
         height = style.height or style.size[1] / camera.scale
         self._home = self._camera = look_at(style.center or camera.center, height, style.size)
+        color_by = style.color_by or str(getattr(view, "color_by", THEME))
+        self._overlays = [*shown_coloring(color_by), *style.overlays]
         self._follow = style.follow or (None if style.center else getattr(view, "follow", None))
         self._arrived = False
         self._corner: Corner | None = None
@@ -72,14 +79,14 @@ class Shooting:
             waited = seconds if self._arrived else None
             self._camera, self._arrived = followed(self._camera, frame, self._follow, self._home, waited), True
         look = Look(world, frame, self._camera, self.style.theme)
-        if self.style.overlays and self._corner is None:
+        if self._overlays and self._corner is None:
             self._corner = quiet_corner(look)
-        return Shot(frame, self._camera, draw_overlays(self.style.overlays, look, self._corner))
+        return Shot(frame, self._camera, draw_overlays(self._overlays, look, self._corner))
 
     def draw_list(self, shot: Shot) -> DrawList:
         """What painters draw of a shot."""
         self.colors = self.colors.for_frame(shot.frame)
-        return build_draw_list(shot.frame, shot.camera, self.colors, marks=shot.marks)
+        return build_draw_list(shot.frame, shot.camera, self.colors, marks=shot.marks, depth=self.style.depth)
 
 
 def still(stepping: Stepping, shooting: Shooting) -> Shot:

@@ -10,6 +10,7 @@ from imgui_bundle import imgui
 
 from sandbox.render.body_colors import body_colors_of
 from sandbox.render.camera import Camera, Size
+from sandbox.render.coloring.registry import THEME, shown_coloring
 from sandbox.render.draw_list import build_draw_list
 from sandbox.render.frame import Frame
 from sandbox.render.marks import Marks
@@ -38,8 +39,8 @@ from sandbox.window.workspace import Wish, Workspace
 
 TITLE_SECONDS, FADE_SECONDS = 5.0, 0.8
 TAKEN_OVER = (
-    "theme", "panels", "overlays", "interface", "text_scale", "less_motion", "keep_time", "selection",
-    "clipboard", "age",
+    "theme", "panels", "overlays", "color_by", "depth", "interface", "text_scale", "less_motion", "keep_time",
+    "selection", "clipboard", "age",
 )  # fmt: skip
 """What of a workspace stays when its file is read again."""
 ANY_POPUP = imgui.PopupFlags_.any_popup_id | imgui.PopupFlags_.any_popup_level
@@ -64,6 +65,7 @@ class PlayScreen:
         self.panels = new_panels()
         viewport = Viewport.of(session, size)
         self.workspace = Workspace(session, viewport, Path.cwd(), interface=interface)
+        self.workspace.color_by = getattr(session.scene.view, "color_by", THEME)
         self.tool_box = ToolBox(self.workspace)
         self.workspace.panels = first_panels(self.panels, size)
         self.mouse = Mouse(self.workspace, self.tool_box)
@@ -157,7 +159,9 @@ class PlayScreen:
         workspace.viewport.go_along(frame, None if workspace.less_motion else self._since_picture)
         self._since_picture = 0.0
         self._body_colors = self._body_colors.for_frame(frame)
-        picture = build_draw_list(frame, self.camera, self._body_colors, self.mouse.strokes(), self._marks(frame))
+        picture = build_draw_list(
+            frame, self.camera, self._body_colors, self.mouse.strokes(), self._marks(frame), workspace.depth
+        )
         canvas.paint(picture, workspace.viewport.rect)
         overlay = Overlay(canvas.gui)
         with overlay.within(workspace.viewport.rect):
@@ -170,7 +174,7 @@ class PlayScreen:
         workspace = self.workspace
         theme, world = workspace.theme, self.session.world
         lit = highlight(frame, self.camera, workspace.selection.bodies, theme.drag)
-        shown = [OVERLAYS[name] for name in workspace.overlays]
+        shown = [*shown_coloring(workspace.color_by), *(OVERLAYS[name] for name in workspace.overlays)]
         return *draw_overlays(shown, Look(world, frame, self.camera, theme)), lit
 
     def _reread(self, elapsed: float) -> Session | None:
