@@ -17,13 +17,18 @@ from sandbox.render.grid import grid_lines
 from sandbox.render.joint_strokes import joint_strokes
 from sandbox.render.label import Label
 from sandbox.render.line import Line
+from sandbox.render.markers import markers
 from sandbox.render.marks import Marks
 from sandbox.render.materials.textures import NONE
 from sandbox.render.theme import Theme
 from sandbox.world.records import DYNAMIC, SEGMENT, STATIC
 
-MIN_HALF_PIXELS = 0.6
-"""Smaller shapes are drawn this large, so that dust stays visible from afar."""
+MIN_HALF_PIXELS, THIN_HALF_PIXELS = 0.6, 1.1
+"""Smaller shapes are drawn this large, so that dust stays visible from afar; and thin ones this thick, so that planks,
+rods and ropes are more than hairlines.
+"""
+THIN = 4.0
+"""Shapes that are so many times as long as thick are thin."""
 SEGMENT_HALF_PIXELS = 1.0
 """Half the least width of a segment, which is drawn in the outline's colour throughout."""
 SENSOR_FILL, SENSOR_EDGE = 0.85, 0.3
@@ -118,9 +123,11 @@ def build_draw_list(
     cast a soft shadow on what is behind them.
     """
     theme, body_colors = body_colors.theme, body_colors.for_frame(frame)
-    shapes = _shapes(frame, camera, body_colors, marks)
+    colors = _tinted(frame_colors(frame, body_colors), theme, marks)
+    shapes = _shapes(frame, camera, body_colors, colors, marks)
     if not depth:
         shapes = replace(shapes, shadow=np.zeros(len(shapes.index)))
+    marks = (markers(frame, camera, colors.fill), *marks)
     strokes = [*joint_strokes(frame.joints, camera, theme), *above]
     below = [*grid_strokes(camera, theme), *field_strokes(frame.fields, camera, theme)]
     fills = region_fills(frame.fields, camera, theme)
@@ -143,7 +150,8 @@ def stroke_sizes(mesh: Mesh, scale: float) -> tuple[Floats, Floats]:
     """`grow` and `line` of every shape in the mesh (m,) at `scale` pixels a metre; see `ShapeItems`."""
     half = mesh.thickness * scale
     segment = mesh.kind == SEGMENT
-    grow = np.maximum(np.where(segment, SEGMENT_HALF_PIXELS, MIN_HALF_PIXELS) - half, 0.0)
+    least = np.where(mesh.reach > THIN * mesh.thickness, THIN_HALF_PIXELS, MIN_HALF_PIXELS)
+    grow = np.maximum(np.where(segment, SEGMENT_HALF_PIXELS, least) - half, 0.0)
     return grow, np.where(segment, half + grow, np.clip(0.16 * half, 0.0, 1.4))
 
 
@@ -152,8 +160,10 @@ def hollow_lines(mesh: Mesh, scale: float) -> Floats:
     return np.minimum(HOLLOW_PIXELS, mesh.thickness * scale + stroke_sizes(mesh, scale)[0])
 
 
-def _shapes(frame: Frame, camera: Camera, body_colors: BodyColors, marks: Sequence[Marks]) -> ShapeItems:
-    mesh, colors = frame.mesh, _tinted(frame_colors(frame, body_colors), body_colors.theme, marks)
+def _shapes(
+    frame: Frame, camera: Camera, body_colors: BodyColors, colors: FrameColors, marks: Sequence[Marks]
+) -> ShapeItems:
+    mesh = frame.mesh
     hollow, tinted = any(layer.hollow for layer in marks), any(layer.tints for layer in marks)
     flat = hollow or any(layer.calm for layer in marks)
     world, axis = frame.shape_poses()

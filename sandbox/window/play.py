@@ -14,8 +14,10 @@ from sandbox.render.coloring.registry import THEME, shown_coloring
 from sandbox.render.draw_list import build_draw_list
 from sandbox.render.frame import Frame
 from sandbox.render.marks import Marks
+from sandbox.render.overlays import trails
 from sandbox.render.overlays.look import Look
 from sandbox.render.overlays.registry import OVERLAYS, draw_overlays
+from sandbox.render.trails import Trails
 from sandbox.window import hud
 from sandbox.window.actions.registry import BY_NAME, action_of, released
 from sandbox.window.gui_style import apply_style
@@ -37,6 +39,7 @@ from sandbox.window.viewport import Viewport
 from sandbox.window.widgets import begin_picture
 from sandbox.window.workspace import Wish, Workspace
 
+TRAILS = trails.OVERLAY.name
 TITLE_SECONDS, FADE_SECONDS = 5.0, 0.8
 TAKEN_OVER = (
     "theme", "panels", "overlays", "color_by", "depth", "interface", "text_scale", "less_motion", "keep_time",
@@ -175,7 +178,19 @@ class PlayScreen:
         theme, world = workspace.theme, self.session.world
         lit = highlight(frame, self.camera, workspace.selection.bodies, theme.drag)
         shown = [*shown_coloring(workspace.color_by), *(OVERLAYS[name] for name in workspace.overlays)]
-        return *draw_overlays(shown, Look(world, frame, self.camera, theme)), lit
+        look = Look(world, frame, self.camera, theme, self._trails())
+        return *draw_overlays(shown, look), lit
+
+    def _trails(self) -> Trails | None:
+        """What is kept of where bodies were: nothing while trails are off."""
+        workspace, session = self.workspace, self.session
+        if TRAILS not in workspace.overlays:
+            session.trails = None
+        elif session.trails is None:
+            session.trails = Trails()
+        if session.trails is not None:
+            session.trails.only = workspace.selection.bodies
+        return session.trails
 
     def _reread(self, elapsed: float) -> Session | None:
         """The session of the file as it is now, if it has changed on disk."""

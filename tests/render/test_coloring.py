@@ -11,6 +11,7 @@ import sandbox
 from sandbox.errors import ArgumentError
 from sandbox.render.body_colors import body_colors_of
 from sandbox.render.camera import Camera
+from sandbox.render.coloring.paint import ramp
 from sandbox.render.coloring.registry import COLORINGS, find_coloring
 from sandbox.render.draw_list import build_draw_list
 from sandbox.render.frame import capture
@@ -72,24 +73,30 @@ def test_materials_and_groups_have_a_colour_each_and_a_legend() -> None:
     assert "plank: 2 bodies" in [entry.text for entry in by_group.legend]
 
 
-def test_the_fastest_is_red_and_what_rests_is_quiet() -> None:
+def test_a_ramp_leads_from_rest_to_the_greatest_speed() -> None:
     world = sandbox.World(scene())
     world.step(2)
-    marks, palette = drawn("speed", world), palette_for(DARK)
+    marks = drawn("speed", world)
     assert marks.legend[-1].text == "5 m/s"
-    assert color(marks, 4) == palette.quiet
-    share = palette.ramp(np.array([4.0 / 5.0]))[0]
-    assert color(marks, 1) == pytest.approx(tuple(share), abs=1e-6)
+    rest, fast = ramp(DARK, np.array([0.0, 4.0 / 5.0]))
+    assert color(marks, 4) == tuple(rest)
+    assert color(marks, 1) == pytest.approx(tuple(fast), abs=1e-6)
     assert marks.tints[0].amount.tolist() == [0.0, 1.0, 1.0, 1.0, 1.0]
 
 
 def test_mass_and_density_go_from_the_least_to_the_greatest() -> None:
     world = sandbox.World(scene())
     for name, light, heavy in (("mass", 1, 4), ("density", 1, 4)):
-        marks, palette = drawn(name, world), palette_for(DARK)
-        assert color(marks, heavy) == pytest.approx(palette.red), name
+        marks, (least, most) = drawn(name, world), ramp(DARK, np.array([0.0, 1.0]))
+        assert color(marks, heavy) == pytest.approx(tuple(most)), name
+        assert color(marks, light) == pytest.approx(tuple(least)), name
         assert marks.tints[0].amount[0] == 0.0
-        assert color(marks, light) != color(marks, heavy)
+
+
+@pytest.mark.parametrize("theme", [DARK, LIGHT], ids=["dark", "light"])
+def test_the_ramp_is_read_by_its_lightness_alone(theme: Any) -> None:
+    luma = ramp(theme, np.linspace(0.0, 1.0, 60)) @ (0.2126, 0.7152, 0.0722)
+    assert (np.diff(luma if theme is DARK else -luma) > 0.0).all()
 
 
 def test_sleep_and_islands_colour_as_their_overlays_do() -> None:
