@@ -46,6 +46,12 @@ _OVERLAY = typer.Option(
     metavar="NAMES", show_default=False, help="What to draw over it, as in contacts,boxes or sat:crate:ramp."
 )
 _THEME = typer.Option(metavar="dark|light", help="Colours.")
+_COLOR_BY = typer.Option(
+    metavar="WHAT",
+    show_default=False,
+    help="What the colours of bodies mean: theme, material, group, speed, sleep, island, mass or density.",
+)
+_DEPTH = typer.Option("--depth/--flat", help="Whether what moves casts a soft shadow.")
 _JSON = typer.Option("--json", help="Print what was written as JSON.")
 
 
@@ -65,6 +71,8 @@ class RenderOptions:
     follow: Annotated[str | None, _FOLLOW] = None
     overlay: Annotated[list[str] | None, _OVERLAY] = None
     theme: Annotated[str, _THEME] = "dark"
+    color_by: Annotated[str | None, _COLOR_BY] = None
+    depth: Annotated[bool, _DEPTH] = True
     json: Annotated[bool, _JSON] = False
 
 
@@ -84,7 +92,8 @@ def steps_asked_for(options: RenderOptions) -> tuple[int, int | None]:
 
 
 def style_of(options: RenderOptions, size: tuple[int, int], bodies: Sequence[str]) -> Style:
-    """Camera, theme and overlays. Raises `SandboxError` with the nearest name for what is not known."""
+    """Camera, theme, colours and overlays. Raises `SandboxError` with the nearest name for what is not known."""
+    from sandbox.render.coloring.registry import find_coloring
     from sandbox.render.overlays.registry import find_overlay
     from sandbox.render.shots import Style
 
@@ -96,6 +105,8 @@ def style_of(options: RenderOptions, size: tuple[int, int], bodies: Sequence[str
         height=options.height,
         follow=_followed(options.follow, bodies),
         overlays=[find_overlay(name, bodies) for name in names],
+        color_by=find_coloring(options.color_by).name if options.color_by is not None else None,
+        depth=options.depth,
     )
 
 

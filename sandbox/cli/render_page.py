@@ -12,7 +12,7 @@ from sandbox.errors import SandboxError
 if TYPE_CHECKING:
     from sandbox.report.film import Film
 
-_PICTURES_ONLY = ("size", "fps", "center", "height", "follow", "overlay")
+_PICTURES_ONLY = ("size", "fps", "center", "height", "follow", "overlay", "color_by")
 
 
 def write_page(options: RenderOptions) -> None:
@@ -46,7 +46,7 @@ def _check(options: RenderOptions) -> None:
     for name in _PICTURES_ONLY:
         if getattr(options, name):
             why = "a page fits itself to its window" if name == "size" else "a page has controls of its own for that"
-            raise SandboxError(f"--{name} is for pictures: {why}")
+            raise SandboxError(f"--{name.replace('_', '-')} is for pictures: {why}")
     if options.theme != "dark":
         raise SandboxError("--theme is for pictures: a page is light or dark as its reader likes")
 

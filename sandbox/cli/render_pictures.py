@@ -44,7 +44,7 @@ def write_still(options: RenderOptions, suffix: str) -> None:
     size = parse_size(options.size or STILL_SIZE)
     stepper, shooting = _begin(options, size, 0)
     with PictureProgress() as progress:
-        _skip(stepper, options.step, progress)
+        _skip(stepper, options.step, progress, shooting)
         picture = shooting.draw_list(still(stepper, shooting))
         if suffix == ".svg":
             write_text(options.output, svg_picture(picture, getattr(stepper.world.scene, "title", "")))
@@ -73,7 +73,7 @@ def write_film(options: RenderOptions, suffix: str) -> None:
     stepper, shooting = _begin(options, size, first)
     steps = _length(options, stepper, first, steps)
     with PictureProgress() as progress:
-        _skip(stepper, first, progress)
+        _skip(stepper, first, progress, shooting)
         if gif:
             seconds = gif_seconds(fps)
             taken = shots(stepper, progress.count("simulating", range(steps)), seconds, shooting)
@@ -119,9 +119,11 @@ def _is_recording(options: RenderOptions) -> bool:
     return options.scene.name.endswith(SUFFIX)
 
 
-def _skip(stepper: RunStepper, steps: int, progress: PictureProgress) -> None:
+def _skip(stepper: RunStepper, steps: int, progress: PictureProgress, shooting: Shooting) -> None:
+    """Take steps that nobody sees; trails begin in them."""
     for _ in progress.count("simulating", range(steps)):
         stepper.advance()
+        shooting.note(stepper.world)
 
 
 def _tell(options: RenderOptions, size: tuple[int, int], stepper: RunStepper, pictures: int) -> None:

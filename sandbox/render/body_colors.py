@@ -7,11 +7,15 @@ import zlib
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 
 import numpy as np
 
 from sandbox.render.camera import Floats
 from sandbox.render.frame import Frame
+from sandbox.render.geometry import Ints
+from sandbox.render.materials.looks import MaterialLook, look_of
+from sandbox.render.materials.textures import texture_number
 from sandbox.render.oklab import oklch_to_srgb
 from sandbox.render.theme import DARK, Color, Theme, hex_color
 from sandbox.scene.flat import FlatBody
@@ -30,12 +34,21 @@ class FrameColors:
     hatched: Floats
 
 
+STATIC_MATERIAL = 0.55
+"""How far the colour of a static body moves from its material's towards that of all static ones."""
+
+
 @dataclass(frozen=True)
 class BodyColors:
-    """The awake colour of each body (n, 3), chosen when it comes into the world; `roster` says who they are."""
+    """The awake colour of each body (n, 3), chosen when it comes into the world; `roster` says who they are.
+
+    `texture` (n,) are numbers of `materials.textures`, `opacity` (n,) 0..1 is less than 1 for what is translucent.
+    """
 
     theme: Theme
     base: Floats = field(repr=False)
+    texture: Ints = field(repr=False)
+    opacity: Floats = field(repr=False)
     roster: Register[FlatBody] | None = field(default=None, repr=False)
 
     def for_frame(self, frame: Frame) -> BodyColors:
@@ -51,9 +64,15 @@ class BodyColors:
         return fresh
 
 
+@lru_cache(maxsize=1 << 16)
 def family(name: str) -> str:
     """What bodies of one generator share: the id without its counters (`"crate-3-7"` -> `"crate"`)."""
     return re.sub(r"[\W_]*\d+([\W_]+\d+)*$", "", name) or name
+
+
+def material_of(body: FlatBody) -> str:
+    """The name of the first material that any of its shapes has; "" if none has one."""
+    return next((shape.material for shape in body.shapes if shape.material), "")
 
 
 def body_colors_of(state: State, theme: Theme = DARK) -> BodyColors:
@@ -63,23 +82,40 @@ def body_colors_of(state: State, theme: Theme = DARK) -> BodyColors:
 
 def _colors_for(roster: Register[FlatBody], types: Sequence[int], theme: Theme) -> BodyColors:
     colors = {body.id: body.color for body in roster.items if body.color}
-    return replace(choose_colors(roster.names, types, theme, colors), roster=roster)
+    materials = [material_of(body) for body in roster.items]
+    return replace(choose_colors(roster.names, types, theme, colors, materials), roster=roster)
 
 
 def choose_colors(
-    names: Sequence[str], types: Sequence[int], theme: Theme, colors: Mapping[str, str] | None = None
+    names: Sequence[str],
+    types: Sequence[int],
+    theme: Theme,
+    colors: Mapping[str, str] | None = None,
+    materials: Sequence[str] = (),
 ) -> BodyColors:
-    """Choose a colour for every body by its id and type; `colors` (id -> CSS colour) overrules."""
-    chosen = colors or {}
+    """Choose a colour for every body by its id and type, or by the name of its material where that is known; `colors`
+    (id -> CSS colour) overrules.
+    """
+    chosen, looks = colors or {}, [look_of(name) for name in materials] or [None] * len(names)
     families = [family(name) for name in names]
     size, seen = Counter(families), Counter[str]()
     hues = _family_hues((own for own, kind in zip(families, types, strict=True) if kind == DYNAMIC), theme)
     base = np.zeros((len(names), 3))
     for i, (name, own) in enumerate(zip(names, families, strict=True)):
-        hue = hues.get(own, 0.0)
-        base[i] = _color(name, chosen) or _base_color(types[i], hue, seen[own], size[own], theme)
+        look, rank = looks[i], seen[own]
+        usual = _base_color(types[i], hues.get(own, 0.0), rank, size[own], theme)
+        base[i] = _color(name, chosen) or (usual if look is None else _material_color(look, types[i], rank, theme))
         seen[own] += 1
-    return BodyColors(theme, base)
+    texture = np.array([texture_number(look.texture) if look else 0 for look in looks], np.int64)
+    return BodyColors(theme, base, texture, np.array([look.opacity if look else 1.0 for look in looks]))
+
+
+def _material_color(look: MaterialLook, kind: int, rank: int, theme: Theme) -> Color:
+    """That of the material; static bodies stay in the background, and neighbours differ a little."""
+    if kind != STATIC:
+        return look.color(theme, _scatter(rank, 0.7548776662))
+    red, green, blue = mix(np.array(look.color(theme)), theme.static, STATIC_MATERIAL).tolist()
+    return red, green, blue
 
 
 def _color(name: str, chosen: Mapping[str, str]) -> Color | None:

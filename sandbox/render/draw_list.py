@@ -17,12 +17,18 @@ from sandbox.render.grid import grid_lines
 from sandbox.render.joint_strokes import joint_strokes
 from sandbox.render.label import Label
 from sandbox.render.line import Line
+from sandbox.render.markers import markers
 from sandbox.render.marks import Marks
+from sandbox.render.materials.textures import NONE
 from sandbox.render.theme import Theme
 from sandbox.world.records import DYNAMIC, SEGMENT, STATIC
 
-MIN_HALF_PIXELS = 0.6
-"""Smaller shapes are drawn this large, so that dust stays visible from afar."""
+MIN_HALF_PIXELS, THIN_HALF_PIXELS = 0.6, 1.1
+"""Smaller shapes are drawn this large, so that dust stays visible from afar; and thin ones this thick, so that planks,
+rods and ropes are more than hairlines.
+"""
+THIN = 4.0
+"""Shapes that are so many times as long as thick are thin."""
 SEGMENT_HALF_PIXELS = 1.0
 """Half the least width of a segment, which is drawn in the outline's colour throughout."""
 SENSOR_FILL, SENSOR_EDGE = 0.85, 0.3
@@ -33,6 +39,14 @@ CALM = 0.45
 """How far bodies move towards the background below what overlays draw."""
 MARK_FROM_PIXELS, MARK_FULL_PIXELS = 3.0, 8.0
 """Half thickness at which orientation marks begin to show, and at which they show fully."""
+COARSEST = 0.5
+"""Metres: the unit of length of a texture is half the smallest width of its shape, but no more than this."""
+TEXTURE_FROM_PIXELS, TEXTURE_FULL_PIXELS = 4.0, 12.0
+"""Pixels of that unit at which textures begin to show, and at which they show fully."""
+SHADOW_SOFT, SHADOW_DROP = 9.0, 2.0
+"""Pixels in which a shadow fades, and by which it lies lower than what casts it."""
+SHADOW_FROM_PIXELS, SHADOW_FULL_PIXELS = 2.5, 8.0
+"""Half thickness at which shadows begin to show, and at which they show fully."""
 
 
 @dataclass(frozen=True)
@@ -42,7 +56,10 @@ class ShapeItems:
     `index` row in the mesh; `origin` (k, 2) pixels of the shape frame's origin; `axis` (k, 2) its x axis on
     screen (cos, sin with y down); `grow` (k,) pixels added to the radius of what is too small to see; `line`
     (k,) outline width in pixels; `fill`, `edge`, `mark` (k, 3) sRGB; `mark_opacity` (k,); `hatched` (k,) 1
-    for frozen bodies and for sensors; `opacity` (k,) of what is within the outline.
+    for frozen bodies and for sensors; `opacity` (k,) of what is within the outline; `texture` (k,) number of the
+    material's texture, whose unit of length is `unit` (k,) pixels, and which starts at `shift` (k, 2) of a tile, with
+    `grain` (k,) 0..1 of its strength, lying across where the shape is `upright` (k,) in its frame; `moving` (k,) for
+    what is drawn over what stands still; `shadow` (k,) 0..1.
     """
 
     index: Ints
@@ -56,6 +73,13 @@ class ShapeItems:
     mark_opacity: Floats
     hatched: Floats
     opacity: Floats
+    texture: Ints
+    unit: Floats
+    shift: Floats
+    grain: Floats
+    upright: NDArray[np.bool_]
+    moving: NDArray[np.bool_]
+    shadow: Floats
 
 
 @dataclass(frozen=True)
@@ -75,6 +99,11 @@ class DrawList:
     marks: Sequence[Marks] = ()
 
     @property
+    def hollow(self) -> bool:
+        """Whether little more than the outlines of shapes is seen."""
+        return any(layer.hollow for layer in self.marks)
+
+    @property
     def labels(self) -> list[Label]:
         """All words on the picture, which lie over everything else."""
         return [label for layer in self.marks for label in layer.labels]
@@ -86,13 +115,19 @@ def build_draw_list(
     body_colors: BodyColors,
     above: Sequence[Line] = (),
     marks: Sequence[Marks] = (),
+    depth: bool = True,
 ) -> DrawList:
     """The draw list of a frame seen through a camera.
 
-    `above` are strokes of tools, such as the drag line; `marks` what `draw_overlays` gives.
+    `above` are strokes of tools, such as the drag line; `marks` what `draw_overlays` gives; `depth`: bodies that move
+    cast a soft shadow on what is behind them.
     """
     theme, body_colors = body_colors.theme, body_colors.for_frame(frame)
-    shapes = _shapes(frame, camera, body_colors, marks)
+    colors = _tinted(frame_colors(frame, body_colors), theme, marks)
+    shapes = _shapes(frame, camera, body_colors, colors, marks)
+    if not depth:
+        shapes = replace(shapes, shadow=np.zeros(len(shapes.index)))
+    marks = (markers(frame, camera, colors.fill), *marks)
     strokes = [*joint_strokes(frame.joints, camera, theme), *above]
     below = [*grid_strokes(camera, theme), *field_strokes(frame.fields, camera, theme)]
     fills = region_fills(frame.fields, camera, theme)
@@ -115,7 +150,8 @@ def stroke_sizes(mesh: Mesh, scale: float) -> tuple[Floats, Floats]:
     """`grow` and `line` of every shape in the mesh (m,) at `scale` pixels a metre; see `ShapeItems`."""
     half = mesh.thickness * scale
     segment = mesh.kind == SEGMENT
-    grow = np.maximum(np.where(segment, SEGMENT_HALF_PIXELS, MIN_HALF_PIXELS) - half, 0.0)
+    least = np.where(mesh.reach > THIN * mesh.thickness, THIN_HALF_PIXELS, MIN_HALF_PIXELS)
+    grow = np.maximum(np.where(segment, SEGMENT_HALF_PIXELS, least) - half, 0.0)
     return grow, np.where(segment, half + grow, np.clip(0.16 * half, 0.0, 1.4))
 
 
@@ -124,18 +160,26 @@ def hollow_lines(mesh: Mesh, scale: float) -> Floats:
     return np.minimum(HOLLOW_PIXELS, mesh.thickness * scale + stroke_sizes(mesh, scale)[0])
 
 
-def _shapes(frame: Frame, camera: Camera, body_colors: BodyColors, marks: Sequence[Marks]) -> ShapeItems:
-    mesh, colors = frame.mesh, _tinted(frame_colors(frame, body_colors), body_colors.theme, marks)
-    hollow = any(layer.hollow for layer in marks)
+def _shapes(
+    frame: Frame, camera: Camera, body_colors: BodyColors, colors: FrameColors, marks: Sequence[Marks]
+) -> ShapeItems:
+    mesh = frame.mesh
+    hollow, tinted = any(layer.hollow for layer in marks), any(layer.tints for layer in marks)
+    flat = hollow or any(layer.calm for layer in marks)
     world, axis = frame.shape_poses()
     origin = camera.to_screen(world)
-    index = _in_order(frame, _visible(origin, mesh.reach * camera.scale, camera))
+    index = _visible(origin, mesh.reach * camera.scale, camera)
+    index = _in_order(frame, index, body_colors.texture[mesh.body[index]] != NONE)
     body = mesh.body[index]
     sensor = mesh.sensor[index]
     half = mesh.thickness[index] * camera.scale
     grow, line = stroke_sizes(mesh, camera.scale)
     if hollow:
         line = hollow_lines(mesh, camera.scale)
+    moving = frame.type[body] != STATIC
+    unit = np.minimum(mesh.thickness[index], COARSEST) * camera.scale
+    plain = sensor | frame.frozen[body] | (mesh.kind[index] == SEGMENT) | hollow | tinted
+    own_opacity = body_colors.opacity[body]
     return ShapeItems(
         index=index,
         origin=origin.take(index, axis=0),
@@ -147,7 +191,14 @@ def _shapes(frame: Frame, camera: Camera, body_colors: BodyColors, marks: Sequen
         mark=(colors.edge if hollow else colors.mark).take(body, axis=0),
         mark_opacity=np.where(sensor, 0.0, _mark_opacity(half, frame.type[body])),
         hatched=np.where(sensor, 1.0, colors.hatched[body]),
-        opacity=np.where(hollow & ~sensor, HOLLOW_OPACITY, 1.0),
+        opacity=np.where(hollow & ~sensor, HOLLOW_OPACITY, np.where(plain, 1.0, own_opacity)),
+        texture=np.where(plain, NONE, body_colors.texture[body]),
+        unit=unit,
+        shift=np.column_stack([body * 0.6180339887, body * 0.7548776662]) % 1.0,
+        grain=_ramp(unit, TEXTURE_FROM_PIXELS, TEXTURE_FULL_PIXELS),
+        upright=mesh.half[index, 1] > mesh.half[index, 0],
+        moving=moving & ~sensor,
+        shadow=np.where(moving & ~sensor & (not flat), _ramp(half, SHADOW_FROM_PIXELS, SHADOW_FULL_PIXELS), 0.0),
     )
 
 
@@ -181,12 +232,20 @@ def _visible(origin: Floats, reach: Floats, camera: Camera) -> Ints:
     return np.flatnonzero(np.hypot(outside[:, 0], outside[:, 1]) <= reach + 2.0)
 
 
-def _in_order(frame: Frame, index: Ints) -> Ints:
-    """Sensors first, then static bodies, so that what moves is never hidden."""
-    rank = np.where(frame.mesh.sensor, 0, np.where(frame.type[frame.mesh.body] == STATIC, 1, 2))
-    return index[np.argsort(rank[index], kind="stable")]
+def _in_order(frame: Frame, index: Ints, textured: NDArray[np.bool_]) -> Ints:
+    """Sensors first, then static bodies, so that what moves is never hidden; of each of them what has a texture last,
+    which OpenGL draws in a call of its own.
+    """
+    rank = np.where(frame.type[frame.mesh.body[index]] == STATIC, 1, 3) + textured
+    rank[frame.mesh.sensor[index]] = 0
+    return index[np.argsort(rank, kind="stable")]
 
 
 def _mark_opacity(half: Floats, types: Ints) -> Floats:
-    ramp = np.clip((half - MARK_FROM_PIXELS) / (MARK_FULL_PIXELS - MARK_FROM_PIXELS), 0.0, 1.0)
-    return np.where(types == DYNAMIC, ramp, 0.0)
+    return np.where(types == DYNAMIC, _ramp(half, MARK_FROM_PIXELS, MARK_FULL_PIXELS), 0.0)
+
+
+def _ramp(values: Floats, start: float, full: float) -> Floats:
+    """0 up to `start`, 1 from `full` on."""
+    ramp: Floats = np.clip((values - start) / (full - start), 0.0, 1.0)
+    return ramp

@@ -15,6 +15,8 @@ from sandbox.render.draw_list import DrawList, ShapeItems, hollow_lines, stroke_
 from sandbox.render.field_drawing import RegionFill
 from sandbox.render.geometry import Mesh, gather
 from sandbox.render.line import Line
+from sandbox.render.materials.textures import NONE
+from sandbox.render.surface_finish import paint_shadows, paint_textures
 from sandbox.render.surface_marks import paint_labels, paint_marks
 
 HATCH_PIXELS = 7.0
@@ -80,9 +82,16 @@ class SurfacePainter:
         fills = self._placed(inner, picture)
         marks = _marks(picture, self.samples)
         fill, edge, mark = _bytes(items.fill), _bytes(items.edge), _bytes(_mark_colors(items))
+        textured = (items.texture != NONE) & (items.grain > 0.0)
+        first = int((~items.moving).sum())
         for i in range(len(items.index)):
-            if items.opacity[i] < 1.0:
+            if i == first:
+                self._textures(surface, picture, np.flatnonzero(textured[:first]), fills)
+                self._shadows(surface, picture, edges)
+            if items.opacity[i] < 1.0 and picture.hollow:
                 self._hollow(surface, picture, i, (edges[i], fills[i]), (fill[i], edge[i]))
+            elif items.opacity[i] < 1.0:
+                self._translucent(surface, picture, i, (edges[i], fills[i]), (fill[i], edge[i]))
             elif items.index[i] in picture.mesh.outlines:
                 self._concave(surface, picture, i, fill[i], edge[i])
             else:
@@ -90,6 +99,40 @@ class SurfacePainter:
                 self._inside(surface, fill[i], fills[i], edge[i] if items.hatched[i] else None)
             if items.mark_opacity[i] > 0.0:
                 pygame.draw.polygon(surface, mark[i], marks[i])
+        last = np.flatnonzero(textured[first:]) + first if first < len(textured) else np.flatnonzero(textured)
+        self._textures(surface, picture, last, fills)
+
+    def _textures(self, surface: Any, picture: DrawList, rows: Any, fills: list[Any]) -> None:
+        if len(rows):
+            filled = ((i, self._parts(picture, i, fills[i])) for i in rows.tolist())
+            paint_textures(surface, picture, filled, self.samples)
+
+    def _shadows(self, surface: Any, picture: DrawList, edges: list[Any]) -> None:
+        rows = np.flatnonzero(picture.shapes.shadow > 0.0)
+        if len(rows):
+            cast = ((i, self._parts(picture, i, edges[i])) for i in rows.tolist())
+            paint_shadows(surface, picture, cast, self.samples)
+
+    def _parts(self, picture: DrawList, i: int, ring: Any) -> list[Any]:
+        """What a shape is filled with, as convex polygons in pixels of the large surface."""
+        outline = picture.mesh.outlines.get(int(picture.shapes.index[i]))
+        if outline is None:
+            return [ring]
+        pieces, _ = concave_pieces(outline, picture.camera.scale, picture.shapes.grow[i], picture.shapes.line[i])
+        return [self._placed_piece(picture, i, piece) for piece in pieces]
+
+    def _translucent(
+        self, surface: Any, picture: DrawList, i: int, rings: tuple[Any, Any], colors: tuple[Any, Any]
+    ) -> None:
+        """A shape through which one sees what is behind; `rings` are its rim and where its outline ends within."""
+        alpha = round(255 * picture.shapes.opacity[i])
+        for part in self._parts(picture, i, rings[1]):
+            if len(part) >= 3:
+                pygame.gfxdraw.filled_polygon(surface, part, (*colors[0], alpha))
+        if rings[0]:
+            width = max(round(picture.shapes.line[i] * self.samples), 1)
+            middle = _between(*rings) if len(rings[0]) == len(rings[1]) else rings[1]
+            pygame.draw.lines(surface, colors[1], True, middle, width)
 
     def _inside(self, surface: Any, color: Any, points: list[Any], hatch: Any) -> None:
         _fill(surface, color, points)
@@ -144,7 +187,7 @@ class SurfacePainter:
 
     def _contours(self, picture: DrawList) -> tuple[ContourTable, ContourTable]:
         mesh, scale = picture.mesh, picture.camera.scale
-        hollow = any(layer.hollow for layer in picture.marks)
+        hollow = picture.hollow
         if mesh is not self._mesh or (scale, hollow) != self._seen:
             grow, line = stroke_sizes(mesh, scale)
             inner = 0.5 * hollow_lines(mesh, scale) if hollow else line
@@ -157,6 +200,12 @@ class SurfacePainter:
 def _fill(surface: Any, color: Any, points: list[Any]) -> None:
     if len(points) >= 3:  # else it was clipped away
         pygame.draw.polygon(surface, color, points)
+
+
+def _between(outer: list[Any], inner: list[Any]) -> list[Any]:
+    """The ring halfway between two of as many corners."""
+    middle: list[Any] = ((np.array(outer) + np.array(inner)) / 2).tolist()
+    return middle
 
 
 def _place_all(table: ContourTable, items: ShapeItems, samples: int) -> list[Any]:

@@ -42,6 +42,8 @@ class Theme:
     gravity: Color
     flame: Color
     spark: Color = (1.0, 0.97, 0.88)
+    shadow: Color = (0.0, 0.0, 0.0)
+    shadow_opacity: float = 0.5
     hues: tuple[float, ...] = (28.0, 62.0, 92.0, 140.0, 178.0, 215.0, 250.0, 288.0, 325.0, 358.0)
     sweep: float = 75.0
     jitter: float = 26.0
@@ -86,6 +88,8 @@ LIGHT = Theme(
     wind=hex_color("#6b8496"),
     gravity=hex_color("#7a5cc0"),
     flame=hex_color("#e06a10"),
+    shadow=hex_color("#2b2620"),
+    shadow_opacity=0.26,
     lightness=0.6,
     chroma=0.13,
 )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 Vec = tuple[float, float]
@@ -24,7 +24,8 @@ class FlatShape:
     of the edge from vertex i to the next on which sides of the whole lie, as shares of its length; (1, 0) if none do.
 
     A link of a chain says in `seam`, a row for each vertex, what joins it. `one_way` is the unit direction in which
-    bodies pass through; (0, 0) for what is solid.
+    bodies pass through; (0, 0) for what is solid. `material` is the author's name for the surface; nothing that moves
+    asks for it.
     """
 
     kind: Literal["circle", "box", "capsule", "segment", "polygon"]
@@ -45,6 +46,7 @@ class FlatShape:
     outline: tuple[tuple[Vec, ...], ...] = ()
     seam: tuple[SeamRow, ...] = ()
     one_way: Vec = (0.0, 0.0)
+    material: str = field(default="", compare=False)
 
 
 @dataclass(frozen=True)
@@ -77,7 +79,7 @@ class FlatBody:
     """One body. Angles in radians; `mass`, `inertia` and `center` override what the shapes give when not None.
 
     Bodies made by one prefab share one `shapes` tuple, so that builders may cache by its identity. `pointer` is
-    the JSON pointer of what made the body in the scene file.
+    the JSON pointer of what made the body in the scene file, and `prefab` the name of what it is made after.
     """
 
     id: str
@@ -100,3 +102,4 @@ class FlatBody:
     thrusters: tuple[FlatThruster, ...] = ()
     path: FlatPath | None = None
     pointer: str = ""
+    prefab: str = field(default="", compare=False)

@@ -28,15 +28,17 @@ Kind = Literal["circle", "box", "capsule", "segment", "polygon"]
 _DEFAULT = Material()
 
 
-def flat_shapes(shape: AnyShape, material: Material | None, categories: Sequence[str]) -> Iterator[FlatShape]:
-    """One flat shape, or the parts of a concave polygon; `material` is the one that holds for it, `categories` the
-    scene's names for bits.
+def flat_shapes(
+    shape: AnyShape, material: Material | None, categories: Sequence[str], name: str = ""
+) -> Iterator[FlatShape]:
+    """One flat shape, or the parts of a concave polygon; `material` is the one that holds for it and `name` what it is
+    called, `categories` the scene's names for bits.
     """
     base = material or _DEFAULT
     given = {name: getattr(shape, name) for name in Material.model_fields if name != "bumper"}  # which only allows
     surface: dict[str, Any] = {name: getattr(base, name) if value is None else value for name, value in given.items()}
     surface["category"], surface["mask"] = _bits(shape.category, categories), _bits(shape.mask, categories)
-    surface["group"], surface["sensor"] = shape.group, shape.sensor
+    surface["group"], surface["sensor"], surface["material"] = shape.group, shape.sensor, name
     if shape.one_way is not None:
         surface["one_way"] = _direction(shape, shape.one_way)
     if isinstance(shape, PolygonShape):

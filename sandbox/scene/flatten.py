@@ -74,7 +74,8 @@ class Flattener:
     def _written(self) -> Iterator[FlatBody]:
         for i, body in enumerate(self.scene.bodies):
             values = self._merged(body)
-            yield FlatBody(id=body.id, position=body.position, **self._traits(values, ("bodies", i)))
+            traits = self._traits(values, ("bodies", i))
+            yield FlatBody(id=body.id, position=body.position, prefab=body.prefab or "", **traits)
 
     def _generated(self) -> Iterator[FlatBody]:
         for i, generator in enumerate(self.scene.generate):
@@ -82,6 +83,7 @@ class Flattener:
                 return
             prefab = self._prefab(generator)
             traits = self._traits(_values(prefab), ("generate", i))
+            traits["prefab"] = getattr(generator, kind_of(generator))
             places = placings(generator, traits["shapes"], prefab.angle)
             self._check_places(generator, places, ("generate", i))
             for name, (x, y, degrees) in zip(body_names(generator), places, strict=False):
@@ -135,8 +137,9 @@ class Flattener:
         if key not in self._shapes:
             names = [shape.material or material for shape in shapes]
             materials = [self.scene.materials[name] if name else None for name in names]
-            pairs = zip(shapes, materials, strict=True)
-            self._shapes[key] = tuple(flat for s, m in pairs for flat in flat_shapes(s, m, self.scene.categories))
+            each = zip(shapes, materials, names, strict=True)
+            bits = self.scene.categories
+            self._shapes[key] = tuple(flat for s, m, name in each for flat in flat_shapes(s, m, bits, name or ""))
         return self._shapes[key]
 
 

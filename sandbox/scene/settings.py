@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import Field
 
@@ -48,3 +48,6 @@ class View(Model):
     center: Point = Field(default=(0.0, 0.0), description="Middle of the picture, m.")
     height: Size | None = Field(default=None, description="Height of the picture, m; default: as without a view.")
     follow: Name | None = Field(default=None, description='Body that the camera goes with; "moving": whatever moves.')
+    color_by: Literal["theme", "material", "group", "speed", "sleep", "island", "mass", "density"] = Field(
+        default="theme", description="What the colours of bodies mean."
+    )

@@ -1,8 +1,7 @@
-"""The OpenGL painter: a whole picture in one instanced draw call of signed-distance quads."""
+"""The OpenGL painter: a whole picture in a few instanced draw calls of signed-distance quads."""
 
 from __future__ import annotations
 
-from importlib.resources import files
 from typing import Any
 
 import moderngl
@@ -11,14 +10,11 @@ import numpy as np
 from sandbox.render.draw_list import DrawList
 from sandbox.render.field_drawing import RegionFill
 from sandbox.render.geometry import Mesh
-from sandbox.window.instances import INSTANCE, Instances, pack, pack_strokes, triangles_of
+from sandbox.render.materials.textures import TILE, textures
+from sandbox.window.instances import pack, pack_strokes, triangles_of
+from sandbox.window.quads import Quads, shader
 
 TEXTURE_WIDTH = 1024
-
-
-def shader(name: str) -> str:
-    """The source of a shader of this package."""
-    return (files("sandbox.window") / "shaders" / name).read_text(encoding="utf-8")
 
 
 class GlPainter:
@@ -26,36 +22,31 @@ class GlPainter:
 
     def __init__(self, context: Any) -> None:
         self.context = context
-        self.program = context.program(shader("shapes.vert.glsl"), shader("shapes.frag.glsl"))
-        self._corners = context.buffer(np.array([-1, -1, 1, -1, -1, 1, 1, 1], "f4").tobytes())
-        self._capacity = 0
+        corners = context.buffer(np.array([-1, -1, 1, -1, -1, 1, 1, 1], "f4").tobytes())
         self._mesh: Mesh | None = None
         self._vertices: Any = None
-        self._reserve(1024)
+        self._plain, self._textured = (Quads(context, corners, textured) for textured in (False, True))
+        self._textures = _texture_array(context)
         self._region_program = context.program(shader("region.vert.glsl"), shader("region.frag.glsl"))
 
     def paint(self, picture: DrawList) -> None:
         """Clear the framebuffer and draw the picture; the viewport has to be the size of its camera."""
         self._upload(picture.mesh)
-        self.program["screen"].value = picture.camera.size
-        self.program["scale"].value = picture.camera.scale
+        for quads in (self._plain, self._textured):
+            quads.program["screen"].value = picture.camera.size
+            quads.program["scale"].value = picture.camera.scale
+            quads.begin()
+        self._vertices.use(0)
+        self._textures.use(1)
         self.context.clear(*picture.theme.background)
         self.context.enable_only(moderngl.BLEND)
         self.context.blend_func = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA
         self._triangles([_triangles(fill) for fill in picture.region_fills], picture)
-        self._instances(pack(picture))
+        for run in pack(picture):
+            (self._textured if run.textured else self._plain).draw(run.instances)
         for layer in picture.marks:
             self._triangles([triangles_of(fills) for fills in layer.fills], picture)
-            self._instances(pack_strokes(layer.strokes))
-
-    def _instances(self, instances: Instances) -> None:
-        """Quads in one call."""
-        if len(instances) == 0:
-            return
-        self._reserve(len(instances))
-        self._buffer.write(instances.tobytes())
-        self._vertices.use(0)
-        self._quads.render(moderngl.TRIANGLE_STRIP, instances=len(instances))
+            self._plain.draw(pack_strokes(layer.strokes))
 
     def _triangles(self, corners: list[Any], picture: DrawList) -> None:
         """Fills as triangles; few, so that their buffer is made anew for each picture."""
@@ -67,16 +58,6 @@ class GlPainter:
         triangles.render(moderngl.TRIANGLES)
         triangles.release()
         buffer.release()
-
-    def _reserve(self, count: int) -> None:
-        """Room for `count` instances."""
-        if count <= self._capacity:
-            return
-        self._capacity = max(count, 2 * self._capacity)
-        self._buffer = self.context.buffer(reserve=self._capacity * INSTANCE.itemsize, dynamic=True)
-        layout = "2f 2f 4f 4f 4f 4f 4f/i"
-        parts = [(self._corners, "2f", "corner"), (self._buffer, layout, *(INSTANCE.names or ()))]
-        self._quads = self.context.vertex_array(self.program, parts)
 
     def _upload(self, mesh: Mesh) -> None:
         """Polygon vertices into a texture, once a mesh."""
@@ -90,6 +71,16 @@ class GlPainter:
         self._vertices = self.context.texture((TEXTURE_WIDTH, rows), 2, texels.tobytes(), dtype="f4")
         self._vertices.filter = moderngl.NEAREST, moderngl.NEAREST
         self._mesh = mesh
+
+
+def _texture_array(context: Any) -> Any:
+    """The textures of materials, with smaller ones for when they are seen from afar."""
+    tiles = textures()
+    array = context.texture_array((TILE, TILE, len(tiles)), 1, tiles.tobytes(), dtype="f4")
+    array.build_mipmaps()
+    array.filter = moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR
+    array.repeat_x = array.repeat_y = True
+    return array
 
 
 def _triangles(fill: RegionFill) -> Any:

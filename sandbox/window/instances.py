@@ -1,16 +1,20 @@
-"""Draw list -> one instance record a quad: what the shader reads."""
+"""Draw list -> runs of instance records, one a quad: what the shaders read."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import groupby
+from operator import itemgetter
 from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from sandbox.render.draw_list import DrawList
+from sandbox.render.draw_list import SHADOW_DROP, SHADOW_SOFT, DrawList
 from sandbox.render.line import Line
-from sandbox.render.strokes import Fills, Strokes
+from sandbox.render.materials.textures import NONE, UNITS
+from sandbox.render.strokes import Fills, Strokes, strokes
 
 Instances: TypeAlias = NDArray[np.void]
 
@@ -19,49 +23,71 @@ INSTANCE = np.dtype(
         ("origin", "f4", 2),
         ("axis", "f4", 2),
         ("extent", "f4", 4),
-        ("fill", "f4", 4),
-        ("edge", "f4", 4),
-        ("mark", "f4", 4),
         ("detail", "f4", 4),
+        ("paints", "u1", (3, 4)),
+        ("grain", "f4", 4),
     ]
 )
-"""Fields and their order as in `shapes.vert.glsl`."""
+"""Fields and their order as in `shapes.vert.glsl`; `paints` are fill, edge and mark."""
+FILL, EDGE, MARK = 0, 1, 2
 
 TRIM_PIXELS = 20_000.0
 """Longer boxes are cut off screen, because 32-bit floats are too coarse for their far ends."""
 
 
-def pack(picture: DrawList) -> Instances:
-    """All quads of a picture from back to front."""
-    below, shapes, above = len(picture.below), len(picture.shapes.index), len(picture.above)
-    out = np.zeros(below + shapes + above, INSTANCE)
-    _strokes(out[:below], picture.below)
-    _shapes(out[below : below + shapes], picture)
-    _strokes(out[below + shapes :], picture.above)
-    return out
+@dataclass(frozen=True)
+class Run:
+    """Quads that are drawn in one call; only those of `textured` runs have a texture."""
+
+    textured: bool
+    instances: Instances
 
 
-def _strokes(out: Instances, lines: Sequence[Line]) -> None:
-    """Strokes are capsules: a core as long as the line, and half the width around it."""
-    for row, line in zip(out, lines, strict=True):
-        dx, dy = line.end[0] - line.start[0], line.end[1] - line.start[1]
-        length = float(np.hypot(dx, dy))
-        row["origin"] = (line.start[0] + line.end[0]) / 2, (line.start[1] + line.end[1]) / 2
-        row["axis"] = (dx / length, dy / length) if length > 0.0 else (1.0, 0.0)
-        row["extent"] = length / 2, 0.0, line.width / 2, 0.0
-        row["fill"] = *line.color, line.opacity
+def pack(picture: DrawList) -> list[Run]:
+    """All quads of a picture from back to front: strokes below, what stands still, shadows, what moves, strokes above.
+
+    Few calls: what has no texture is joined with its neighbours.
+    """
+    items, shapes = picture.shapes, pack_shapes(picture)
+    textured, moving = (items.texture != NONE), items.moving
+    parts: Sequence[tuple[bool, Instances]] = (
+        (False, _lines(picture.below)), (False, shapes[~moving & ~textured]), (True, shapes[~moving & textured]),
+        (False, _shadows(shapes, picture)), (False, shapes[moving & ~textured]), (True, shapes[moving & textured]),
+        (False, _lines(picture.above)),
+    )  # fmt: skip
+    filled = [part for part in parts if len(part[1])]
+    runs = groupby(filled, key=itemgetter(0))
+    return [Run(kind, _joined([instances for _, instances in each])) for kind, each in runs]
+
+
+def _joined(parts: Sequence[Instances]) -> Instances:
+    return np.concatenate(parts) if len(parts) > 1 else parts[0]
+
+
+def _lines(lines: Sequence[Line]) -> Instances:
+    """The quads of strokes."""
+    rows = [(*line.start, *line.end, line.width, *line.color, line.opacity) for line in lines]
+    table = np.array(rows, np.float64).reshape(-1, 9)
+    return pack_strokes(strokes(table[:, 0:2], table[:, 2:4], table[:, 4], table[:, 5:8], table[:, 8]))
 
 
 def pack_strokes(strokes: Strokes) -> Instances:
-    """The quads of the strokes of an overlay."""
+    """The quads of strokes: capsules, a core as long as the line, and half the width around it."""
     out = np.zeros(len(strokes), INSTANCE)
     way = strokes.end - strokes.start
     length = np.hypot(way[:, 0], way[:, 1])
     out["origin"] = (strokes.start + strokes.end) / 2
     out["axis"] = np.where((length > 0.0)[:, None], way / np.maximum(length, 1e-300)[:, None], (1.0, 0.0))
     out["extent"][:, 0], out["extent"][:, 2] = length / 2, strokes.width / 2
-    out["fill"][:, :3], out["fill"][:, 3] = strokes.color, strokes.opacity
+    _paint(out, FILL, strokes.color, strokes.opacity)
     return out
+
+
+def _paint(out: Instances, which: int, color: Any, alpha: Any) -> None:
+    """Write one of the paints, a byte each part."""
+    paint = out["paints"][:, which]
+    paint[:, :3] = 255.0 * color + 0.5  # colours are in range: what theme and legend mix are shares of colours that are
+    paint[:, 3] = 255.0 * alpha + 0.5
 
 
 def triangles_of(fills: Fills) -> Any:
@@ -74,18 +100,52 @@ def triangles_of(fills: Fills) -> Any:
     return np.hstack([fan, np.repeat(paint, each, axis=0)])
 
 
-def _shapes(out: Instances, picture: DrawList) -> None:
+def pack_shapes(picture: DrawList) -> Instances:
+    """A quad for each shape, in their order."""
     items, mesh, scale = picture.shapes, picture.mesh, picture.camera.scale
+    out = np.zeros(len(items.index), INSTANCE)
     origin, half, trimmed = _trim(picture)
     out["origin"], out["axis"] = origin, items.axis
     out["extent"][:, :2] = half
     out["extent"][:, 2] = mesh.radius[items.index] * scale + items.grow
     out["extent"][:, 3] = items.line
-    out["fill"][:, :3], out["fill"][:, 3] = items.fill, items.opacity
-    out["edge"][:, :3], out["edge"][:, 3] = items.edge, items.hatched
-    out["mark"][:, :3], out["mark"][:, 3] = items.mark, np.where(trimmed, 0.0, items.mark_opacity)
+    _paint(out, FILL, items.fill, items.opacity)
+    _paint(out, EDGE, items.edge, items.hatched)
+    _paint(out, MARK, items.mark, np.where(trimmed, 0.0, items.mark_opacity))
     out["detail"][:, :2] = mesh.mark.take(items.index, axis=0) * scale
     out["detail"][:, 2], out["detail"][:, 3] = mesh.start[items.index], mesh.count[items.index]
+    if (items.texture != NONE).any():
+        out["grain"] = _grain(picture, origin)
+    return out
+
+
+def _grain(picture: DrawList, origin: Any) -> Any:
+    """What the shader needs to know of textures (k, 4): tiles a pixel, or minus that where the shape is higher than
+    wide; the number of the texture and, after the point, its strength; where the tile starts.
+    """
+    items = picture.shapes
+    tiles = 1.0 / (UNITS * np.maximum(items.unit, 1e-9))
+    moved = origin - items.origin  # what was trimmed keeps its texture in place
+    a, b = items.axis.T
+    along, up = moved[:, 0] * a + moved[:, 1] * b, moved[:, 0] * b - moved[:, 1] * a
+    upright = items.upright
+    start = np.where(upright[:, None], np.column_stack([up, along]), np.column_stack([along, up])) * tiles[:, None]
+    number = items.texture + 0.99 * items.grain
+    return np.column_stack([np.where(upright, -tiles, tiles), number, (items.shift + start) % 1.0])
+
+
+def _shadows(shapes: Instances, picture: DrawList) -> Instances:
+    """The shapes that cast one as soft blots: an outline of negative width tells the shader how soft."""
+    cast = np.flatnonzero(picture.shapes.shadow > 0.0)
+    if len(cast) == 0:
+        return shapes[:0]
+    out, theme = shapes[cast], picture.theme
+    out["origin"][:, 1] += SHADOW_DROP
+    out["extent"][:, 2] += SHADOW_SOFT / 2
+    out["extent"][:, 3] = -SHADOW_SOFT
+    out["paints"][:, EDGE:] = 0
+    _paint(out, FILL, np.array(theme.shadow), theme.shadow_opacity * picture.shapes.shadow[cast])
+    return out
 
 
 def _trim(picture: DrawList) -> tuple[Any, Any, Any]:

@@ -10,11 +10,14 @@ from imgui_bundle import imgui
 
 from sandbox.render.body_colors import body_colors_of
 from sandbox.render.camera import Camera, Size
+from sandbox.render.coloring.registry import THEME, shown_coloring
 from sandbox.render.draw_list import build_draw_list
 from sandbox.render.frame import Frame
 from sandbox.render.marks import Marks
+from sandbox.render.overlays import trails
 from sandbox.render.overlays.look import Look
 from sandbox.render.overlays.registry import OVERLAYS, draw_overlays
+from sandbox.render.trails import Trails
 from sandbox.window import hud
 from sandbox.window.actions.registry import BY_NAME, action_of, released
 from sandbox.window.compare import end_comparison, follow_comparison, ghost_over
@@ -40,10 +43,11 @@ from sandbox.window.viewport import Viewport
 from sandbox.window.widgets import begin_picture
 from sandbox.window.workspace import Wish, Workspace
 
+TRAILS = trails.OVERLAY.name
 TITLE_SECONDS, FADE_SECONDS = 5.0, 0.8
 TAKEN_OVER = (
-    "theme", "panels", "overlays", "interface", "text_scale", "less_motion", "keep_time", "selection",
-    "clipboard", "age",
+    "theme", "panels", "overlays", "color_by", "depth", "interface", "text_scale", "less_motion", "keep_time",
+    "selection", "clipboard", "age",
 )  # fmt: skip
 """What of a workspace stays when its file is read again."""
 ANY_POPUP = imgui.PopupFlags_.any_popup_id | imgui.PopupFlags_.any_popup_level
@@ -68,6 +72,7 @@ class PlayScreen:
         self.panels = new_panels()
         viewport = Viewport.of(session, size)
         self.workspace = Workspace(session, viewport, Path.cwd(), interface=interface)
+        self.workspace.color_by = getattr(session.scene.view, "color_by", THEME)
         self.tool_box = ToolBox(self.workspace)
         self.workspace.panels = first_panels(self.panels, size)
         self.player = Player(self.workspace)
@@ -188,7 +193,9 @@ class PlayScreen:
         workspace.viewport.go_along(frame, None if workspace.less_motion else self._since_picture)
         self._since_picture = 0.0
         self._body_colors = self._body_colors.for_frame(frame)
-        picture = build_draw_list(frame, self.camera, self._body_colors, self.mouse.strokes(), self._marks(frame))
+        picture = build_draw_list(
+            frame, self.camera, self._body_colors, self.mouse.strokes(), self._marks(frame), workspace.depth
+        )
         canvas.paint(picture, workspace.viewport.rect)
         overlay = Overlay(canvas.gui)
         with overlay.within(workspace.viewport.rect):
@@ -203,8 +210,20 @@ class PlayScreen:
         lit = highlight(frame, self.camera, workspace.selection.bodies, theme.drag)
         if workspace.selection.joint is not None:
             lit = highlight_joint(world.state, frame, self.camera, workspace.selection.joint, theme.drag)
-        shown = [OVERLAYS[name] for name in workspace.overlays]
-        return *draw_overlays(shown, Look(world, frame, self.camera, theme)), ghost_over(workspace, frame), lit
+        shown = [*shown_coloring(workspace.color_by), *(OVERLAYS[name] for name in workspace.overlays)]
+        look = Look(world, frame, self.camera, theme, self._trails())
+        return *draw_overlays(shown, look), ghost_over(workspace, frame), lit
+
+    def _trails(self) -> Trails | None:
+        """What is kept of where bodies were: nothing while trails are off."""
+        workspace, session = self.workspace, self.session
+        if TRAILS not in workspace.overlays:
+            session.trails = None
+        elif session.trails is None:
+            session.trails = Trails()
+        if session.trails is not None:
+            session.trails.only = workspace.selection.bodies
+        return session.trails
 
     def _reread(self, elapsed: float) -> Session | None:
         """The session of the file as it is now, if it has changed on disk."""

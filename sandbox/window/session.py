@@ -13,6 +13,7 @@ from sandbox.errors import CommandError, SandboxError
 from sandbox.render.camera import Bounds, Vec
 from sandbox.render.frame import Frame, blend, capture, interesting_bounds
 from sandbox.render.pick import pick
+from sandbox.render.trails import Trails
 from sandbox.replay.recording.limits import SUFFIX
 from sandbox.replay.timeline import Mark, Timeline
 from sandbox.window.clock import StepClock
@@ -47,6 +48,8 @@ class Session:
         self.step_cost = 0.0
         self.watchers: list[Callable[[], None]] = []
         """Called after each step that is shown; what they keep of it holds until `timeline.cuts` says otherwise."""
+        self.trails: Trails | None = None
+        """Where bodies were; kept while somebody wants to see it."""
         self._held: int | None = None
         self.target: Vec = (0.0, 0.0)
         self._grip: Vec = (0.0, 0.0)
@@ -222,6 +225,8 @@ class Session:
             self.trouble = str(error)
             self.timeline.step()
         cost = self.timeline.cost
+        if self.trails is not None:
+            self.trails.note(self.world.state)
         self.step_cost = cost if self.step_cost == 0.0 else 0.9 * self.step_cost + 0.1 * cost
         self.previous, self.current = self.current, capture(self.world.state, self.current.mesh)
         for watch in self.watchers:

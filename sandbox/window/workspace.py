@@ -53,6 +53,10 @@ class Workspace:
     selection: Selection = field(default_factory=Selection)
     panels: set[str] = field(default_factory=set)
     overlays: list[str] = field(default_factory=list)
+    color_by: str = "theme"
+    """What the colours of bodies mean: a name in `render/coloring`."""
+    depth: bool = True
+    """Whether what moves casts a soft shadow."""
     interface: bool = True
     help_shown: bool = False
     text_scale: float = 1.0

@@ -24,7 +24,8 @@ SHEET = np.array([DARK.background, DARK.grid_minor, DARK.grid_major, DARK.grid_a
 
 def paint(state: State, camera: Camera, above: tuple[Line, ...] = ()) -> np.ndarray:
     body_colors = choose_colors(state.names, state.bodies.type, DARK)
-    return np.asarray(SurfacePainter().paint(build_draw_list(capture(state), camera, body_colors, above))).astype(float)
+    picture = build_draw_list(capture(state), camera, body_colors, above, depth=False)
+    return np.asarray(SurfacePainter().paint(picture)).astype(float)
 
 
 def is_sheet(pixel: np.ndarray) -> bool:

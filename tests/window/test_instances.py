@@ -15,7 +15,7 @@ from sandbox.render.draw_list import build_draw_list
 from sandbox.render.frame import capture
 from sandbox.render.theme import DARK
 from sandbox.scene.flat import FlatBody, FlatScene
-from sandbox.window.instances import TRIM_PIXELS, pack
+from sandbox.window.instances import TRIM_PIXELS, pack_shapes
 from sandbox.world.build import build_state
 from sandbox.world.state import State
 from tests.render.stages import box, zoo
@@ -24,7 +24,7 @@ from tests.render.stages import box, zoo
 def packed(state: State, camera: Camera) -> np.ndarray:
     body_colors = choose_colors(state.names, state.bodies.type, DARK)
     picture = build_draw_list(capture(state), camera, body_colors)
-    return pack(picture)[len(picture.below) :]
+    return pack_shapes(picture)
 
 
 def test_each_visible_shape_is_one_quad() -> None:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.engine.world import World
+from sandbox.render.body_colors import body_colors_of
 from sandbox.render.camera import Camera, Floats
 from sandbox.render.frame import Frame
 from sandbox.render.geometry import Ints, gather
@@ -17,6 +18,7 @@ from sandbox.render.marks import Marks
 from sandbox.render.overlays.contact_points import ContactPoints, read_contact_points
 from sandbox.render.overlays.palette import Palette, palette_for
 from sandbox.render.theme import Theme
+from sandbox.render.trails import Trails
 from sandbox.tables import plain
 
 
@@ -28,6 +30,13 @@ class Look:
     frame: Frame
     camera: Camera
     theme: Theme
+    trails: Trails | None = None
+    """Where bodies were, if somebody keeps it."""
+
+    @cached_property
+    def colors(self) -> Floats:
+        """The colours of the bodies by themselves (n, 3), sRGB."""
+        return body_colors_of(self.world.state, self.theme).base
 
     @cached_property
     def palette(self) -> Palette:

@@ -25,6 +25,7 @@ from sandbox.render.overlays import (
     separations,
     sleep,
     sweeps,
+    trails,
     velocities,
 )
 from sandbox.render.overlays.legend import Corner, legend_card
@@ -34,7 +35,7 @@ from sandbox.scene.near_names import did_you_mean
 
 _MODULES = (
     outlines, boxes, grid, pairs, contacts, impulses, separations, features, centers, velocities, joints, islands,
-    colors, levels, sleep, sensors, sweeps,
+    colors, levels, sleep, sensors, sweeps, trails,
 )  # fmt: skip
 OVERLAYS: Mapping[str, Overlay] = {module.OVERLAY.name: module.OVERLAY for module in _MODULES}
 """Every overlay by its name, in the order in which menus list them and pictures lay them on each other."""

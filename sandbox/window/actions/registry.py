@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import pygame
 
-from sandbox.window.actions import arrange, edit, file, time, view
+from sandbox.window.actions import arrange, colors, edit, file, time, view
 from sandbox.window.actions.action import Action
 from sandbox.window.keys import Chord, chord
 
-MENUS = ("File", "Edit", "Arrange", "Time", "View", "Help")
-ACTIONS: tuple[Action, ...] = (*file.ACTIONS, *edit.ACTIONS, *arrange.ACTIONS, *time.ACTIONS, *view.ACTIONS)
+MENUS = ("File", "Edit", "Arrange", "Time", "View", "Colour by", "Help")
+_FILES = (file, edit, arrange, time, view, colors)
+ACTIONS: tuple[Action, ...] = tuple(action for each in _FILES for action in each.ACTIONS)
 BY_NAME = {action.name: action for action in ACTIONS}
 _CHORDS: tuple[tuple[Chord, Action], ...] = tuple((chord(key), action) for action in ACTIONS for key in action.keys)
 

@@ -20,6 +20,12 @@ def _toggle_theme(workspace: Workspace) -> None:
     workspace.theme = LIGHT if workspace.theme is DARK else DARK
 
 
+def _toggle_trails(workspace: Workspace) -> None:
+    shown = "trails" in workspace.overlays
+    others = [name for name in workspace.overlays if name != "trails"]
+    workspace.overlays = others if shown else [*others, "trails"]
+
+
 def _scale_text(workspace: Workspace, factor: float) -> None:
     workspace.text_scale = min(max(round(workspace.text_scale * factor, 3), 0.5), 3.0)
 
@@ -44,6 +50,8 @@ ACTIONS = (
            checked=lambda w: w.viewport.follow is not None),
     Action("zoom-in", "Zoom in", "View", ("Up",), "Nearer.", lambda w: w.viewport.zoom(1.05), held=True),
     Action("zoom-out", "Zoom out", "View", ("Down",), "Farther.", lambda w: w.viewport.zoom(1 / 1.05), held=True),
+    Action("trails", "Trails", "View", ("Shift+T",), "Where moving bodies, or the selected ones, came from.",
+           _toggle_trails, checked=lambda w: "trails" in w.overlays),
     Action("interface", "Panels", "View", ("Tab",), "Show or hide all but the scene.", _toggle_interface,
            checked=lambda w: w.interface),
     Action("theme", "Light", "View", ("F8",), "Light or dark.", _toggle_theme, checked=lambda w: w.theme is LIGHT),

@@ -6,7 +6,19 @@ uniform sampler2D vertices;  // polygon vertices in metres, one a texel, 1024 a 
 uniform float scale;         // pixels a metre
 
 in vec2 place;
-flat in vec4 f_extent, f_fill, f_edge, f_mark, f_detail;
+flat in vec4 f_extent, f_detail;
+flat in uvec3 f_paints;
+#ifdef TEXTURED
+uniform sampler2DArray textures;
+flat in vec4 f_grain;
+
+// What the material adds to the colour. The tile lies fixed in the shape frame.
+float texture_at(vec2 p) {
+    vec2 along = f_grain.x < 0.0 ? p.yx : p;
+    float lod = log2(max(abs(f_grain.x) * 128.0, 1.0));
+    return textureLod(textures, vec3(f_grain.zw + along * abs(f_grain.x), floor(f_grain.y)), lod).r;
+}
+#endif
 
 out vec4 color;
 
@@ -60,19 +72,29 @@ float stroke_distance(vec2 p, float from, float to) {
     return length(p - vec2(clamp(p.x, from, to), 0.0));
 }
 
+vec4 paint_of(uint bytes) {
+    return vec4(bytes & 255u, (bytes >> 8) & 255u, (bytes >> 16) & 255u, bytes >> 24) / 255.0;
+}
+
 void main() {
     float distance = core_distance(place, int(f_detail.z), int(f_detail.w)) - f_extent.z;
-    float coverage = clamp(0.5 - distance, 0.0, 1.0);
+    bool shadow = f_extent.w < 0.0;
+    float coverage = clamp(shadow ? distance / f_extent.w : 0.5 - distance, 0.0, 1.0);
     if (coverage <= 0.0) discard;
 
-    vec3 paint = f_fill.rgb;
-    if (f_edge.a > 0.5) {
+    vec4 fill = paint_of(f_paints.x), edge = paint_of(f_paints.y), mark = paint_of(f_paints.z);
+    if (shadow) coverage *= coverage * (3.0 - 2.0 * coverage);
+    vec3 paint = fill.rgb;
+#ifdef TEXTURED
+    paint += texture_at(place) * (fract(f_grain.y) / 0.99);
+#endif
+    if (edge.a > 0.5) {
         float stripe = abs(fract((gl_FragCoord.x - gl_FragCoord.y) / 9.9) - 0.5) * 9.9;
-        paint = mix(f_edge.rgb, paint, clamp(stripe, 0.0, 1.0));
+        paint = mix(edge.rgb, paint, clamp(stripe, 0.0, 1.0));
     }
     float spoke = clamp(0.5 + max(f_extent.w, 0.7) * 0.75 - stroke_distance(place, f_detail.x, f_detail.y), 0.0, 1.0);
-    paint = mix(paint, f_mark.rgb, spoke * f_mark.a);
-    float rim = clamp(distance + f_extent.w + 0.5, 0.0, 1.0) * min(f_extent.w, 1.0);
-    paint = mix(paint, f_edge.rgb, rim);
-    color = vec4(paint, coverage * mix(f_fill.a, 1.0, max(rim, spoke * f_mark.a)));  // hollow shapes keep their lines
+    paint = mix(paint, mark.rgb, spoke * mark.a);
+    float rim = clamp(distance + f_extent.w + 0.5, 0.0, 1.0) * clamp(f_extent.w, 0.0, 1.0);
+    paint = mix(paint, edge.rgb, rim);
+    color = vec4(paint, coverage * mix(fill.a, 1.0, max(rim, spoke * mark.a)));  // hollow shapes keep their lines
 }

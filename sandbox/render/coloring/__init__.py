@@ -1,0 +1,1 @@
+"""Colours that mean something: one way to colour bodies a file."""
