@@ -21,7 +21,6 @@ from sandbox.render.overlays.registry import draw_overlays
 from sandbox.render.theme import DARK, Theme
 from sandbox.render.trails import Trails
 
-
 TRAILS = trails.OVERLAY.name
 
 
