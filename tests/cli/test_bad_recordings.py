@@ -138,10 +138,12 @@ def test_every_command_that_reads_one(cli: Callable, good: str, arguments: list[
     assert not Path("out.replay.json").exists()
 
 
-def test_a_picture_of_a_recording_says_what_there_is(cli: Callable, good: str) -> None:
+def test_a_recording_that_is_damaged_gives_no_picture(cli: Callable, good: str) -> None:
     Path("good.replay.json").write_text(good)
-    done = cli("render", "good.replay.json", "-o", "out.png")
-    assert (done.code, "-o NAME.html" in done.err) == (2, True)
+    assert cli("render", "good.replay.json", "-o", "out.png").code == 0
+    Path("bad.replay.json").write_text(good[:-40])
+    done = cli("render", "bad.replay.json", "-o", "other.png")
+    assert (done.code, "bad.replay.json:" in done.err, Path("other.png").exists()) == (2, True, False)
 
 
 @pytest.mark.skipif(not hasattr(os, "symlink") or os.name == "nt", reason="needs POSIX links")
