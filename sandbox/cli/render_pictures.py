@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from sandbox.replay.golden.run import Run, RunStepper
 
 FILM_STEPS = 300
-GIF_FPS, VIDEO_FPS, FASTEST_GIF = 25.0, 60.0, 50.0
 
 
 def run_to_show(path: Path) -> Run:
@@ -57,10 +56,8 @@ def write_film(options: RenderOptions, suffix: str) -> None:
     """A film. Raises `SandboxError`, `MissingDependencyError` and `OSError`."""
     from sandbox.cli.picture_options import parse_size
     from sandbox.cli.picture_progress import PictureProgress
-    from sandbox.render.image import gif_pictures, gif_seconds, save_gif
-    from sandbox.render.shots import shots
-    from sandbox.render.surface_painter import SurfacePainter
-    from sandbox.render.video import check_video, save_video
+    from sandbox.render.film_file import FASTEST_GIF, GIF_FPS, VIDEO_FPS, save_film
+    from sandbox.render.video import check_video
 
     gif = suffix == ".gif"
     fps = options.fps or (GIF_FPS if gif else VIDEO_FPS)
@@ -74,16 +71,7 @@ def write_film(options: RenderOptions, suffix: str) -> None:
     steps = _length(options, stepper, first, steps)
     with PictureProgress() as progress:
         _skip(stepper, first, progress, shooting)
-        if gif:
-            seconds = gif_seconds(fps)
-            taken = shots(stepper, progress.count("simulating", range(steps)), seconds, shooting)
-            pictures = [shooting.draw_list(shot) for shot in taken]
-            save_gif(progress.count("drawing", gif_pictures(pictures), len(pictures)), options.output, seconds)
-            count = len(pictures)
-        else:
-            painter = SurfacePainter()
-            taken = shots(stepper, progress.count("filming", range(steps)), 1.0 / fps, shooting)
-            count = save_video((painter.paint(shooting.draw_list(shot)) for shot in taken), options.output, fps)
+        count = save_film(stepper, shooting, steps, options.output, fps, progress)
     _tell(options, size, stepper, count)
 
 

@@ -31,6 +31,7 @@ def open_panel(workspace: Workspace) -> None:
     """Show the panel, unless it would leave little of the scene."""
     if workspace.viewport.rect[2] >= NARROW:
         workspace.panels.add(OWNER)
+        workspace.front = OWNER
 
 
 def end_comparison(workspace: Workspace) -> None:
@@ -93,6 +94,7 @@ def show_body(workspace: Workspace, name: str) -> None:
     if name not in names:
         workspace.say(f"{name} is not there at this step")
         return
-    workspace.selection.bodies = (name,)
+    workspace.selection.clear()
+    workspace.selection.pick(name)
     x, y = workspace.session.current.center[names.index(name)].tolist()
     workspace.viewport.center_on((x, y))

@@ -36,6 +36,7 @@ class Progress:
 
     def count(self, what: str, items: Iterable[Item], total: int | None = None) -> Iterator[Item]:
         """Pass `items` through and count them."""
+        self.done = 0
         self.what, self.total = what, total if total is not None else len(items) if isinstance(items, range) else 0
         for number, item in enumerate(items):
             self.at(number)

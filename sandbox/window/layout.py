@@ -35,7 +35,7 @@ class Layout:
     def __init__(self, panels: dict[str, Panel], tool_box: ToolBox) -> None:
         self.panels = panels
         self.tool_box = tool_box
-        self._shown: set[str] = set()
+        self._shown: set[str] | None = None
         self._fresh: set[str] = set()
         self._settling = 0
         self._scrubber = Scrubber()
@@ -55,17 +55,21 @@ class Layout:
         draw_time_bar(workspace, self._scrubber, self.tool_box.tool.hint(workspace))
         imgui.end()
         rect = self._dock((left, top, size[0] - left, bottom - top))
+        self._fresh = workspace.panels - self._shown if self._shown is not None else set()
+        self._shown = set(workspace.panels)
         for panel in self.panels.values():
             if panel.name in workspace.panels:
                 self._draw_panel(workspace, panel)
         self._settling -= 1
-        if self._settling == 0:  # docked by now
-            self._bring_first_to_front(workspace)
+        if self._settling == 0 or (workspace.front and self._settling < 0):  # docked by now
+            self._bring_to_front(workspace)
         return rect
 
-    def _bring_first_to_front(self, workspace: Workspace) -> None:
-        """Of panels that opened together in one place, the last would be in front."""
-        first = next((panel for panel in self.panels.values() if panel.name in workspace.panels), None)
+    def _bring_to_front(self, workspace: Workspace) -> None:
+        """The panel that is wanted there, else the first: of those that opened together the last would be in front."""
+        shown = [panel for panel in self.panels.values() if panel.name in workspace.panels]
+        first = next((panel for panel in shown if panel.name == workspace.front), shown[0] if shown else None)
+        workspace.front = ""
         if first is not None:
             imgui.set_window_focus(_window_title(first))
 

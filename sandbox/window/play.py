@@ -22,6 +22,7 @@ from sandbox.window import hud
 from sandbox.window.actions.registry import BY_NAME, action_of, released
 from sandbox.window.compare import end_comparison, follow_comparison, ghost_over
 from sandbox.window.controls.player import Player
+from sandbox.window.export_box import ExportBox
 from sandbox.window.gui_style import apply_style
 from sandbox.window.help import draw_help
 from sandbox.window.highlight import highlight, highlight_joint
@@ -82,6 +83,7 @@ class PlayScreen:
         self._layout = Layout(self.panels, self.tool_box)
         self._reloader = Reloader(session) if session.scene.text is not None else None
         self._body_colors = body_colors_of(session.world.state)
+        self.export_box = ExportBox()
         self._lead = lead
         self._since_picture = 0.0
         self.journal: Journal | None = None
@@ -118,6 +120,7 @@ class PlayScreen:
         mine.viewport.touched = its.viewport.touched
         clock, old = mine.session.clock, its.session.clock
         clock.speed, clock.paused = old.speed, old.paused
+        self.export_box = before.export_box
         if its.keep_time:
             mine.session.skip(min(its.session.timeline.step_count, MOST_SKIPPED))
         mine.say("read again")
@@ -292,6 +295,7 @@ class PlayScreen:
         reloader = self._reloader
         if reloader and reloader.problem and draw_problem(workspace, reloader.problem, overlay.gui.mono):
             reloader.problem = ""
+        self.export_box.draw(workspace)
         if workspace.help_shown:
             draw_help(workspace, self.tool_box.tools, self.panels)
 

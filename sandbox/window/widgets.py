@@ -133,6 +133,14 @@ def label(words: str, tip: str = "") -> None:
     imgui.set_next_item_width(-1.0)
 
 
+def progress_bar(name: str, share: float, tip: str = "", width: float = -1.0) -> None:
+    """A bar of which `share` (0 to 1) is full; `width` in pixels, or the rest of the line."""
+    imgui.push_style_color(imgui.Col_.plot_histogram, imgui.get_style_color_vec4(imgui.Col_.check_mark))
+    imgui.progress_bar(share, imgui.ImVec2(width, imgui.get_font_size() * 0.6), "")
+    imgui.pop_style_color()
+    mark(name, tip)
+
+
 def row(label: str, value: str, tip: str = "") -> None:
     """A name and what it is, in two columns."""
     imgui.text_disabled(label)

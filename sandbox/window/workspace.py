@@ -52,6 +52,8 @@ class Workspace:
     theme: Theme = DARK
     selection: Selection = field(default_factory=Selection)
     panels: set[str] = field(default_factory=set)
+    front: str = ""
+    """The panel that is to be in front of those in its place."""
     overlays: list[str] = field(default_factory=list)
     color_by: str = "theme"
     """What the colours of bodies mean: a name in `render/coloring`."""
@@ -74,6 +76,8 @@ class Workspace:
     """Whether the file is to be read again now."""
     keep_time: bool = False
     """Whether a scene that is read again goes on from the step at which the one before it stood."""
+    export_asked: bool = False
+    """Whether the dialog for pictures and films is to open."""
     comparer: Comparer | None = None
     """Holds the session against a recording."""
     time_marks: TimeMarks = field(default_factory=TimeMarks)

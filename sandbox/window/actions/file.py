@@ -73,6 +73,8 @@ ACTIONS = (
            lambda w: _open_beside(w, 1)),
     Action("previous", "Previous scene", "File", ("PageUp",), "The scene before in the same folder.",
            lambda w: _open_beside(w, -1)),
+    Action("export", "Export...", "File", ("Ctrl+E",), "A picture or a film of the session: PNG, SVG, GIF, MP4, WebM.",
+           lambda w: setattr(w, "export_asked", True)),
     Action("screenshot", "Picture", "File", ("F12",), "Save a picture of the window.", _shoot),
     Action("leave", "Leave", "File", ("Esc",), "Give up what is begun, else unselect, else back or out.", _leave),
     Action("quit", "Quit", "File", ("Ctrl+Q",), "Close the window.", _wish("quit")),

@@ -10,7 +10,7 @@ from sandbox.window.comparer import Comparer
 from sandbox.window.gui_style import palette_of
 from sandbox.window.panels.compare.figures import draw_checkpoints, draw_fields, draw_groups
 from sandbox.window.panels.panel import Panel
-from sandbox.window.widgets import button, checkbox, mark, section, wrapped
+from sandbox.window.widgets import button, checkbox, mark, progress_bar, section, wrapped
 from sandbox.window.workspace import Workspace
 
 MOST_ROWS = 8
@@ -57,8 +57,8 @@ def _draw_verdict(workspace: Workspace, comparer: Comparer) -> None:
     icon = icons.ICON_FA_CIRCLE_CHECK if same else icons.ICON_FA_CIRCLE_EXCLAMATION
     if found is None and not comparer.trouble:
         progress = comparer.job.progress
-        imgui.progress_bar(progress.share, imgui.ImVec2(-1.0, 0.0), f"step {progress.done:,} of {progress.total:,}")
-        mark("compare.progress", "Running it again, step by step.")
+        wrapped(f"running it again: step {progress.done:,} of {progress.total:,}")
+        progress_bar("compare.progress", progress.share)
         return
     title = comparer.title()
     imgui.push_style_color(imgui.Col_.text, imgui.ImVec4(*(colors.second if same else colors.accent), 1.0))
