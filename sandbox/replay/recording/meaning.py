@@ -11,7 +11,7 @@ from typing import Any
 from sandbox.scene.flat import FlatScene
 
 _SILENT = {"pointer", "color", "clockwise", "words", "title", "keys", "minus", "pad", "mouse"}
-"""What a flat scene remembers for messages and pictures; it moves nothing."""
+"""What a flat scene remembers for messages and pictures, beside what does not even count for its equality."""
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,7 @@ def _text(value: Any, known: dict[int, str], leave: frozenset[str] | set[str] = 
 @cache
 def _fields(kind: type[Any]) -> tuple[tuple[str, Any], ...]:
     """Names and defaults of what counts."""
-    rows = [(item.name, _default(item)) for item in fields(kind)]
+    rows = [(item.name, _default(item)) for item in fields(kind) if item.compare]
     return tuple(row for row in rows if row[0] not in _SILENT)
 
 
