@@ -103,7 +103,7 @@ def choose_colors(
     base = np.zeros((len(names), 3))
     for i, (name, own) in enumerate(zip(names, families, strict=True)):
         look, rank = looks[i], seen[own]
-        usual = _base_color(types[i], hues.get(own, 0.0), rank, size[own], theme)
+        usual = _base_color(types[i], hues.get(own, (0.0, 0.0)), rank, size[own], theme)
         base[i] = _color(name, chosen) or (usual if look is None else _material_color(look, types[i], rank, theme))
         seen[own] += 1
     texture = np.array([texture_number(look.texture) if look else 0 for look in looks], np.int64)
@@ -122,18 +122,18 @@ def _color(name: str, chosen: Mapping[str, str]) -> Color | None:
     return hex_color(chosen[name]) if name in chosen else None
 
 
-def _family_hues(families: Iterable[str], theme: Theme) -> dict[str, float]:
-    """A hue for each family by its name; if an earlier family has it, the next free one."""
+def _family_hues(families: Iterable[str], theme: Theme) -> dict[str, tuple[float, float]]:
+    """A hue, and how much lighter it is, for each family by its name; where an earlier one has it, the next free."""
     slots: dict[str, int] = {}
     count = len(theme.hues)
     for own in dict.fromkeys(families):
         wish = zlib.crc32(own.encode()) % count
         taken = set(slots.values())
         slots[own] = next((k for i in range(count) if (k := (wish + 3 * i) % count) not in taken), wish)
-    return {own: theme.hues[slot] for own, slot in slots.items()}
+    return {own: (theme.hues[slot], theme.lighter[slot]) for own, slot in slots.items()}
 
 
-def _base_color(kind: int, hue: float, rank: int, size: int, theme: Theme) -> Color:
+def _base_color(kind: int, hue: tuple[float, float], rank: int, size: int, theme: Theme) -> Color:
     """Hue by family; a large one sweeps across neighbouring hues, and members differ a little."""
     if kind == STATIC:
         return theme.static
@@ -141,7 +141,8 @@ def _base_color(kind: int, hue: float, rank: int, size: int, theme: Theme) -> Co
         return theme.kinematic
     sweep = theme.sweep * min(size / 30.0, 1.0) * (rank / size - 0.5)
     jitter = theme.jitter * _scatter(rank, 0.6180339887)
-    return oklch_to_srgb(theme.lightness + 0.06 * _scatter(rank, 0.7548776662), theme.chroma, hue + sweep + jitter)
+    lightness = theme.lightness + hue[1] + 0.06 * _scatter(rank, 0.7548776662)
+    return oklch_to_srgb(lightness, theme.chroma, hue[0] + sweep + jitter)
 
 
 def _scatter(rank: int, ratio: float) -> float:

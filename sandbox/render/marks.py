@@ -42,3 +42,8 @@ class Marks:
     hollow: bool = False
     calm: bool = False
     legend: Sequence[LegendEntry] = ()
+
+    def __bool__(self) -> bool:
+        """Whether there is anything in it."""
+        any_ = (self.fills, self.labels, self.tints, self.hollow, self.calm, self.legend)
+        return len(self.strokes) > 0 or any(bool(part) for part in any_)

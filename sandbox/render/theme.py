@@ -21,7 +21,8 @@ def hex_color(text: str) -> Color:
 class Theme:
     """All colours of a picture.
 
-    Families take their hues (degrees in OKLCH) from `hues`; a large family spreads over `sweep` degrees and
+    Families take their hues (degrees in OKLCH) from `hues`, and with each of them a difference in lightness, `lighter`:
+    hues that look alike to the colour-blind differ in that. A large family spreads over `sweep` degrees and
     neighbours differ by up to `jitter`. `outline`, `static_outline` and `sleep` say how far (0..1) outlines
     move towards `light` and sleeping bodies towards the background.
     """
@@ -45,6 +46,7 @@ class Theme:
     shadow: Color = (0.0, 0.0, 0.0)
     shadow_opacity: float = 0.5
     hues: tuple[float, ...] = (28.0, 62.0, 92.0, 140.0, 178.0, 215.0, 250.0, 288.0, 325.0, 358.0)
+    lighter: tuple[float, ...] = (0.0, -0.08, 0.0, 0.08, 0.0, 0.0, -0.08, 0.08, -0.08, -0.08)
     sweep: float = 75.0
     jitter: float = 26.0
     lightness: float = 0.745
@@ -56,8 +58,8 @@ class Theme:
 
 DARK = Theme(
     background=hex_color("#12151b"),
-    grid_minor=hex_color("#191d25"),
-    grid_major=hex_color("#222833"),
+    grid_minor=hex_color("#1a1f27"),
+    grid_major=hex_color("#262d39"),
     grid_axis=hex_color("#313a48"),
     static=hex_color("#343c49"),
     kinematic=hex_color("#7d8fb3"),

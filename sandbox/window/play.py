@@ -8,11 +8,12 @@ from pathlib import Path
 import pygame
 from imgui_bundle import imgui
 
-from sandbox.render.body_colors import body_colors_of
+from sandbox.render.body_colors import BodyColors, body_colors_of
 from sandbox.render.camera import Camera, Size
 from sandbox.render.coloring.registry import THEME, shown_coloring
-from sandbox.render.draw_list import build_draw_list
+from sandbox.render.draw_list import DrawList, build_draw_list
 from sandbox.render.frame import Frame
+from sandbox.render.line import Line
 from sandbox.render.marks import Marks
 from sandbox.render.overlays import trails
 from sandbox.render.overlays.look import Look
@@ -85,6 +86,8 @@ class PlayScreen:
         self._body_colors = body_colors_of(session.world.state)
         self.export_box = ExportBox()
         self._lead = lead
+        self._last: tuple[Frame, BodyColors, tuple[Camera, list[Line], bool], DrawList] | None = None
+        """The last picture and what it was made of."""
         self._since_picture = 0.0
         self.journal: Journal | None = None
         """Where the session is written down while it is played."""
@@ -196,15 +199,23 @@ class PlayScreen:
         workspace.viewport.go_along(frame, None if workspace.less_motion else self._since_picture)
         self._since_picture = 0.0
         self._body_colors = self._body_colors.for_frame(frame)
-        picture = build_draw_list(
-            frame, self.camera, self._body_colors, self.mouse.strokes(), self._marks(frame), workspace.depth
-        )
+        picture = self._picture(frame)
         canvas.paint(picture, workspace.viewport.rect)
         overlay = Overlay(canvas.gui)
         with overlay.within(workspace.viewport.rect):
             overlay.labels(picture.labels, workspace.viewport.rect)
         self._draw_over(overlay)
         self._draw_hud(overlay)
+
+    def _picture(self, frame: Frame) -> DrawList:
+        """What painters draw of a frame: the same object as before, if nothing has changed."""
+        strokes, marks, depth = list(self.mouse.strokes()), self._marks(frame), self.workspace.depth
+        last, seen = self._last, (self.camera, strokes, depth)
+        same = last is not None and last[0] is frame and last[1] is self._body_colors and last[2] == seen
+        if last is None or not same or any(marks) or any(last[3].marks[1:]):
+            picture = build_draw_list(frame, self.camera, self._body_colors, strokes, marks, depth)
+            self._last = last = frame, self._body_colors, seen, picture
+        return last[3]
 
     def _marks(self, frame: Frame) -> tuple[Marks, ...]:
         """The overlays that are on, and the outline of what is selected."""

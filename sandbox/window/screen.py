@@ -12,6 +12,7 @@ from sandbox.render.theme import Theme
 from sandbox.window.display import Display
 from sandbox.window.gl_painter import GlPainter
 from sandbox.window.gui import Gui
+from sandbox.window.kept_picture import KeptPicture
 from sandbox.window.remembered import Remembered
 
 
@@ -24,13 +25,23 @@ class Canvas:
     gui: Gui
     theme: Theme
     remembered: Remembered = field(default_factory=Remembered)
+    _kept: KeptPicture | None = None
 
     def clear(self) -> None:
         """An empty picture."""
         self.display.context.clear(*self.theme.background)
 
     def paint(self, picture: DrawList, rect: tuple[int, int, int, int]) -> None:
-        """Draw a picture into a part of the window: left, top, width, height in pixels. The rest is left empty."""
+        """Draw a picture into a part of the window: left, top, width, height in pixels. The rest is left empty.
+
+        The same picture as the last time is not drawn again: it was kept.
+        """
+        size = self.display.size
+        if self._kept is None or self._kept.size != size:
+            self._kept = KeptPicture(self.display.context, size, self._kept)
+        self._kept.show(picture, rect, self.display.begin, lambda: self._draw(picture, rect))
+
+    def _draw(self, picture: DrawList, rect: tuple[int, int, int, int]) -> None:
         context, height = self.display.context, self.display.size[1]
         context.clear(*picture.theme.background)
         box = rect[0], height - rect[1] - rect[3], rect[2], rect[3]

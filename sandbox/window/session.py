@@ -50,10 +50,13 @@ class Session:
         """Called after each step that is shown; what they keep of it holds until `timeline.cuts` says otherwise."""
         self.trails: Trails | None = None
         """Where bodies were; kept while somebody wants to see it."""
+        self._blended: Frame | None = None
+        self._blended_of = (0, 0, 0.0)
         self._held: int | None = None
         self.target: Vec = (0.0, 0.0)
         self._grip: Vec = (0.0, 0.0)
         self.previous = self.current = capture(self.world.state)
+        self._between = self.previous, self.current
         self.home = interesting_bounds(self.current)
         """What is worth looking at when the scene begins, in metres."""
 
@@ -150,10 +153,16 @@ class Session:
         return Path(self.scene.source).name.split(".")[0] if self.scene.text is not None else "scene"
 
     def frame(self) -> Frame:
-        """What is to be seen now: between the last two steps, as far as the clock says."""
+        """What is to be seen now: between the last two steps, as far as the clock says. While time stands still it is
+        the same object.
+        """
         if self.current.mesh.layout != self.world.layout:  # bodies came or went between two steps
             self.previous = self.current = capture(self.world.state)
-        return blend(self.previous, self.current, self.clock.alpha)
+        of = id(self.previous), id(self.current), self.clock.alpha
+        if of != self._blended_of or self._blended is None:
+            self._between, self._blended_of = (self.previous, self.current), of  # kept alive, so that ids stay theirs
+            self._blended = blend(self.previous, self.current, self.clock.alpha)
+        return self._blended
 
     def bounds(self) -> Bounds:
         """What is worth looking at now, in metres."""

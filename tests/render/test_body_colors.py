@@ -6,7 +6,7 @@ import pytest
 from sandbox.render.body_colors import choose_colors, family, frame_colors
 from sandbox.render.frame import capture
 from sandbox.render.oklab import oklch_to_srgb
-from sandbox.render.theme import DARK, hex_color
+from sandbox.render.theme import DARK, LIGHT, Theme, hex_color
 from sandbox.world.records import DYNAMIC, STATIC
 from tests.render.stages import zoo
 
@@ -68,3 +68,35 @@ def test_oklch_ends_are_black_and_white() -> None:
 def test_oklch_red_is_red() -> None:
     # The published coordinates of sRGB red.
     assert oklch_to_srgb(0.62796, 0.25768, 29.2339) == pytest.approx((1.0, 0.0, 0.0), abs=2e-3)
+
+
+# Machado, Oliveira and Fernandes, "A physiologically-based model for simulation of color vision deficiency", 2009:
+# severity 1, on linear sRGB.
+SIGHT = {
+    "usual": np.eye(3),
+    "deuteranopia": np.array([[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413],
+                              [-0.011820, 0.042940, 0.968881]]),
+    "protanopia": np.array([[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216],
+                            [-0.003882, -0.048116, 1.051998]]),
+}  # fmt: skip
+
+
+def oklab(linear: np.ndarray) -> np.ndarray:
+    """Linear sRGB (n, 3) in OKLab."""
+    cones = np.array([[0.4122214708, 0.5363325363, 0.0514459929], [0.2119034982, 0.6806995451, 0.1073969566],
+                      [0.0883024619, 0.2817188376, 0.6299787005]])  # fmt: skip
+    axes = np.array([[0.2104542553, 0.7936177850, -0.0040720468], [1.9779984951, -2.4285922050, 0.4505937099],
+                     [0.0259040371, 0.7827717662, -0.8086757660]])  # fmt: skip
+    found: np.ndarray = np.cbrt(np.clip(linear, 0.0, 1.0) @ cones.T) @ axes.T
+    return found
+
+
+@pytest.mark.parametrize("theme", [DARK, LIGHT], ids=["dark", "light"])
+@pytest.mark.parametrize("sight", list(SIGHT))
+def test_families_differ_for_the_colour_blind(theme: Theme, sight: str) -> None:
+    names = [f"thing{chr(97 + i)}" for i in range(len(theme.hues))]
+    base = choose_colors(names, [DYNAMIC] * len(names), theme).base
+    linear = np.where(base <= 0.04045, base / 12.92, ((base + 0.055) / 1.055) ** 2.4)
+    seen = oklab(linear @ SIGHT[sight].T)
+    apart = np.linalg.norm(seen[:, None] - seen[None], axis=2)[np.triu_indices(len(names), 1)]
+    assert apart.min() > 0.04  # with one lightness for all it was 0.004
