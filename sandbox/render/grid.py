@@ -15,7 +15,9 @@ MINOR_PIXELS = 34.0
 
 @dataclass(frozen=True)
 class GridLine:
-    """A line at x (`vertical`) or y = `pixel`; `rank` 0 minor, 1 every fifth, 2 through the origin."""
+    """A line at x (`vertical`) or y = `pixel`; `rank` 0 minor, 1 major (5 or 10 times a power
+    of ten metres), 2 through the origin.
+    """
 
     vertical: bool
     pixel: float
@@ -43,5 +45,6 @@ def _positions(low: float, high: float, step: float, camera: Camera, axis: int) 
     points = np.zeros((len(indices), 2))
     points[:, axis] = np.array(indices) * step
     pixels = camera.to_screen(points)[:, axis]
-    ranks = [2 if k == 0 else 1 if k % 5 == 0 else 0 for k in indices]
+    group = 2 if round(step / 10.0 ** math.floor(math.log10(step) + 1e-9)) == 5 else 5
+    ranks = [2 if k == 0 else 1 if k % group == 0 else 0 for k in indices]
     return [(float(p), rank) for p, rank in zip(pixels, ranks, strict=True)]

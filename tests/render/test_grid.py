@@ -36,3 +36,11 @@ def test_the_axes_stand_out() -> None:
     lines = grid_lines(Camera((0.0, 0.0), 50.0, (1000, 800)))
     axes = [(line.vertical, line.pixel) for line in lines if line.rank == 2]
     assert axes == [(True, 500.0), (False, 400.0)]
+
+
+@pytest.mark.parametrize(("scale", "minor", "major"), [(40.0, 1.0, 5.0), (20.0, 2.0, 10.0), (8.0, 5.0, 10.0)])
+def test_major_lines_are_round_too(scale: float, minor: float, major: float) -> None:
+    assert spacing(scale) == minor
+    lines = grid_lines(Camera((0.0, 0.0), scale, (1280, 800)))
+    columns = sorted(line.pixel for line in lines if line.vertical and line.rank > 0)
+    assert [b - a for a, b in itertools.pairwise(columns)] == pytest.approx([major * scale] * (len(columns) - 1))
