@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -147,8 +148,7 @@ def ghost_marks(ghost: Frame, shown: Frame, camera: Camera, color: Color) -> Mar
 
 def _elsewhere(ghost: Frame, shown: Frame, scale: float) -> Any:
     """Rows of the shapes that are off by a visible amount, the farthest first."""
-    rows = {name: row for row, name in enumerate(shown.roster.names)}
-    here = np.array([rows.get(name, -1) for name in ghost.roster.names], np.int64)
+    here = _rows(ghost.roster.names, shown.roster.names)
     both = here >= 0
     off, turn = np.full(len(here), np.inf), np.zeros(len(here))
     off[both] = np.hypot(*(ghost.center[both] - shown.center[here[both]]).T)
@@ -157,6 +157,14 @@ def _elsewhere(ghost: Frame, shown: Frame, scale: float) -> Any:
     pixels = (off[body] + turn[body] * ghost.mesh.reach) * scale
     order = np.argsort(-pixels, kind="stable")
     return order[pixels[order] > SEEN_PIXELS]
+
+
+def _rows(names: Sequence[str], among: Sequence[str]) -> Any:
+    """Where each of `names` is in `among`; -1 if it is not there."""
+    if names == among:
+        return np.arange(len(names))
+    rows = {name: row for row, name in enumerate(among)}
+    return np.array([rows.get(name, -1) for name in names], np.int64)
 
 
 def _sides(frame: Frame, shape: int, scale: float) -> Floats:
