@@ -137,12 +137,15 @@ def frame_at_poses(frame: Frame, bodies: Any, poses: dict[str, Pose]) -> Frame:
 
 def ghost_marks(ghost: Frame, shown: Frame, camera: Camera, color: Color) -> Marks:
     """Outlines of the shapes of `ghost` that are elsewhere than in `shown`, or not there at all."""
-    shapes = _elsewhere(ghost, shown, camera.scale)
+    alike: dict[bytes, list[int]] = {}
+    for shape in _elsewhere(ghost, shown, camera.scale)[:MOST].tolist():
+        alike.setdefault(_look(ghost, shape), []).append(shape)
     origin, axis = ghost.shape_poses()
     lines = []
-    for shape in shapes[:MOST].tolist():
-        sides = camera.to_screen(origin[shape] + _turned(_sides(ghost, shape, camera.scale), axis[shape]))
-        lines.append(strokes(sides[:, 0], sides[:, 1], WIDTH, color, 0.9))
+    for shapes in alike.values():
+        sides = _turned(_sides(ghost, shapes[0], camera.scale)[None], axis[shapes].T[:, :, None, None])
+        ends = camera.to_screen(origin[shapes][:, None, None] + sides).reshape(-1, 2, 2)
+        lines.append(strokes(ends[:, 0], ends[:, 1], WIDTH, color, 0.9))
     return Marks(strokes=joined(lines))
 
 
@@ -167,6 +170,14 @@ def _rows(names: Sequence[str], among: Sequence[str]) -> Any:
     return np.array([rows.get(name, -1) for name in names], np.int64)
 
 
+def _look(frame: Frame, shape: int) -> bytes:
+    """The same for shapes that have the same outline in their own frames."""
+    mesh = frame.mesh
+    if shape in mesh.outlines:
+        return mesh.outlines[shape].sides.tobytes()
+    return mesh.core(shape).tobytes() + float(mesh.radius[shape]).hex().encode()
+
+
 def _sides(frame: Frame, shape: int, scale: float) -> Floats:
     """The sides (k, 2, 2) of a shape's outline in its own frame, in metres."""
     mesh = frame.mesh
@@ -177,6 +188,7 @@ def _sides(frame: Frame, shape: int, scale: float) -> Floats:
 
 
 def _turned(points: Floats, axis: Floats) -> Floats:
+    """Points (..., 2) turned by axes (cos, sin), each of which fits `points[..., 0]`."""
     c, s = axis
     x, y = points[..., 0], points[..., 1]
     return np.stack([c * x - s * y, s * x + c * y], axis=-1)
