@@ -20,7 +20,7 @@ from sandbox.world.records import BODY
 OnSteps = Callable[[int], None]
 POSE = ("position_x", "position_y", "angle", "velocity_x", "velocity_y", "angular_velocity")
 """The fields of a body that are told whether they differ or not."""
-_WORST = 10
+_WORST, _MOST_EDITS = 10, 5
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,10 @@ class Comparison:
     def lines(self) -> list[str]:
         """What was edited, why the runs part and what else is known, in words."""
         cause = self.divergence.cause if self.divergence is not None else None
-        return [*self.edits, *(cause.lines() if cause is not None else ()), *self.notes]
+        told = list(self.edits[:_MOST_EDITS])
+        if len(self.edits) > _MOST_EDITS:
+            told.append(f"and {len(self.edits) - _MOST_EDITS} more")
+        return [*told, *(cause.lines() if cause is not None else ()), *self.notes]
 
 
 def compare_with_recording(recording: Recording, on_steps: OnSteps | None = None) -> Comparison:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from sandbox.errors import SandboxError
 from sandbox.render.camera import Size, Vec
+from sandbox.render.coloring.registry import THEME
 from sandbox.render.film_file import FASTEST_GIF, GIF_FPS, VIDEO_FPS, save_film
 from sandbox.render.overlays.registry import OVERLAYS
 from sandbox.render.shots import Shooting, Style, still
@@ -26,7 +27,8 @@ SMALLEST, LARGEST = 16, 8192
 class Wanted:
     """What is to be written, `suffix` says as what: a film goes from step `first` to `last`, a picture shows `still`.
 
-    `center` (m), `height` (m) and `follow` are the camera's, `overlays` names of overlays.
+    `center` (m), `height` (m) and `follow` are the camera's, `overlays` names of overlays, `color_by`
+    what colours mean, `depth` whether what moves casts a shadow.
     """
 
     suffix: str
@@ -40,6 +42,8 @@ class Wanted:
     height: float
     follow: str | None = None
     overlays: Sequence[str] = ()
+    color_by: str = THEME
+    depth: bool = True
 
     @property
     def film(self) -> bool:
@@ -73,6 +77,8 @@ def as_seen(workspace: Workspace, suffix: str = ".gif") -> Wanted:
         height=camera.size[1] / camera.scale,
         follow=viewport.follow,
         overlays=tuple(workspace.overlays),
+        color_by=workspace.color_by,
+        depth=workspace.depth,
     )
     return wanted.with_suffix(suffix)
 
@@ -94,11 +100,14 @@ def write_export(run: Run, wanted: Wanted, path: Path, progress: Progress) -> st
         check_video(wanted.suffix)
     stepper = RunStepper(run.scene, run.commands)
     overlays = [OVERLAYS[name] for name in wanted.overlays]
-    style = Style(wanted.size, wanted.theme, wanted.center, wanted.height, wanted.follow, overlays)
+    style = Style(
+        wanted.size, wanted.theme, wanted.center, wanted.height, wanted.follow, overlays, wanted.color_by, wanted.depth
+    )
     shooting = Shooting(stepper.world, style)
     begin = wanted.first if wanted.film else wanted.still
     for _ in progress.count("simulating", range(begin)):
         stepper.advance()
+        shooting.note(stepper.world)
     if wanted.film:
         if wanted.last <= wanted.first:
             raise SandboxError("a film needs steps: choose a range of the timeline")

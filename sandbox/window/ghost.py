@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -136,19 +137,21 @@ def frame_at_poses(frame: Frame, bodies: Any, poses: dict[str, Pose]) -> Frame:
 
 def ghost_marks(ghost: Frame, shown: Frame, camera: Camera, color: Color) -> Marks:
     """Outlines of the shapes of `ghost` that are elsewhere than in `shown`, or not there at all."""
-    shapes = _elsewhere(ghost, shown, camera.scale)
+    alike: dict[bytes, list[int]] = {}
+    for shape in _elsewhere(ghost, shown, camera.scale)[:MOST].tolist():
+        alike.setdefault(_look(ghost, shape), []).append(shape)
     origin, axis = ghost.shape_poses()
     lines = []
-    for shape in shapes[:MOST].tolist():
-        sides = camera.to_screen(origin[shape] + _turned(_sides(ghost, shape, camera.scale), axis[shape]))
-        lines.append(strokes(sides[:, 0], sides[:, 1], WIDTH, color, 0.9))
+    for shapes in alike.values():
+        sides = _turned(_sides(ghost, shapes[0], camera.scale)[None], axis[shapes].T[:, :, None, None])
+        ends = camera.to_screen(origin[shapes][:, None, None] + sides).reshape(-1, 2, 2)
+        lines.append(strokes(ends[:, 0], ends[:, 1], WIDTH, color, 0.9))
     return Marks(strokes=joined(lines))
 
 
 def _elsewhere(ghost: Frame, shown: Frame, scale: float) -> Any:
     """Rows of the shapes that are off by a visible amount, the farthest first."""
-    rows = {name: row for row, name in enumerate(shown.roster.names)}
-    here = np.array([rows.get(name, -1) for name in ghost.roster.names], np.int64)
+    here = _rows(ghost.roster.names, shown.roster.names)
     both = here >= 0
     off, turn = np.full(len(here), np.inf), np.zeros(len(here))
     off[both] = np.hypot(*(ghost.center[both] - shown.center[here[both]]).T)
@@ -157,6 +160,22 @@ def _elsewhere(ghost: Frame, shown: Frame, scale: float) -> Any:
     pixels = (off[body] + turn[body] * ghost.mesh.reach) * scale
     order = np.argsort(-pixels, kind="stable")
     return order[pixels[order] > SEEN_PIXELS]
+
+
+def _rows(names: Sequence[str], among: Sequence[str]) -> Any:
+    """Where each of `names` is in `among`; -1 if it is not there."""
+    if names == among:
+        return np.arange(len(names))
+    rows = {name: row for row, name in enumerate(among)}
+    return np.array([rows.get(name, -1) for name in names], np.int64)
+
+
+def _look(frame: Frame, shape: int) -> bytes:
+    """The same for shapes that have the same outline in their own frames."""
+    mesh = frame.mesh
+    if shape in mesh.outlines:
+        return mesh.outlines[shape].sides.tobytes()
+    return mesh.core(shape).tobytes() + float(mesh.radius[shape]).hex().encode()
 
 
 def _sides(frame: Frame, shape: int, scale: float) -> Floats:
@@ -169,6 +188,7 @@ def _sides(frame: Frame, shape: int, scale: float) -> Floats:
 
 
 def _turned(points: Floats, axis: Floats) -> Floats:
+    """Points (..., 2) turned by axes (cos, sin), each of which fits `points[..., 0]`."""
     c, s = axis
     x, y = points[..., 0], points[..., 1]
     return np.stack([c * x - s * y, s * x + c * y], axis=-1)

@@ -72,6 +72,8 @@ def draw_fields(workspace: Workspace, comparer: Comparer) -> None:
     rows = field_rows(moment.record(name), here)
     if not imgui.begin_table("##fields", 4, TABLE):
         return
+    for weight in (1.25, 1.0, 1.0, 0.9):
+        imgui.table_setup_column("", imgui.TableColumnFlags_.width_stretch, weight)
     _head(name if len(name) < 12 else f"{name[:11]}…", "expected", "here", "off by")
     for row in rows:
         imgui.table_next_row()
@@ -109,7 +111,8 @@ def _checkpoint(workspace: Workspace, recorded: Checkpoint, here: Checkpoint | N
     for name in COLUMNS:
         old, new = getattr(recorded, name), getattr(here, name, None)
         differs = new is not None and new != old
-        _cell(f"{new if differs else old:.4g}", workspace if differs else None)
+        digits = ".3g" if name == "deepest" else ".4g"
+        _cell(f"{new if differs else old:{digits}}", workspace if differs else None)
         if differs and imgui.is_item_hovered():
             imgui.set_tooltip(f"recorded {old:.6g}, here {new:.6g} ({COLUMNS[name]})")
 
@@ -117,7 +120,7 @@ def _checkpoint(workspace: Workspace, recorded: Checkpoint, here: Checkpoint | N
 def _difference(row: FieldRow) -> str:
     if row.difference is None:
         return "only in one"
-    return f"{row.difference:+.2g}" if row.ulps else "0"
+    return f"{row.difference:+.2g}" if row.ulps else "="
 
 
 def _head(*titles: str) -> None:
