@@ -6,28 +6,18 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pygame
-from imgui_bundle import imgui
 
-from sandbox.render.body_colors import BodyColors, body_colors_of
 from sandbox.render.camera import Camera, Size
-from sandbox.render.coloring.registry import THEME, shown_coloring
-from sandbox.render.draw_list import DrawList, build_draw_list
-from sandbox.render.frame import Frame
-from sandbox.render.line import Line
-from sandbox.render.marks import Marks
-from sandbox.render.overlays import trails
-from sandbox.render.overlays.look import Look
-from sandbox.render.overlays.registry import OVERLAYS, draw_overlays
-from sandbox.render.trails import Trails
+from sandbox.render.coloring.registry import THEME
 from sandbox.window import hud
-from sandbox.window.actions.registry import BY_NAME, action_of, released
-from sandbox.window.compare import end_comparison, follow_comparison, ghost_over
+from sandbox.window.actions.registry import BY_NAME
+from sandbox.window.compare import end_comparison, follow_comparison
 from sandbox.window.controls.player import Player
 from sandbox.window.export_box import ExportBox
 from sandbox.window.gui_style import apply_style
 from sandbox.window.help import draw_help
-from sandbox.window.highlight import highlight, highlight_joint
 from sandbox.window.journal import Journal
+from sandbox.window.keyboard import Keyboard
 from sandbox.window.layout import Layout, first_panels
 from sandbox.window.mouse import Mouse
 from sandbox.window.overlay import Overlay
@@ -35,6 +25,7 @@ from sandbox.window.panels.registry import new_panels
 from sandbox.window.problem_box import draw_problem
 from sandbox.window.reload import Reloader
 from sandbox.window.scale_bar import draw_scale_bar
+from sandbox.window.scene_picture import ScenePicture
 from sandbox.window.scoreboard import draw_scoreboard
 from sandbox.window.screen import Canvas, Screen
 from sandbox.window.session import Session
@@ -45,14 +36,12 @@ from sandbox.window.viewport import Viewport
 from sandbox.window.widgets import begin_picture
 from sandbox.window.workspace import Wish, Workspace
 
-TRAILS = trails.OVERLAY.name
 TITLE_SECONDS, FADE_SECONDS = 5.0, 0.8
 TAKEN_OVER = (
     "theme", "panels", "overlays", "color_by", "depth", "interface", "text_scale", "less_motion", "keep_time",
     "selection", "clipboard", "age",
 )  # fmt: skip
 """What of a workspace stays when its file is read again."""
-ANY_POPUP = imgui.PopupFlags_.any_popup_id | imgui.PopupFlags_.any_popup_level
 MOST_SKIPPED = 3600
 """Steps that a file which is read again is taken forward at most, where time is to be kept."""
 
@@ -81,13 +70,12 @@ class PlayScreen:
         if self.player.controls:
             self.tool_box.choose("play")
         self.mouse = Mouse(self.workspace, self.tool_box)
+        self._keyboard = Keyboard(self.workspace, self.tool_box, self.panels)
+        self._picture = ScenePicture(self.workspace, self.mouse.strokes)
         self._layout = Layout(self.panels, self.tool_box)
         self._reloader = Reloader(session) if session.scene.text is not None else None
-        self._body_colors = body_colors_of(session.world.state)
         self.export_box = ExportBox()
         self._lead = lead
-        self._last: tuple[Frame, BodyColors, tuple[Camera, list[Line], bool], DrawList] | None = None
-        """The last picture and what it was made of."""
         self._since_picture = 0.0
         self.journal: Journal | None = None
         """Where the session is written down while it is played."""
@@ -133,9 +121,7 @@ class PlayScreen:
         workspace = self.workspace
         if self._plays(event, taken):
             return
-        if event.type == pygame.KEYDOWN and not taken[1]:
-            self._key(event)
-        workspace.held -= released(event)
+        self._keyboard.handle(event, taken[1])
         if event.type == pygame.DROPFILE:
             workspace.wish = Wish("open", Path(event.file))
         self.mouse.handle(event, taken[0])
@@ -187,8 +173,6 @@ class PlayScreen:
     def draw(self, canvas: Canvas) -> None:
         """The scene in its rectangle, the panels around it, and what there is to tell."""
         workspace = self.workspace
-        if workspace.theme is not self._body_colors.theme:
-            self._body_colors = body_colors_of(self.session.world.state, workspace.theme)
         apply_style(workspace.theme, workspace.text_scale)
         begin_picture()
         workspace.viewport.place(self._layout.draw(workspace, canvas.display.size), self.session)
@@ -198,46 +182,13 @@ class PlayScreen:
         workspace.frame = frame
         workspace.viewport.go_along(frame, None if workspace.less_motion else self._since_picture)
         self._since_picture = 0.0
-        self._body_colors = self._body_colors.for_frame(frame)
-        picture = self._picture(frame)
+        picture = self._picture.of(frame)
         canvas.paint(picture, workspace.viewport.rect)
         overlay = Overlay(canvas.gui)
         with overlay.within(workspace.viewport.rect):
             overlay.labels(picture.labels, workspace.viewport.rect)
         self._draw_over(overlay)
         self._draw_hud(overlay)
-
-    def _picture(self, frame: Frame) -> DrawList:
-        """What painters draw of a frame: the same object as before, if nothing has changed."""
-        strokes, marks, depth = list(self.mouse.strokes()), self._marks(frame), self.workspace.depth
-        last, seen = self._last, (self.camera, strokes, depth)
-        same = last is not None and last[0] is frame and last[1] is self._body_colors and last[2] == seen
-        if last is None or not same or any(marks) or any(last[3].marks[1:]):
-            picture = build_draw_list(frame, self.camera, self._body_colors, strokes, marks, depth)
-            self._last = last = frame, self._body_colors, seen, picture
-        return last[3]
-
-    def _marks(self, frame: Frame) -> tuple[Marks, ...]:
-        """The overlays that are on, and the outline of what is selected."""
-        workspace = self.workspace
-        theme, world = workspace.theme, self.session.world
-        lit = highlight(frame, self.camera, workspace.selection.bodies, theme.drag)
-        if workspace.selection.joint is not None:
-            lit = highlight_joint(world.state, frame, self.camera, workspace.selection.joint, theme.drag)
-        shown = [*shown_coloring(workspace.color_by), *(OVERLAYS[name] for name in workspace.overlays)]
-        look = Look(world, frame, self.camera, theme, self._trails())
-        return *draw_overlays(shown, look), ghost_over(workspace, frame), lit
-
-    def _trails(self) -> Trails | None:
-        """What is kept of where bodies were: nothing while trails are off."""
-        workspace, session = self.workspace, self.session
-        if TRAILS not in workspace.overlays:
-            session.trails = None
-        elif session.trails is None:
-            session.trails = Trails()
-        if session.trails is not None:
-            session.trails.only = workspace.selection.bodies
-        return session.trails
 
     def _reread(self, elapsed: float) -> Session | None:
         """The session of the file as it is now, if it has changed on disk."""
@@ -248,31 +199,6 @@ class PlayScreen:
             self.workspace.reread = False
             self._reloader.read()
         return self._reloader.poll(elapsed)
-
-    def _key(self, event: pygame.event.Event) -> None:
-        workspace = self.workspace
-        if event.key == pygame.K_ESCAPE and imgui.is_popup_open("", ANY_POPUP):
-            imgui.internal.close_popup_to_level(0, True)
-            return
-        if event.key in (pygame.K_RETURN, pygame.K_KP_ENTER) and self.tool_box.tool.confirm(workspace):
-            return
-        action = action_of(event)
-        if action is not None and action.held:
-            workspace.held.add(action.name)
-        elif action is not None:
-            action.run(workspace)
-        elif not event.mod & (pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META):
-            self._choose_by_key(event)
-
-    def _choose_by_key(self, event: pygame.event.Event) -> None:
-        """Tools and panels have keys as well."""
-        typed = event.unicode.upper()
-        for tool in self.tool_box.tools.values():
-            if tool.key and tool.key == typed:
-                self.tool_box.choose(tool.name)
-        for panel in self.panels.values():
-            if panel.key and pygame.key.name(event.key).upper() == panel.key:
-                self.workspace.panels ^= {panel.name}
 
     def _draw_over(self, overlay: Overlay) -> None:
         """What open panels draw over the scene; nothing of it leaves the viewport."""
