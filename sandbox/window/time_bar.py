@@ -43,9 +43,13 @@ def draw_time_bar(workspace: Workspace, scrubber: Scrubber, hint: str) -> None:
 
 
 def _draw_hint(hint: str) -> None:
-    """At the right edge, cut where there is no room."""
+    """At the right edge; what does not fit is said under the pointer."""
     left, room = imgui.get_cursor_pos_x() + 20.0, imgui.get_content_region_avail().x - 24.0
-    width = imgui.calc_text_size(hint).x
-    if room > 60.0:
-        imgui.set_cursor_pos_x(left + max(room - width, 0.0))
-        imgui.text_disabled(hint)
+    if room <= 60.0:
+        return
+    shown = hint
+    while imgui.calc_text_size(shown).x > room and " " in shown:
+        shown = shown.removesuffix(" …").rpartition(" ")[0] + " …"
+    imgui.set_cursor_pos_x(left + max(room - imgui.calc_text_size(shown).x, 0.0))
+    imgui.text_disabled(shown)
+    mark("hint", hint if shown != hint else "")
