@@ -8,7 +8,7 @@ from imgui_bundle import imgui
 from sandbox.window.actions.registry import BY_NAME
 from sandbox.window.hud import speed_text
 from sandbox.window.scrubber import Scrubber
-from sandbox.window.widgets import button
+from sandbox.window.widgets import button, mark
 from sandbox.window.workspace import Workspace
 
 BUTTONS = (
