@@ -110,7 +110,7 @@ class WallTool(BoxTool):
 class CapsuleTool(DragShape):
     """Two ends; as thick as a third of its length, or as the last one."""
 
-    name, title, icon, key = "capsule", "Capsule", icons.ICON_FA_CAPSULES, ""
+    name, title, icon, key = "capsule", "Capsule", icons.ICON_FA_CAPSULES, "1"
     help = "Drag from one end of a capsule to the other."
 
     def words(self, start: Vec, end: Vec) -> dict[str, Any]:

@@ -97,7 +97,7 @@ class HingeTool(JoinTool):
 class WeldTool(JoinTool):
     """A weld where the second body is clicked."""
 
-    name, title, icon, key = "weld", "Weld", icons.ICON_FA_LINK, ""
+    name, title, icon, key = "weld", "Weld", icons.ICON_FA_LINK, "2"
     help = "Click one body, then the other: they keep their pose against each other."
 
     def words(self, first: Vec, second: Vec) -> dict[str, Any]:
@@ -108,7 +108,7 @@ class WeldTool(JoinTool):
 class RodTool(JoinTool):
     """A distance joint between the points that were clicked."""
 
-    name, title, icon, key = "rod", "Rod", icons.ICON_FA_GRIP_LINES, ""
+    name, title, icon, key = "rod", "Rod", icons.ICON_FA_GRIP_LINES, "3"
     help = "Click a point of one body, then of the other: they keep their distance."
 
     def words(self, first: Vec, second: Vec) -> dict[str, Any]:
@@ -119,7 +119,7 @@ class RodTool(JoinTool):
 class SpringTool(JoinTool):
     """A sprung distance joint."""
 
-    name, title, icon, key = "spring", "Spring", icons.ICON_FA_WAVE_SQUARE, ""
+    name, title, icon, key = "spring", "Spring", icons.ICON_FA_WAVE_SQUARE, "4"
     help = "Click a point of one body, then of the other: a spring between them."
 
     def words(self, first: Vec, second: Vec) -> dict[str, Any]:
@@ -130,7 +130,7 @@ class SpringTool(JoinTool):
 class RopeTool(JoinTool):
     """A distance joint that only pulls."""
 
-    name, title, icon, key = "rope", "Rope", icons.ICON_FA_MINUS, ""
+    name, title, icon, key = "rope", "Rope", icons.ICON_FA_MINUS, "5"
     help = "Click a point of one body, then of the other: no farther apart than now."
 
     def words(self, first: Vec, second: Vec) -> dict[str, Any]:
@@ -142,7 +142,7 @@ class RopeTool(JoinTool):
 class SliderTool(JoinTool):
     """A prismatic joint along the line between the clicks."""
 
-    name, title, icon, key = "slider", "Slider", icons.ICON_FA_ARROWS_LEFT_RIGHT, ""
+    name, title, icon, key = "slider", "Slider", icons.ICON_FA_ARROWS_LEFT_RIGHT, "6"
     help = "Click one body, then the other: one slides along the line between the clicks."
 
     def words(self, first: Vec, second: Vec) -> dict[str, Any]:
@@ -154,7 +154,7 @@ class SliderTool(JoinTool):
 class WheelTool(JoinTool):
     """A wheel on a suspension."""
 
-    name, title, icon, key = "axle", "Wheel", icons.ICON_FA_DHARMACHAKRA, ""
+    name, title, icon, key = "axle", "Wheel", icons.ICON_FA_DHARMACHAKRA, "7"
     help = "Click a frame, then the wheel that it is to have, at its axle."
 
     def words(self, first: Vec, second: Vec) -> dict[str, Any]:
@@ -165,7 +165,7 @@ class WheelTool(JoinTool):
 class MotorTool(JoinTool):
     """A hinge with a motor."""
 
-    name, title, icon, key = "motor", "Motor", icons.ICON_FA_FAN, ""
+    name, title, icon, key = "motor", "Motor", icons.ICON_FA_FAN, "8"
     help = "Click one body, then the other where it is to be turned by a motor."
 
     def words(self, first: Vec, second: Vec) -> dict[str, Any]:
