@@ -41,6 +41,8 @@ ACTS = ("key", "type", "move", "click", "double", "hold", "press", "let", "wheel
 """Those that need a word."""
 _BUTTONS = {"left": 1, "middle": 2, "right": 3}
 DRAG_PICTURES = 12
+TRIES = 20
+"""How often the hand goes after a widget that moves."""
 
 
 class Script:
@@ -137,6 +139,15 @@ class Script:
         self._at = to
         self._post(pygame.MOUSEMOTION, pos=to, rel=by, buttons=buttons)
 
+    def _reach(self, number: int, place: str, locate: Locate) -> Iterator[None]:
+        """Go to a place, and after it if it moves meanwhile, as widgets do when something comes above them."""
+        for _ in range(TRIES):
+            to = self._place(number, place, locate)
+            self._go(to)
+            yield from [None] * 2
+            if self._place(number, place, locate) == to:
+                return
+
     def _button(self, number: int, down: bool) -> None:
         kind = pygame.MOUSEBUTTONDOWN if down else pygame.MOUSEBUTTONUP
         self._post(kind, pos=(round(self._at[0]), round(self._at[1])), button=number)
@@ -147,8 +158,7 @@ class Script:
 
     def _click(self, number: int, words: list[str], locate: Locate) -> Iterator[None]:
         which = _BUTTONS[words[0]] if words[0] in _BUTTONS and len(words) > 1 else 1
-        self._go(self._place(number, words[-1], locate))
-        yield from [None] * 2
+        yield from self._reach(number, words[-1], locate)
         self._button(which, True)
         yield from [None] * 2
         self._button(which, False)
@@ -160,9 +170,8 @@ class Script:
 
     def _drag(self, number: int, words: list[str], locate: Locate) -> Iterator[None]:
         pictures = int(words[4]) if len(words) > 4 and words[3] == "in" else DRAG_PICTURES
-        start = self._place(number, words[0], locate)
-        self._go(start)
-        yield from [None] * 2
+        yield from self._reach(number, words[0], locate)
+        start = self._at
         end = self._place(number, words[2], locate)
         self._button(1, True)
         yield from [None] * 2
