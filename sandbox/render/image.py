@@ -28,14 +28,18 @@ def gif_pictures(pictures: Sequence[DrawList]) -> Iterator[Any]:
     """All pictures as Pillow images with one shared palette, one after the other."""
     painter = SurfacePainter()
     step = max(len(pictures) // PALETTE_SAMPLES, 1)
-    samples = [painter.paint(picture) for picture in pictures[::step]]
+    palette = shared_palette([painter.paint(picture) for picture in pictures[::step]], PALETTE_COLORS)
+    for picture in pictures:
+        yield painter.paint(picture).quantize(palette=palette, dither=0)
+
+
+def shared_palette(samples: Sequence[Any], colors: int) -> Any:
+    """A Pillow image whose palette of `colors` fits all of the samples, images of one size."""
     width, height = samples[0].size
     sheet = Image.new("RGB", (width, height * len(samples)))
     for i, sample in enumerate(samples):
         sheet.paste(sample, (0, i * height))
-    palette = sheet.quantize(colors=PALETTE_COLORS, method=Image.Quantize.MEDIANCUT, kmeans=1)
-    for picture in pictures:
-        yield painter.paint(picture).quantize(palette=palette, dither=0)
+    return sheet.quantize(colors=colors, method=Image.Quantize.MEDIANCUT, kmeans=1)
 
 
 def save_png(picture: Any, path: Path) -> None:

@@ -273,7 +273,7 @@ class Timeline(FixedAttributes):
         """Be at a moment again, and know what was known then."""
         stepper = self._stepper
         mine, theirs = stepper.commands, moment.commands[: moment.known]
-        common = _common(mine, theirs)
+        common = common_prefix(mine, theirs)
         parting = min((step for step, _ in (*mine[common : common + 1], *theirs[common : common + 1])), default=None)
         if parting is not None:
             self._cuts.append(parting)
@@ -287,7 +287,7 @@ class Timeline(FixedAttributes):
             self._frames.add(Keyframe(self.step_count, self._stepper.applied, self.world.snapshot()))
 
 
-def _common(a: Sequence[TimedCommand], b: Sequence[TimedCommand]) -> int:
+def common_prefix(a: Sequence[TimedCommand], b: Sequence[TimedCommand]) -> int:
     """How many commands two runs begin with in common."""
     return next((i for i, (x, y) in enumerate(zip(a, b, strict=False)) if x is not y), min(len(a), len(b)))
 

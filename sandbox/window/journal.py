@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 from sandbox.errors import SandboxError
 from sandbox.replay.recording.command_words import TimedCommand, decode, encode
+from sandbox.replay.timeline import common_prefix
 from sandbox.scene import Scene, loads_scene
 
 if TYPE_CHECKING:
@@ -45,7 +46,7 @@ class Journal:
         if self._file is None and (not commands or not self._open(session)):
             return
         if commands is not self._written or len(commands) < self._count:
-            same = _common(self._written[: self._count], commands)
+            same = common_prefix(self._written[: self._count], commands)
             if same < self._count or session.timeline.length < self._steps:
                 self._line({"keep": same, "steps": session.timeline.length})
                 self._steps = session.timeline.length
@@ -167,8 +168,3 @@ def _lines(path: Path) -> Iterator[Any]:
             yield json.loads(line)
     except (OSError, ValueError):
         return
-
-
-def _common(a: list[TimedCommand], b: list[TimedCommand]) -> int:
-    """How many commands two runs begin with in common."""
-    return next((i for i, (x, y) in enumerate(zip(a, b, strict=False)) if x is not y), min(len(a), len(b)))

@@ -33,15 +33,11 @@ class Reel:
         """Write the film. Raises `OSError`."""
         from PIL import Image
 
-        from sandbox.render.image import save_gif
+        from sandbox.render.image import save_gif, shared_palette
 
         if not self._pictures:
             return
         samples = self._pictures[:: max(len(self._pictures) // SAMPLES, 1)]
-        width, height = samples[0].size
-        sheet = Image.new("RGB", (width, height * len(samples)))
-        for place, sample in enumerate(samples):
-            sheet.paste(sample, (0, place * height))
-        palette = sheet.quantize(colors=COLORS, method=Image.Quantize.MEDIANCUT, kmeans=1)
+        palette = shared_palette(samples, COLORS)
         pictures = (picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in self._pictures)
         save_gif(pictures, self.path, SECONDS)
