@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from sandbox.engine.commands.control import Control as Control
     from sandbox.engine.commands.delete import Delete as Delete
     from sandbox.engine.commands.delete import DeleteJoint as DeleteJoint
+    from sandbox.engine.commands.delete import DeleteRegion as DeleteRegion
     from sandbox.engine.commands.drags import EndDrag as EndDrag
     from sandbox.engine.commands.drags import MoveDrag as MoveDrag
     from sandbox.engine.commands.drags import StartDrag as StartDrag

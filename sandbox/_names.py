@@ -5,7 +5,7 @@ from __future__ import annotations
 _MODULES = {
     "sandbox.engine.commands.base": "Command",
     "sandbox.engine.commands.control": "Control",
-    "sandbox.engine.commands.delete": "Delete DeleteJoint",
+    "sandbox.engine.commands.delete": "Delete DeleteJoint DeleteRegion",
     "sandbox.engine.commands.drags": "EndDrag MoveDrag StartDrag",
     "sandbox.engine.commands.explode": "Explode",
     "sandbox.engine.commands.joint_parts": "BreakJoint SetLimits SetMotor SetSpring SetTarget",

@@ -248,7 +248,7 @@ HUGE = 10**400
         (lambda: world().apply(sandbox.SetPose), sandbox.CommandError, "is no command"),
         (lambda: world().body(3), sandbox.UnknownBodyError, "an id is a text, not 3"),
         (lambda: world().joint(None), sandbox.UnknownJointError, "an id is a text, not None"),
-        (lambda: world().spawn(3), sandbox.CommandError, "Spawn: bodies and joints are entries"),
+        (lambda: world().spawn(3), sandbox.CommandError, "Spawn: bodies, joints and regions are entries"),
         (lambda: world().delete(3), sandbox.CommandError, "Delete: what to delete is one id"),
         (lambda: crate().apply_impulse(5), sandbox.CommandError, r"impulse must be a pair of numbers \(x, y\), not 5"),
         (lambda: crate().apply_impulse((HUGE, 0)), sandbox.CommandError, "impulse must be a number below 1.8e308"),

@@ -130,6 +130,11 @@ class Stepper:
         )
         self._prepare_calls()
 
+    def follow_regions(self) -> None:
+        """Regions have gone."""
+        self.scratch.follow_fields(self._state)
+        self._exchange_state()
+
     def forget(self) -> None:
         """Look anew at who may move: something was changed from outside."""
         plain(self.scratch.active.info)["stale"] = 1

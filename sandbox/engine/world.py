@@ -149,9 +149,9 @@ class World(Readings, Shown, FixedAttributes):
     def gravity(self, value: Vec) -> None:
         self.apply(SetGravity(value))
 
-    def spawn(self, bodies: Any = (), joints: Any = ()) -> None:
-        """Bring bodies and joints into the world, in the words of a scene file: `Spawn`."""
-        self.apply(Spawn(bodies, joints))
+    def spawn(self, bodies: Any = (), joints: Any = (), regions: Any = ()) -> None:
+        """Bring bodies, joints and regions into the world, in the words of a scene file: `Spawn`."""
+        self.apply(Spawn(bodies, joints, regions))
 
     def delete(self, bodies: str | Sequence[str]) -> None:
         """Take bodies out of the world, given by one id or several, with the joints that hold them: `Delete`."""
@@ -238,7 +238,7 @@ class World(Readings, Shown, FixedAttributes):
             self._events.note_added(touched.added)
             if touched.added.paths:
                 self._know_play()
-            if touched.added.thrusters:
+            if touched.added.thrusters or touched.added.regions:
                 self._last_switch = last_switch(self.state)
         if touched.rows is not None:
             self._stepper.move_rows(touched.rows)
@@ -248,7 +248,9 @@ class World(Readings, Shown, FixedAttributes):
             self._events.note_displaced(*touched.displaced)
         if touched.joints:
             self._stepper.assemble_joints()
-        if touched.schedules:
+        if touched.regions:
+            self._stepper.follow_regions()
+        if touched.schedules or touched.regions:
             self._last_switch = last_switch(self.state)
         if touched.active_set:
             self._stepper.forget()

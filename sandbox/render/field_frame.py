@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -38,18 +39,21 @@ def capture_fields(state: State) -> FieldMarks:
     return FieldMarks(_regions(state, step), _flames(state, step))
 
 
-def _regions(state: State, step: int) -> tuple[RegionMark, ...]:
-    edges = np.column_stack([state.edges.normal_x, state.edges.normal_y, state.edges.offset])
-    return tuple(
-        RegionMark(
-            int(row.kind),
-            edges[row.first_edge : row.first_edge + row.edge_count],
-            np.array([row.disc_x, row.disc_y, row.disc_radius]),
-            np.array([row.flow_x, row.flow_y]),
-        )
-        for row in state.regions
-        if row.start_step <= step < row.end_step
+def region_mark(state: State, number: int) -> RegionMark:
+    """The region of that row, whether it acts or not."""
+    row: Any = state.regions[number]
+    edges: Any = state.edges[row.first_edge : row.first_edge + row.edge_count]
+    return RegionMark(
+        int(row.kind),
+        np.column_stack([edges.normal_x, edges.normal_y, edges.offset]),
+        np.array([row.disc_x, row.disc_y, row.disc_radius]),
+        np.array([row.flow_x, row.flow_y]),
     )
+
+
+def _regions(state: State, step: int) -> tuple[RegionMark, ...]:
+    acting = np.flatnonzero((state.regions.start_step <= step) & (step < state.regions.end_step))
+    return tuple(region_mark(state, row) for row in acting.tolist())
 
 
 def _flames(state: State, step: int) -> Floats:

@@ -8,18 +8,19 @@ from typing import Any
 
 from sandbox.scene import plain
 from sandbox.scene.finding import Finding, Path, quoted
+from sandbox.scene.known import Known
 from sandbox.scene.limits import MAX_FINDINGS, MAX_REGIONS
 
 _AREAS = ("inside", "disc", "outline")
 
 
-def field_rules(data: dict[str, Any]) -> Iterator[Finding]:
+def field_rules(data: dict[str, Any], known: Known) -> Iterator[Finding]:
     """A finding for every region with two areas or an id that is taken, and for all that ends before it begins."""
     seen: set[str] = set()
     for path, region in islice(plain.children(data.get("regions"), ("regions",)), MAX_REGIONS):
         name = region.get("id")
         if isinstance(name, str):
-            if name in seen:
+            if name in seen or name in known.regions:
                 yield Finding((*path, "id"), f"the id {quoted(name)} is taken by another region")
             seen.add(name)
         given = [key for key in _AREAS if region.get(key) is not None]

@@ -35,7 +35,7 @@ def cross_checks(data: object, known: Known = NOTHING) -> list[Finding]:
         _without_shapes(data),
         _overrounded(data),
         _times(data),
-        field_rules(data),
+        field_rules(data, known),
         play_rules(data),
         _repeated_categories(data),
     ]

@@ -1,4 +1,4 @@
-"""Bodies and joints that come into a running world, in the words of a scene file."""
+"""Bodies, joints and regions that come into a running world, in the words of a scene file."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from pydantic import ValidationError
 from sandbox.scene.base import Model
 from sandbox.scene.effort import one_effort
 from sandbox.scene.finding import Finding
-from sandbox.scene.flat import FlatBody, FlatJoint
+from sandbox.scene.flat import FlatBody, FlatJoint, FlatRegion
 from sandbox.scene.flat_joints import joint_faults
 from sandbox.scene.flatten import Flattener
 from sandbox.scene.joint_references import joint_references
 from sandbox.scene.known import Known
-from sandbox.scene.limits import MAX_BODIES, MAX_JOINTS, MAX_SHAPES
+from sandbox.scene.limits import MAX_BODIES, MAX_JOINTS, MAX_REGIONS, MAX_SHAPES
 from sandbox.scene.names import BodyNames
 from sandbox.scene.report import scene_error
 from sandbox.scene.rules import cross_checks
@@ -29,16 +29,18 @@ _SHARED = ("categories", "materials", "prefabs")
 
 @dataclass(frozen=True)
 class Spawned:
-    """Flat bodies and joints, and for each the entry that it can be read from again, as a file holds it."""
+    """Flat bodies, joints and regions, and for each the entry that it can be read from again, as a file holds it."""
 
     bodies: tuple[FlatBody, ...]
     joints: tuple[FlatJoint, ...]
     body_words: tuple[dict[str, Any], ...]
     joint_words: tuple[dict[str, Any], ...]
+    regions: tuple[FlatRegion, ...] = ()
+    region_words: tuple[dict[str, Any], ...] = ()
 
 
 class Spawning:
-    """Reads entries of `bodies` and `joints` with the prefabs, materials and categories of one scene."""
+    """Reads entries of `bodies`, `joints` and `regions` with the prefabs, materials and categories of one scene."""
 
     def __init__(self, scene: Scene | None) -> None:
         self._parts: dict[str, Any] = {name: getattr(scene, name) for name in _SHARED} if scene else {}
@@ -46,16 +48,19 @@ class Spawning:
         self._plain = scene.model_dump(mode="json", exclude_unset=True, include=set(_SHARED)) if scene else {}
 
     @one_effort()
-    def read(self, bodies: Sequence[Any], joints: Sequence[Any], known: Known, source: str) -> Spawned:
-        """Read bodies and joints that may refer to each other and to what is `known`.
+    def read(
+        self, bodies: Sequence[Any], joints: Sequence[Any], known: Known, source: str, regions: Sequence[Any] = ()
+    ) -> Spawned:
+        """Read regions, and bodies and joints that may refer to each other and to what is `known`.
 
         Raises `SceneError` with every mistake and its place, such as `/bodies/0/shapes`; `source` begins the message.
         """
-        spawned = self._read_known(bodies, joints, known)
+        spawned = None if regions else self._read_known(bodies, joints, known)
         if spawned is not None:
             return spawned
-        data = {"bodies": bodies, "joints": joints}
-        found = [*cross_checks({**self._plain, **data}, known), *_too_many(joints, known)]
+        data = {"bodies": bodies, "joints": joints, **({"regions": regions} if regions else {})}
+        found = [*cross_checks({**self._plain, **data}, known), *_too_many("joints", joints, known)]
+        found += _too_many("regions", regions, known)
         try:
             scene = Scene.model_validate({**self._parts, **data})
         except ValidationError as error:
@@ -92,16 +97,17 @@ def _joints(
         scene = Scene.model_validate({"joints": entries})
     except ValidationError:
         return None
-    if _too_many(entries, known) or any(joint_references({"joints": entries}, ids, known.kinds)):
+    if _too_many("joints", entries, known) or any(joint_references({"joints": entries}, ids, known.kinds)):
         return None
     flat = tuple(joint.flat() for joint in scene.joints)
     return None if any(joint_faults(flat, bodies, known)) else (flat, _words(scene.joints))
 
 
-def _too_many(joints: object, known: Known) -> list[Finding]:
-    total = len(known.kinds) + (len(joints) if isinstance(joints, (list, tuple)) else 0)
-    text = f"the world would have {total} joints; {MAX_JOINTS} is the limit"
-    return [Finding(("joints",), text)] if total > MAX_JOINTS else []
+def _too_many(what: str, entries: object, known: Known) -> list[Finding]:
+    there, most = {"joints": (len(known.kinds), MAX_JOINTS), "regions": (known.region_count, MAX_REGIONS)}[what]
+    total = there + (len(entries) if isinstance(entries, (list, tuple)) else 0)
+    text = f"the world would have {total} {what}; {most} is the limit"
+    return [Finding((what,), text)] if total > most else []
 
 
 def _flat(scene: Scene, known: Known, source: str, found: list[Finding]) -> Spawned:
@@ -113,7 +119,8 @@ def _flat(scene: Scene, known: Known, source: str, found: list[Finding]) -> Spaw
         raise scene_error(source, found, None)
     bodies = tuple(replace(body, pointer="") for body in flat.bodies)
     joints = tuple(replace(joint, pointer="") for joint in flat.joints)
-    return Spawned(bodies, joints, _words(scene.bodies), _words(scene.joints))
+    words = _words(scene.bodies), _words(scene.joints)
+    return Spawned(bodies, joints, *words, flat.regions, _words(scene.regions))
 
 
 def _words(parts: Sequence[Model]) -> tuple[dict[str, Any], ...]:

@@ -6,6 +6,8 @@ import numpy as np
 
 from sandbox.render.camera import Camera, Floats
 from sandbox.render.contour import contour
+from sandbox.render.field_drawing import area
+from sandbox.render.field_frame import region_mark
 from sandbox.render.frame import Frame
 from sandbox.render.marks import Marks
 from sandbox.render.strokes import joined, strokes
@@ -50,6 +52,16 @@ def highlight_joint(state: State, frame: Frame, camera: Camera, name: str | None
     rings = np.concatenate([first, last])[:, None, :] + RING * _CIRCLE
     around = strokes(rings[:, :-1].reshape(-1, 2), rings[:, 1:].reshape(-1, 2), WIDTH, color, 0.95)
     return Marks(strokes=joined([strokes(first, last, WIDTH, color, 0.95), around]))
+
+
+def highlight_region(state: State, camera: Camera, name: str | None, color: Color) -> Marks:
+    """An outline around the region of that id, if it has an area."""
+    names = state.census.regions.names
+    region = region_mark(state, names.index(name)) if name and name in names else None
+    if region is None or not (len(region.edges) or region.disc[2] > 0.0):
+        return Marks()
+    corners = camera.to_screen(area(region, camera))
+    return Marks(strokes=strokes(corners, np.roll(corners, -1, axis=0), WIDTH, color, 0.95))
 
 
 def _contour(frame: Frame, shape: int, scale: float) -> Floats:

@@ -16,7 +16,7 @@ from sandbox.render.overlays.look import Look
 from sandbox.render.overlays.registry import OVERLAYS, draw_overlays
 from sandbox.render.trails import Trails
 from sandbox.window.compare import ghost_over
-from sandbox.window.highlight import highlight, highlight_joint
+from sandbox.window.highlight import highlight, highlight_joint, highlight_region
 from sandbox.window.workspace import Workspace
 
 TRAILS = trails.OVERLAY.name
@@ -51,9 +51,12 @@ class ScenePicture:
     def _marks(self, frame: Frame) -> tuple[Marks, ...]:
         workspace = self.workspace
         camera, theme, world = workspace.viewport.camera, workspace.theme, workspace.session.world
-        lit = highlight(frame, camera, workspace.selection.bodies, theme.drag)
-        if workspace.selection.joint is not None:
-            lit = highlight_joint(world.state, frame, camera, workspace.selection.joint, theme.drag)
+        selection = workspace.selection
+        lit = highlight(frame, camera, selection.bodies, theme.drag)
+        if selection.joint is not None:
+            lit = highlight_joint(world.state, frame, camera, selection.joint, theme.drag)
+        if selection.region is not None:
+            lit = highlight_region(world.state, camera, selection.region, theme.drag)
         shown = [*shown_coloring(workspace.color_by), *(OVERLAYS[name] for name in workspace.overlays)]
         look = Look(world, frame, camera, theme, self._trails())
         return *draw_overlays(shown, look), ghost_over(workspace, frame), lit

@@ -36,8 +36,8 @@ class Selection:
         """Select a joint alone."""
         self.bodies, self.joint, self.region = (), name, None
 
-    def pick_region(self, name: str) -> None:
-        """Select a region alone."""
+    def pick_region(self, name: str | None) -> None:
+        """Select a region alone; None selects nothing."""
         self.bodies, self.joint, self.region = (), None, name
 
     def clear(self) -> bool:

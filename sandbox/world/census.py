@@ -1,4 +1,5 @@
-"""Who is behind the rows now: lists that change in place as bodies and joints come and go, in the order of the rows.
+"""Who is behind the rows now: lists that change in place as bodies, joints and regions come and go, in the order of
+the rows.
 
 What one that comes or goes costs does not depend on how many there are, but for the moving of what comes after it.
 `roster` is the same at one moment, for whoever keeps it.
@@ -14,7 +15,7 @@ from typing import Any, Generic
 import numpy as np
 from numpy.typing import NDArray
 
-from sandbox.scene.flat import FlatBody, FlatJoint, FlatScene
+from sandbox.scene.flat import FlatBody, FlatJoint, FlatRegion, FlatScene
 from sandbox.world.roster import Register, Roster, T, Words
 
 _FEW = 8
@@ -96,21 +97,23 @@ class Ledger(Generic[T]):
 class Census:
     """Everybody in a world that began as `scene`."""
 
-    __slots__ = ("_roster", "bodies", "joints", "scene")
+    __slots__ = ("_roster", "bodies", "joints", "regions", "scene")
 
     def __init__(self, roster: Roster) -> None:
         self.scene: FlatScene = roster.scene
         self.bodies: Ledger[FlatBody] = Ledger(roster.bodies)
         self.joints: Ledger[FlatJoint] = Ledger(roster.joints)
+        self.regions: Ledger[FlatRegion] = Ledger(roster.regions)
         self._roster = roster
 
     def __iter__(self) -> Iterator[Ledger[Any]]:
-        return iter((self.bodies, self.joints))
+        return iter((self.bodies, self.joints, self.regions))
 
     @property
     def roster(self) -> Roster:
         """Who is there now, to be kept; the same object as long as nobody comes or goes."""
-        bodies, joints = self.bodies.register, self.joints.register
-        if bodies is not self._roster.bodies or joints is not self._roster.joints:
-            self._roster = Roster(self.scene, bodies, joints)
+        before = self._roster
+        bodies, joints, regions = (ledger.register for ledger in self)
+        if bodies is not before.bodies or joints is not before.joints or regions is not before.regions:
+            self._roster = Roster(self.scene, bodies, joints, regions)
         return self._roster

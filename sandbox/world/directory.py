@@ -24,19 +24,20 @@ class Directory:
         census = state.census
         self._bodies: dict[str, int] = {}
         self._joints: dict[str, int] = {}
-        self.add(len(census.bodies), len(census.joints))
+        self._regions: dict[str, int] = {}
+        self.add(*map(len, census))
         self._controls = {control.id: row for row, control in enumerate(census.scene.controls)}
-        self._regions = {region.id: row for row, region in enumerate(census.scene.regions) if region.id}
 
-    def add(self, bodies: int, joints: int) -> None:
+    def add(self, bodies: int, joints: int, regions: int) -> None:
         """So many have come after all others."""
         census = self._state.census
         self._bodies.update(_serials(census.bodies, bodies))
         self._joints.update(_serials(census.joints, joints))
+        self._regions.update(_serials(census.regions, regions))
 
-    def remove(self, bodies: Sequence[str], joints: Sequence[str]) -> None:
+    def remove(self, bodies: Sequence[str] = (), joints: Sequence[str] = (), regions: Sequence[str] = ()) -> None:
         """There are none of those names any longer."""
-        for serials, names in ((self._bodies, bodies), (self._joints, joints)):
+        for serials, names in ((self._bodies, bodies), (self._joints, joints), (self._regions, regions)):
             for name in names:
                 serials.pop(name, None)
 
@@ -54,7 +55,7 @@ class Directory:
 
     def region(self, name: str) -> int:
         """The row of a region that has an id. Raises `UnknownRegionError` with the nearest name."""
-        return _looked_up("region", name, self._regions, UnknownRegionError)
+        return _row(self._state.census.regions, _looked_up("region", name, self._regions, UnknownRegionError))
 
     def control(self, name: str) -> int:
         """The row of a control. Raises `CommandError` with the nearest name."""
@@ -65,7 +66,7 @@ class Directory:
         census = self._state.census
         types = _Looked(self._bodies, census.bodies, lambda body: body.type)
         kinds = _Looked(self._joints, census.joints, lambda joint: joint.kind)
-        return Known(types, kinds, len(self._state.shapes))
+        return Known(types, kinds, len(self._state.shapes), self._regions, len(census.regions))
 
 
 class _Looked(Mapping[str, str]):

@@ -1,4 +1,4 @@
-"""Who is behind the rows: the bodies and joints of the scene that are still there, then what was spawned since.
+"""Who is behind the rows: the bodies, joints and regions of the scene that are still there, then what was spawned.
 
 Everything has a *serial number* that nothing else ever gets: its place in the scene, or the next free number. Rows are
 in the order of serial numbers. A snapshot holds the numbers, and the words of what the scene does not know.
@@ -13,11 +13,11 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Generic, TypeAlias, TypeVar
 
-from sandbox.scene.flat import FlatBody, FlatJoint, FlatScene
+from sandbox.scene.flat import FlatBody, FlatJoint, FlatRegion, FlatScene
 
-T = TypeVar("T", bound=FlatBody | FlatJoint)
+T = TypeVar("T", bound=FlatBody | FlatJoint | FlatRegion)
 Words: TypeAlias = dict[str, Any]
-"""An entry of `bodies` or `joints`, as a scene file holds it."""
+"""An entry of `bodies`, `joints` or `regions`, as a scene file holds it."""
 
 
 @dataclass(frozen=True)
@@ -75,31 +75,35 @@ class Roster:
     scene: FlatScene
     bodies: Register[FlatBody]
     joints: Register[FlatJoint]
+    regions: Register[FlatRegion]
 
     @classmethod
     def of(cls, scene: FlatScene) -> Roster:
         """The roster of a world in which nothing has been spawned or deleted."""
-        return cls(scene, Register.of(scene.bodies), Register.of(scene.joints))
+        return cls(scene, Register.of(scene.bodies), Register.of(scene.joints), Register.of(scene.regions))
 
     @cached_property
     def flat(self) -> FlatScene:
-        """The scene with the bodies and joints of now, row by row."""
-        return replace(self.scene, bodies=self.bodies.items, joints=self.joints.items)
+        """The scene with the bodies, joints and regions of now, row by row."""
+        return replace(self.scene, bodies=self.bodies.items, joints=self.joints.items, regions=self.regions.items)
 
     @cached_property
     def changed(self) -> bool:
         """Whether anything has ever been spawned or deleted."""
-        bodies, joints = self.bodies, self.joints
-        counts = (len(bodies.items), bodies.next, len(joints.items), joints.next)
-        first = (len(self.scene.bodies), len(self.scene.joints))
-        return counts != (first[0], first[0], first[1], first[1])
+        return any(
+            (len(register.items), register.next) != (len(getattr(self.scene, name)),) * 2
+            for name, register in self._parts
+        )
 
     @cached_property
     def text(self) -> bytes:
         """What a snapshot keeps of it: JSON, or nothing while it is that of the scene."""
         if not self.changed:
             return b""
-        plain = {
-            "bodies": self.bodies.plain(len(self.scene.bodies)), "joints": self.joints.plain(len(self.scene.joints))
-        }  # fmt: skip
+        plain = {name: register.plain(len(getattr(self.scene, name))) for name, register in self._parts}
         return json.dumps(plain, separators=(",", ":")).encode()
+
+    @property
+    def _parts(self) -> tuple[tuple[str, Register[Any]], ...]:
+        """The registers by the names that their lists have in a scene."""
+        return ("bodies", self.bodies), ("joints", self.joints), ("regions", self.regions)

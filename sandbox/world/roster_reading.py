@@ -8,13 +8,13 @@ from itertools import pairwise
 from typing import Any, TypeVar
 
 from sandbox.errors import SceneError, SnapshotError
-from sandbox.scene.flat import FlatBody, FlatJoint, FlatScene
+from sandbox.scene.flat import FlatBody, FlatJoint, FlatRegion, FlatScene
 from sandbox.scene.known import Known
 from sandbox.scene.spawned import Spawned
 from sandbox.world.roster import Register, Roster, Words
 
-T = TypeVar("T", bound=FlatBody | FlatJoint)
-Reader = Callable[[list[Any], list[Any], Known, str], Spawned]
+T = TypeVar("T", bound=FlatBody | FlatJoint | FlatRegion)
+Reader = Callable[[list[Any], list[Any], Known, str, list[Any]], Spawned]
 """`Spawning.read`."""
 _DAMAGED = "the snapshot is damaged: it does not say who is behind its rows"
 
@@ -25,19 +25,25 @@ def read_roster(text: bytes, scene: FlatScene, read: Reader) -> Roster:
         return Roster.of(scene)
     try:
         plain = json.loads(text)
-        bodies, joints = plain["bodies"], plain["joints"]
-        left = _left(bodies, scene.bodies), _left(joints, scene.joints)
-        words = [[entry[1] for entry in part["spawned"]] for part in (bodies, joints)]
-        known = Known({body.id: body.type for body in left[0].items}, {joint.id: joint.kind for joint in left[1].items})
-        found = read(words[0], words[1], known, "snapshot")
+        bodies, joints, regions = parts = plain["bodies"], plain["joints"], plain["regions"]
+        left = _left(bodies, scene.bodies), _left(joints, scene.joints), _left(regions, scene.regions)
+        words = [[entry[1] for entry in part["spawned"]] for part in parts]
+        found = read(words[0], words[1], _known(*left), "snapshot", words[2])
         return Roster(
             scene, _whole(left[0], bodies, found.bodies, found.body_words),
             _whole(left[1], joints, found.joints, found.joint_words),
+            _whole(left[2], regions, found.regions, found.region_words),
         )  # fmt: skip
     except SceneError as error:
-        raise SnapshotError(f"the snapshot has bodies or joints that this scene cannot have; {error}") from None
+        raise SnapshotError(f"the snapshot has what this scene cannot have; {error}") from None
     except (ValueError, TypeError, LookupError, RecursionError):
         raise SnapshotError(_DAMAGED) from None
+
+
+def _known(bodies: Register[FlatBody], joints: Register[FlatJoint], regions: Register[FlatRegion]) -> Known:
+    """What those that are spawned may refer to, and whose ids they may not take."""
+    types, kinds = {body.id: body.type for body in bodies.items}, {joint.id: joint.kind for joint in joints.items}
+    return Known(types, kinds, regions=frozenset(filter(None, regions.names)), region_count=len(regions.items))
 
 
 def _left(plain: Any, items: tuple[T, ...]) -> Register[T]:

@@ -1,4 +1,4 @@
-"""Rows come and go: bodies and joints are added at the end or taken out, and all that points at rows follows.
+"""Rows come and go: bodies, joints and regions are added at the end or taken out, and all that points at rows follows.
 
 What stays is moved byte for byte: poses, velocities, sleep, the impulses of contacts and joints. The tables come out as
 if the world had been built without what is gone, so nothing depends on the way that led there.
@@ -13,7 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from sandbox.scene.flat import FlatBody, FlatJoint
+from sandbox.scene.flat import FlatBody
+from sandbox.scene.spawned import Spawned
 from sandbox.tables import Integers, close_up, extended, plain, without
 from sandbox.world import records
 from sandbox.world.body_rows import body_rows
@@ -22,8 +23,8 @@ from sandbox.world.build_joints import build_joints
 from sandbox.world.build_rules import build_paths
 from sandbox.world.directory import Directory
 from sandbox.world.joint_pose import coordinate
+from sandbox.world.region_rows import add_regions
 from sandbox.world.reseam import add_seams, remove_seams
-from sandbox.world.roster import Words
 from sandbox.world.shape_rows import Rows
 from sandbox.world.state import State
 from sandbox.world.tiling import rejoin, rejoin_around
@@ -33,13 +34,14 @@ Flags = NDArray[np.bool_]
 
 @dataclass(frozen=True)
 class Added:
-    """How many bodies, shapes and joints there were before others came; how many thrusters and paths came."""
+    """How many bodies, shapes and joints there were before others came; how many thrusters, paths and regions came."""
 
     bodies: int
     shapes: int
     joints: int
     thrusters: int
-    paths: int = 0
+    paths: int
+    regions: int
 
 
 @dataclass(frozen=True)
@@ -55,28 +57,26 @@ class Moved:
     first_shape: int
 
 
-def add_rows(
-    state: State,
-    directory: Directory,
-    bodies: Sequence[FlatBody],
-    joints: Sequence[FlatJoint],
-    words: tuple[Sequence[Words], Sequence[Words]],
-) -> Added:
-    """Add bodies and joints after all others; `words` are what each of them can be read from again.
+def add_rows(state: State, directory: Directory, found: Spawned) -> Added:
+    """Add bodies, joints and regions after all others.
 
     `directory` knows those that are there, and then these as well.
     """
     before = len(state.bodies), len(state.shapes), len(state.joints)
     thrusters, paths = len(state.thrusters), len(state.paths)
-    if bodies:
-        _append_bodies(state, bodies)
-    state.census.bodies.add(bodies, words[0])
-    state.census.joints.add(joints, words[1])
-    directory.add(len(bodies), len(joints))
-    if joints:
-        _append_joints(state, build_joints(joints, state.bodies, directory.body, directory.joint))
-    state.layout += 1
-    return Added(*before, len(state.thrusters) - thrusters, len(state.paths) - paths)
+    if found.bodies:
+        _append_bodies(state, found.bodies)
+    state.census.bodies.add(found.bodies, found.body_words)
+    state.census.joints.add(found.joints, found.joint_words)
+    state.census.regions.add(found.regions, found.region_words)
+    directory.add(len(found.bodies), len(found.joints), len(found.regions))
+    if found.joints:
+        _append_joints(state, build_joints(found.joints, state.bodies, directory.body, directory.joint))
+    if found.regions:
+        add_regions(state, found.regions)
+    if found.bodies or found.joints:
+        state.layout += 1
+    return Added(*before, len(state.thrusters) - thrusters, len(state.paths) - paths, len(found.regions))
 
 
 def _append_bodies(state: State, flat: Sequence[FlatBody]) -> None:
@@ -130,7 +130,7 @@ def remove_rows(state: State, directory: Directory, bodies: Flags, joints: Flags
     if bodies.any():
         _remove_bodies(state, ~bodies, body_rows)
     rejoin(state, beside)
-    names = [ledger.remove(~marked) for ledger, marked in zip(state.census, (bodies, joints), strict=True)]
+    names = state.census.bodies.remove(~bodies), state.census.joints.remove(~joints)
     directory.remove(*names)
     state.layout += 1
     first = [int(marked.argmax()) if marked.any() else len(marked) for marked in (bodies, gone)]

@@ -129,6 +129,8 @@ def _lengths(roster: Roster) -> dict[str, int]:
         "joint": len(roster.joints.items),
         "shape": len(shapes),
         "vertex": sum(len(shape.vertices) for shape in shapes),
+        "region": len(roster.regions.items),
+        "edge": sum(len(region.edges) for region in roster.regions.items),
         "path": sum(body.path is not None for body in bodies),
         "thruster": sum(len(body.thrusters) for body in bodies if body.type == "dynamic"),
     }

@@ -95,7 +95,7 @@ def test_numbers_past_the_limits_are_refused(make, huge):
         (SetSurface("crate", shape=0.5), "shape must be a whole number, not 0.5"),
         (StartDrag("crate", (0.0, 0.0), -5.0), "max_force must not be negative"),
         (SetGravity(9.81), "SetGravity: gravity must be a pair of numbers (x, y), not 9.81"),
-        (Spawn(5), "bodies and joints are entries of a scene file"),
+        (Spawn(5), "bodies, joints and regions are entries of a scene file"),
         ("Delete", "'Delete' is no command"),
         (None, "None is no command"),
     ],

@@ -1,4 +1,4 @@
-"""Random lives: bodies and joints come and go among steps, snapshots and restores, and all that must hold holds."""
+"""Random lives: bodies, joints and regions come and go among steps and restores, and all that must hold holds."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from hypothesis.stateful import Bundle, RuleBasedStateMachine, consumes, invariant, rule
 
 import sandbox
-from sandbox import Delete, DeleteJoint, SetPose, SetVelocity, Spawn
+from sandbox import Delete, DeleteJoint, DeleteRegion, SetPose, SetVelocity, Spawn
 from sandbox.engine.world import World
 from sandbox.errors import SandboxError, UnknownBodyError
 from sandbox.world.joint_records import GEAR
@@ -34,8 +34,10 @@ SCENE = sandbox.Scene(
         {"id": "b", "prefab": "crate", "position": [0, 1.5]},
     ],
     joints=[{"id": "tie", "type": "weld", "bodies": ["a", "b"], "anchor": [0, 1]}],
+    regions=[{"id": "pool", "water": 2.0, "surface": 1.0}, {"wind": [1, 0], "disc": [0, 2, 3]}],
 )
 IDS = [*"abcdefgh", "ground"]
+REGION_IDS = ["pool", "air", "moon"]
 JOINT_IDS = ["tie", "j1", "j2", "cogs"]
 places = st.tuples(st.integers(-8, 8), st.integers(0, 8)).map(list)
 bodies = st.builds(
@@ -50,6 +52,19 @@ joints = st.one_of(
     ),
     st.just({"id": "cogs", "type": "gear", "joints": ["j1", "j2"]}),
 )  # fmt: skip
+
+
+areas = st.sampled_from(
+    [
+        {},
+        {"inside": [-3, 0, 3, 4]},
+        {"disc": [1, 1, 2]},
+        {"outline": [[0, 0], [4, 0], [2, 3]]},
+        {"start": 0.1, "end": 1},
+    ]
+)
+kinds = st.sampled_from([{"water": 1.5, "surface": 2.0}, {"water": 0.5}, {"wind": [5, 1]}, {"gravity": [0, -1.6]}])
+regions = st.builds(lambda name, kind, area: {"id": name, **kind, **area}, st.sampled_from(REGION_IDS), kinds, areas)
 
 
 class Lives(RuleBasedStateMachine):
@@ -97,6 +112,19 @@ class Lives(RuleBasedStateMachine):
     def part(self, some: list[str]) -> None:
         known = set(self.world.joint_names)
         assert self.try_to(DeleteJoint(some)) == (set(some) <= known)
+
+    @rule(some=st.lists(regions, min_size=1, max_size=2))
+    def flood(self, some: list[dict[str, Any]]) -> None:
+        there = len(self.world.state.regions)
+        taken = {each["id"] for each in some} & set(self.world.state.census.regions.names)
+        done = self.try_to(Spawn(regions=some))
+        assert done == (not taken and len({each["id"] for each in some}) == len(some))
+        assert len(self.world.state.regions) == there + done * len(some)
+
+    @rule(some=st.lists(st.sampled_from(REGION_IDS), min_size=1, max_size=2))
+    def drain(self, some: list[str]) -> None:
+        known = set(self.world.state.census.regions.names)
+        assert self.try_to(DeleteRegion(some)) == (set(some) <= known)
 
     @rule(n=st.sampled_from([1, 2, 10, 60]))
     def step(self, n: int) -> None:
@@ -172,11 +200,14 @@ class Lives(RuleBasedStateMachine):
     def shapes_are_those_of_a_world_from_nothing(self) -> None:
         never = World(self.world.flat)
         ours, theirs = tables(self.world), tables(never)
-        for name in ("vertex", "outline"):
+        for name in ("vertex", "outline", "edge"):
             assert ours[name].tobytes() == theirs[name].tobytes(), name
         for column in ours["shape"].dtype.names:
             if column != "traits":  # tiles that have been moved abut others
                 assert (ours["shape"][column] == theirs["shape"][column]).all(), column
+        for column in ours["region"].dtype.names:
+            if column not in ("start_step", "end_step"):  # times count from when it came
+                assert (ours["region"][column] == theirs["region"][column]).all(), column
         for column in ("mass", "inertia", "local_center_x", "extent"):
             assert (ours["body"][column] == theirs["body"][column]).all(), column
         if self.world.step_count == 0 and not self.world.state.bodies.posed.any():

@@ -1,4 +1,4 @@
-"""Commands by which bodies and joints leave a world."""
+"""Commands by which bodies, joints and regions leave a world."""
 
 from __future__ import annotations
 
@@ -13,8 +13,10 @@ from sandbox.arguments import shown
 from sandbox.engine.active.wake import wake_bodies
 from sandbox.engine.commands.base import Command, CommandTarget, Flags, Touched
 from sandbox.engine.commands.joint_command import held_bodies
+from sandbox.engine.commands.sleepers_in import sleepers_in
 from sandbox.errors import CommandError
 from sandbox.tables import plain
+from sandbox.world.region_rows import remove_regions
 from sandbox.world.rows import remove_rows
 from sandbox.world.state import State
 
@@ -88,6 +90,31 @@ class DeleteJoint(_Deletion):
     def mark(self, target: CommandTarget, bodies: Flags, joints: Flags) -> None:
         """Mark the joints."""
         joints[[target.directory.joint(name) for name in _listed(self.joints)]] = True
+
+
+@dataclass(frozen=True)
+class DeleteRegion(Command):
+    """Take regions out of the world, given by one id or several. What sleeps in them wakes."""
+
+    regions: Ids
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "regions", _tidy(self.regions))
+
+    def checked(self) -> Self:
+        """The same; raises `CommandError` unless it names regions."""
+        _check_ids(self, self.regions)
+        return self
+
+    def apply(self, target: CommandTarget) -> Touched:
+        """Take the rows out of the tables. Raises `UnknownRegionError`, with the nearest name."""
+        state = target.state
+        gone = np.zeros(len(state.regions), np.bool_)
+        gone[[target.directory.region(name) for name in _listed(self.regions)]] = True
+        for row in np.flatnonzero(gone):
+            wake_bodies(state, sleepers_in(state, state.regions[row]))
+        remove_regions(state, target.directory, gone)
+        return Touched(regions=True)
 
 
 def _tidy(ids: Ids) -> Ids:

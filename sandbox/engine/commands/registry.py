@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sandbox.engine.commands.base import Command
 from sandbox.engine.commands.control import Control
-from sandbox.engine.commands.delete import Delete, DeleteJoint
+from sandbox.engine.commands.delete import Delete, DeleteJoint, DeleteRegion
 from sandbox.engine.commands.drags import EndDrag, MoveDrag, StartDrag
 from sandbox.engine.commands.explode import Explode
 from sandbox.engine.commands.joint_parts import BreakJoint, SetLimits, SetMotor, SetSpring, SetTarget
@@ -24,7 +24,7 @@ COMMAND_CLASSES: dict[str, type[Command]] = {
     for kind in (
         ApplyForce, ApplyImpulse, SetPose, SetVelocity, SetSurface, SetThruster, StartDrag, MoveDrag, EndDrag,
         SetMotor, SetLimits, SetSpring, SetTarget, SetJoint, BreakJoint,
-        SetGravity, SetSettings, Explode, SetRegion, Spawn, Delete, DeleteJoint,
+        SetGravity, SetSettings, Explode, SetRegion, Spawn, Delete, DeleteJoint, DeleteRegion,
         Control, SetPath,
     )
 }  # fmt: skip

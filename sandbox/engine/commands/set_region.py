@@ -11,12 +11,10 @@ import numpy as np
 from sandbox.engine.active.wake import wake_bodies
 from sandbox.engine.commands.base import Command, CommandTarget, Touched, Vec
 from sandbox.engine.commands.checks import title
+from sandbox.engine.commands.sleepers_in import sleepers_in
 from sandbox.engine.commands.switch import switch
 from sandbox.errors import CommandError, SceneError
-from sandbox.tables import Integers
-from sandbox.world.records import DYNAMIC
 from sandbox.world.region_columns import columns_of
-from sandbox.world.state import State
 
 
 @dataclass(frozen=True)
@@ -49,13 +47,13 @@ class SetRegion(Command):
     def apply(self, target: CommandTarget) -> Touched:
         """Change the region and wake what sleeps in it, where it was and where it is."""
         index = target.directory.region(self.region)
-        state, flat = target.state, target.state.census.scene.regions[index]
+        state, flat = target.state, target.state.census.regions.items[index]
         row = state.regions[index]
         given = {item.name: value for item in fields(self)[2:] if (value := getattr(self, item.name)) is not None}
         _check(row, given, self)
         if "surface" in given and not flat.surfaced:
             raise CommandError(f"{title(self)}: this water has no surface; give it one in the scene")
-        inside = _inside(state, row)
+        inside = sleepers_in(state, row)
         for field, columns in columns_of(row).items():
             if field in given and columns:
                 for column, value in zip(columns, given[field] if len(columns) > 1 else (given[field],), strict=True):
@@ -63,7 +61,7 @@ class SetRegion(Command):
         if "surface" in given:
             state.edges[row.first_edge + row.edge_count - 1].offset = given["surface"]
         switch(row, self.enabled, state)
-        wake_bodies(state, np.concatenate([inside, _inside(state, row)]))
+        wake_bodies(state, np.concatenate([inside, sleepers_in(state, row)]))
         return Touched(schedules=True)
 
 
@@ -81,15 +79,3 @@ def _check(row: Any, given: Mapping[str, Any], command: SetRegion) -> None:
         REGIONS[kind](**{kind: now if len(now) > 1 else now[0], **given})
     except SceneError as error:
         raise CommandError(f"{title(command)}: {error.problems[0].message}") from None
-
-
-def _inside(state: State, region: Any) -> Integers:
-    """Rows of the sleeping bodies that may reach into a region."""
-    bodies: Any = state.bodies
-    found = (bodies.type == DYNAMIC) & (bodies.awake == 0)
-    for edge in state.edges[region.first_edge : region.first_edge + region.edge_count]:
-        found &= edge.normal_x * bodies.center_x + edge.normal_y * bodies.center_y - edge.offset <= bodies.extent
-    if region.disc_radius > 0.0:
-        x, y = bodies.center_x - region.disc_x, bodies.center_y - region.disc_y
-        found &= np.sqrt(x * x + y * y) <= region.disc_radius + bodies.extent
-    return np.flatnonzero(found)

@@ -1,4 +1,4 @@
-"""The command by which bodies and joints come into a world."""
+"""The command by which bodies, joints and regions come into a world."""
 
 from __future__ import annotations
 
@@ -11,53 +11,67 @@ import numpy as np
 from sandbox.engine.active.wake import wake_bodies
 from sandbox.engine.commands.base import Command, CommandTarget, Touched
 from sandbox.engine.commands.joint_command import held_bodies
+from sandbox.engine.commands.sleepers_in import sleepers_in
 from sandbox.errors import CommandError, SceneError
 from sandbox.world.rows import add_rows
 
 Words: TypeAlias = dict[str, Any]
+_LISTS = ("bodies", "joints", "regions")
 
 
 @dataclass(frozen=True)
 class Spawn(Command):
-    """Bring bodies and joints into the world, in the words of a scene file: entries of `bodies` and of `joints`.
+    """Bring bodies, joints and regions into the world, in the words of a scene file: entries of its lists.
 
-    Entries are dicts or the models of scenes (`sandbox.Body`, `sandbox.Revolute`); `bodies` is a list of them or a
-    single one, and so is `joints`. They may use the scene's prefabs, materials and categories; joints may name bodies
-    that are there already, and their anchors are places in the world of now. Ids must be new; those of deleted bodies
-    and joints are. Times of thrusters count from now. As in a file, angles are in degrees.
+    Entries are dicts or the models of scenes (`sandbox.Body`, `sandbox.Revolute`, `sandbox.Water`); `bodies` is a list
+    of them or a single one, and so are `joints` and `regions`. They may use the scene's prefabs, materials and
+    categories; joints may name bodies that are there already, and their anchors are places in the world of now. Ids
+    must be new; those of what was deleted are. Times of thrusters and regions count from now. As in a file, angles are
+    in degrees.
     """
 
     bodies: Words | Sequence[Words] = ()
     joints: Words | Sequence[Words] = ()
+    regions: Words | Sequence[Words] = ()
 
     def __post_init__(self) -> None:
-        for name in ("bodies", "joints"):
+        for name in _LISTS:
             object.__setattr__(self, name, _plain(getattr(self, name)))
 
     def checked(self) -> Self:
         """The same; raises `CommandError` unless it holds entries."""
-        if not all(isinstance(part, (dict, list, tuple, str)) for part in (self.bodies, self.joints)):
-            raise CommandError("Spawn: bodies and joints are entries of a scene file, or lists of such")
-        if not self.bodies and not self.joints:
-            raise CommandError("Spawn: there is nothing to spawn; give bodies or joints")
+        parts = [getattr(self, name) for name in _LISTS]
+        if not all(isinstance(part, (dict, list, tuple, str)) for part in parts):
+            raise CommandError("Spawn: bodies, joints and regions are entries of a scene file, or lists of such")
+        if not any(parts):
+            raise CommandError("Spawn: there is nothing to spawn; give bodies, joints or regions")
         return self
 
+    def to_words(self) -> Words:
+        """The fields as a recording has them, without empty lists."""
+        return {name: value for name, value in super().to_words().items() if value != ()}
+
     def apply(self, target: CommandTarget) -> Touched:
-        """Read the entries, add their rows after all others, and wake what the new joints hold."""
+        """Read the entries, add their rows after all others, and wake what the new joints hold or regions push."""
         state = target.state
-        bodies, joints = ([part] if isinstance(part, dict) else part for part in (self.bodies, self.joints))
+        bodies, joints, regions = (_listed(getattr(self, name)) for name in _LISTS)
         try:
-            found = target.spawning.read(bodies, joints, target.directory.known(), "Spawn")
+            found = target.spawning.read(bodies, joints, target.directory.known(), "Spawn", regions)
         except SceneError as error:
             raise CommandError(str(error)) from None
-        words = found.body_words, found.joint_words
-        added = add_rows(state, target.directory, found.bodies, found.joints, words)
+        added = add_rows(state, target.directory, found)
+        for region in state.regions[len(state.regions) - added.regions :]:
+            wake_bodies(state, sleepers_in(state, region))
         if found.joints:
             held = held_bodies(state, np.arange(added.joints, len(state.joints)))
             held = held[held < added.bodies]  # the others are awake
             if len(held):
                 wake_bodies(state, held)
         return Touched(added=added)
+
+
+def _listed(part: Any) -> Any:
+    return [part] if isinstance(part, dict) else part
 
 
 def _plain(part: Any) -> Any:

@@ -102,13 +102,16 @@ class Scratch:
             self._grow(state)
         else:
             _fill_thin(self.ccd.bodies, state, bodies, shapes)
-        if has_fields(state) and len(self.fields.pushes) < self.room.bodies:
-            self.fields = Fields.for_state(state, self.room.bodies)
-            fits = False
-        if has_fields(state):
-            self.fields = self.fields._replace(thrusters=state.thrusters)
+        self.follow_fields(state)
         plain(self.active.info)["stale"] = 1
         return not fits
+
+    def follow_fields(self, state: State) -> None:
+        """Bring up to date what is known of regions and thrusters, and take what memory they lack."""
+        fields = self.fields._replace(regions=state.regions, edges=state.edges, thrusters=state.thrusters)
+        lacks_bodies = has_fields(state) and len(fields.pushes) < self.room.bodies
+        lacks_pieces = len(state.regions) > 0 and len(fields.pieces) == 0
+        self.fields = Fields.for_state(state, self.room.bodies) if lacks_bodies or lacks_pieces else fields
 
     def make_room_for_joints(self) -> None:
         """Let the joint solver know as many bodies as there is room for."""

@@ -202,8 +202,7 @@ class Actor:
         if action.what == "joint":
             names = self._joints(action.of)
         elif action.what == "region":
-            regions = self._world.state.census.scene.regions
-            names = self._selector(action.of).among([region.id for region in regions if region.id])
+            names = self._selector(action.of).among([name for name in self._world.state.census.regions.names if name])
         else:
             names = self._bodies(action.of, occasion)
         for command in setting_commands(action.what, names, values, occasion.scale):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sandbox.engine.commands.delete import Delete, DeleteJoint
+from sandbox.engine.commands.delete import Delete, DeleteJoint, DeleteRegion
 from sandbox.engine.commands.spawn import Spawn
 from sandbox.window.actions.action import Action
 from sandbox.window.scaled import scaled_body, whole_body
@@ -29,6 +29,8 @@ def _delete(workspace: Workspace) -> None:
         workspace.do(f"Delete {_told(bodies)}", Delete(bodies))
     elif selection.joint in world.joint_names and selection.joint is not None:
         workspace.do(f"Delete {selection.joint}", DeleteJoint(selection.joint))
+    elif selection.region in world.state.census.regions.names and selection.region:
+        workspace.do(f"Delete {selection.region}", DeleteRegion(selection.region))
     else:
         workspace.say("there is nothing selected to delete")
 

@@ -7,11 +7,12 @@ from collections.abc import Sequence
 
 from imgui_bundle import icons_fontawesome_6 as icons
 
-from sandbox.engine.commands.delete import Delete, DeleteJoint
+from sandbox.engine.commands.delete import Delete, DeleteJoint, DeleteRegion
 from sandbox.engine.commands.explode import Explode
 from sandbox.errors import SandboxError
 from sandbox.render.line import Line
 from sandbox.window.tools.joint_pick import joint_under
+from sandbox.window.tools.region_pick import region_at
 from sandbox.window.tools.tool import Pointer, Tool, body_under, outline
 from sandbox.window.workspace import Workspace
 
@@ -24,10 +25,10 @@ MAGNET_IMPULSE = 0.6
 
 
 class EraseTool(Tool):
-    """Deletes what is clicked or swept over: joints before bodies."""
+    """Deletes what is clicked or swept over: joints before bodies, and a region that is clicked where nothing is."""
 
     name, title, icon, key = "erase", "Erase", icons.ICON_FA_ERASER, "E"
-    help = "Click what is to go, or sweep over it: joints first, then bodies."
+    help = "Click what is to go, or sweep over it: joints first, then bodies. A click beside them takes a region."
 
     def __init__(self) -> None:
         self._down = False
@@ -36,7 +37,8 @@ class EraseTool(Tool):
         """Begin to erase."""
         self._down = True
         workspace.session.timeline.begin_act("Erase")
-        self._erase(workspace, pointer)
+        if not self._erase(workspace, pointer):
+            self._drain(workspace, pointer)
         return True
 
     def move(self, workspace: Workspace, pointer: Pointer) -> None:
@@ -49,12 +51,20 @@ class EraseTool(Tool):
         self._down = False
         workspace.session.timeline.end_act()
 
-    def _erase(self, workspace: Workspace, pointer: Pointer) -> None:
+    def _drain(self, workspace: Workspace, pointer: Pointer) -> None:
+        region = region_at(workspace.session.world.state, pointer.point)
+        if region is not None:
+            with workspace.attempt("not erased"):
+                workspace.session.apply(DeleteRegion(region))
+
+    def _erase(self, workspace: Workspace, pointer: Pointer) -> bool:
+        """Erase what is there; False if nothing is."""
         joint, body = joint_under(workspace, pointer), body_under(workspace, pointer)
         if joint is None and body is None:
-            return
+            return False
         with workspace.attempt("not erased"):
             workspace.session.apply(Delete(body) if joint is None and body is not None else DeleteJoint(joint or ""))
+        return True
 
 
 class BlastTool(Tool):

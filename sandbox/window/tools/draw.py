@@ -3,68 +3,33 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from abc import abstractmethod
 from typing import Any, ClassVar
 
 from imgui_bundle import icons_fontawesome_6 as icons
 
 from sandbox.engine.commands.spawn import Spawn
 from sandbox.render.camera import Vec
-from sandbox.render.line import Line
-from sandbox.window.tools.tool import Pointer, Tool, fresh_id, outline
+from sandbox.window.tools.drag import DragTool
+from sandbox.window.tools.tool import fresh_id
 from sandbox.window.workspace import Workspace
 
-LEAST_PIXELS = 3.0
-"""Shapes that would be smaller are not made: the press was a slip."""
 
-
-class DragShape(Tool):
-    """From where the button goes down to where it comes up."""
+class DragShape(DragTool):
+    """A body by one drag."""
 
     body_type: ClassVar[str] = "dynamic"
 
-    def __init__(self) -> None:
-        self._from: Pointer | None = None
-        self._to: Pointer | None = None
-
+    @abstractmethod
     def words(self, start: Vec, end: Vec) -> dict[str, Any]:
         """The body between two points, as a scene file has it, without id and type."""
-        raise NotImplementedError
 
-    def corners(self, start: Vec, end: Vec) -> list[Vec]:
-        """Its outline while it is drawn."""
-        raise NotImplementedError
-
-    def press(self, workspace: Workspace, pointer: Pointer) -> bool:
-        """Begin."""
-        self._from = self._to = pointer
-        return True
-
-    def move(self, workspace: Workspace, pointer: Pointer) -> None:
-        """Stretch it."""
-        if self._from is not None:
-            self._to = pointer
-
-    def release(self, workspace: Workspace, pointer: Pointer) -> None:
-        """Bring it into the world."""
-        start, self._from = self._from, None
-        if start is None or math.dist(start.pixel, pointer.pixel) < LEAST_PIXELS:
-            return
+    def bring(self, workspace: Workspace, start: Vec, end: Vec) -> None:
+        """Bring it into the world, and select it."""
         name = fresh_id(workspace, self.name)
         kind = {} if self.body_type == "dynamic" else {"type": self.body_type}
-        if workspace.do(f"Draw {name}", Spawn({"id": name, **kind, **self.words(start.point, pointer.point)})):
+        if workspace.do(f"Draw {name}", Spawn({"id": name, **kind, **self.words(start, end)})):
             workspace.selection.pick(name)
-
-    def cancel(self, workspace: Workspace) -> bool:
-        """Make nothing."""
-        busy, self._from = self._from is not None, None
-        return busy
-
-    def strokes(self, workspace: Workspace) -> Sequence[Line]:
-        """Its outline."""
-        if self._from is None or self._to is None:
-            return ()
-        return outline(workspace, self.corners(self._from.point, self._to.point), closed=True)
 
 
 class CircleTool(DragShape):

@@ -13,6 +13,7 @@ from sandbox.render.camera import Vec
 from sandbox.render.line import Line
 from sandbox.replay.timeline import Mark
 from sandbox.window.tools.joint_pick import joint_under
+from sandbox.window.tools.region_pick import region_at
 from sandbox.window.tools.tool import GRAB_PIXELS, Pointer, Tool, body_under
 from sandbox.window.workspace import Workspace
 
@@ -27,7 +28,7 @@ class Hand(Tool):
     title = "Hand"
     icon = icons.ICON_FA_HAND
     key = "V"
-    help = "Drag a body to throw it; while paused, to move it. Click selects it, or a joint by its anchor; Shift adds."
+    help = "Drag a body to throw it; while paused, to move it. Click selects it, a joint or a region; Shift adds."
 
     def __init__(self) -> None:
         self._start: Pointer | None = None
@@ -45,7 +46,7 @@ class Hand(Tool):
             if self._joint is not None:
                 workspace.selection.pick_joint(self._joint)
             elif not pointer.more:
-                workspace.selection.pick(None)
+                workspace.selection.pick_region(region_at(workspace.session.world.state, pointer.point))
             return False
         if workspace.session.clock.paused:
             self._take(workspace, name, pointer.more)

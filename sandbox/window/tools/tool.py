@@ -78,9 +78,9 @@ def body_under(workspace: Workspace, pointer: Pointer, types: Sequence[int] = AN
 
 
 def fresh_id(workspace: Workspace, stem: str) -> str:
-    """STEM-1, STEM-2, ...: the first that no body and no joint has."""
+    """STEM-1, STEM-2, ...: the first that no body, joint or region has."""
     world = workspace.session.world
-    taken = {*world.names, *world.joint_names}
+    taken = {*world.names, *world.joint_names, *world.state.census.regions.names}
     return next(name for number in range(1, len(taken) + 2) if (name := f"{stem}-{number}") not in taken)
 
 

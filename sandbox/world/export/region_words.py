@@ -13,8 +13,8 @@ from sandbox.world.region_columns import columns_of
 
 
 def written_region(present: Present, index: int) -> Region:
-    """The region of that number; it is the author's own object if nothing has changed."""
-    author = present.scene.regions[index]
+    """The region of that row; it is the author's own object if nothing has changed."""
+    author = _as_it_came(present, index)
     row, first = present.state.regions[index], present.start.regions[index]
     before = author.to_data()
     words = dict(before)
@@ -28,6 +28,16 @@ def written_region(present: Present, index: int) -> Region:
         _write_water(present, words, row)
     write_schedule(present, words, row, first, author.id or "")
     return author if words == before else REGIONS[next(iter(columns_of(row)))](**words)
+
+
+def _as_it_came(present: Present, index: int) -> Region:
+    """The entry that a region came with: of the scene, or spawned."""
+    ledger = present.state.census.regions
+    serial = ledger.serials[index]
+    if serial < len(present.scene.regions):
+        return present.scene.regions[serial]
+    words = ledger.words[serial]
+    return REGIONS[next(kind for kind in REGIONS if kind in words)](**words)
 
 
 def _write_water(present: Present, words: dict[str, Any], row: Any) -> None:

@@ -46,7 +46,7 @@ def scene_of(world: AnyWorld, scene: Scene | None = None) -> SceneNow:
         "bodies": tuple(written(present, k) for k, body in enumerate(census.bodies.items) if body.pointer not in kept),
         "generate": tuple(each for k, each in enumerate(author.generate) if f"/generate/{k}" in kept),
         "joints": tuple(written_joint(present, k) for k in joints if census.joints.items[k].pointer not in kept),
-        "regions": tuple(written_region(present, k) for k in range(len(author.regions))),
+        "regions": tuple(written_region(present, k) for k in range(len(present.state.regions))),
         "expect": _expectations(present),
     }
     changed = {name: value for name, value in update.items() if value != getattr(author, name)}
@@ -85,7 +85,7 @@ def _settings(present: Present) -> Settings:
 def _expectations(present: Present) -> tuple[Any, ...]:
     """Those of the author, as long as nothing that they may speak of has moved or gone."""
     expect, census = present.scene.expect, present.state.census
-    everybody = len(census.scene.bodies), len(census.scene.joints)
+    everybody = len(census.scene.bodies), len(census.scene.joints), len(census.scene.regions)
     there = [sum(serial < count for serial in ledger.serials) for ledger, count in zip(census, everybody, strict=True)]
     if not expect or (present.now == 0 and tuple(there) == everybody and not present.in_motion.any()):
         return expect

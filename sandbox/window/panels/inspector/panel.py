@@ -51,7 +51,7 @@ class InspectorPanel(Panel):
             joint = world.joint(selection.joint)
             _draw_head(workspace, joint.id, joint.type, joint.anchors[1] if joint.type != "gear" else None)
             draw_joint(workspace, self._editor, joint)
-        elif selection.region in [region.id for region in world.state.census.scene.regions] and selection.region:
+        elif selection.region in world.state.census.regions.names and selection.region:
             _draw_head(workspace, selection.region, "region", None)
             draw_region(workspace, self._editor, selection.region)
         else:

@@ -6,10 +6,11 @@ from collections.abc import Iterable
 from typing import Any
 
 from sandbox.engine.commands.base import Command
+from sandbox.engine.commands.delete import DeleteRegion
 from sandbox.engine.commands.set_region import SetRegion
 from sandbox.scene.regions import REGIONS
 from sandbox.window.editor import Editor, Entry
-from sandbox.window.widgets import Scale, row, section
+from sandbox.window.widgets import Scale, button, row, section
 from sandbox.window.workspace import Workspace
 from sandbox.world.region_columns import columns_of
 
@@ -42,6 +43,8 @@ def draw_region(workspace: Workspace, editor: Editor, name: str) -> None:
     for field, columns in fields.items():
         entry = Entry(f"inspector.region.{field}", field.replace("_", " "), _SCALES[field], _tip(kind, field))
         _draw_field(workspace, editor, entry, (name, field, _values(workspace, record, columns)))
+    if button("inspector.region.delete", "Delete", "Takes it out of the world."):
+        workspace.do(f"Delete {name}", DeleteRegion(name))
 
 
 def _draw_field(workspace: Workspace, editor: Editor, entry: Entry, what: tuple[str, str, tuple[float, ...]]) -> None:

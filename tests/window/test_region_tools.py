@@ -1,0 +1,107 @@
+"""Water and wind by real keys and clicks: drawn, picked, erased, undone, saved."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import sandbox
+from sandbox.render.theme import DARK
+from sandbox.window.gl_painter import GlPainter
+from sandbox.window.gui import Gui
+from sandbox.window.play import PlayScreen
+from sandbox.window.screen import Canvas
+from sandbox.window.tools.region_pick import region_at
+from sandbox.world.export.scene_now import scene_of
+from tests.window.hands import play
+
+SCENE = sandbox.Scene(
+    bodies=[
+        {"id": "ground", "type": "static", "shapes": [{"box": [40, 1]}], "position": [0, -0.5]},
+        {"id": "crate", "shapes": [{"box": [1, 1]}], "position": [-3, 0.5]},
+    ],
+    view={"center": [0, 3], "height": 12},
+)
+POOL = "key I\ndrag @-5,3 to @-1,0.25\nwait 2\n"
+
+
+@pytest.fixture
+def canvas(display: Any) -> Iterator[Canvas]:
+    gui = Gui(display.driver)
+    yield Canvas(display, GlPainter(display.context), gui, DARK)
+    gui.close()
+
+
+def regions(screen: PlayScreen) -> tuple[str, ...]:
+    return screen.session.world.state.census.regions.ids
+
+
+def test_a_crate_floats_in_water_that_was_drawn_and_sinks_back_when_it_is_gone(canvas: Canvas, tmp_path: Path) -> None:
+    heights: list[float] = []
+
+    def drawn(screen: PlayScreen) -> None:
+        assert (regions(screen), screen.workspace.selection.region) == (("water-1",), "water-1")
+        screen.session.clock.paused = False
+
+    def look(screen: PlayScreen) -> None:
+        heights.append(screen.session.world.body("crate").position[1])
+
+    screen = play(
+        canvas, SCENE, tmp_path, POOL, drawn, "wait 90\n", look, "key Delete\nwait 90\n", look, "key Ctrl+Z\nwait 3\n"
+    )  # fmt: skip
+    assert heights[0] > 1.0
+    assert heights[1] < 0.6
+    assert regions(screen) == ("water-1",)
+
+
+def test_a_click_picks_a_region_and_the_eraser_takes_it_where_nothing_else_is(canvas: Canvas, tmp_path: Path) -> None:
+    def picked(screen: PlayScreen) -> None:
+        assert screen.workspace.selection.region == "wind-1"
+
+    def left(screen: PlayScreen) -> None:
+        assert regions(screen) == ("water-1", "wind-1")
+        assert screen.session.world.names == ("ground",)
+
+    screen = play(
+        canvas, SCENE, tmp_path, POOL + "key D\ndrag @-4,1.5 to @3,5\n", "key V\nclick @2,4\nwait 2\n", picked,
+        "key E\nclick @-3,0.5\nwait 2\n", left, "click @-2,2\nwait 2\n",
+    )  # fmt: skip
+    assert regions(screen) == ("wind-1",)  # the smaller one of two went
+
+
+def test_a_scene_and_a_recording_of_now_have_what_was_drawn(canvas: Canvas, tmp_path: Path) -> None:
+    screen = play(canvas, SCENE, tmp_path, POOL + "key D\ndrag @1,1 to @3,5\n")
+    saved = scene_of(screen.session.world).scene
+    assert [type(region).__name__ for region in saved.regions] == ["Water", "Wind"]
+    left, bottom, right, top = saved.regions[0].inside or ()
+    assert (left, bottom, right, top) == pytest.approx((-5, 0.25, -1, 3), abs=0.03)
+    run = screen.session.timeline.run
+    again = sandbox.World(run.scene)
+    for step, command in run.commands:
+        again.step(step - again.step_count)
+        again.apply(command)
+    again.step(screen.session.world.step_count - again.step_count)
+    assert again.digest() == screen.session.world.digest()
+
+
+@pytest.mark.parametrize(
+    ("point", "found"),
+    [
+        ((0, 0), "disc"),
+        ((4, 0), "lake"),
+        ((-1, 4), "lake"),
+        ((9, 9), None),
+        ((5.5, 4.5), "triangle"),
+        ((5.5, 5.5), None),
+    ],
+)
+def test_the_smallest_region_under_the_pointer_is_meant(point: tuple[float, float], found: str | None) -> None:
+    world = sandbox.World(sandbox.Scene(bodies=SCENE.bodies, regions=[
+        {"id": "everywhere", "wind": [1, 0]}, {"id": "lake", "water": 1, "inside": [-5, -1, 5, 5]},
+        {"id": "disc", "gravity": [0, 1], "disc": [0, 0, 2]}, {"wind": [0, 1], "inside": [-1, -1, 1, 1]},
+        {"id": "triangle", "gravity_scale": 0, "outline": [[5, 4], [6, 4], [5.5, 5]]},
+    ]))  # fmt: skip
+    assert region_at(world.state, point) == found
