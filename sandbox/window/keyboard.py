@@ -26,7 +26,7 @@ class Keyboard:
 
     def handle(self, event: pygame.event.Event, taken: bool) -> None:
         """Act on a key; `taken` says whether a panel wants what is typed."""
-        if event.type == pygame.KEYDOWN and not taken:
+        if event.type == pygame.KEYDOWN and not taken and not self.workspace.palette_shown:
             self._press(event)
         self.workspace.held -= released(event)
 
@@ -53,4 +53,4 @@ class Keyboard:
                 self._tool_box.choose(tool.name)
         for panel in self._panels.values():
             if panel.key and pygame.key.name(event.key).upper() == panel.key:
-                self.workspace.panels ^= {panel.name}
+                self.workspace.toggle_panel(panel.name)

@@ -79,6 +79,7 @@ class Layout:
             imgui.set_next_window_focus()
         shown, still_open = imgui.begin(_window_title(panel), True)
         mark(f"panel.{panel.name}")
+        (workspace.behind.discard if shown else workspace.behind.add)(panel.name)
         if shown:
             panel.draw(workspace)
         imgui.end()

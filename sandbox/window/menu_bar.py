@@ -42,10 +42,10 @@ def _draw_actions(workspace: Workspace, menu: str) -> None:
 def _draw_panel_items(workspace: Workspace, panels: dict[str, Panel]) -> None:
     imgui.separator()
     for panel in panels.values():
-        clicked, on = imgui.menu_item(f"{panel.icon}  {panel.title}", panel.key, panel.name in workspace.panels)
+        clicked, _ = imgui.menu_item(f"{panel.icon}  {panel.title}", panel.key, panel.name in workspace.panels)
         mark(f"menu.panel.{panel.name}", panel.help)
         if clicked:
-            (workspace.panels.add if on else workspace.panels.discard)(panel.name)
+            workspace.toggle_panel(panel.name)
 
 
 def _draw_title(workspace: Workspace) -> None:

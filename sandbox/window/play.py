@@ -21,6 +21,7 @@ from sandbox.window.keyboard import Keyboard
 from sandbox.window.layout import Layout, first_panels
 from sandbox.window.mouse import Mouse
 from sandbox.window.overlay import Overlay
+from sandbox.window.palette import Palette
 from sandbox.window.panels.registry import new_panels
 from sandbox.window.problem_box import draw_problem
 from sandbox.window.reload import Reloader
@@ -72,6 +73,7 @@ class PlayScreen:
         self.mouse = Mouse(self.workspace, self.tool_box)
         self._keyboard = Keyboard(self.workspace, self.tool_box, self.panels)
         self._picture = ScenePicture(self.workspace, self.mouse.strokes)
+        self._palette = Palette(self.workspace, self.tool_box, self.panels)
         self._layout = Layout(self.panels, self.tool_box)
         self._reloader = Reloader(session) if session.scene.text is not None else None
         self.export_box = ExportBox()
@@ -233,6 +235,7 @@ class PlayScreen:
         if reloader and reloader.problem and draw_problem(workspace, reloader.problem, overlay.gui.mono):
             reloader.problem = ""
         self.export_box.draw(workspace)
+        self._palette.draw()
         if workspace.help_shown:
             draw_help(workspace, self.tool_box.tools, self.panels)
 

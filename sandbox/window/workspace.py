@@ -54,6 +54,8 @@ class Workspace:
     panels: set[str] = field(default_factory=set)
     front: str = ""
     """The panel that is to be in front of those in its place."""
+    behind: set[str] = field(default_factory=set)
+    """The panels that are hidden by others in their places."""
     overlays: list[str] = field(default_factory=list)
     color_by: str = "theme"
     """What the colours of bodies mean: a name in `render/coloring`."""
@@ -61,6 +63,7 @@ class Workspace:
     """Whether what moves casts a soft shadow."""
     interface: bool = True
     help_shown: bool = False
+    palette_shown: bool = False
     text_scale: float = 1.0
     less_motion: bool = False
     """Nothing fades or turns."""
@@ -101,6 +104,19 @@ class Workspace:
         if not done:
             self.say_trouble()
         return done
+
+    def toggle_panel(self, name: str) -> None:
+        """Show a panel, in front of those in its place; close it if it is there."""
+        if name in self.panels and name not in self.behind:
+            self.panels.discard(name)
+        else:
+            self.panels.add(name)
+            self.front = name
+
+    def toggle_overlay(self, name: str) -> None:
+        """Show an overlay over the others, or no longer."""
+        others = [one for one in self.overlays if one != name]
+        self.overlays = others if name in self.overlays else [*others, name]
 
     def say_trouble(self) -> None:
         """Tell what went wrong in the session, if anything did."""

@@ -20,10 +20,8 @@ def _toggle_theme(workspace: Workspace) -> None:
     workspace.theme = LIGHT if workspace.theme is DARK else DARK
 
 
-def _toggle_trails(workspace: Workspace) -> None:
-    shown = "trails" in workspace.overlays
-    others = [name for name in workspace.overlays if name != "trails"]
-    workspace.overlays = others if shown else [*others, "trails"]
+def _open_palette(workspace: Workspace) -> None:
+    workspace.palette_shown = True
 
 
 def _scale_text(workspace: Workspace, factor: float) -> None:
@@ -51,7 +49,7 @@ ACTIONS = (
     Action("zoom-in", "Zoom in", "View", ("Up",), "Nearer.", lambda w: w.viewport.zoom(1.05), held=True),
     Action("zoom-out", "Zoom out", "View", ("Down",), "Farther.", lambda w: w.viewport.zoom(1 / 1.05), held=True),
     Action("trails", "Trails", "View", ("Shift+T",), "Where moving bodies, or the selected ones, came from.",
-           _toggle_trails, checked=lambda w: "trails" in w.overlays),
+           lambda w: w.toggle_overlay("trails"), checked=lambda w: "trails" in w.overlays),
     Action("interface", "Panels", "View", ("Tab",), "Show or hide all but the scene.", _toggle_interface,
            checked=lambda w: w.interface),
     Action("theme", "Light", "View", ("F8",), "Light or dark.", _toggle_theme, checked=lambda w: w.theme is LIGHT),
@@ -61,6 +59,8 @@ ACTIONS = (
            lambda w: _scale_text(w, 1 / 1.1)),
     Action("less-motion", "Less motion", "View", (), "Nothing fades; what appears is there at once.",
            lambda w: setattr(w, "less_motion", not w.less_motion), checked=lambda w: w.less_motion),
+    Action("palette", "Find and do", "Help", ("Ctrl+P", ":"), "Everything that can be done, found by typing.",
+           _open_palette),
     Action("help", "Keys and mouse", "Help", ("F1", "H"), "All keys, and what the mouse does.", _toggle_help,
            checked=lambda w: w.help_shown),
 )  # fmt: skip

@@ -28,8 +28,7 @@ class OverlaysPanel(Panel):
         for overlay in OVERLAYS.values():
             shown = overlay.name in workspace.overlays
             if checkbox(f"overlay.{overlay.name}", overlay.title, shown, overlay.help) != shown:
-                others = [name for name in workspace.overlays if name != overlay.name]
-                workspace.overlays = others if shown else [*others, overlay.name]
+                workspace.toggle_overlay(overlay.name)
             imgui.indent(28.0)
             wrapped(overlay.help)
             imgui.unindent(28.0)

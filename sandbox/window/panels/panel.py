@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from typing import ClassVar
 
 from sandbox.window.overlay import Overlay
 from sandbox.window.workspace import Workspace
 
 
-class Panel:
+class Panel(ABC):
     """A panel. One object each, in the registry; `draw` is called between ImGui's begin and end while it is shown.
 
     A panel that is not shown is not called, neither to draw nor after steps, so it costs nothing.
@@ -25,9 +26,9 @@ class Panel:
     exact: ClassVar[bool] = False
     """While it is open, pictures show the last step as it is, not a blend of the last two: it draws over the scene."""
 
+    @abstractmethod
     def draw(self, workspace: Workspace) -> None:
         """Draw its widgets."""
-        raise NotImplementedError
 
     def draw_over(self, workspace: Workspace, overlay: Overlay) -> None:
         """Draw over the scene, in pixels of the window; called after `draw`, also while another tab hides the panel."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from typing import Any, ClassVar
 
@@ -23,7 +24,7 @@ TOLERANCE_PIXELS = 2.5
 """How far a simplified stroke may be from what was drawn."""
 
 
-class Freehand(Tool):
+class Freehand(Tool, ABC):
     """Collects corners until the outline is closed, Enter is pressed, or a freehand stroke ends."""
 
     least: ClassVar[int]
@@ -36,9 +37,9 @@ class Freehand(Tool):
         self._pressed: Pointer | None = None
         self._cursor: Pointer | None = None
 
+    @abstractmethod
     def words(self, corners: Sequence[Vec], middle: Vec) -> dict[str, Any]:
         """The body with these corners, as a scene file has it, with its origin at `middle`; without its id."""
-        raise NotImplementedError
 
     def press(self, workspace: Workspace, pointer: Pointer) -> bool:
         """A corner, or the beginning of a stroke."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from typing import Any, ClassVar
 
@@ -18,7 +19,7 @@ Held = tuple[str | None, Vec]
 """A body, None for the world, and the point of the plane at which it was clicked."""
 
 
-class JoinTool(Tool):
+class JoinTool(Tool, ABC):
     """A click on one body, another on the second one; empty space is the world."""
 
     two_points: ClassVar[bool] = True
@@ -28,9 +29,9 @@ class JoinTool(Tool):
         self._first: Held | None = None
         self._cursor: Pointer | None = None
 
+    @abstractmethod
     def words(self, first: Vec, second: Vec) -> dict[str, Any]:
         """The joint between two points, as a scene file has it, without id and bodies."""
-        raise NotImplementedError
 
     def press(self, workspace: Workspace, pointer: Pointer) -> bool:
         """The first body, or the second one and the joint."""

@@ -47,7 +47,7 @@ class Finder:
         imgui.set_next_item_width(-1.0)
         self._words = text("inspector.search", "", self._words, f"{icons.ICON_FA_MAGNIFYING_GLASS}  search")
         world = workspace.session.world
-        key = world.layout, len(world.names), len(world.joint_names), self._words
+        key = world.layout, len(world.names), len(world.joint_names), world.state.census.regions.ids, self._words
         if key != self._key:
             self._key, self._found = key, matching(everything(world), self._words)
         if not self._found:
