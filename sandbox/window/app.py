@@ -167,7 +167,7 @@ class App:
         """Make a workspace as the user left the last one."""
         kept = self._remembered
         workspace.theme = self.canvas.theme
-        workspace.text_scale, workspace.less_motion = kept.text_scale, kept.less_motion
+        workspace.text_scale, workspace.less_motion = kept.text_scale or 1.0, kept.less_motion
         if kept.panels is not None:
             workspace.panels = set(kept.panels)
 

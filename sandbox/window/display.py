@@ -11,6 +11,7 @@ import pygame
 
 from sandbox.errors import SandboxError
 from sandbox.render.camera import Size
+from sandbox.window.density import first_size
 from sandbox.window.platform import choose_video_driver, survive_x_errors
 from sandbox.window.requirements import no_window
 
@@ -24,14 +25,17 @@ class Display:
     Raises `MissingDependencyError` if there is no screen or no OpenGL.
     """
 
-    def __init__(self, size: Size, title: str, visible: bool = True) -> None:
-        """`visible` is False where nobody looks: the window may be off screen, and never waits."""
+    def __init__(self, size: Size | None, title: str, visible: bool = True) -> None:
+        """Without a `size`, it is as large as suits the screen. `visible` is False where nobody looks: the window may
+        be off screen, and never waits."""
         choose_video_driver(visible)
         survive_x_errors()
         try:
             pygame.display.init()
             _ask_for_core_profile()
-            _open(size, visible)
+            self.screen: Size = pygame.display.get_desktop_sizes()[0]
+            """Pixels across and down of the whole screen."""
+            _open(size or first_size(self.screen), visible)
             pygame.display.set_caption(title)
             self.context = _context()
         except Exception as error:  # pygame, moderngl and the driver each have their own

@@ -52,6 +52,7 @@ class Gallery:
         self._leaving = False
         self._scroll_to_selected = False
         self._focused = False
+        self._scale = 1.0
         self._field = 0
         self._rows: list[Row] = []
         self._thumbnails: Thumbnails | None = None
@@ -100,22 +101,23 @@ class Gallery:
         if self._thumbnails is None:
             self._thumbnails = Thumbnails(canvas.display.context)
         canvas.clear()
-        apply_style(canvas.theme)
+        scale = self._scale = canvas.remembered.text_scale or 1.0
+        apply_style(canvas.theme, scale)
         begin_picture()
         width, height = canvas.display.size
-        wide = min(WIDEST, width - 48.0)
+        wide = min(WIDEST * scale, width - 48.0)
         left = (width - wide) / 2
-        overlay = Overlay(canvas.gui)
+        overlay = Overlay(canvas.gui, scale=scale)
         colors = palette_of(canvas.theme)
-        overlay.text(left, 26.0, "sandbox", colors.text, size=32.0, bold=True)
+        overlay.text(left, 26.0 * scale, "sandbox", colors.text, size=32.0, bold=True)
         hint = "type words, or a path from / ~ or .  ·  arrows and Enter, or click  ·  Esc leaves"
         count = len(self._entries)
         shown = self.message or f"{count} scene{'' if count == 1 else 's'}"
         room = wide - overlay.width(hint) - 30.0
-        overlay.text(left, 74.0, shorten(overlay, shown, room), colors.accent if self.message else colors.faint)
-        if room > 120.0:
-            overlay.text(left + wide - overlay.width(hint), 74.0, hint, colors.faint)
-        self._draw_search(left + 150.0, min(360.0, wide - 150.0))
+        overlay.text(left, 74.0 * scale, shorten(overlay, shown, room), colors.accent if self.message else colors.faint)
+        if room > 120.0 * scale:
+            overlay.text(left + wide - overlay.width(hint), 74.0 * scale, hint, colors.faint)
+        self._draw_search(left + 150.0 * scale, min(360.0 * scale, wide - 150.0 * scale))
         self._draw_cards(canvas, left, wide, height)
 
     def _look_for(self, words: str) -> None:
@@ -132,8 +134,8 @@ class Gallery:
         self._field, self._focused = self._field + 1, False
 
     def _draw_search(self, left: float, width: float) -> None:
-        imgui.set_next_window_pos(imgui.ImVec2(left, 26.0))
-        imgui.set_next_window_size(imgui.ImVec2(width, 44.0))
+        imgui.set_next_window_pos(imgui.ImVec2(left, 26.0 * self._scale))
+        imgui.set_next_window_size(imgui.ImVec2(width, 44.0 * self._scale))
         imgui.begin("##search", None, _WINDOW_FLAGS | imgui.WindowFlags_.no_scrollbar)
         imgui.set_next_item_width(-1.0)
         if not self._focused:
@@ -147,26 +149,27 @@ class Gallery:
         imgui.end()
 
     def _draw_cards(self, canvas: Canvas, left: float, wide: float, height: float) -> None:
-        imgui.set_next_window_pos(imgui.ImVec2(left - PAD, HEAD_HEIGHT))
-        imgui.set_next_window_size(imgui.ImVec2(wide + 3.5 * PAD, height - HEAD_HEIGHT))
+        head = HEAD_HEIGHT * self._scale
+        imgui.set_next_window_pos(imgui.ImVec2(left - PAD, head))
+        imgui.set_next_window_size(imgui.ImVec2(wide + 3.5 * PAD, height - head))
         imgui.push_style_var(imgui.StyleVar_.window_padding, imgui.ImVec2(0.0, 0.0))
         imgui.begin("##scenes", None, _WINDOW_FLAGS)
         imgui.pop_style_var()
-        columns = max(int((wide + CARD_GAP) / (NARROWEST + CARD_GAP)), 1)
+        columns = max(int((wide + CARD_GAP) / (NARROWEST * self._scale + CARD_GAP)), 1)
         self._rows = card_rows([entry.theme for entry in self._entries], columns)
         card = (wide - CARD_GAP * (columns - 1)) / columns
-        self._draw_grid(canvas, (card, card * PICTURE_SHARE + ABOUT_HEIGHT))
+        self._draw_grid(canvas, (card, card * PICTURE_SHARE + ABOUT_HEIGHT * self._scale))
         imgui.end()
 
     def _draw_grid(self, canvas: Canvas, card: tuple[float, float]) -> None:
-        top, overlay = 0.0, Overlay(canvas.gui, imgui.get_window_draw_list())
+        top, overlay = 0.0, Overlay(canvas.gui, imgui.get_window_draw_list(), self._scale)
         colors = palette_of(canvas.theme)
         for row in self._rows:
             if row.heading is not None:
                 imgui.set_cursor_pos(imgui.ImVec2(PAD, top))
                 at = imgui.get_cursor_screen_pos()
-                overlay.text(at.x, at.y + 14.0, _heading(row.heading), colors.accent, size=18.0)
-                top += HEADING_HEIGHT
+                overlay.text(at.x, at.y + 14.0 * self._scale, _heading(row.heading), colors.accent, size=18.0)
+                top += HEADING_HEIGHT * self._scale
             for column, number in enumerate(row.cards):
                 self._draw_card(canvas, overlay, number, (PAD + column * (card[0] + CARD_GAP), top, *card))
             top += card[1] + CARD_GAP

@@ -29,7 +29,7 @@ class Card:
 
 def draw_card(overlay: Overlay, card: Card, at: tuple[float, float], size: tuple[float, float]) -> None:
     """Draw it with its corner at a pixel; about in two lines at most, an edge of light when it is chosen."""
-    (x, y), colors, entry = at, card.colors, card.entry
+    (x, y), colors, entry, scale = at, card.colors, card.entry, overlay.scale
     if card.lit:
         overlay.panel((x - 2.0, y - 2.0, x + size[0] + 2.0, y + size[1] + 2.0), colors.accent, 0.9, ROUNDING + 2.0)
     overlay.panel((x, y, x + size[0], y + size[1]), colors.panel, 1.0, ROUNDING)
@@ -37,11 +37,12 @@ def draw_card(overlay: Overlay, card: Card, at: tuple[float, float], size: tuple
     _draw_picture(overlay, card, (x, y, x + size[0], y + high))
     low, opposite = imgui.ImVec2(x, y), imgui.ImVec2(x + size[0], y + size[1])
     overlay.pen.add_rect(low, opposite, packed_color(colors.line, 1.0), ROUNDING)
-    room = size[0] - 2 * INDENT
-    overlay.text(x + INDENT, y + high + 8.0, shorten(overlay, entry.title, room), colors.text)
+    indent = scale * INDENT
+    room = size[0] - 2 * indent
+    overlay.text(x + indent, y + high + 8.0 * scale, shorten(overlay, entry.title, room), colors.text)
     first, rest = split_line(overlay, entry.about, room, 14.0)
-    overlay.text(x + INDENT, y + high + 31.0, first, colors.faint, size=14.0)
-    overlay.text(x + INDENT, y + high + 48.0, shorten(overlay, rest, room, 14.0), colors.faint, size=14.0)
+    overlay.text(x + indent, y + high + 31.0 * scale, first, colors.faint, size=14.0)
+    overlay.text(x + indent, y + high + 48.0 * scale, shorten(overlay, rest, room, 14.0), colors.faint, size=14.0)
 
 
 def _draw_picture(overlay: Overlay, card: Card, box: tuple[float, float, float, float]) -> None:

@@ -54,7 +54,7 @@ class Layout:
         _fixed("##time", 0.0, bottom, float(size[0]), bar)
         draw_time_bar(workspace, self._scrubber, self.tool_box.tool.hint(workspace))
         imgui.end()
-        rect = self._dock((left, top, size[0] - left, bottom - top))
+        rect = self._dock(workspace, (left, top, size[0] - left, bottom - top))
         self._fresh = workspace.panels - self._shown if self._shown is not None else set()
         self._shown = set(workspace.panels)
         for panel in self.panels.values():
@@ -86,7 +86,7 @@ class Layout:
         if not still_open:
             workspace.panels.discard(panel.name)
 
-    def _dock(self, box: tuple[float, float, float, float]) -> Rect:
+    def _dock(self, workspace: Workspace, box: tuple[float, float, float, float]) -> Rect:
         """The room for panels and scene: left, top, width, height. Gives what the scene gets."""
         left, top, width, height = box
         imgui.set_next_window_pos(imgui.ImVec2(left, top))
@@ -96,7 +96,7 @@ class Layout:
         imgui.pop_style_var()
         dock = imgui.get_id("dock")
         if imgui.internal.dock_builder_get_node(dock) is None:
-            self._arrange(dock, width, height)
+            self._arrange(dock, width, height, PANEL_WIDTH * workspace.text_scale)
         imgui.dock_space(dock, imgui.ImVec2(0.0, 0.0), imgui.DockNodeFlags_.passthru_central_node)
         imgui.end()
         node = imgui.internal.dock_builder_get_central_node(dock)
@@ -104,14 +104,14 @@ class Layout:
             return int(left), int(top), int(width), int(height)
         return int(node.pos.x), int(node.pos.y), max(int(node.size.x), 1), max(int(node.size.y), 1)
 
-    def _arrange(self, dock: int, width: float, height: float) -> None:
+    def _arrange(self, dock: int, width: float, height: float, panel_width: float) -> None:
         """Where panels are docked at first."""
         self._settling = 2
         builder = imgui.internal
         builder.dock_builder_remove_node(dock)
         builder.dock_builder_add_node(dock, imgui.internal.DockNodeFlagsPrivate_.dock_space)
         builder.dock_builder_set_node_size(dock, imgui.ImVec2(width, height))
-        share = min(PANEL_WIDTH / width, 0.5)
+        share = min(panel_width / width, 0.5)
         right = builder.dock_builder_split_node(dock, imgui.Dir.right, share)
         below = builder.dock_builder_split_node(right.id_at_opposite_dir, imgui.Dir.down, 0.34)
         for panel in self.panels.values():

@@ -14,10 +14,14 @@ from sandbox.window.gui import TEXT_SIZE, Gui
 
 
 class Overlay:
-    """Draws text and panels at pixel positions over the picture (or into `target`, an ImGui draw list)."""
+    """Draws text and panels at pixel positions over the picture (or into `target`, an ImGui draw list).
 
-    def __init__(self, gui: Gui, target: Any = None) -> None:
+    Text is `scale` times as large as asked for.
+    """
+
+    def __init__(self, gui: Gui, target: Any = None, scale: float = 1.0) -> None:
         self.gui = gui
+        self.scale = scale
         self.pen: Any = target if target is not None else imgui.get_background_draw_list()
 
     @contextmanager
@@ -42,11 +46,12 @@ class Overlay:
     ) -> None:
         """Write one line with its top left corner at (x, y)."""
         font = self.gui.bold if bold else self.gui.regular
-        self.pen.add_text(font, size, imgui.ImVec2(round(x), round(y)), packed_color(color, opacity), text)
+        self.pen.add_text(font, size * self.scale, imgui.ImVec2(round(x), round(y)), packed_color(color, opacity), text)
 
     def width(self, text: str, size: float = TEXT_SIZE, bold: bool = False) -> float:
         """Pixels that a line of text takes."""
-        imgui.push_font(self.gui.bold if bold else self.gui.regular, size)
+        points = size * self.scale / imgui.get_style().font_scale_main  # which ImGui multiplies by, but not `text`
+        imgui.push_font(self.gui.bold if bold else self.gui.regular, points)
         width = float(imgui.calc_text_size(text).x)
         imgui.pop_font()
         return width

@@ -15,13 +15,14 @@ NAME = "window.json"
 
 @dataclass
 class Remembered:
-    """`size` of the window in pixels, `light` theme, `text_scale`, open `panels` (None: those that are open at first),
-    `less_motion`: nothing fades or turns; `docks`: where panels are docked, in ImGui's own words.
+    """`size` of the window in pixels, `light` theme, `text_scale` (None: as suits the screen), open `panels` (None:
+    those that are open at first), `less_motion`: nothing fades or turns; `docks`: where panels are docked, in ImGui's
+    own words.
     """
 
     size: Size | None = None
     light: bool = False
-    text_scale: float = 1.0
+    text_scale: float | None = None
     less_motion: bool = False
     panels: list[str] | None = None
     docks: str = ""

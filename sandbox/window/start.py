@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from imgui_bundle import imgui
 
-from sandbox.render.camera import Size
 from sandbox.render.theme import DARK, LIGHT, Theme
+from sandbox.window.density import USUAL_SIZE, first_scale
 from sandbox.window.display import Display, check_size
 from sandbox.window.gui import Gui
 from sandbox.window.gui_style import apply_style, palette_of
@@ -13,8 +13,6 @@ from sandbox.window.options import Options
 from sandbox.window.overlay import Overlay
 from sandbox.window.remembered import Remembered, remembered
 from sandbox.window.state_folder import state_folder
-
-USUAL_SIZE: Size = (1280, 800)
 
 
 def run_window(options: Options) -> None:
@@ -24,12 +22,15 @@ def run_window(options: Options) -> None:
     counted = options.frames is not None or options.script is not None
     kept = Remembered() if counted else remembered(state_folder())
     theme = LIGHT if kept.light else DARK
-    with Display(options.size or kept.size or USUAL_SIZE, "sandbox", visible=not counted) as display:
+    size = USUAL_SIZE if counted else kept.size
+    with Display(options.size or size, "sandbox", visible=not counted) as display:
+        if kept.text_scale is None:
+            kept.text_scale = 1.0 if counted else first_scale(display.screen)
         gui = Gui(display.driver)
         if kept.docks:
             imgui.load_ini_settings_from_memory(kept.docks)
         try:
-            _greet(display, gui, theme, options.scene.name if options.scene else "")
+            _greet(display, gui, theme, options.scene.name if options.scene else "", kept.text_scale)
             _run(display, gui, theme, kept, options)
         finally:
             gui.close()
@@ -43,13 +44,13 @@ def _run(display: Display, gui: Gui, theme: Theme, kept: Remembered, options: Op
     App(Canvas(display, GlPainter(display.context), gui, theme, kept), options).run()
 
 
-def _greet(display: Display, gui: Gui, theme: Theme, name: str) -> None:
+def _greet(display: Display, gui: Gui, theme: Theme, name: str, scale: float) -> None:
     """The picture while Python reads the rest of the program, half a second."""
     display.begin()
     display.context.clear(*theme.background)
     gui.begin(display.size)
     apply_style(theme)
-    overlay, colors = Overlay(gui), palette_of(theme)
+    overlay, colors = Overlay(gui, scale=scale), palette_of(theme)
     middle, y = display.size[0] / 2, display.size[1] / 2
     overlay.text(
         middle - overlay.width("sandbox", 32.0, bold=True) / 2, y - 40.0, "sandbox", colors.text, 1.0, 32.0, True

@@ -30,8 +30,8 @@ class Panel(ABC):
     def draw(self, workspace: Workspace) -> None:
         """Draw its widgets."""
 
-    def draw_over(self, workspace: Workspace, overlay: Overlay) -> None:
+    def draw_over(self, workspace: Workspace, overlay: Overlay) -> None:  # noqa: B027 (most draw nothing there)
         """Draw over the scene, in pixels of the window; called after `draw`, also while another tab hides the panel."""
 
-    def note_step(self, workspace: Workspace) -> None:
+    def note_step(self, workspace: Workspace) -> None:  # noqa: B027 (most keep nothing)
         """A step has been taken while the panel is shown: keep of it what is needed later."""
