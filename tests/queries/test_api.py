@@ -327,7 +327,7 @@ def test_rounded_and_sharp_shapes_give_normals_that_point_out():
 
 
 def test_a_ray_is_given_by_its_translation_or_by_its_end():
-    q = world(scene(ground(), body("crate", box(1.0, 1.0), position=(0.0, 0.5)))).query
+    q = world(ground(), body("crate", box(1.0, 1.0), position=(0.0, 0.5))).query
     assert q.ray((-4.0, 0.5), end=(4.0, 0.5)) == q.ray((-4.0, 0.5), (8.0, 0.0))
     assert q.ray((-4.0, 0.5), end=(-1.0, 0.5)) is None
     assert q.ray_all((1.0, 9.0), end=(-1.0, -9.0)) == q.ray_all((1.0, 9.0), (-2.0, -18.0))
