@@ -16,8 +16,13 @@ _NAME = re.compile(rf"[\w.:-]{{1,{MAX_NAME}}}")
 _COLOR = re.compile(r"#[0-9a-fA-F]{6}")
 
 
+def is_name(value: str) -> bool:
+    """Whether it can be an id, or the name of a prefab or material."""
+    return bool(_NAME.fullmatch(value))
+
+
 def _check_name(value: str) -> str:
-    if not _NAME.fullmatch(value):
+    if not is_name(value):
         raise PydanticCustomError("name", f"must be 1 to {MAX_NAME} letters, digits or any of _ - . :")
     return value
 
