@@ -10,6 +10,7 @@ from sandbox.geometry.decompose import decompose
 from sandbox.geometry.rotation import RADIANS_PER_DEGREE
 from sandbox.scene.arrange import chain_step, placings
 from sandbox.scene.body import Body, BodyFields
+from sandbox.scene.colors import hex_color
 from sandbox.scene.finding import Finding, Path
 from sandbox.scene.flat import FlatBody, FlatJoint, FlatScene, FlatSettings, FlatShape
 from sandbox.scene.flat_joints import chain_joints, flat_joint, joint_faults
@@ -28,7 +29,7 @@ from sandbox.scene.solidity import faults
 _FARTHEST = 1e9
 _SAME = [
     "type", "velocity", "linear_damping", "angular_damping", "gravity_scale", "fixed_rotation", "sleep_speed", "bullet",
-    "mass", "inertia", "center", "color",
+    "mass", "inertia", "center",
 ]  # fmt: skip
 
 
@@ -123,6 +124,7 @@ class Flattener:
     def _traits(self, values: dict[str, Any], path: Path) -> dict[str, Any]:
         """The fields of a flat body that do not depend on where it is; adds what is wrong with them."""
         traits = {name: values[name] for name in _SAME}
+        traits["color"] = None if values["color"] is None else hex_color(values["color"])
         traits["shapes"] = self._flat_shapes(values["shapes"], values["material"])
         traits["angle"] = values["angle"] * RADIANS_PER_DEGREE
         traits["angular_velocity"] = values["angular_velocity"] * RADIANS_PER_DEGREE

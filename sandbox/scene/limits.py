@@ -37,6 +37,9 @@ MAX_VERTICES = polygon.MAX_VERTICES
 MAX_OUTLINE = 1000
 """Vertices of a polygon that may be concave, those of its holes included."""
 
+MAX_PATH = 100_000
+"""Characters of a path in the syntax of SVG."""
+
 MAX_HOLES = 100
 """Holes of a polygon."""
 

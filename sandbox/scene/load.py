@@ -69,7 +69,7 @@ def _checked(scene: Scene, expansion: Expansion) -> Scene:
     if flattener.findings:
         raise expansion.error(flattener.findings)
     scene._source, scene._text, scene._flat = expansion.main.source, expansion.main.text, flat
-    scene._expansion = expansion if expansion.origins else None
+    scene._expansion = expansion if expansion.origins or expansion.files else None
     return scene
 
 

@@ -63,6 +63,11 @@ class Scene(Shown, SceneFields):
         """What was set from outside when the file was loaded, as `load_scene` takes it."""
         return dict(self._set)
 
+    @property
+    def included_files(self) -> tuple[FilePath, ...]:
+        """The files that the scene's file includes, and those that these include."""
+        return self._expansion.files if self._expansion is not None else ()
+
     @one_effort()
     def flatten(self) -> FlatScene:
         """The scene with nothing left to look up, always the same object. Raises `SceneError`."""

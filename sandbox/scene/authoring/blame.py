@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from pathlib import Path as FilePath
 from typing import Any
 
 from sandbox.errors import Problem, SceneError
@@ -33,6 +34,11 @@ class Expansion:
     library: Library = field(default_factory=Library)
 
     @property
+    def files(self) -> tuple[FilePath, ...]:
+        """The files that were included."""
+        return self.library.files
+
+    @property
     def sound(self) -> bool:
         """Whether nothing was wrong up to now."""
         return not self.faults and not self.problems and not self.main.repeats
@@ -40,7 +46,7 @@ class Expansion:
     def written(self, moved: bool) -> dict[str, Any]:
         """The main document; if it is `moved` elsewhere, with what its includes bring instead of their names."""
         data = dict(self.main.data)
-        if not moved or not self.library.included:
+        if not moved or not self.library.files:
             return data
         ways = [name for name in data.pop("include") if name.startswith(SHIPPED)]
         if ways:

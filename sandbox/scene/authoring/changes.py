@@ -28,19 +28,15 @@ def with_changes(data: Any, values: Mapping[str, Any], source: str) -> dict[Path
     """Set values in parsed data; the paths that were set, each with the words for it. Raises `SceneError`."""
     changed: dict[Path, str] = {}
     problems = []
+    prefix = f"{source}: --set "
     for words, value in values.items():
         try:
-            changed[_set(data, words, value)] = told(words)
+            changed[_set(data, words, value)] = prefix + words
         except _LostError as lost:
-            problems.append(Problem(str(lost.args[0]), hint=lost.args[1], source=told(words)))
+            problems.append(Problem(str(lost.args[0]), hint=lost.args[1], source=prefix + words))
     if problems:
         raise SceneError(source, problems)
     return changed
-
-
-def told(words: str) -> str:
-    """How messages name a path that was set."""
-    return f"--set {words}"
 
 
 def check_numbers_set(expansion: Expansion, before: Collection[str]) -> None:
@@ -49,13 +45,15 @@ def check_numbers_set(expansion: Expansion, before: Collection[str]) -> None:
     Raises `SceneError`.
     """
     known = {*before, *expansion.library.brought}
-    own = [str(path[1]) for path in expansion.main.changed if len(path) > 1 and path[0] == "vars"]
     problems = []
-    for name in own:
+    for path, words in expansion.main.changed.items():
+        name = str(path[-1])
+        if len(path) != 2 or path[0] != "vars":
+            continue
         if name not in known:
             near = nearest(name, known)
             mend = f'did you mean "vars.{near}"?' if near else ""
-            problems.append(Problem(f"the scene has no number {quoted(name)}", hint=mend, source=told(f"vars.{name}")))
+            problems.append(Problem(f"the scene has no number {quoted(name)}", hint=mend, source=words))
     if problems:
         raise SceneError(expansion.main.source, problems)
 

@@ -20,13 +20,13 @@ _BESIDE = ("$schema", "format", "title", "about", "include")
 
 @dataclass
 class Library:
-    """Everything by kind and name, each where it was written; `included` is whether files were read for it,
+    """Everything by kind and name, each where it was written; `files` are those that it was read from besides,
     and `brought` are the numbers that they name."""
 
     vars: dict[str, Written] = field(default_factory=dict)
     materials: dict[str, Written] = field(default_factory=dict)
     prefabs: dict[str, Written] = field(default_factory=dict)
-    included: bool = False
+    files: tuple[Path, ...] = ()
     brought: set[str] = field(default_factory=set)
 
     def of(self, kind: str) -> dict[str, Written]:
@@ -58,7 +58,7 @@ class _Gathering:
                 self._check(other)
                 self._done[path] = self.of(other, (*way, path))
             self._take(library, self._done[path], entry)
-            library.included = True
+            library.files = tuple(dict.fromkeys([*library.files, path, *self._done[path].files]))
             library.brought |= self._done[path].vars.keys()
         for kind in PARTS:
             own = Written(document, (kind,), document.data.get(kind))
