@@ -64,9 +64,7 @@ class BodyFields(Model):
     )
     path: BodyPath | None = Field(default=None, description="Where a kinematic body goes, and when.")
     material: Name | None = Field(default=None, description="Material of all shapes that do not name their own.")
-    color: Color | None = Field(
-        default=None, description='Such as "#3a7bd5" or "tomato"; default: chosen by the theme.'
-    )
+    color: Color | None = Field(default=None, description='As "#3a7bd5" or "tomato"; default: chosen by the theme.')
 
 
 class Placed(Model):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 from sandbox.geometry.rotation import cos_sin_degrees
 
@@ -53,7 +54,7 @@ def _blended(points: Sequence[Vec], t: float) -> Vec:
     """The point of a Bezier curve at t, by de Casteljau's algorithm."""
     level = list(points)
     while len(level) > 1:
-        level = [(a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])) for a, b in zip(level, level[1:], strict=False)]
+        level = [(a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])) for a, b in pairwise(level)]
     return level[0]
 
 

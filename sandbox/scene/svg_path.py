@@ -1,7 +1,7 @@
 """Paths in the syntax of SVG (https://www.w3.org/TR/SVG2/paths.html#PathData), as outlines of points.
 
 Coordinates are taken as they stand: in a scene y points up, so that a path from a picture stands on its head. Curves
-become lines that leave them by a thousandth of the path's extent at most; nothing asks the C library for a sine, so
+become lines that leave each by a five-hundredth of its own extent at most; nothing asks the C library for a sine, so
 that every machine gets the same points.
 """
 
@@ -14,8 +14,8 @@ from dataclasses import dataclass, field
 from sandbox.scene.limits import MAX_OUTLINE, MAX_PATH
 from sandbox.scene.svg_curves import Arc, Vec, along_arc, along_curve
 
-_TOLERANCE = 1e-3
-"""Of the larger side of the box around all points that are given."""
+_TOLERANCE = 2e-3
+"""Of the larger side of the box around the points of a curve; a circle becomes 64 lines."""
 _COUNTS = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
 _FLAGS = (3, 4)
 _BETWEEN = re.compile(r"[ \t\r\n]*,?[ \t\r\n]*")
@@ -45,9 +45,7 @@ class Subpath:
 
 def outlines(text: str) -> list[tuple[list[Vec], bool]]:
     """The points of each subpath, and whether it is closed. Raises `PathError`."""
-    found = list(subpaths(text))
-    tolerance = _TOLERANCE * _extent(found)
-    return [(_points(one, tolerance, text), one.closed) for one in found]
+    return [(_points(one, text), one.closed) for one in subpaths(text)]
 
 
 def subpaths(text: str) -> Iterator[Subpath]:
@@ -155,24 +153,22 @@ def _skip(text: str, position: int) -> int:
     return match.end()
 
 
-def _extent(strokes: list[Subpath]) -> float:
-    """The larger side of the box around all points that are given, and around large arcs, m."""
-    given, round_ones = [one.start for one in strokes], [0.0]
-    for one in strokes:
-        for piece in one.pieces:
-            given += [piece.end] if isinstance(piece, Arc) else piece
-            round_ones += [2.0 * max(map(abs, piece.radii))] if isinstance(piece, Arc) and piece.large else []
-    if not given:
-        return 0.0
-    xs, ys = zip(*given, strict=True)
-    return float(max(max(xs) - min(xs), max(ys) - min(ys), *round_ones))
+def _tolerance(at: Vec, piece: Piece) -> float:
+    """How far lines may leave a piece that begins at `at`, m."""
+    points = (at, piece.end) if isinstance(piece, Arc) else (at, *piece)
+    xs, ys = zip(*points, strict=True)
+    extent = max(max(xs) - min(xs), max(ys) - min(ys))
+    if isinstance(piece, Arc) and piece.large:
+        extent = max(extent, *(2.0 * abs(radius) for radius in piece.radii))
+    return float(_TOLERANCE * extent)
 
 
-def _points(stroke: Subpath, tolerance: float, text: str) -> list[Vec]:
+def _points(stroke: Subpath, text: str) -> list[Vec]:
     """The points of a stroke; none is that before it, nor the last of a closed one its first."""
     found = [stroke.start]
     for piece in stroke.pieces:
         at = found[-1]
+        tolerance = _tolerance(at, piece)
         steps = along_arc(piece, tolerance) if isinstance(piece, Arc) else along_curve((at, *piece), tolerance)
         for point in steps:
             if point != found[-1]:
