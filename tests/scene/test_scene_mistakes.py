@@ -74,7 +74,7 @@ def generate(fields: str) -> str:
         (body('"shapes": [{"circle": 1}], "friction": 1'),
          '2:41: unknown field "friction": it belongs in a material or a shape'),
         (body('"shapes": [{"circle": 1}], "position": [2e9, 0]'), "2:54: position[0] must not be above 1e+09 m"),
-        (body('"shapes": [{"circle": 1}], "color": "red"'), '2:50: color must be a colour such as "#3a7bd5"'),
+        (body('"shapes": [{"circle": 1}], "color": "redd"'), '2:50: color must be a colour such as "#3a7bd5" or "tomato": did you mean "red"?'),
         (body('"shapes": [{"circle": 1}], "material": "wood"'), '2:53: no material is named "wood"'),
         (body('"prefab": "crate"'), '2:24: no prefab is named "crate"'),
         (body('"shapes": [{"segment": [[0, 0], [1, 0]]}]'),
