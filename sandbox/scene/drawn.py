@@ -41,4 +41,4 @@ class Drawn:
 
 
 def _error(message: str, span: tuple[int, int]) -> PydanticCustomError:
-    return PydanticCustomError("path", message, {"span": span})
+    return PydanticCustomError("drawing", message, {"span": span})

@@ -50,7 +50,7 @@ def _reworded(item: Mapping[str, Any], root: type[BaseModel]) -> list[Finding]:
     if path and path[-1] == "[key]":
         return [Finding(path[:-1], f"the name {quoted(str(path[-2]))} {item['msg']}", on_key=True)]
     message, hint = _message(item)
-    if kind == "path":
+    if kind == "drawing":
         return [Finding(path, message, within=item["ctx"]["span"])]
     if kind in ("polygon", "ends"):
         return [Finding((*path, *item["ctx"]["place"]), message)]

@@ -8,30 +8,30 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from fractions import Fraction
 
 from sandbox.geometry.rotation import cos_sin_degrees
 
 MAX_EXPONENT = 1000
 """Largest exponent of a power, either way."""
-_FLOAT_BITS = 1024
+_KEPT = 70
+"""Bits that are enough to round by, the last of which says whether any of those cut off was set."""
 
 
-class ArithmeticError(Exception):
+class UndefinedError(Exception):
     """An operation has no result; the text says why."""
 
 
 def divide(a: float, b: float) -> float:
     """The quotient."""
     if b == 0.0:
-        raise ArithmeticError("division by zero")
+        raise UndefinedError("division by zero")
     return a / b
 
 
 def modulo(a: float, b: float) -> float:
     """What is left of `a`, with the sign of `b`, as in Python."""
     if b == 0.0:
-        raise ArithmeticError("division by zero")
+        raise UndefinedError("division by zero")
     return a % b
 
 
@@ -40,34 +40,43 @@ def power(base: float, exponent: float) -> float:
     if exponent == 0.5:
         return square_root(base)
     if not exponent.is_integer() or abs(exponent) > MAX_EXPONENT:
-        raise ArithmeticError(f"an exponent must be a whole number from -{MAX_EXPONENT} to {MAX_EXPONENT}, or 0.5")
+        raise UndefinedError(f"an exponent must be a whole number from -{MAX_EXPONENT} to {MAX_EXPONENT}, or 0.5")
     if base == 0.0 and exponent < 0.0:
-        raise ArithmeticError("division by zero")
+        raise UndefinedError("division by zero")
     count = int(exponent)
-    mantissa, shift = _mantissa(base)
-    digits, twos = mantissa ** abs(count), shift * abs(count)
-    size = (digits.bit_length() + twos) * (1 if count >= 0 else -1)
-    if size > _FLOAT_BITS + 2:
-        raise ArithmeticError("the result is too large")
-    if size < -_FLOAT_BITS - 100:
-        return 0.0
-    exact = digits * Fraction(2) ** twos
-    try:
-        return float(exact if count >= 0 else 1 / exact)
-    except OverflowError:
-        raise ArithmeticError("the result is too large") from None
+    digits, twos = _digits(base)
+    return _rounded(digits ** abs(count), twos * abs(count), count < 0)
 
 
-def _mantissa(value: float) -> tuple[int, int]:
-    """A whole number of at most 53 bits and the power of two that it stands for with `value`."""
+def _digits(value: float) -> tuple[int, int]:
+    """An odd number of at most 53 bits and the power of two that it stands for with `value`."""
     part, shift = math.frexp(value)
-    return int(part * 2.0**53), shift - 53
+    digits, twos = int(part * 2.0**53), shift - 53
+    zeros = (digits & -digits).bit_length() - 1 if digits else 0
+    return digits >> zeros, twos + zeros
+
+
+def _rounded(digits: int, twos: int, inverse: bool) -> float:
+    """The float nearest to digits * 2^twos, or to its inverse."""
+    size, kept = abs(digits), digits
+    if inverse:
+        kept, more = divmod(1 << (size.bit_length() + _KEPT), size)
+        kept, twos = kept | (more != 0), -twos - size.bit_length() - _KEPT
+        kept = kept if digits > 0 else -kept
+    elif size.bit_length() > _KEPT:
+        cut = size.bit_length() - _KEPT
+        kept, twos = (size >> cut) | (size & ((1 << cut) - 1) != 0), twos + cut
+        kept = kept if digits > 0 else -kept
+    try:
+        return math.ldexp(kept, twos)
+    except OverflowError:
+        raise UndefinedError("the result is too large") from None
 
 
 def square_root(x: float) -> float:
     """The square root."""
     if x < 0.0:
-        raise ArithmeticError("the square root of a negative number")
+        raise UndefinedError("the square root of a negative number")
     return math.sqrt(x)
 
 
@@ -85,7 +94,7 @@ def tangent(degrees: float) -> float:
     """The tangent of an angle in degrees."""
     cos, sin = cos_sin_degrees(degrees)
     if cos == 0.0:
-        raise ArithmeticError(f"there is no tangent of {degrees:g} degrees")
+        raise UndefinedError(f"there is no tangent of {degrees:g} degrees")
     return sin / cos
 
 

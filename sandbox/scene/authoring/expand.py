@@ -7,10 +7,11 @@ from typing import Any
 
 from sandbox.scene import plain
 from sandbox.scene.authoring.blame import Expansion
-from sandbox.scene.authoring.copies import Copies, Setting
+from sandbox.scene.authoring.copies import Setting
 from sandbox.scene.authoring.document import Document, Written
 from sandbox.scene.authoring.evaluate import Evaluator, Numbers
 from sandbox.scene.authoring.expression import MARK, plain_number
+from sandbox.scene.authoring.generate import Generators
 from sandbox.scene.authoring.include import Reader
 from sandbox.scene.authoring.library import Library, gathered
 from sandbox.scene.authoring.output import Origin, Output, TooMuchError
@@ -111,9 +112,9 @@ def _write_generated(main: Document, data: dict[str, Any], prefabs: Prefabs) -> 
     entries = data.get("generate")
     if not isinstance(entries, (list, tuple)):
         return
-    copies, written = Copies(prefabs), Written(main, ("generate",), entries)
+    generators, written = Generators(prefabs), Written(main, ("generate",), entries)
     try:
         for k in range(len(entries)):
-            copies.generate(written.at(k), Setting(prefabs.known))
+            generators.generate(written.at(k), Setting(prefabs.known))
     finally:
         data["generate"] = prefabs.output.generate

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
-from sandbox.scene.authoring.arithmetic import CONSTANTS, FUNCTIONS, INDICES, OPERATORS, ArithmeticError
+from sandbox.scene.authoring.arithmetic import CONSTANTS, FUNCTIONS, INDICES, OPERATORS, UndefinedError
 from sandbox.scene.authoring.grammar import Parser, Step
 from sandbox.scene.authoring.mistake import ExpressionError
 from sandbox.scene.locate import Span
@@ -75,7 +75,7 @@ def _applied(name: str, values: list[float], span: Span) -> float:
     function: Callable[..., Any] = OPERATORS[name] if name in OPERATORS else FUNCTIONS.get(name, _negative)
     try:
         result = function(*values)
-    except ArithmeticError as error:
+    except UndefinedError as error:
         raise ExpressionError(str(error), "", span) from None
     except OverflowError:
         result = math.inf

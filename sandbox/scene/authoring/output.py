@@ -47,6 +47,10 @@ class Output:
             self.faults.append(asked.fault(text))
             raise TooMuchError
 
+    def ask_room(self, bodies: int, asked: Written) -> None:
+        """Ask for so many more bodies before they are made. Raises `TooMuchError`, which is told at `asked`."""
+        self._check(len(self.bodies) + bodies - 1, MAX_BODIES, "bodies", asked)
+
     def add_body(self, body: Mapping[str, Any], part: Written, asked: Written) -> None:
         """A body made after `part`, as `asked` for."""
         self._check(len(self.bodies), MAX_BODIES, "bodies", asked)

@@ -4,19 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from itertools import islice
 from typing import Any
 
 from sandbox.scene.authoring.arithmetic import INDICES
-from sandbox.scene.authoring.document import Written
+from sandbox.scene.authoring.document import Document, Written
 from sandbox.scene.authoring.evaluate import Evaluator, Numbers
 from sandbox.scene.authoring.output import Output, size_of
 from sandbox.scene.authoring.variables import numbers
-from sandbox.scene.finding import quoted
+from sandbox.scene.finding import Path, quoted
 from sandbox.scene.near_names import did_you_mean
 from sandbox.scene.plain import is_several
 
 _POSE = ("id", "prefab", "params", "position", "angle", "velocity", "angular_velocity", "path")
 """What differs between copies of one body; the rest is a prefab that they share."""
+_SHOWN = 8
 _SAMPLE = dict.fromkeys(INDICES, 1.0)
 
 Parameters = tuple[tuple[str, float], ...]
@@ -42,6 +44,7 @@ class Prefabs:
     known: Numbers
     evaluator: Evaluator
     output: Output
+    _strays: set[tuple[Document, Path]] = field(default_factory=set)
     _defaults: dict[str, dict[str, float]] = field(default_factory=dict)
     _singles: dict[tuple[str, Parameters], str] = field(default_factory=dict)
     _templates: dict[tuple[str, Parameters], Template] = field(default_factory=dict)
@@ -76,10 +79,12 @@ class Prefabs:
         params = asked.at("params")
         given = params.value if isinstance(params.value, dict) else {}
         for key in given:
-            if key not in defaults:
+            place = params.at(key)
+            if key not in defaults and (place.document, place.path) not in self._strays:
+                self._strays.add((place.document, place.path))
                 hint = did_you_mean(str(key), defaults) or _listed(defaults)
                 text = f"the prefab {quoted(name)} has no parameter {quoted(str(key))}"
-                self.output.faults.append(params.at(key).fault(text, hint, on_key=True))
+                self.output.faults.append(place.fault(text, hint, on_key=True))
         own = numbers({key: params.at(key) for key in given if key in defaults}, known, self.evaluator)
         return tuple({**defaults, **own}.items())
 
@@ -145,4 +150,5 @@ def _listed_in(written: Written, key: str) -> list[Written]:
 
 
 def _listed(defaults: Mapping[str, float]) -> str:
-    return f"it has {', '.join(defaults)}" if defaults else 'a prefab names its parameters in "params"'
+    shown = [*islice(defaults, _SHOWN), *(["..."] if len(defaults) > _SHOWN else [])]
+    return f"it has {', '.join(shown)}" if defaults else 'a prefab names its parameters in "params"'

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from sandbox.scene.authoring.arithmetic import CONSTANTS, FUNCTIONS, INDICES
 from sandbox.scene.authoring.document import Written
@@ -16,6 +16,7 @@ from sandbox.scene.finding import quoted
 from sandbox.scene.limits import MAX_NAME, MAX_VARS
 
 _NAME = re.compile(r"[A-Za-z_][A-Za-z_0-9]*")
+_SHOWN = 8
 _TAKEN = {*FUNCTIONS, *CONSTANTS, *INDICES}
 
 
@@ -34,8 +35,9 @@ def numbers(written: Mapping[str, Written], outer: Numbers, evaluator: Evaluator
             found[name] = BROKEN
         elif not is_expression(entry.value):
             found[name] = float(entry.value)
+    known = {**outer, **found}
     for name in written:
-        _work_out(name, written, outer, found, evaluator)
+        _work_out(name, written, known, found, evaluator)
     return found
 
 
@@ -63,9 +65,12 @@ def _is_number(entry: Written, evaluator: Evaluator) -> bool:
 
 
 def _work_out(
-    name: str, written: Mapping[str, Written], outer: Numbers, found: dict[str, float], evaluator: Evaluator
+    name: str, written: Mapping[str, Written], known: dict[str, float], found: dict[str, float], evaluator: Evaluator
 ) -> None:
-    """Put one number, and those that it is made of, into `found`; without recursion, as chains may be long."""
+    """Put one number, and those that it is made of, into `found` and `known`, which has the outer ones besides.
+
+    There is no recursion, as chains may be long.
+    """
     way = [name]
     while way:
         last = way[-1]
@@ -75,13 +80,20 @@ def _work_out(
         ask = [other for other in _asked(written[last]) if other in written and other not in found]
         circle = next((other for other in ask if other in way), None)
         if circle is not None:
-            told = " > ".join([*way[way.index(circle) :], circle])
+            told = way_round(way[way.index(circle) :])
             evaluator.faults.append(written[last].fault(f"these numbers are made of each other: {told}"))
             found.update(dict.fromkeys(way, BROKEN))
+            known.update(dict.fromkeys(way, BROKEN))
         elif ask:
             way.append(ask[0])
         else:
-            found[last] = evaluator.number(written[last], {**outer, **found})
+            found[last] = known[last] = evaluator.number(written[last], known)
+
+
+def way_round(names: Sequence[str]) -> str:
+    """Names that lead back to the first one, as messages tell them."""
+    shown = [*names[:_SHOWN], "..."] if len(names) > _SHOWN else list(names)
+    return " > ".join([*shown, names[0]])
 
 
 def _asked(entry: Written) -> list[str]:
