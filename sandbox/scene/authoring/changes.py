@@ -19,6 +19,8 @@ from sandbox.scene.near_names import nearest
 from sandbox.scene.scene_fields import SceneFields
 from sandbox.scene.unknown import model_at, names
 
+_SHOWN = 8
+
 
 class _LostError(Exception):
     """A path leads nowhere."""
@@ -52,7 +54,8 @@ def check_numbers_set(expansion: Expansion, before: Collection[str]) -> None:
             continue
         if name not in known:
             near = nearest(name, known)
-            mend = f'did you mean "vars.{near}"?' if near else ""
+            listed = ", ".join(sorted(known)[:_SHOWN])
+            mend = f'did you mean "vars.{near}"?' if near else f"it has {listed}" if known else ""
             problems.append(Problem(f"the scene has no number {quoted(name)}", hint=mend, source=words))
     if problems:
         raise SceneError(expansion.main.source, problems)

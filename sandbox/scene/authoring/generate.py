@@ -124,7 +124,7 @@ class Generators:
             return
         if getattr(model, field) is None:
             text = f'"{field}" is needed: neighbours just touch only where all are the same single body'
-            self.prefabs.output.faults.append(written.fault(text))
+            self.prefabs.output.faults.append(written.at(kind).fault(text))
             return
         fill = self._filling(name, written, setting)
         self._ask_room(name, body_count(model), setting)
