@@ -156,6 +156,7 @@ if TYPE_CHECKING:
     from sandbox.scene import OnLeave as OnLeave
     from sandbox.scene import OnPress as OnPress
     from sandbox.scene import OnTime as OnTime
+    from sandbox.scene import Place as Place
     from sandbox.scene import PolygonShape as PolygonShape
     from sandbox.scene import Prefab as Prefab
     from sandbox.scene import Prismatic as Prismatic

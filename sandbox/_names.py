@@ -51,7 +51,7 @@ _MODULES = {
         ChainShape ChangeGravity ChangeJoint ChangeRegion CircleShape Condition Count CounterIs DeleteBodies
         DistanceJoint Ended Friction Gear Gravity GravityScale Grid InputControl Inside Lose Material Motor
         MoveAt Near OnBegin OnCount OnEnd OnEnter OnEvery OnHit OnJointBreak OnLeave OnPress OnTime
-        PolygonShape Prefab Prismatic Pulley PushOnce PushStep PutBodies Pyramid Rests Revolute Row Rule
+        Place PolygonShape Prefab Prismatic Pulley PushOnce PushStep PutBodies Pyramid Rests Revolute Row Rule
         RunPath Scatter Scene SegmentShape Senses SetBodySurface Settings SpawnBody Speeding Stack Stands
         SwitchThruster Target Thruster Touches Turned View Water Weld Wheel Win Wind load_scene loads_scene
         schema
