@@ -21,7 +21,9 @@ Change = Callable[[Data], None]
 CONTACTLESS = {"cantilevers", "corners", "pendulums", "planets", "pool", "without-speculation"}
 """Only joints or fields hold these together, or they show what does not touch, or nothing moves before it is played:
 then `tests/rules/test_shipped_games.py` judges the recording."""
-WEIGHTLESS = {"billiards", "breakout", "bullets", "fast-ball", "planets", "pool", "without-speculation"} | {
+WEIGHTLESS = {
+    "billiards", "breakout", "bullets", "fast-ball", "fast-spinner", "peaucellier", "planets", "pool", "without-speculation",
+} | {
     name for name, file in FILES.items() if file.parent.name == "sat"
 }
 WITH_GRAVITY = sorted(FILES.keys() - WEIGHTLESS)
