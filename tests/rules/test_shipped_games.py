@@ -32,6 +32,7 @@ def played(name: str) -> World:
         ("mini-golf", {"strokes": 4}),
         ("air-hockey", {"blue": 2}),
         ("siege", {"stones": 4}),
+        ("bowling", {"down": 10, "balls": 2}),
         ("lift", {"lifted": 4}),
         ("marble-clock", {"minutes": 1}),
     ],
