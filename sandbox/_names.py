@@ -56,6 +56,8 @@ _MODULES = {
         SwitchThruster Target Thruster Touches Turned View Water Weld Wheel Win Wind load_scene loads_scene
         schema
     """,
+    "sandbox.sweeps.sweep": "sweep",
+    "sandbox.sweeps.table": "SweepTable",
     "sandbox.world.export.copies": "copy_of paste_of",
     "sandbox.world.export.scene_now": "SceneNow scene_of",
 }
