@@ -24,6 +24,7 @@ from sandbox._version import __version__
 from sandbox.notebook import render_with
 
 if TYPE_CHECKING:
+    from sandbox.batch.batch import Batch as Batch
     from sandbox.engine.commands.base import Command as Command
     from sandbox.engine.commands.control import Control as Control
     from sandbox.engine.commands.delete import Delete as Delete

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 _MODULES = {
+    "sandbox.batch.batch": "Batch",
     "sandbox.engine.commands.base": "Command",
     "sandbox.engine.commands.control": "Control",
     "sandbox.engine.commands.delete": "Delete DeleteJoint DeleteRegion",
