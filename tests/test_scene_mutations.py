@@ -18,7 +18,7 @@ pytestmark = pytest.mark.slow
 Data = dict[str, Any]
 Change = Callable[[Data], None]
 
-CONTACTLESS = {"cantilevers", "corners", "pendulums", "planets", "pool", "without-speculation"}
+CONTACTLESS = {"cantilevers", "cart-pole", "corners", "pendulums", "planets", "pool", "without-speculation"}
 """Only joints or fields hold these together, or they show what does not touch, or nothing moves before it is played:
 then `tests/rules/test_shipped_games.py` judges the recording."""
 WEIGHTLESS = {"billiards", "breakout", "bullets", "fast-ball", "planets", "pool", "without-speculation"} | {

@@ -9,8 +9,8 @@ import numpy as np
 
 from sandbox.arguments import checked_count, shown
 from sandbox.attributes import FixedAttributes
+from sandbox.batch import column_commands as columns
 from sandbox.batch.fleet import Fleet, Saved
-from sandbox.batch.pushes import numbers, push
 from sandbox.engine.commands.base import Command
 from sandbox.engine.world import World
 from sandbox.errors import ArgumentError
@@ -23,8 +23,8 @@ class Batch(FixedAttributes):
     """Many worlds of one scene, stepped in one call over all cores; each goes its way as it would alone, to the bit.
 
     `Batch(scene, 1000)` has 1,000 worlds that begin alike; `Batch([scene, ...])` one for each scene. A scene that has
-    the same bodies and shapes as the first one shares memory with it, whatever its poses, masses and materials. `threads`
-    are one for each processor by default. Units are SI, angles are in radians.
+    the same bodies and shapes as the first one shares memory with it, whatever its poses, masses and materials.
+    `threads` are one for each processor by default. Units are SI, angles are in radians.
 
     Columns (`positions` and others) are read-only views (worlds, bodies, ...) that follow the batch. `worlds` of a
     method are all by default, or the numbers of some, or a mask with a truth for each. What controls, rules and paths
@@ -64,17 +64,37 @@ class Batch(FixedAttributes):
         if len(commands) != len(chosen):
             raise ArgumentError(f"Batch.apply: {len(commands)} commands for {len(chosen)} worlds")
         for world, one in zip(chosen.tolist(), commands, strict=True):
-            self._fleet.change(world, lambda target, one=one: target.apply(one))  # type: ignore[misc]
+            self._fleet.apply(world, one)
 
     def apply_force(self, body: str, force: Any, torque: Any = 0.0, worlds: Any = None) -> None:
         """Push a body during the next step in each of `worlds`: the command `ApplyForce`, for all of them at once.
 
         `force` is (worlds, 2) or one for all, N; `torque` (worlds,) or one, N m. Raises `ArgumentError`.
         """
-        chosen = self._chosen(worlds)
-        forces = numbers("Batch.apply_force", force, (len(chosen), 2), "N")
-        torques = numbers("Batch.apply_force", torque, (len(chosen),), "N m")
-        push(self._fleet, body, self.row(body), forces, torques, chosen)
+        call, chosen = "Batch.apply_force", self._chosen(worlds)
+        forces = columns.numbers(call, "force", force, (len(chosen), 2))
+        torques = columns.numbers(call, "torque", torque, (len(chosen),))
+        columns.push(self._fleet, self._told(body), forces, torques, chosen)
+
+    def set_pose(self, body: str, position: Any, angle: Any, worlds: Any = None) -> None:
+        """Put a body at `position` (worlds, 2), m, and `angle` (worlds,), rad, as `SetPose` does, or at one for all.
+
+        Raises `ArgumentError`.
+        """
+        call, chosen = "Batch.set_pose", self._chosen(worlds)
+        positions = columns.numbers(call, "position", position, (len(chosen), 2))
+        angles = columns.numbers(call, "angle", angle, (len(chosen),))
+        columns.pose(self._fleet, self._told(body), positions, angles, chosen)
+
+    def set_velocity(self, body: str, velocity: Any, angular_velocity: Any = 0.0, worlds: Any = None) -> None:
+        """Give a body a `velocity` (worlds, 2), m/s, and an angular one (worlds,), rad/s, as `SetVelocity` does.
+
+        Raises `ArgumentError`.
+        """
+        call, chosen = "Batch.set_velocity", self._chosen(worlds)
+        velocities = columns.numbers(call, "velocity", velocity, (len(chosen), 2))
+        rates = columns.numbers(call, "angular_velocity", angular_velocity, (len(chosen),))
+        columns.velocity(self._fleet, self._told(body), velocities, rates, chosen)
 
     def reset(self, worlds: Any = None) -> None:
         """Begin anew with some worlds, from where the batch began."""
@@ -132,6 +152,9 @@ class Batch(FixedAttributes):
         counters = self._fleet.layout.columns(self._fleet.rows.words, "counters")
         steps: Integers = counters["step_count"][:, 0].copy()
         return steps
+
+    def _told(self, body: str) -> tuple[str, int]:
+        return body, self.row(body)
 
     def _column(self, name: str) -> Any:
         if self._fleet.ragged:

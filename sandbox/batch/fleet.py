@@ -12,6 +12,7 @@ import numpy as np
 
 from sandbox._jit import Call, jit_enabled
 from sandbox.batch.likeness import are_alike
+from sandbox.engine.commands.base import Command
 from sandbox.engine.lanes.advance import APART, DONE, NEXT, REDO, STEPS, Rows
 from sandbox.engine.lanes.lane_world import LaneWorld, room_for_contacts
 from sandbox.engine.lanes.row_layout import RowLayout
@@ -63,7 +64,8 @@ class Fleet:
 
     def step(self, steps: int) -> None:
         """Step all worlds."""
-        if len(self.apart) < len(self.scenes):
+        apart = sorted(self.apart)  # those of now: a row that comes to be apart in this step has been stepped
+        if len(apart) < len(self.scenes):
             self._lanes[0].compile()
             if jit_enabled():
                 self._step_rows(steps)
@@ -72,7 +74,7 @@ class Fleet:
             for world in np.flatnonzero(self.rows.verdicts == REDO).tolist():
                 self.rows.verdicts[world] = DONE
                 self.change(world, lambda one: one.step(steps))
-        for world in sorted(self.apart):
+        for world in apart:
             self.change(world, lambda one: one.step(steps))
 
     def change(self, world: int, do: Callable[[World], Any]) -> None:
@@ -88,6 +90,10 @@ class Fleet:
         else:
             self._set_apart(world, self._own(world, lane.snapshot()))
             self._lanes[0] = LaneWorld(self.scenes[0])
+
+    def apply(self, world: int, command: Command) -> None:
+        """Apply a command to one world."""
+        self.change(world, lambda one: one.apply(command))
 
     def look(self, world: int) -> World:
         """One world to be read, and not kept: the next call puts another one in its place."""

@@ -144,12 +144,12 @@ def _tell(table: SweepTable, options: SweepOptions, failed: int, seconds: float)
     if options.output is None and not options.is_of_table:
         sys.stdout.write(table.csv())
     plural = "run" if len(table) == 1 else "runs"
-    words = f"{len(table)} {plural}" + (f", {failed} failed" if failed else "")
+    words = f"{len(table)} {plural}"
     for path in written:
         print(f"{told(path)}: {words}")
     if failed:
         row = next(row for row in table.rows if row["status"] != "ok")
-        print(f"the first that failed: {told(row['status'])}", file=sys.stderr)
+        print(f"{failed} of {len(table)} runs failed, the first with: {told(row['status'])}", file=sys.stderr)
 
 
 def _print_document(table: SweepTable, options: SweepOptions, failed: int, seconds: float) -> None:

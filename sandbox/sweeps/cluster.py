@@ -32,7 +32,7 @@ def run_on_cluster(study: Study, jobs: Iterable[Job], address: str) -> Iterator[
         client = distributed.Client(address, timeout=_PATIENCE, set_as_default=False)
     except (OSError, ValueError, TimeoutError) as error:
         raise SandboxError(f"--scheduler {address}: no Dask scheduler answers there ({_words(error)})") from None
-    with client:
+    with client, client.as_current():
         _check_workers(client, address)
         shared = client.scatter(study, broadcast=True)
         yield from _outcomes(client, distributed.as_completed, shared, iter(jobs))

@@ -5,10 +5,12 @@ Each gives outcomes as they finish, in whatever order: a run depends on its valu
 
 from __future__ import annotations
 
+import os
+import threading
 from collections.abc import Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
-from multiprocessing import get_context
+from multiprocessing import get_context, parent_process
 from typing import TypeAlias
 
 from sandbox.errors import SandboxError
@@ -71,6 +73,15 @@ _study: Study | None = None
 def _begin(study: Study) -> None:
     global _study
     _study = study
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+
+
+def _end_with_parent() -> None:
+    """Not to wait for ever for work from a process that was killed."""
+    parent = parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)
 
 
 def _run(job: Job) -> Outcome:

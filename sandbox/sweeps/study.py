@@ -18,7 +18,7 @@ from sandbox.scene import Scene
 from sandbox.sweeps.collector import check_names, run_and_collect
 from sandbox.sweeps.design import Design, Values
 from sandbox.sweeps.expression import Collected, read_expressions
-from sandbox.sweeps.override import check_paths, scene_with
+from sandbox.sweeps.override import prepared, scene_with
 
 OK = "ok"
 _TRIED = 100
@@ -78,8 +78,8 @@ def study_of(scene: Scene, design: Design, steps: int | None, collect: Sequence[
 
     Raises `ArgumentError` or `SceneError`.
     """
-    study = Study(json.dumps(scene.to_data()), design.paths, steps, tuple(collect))
-    check_paths(json.loads(study.document), design.paths)
+    document = prepared(scene.to_data(), design.paths)
+    study = Study(json.dumps(document), design.paths, steps, tuple(collect))
     expressions = study.expressions
     for name in study.columns:
         if name in (*design.paths, "digest", "steps", "status"):

@@ -13,7 +13,7 @@ from sandbox.engine.records.active_set import ACTIVE_SET
 from sandbox.engine.world import World
 from sandbox.scene import Scene
 from sandbox.scene.flat import FlatScene
-from sandbox.tables import Integers, aligned_zeros, plain
+from sandbox.tables import Integers, plain
 from sandbox.world.state import State
 
 
@@ -28,8 +28,9 @@ class LaneWorld(World):
 
     def __init__(self, scene: Scene | FlatScene) -> None:
         super().__init__(scene)
+        self._words: Integers
         layout = RowLayout.of(self.state)
-        self._words: Integers = aligned_zeros(layout.words, np.int64)
+        self._words = layout.new_row()
         layout.write(self._words, self.state)
         for array, table in layout.views(self._words).items():
             setattr(self.state, array, table)

@@ -50,6 +50,13 @@ class RowLayout:
                 first += -(-place.words // _LINE) * _LINE
         return cls(tuple(places), first)
 
+    def new_row(self) -> Integers:
+        """An empty row that begins at a cache line. Its tables have no spare rows behind them, and its memory, unlike
+        that of `aligned_zeros`, says so to whoever lets them grow."""
+        memory = np.zeros(self.words + _LINE, np.int64)
+        first = -(memory.ctypes.data // WORD) % _LINE
+        return memory[first : first + self.words]
+
     def views(self, row: Integers) -> dict[str, Records]:
         """The tables in a row, by the names that a state has for them: they share its memory."""
         return {place.array: _view(row, place) for place in self.places}
