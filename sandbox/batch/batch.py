@@ -134,7 +134,8 @@ class Batch(FixedAttributes):
     @property
     def angles(self) -> Floats:
         """(worlds, bodies) rad, not wrapped."""
-        return self._column("angle")
+        view: Floats = self._column("angle")
+        return view
 
     @property
     def velocities(self) -> Floats:
@@ -144,7 +145,8 @@ class Batch(FixedAttributes):
     @property
     def angular_velocities(self) -> Floats:
         """(worlds, bodies) rad/s."""
-        return self._column("angular_velocity")
+        view: Floats = self._column("angular_velocity")
+        return view
 
     @property
     def step_counts(self) -> Integers:

@@ -106,7 +106,8 @@ class Fleet:
     def saved(self) -> Saved:
         """All worlds as they are now."""
         apart = {world: own.snapshot() for world, own in self.apart.items()}
-        return Saved(*(table.copy() for table in self.rows[:3]), apart)
+        rows = self.rows
+        return Saved(rows.words.copy(), rows.contacts.copy(), rows.last_switches.copy(), apart)
 
     def restore(self, saved: Saved, worlds: Integers) -> None:
         """Put some worlds back."""

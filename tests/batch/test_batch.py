@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import sandbox
@@ -177,7 +177,6 @@ def test_sleepers_are_woken_as_a_command_would() -> None:
         assert digests(batch) == alone.step(n)
 
 
-@settings(max_examples=15, deadline=None)
 @given(
     numbers=st.lists(st.floats(-300, 300, allow_subnormal=False), min_size=6, max_size=6),
     which=st.lists(st.integers(0, 3), max_size=6),

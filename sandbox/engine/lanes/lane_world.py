@@ -101,5 +101,5 @@ def _flat(table: Any) -> Integers:
 
 def _words(layout: RowLayout) -> Words:
     stale = int(ACTIVE_SET.dtype.fields["stale"][1]) // WORD  # type: ignore[index]
-    names = ("step_count", "contact_count", "still", "broken_count", "frozen_count")
-    return Words(*map(layout.counter, names), stale, CONTACT_WORDS)
+    counters = {name: layout.counter(name) for name in Words._fields[:5]}
+    return Words(**counters, stale=stale, contact=CONTACT_WORDS)

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from sandbox.tables import Integers, Records, plain
-from sandbox.world.records import CONTACT, COUNTERS, TABLES, Table
+from sandbox.tables import Integers, Records, Table, plain
+from sandbox.world.records import CONTACT, COUNTERS, TABLES
 from sandbox.world.state import ARRAYS, State
 
 WORD = 8
