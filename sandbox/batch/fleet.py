@@ -13,12 +13,14 @@ import numpy as np
 from sandbox._jit import Call, jit_enabled
 from sandbox.batch.likeness import are_alike
 from sandbox.engine.commands.base import Command
+from sandbox.engine.fields.records import last_switch
 from sandbox.engine.lanes.advance import APART, DONE, NEXT, REDO, STEPS, Rows
 from sandbox.engine.lanes.lane_world import LaneWorld, room_for_contacts
 from sandbox.engine.lanes.row_layout import RowLayout
 from sandbox.engine.world import World
 from sandbox.scene import Scene
 from sandbox.tables import Integers
+from sandbox.world.build import build_state
 
 _WORTH_A_THREAD = 32
 """Rows from which on another thread is sooner done."""
@@ -138,11 +140,12 @@ class Fleet:
         for world, scene in enumerate(self.scenes):
             if not plays and scene is self.scenes[0]:
                 continue
-            own = World(scene)
-            if not plays and are_alike(own, first):
-                self.layout.write(self.rows.words[world], own.state)
+            state = None if plays else build_state(scene.flatten())
+            if state is not None and are_alike(state, first.state):
+                self.layout.write(self.rows.words[world], state)
+                self.rows.last_switches[world] = last_switch(state)
             else:
-                self._set_apart(world, own)
+                self._set_apart(world, World(scene))
 
     def _step_rows(self, steps: int) -> None:
         self._queue[NEXT], self._queue[STEPS] = 0, steps

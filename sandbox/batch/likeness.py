@@ -5,22 +5,20 @@ from __future__ import annotations
 import numpy as np
 
 from sandbox.engine.joints.wiring import wiring
-from sandbox.engine.world import World
 from sandbox.tables import plain
-from sandbox.world.state import ARRAYS
+from sandbox.world.state import ARRAYS, State
 
 _OF_MATERIAL = ("density", "friction", "restitution", "rolling_resistance", "surface_speed")
 """What may differ of a shape."""
 _GEOMETRY = ("vertices", "outlines", "seams")
 
 
-def are_alike(one: World, other: World) -> bool:
+def are_alike(a: State, b: State) -> bool:
     """Whether two worlds have bodies of the same names, shapes and joints; how these lie, move and weigh may differ.
 
     Only then is what lies in scratch memory from the scene on, such as how thin a body is, true for both.
     """
-    a, b = one.state, other.state
-    if one.names != other.names or one.joint_names != other.joint_names:
+    if a.names != b.names or a.joint_names != b.joint_names:
         return False
     if any(len(getattr(a, name)) != len(getattr(b, name)) for name in ARRAYS if name != "contacts"):
         return False

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 import sys
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 import typer
@@ -89,13 +91,23 @@ def _with_journal(study: Study, design: Design, options: SweepOptions, name: str
     journal = Journal(journal_of(options.output), study.fingerprint(design.runs), len(design.runs))
     done = journal.done() if options.resume else {}
     left = [(run, values) for run, values in enumerate(design.runs) if run not in done]
-    with journal.writing(goes_on=bool(done)):
+    with journal.writing(goes_on=bool(done)), _telling_how_to_go_on(done, len(design.runs)):
         for outcome in _progressing(study, left, options, (name, len(done))):
             journal.note(outcome)
             done[outcome.run] = outcome
     table_of(study, design, done.values()).save(options.output)
     journal.remove()
     return list(done.values())
+
+
+@contextmanager
+def _telling_how_to_go_on(done: Mapping[int, Outcome], runs: int) -> Iterator[None]:
+    """Say what is kept, where runs are interrupted or fail all together."""
+    try:
+        yield
+    except (KeyboardInterrupt, SandboxError):
+        print(f"{len(done)} of {runs} runs are kept; --resume goes on with the others", file=sys.stderr)
+        raise
 
 
 def _progressing(study: Study, jobs: Sequence[Job], options: SweepOptions, begun: tuple[str, int]) -> Iterator[Outcome]:
@@ -152,11 +164,16 @@ def _tell(table: SweepTable, options: SweepOptions, failed: int, seconds: float)
         print(f"{failed} of {len(table)} runs failed, the first with: {told(row['status'])}", file=sys.stderr)
 
 
+def _in_json(value: Any) -> Any:
+    """A value as JSON has it, which knows neither NaN nor infinities."""
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
 def _print_document(table: SweepTable, options: SweepOptions, failed: int, seconds: float) -> None:
     import json
 
     files = {"output": options.output, "plot": options.plot}
-    rows = [{name: None if value != value else value for name, value in row.items()} for row in table.rows]
+    rows = [{name: _in_json(value) for name, value in row.items()} for row in table.rows]
     document = {
         "exit_code": FAILED if failed else HOLDS,
         "seconds": round(seconds, 3),

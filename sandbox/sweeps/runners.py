@@ -6,6 +6,7 @@ Each gives outcomes as they finish, in whatever order: a run depends on its valu
 from __future__ import annotations
 
 import os
+import signal
 import threading
 from collections.abc import Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
@@ -73,6 +74,7 @@ _study: Study | None = None
 def _begin(study: Study) -> None:
     global _study
     _study = study
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the process that began this one says what is to end
     threading.Thread(target=_end_with_parent, daemon=True).start()
 
 

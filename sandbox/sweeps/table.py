@@ -76,7 +76,7 @@ class SweepTable:
         """Write it as Parquet. Raises `MissingDependencyError` where pyarrow is not installed, and `OSError`."""
         arrow, parquet = require_arrow()
         data = io.BytesIO()
-        table = arrow.table({name: column.tolist() for name, column in self._columns.items()})
+        table = arrow.table({name: _of_one_type(column.tolist()) for name, column in self._columns.items()})
         parquet.write_table(table, data)
         write_bytes(Path(path), data.getvalue())
 
@@ -155,6 +155,11 @@ def _read_column(texts: Sequence[str]) -> Column:
     found = np.empty(len(texts), object)
     found[:] = texts
     return found
+
+
+def _of_one_type(values: list[Any]) -> list[Any]:
+    """What Parquet takes as a column: numbers and texts in one become texts."""
+    return values if len({type(value) for value in values}) <= 1 else [str(value) for value in values]
 
 
 def _cell(value: Any) -> str:
