@@ -87,7 +87,7 @@ class Fleet:
             return
         lane = self._loaded(world)
         do(lane)
-        if lane.alike and self.layout.fits(lane.state):
+        if lane.alike:
             self._save(world, lane)
         else:
             self._set_apart(world, self._own(world, lane.snapshot()))

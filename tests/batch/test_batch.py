@@ -13,7 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import sandbox
-from sandbox import ApplyForce, Batch, BreakJoint, SetPose, SetVelocity, Spawn, World
+from sandbox import ApplyForce, Batch, BreakJoint, SetPose, SetSurface, SetVelocity, Spawn, World
 from tests.shipped import shipped
 
 GROUND = {"id": "ground", "type": "static", "shapes": [{"box": [40, 1]}], "position": [0, -0.5]}
@@ -161,6 +161,21 @@ def test_a_world_with_other_bodies_is_shown_by_itself() -> None:
     assert batch.world(1).body("b").position[1] < 4
     batch.reset(1)
     assert batch.positions.shape == (2, 2, 2)
+
+
+def test_tiles_and_surfaces_that_commands_change() -> None:
+    tiles = [{"id": f"t{k}", "type": "static", "shapes": [{"box": [2, 1]}], "position": [2 * k, 2]} for k in range(3)]
+    loaded = scene(*tiles, crate("a", 0, 3.2, velocity=[4, 0]))
+    batch, alone = Batch(loaded, 4), Alone(loaded, 4)
+    for k, command in enumerate(
+        [SetPose("t1", (2.0, 1.9), 0.0), SetSurface("t1", friction=2.0), SetSurface("a", density=3.0)]
+    ):
+        batch.apply(command, k)
+        alone.apply(command, k)
+    for n in (1, 40):
+        batch.step(n)
+        assert digests(batch) == alone.step(n)
+    assert len(set(digests(batch))) == 4
 
 
 def test_sleepers_are_woken_as_a_command_would() -> None:

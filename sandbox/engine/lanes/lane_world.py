@@ -24,7 +24,7 @@ class LaneWorld(World):
     `alike` any longer. Then a lane is used up.
     """
 
-    __slots__ = ("_begins", "_first_wiring", "_words")
+    __slots__ = ("_begins", "_first_wiring", "_tables", "_words")
 
     def __init__(self, scene: Scene | FlatScene) -> None:
         super().__init__(scene)
@@ -32,7 +32,8 @@ class LaneWorld(World):
         layout = RowLayout.of(self.state)
         self._words = layout.new_row()
         layout.write(self._words, self.state)
-        for array, table in layout.views(self._words).items():
+        self._tables = layout.views(self._words)
+        for array, table in self._tables.items():
             setattr(self.state, array, table)
         self._stepper.renew()
         self._first_wiring = self._stepper.wiring()
@@ -64,8 +65,9 @@ class LaneWorld(World):
 
     @property
     def alike(self) -> bool:
-        """Whether it still has the rows, and joints that hang together, of its beginning."""
-        return self.layout == self._begins and self._stepper.wiring() == self._first_wiring
+        """Whether it still has the tables, and joints that hang together, of its beginning."""
+        tables = all(getattr(self.state, array) is table for array, table in self._tables.items())
+        return tables and self.layout == self._begins and self._stepper.wiring() == self._first_wiring
 
     def load(self, words: Integers, contacts: Integers, last_switch: int) -> None:
         """Be the world of that row, as after `restore`."""

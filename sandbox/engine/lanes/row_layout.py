@@ -61,12 +61,8 @@ class RowLayout:
         """The tables in a row, by the names that a state has for them: they share its memory."""
         return {place.array: _view(row, place) for place in self.places}
 
-    def fits(self, state: State) -> bool:
-        """Whether a state has as many rows in every table."""
-        return all(len(getattr(state, place.array)) == place.count for place in self.places)
-
     def write(self, row: Integers, state: State) -> None:
-        """Write the tables of a state that `fits` into a row."""
+        """Write the tables of a state, which have as many rows, into a row."""
         for place in self.places:
             self._write(row, place, state)
 
