@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 _MODULES = {
+    "sandbox.batch.batch": "Batch",
     "sandbox.engine.commands.base": "Command",
     "sandbox.engine.commands.control": "Control",
     "sandbox.engine.commands.delete": "Delete DeleteJoint DeleteRegion",
@@ -56,6 +57,8 @@ _MODULES = {
         SwitchThruster Target Thruster Touches Turned View Water Weld Wheel Win Wind load_scene loads_scene
         schema
     """,
+    "sandbox.sweeps.sweep": "sweep",
+    "sandbox.sweeps.table": "SweepTable",
     "sandbox.world.export.copies": "copy_of paste_of",
     "sandbox.world.export.scene_now": "SceneNow scene_of",
 }

@@ -19,7 +19,7 @@ Data = dict[str, Any]
 Change = Callable[[Data], None]
 
 CONTACTLESS = {
-    "corners", "peaucellier", "pendulums", "planets", "pool", "pumpjack", "without-speculation",
+    "cart-pole", "corners", "peaucellier", "pendulums", "planets", "pool", "pumpjack", "without-speculation",
 }  # fmt: skip
 """Only joints or fields hold these together, or they show what does not touch, or nothing moves before it is played:
 then `tests/rules/test_shipped_games.py` judges the recording."""
