@@ -198,4 +198,4 @@ def test_an_escaped_sign_is_one_too():
 def test_python_takes_expressions_too():
     scene = Scene(vars={"g": "=9.81/6"}, gravity=(0, "=-g"))
     assert scene.gravity == (0, -9.81 / 6)
-    assert scene.written() == {"vars": {"g": "=9.81/6"}, "gravity": (0, "=-g")}
+    assert scene.written() == {"vars": {"g": "=9.81/6"}, "gravity": [0, "=-g"]}
