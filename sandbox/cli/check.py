@@ -132,8 +132,9 @@ def _run_all(work: Work, console: Console, show: Callable[[Result], None]) -> li
 
 def _results(work: Work, progress: SceneProgress) -> Iterator[Result]:
     from sandbox.cli.check_result import Result
-    from sandbox.replay.headless_run import planned_steps, run_headless
+    from sandbox.replay.headless_run import run_headless
     from sandbox.scene import load_scene
+    from sandbox.scene.duration import planned_steps
 
     for file in work.files:
         try:

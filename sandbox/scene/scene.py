@@ -15,7 +15,7 @@ from sandbox.scene.finding import path_of
 from sandbox.scene.flat import FlatScene
 from sandbox.scene.flatten import Flattener
 from sandbox.scene.locate import locate
-from sandbox.scene.pretty import kinds_first, pretty
+from sandbox.scene.pretty import scene_text
 from sandbox.scene.report import scene_error
 from sandbox.scene.rules import cross_checks
 from sandbox.scene.scene_fields import SceneFields
@@ -59,10 +59,7 @@ class Scene(Shown, SceneFields):
 
     def save(self, path: str | FilePath) -> None:
         """Write the scene as JSON (UTF-8) that loads to an equal scene. Raises `OSError`; what was there stays then."""
-        data = self.to_data()
-        head = {"$schema": data.pop("$schema")} if "$schema" in data else {}
-        text = pretty(kinds_first({**head, "format": 1, **data})) + "\n"
-        write_text(FilePath(path), text)
+        write_text(FilePath(path), scene_text(self.to_data()))
 
     def locate(self, pointer: str) -> tuple[int, int] | None:
         """Line and column in the scene's file of the value at a JSON pointer; None if there is no file."""
