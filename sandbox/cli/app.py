@@ -11,7 +11,7 @@ from typer.core import TyperGroup
 PANELS = {
     "Play and show": ("run", "list", "render"),
     "Test": ("check", "record", "replay", "diff", "bisect"),
-    "Write scenes": ("fmt", "expand", "schema"),
+    "Write scenes": ("lint", "fmt", "expand", "schema"),
     "Look inside": ("sat", "solver", "events"),
     "Hold against others": ("compare", "bench"),
     "This machine": ("cache",),

@@ -27,7 +27,7 @@ from sandbox.scene.play.control import InputControl
 from sandbox.scene.play.rule import Rule
 from sandbox.scene.quantities import Acceleration2, Name, Number
 from sandbox.scene.regions import AnyRegion
-from sandbox.scene.settings import Settings, View
+from sandbox.scene.settings import LintSettings, Settings, View
 
 
 class SceneFields(Model):
@@ -71,3 +71,4 @@ class SceneFields(Model):
     expect: Annotated[tuple[AnyExpectation, ...], Listed("of expectations", 0, MAX_EXPECTATIONS)] = Field(
         default=(), description="What must hold when the scene runs."
     )
+    lint: LintSettings = Field(default=LintSettings(), description="What `sandbox lint` passes over in this scene.")
