@@ -9,9 +9,9 @@ import typer
 from typer.core import TyperGroup
 
 PANELS = {
-    "Play and show": ("run", "list", "render"),
+    "Play and show": ("run", "list", "render", "gallery"),
     "Test": ("check", "record", "replay", "diff", "bisect"),
-    "Write scenes": ("lint", "fmt", "expand", "schema"),
+    "Write scenes": ("new", "lint", "fmt", "expand", "schema"),
     "Look inside": ("sat", "solver", "events"),
     "Hold against others": ("compare", "bench"),
     "This machine": ("cache",),
