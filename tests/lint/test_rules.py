@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import json
+from typing import Any
 
 import pytest
+from hypothesis import given
 
 from sandbox.lint.registry import RULES
 from sandbox.lint.run import lint
 from sandbox.resources import scenes_dir
 from sandbox.scene import loads_scene
+from tests.examples import examples
 from tests.lint.cases import CASES, Case, scene
+from tests.scene.scene_strategies import scenes
 from tests.shipped import FILES, shipped
 
 EACH = [pytest.param(name, case, id=f"{name}-{k}") for name, cases in CASES.items() for k, case in enumerate(cases)]
@@ -57,3 +61,11 @@ def test_findings_are_in_the_order_of_the_file_and_ten_of_a_rule() -> None:
     assert lines == sorted(lines)
     assert len(found) == 12
     assert found[-1].problem.message == "and 5 more like this"
+
+
+@given(scenes())
+@examples(8)
+def test_any_scene_can_be_looked_at(data: dict[str, Any]) -> None:
+    for found in lint(loads_scene(json.dumps(data))):
+        assert found.rule in RULES
+        assert found.problem.line > 0
