@@ -41,9 +41,13 @@ def expanded(scene: Scene) -> Words:
 
 
 def _merged(prefabs: Words, entry: Words) -> Words:
-    """A body's own words before those of its prefab."""
+    """A body's own words before those of its prefab. Thrusters of a prefab push nothing that is not dynamic."""
     words = {key: value for key, value in entry.items() if key != "prefab"}
-    return words | {key: value for key, value in prefabs.get(entry.get("prefab", ""), {}).items() if key not in words}
+    given = prefabs.get(entry.get("prefab", ""), {})
+    merged = words | {key: value for key, value in given.items() if key not in words}
+    if merged.get("type", "dynamic") != "dynamic":
+        merged.pop("thrusters", None)
+    return merged
 
 
 def _bodies(generator: Generator, prefab: Prefab, words: Words, shapes: tuple[FlatShape, ...]) -> Iterator[Words]:

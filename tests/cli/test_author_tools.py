@@ -12,7 +12,6 @@ import pytest
 
 from sandbox import load_scene
 from sandbox.resources import scenes_dir
-from sandbox.scene.schema import schema_text
 from tests.shipped import FILES
 
 UGLY = '{"title":"x",\n\n "bodies": [{"id": "a", "mass": 1e-3,\n  "shapes": [{"circle": 1.0}]}]}'
@@ -93,6 +92,7 @@ def test_expand_writes_a_scene_that_loads(cli: Callable, tmp_path: Path) -> None
 
 
 def test_schema_is_the_one_beside_the_scenes(cli: Callable, tmp_path: Path) -> None:
-    assert cli("schema").out == schema_text()
+    shipped = (scenes_dir() / "scene.schema.json").read_text(encoding="utf-8")
+    assert cli("schema").out == shipped
     assert cli("schema", "-o", tmp_path / "s.json").code == 0
-    assert (tmp_path / "s.json").read_text(encoding="utf-8") == schema_text()
+    assert (tmp_path / "s.json").read_text(encoding="utf-8") == shipped

@@ -200,6 +200,19 @@ CASES: dict[str, list[Case]] = {
     ],
     "unused": [
         Case(
+            scene(counters={"n": 0}),
+            scene(counters={"n": 0}, expect=[{"at": 9, "counter": "n", "equals": 0}]),
+            'the counter "n" is never used',
+        ),
+        Case(
+            scene(controls=[{"id": "fire", "keys": ["space"]}]),
+            scene(
+                controls=[{"id": "fire", "keys": ["space"]}],
+                rules=[{"when": {"press": "fire"}, "do": [{"delete": "crate"}]}],
+            ),
+            'the control "fire" does nothing',
+        ),
+        Case(
             scene(materials={"wood": {}}),
             scene(materials={"wood": {}}, bodies=[GROUND, {**CRATE, "shapes": [{"box": [1, 1], "material": "wood"}]}]),
             'the material "wood" is never used',

@@ -49,7 +49,10 @@ def test_it_runs_to_the_same_bits(name: str) -> None:
 @examples(12)
 def test_any_scene_means_the_same_written_out(data: dict[str, Any]) -> None:
     scene = loads_scene(json.dumps(data))
-    assert meaning_of(written_out(scene).flatten()) == meaning_of(scene.flatten())
+    flat = scene.flatten()
+    # A prefab may have thrusters, and a body of it be of a type that they do not push.
+    bodies = [body if body.type == "dynamic" else replace(body, thrusters=()) for body in flat.bodies]
+    assert meaning_of(written_out(scene).flatten()) == meaning_of(replace(flat, bodies=tuple(bodies)))
 
 
 def test_every_generator_and_spawned_bodies_are_written_out() -> None:

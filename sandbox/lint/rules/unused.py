@@ -1,4 +1,4 @@
-"""Materials, prefabs and categories that nothing uses, counters that nothing changes or asks for."""
+"""Materials, prefabs, categories and counters that nothing uses, and controls that do nothing."""
 
 from __future__ import annotations
 
@@ -7,7 +7,9 @@ from typing import Any
 
 from sandbox.lint.rule import Rule
 from sandbox.lint.subject import Subject
+from sandbox.scene.expect import CounterIs
 from sandbox.scene.finding import Finding, Path, quoted
+from sandbox.scene.flat_rules import FlatCount
 from sandbox.scene.generators import kind_of
 from sandbox.scene.plain import entries, patterns, shapes
 
@@ -23,6 +25,25 @@ def check(subject: Subject) -> Iterator[Finding]:
     for number, name in enumerate(data.get("categories", [])):
         if members is not None and name not in members:
             yield _unused(("categories", number), f"the category {quoted(name)}", "no shape is in it")
+
+    counted = _counted(subject)
+    for name in data.get("counters", {}):
+        if name not in counted:
+            yield _unused(("counters", name), f"the counter {quoted(name)}", "nothing changes it or asks for it")
+    awaited = {rule.when.name for rule in subject.flat.rules if rule.when.kind == "press"}
+    for number, control in enumerate(subject.flat.controls):
+        if not (control.press or control.hold or control.release) and control.id not in awaited:
+            text = f"the control {quoted(control.id)} does nothing, and no rule waits for it"
+            yield Finding(("controls", number), text, 'give it a "press" or a "hold", or take it out')
+
+
+def _counted(subject: Subject) -> set[str]:
+    """The counters that are changed, waited for, or looked at."""
+    found = {action.counter for action in subject.actions if isinstance(action, FlatCount)}
+    for rule in subject.flat.rules:
+        found.add(rule.condition.counter if rule.condition else "")
+        found.add(rule.when.name if rule.when.kind == "count" else "")
+    return found | {each.counter for each in subject.scene.expect if isinstance(each, CounterIs)}
 
 
 def _unused(path: Path, what: str, why: str = "nothing names it") -> Finding:
@@ -49,4 +70,4 @@ def _members(data: dict[str, Any]) -> set[str] | None:
     return found
 
 
-RULE = Rule("unused", "materials, prefabs and categories that nothing uses", check)
+RULE = Rule("unused", "materials, prefabs, categories, counters and controls that nothing uses", check)
