@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import json
+import os
 import re
 import shlex
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -120,6 +124,41 @@ def test_the_programs_of_the_python_guide_run_one_after_the_other(
     assert printed[3].startswith("ball (0.0, ")  # what the ray met
     assert printed[4].startswith("(Overlap(body='ball'")
     assert len(sandbox.load_scene(crate / "balls.scene.json").bodies) == 3
+
+
+def test_the_game_loop_runs_and_what_is_played_can_be_replayed(tmp_path: Path, cli: Callable) -> None:  # noqa: F811
+    (code,) = blocks(ROOT / "sandbox" / "COMING_FROM.md", "python")
+    assert len([line for line in code.splitlines() if line]) <= 50
+    jump = "pygame.event.post(pygame.event.Event(pygame.KEYDOWN, key=pygame.K_SPACE))"
+    played = code.replace("True\n", f"True\npygame.time.set_timer(pygame.QUIT, 400, 1)\n{jump}\n", 1)
+    environment = {
+        **os.environ,
+        "SDL_VIDEODRIVER": "dummy",
+        "SDL_AUDIODRIVER": "dummy",
+        "PYGAME_HIDE_SUPPORT_PROMPT": "1",
+    }
+    done = subprocess.run(
+        [sys.executable, "-c", played], cwd=tmp_path, env=environment, capture_output=True, text=True, check=False
+    )
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    recording = sandbox.Recording.load(tmp_path / "ball.replay.json")
+    assert recording.steps > 0
+    assert "ApplyImpulse" in {type(command).__name__ for _, command in recording.commands}
+    assert cli("replay", str(tmp_path / "ball.replay.json")).code == 0
+
+
+def test_the_notebook_runs(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.setenv("MPLBACKEND", "agg")
+    cells = json.loads(text_of(ROOT / "sandbox" / "first_steps.ipynb"))["cells"]
+    known: dict[str, object] = {}
+    for cell in cells:
+        if cell["cell_type"] == "code":
+            assert (cell["outputs"], cell["execution_count"]) == ([], None)
+            exec("".join(cell["source"]), known)
+    contacts, hit = capsys.readouterr().out.splitlines()
+    assert re.fullmatch(r"\d+ contacts; [\d.]+ N s", contacts)
+    assert hit.startswith("RayHit(body=")
+    assert max(known["speeds"]) > 10.0  # type: ignore[call-overload]
 
 
 def test_the_python_guide_names_every_command() -> None:

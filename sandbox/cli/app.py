@@ -13,7 +13,7 @@ PANELS = {
     "Test": ("check", "record", "replay", "diff", "bisect"),
     "Write scenes": ("new", "lint", "fmt", "expand", "schema"),
     "Look inside": ("sat", "solver", "events"),
-    "Hold against others": ("compare", "bench"),
+    "Measure": ("sweep", "compare", "bench"),
     "This machine": ("cache",),
 }
 """Command names by the heading of the help text that they stand under, in its order."""

@@ -10,7 +10,7 @@ import typer
 from sandbox._atomic_write import check_writable
 from sandbox._printable import told
 from sandbox.cli.check_options import CheckOptions
-from sandbox.cli.options import takes
+from sandbox.cli.options import takes, values_set
 from sandbox.errors import SandboxError
 from sandbox.resources import SCENE_SUFFIX, files_below, find_scene
 
@@ -26,13 +26,14 @@ def check(options: CheckOptions) -> None:
     Exit code 1: an expectation failed, or bad numbers froze a body.
     Exit code 2: a file could not be used; the other scenes still ran.
     """
+    values = values_set(options.set)
     files = find_files(options.paths, options.only)
     if options.junit is not None:
         check_writable(options.junit)
     from sandbox.cli.check_result import exit_code
-    from sandbox.cli.check_run import run
+    from sandbox.cli.check_run import Work, run
 
-    raise typer.Exit(exit_code(run(files, options)))
+    raise typer.Exit(exit_code(run(Work(files, options, values))))
 
 
 def find_files(paths: Sequence[Path], only: str = "", verb: str = "check") -> list[Path]:

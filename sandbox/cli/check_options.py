@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from sandbox.cli.options import WORKERS
+from sandbox.cli.options import SET, WORKERS
 from sandbox.cli.pool import JOBS
 from sandbox.resources import SCENE_SUFFIX
 
@@ -36,5 +36,6 @@ class CheckOptions:
     require_expect: Annotated[bool, _REQUIRE] = False
     jobs: Annotated[int, JOBS] = 1
     workers: Annotated[int, WORKERS] = 1
+    set: Annotated[list[str] | None, SET] = None
     json: Annotated[bool, _JSON] = False
     junit: Annotated[Path | None, _JUNIT] = None

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
+from typing import Any, NamedTuple
 
 from rich.console import Console
 
@@ -16,39 +17,47 @@ from sandbox.cli.progress import SceneProgress
 from sandbox.errors import SandboxError
 
 
-def run(files: Sequence[Path], options: CheckOptions) -> list[Result]:
+class Work(NamedTuple):
+    """What is to be run, as the options say, with `values` for what the scenes say."""
+
+    files: Sequence[Path]
+    options: CheckOptions
+    values: Mapping[str, Any]
+
+
+def run(work: Work) -> list[Result]:
     """What became of each of the files, in their order, told as it is asked for."""
     from sandbox.cli.compiling import announce_compilation
 
     announce_compilation()
     start = time.perf_counter()
-    results = (_for_machines if options.json else _for_people)(files, options)
-    if options.junit is not None:
-        _write_junit(options.junit, results, time.perf_counter() - start)
+    results = (_for_machines if work.options.json else _for_people)(work)
+    if work.options.junit is not None:
+        _write_junit(work.options.junit, results, time.perf_counter() - start)
     return results
 
 
-def _for_people(files: Sequence[Path], options: CheckOptions) -> list[Result]:
+def _for_people(work: Work) -> list[Result]:
     from sandbox.cli.check_table import Table
 
     out = Console(soft_wrap=True, highlight=False)
-    table = Table(out, files)
+    table = Table(out, work.files)
     table.head()
     start = time.perf_counter()
     # On one terminal the bar and the lines must share a console, or they would overwrite each other.
     console = out if out.is_terminal else Console(stderr=True)
-    results = _shown(_results(files, options, console), table.show)
+    results = _shown(_results(work, console), table.show)
     table.summary(results, time.perf_counter() - start)
     return results
 
 
-def _for_machines(files: Sequence[Path], options: CheckOptions) -> list[Result]:
+def _for_machines(work: Work) -> list[Result]:
     import json
 
     from sandbox.cli.check_result import document
 
     start = time.perf_counter()
-    results = _shown(_results(files, options, Console(stderr=True)), _report_error)
+    results = _shown(_results(work, Console(stderr=True)), _report_error)
     print(json.dumps(document(results, time.perf_counter() - start), indent=2, ensure_ascii=False))
     return results
 
@@ -68,10 +77,11 @@ def _shown(coming: Iterator[Result], show: Callable[[Result], None]) -> list[Res
     return results
 
 
-def _results(files: Sequence[Path], options: CheckOptions, console: Console) -> Iterator[Result]:
+def _results(work: Work, console: Console) -> Iterator[Result]:
     """In this process for one job, else in others."""
-    jobs = min(options.jobs or os.cpu_count() or 1, len(files))
-    examine = partial(examined, options=options)
+    files = work.files
+    jobs = min(work.options.jobs or os.cpu_count() or 1, len(files))
+    examine = partial(examined, options=work.options, values=work.values)
     if jobs == 1:
         with SceneProgress(console, len(files)) as progress:
             yield from (examine(file, progress=progress) for file in files)
@@ -86,14 +96,16 @@ def _results(files: Sequence[Path], options: CheckOptions, console: Console) -> 
             yield result
 
 
-def examined(file: Path, options: CheckOptions, progress: SceneProgress | None = None) -> Result:
+def examined(
+    file: Path, options: CheckOptions, values: Mapping[str, Any], progress: SceneProgress | None = None
+) -> Result:
     """One scene, run and judged."""
     from sandbox.replay.headless_run import run_headless
     from sandbox.scene import load_scene
     from sandbox.scene.duration import planned_steps
 
     try:
-        scene = load_scene(file)
+        scene = load_scene(file, values)
         if progress is not None:
             progress.begin(file.name, planned_steps(scene, options.steps))
         told = progress.done if progress is not None else None

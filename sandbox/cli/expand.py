@@ -28,7 +28,7 @@ def expand(
     if output is not None:
         check_new(output, force)
     from sandbox.scene import load_scene
-    from sandbox.scene.expand import expanded
     from sandbox.scene.pretty import scene_text
+    from sandbox.scene.write_out import written_out
 
-    put(scene_text(expanded(load_scene(find_scene(scene)))), output)
+    put(scene_text(written_out(load_scene(find_scene(scene)))), output)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from sandbox.errors import Problem
 from sandbox.lint.registry import RULES, unknown_rule
@@ -21,7 +21,7 @@ UNKNOWN = "unknown-rule"
 
 @dataclass(frozen=True)
 class Lint:
-    """A finding of a rule, with its place in the file of the scene."""
+    """A finding of a rule, with its place in the file of the scene: what brought it, if it comes from elsewhere."""
 
     rule: str
     problem: Problem
@@ -55,6 +55,7 @@ def _shortened(rule: str, findings: list[Finding]) -> list[tuple[str, Finding]]:
 def _placed(scene: Scene, found: list[tuple[str, Finding]]) -> list[Lint]:
     if scene.text is None:
         return [Lint(rule, finding.problem()) for rule, finding in found]
+    found = [(rule, replace(finding, path=scene.entry(finding.path))) for rule, finding in found]
     places = locate(scene.text, {finding.path for _, finding in found})
     spans: list[Span] = [
         places[f.path].key_span if f.on_key else places[f.path].value_span for _, f in found

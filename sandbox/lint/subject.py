@@ -27,8 +27,8 @@ class Subject:
 
     @cached_property
     def data(self) -> dict[str, Any]:
-        """As it is written, as plain data."""
-        return self.scene.to_data()
+        """As its author wrote it, as plain data."""
+        return self.scene.written()
 
     @cached_property
     def flat(self) -> FlatScene:

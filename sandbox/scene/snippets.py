@@ -51,6 +51,7 @@ KINDS: dict[str, dict[str, Any]] = {
         "friction": {"id": _ID, "type": "friction", **_PINNED, "max_force": "^${6:10}"},
     },
     "generator": {
+        "place": {"id": _ID, "place": "${2:prefab}", "at": ["^${3:0}", "^${4:0}"]},
         "row": {"id": _ID, "row": "${2:prefab}", "count": "^${3:5}", "at": ["^${4:0}", "^${5:0}"]},
         "stack": {"id": _ID, "stack": "${2:prefab}", "count": "^${3:5}", "at": ["^${4:0}", "^${5:0.5}"]},
         "grid": {

@@ -324,3 +324,18 @@ def test_rounded_and_sharp_shapes_give_normals_that_point_out():
                 out = hit.point[0] + 1e-6 * hit.normal[0], hit.point[1] + 1e-6 * hit.normal[1]
                 assert w.query.point(out) == ()
                 assert w.query.nearest(out).distance == pytest.approx(1e-6, abs=1e-12)
+
+
+def test_a_ray_is_given_by_its_translation_or_by_its_end():
+    q = world(ground(), body("crate", box(1.0, 1.0), position=(0.0, 0.5))).query
+    assert q.ray((-4.0, 0.5), end=(4.0, 0.5)) == q.ray((-4.0, 0.5), (8.0, 0.0))
+    assert q.ray((-4.0, 0.5), end=(-1.0, 0.5)) is None
+    assert q.ray_all((1.0, 9.0), end=(-1.0, -9.0)) == q.ray_all((1.0, 9.0), (-2.0, -18.0))
+    for ask, name in ((q.ray, "ray"), (q.ray_all, "ray_all")):
+        for given in ({}, {"translation": (1.0, 0.0), "end": (1.0, 0.0)}):
+            with pytest.raises(QueryError, match=f"{name}: a ray has a translation or an end=, one of the two"):
+                ask((0.0, 0.0), **given)
+        with pytest.raises(QueryError, match="the end"):
+            ask((0.0, 0.0), end=(1.0,))
+        with pytest.raises(QueryError, match="the end"):
+            ask((0.0, 0.0), end=())

@@ -12,8 +12,8 @@ from hypothesis import given
 from sandbox.engine.world import World
 from sandbox.replay.recording.meaning import meaning_of
 from sandbox.scene import Scene, loads_scene
-from sandbox.scene.expand import expanded
 from sandbox.scene.pretty import scene_text
+from sandbox.scene.write_out import written_out
 from tests.examples import examples
 from tests.scene.scene_strategies import scenes
 from tests.shipped import FILES, shipped
@@ -21,8 +21,8 @@ from tests.shipped import FILES, shipped
 MOST = 200
 
 
-def written_out(scene: Scene) -> Scene:
-    return loads_scene(scene_text(expanded(scene)))
+def loaded_again(scene: Scene) -> Scene:
+    return loads_scene(scene_text(written_out(scene)))
 
 
 @pytest.mark.parametrize("name", FILES)
@@ -30,7 +30,7 @@ def test_shipped_scenes_mean_the_same_written_out(name: str) -> None:
     scene = shipped(name)
     if len(scene.flatten().bodies) > MOST:
         pytest.skip("large, and like others")
-    out = written_out(scene)
+    out = loaded_again(scene)
     assert not out.generate
     assert not out.prefabs
     assert meaning_of(out.flatten()) == meaning_of(scene.flatten())
@@ -39,7 +39,7 @@ def test_shipped_scenes_mean_the_same_written_out(name: str) -> None:
 
 @pytest.mark.parametrize("name", ["breakout", "bridge-160", "wrecking-shot", "lift", "harbour"])
 def test_it_runs_to_the_same_bits(name: str) -> None:
-    worlds = World(shipped(name)), World(written_out(shipped(name)))
+    worlds = World(shipped(name)), World(loaded_again(shipped(name)))
     for world in worlds:
         world.step(20)
     assert worlds[0].digest() == worlds[1].digest()
@@ -52,7 +52,7 @@ def test_any_scene_means_the_same_written_out(data: dict[str, Any]) -> None:
     flat = scene.flatten()
     # A prefab may have thrusters, and a body of it be of a type that they do not push.
     bodies = [body if body.type == "dynamic" else replace(body, thrusters=()) for body in flat.bodies]
-    assert meaning_of(written_out(scene).flatten()) == meaning_of(replace(flat, bodies=tuple(bodies)))
+    assert meaning_of(loaded_again(scene).flatten()) == meaning_of(replace(flat, bodies=tuple(bodies)))
 
 
 def test_every_generator_and_spawned_bodies_are_written_out() -> None:
@@ -72,7 +72,7 @@ def test_every_generator_and_spawned_bodies_are_written_out() -> None:
         joints=[{"id": "first", "type": "weld", "bodies": ["own"], "anchor": [0, 0]}],
         rules=[{"when": {"time": 1}, "do": [{"spawn": {"id": "new", "prefab": "crate", "position": [0, 50]}}]}],
     )  # fmt: skip
-    out = written_out(scene)
+    out = loaded_again(scene)
     assert "prefab" not in scene_text(out.to_data())
     plain = [replace(body, pointer="") for body in scene.flatten().bodies]
     assert [replace(body, pointer="") for body in out.flatten().bodies] == plain

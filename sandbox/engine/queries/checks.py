@@ -36,6 +36,19 @@ def checked_place(query: str, name: str, value: Sequence[float]) -> Vec:
         raise QueryError(str(error)) from None
 
 
+def checked_ray(
+    query: str, origin: Sequence[float], translation: Sequence[float] | None, end: Sequence[float] | None
+) -> tuple[Vec, Vec]:
+    """Origin and translation of a ray that is given by a translation or by its end. Raises `QueryError`."""
+    x, y = checked_place(query, "the origin", origin)
+    if (translation is None) == (end is None):
+        raise QueryError(f"{query}: a ray has a translation or an end=, one of the two")
+    if translation is not None:
+        return (x, y), checked_place(query, "the translation", translation)
+    end_x, end_y = checked_place(query, "the end", end or ())
+    return (x, y), (end_x - x, end_y - y)
+
+
 def checked_box(lower: Sequence[float], upper: Sequence[float]) -> UprightBox:
     """The box between two corners. Raises `QueryError`."""
     low_x, low_y = checked_place("overlap_box", "the lower corner", lower)

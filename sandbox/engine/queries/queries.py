@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from sandbox._jit import Call, Door, kernel_argument
 from sandbox.attributes import FixedAttributes
-from sandbox.engine.queries.checks import checked_box, checked_place, checked_rays
+from sandbox.engine.queries.checks import checked_box, checked_place, checked_ray, checked_rays
 from sandbox.engine.queries.filter import Filter
 from sandbox.engine.queries.gap import find_gap
 from sandbox.engine.queries.index import lay_out
@@ -82,23 +82,33 @@ class Queries(FixedAttributes):
         """A copy asks the same world; a deep or pickled one a copy of it."""
         return getattr, (self._world, "query")
 
-    def ray(self, origin: Sequence[float], translation: Sequence[float], filter: Filter | None = None) -> RayHit | None:
+    def ray(
+        self,
+        origin: Sequence[float],
+        translation: Sequence[float] | None = None,
+        filter: Filter | None = None,
+        *,
+        end: Sequence[float] | None = None,
+    ) -> RayHit | None:
         """The first hit on the way from `origin` to `origin + translation` (m); the lowest shape if several tie.
 
-        A ray of length 0 hits what its origin touches. Raises `QueryError`.
+        Instead of a translation, the `end` of the way can be given. A ray of length 0 hits what its origin touches.
+        Raises `QueryError`.
         """
-        x, y = checked_place("ray", "the origin", origin)
-        translation = checked_place("ray", "the translation", translation)
-        hit = self._first((x, y), translation, POINT, filter)
+        hit = self._first(*checked_ray("ray", origin, translation, end), POINT, filter)
         return None if hit is None else RayHit(*hit)
 
     def ray_all(
-        self, origin: Sequence[float], translation: Sequence[float], filter: Filter | None = None
+        self,
+        origin: Sequence[float],
+        translation: Sequence[float] | None = None,
+        filter: Filter | None = None,
+        *,
+        end: Sequence[float] | None = None,
     ) -> tuple[RayHit, ...]:
         """Every shape the ray meets, where it enters, sorted by (fraction, shape)."""
-        place = checked_place("ray_all", "the origin", origin)
-        translation = checked_place("ray_all", "the translation", translation)
-        return tuple(RayHit(*hit) for hit in self._all(place, translation, POINT, filter))
+        ray = checked_ray("ray_all", origin, translation, end)
+        return tuple(RayHit(*hit) for hit in self._all(*ray, POINT, filter))
 
     def rays(self, origins: ArrayLike, translations: ArrayLike, filter: Filter | None = None) -> RayHits:
         """The first hits of many rays at once: `origins` and `translations` are (n, 2) or one pair for all (m)."""

@@ -2,32 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 from sandbox.lint.rule import Rule
 from sandbox.lint.subject import Subject
 from sandbox.scene.expect import CounterIs
 from sandbox.scene.finding import Finding, Path, quoted
+from sandbox.scene.flat import FlatBody
 from sandbox.scene.flat_rules import FlatCount
-from sandbox.scene.generators import kind_of
-from sandbox.scene.plain import entries, patterns, shapes
+from sandbox.scene.generators import GENERATORS
+
+_NAMING = {"material": "materials", "prefab": "prefabs", **dict.fromkeys(GENERATORS, "prefabs")}
+"""The fields that name a material or a prefab."""
 
 
 def check(subject: Subject) -> Iterator[Finding]:
-    """Every name that is given and that nobody mentions."""
-    data = subject.data
-    for what, used in (("materials", _materials(data)), ("prefabs", _prefabs(subject))):
-        for name in data.get(what, {}):
-            if name not in used:
+    """Every name that the scene itself gives, and that neither it nor what it includes mentions."""
+    words = _words(subject)
+    for what in ("materials", "prefabs"):
+        for name in subject.data.get(what, {}):
+            if (what, name) not in words:
                 yield _unused((what, name), f"the {what[:-1]} {quoted(name)}")
-    members = _members(data)
-    for number, name in enumerate(data.get("categories", [])):
-        if members is not None and name not in members:
+    members = _members([*subject.flat.bodies, *subject.spawned])
+    for number, name in enumerate(subject.scene.categories):
+        if not members & 2 << number:
             yield _unused(("categories", number), f"the category {quoted(name)}", "no shape is in it")
-
     counted = _counted(subject)
-    for name in data.get("counters", {}):
+    for name in subject.scene.counters:
         if name not in counted:
             yield _unused(("counters", name), f"the counter {quoted(name)}", "nothing changes it or asks for it")
     awaited = {rule.when.name for rule in subject.flat.rules if rule.when.kind == "press"}
@@ -35,6 +37,21 @@ def check(subject: Subject) -> Iterator[Finding]:
         if not (control.press or control.hold or control.release) and control.id not in awaited:
             text = f"the control {quoted(control.id)} does nothing, and no rule waits for it"
             yield Finding(("controls", number), text, 'give it a "press" or a "hold", or take it out')
+
+
+def _words(subject: Subject) -> set[tuple[str, str]]:
+    """The materials and prefabs that are named anywhere, as ("materials", name)."""
+    found: set[tuple[str, str]] = set()
+    nodes: list[Any] = [subject.data, subject.scene.to_data()]
+    while nodes:
+        node = nodes.pop()
+        if isinstance(node, dict):
+            pairs = ((_NAMING.get(key), value) for key, value in node.items())
+            found |= {(what, value) for what, value in pairs if what and isinstance(value, str)}
+            nodes += node.values()
+        elif isinstance(node, (list, tuple)):
+            nodes += node
+    return found
 
 
 def _counted(subject: Subject) -> set[str]:
@@ -50,24 +67,13 @@ def _unused(path: Path, what: str, why: str = "nothing names it") -> Finding:
     return Finding(path, f"{what} is never used", f"{why}: take it out", on_key=path[0] != "categories")
 
 
-def _materials(data: dict[str, Any]) -> set[Any]:
-    return {node.get("material") for nodes in (patterns(data), shapes(data)) for _, node in nodes}
-
-
-def _prefabs(subject: Subject) -> set[Any]:
-    repeated = {getattr(generator, kind_of(generator)) for generator in subject.scene.generate}
-    return repeated | {entry.get("prefab") for _, entry in entries(subject.data)}
-
-
-def _members(data: dict[str, Any]) -> set[str] | None:
-    """The categories that have shapes; None where bits are given instead of names."""
-    found: set[str] = set()
-    for _, shape in shapes(data):
-        given = shape.get("category", ())
-        if isinstance(given, int):
-            return None
-        found.update([given] if isinstance(given, str) else given)
-    return found
+def _members(bodies: Iterable[FlatBody]) -> int:
+    """The bits of the categories that have shapes, those included that may come."""
+    bits = 0
+    for body in bodies:
+        for shape in body.shapes:
+            bits |= shape.category
+    return bits
 
 
 RULE = Rule("unused", "materials, prefabs, categories, counters and controls that nothing uses", check)

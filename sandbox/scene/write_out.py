@@ -6,22 +6,23 @@ from collections.abc import Iterator
 from typing import Any
 
 from sandbox.scene.arrange import Placing, chain_step, placings
-from sandbox.scene.body import Prefab
 from sandbox.scene.flat import FlatJoint, FlatShape
 from sandbox.scene.flat_joints import chain_joints
 from sandbox.scene.generators import Chain, Generator, body_names, kind_of
 from sandbox.scene.plain import spawns
+from sandbox.scene.prefab import Prefab
 from sandbox.scene.scene import Scene
 
 Words = dict[str, Any]
 
 
-def expanded(scene: Scene) -> Words:
+def written_out(scene: Scene) -> Words:
     """The data of a scene that comes down to the same flat scene, with all bodies and joints listed in their order.
 
     What rules and controls bring no longer names a prefab either. Raises `SceneError` if the scene has mistakes.
     """
     data = scene.to_data()
+    data.pop("vars", None)
     prefabs: Words = data.pop("prefabs", {})
     generators = data.pop("generate", [])
     for _, entry in spawns(data):
