@@ -78,7 +78,9 @@ def check_options(command: str, *words: str) -> None:
 
 
 def test_the_table_of_commands_has_them_all() -> None:
-    assert re.findall(r"^\| `sandbox (\w+)", text_of(README), re.MULTILINE) == list(app.COMMANDS)
+    rows = re.findall(r"^\| (`sandbox .*?`) \|", text_of(README), re.MULTILINE)
+    named = [name for row in rows for name in re.findall(r"`(?:sandbox )?(\w+)[^`]*`", row)]
+    assert sorted(named) == sorted(app.COMMANDS)
 
 
 def test_the_readme_stays_short() -> None:

@@ -9,8 +9,8 @@ import pytest
 
 from sandbox.engine.world import World
 from sandbox.replay.expectations import Judge
-from sandbox.replay.headless_run import planned_steps
 from sandbox.scene import Scene
+from sandbox.scene.duration import planned_steps
 from tests.shipped import FILES, shipped
 
 pytestmark = pytest.mark.slow

@@ -15,6 +15,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     if isinstance(sys.stdout, TextIOWrapper):  # names of files may hold what its encoding has no bytes for
         sys.stdout.reconfigure(errors="backslashreplace")
     try:
-        build().main(None if arguments is None else list(arguments), prog_name="sandbox")
+        # Once `sandbox list` is imported, `list` is its module here.
+        build().main(None if arguments is None else [*arguments], prog_name="sandbox")
     except Exception as error:
         raise SystemExit(report(error)) from error

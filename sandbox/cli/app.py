@@ -8,23 +8,17 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
-COMMANDS = (
-    "run",
-    "check",
-    "record",
-    "replay",
-    "diff",
-    "bisect",
-    "render",
-    "sat",
-    "solver",
-    "compare",
-    "bench",
-    "events",
-    "sweep",
-    "cache",
-)
-"""Command names in the order of the help text; `name` is the function `name` in `sandbox/cli/name.py`."""
+PANELS = {
+    "Play and show": ("run", "list", "render", "gallery"),
+    "Test": ("check", "record", "replay", "diff", "bisect"),
+    "Write scenes": ("new", "lint", "fmt", "expand", "schema"),
+    "Look inside": ("sat", "solver", "events"),
+    "Measure": ("sweep", "compare", "bench"),
+    "This machine": ("cache",),
+}
+"""Command names by the heading of the help text that they stand under, in its order."""
+COMMANDS = tuple(name for names in PANELS.values() for name in names)
+"""All command names; `name` is the function `name` in `sandbox/cli/name.py`."""
 
 
 class LazyGroup(TyperGroup):
@@ -53,7 +47,8 @@ def build() -> Any:
 def _load(name: str) -> Any:
     module = importlib.import_module(f"sandbox.cli.{name}")
     app = typer.Typer(add_completion=False)
-    app.command(name, cls=getattr(module, "CommandClass", None))(getattr(module, name))
+    panel = next(panel for panel, names in PANELS.items() if name in names)
+    app.command(name, cls=getattr(module, "CommandClass", None), rich_help_panel=panel)(getattr(module, name))
     return typer.main.get_command(app)
 
 

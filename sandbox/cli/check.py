@@ -2,44 +2,21 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 import typer
 
+from sandbox._atomic_write import check_writable
 from sandbox._printable import told
-from sandbox.cli.options import SET, WORKERS, values_set
+from sandbox.cli.check_options import CheckOptions
+from sandbox.cli.options import takes, values_set
 from sandbox.errors import SandboxError
 from sandbox.resources import SCENE_SUFFIX, files_below, find_scene
 
-if TYPE_CHECKING:
-    from rich.console import Console
 
-    from sandbox.cli.check_result import Result
-    from sandbox.cli.progress import SceneProgress
-
-_PATHS = typer.Argument(metavar="PATH", help=f"Scene files, or folders to search for *{SCENE_SUFFIX}.")
-_STEPS = typer.Option(
-    min=1,
-    max=10_000_000,
-    metavar="N",
-    show_default=False,
-    help="Steps to run instead of a scene's own number.",
-)
-_ONLY = typer.Option("-k", "--only", metavar="TEXT", show_default=False, help="Only files whose path contains TEXT.")
-_JSON = typer.Option("--json", help="Print one JSON document instead of the table.")
-
-
-def check(
-    paths: Annotated[list[Path], _PATHS],
-    steps: Annotated[int | None, _STEPS] = None,
-    only: Annotated[str, _ONLY] = "",
-    workers: Annotated[int, WORKERS] = 1,
-    set: Annotated[list[str] | None, SET] = None,
-    json: Annotated[bool, _JSON] = False,
-) -> None:
+@takes(CheckOptions)
+def check(options: CheckOptions) -> None:
     """Run scenes without a window and judge what each says must hold.
 
     A scene runs for its own number of steps, or on to the last step that its expectations name. With --steps N, what
@@ -49,26 +26,14 @@ def check(
     Exit code 1: an expectation failed, or bad numbers froze a body.
     Exit code 2: a file could not be used; the other scenes still ran.
     """
-    values = values_set(set)
-    files = find_files(paths, only)
+    values = values_set(options.set)
+    files = find_files(options.paths, options.only)
+    if options.junit is not None:
+        check_writable(options.junit)
     from sandbox.cli.check_result import exit_code
-    from sandbox.cli.compiling import announce_compilation
+    from sandbox.cli.check_run import Work, run
 
-    announce_compilation()
-    work = Work(files, steps, workers, values)
-    results = _run_for_machines(work) if json else _run_for_people(work)
-    raise typer.Exit(exit_code(results))
-
-
-class Work(NamedTuple):
-    """What is to be run: `steps` instead of a scene's own number, by so many `workers`, with
-    `values` for what the scenes say.
-    """
-
-    files: Sequence[Path]
-    steps: int | None
-    workers: int
-    values: Mapping[str, Any]
+    raise typer.Exit(exit_code(run(Work(files, options, values))))
 
 
 def find_files(paths: Sequence[Path], only: str = "", verb: str = "check") -> list[Path]:
@@ -87,63 +52,3 @@ def _files_of(path: Path, verb: str) -> list[Path]:
     if not files:
         raise SandboxError(f"nothing to {verb}: no *{SCENE_SUFFIX} in {told(path)} or below")
     return files
-
-
-def _run_for_people(work: Work) -> list[Result]:
-    from rich.console import Console
-
-    from sandbox.cli.check_table import Table
-
-    out = Console(soft_wrap=True, highlight=False)
-    table = Table(out, work.files)
-    table.head()
-    start = time.perf_counter()
-    # On one terminal the bar and the lines must share a console, or they would overwrite each other.
-    results = _run_all(work, out if out.is_terminal else Console(stderr=True), table.show)
-    table.summary(results, time.perf_counter() - start)
-    return results
-
-
-def _run_for_machines(work: Work) -> list[Result]:
-    import json
-
-    from rich.console import Console
-
-    from sandbox.cli.check_result import document
-
-    start = time.perf_counter()
-    results = _run_all(work, Console(stderr=True), _report_error)
-    print(json.dumps(document(results, time.perf_counter() - start), indent=2, ensure_ascii=False))
-    return results
-
-
-def _report_error(result: Result) -> None:
-    from sandbox.cli.failures import report
-
-    if result.error is not None:
-        report(result.error)
-
-
-def _run_all(work: Work, console: Console, show: Callable[[Result], None]) -> list[Result]:
-    from sandbox.cli.progress import SceneProgress
-
-    results = []
-    with SceneProgress(console, len(work.files)) as progress:
-        for result in _results(work, progress):
-            show(result)
-            results.append(result)
-    return results
-
-
-def _results(work: Work, progress: SceneProgress) -> Iterator[Result]:
-    from sandbox.cli.check_result import Result
-    from sandbox.replay.headless_run import planned_steps, run_headless
-    from sandbox.scene import load_scene
-
-    for file in work.files:
-        try:
-            scene = load_scene(file, work.values)
-            progress.begin(file.name, planned_steps(scene, work.steps))
-            yield Result(file, scene, run_headless(scene, work.steps, progress.done, work.workers))
-        except (SandboxError, OSError) as error:
-            yield Result(file, error=error)

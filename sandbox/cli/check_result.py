@@ -23,19 +23,23 @@ FileVerdict = Literal["holds", "failed", "unusable"]
 
 @dataclass(frozen=True)
 class Result:
-    """One file: its `scene` and `run`, or the `error` that kept it from running."""
+    """One file: its `scene` and `run`, or the `error` that kept it from running.
+
+    `lacking`: it expects nothing, and was asked to.
+    """
 
     path: Path
     scene: Scene | None = None
     run: HeadlessRun | None = None
     error: Exception | None = None
+    lacking: bool = False
 
     @property
     def verdict(self) -> FileVerdict:
         """The verdict on the file in one word."""
         if self.run is None:
             return "unusable"
-        return "holds" if self.run.holds else "failed"
+        return "holds" if self.run.holds and not self.lacking else "failed"
 
     def text(self, verdict: Verdict) -> str:
         """The expectation that `verdict` is about, as its author wrote it, on one line."""

@@ -13,6 +13,7 @@ from rich.text import Text
 from sandbox._printable import printable, told
 from sandbox.cli import failures
 from sandbox.cli.check_result import Result
+from sandbox.cli.junit import JUnitCase
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -60,7 +61,7 @@ class Table:
         return f"{name:<{self._width}}  {steps:>7}  {milliseconds:>8}  {digest:<16}  "
 
     def _verdict(self, result: Result) -> str:
-        if result.run is not None and result.run.holds and not result.run.verdicts:
+        if result.verdict == "holds" and result.run is not None and not result.run.verdicts:
             return "holds (expects nothing)" if not result.run.unreached else "holds (nothing is expected so early)"
         if result.run is not None and result.run.holds and result.run.unreached:
             return f"holds ({result.run.unreached} not reached)"
@@ -73,7 +74,19 @@ def reasons(result: Result) -> list[str]:
     if run is None:
         return []
     lines = [_reason(result, verdict) for verdict in run.verdicts if not verdict.holds]
+    if result.lacking:
+        lines.append('  it expects nothing: say under "expect" what must hold, or leave out --require-expect')
     return lines + [f"  {body} was frozen at step {step}: its numbers went bad" for body, step in run.frozen]
+
+
+def junit_case(result: Result) -> JUnitCase:
+    """What a CI server is told of a file."""
+    if result.run is None:
+        return JUnitCase(result.path, 0.0, "error", result.verdict, str(result.error).split("\n"))
+    seconds = result.run.steps * result.run.milliseconds / 1000.0
+    if result.verdict == "holds":
+        return JUnitCase(result.path, seconds)
+    return JUnitCase(result.path, seconds, "failure", result.verdict, "\n".join(reasons(result)).split("\n"))
 
 
 def _reason(result: Result, verdict: Verdict) -> str:

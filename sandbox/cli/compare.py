@@ -193,8 +193,8 @@ def _results(
     from sandbox.cli.compare_result import Result
     from sandbox.reference.comparison import compare
     from sandbox.reference.regression import save_regressions
-    from sandbox.replay.headless_run import planned_steps
     from sandbox.scene import load_scene
+    from sandbox.scene.duration import planned_steps
 
     for file in files:
         try:

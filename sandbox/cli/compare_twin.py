@@ -79,8 +79,8 @@ class _Job:
 
 def _run(job: _Job, out: Console | None, progress: Any) -> dict[str, Any]:
     from sandbox.reference.twin import simulate_twin
-    from sandbox.replay.headless_run import planned_steps
     from sandbox.scene import load_scene
+    from sandbox.scene.duration import planned_steps
 
     file, plot = job.file, job.plot
     try:

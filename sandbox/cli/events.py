@@ -91,7 +91,7 @@ def _happenings(scene: Scene, name: str, steps: int | None) -> Iterator[dict[str
 
     from sandbox.cli.progress import SceneProgress
     from sandbox.engine.world import World
-    from sandbox.replay.headless_run import planned_steps
+    from sandbox.scene.duration import planned_steps
 
     total = planned_steps(scene, steps)
     world = World(scene)

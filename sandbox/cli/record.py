@@ -54,10 +54,10 @@ def record(options: RecordOptions) -> None:
     Exit code 2: a file could not be used, or there is one of that name already.
     """
     from sandbox.cli.compiling import announce_compilation
-    from sandbox.replay.headless_run import planned_steps
     from sandbox.replay.recording.read import read_commands
     from sandbox.replay.recording.recorder import record as run
     from sandbox.scene import load_scene
+    from sandbox.scene.duration import planned_steps
 
     output = options.output
     _check_output(output, options.force)

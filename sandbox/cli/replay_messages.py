@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 from sandbox._printable import told
+from sandbox.cli.junit import JUnitCase
 from sandbox.replay.golden.examine import Report
 
 SHOWN_DRIFTS = 3
@@ -46,6 +49,15 @@ def advice(report: Report) -> list[str]:
     if outcome is not None and outcome.divergence is not None:
         lines.append(f"look at it: sandbox run {path} --step {max(outcome.divergence.step - 1, 0)}")
     return [*lines, f"accept it:  sandbox replay --update {path}"]
+
+
+def junit_case(report: Report) -> JUnitCase:
+    """What a CI server is told of a case."""
+    path, seconds = report.case.replay, report.outcome.seconds if report.outcome else 0.0
+    if report.fine:
+        return JUnitCase(path, seconds)
+    trouble: Literal["error", "failure"] = "error" if report.verdict == "unusable" else "failure"
+    return JUnitCase(path, seconds, trouble, report.verdict, [*reasons(report), *advice(report)])
 
 
 def _some(texts: tuple[str, ...], most: int) -> str:

@@ -8,8 +8,9 @@ from typing import Annotated
 
 import typer
 
+from sandbox.cli.pool import JOBS
+
 _PATHS = typer.Argument(metavar="PATH", help="Recordings, scenes, or folders to search for *.replay.json.")
-_JOBS = typer.Option("-j", "--jobs", min=0, max=256, metavar="N", help="Processes at a time; 0: one a processor.")
 _TOLERANCE = typer.Option(
     "--tolerance/--exact", help="Compare energies, counts and places within tolerances instead of bits."
 )
@@ -42,7 +43,7 @@ class ReplayOptions:
     """What `sandbox replay` was asked for."""
 
     paths: Annotated[list[Path], _PATHS]
-    jobs: Annotated[int, _JOBS] = 1
+    jobs: Annotated[int, JOBS] = 1
     tolerance: Annotated[bool, _TOLERANCE] = False
     update: Annotated[str, _UPDATE] = ""
     prune: Annotated[bool, _PRUNE] = False

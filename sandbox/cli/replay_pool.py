@@ -4,15 +4,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
-from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from functools import partial
-from multiprocessing import get_context
 from typing import TYPE_CHECKING
 
+from sandbox.cli.pool import compile_first, elsewhere
 from sandbox.cli.progress import SceneProgress
-from sandbox.errors import SandboxError
 from sandbox.replay.golden.cases import Case
 from sandbox.replay.golden.examine import ReplaySettings, Report, examine
 
@@ -33,8 +30,8 @@ def reports_of(
     with _environment(no_jit), SceneProgress(console, 1, "files") as progress:
         progress.begin("replays", len(cases))
         if not no_jit:
-            _compile_first()
-        for done, report in enumerate(_elsewhere(cases, settings, workers), 1):
+            compile_first()
+        for done, report in enumerate(elsewhere(partial(examine, settings=settings), cases, workers), 1):
             progress.done(done)
             yield report
 
@@ -48,28 +45,6 @@ def _here(cases: Sequence[Case], settings: ReplaySettings, console: Console) -> 
 
 def _tell(progress: SceneProgress, name: str, words: str) -> None:
     progress.say(f"{name}: {words}")
-
-
-def _elsewhere(cases: Sequence[Case], settings: ReplaySettings, workers: int) -> Iterator[Report]:
-    # Fresh processes: a fork would copy locks of threads that it has not got.
-    pool = ProcessPoolExecutor(workers, mp_context=get_context("spawn"))
-    try:
-        yield from pool.map(partial(examine, settings=settings), cases)
-    except BrokenProcessPool:
-        text = "a process was killed from outside, as a system does that is short of memory; try fewer with -j"
-        raise SandboxError(text) from None
-    finally:
-        pool.shutdown(cancel_futures=True)  # whoever interrupts does not wait for the rest
-
-
-def _compile_first() -> None:
-    """Fill an empty kernel cache once, or every process would."""
-    from sandbox._jit import cache_is_cold
-    from sandbox.engine.world import World
-    from sandbox.scene import Scene
-
-    if cache_is_cold():
-        World(Scene()).step()
 
 
 @contextmanager

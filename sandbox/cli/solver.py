@@ -130,8 +130,8 @@ def _over_time(options: SolverOptions) -> SolverFigure:
     from sandbox.cli.solver_runs import runs_of
     from sandbox.reference.simple.trace import run_course
     from sandbox.render.solver_page import Run, SolverFigure
-    from sandbox.replay.headless_run import planned_steps
     from sandbox.scene import load_scene
+    from sandbox.scene.duration import planned_steps
 
     scene = load_scene(find_scene(options.scene), values_set(options.set))
     flat = scene.flatten()

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from sandbox.engine.world import World
 from sandbox.replay.expectations import Judge, Verdict
 from sandbox.scene import Scene
+from sandbox.scene.duration import planned_steps
 
 _REPORT_EVERY = 16
 
@@ -31,13 +32,6 @@ class HeadlessRun:
     def holds(self) -> bool:
         """True if every expectation held and no body was frozen for bad numbers."""
         return not self.frozen and all(verdict.holds for verdict in self.verdicts)
-
-
-def planned_steps(scene: Scene, steps: int | None = None) -> int:
-    """`steps`; without, the scene's own number, or the last step its expectations name if that is later."""
-    if steps is not None:
-        return steps
-    return max(scene.settings.steps, *(expectation.last_step for expectation in scene.expect), 0)
 
 
 def run_headless(

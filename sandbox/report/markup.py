@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, TypeAlias
 from xml.etree import ElementTree
@@ -13,7 +14,8 @@ from sandbox.report.body_data import hex_of
 
 Node: TypeAlias = ElementTree.Element
 _FOLDER = Path(__file__).parent / "page"
-_SCRIPTS = ("codec.js", "shapes.js", "joints.js", "viewport.js", "plot.js", "player.js", "start.js")
+PLAYER = ("codec.js", "shapes.js", "joints.js", "viewport.js", "plot.js", "player.js")
+"""What a film needs to be played."""
 
 
 def node(tag: str, kind: str = "", *inside: Node | str, **attributes: str) -> Node:
@@ -41,15 +43,21 @@ def data_script(name: str, data: Any) -> str:
     return f'<script type="application/json" id="{name}">{safe}</script>'
 
 
-def whole_page(title: str, body: list[str], kind: str) -> str:
+def whole_page(
+    title: str,
+    body: list[str],
+    kind: str,
+    scripts: Sequence[str] = (*PLAYER, "start.js"),
+    styles: Sequence[str] = ("page.css",),
+) -> str:
     """A page that needs nothing but itself; `kind` is the class of its body."""
     frame = _resource("frame.html")
     parts = {
         "title": text_of(node("title", "", title)),
-        "style": _palette() + _resource("page.css"),
+        "style": _palette() + "\n".join(_resource(name) for name in styles),
         "kind": kind,
         "body": "\n".join(body),
-        "script": "\n".join(_resource(name) for name in _SCRIPTS),
+        "script": "\n".join(_resource(name) for name in scripts),
     }
     for name, text in parts.items():
         head, mark, tail = frame.partition(f"<!--{name}-->")

@@ -14,10 +14,13 @@ from sandbox.scene.locate import too_deep
 from sandbox.scene.report import syntax_error
 from sandbox.scene.syntax import explained
 
+COMMENT = "$comment"
+"""A key that any object may have, for whoever reads the file (JSON Schema, core, 8.3); nothing of it is read."""
+
 
 @dataclass(frozen=True)
 class Parsed:
-    """Plain data of a JSON text, and a finding for every key that an object gives more than once."""
+    """Plain data of a JSON text without comments, and a finding for every key that an object gives more than once."""
 
     data: Any
     repeats: list[Finding]
@@ -47,6 +50,7 @@ def _load(text: str) -> Parsed:
         if len(made) < len(pairs):
             counts = Counter(key for key, _ in pairs)
             repeating.append((made, [key for key, count in counts.items() if count > 1]))
+        made.pop(COMMENT, None)
         return made
 
     try:

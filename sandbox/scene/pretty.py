@@ -6,6 +6,7 @@ import json
 import math
 from typing import Any
 
+from sandbox.scene.layout import laid_out
 from sandbox.scene.shapes import SHAPES
 
 _WIDTH = 100
@@ -15,6 +16,13 @@ _EXACT = 2.0**53
 def pretty(value: Any) -> str:
     """JSON text of plain data without NaN and infinities."""
     return _lines(_plain(value), 0, 0)
+
+
+def scene_text(data: dict[str, Any]) -> str:
+    """The text of a scene's file: `$schema` and `format` come first, and it is laid out as `sandbox fmt` does."""
+    head = {"$schema": data["$schema"]} if "$schema" in data else {}
+    whole = {**head, "format": 1, **data}
+    return laid_out(json.dumps(_plain(kinds_first(whole)), ensure_ascii=False, allow_nan=False))
 
 
 def kinds_first(value: Any) -> Any:

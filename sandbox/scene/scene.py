@@ -20,7 +20,7 @@ from sandbox.scene.finding import Finding, Path, path_of
 from sandbox.scene.flat import FlatScene
 from sandbox.scene.flatten import Flattener
 from sandbox.scene.locate import locate
-from sandbox.scene.pretty import kinds_first, pretty
+from sandbox.scene.pretty import scene_text
 from sandbox.scene.report import scene_error
 from sandbox.scene.rules import cross_checks
 from sandbox.scene.scene_fields import SceneFields
@@ -101,20 +101,20 @@ class Scene(Shown, SceneFields):
 
     def save(self, path: str | FilePath) -> None:
         """Write the scene as JSON (UTF-8) that loads to an equal scene. Raises `OSError`; what was there stays then."""
-        data = self.written(FilePath(path).parent)
-        head = {"$schema": data.pop("$schema")} if "$schema" in data else {}
-        text = pretty(kinds_first({**head, "format": 1, **data})) + "\n"
-        write_text(FilePath(path), text)
+        write_text(FilePath(path), scene_text(self.written(FilePath(path).parent)))
 
     def locate(self, pointer: str) -> tuple[int, int] | None:
         """Line and column in the scene's file of the value at a JSON pointer; None if there is no file."""
         if self._text is None:
             return None
-        path: Path = path_of(pointer)
-        if self._expansion is not None:
-            indices = (int(part) if part.isdigit() else part for part in path_of(pointer))
-            path = self._expansion.entry(tuple(indices))
+        path = self.entry(path_of(pointer))
         return line_column(self._text, locate(self._text, [path])[path].value_span[0])
+
+    def entry(self, path: Path) -> Path:
+        """The path in the scene's own file of what brought the value at a path of its data; indices may be text."""
+        if self._expansion is None:
+            return path
+        return self._expansion.entry(tuple(int(part) if str(part).isdigit() else part for part in path))
 
     def model_copy(self, *, update: Any = None, deep: bool = False) -> Scene:
         """A new scene with the fields in `update` changed, checked like any other."""

@@ -29,7 +29,7 @@ from sandbox.scene.play.rule import Rule
 from sandbox.scene.prefab import Prefab
 from sandbox.scene.quantities import Acceleration2, Name, Number
 from sandbox.scene.regions import AnyRegion
-from sandbox.scene.settings import Settings, View
+from sandbox.scene.settings import LintSettings, Settings, View
 
 
 class SceneFields(Model):
@@ -79,3 +79,4 @@ class SceneFields(Model):
     expect: Annotated[tuple[AnyExpectation, ...], Listed("of expectations", 0, MAX_EXPECTATIONS)] = Field(
         default=(), description="What must hold when the scene runs."
     )
+    lint: LintSettings = Field(default=LintSettings(), description="What `sandbox lint` passes over in this scene.")

@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from sandbox.scene.base import Model
-from sandbox.scene.constraints import Range
+from sandbox.scene.constraints import Listed, Range
 from sandbox.scene.limits import MAX_SUBSTEPS
 from sandbox.scene.objects import known_as
 from sandbox.scene.quantities import Hertz, Name, Point, Ratio, Size, Speed
@@ -50,4 +50,13 @@ class View(Model):
     follow: Name | None = Field(default=None, description='Body that the camera goes with; "moving": whatever moves.')
     color_by: Literal["theme", "material", "group", "speed", "sleep", "island", "mass", "density"] = Field(
         default="theme", description="What the colours of bodies mean."
+    )
+
+
+@known_as('"lint"')
+class LintSettings(Model):
+    """What `sandbox lint` is asked to pass over in this scene."""
+
+    ignore: Annotated[tuple[Name, ...], Listed('["rule", ...]', 0, 100)] = Field(
+        default=(), description="Names of rules that find what is meant here."
     )

@@ -12,8 +12,8 @@ from sandbox._version import __version__
 from sandbox.engine.arithmetic_version import ARITHMETIC
 from sandbox.engine.world import World
 from sandbox.errors import ArgumentError, SandboxError, SceneError
-from sandbox.replay.headless_run import planned_steps
 from sandbox.scene import Scene
+from sandbox.scene.duration import planned_steps
 from sandbox.sweeps.collector import check_names, run_and_collect
 from sandbox.sweeps.design import Design, Values
 from sandbox.sweeps.expression import Collected, read_expressions

@@ -10,12 +10,12 @@ import pygame
 from imgui_bundle import icons_fontawesome_6 as icons
 from imgui_bundle import imgui
 
+from sandbox.scene.catalog import Entry, found_by
 from sandbox.window.card_grid import Row, card_rows, move
 from sandbox.window.gallery_card import ABOUT_HEIGHT, PICTURE_SHARE, Card, draw_card
 from sandbox.window.gui_style import apply_style, palette_of
 from sandbox.window.overlay import Overlay, shorten
 from sandbox.window.path_search import is_path, path_entries
-from sandbox.window.scene_index import Entry, found_by
 from sandbox.window.screen import Canvas, Screen
 from sandbox.window.thumbnails import Thumbnails
 from sandbox.window.widgets import begin_picture, mark, text

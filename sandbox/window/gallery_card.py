@@ -7,9 +7,9 @@ from typing import Any
 
 from imgui_bundle import imgui
 
+from sandbox.scene.catalog import Entry
 from sandbox.window.gui_style import Palette
 from sandbox.window.overlay import Overlay, packed_color, shorten, split_line
-from sandbox.window.scene_index import Entry
 
 PICTURE_SHARE = 171 / 304
 """Height of the picture as a share of its width."""

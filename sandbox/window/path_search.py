@@ -7,7 +7,8 @@ from pathlib import Path
 
 from sandbox.replay.recording.limits import SUFFIX
 from sandbox.resources import SCENE_SUFFIX
-from sandbox.window.scene_index import Entry, entry_of
+from sandbox.scene.catalog import Entry
+from sandbox.window.scene_index import entry_of
 
 MOST = 200
 """Entries that are shown at most."""

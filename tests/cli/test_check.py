@@ -6,6 +6,7 @@ import json
 import re
 from collections.abc import Callable
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 
@@ -216,3 +217,45 @@ def test_workers_make_no_difference(cli: Callable, write_scene: Callable) -> Non
     ]
     assert digests[0] == digests[1]
     assert cli("check", path, "--workers", 0).code == 2
+
+
+def test_junit_tells_what_failed_and_what_could_not_be_used(
+    cli: Callable, write_scene: Callable, tmp_path: Path
+) -> None:
+    write_scene("a.scene.json", HOLDS)
+    write_scene("b.scene.json", FAILS)
+    write_scene("c.scene.json", bodeis=[])
+    assert cli("check", tmp_path, "--junit", tmp_path / "out.xml").code == 2
+    suite = ElementTree.parse(tmp_path / "out.xml").getroot()[0]
+    assert suite.attrib.items() >= {"name": "sandbox check", "tests": "3", "failures": "1", "errors": "1"}.items()
+    assert [case.get("name") for case in suite] == ["a.scene.json", "b.scene.json", "c.scene.json"]
+    good, failed, unusable = suite
+    assert len(good) == 0
+    assert "expected y at least 3 m" in (failed[0].text or "")
+    assert "b.scene.json:" in failed[0].attrib["message"]
+    assert 'unknown field "bodeis"' in unusable[0].attrib["message"]
+
+
+def test_a_scene_that_expects_nothing_fails_if_asked_for(cli: Callable, write_scene: Callable) -> None:
+    idle, busy = write_scene("a.scene.json"), write_scene("b.scene.json", HOLDS)
+    assert cli("check", idle, busy).code == 0
+    done = cli("check", idle, busy, "--require-expect")
+    assert done.code == 1
+    assert re.search(r"a\.scene\.json .* failed\n  it expects nothing: say under", done.out)
+    assert "2 scenes: 1 hold, 1 failed" in done.out
+
+
+@pytest.mark.slow
+def test_processes_give_the_same_in_the_same_order(cli: Callable, write_scene: Callable, tmp_path: Path) -> None:
+    write_scene("b.scene.json", HOLDS, settings={"steps": 200})
+    write_scene("c.scene.json", FAILS)
+    write_scene("d.scene.json", bodeis=[])
+
+    def told(jobs: int) -> list[dict]:
+        done = cli("check", tmp_path, "--json", "-j", jobs)
+        assert done.code == 2
+        assert 'unknown field "bodeis"' in done.err
+        entries = json.loads(done.out)["scenes"]
+        return [{key: value for key, value in entry.items() if key != "ms_per_step"} for entry in entries]
+
+    assert told(2) == told(1)

@@ -6,16 +6,17 @@ import json
 import os
 import re
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
 import pytest
 
-from sandbox.cli import replay_pool
+from sandbox.cli import pool
 from sandbox.errors import SandboxError
 from sandbox.replay.golden.cases import Case
-from sandbox.replay.golden.examine import ReplaySettings
+from sandbox.replay.golden.examine import ReplaySettings, examine
 from tests.cli.conftest import CRATE, GROUND
 
 HOLDS = {"at": 20, "rests": "crate"}
@@ -291,7 +292,7 @@ class TestHowItRuns:
 
     def test_a_process_that_is_killed_is_told(self, golden: Path) -> None:
         with pytest.raises(SandboxError, match="killed from outside"):
-            list(replay_pool._elsewhere([Case(golden)], Deadly(), 1))
+            list(pool.elsewhere(partial(examine, settings=Deadly()), [Case(golden)], 1))
 
     def test_shards_share_all_files(self, cli: Callable, write_scene: Callable, tmp_path: Path) -> None:
         for name in "abcde":

@@ -11,6 +11,7 @@ import pygame
 import pytest
 from PIL import Image
 
+from sandbox.scene.catalog import Entry
 from sandbox.window.app import App
 from sandbox.window.gallery import Gallery
 from sandbox.window.gl_painter import GlPainter
@@ -19,7 +20,6 @@ from sandbox.window.loader import Loader
 from sandbox.window.loading import LoadingScreen
 from sandbox.window.options import Options
 from sandbox.window.play import PlayScreen
-from sandbox.window.scene_index import Entry
 from sandbox.window.screen import Canvas, Screen
 from tests.window.test_session import SCENE
 

@@ -13,9 +13,10 @@ import pytest
 from PIL import Image
 
 from sandbox.render.thumbnail import thumbnail
+from sandbox.scene.catalog import Entry, found_by
 from sandbox.window.path_search import is_path, path_entries
 from sandbox.window.recent import note_recent, recent_files
-from sandbox.window.scene_index import OWN, RECENT, Entry, found_by, scene_entries
+from sandbox.window.scene_index import OWN, RECENT, scene_entries
 from tests.window.test_session import SCENE
 
 

@@ -8,10 +8,10 @@ from typing import Any
 
 from sandbox.arguments import check_kind
 from sandbox.engine.world import World
-from sandbox.replay.headless_run import planned_steps
 from sandbox.replay.recording.command_words import TimedCommand
 from sandbox.replay.recording.recording import Recording
 from sandbox.scene import Scene
+from sandbox.scene.duration import planned_steps
 from sandbox.scene.flat import FlatScene
 
 

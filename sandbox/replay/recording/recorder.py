@@ -11,13 +11,13 @@ from sandbox.attributes import FixedAttributes
 from sandbox.engine.commands.base import Command
 from sandbox.engine.world import World
 from sandbox.errors import Problem, RecordingError
-from sandbox.replay.headless_run import planned_steps
 from sandbox.replay.recording.command_words import TimedCommand, plain_command
 from sandbox.replay.recording.meaning import meaning_of
 from sandbox.replay.recording.recording import Recording
 from sandbox.replay.recording.recording_fields import SceneSource
 from sandbox.replay.recording.tape import Tape
 from sandbox.scene import Scene, load_scene
+from sandbox.scene.duration import planned_steps
 
 _REPORT_EVERY = 16
 

@@ -1,13 +1,18 @@
 // Films: unpacking, and what is where at a step.
 
+/** The bytes of base64 of deflated ones. */
+async function inflate(text) {
+  const packed = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
 /** Places and angles of all samples, body by body, from base64 of a deflated text of byte planes (see pack.py). */
 async function unpack(data) {
   const bodies = data.bodies, samples = data.energy.length, size = bodies.length * samples;
   const columns = [new Float64Array(size), new Float64Array(size), new Float64Array(size)];
   if (!size) return columns;
-  const packed = Uint8Array.from(atob(data.poses), (letter) => letter.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
-  const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
+  const bytes = await inflate(data.poses);
   columns.forEach((column, number) => {
     const low = number * 4 * size;
     bodies.forEach((body, row) => {

@@ -1,0 +1,175 @@
+"""`sandbox lint`: what is allowed in a scene, and hardly meant."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from sandbox._printable import told
+from sandbox.cli.failures import FAILED, HOLDS, UNUSABLE
+from sandbox.cli.options import takes
+from sandbox.errors import ArgumentError, SandboxError
+from sandbox.resources import SCENE_SUFFIX
+
+if TYPE_CHECKING:
+    from sandbox.lint.rule import Rule
+    from sandbox.lint.run import Lint
+
+_PATHS = typer.Argument(
+    metavar="[SCENE]...", show_default=False,
+    help=f"Scene files, or folders to search for *{SCENE_SUFFIX}; without any, this folder.",
+)  # fmt: skip
+_SELECT = typer.Option(metavar="RULES", show_default=False, help="Only these rules, with commas between.")
+_IGNORE = typer.Option(metavar="RULES", show_default=False, help="Not these rules, with commas between.")
+_RULES = typer.Option("--rules", help="List the rules, and run none.")
+_JSON = typer.Option("--json", help="Print one JSON document instead of lines.")
+
+
+@dataclass(frozen=True)
+class LintOptions:
+    """What `sandbox lint` was asked for."""
+
+    paths: Annotated[list[Path] | None, _PATHS] = None
+    select: Annotated[str, _SELECT] = ""
+    ignore: Annotated[str, _IGNORE] = ""
+    rules: Annotated[bool, _RULES] = False
+    json: Annotated[bool, _JSON] = False
+
+
+@dataclass(frozen=True)
+class Result:
+    """What was found in a file, or the error that kept it from being looked at."""
+
+    path: Path
+    found: Sequence[Lint] = ()
+    error: Exception | None = None
+
+
+@takes(LintOptions)
+def lint(options: LintOptions) -> None:
+    """Find what a scene may have and its author hardly meant: bodies in each other, motors that do nothing, ...
+
+    A scene keeps a rule away by its name: "lint": {"ignore": ["overlap"]}.
+
+    Exit code 0: nothing was found.
+    Exit code 1: something was.
+    Exit code 2: a file or an option could not be used; the others were still looked at.
+    """
+    from sandbox.cli.check import find_files
+    from sandbox.cli.compiling import announce_compilation
+
+    rules = _chosen(options)
+    if options.rules:
+        _print_rules(rules, options.json)
+        return
+    files = find_files(options.paths or [Path()], verb="lint")
+    announce_compilation()
+    results = _for_machines(files, rules) if options.json else _for_people(files, rules)
+    raise typer.Exit(_exit_code(results))
+
+
+def _chosen(options: LintOptions) -> tuple[Rule, ...]:
+    from sandbox.lint.registry import chosen
+
+    for name, text in (("--select", options.select), ("--ignore", options.ignore)):
+        try:
+            chosen(_names(text))
+        except ArgumentError as error:
+            raise SandboxError(f"{name}: {error}") from None
+    return chosen(_names(options.select), _names(options.ignore))
+
+
+def _names(text: str) -> list[str]:
+    return [name.strip() for name in text.split(",") if name.strip()]
+
+
+def _print_rules(rules: Iterable[Rule], as_json: bool) -> None:
+    if as_json:
+        _print_document({"rules": [{"name": rule.name, "finds": rule.finds} for rule in rules]})
+    else:
+        for rule in rules:
+            typer.echo(f"{rule.name:<14} {rule.finds}")
+
+
+def _results(files: Sequence[Path], rules: Sequence[Rule]) -> Iterator[Result]:
+    from rich.console import Console
+
+    from sandbox.cli.progress import SceneProgress
+    from sandbox.lint.run import lint as look
+    from sandbox.scene import load_scene
+
+    with SceneProgress(Console(stderr=True), 1, "files") as progress:
+        progress.begin("scenes", len(files))
+        for done, file in enumerate(files, 1):
+            try:
+                yield Result(file, look(load_scene(file), rules))
+            except (SandboxError, OSError) as error:
+                yield Result(file, error=error)
+            progress.done(done)
+
+
+def _for_people(files: Sequence[Path], rules: Sequence[Rule]) -> list[Result]:
+    from rich.console import Console
+    from rich.text import Text
+
+    out = Console(soft_wrap=True, highlight=False)
+    results = []
+    for result in _results(files, rules):
+        for found in result.found:
+            out.print(_line(result.path, found))
+        _report(result)
+        results.append(result)
+    count, plural = sum(len(result.found) for result in results), "" if len(results) == 1 else "s"
+    out.print(Text(f"{len(results)} scene{plural}: {count or 'no'} finding{'' if count == 1 else 's'}", style="bold"))
+    return results
+
+
+def _line(path: Path, found: Lint) -> Any:
+    from rich.text import Text
+
+    problem = found.problem
+    place = f"{told(path)}:{problem.line}:{problem.column}: "
+    hint = f": {problem.hint}" if problem.hint else ""
+    return Text.assemble((place, "bold"), (f"{found.rule}: ", "cyan"), problem.message, hint)
+
+
+def _for_machines(files: Sequence[Path], rules: Sequence[Rule]) -> list[Result]:
+    results = list(_results(files, rules))
+    for result in results:
+        _report(result)
+    _print_document({"exit_code": _exit_code(results), "scenes": [_entry(result) for result in results]})
+    return results
+
+
+def _entry(result: Result) -> dict[str, Any]:
+    from dataclasses import asdict
+
+    from sandbox.cli.check_result import problems
+
+    entry = {"path": result.path.as_posix()}
+    if result.error is not None:
+        return {**entry, "problems": problems(result.error)}
+    return {**entry, "findings": [{"rule": found.rule, **asdict(found.problem)} for found in result.found]}
+
+
+def _print_document(document: dict[str, Any]) -> None:
+    import json
+
+    print(json.dumps({"format": 1, **document}, indent=2, ensure_ascii=False))
+
+
+def _report(result: Result) -> None:
+    from sandbox.cli.failures import report
+
+    if result.error is not None:
+        report(result.error)
+
+
+def _exit_code(results: Sequence[Result]) -> int:
+    if any(result.error is not None for result in results):
+        return UNUSABLE
+    return FAILED if any(result.found for result in results) else HOLDS

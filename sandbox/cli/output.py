@@ -1,0 +1,32 @@
+"""Where a command writes a text that it makes: to a file, or to stdout."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+
+import typer
+
+from sandbox._atomic_write import check_writable, write_text
+from sandbox._printable import told
+from sandbox.errors import SandboxError
+
+OUTPUT = typer.Option("-o", "--output", metavar="FILE", show_default=False, help="Write it there instead of printing.")
+FORCE = typer.Option("--force", help="Write over a file that is there.")
+
+
+def check_new(path: Path, force: bool) -> None:
+    """Raises `SandboxError` if there is a file at `path` and `force` is not given, `OSError` if none can be written."""
+    if os.path.lexists(path) and not force:
+        raise SandboxError(f"{told(path)}: there is a file of that name already; --force writes over it")
+    check_writable(path)
+
+
+def put(text: str, output: Path | None) -> None:
+    """Write `text` to a file, or print it. Raises `OSError`."""
+    if output is not None:
+        write_text(output, text)
+        return
+    sys.stdout.reconfigure(encoding="utf-8") if hasattr(sys.stdout, "reconfigure") else None
+    sys.stdout.write(text)

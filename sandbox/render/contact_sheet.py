@@ -1,0 +1,51 @@
+"""Many small pictures on one, each with its title below."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from sandbox.render.camera import Size
+from sandbox.render.theme import DARK, Color
+
+GAP, EDGE, LINE = 10, 16, 22
+"""Pixels between pictures, about all of them, and of the title below each."""
+LETTERS = 13
+"""Height of titles, pixels."""
+
+
+def contact_sheet(pictures: Sequence[tuple[str, Any]], columns: int) -> Any:
+    """A `PIL.Image.Image` of (title, `PIL.Image.Image`) pairs, all pictures of one size, row by row."""
+    from PIL import Image, ImageDraw
+
+    size: Size = pictures[0][1].size
+    across, down = size[0] + GAP, size[1] + LINE + GAP
+    rows = -(-len(pictures) // columns)
+    whole = columns * across - GAP + 2 * EDGE, rows * down - GAP + 2 * EDGE
+    sheet = Image.new("RGB", whole, _pixel(DARK.ink))
+    pen = ImageDraw.Draw(sheet)
+    for number, (title, picture) in enumerate(pictures):
+        left, top = EDGE + number % columns * across, EDGE + number // columns * down
+        sheet.paste(picture, (left, top))
+        middle = left + size[0] / 2, top + size[1] + LINE / 2 + 1
+        pen.text(middle, _shortened(pen, title, size[0]), _pixel(DARK.joint), _font(), anchor="mm")
+    return sheet
+
+
+def _font() -> Any:
+    from PIL import ImageFont
+
+    return ImageFont.load_default(LETTERS)
+
+
+def _shortened(pen: Any, title: str, room: int) -> str:
+    """As much of a title as there is room for."""
+    shown = title
+    while shown and pen.textlength(shown + "…" * (shown != title), _font()) > room:
+        shown = shown[:-1].rstrip()
+    return shown if shown == title else shown + "…"
+
+
+def _pixel(color: Color) -> tuple[int, int, int]:
+    red, green, blue = (round(255 * part) for part in color)
+    return red, green, blue

@@ -1,0 +1,72 @@
+"""A page of scenes by theme, with pictures and a search, on which each of them can be played offline."""
+
+from __future__ import annotations
+
+import base64
+from collections.abc import Sequence
+from itertools import groupby
+
+from sandbox.report.gallery_card import PICTURE, GalleryCard
+from sandbox.report.markup import PLAYER, Node, node, text_of, whole_page
+
+_HIDDEN = {"hidden": ""}
+
+
+def gallery_page(title: str, cards: Sequence[GalleryCard]) -> str:
+    """The HTML of the page; cards of one theme follow each other."""
+    groups = [(theme, list(group)) for theme, group in groupby(cards, lambda card: card.entry.theme)]
+    numbers = {id(card): number for number, card in enumerate(cards)}
+    sections = [_section(theme, group, numbers) for theme, group in groups]
+    main = node("main", "", *sections, node("p", "none", "No scene has all of these words.", **_HIDDEN))
+    films = [node("script", "", card.film, type="text/plain", id=f"film-{number}") for number, card in enumerate(cards)]
+    body = [text_of(part) for part in (_head(title, len(cards), groups), main, _stage(), *films)]
+    return whole_page(title, body, "gallery", (*PLAYER, "gallery.js"), ("page.css", "gallery.css"))
+
+
+def _head(title: str, count: int, groups: Sequence[tuple[str, list[GalleryCard]]]) -> Node:
+    words = f"{count} scene{'' if count == 1 else 's'}: choose one to watch it. This page plays them all by itself."
+    search = node("input", "search", type="search", placeholder="Search", **{"aria-label": "Search scenes"})
+    headline = node("div", "headline", node("h1", "", title), node("p", "soft", words), search)
+    chips = [
+        node("a", "", f"{theme or 'others'} ", node("b", "", str(len(group))), href=f"#theme-{theme}")
+        for theme, group in groups
+    ]
+    inner = node("div", "inner", headline, node("nav", "themes", *chips, **{"aria-label": "Themes"}))
+    return node("header", "top", inner)
+
+
+def _section(theme: str, group: Sequence[GalleryCard], numbers: dict[int, int]) -> Node:
+    cards = node("div", "cards", *(_card(card, numbers[id(card)]) for card in group))
+    return node("section", "", node("h2", "", theme or "others"), cards, id=f"theme-{theme}")
+
+
+def _card(card: GalleryCard, number: int) -> Node:
+    entry = card.entry
+    source = "data:image/webp;base64," + base64.b64encode(card.picture).decode("ascii")
+    width, height = map(str, PICTURE)
+    picture = node("img", "", src=source, alt="", width=width, height=height, loading="lazy", decoding="async")
+    joints = f" · {card.joints:,} joint{'' if card.joints == 1 else 's'}" if card.joints else ""
+    facts = f"{card.bodies:,} bod{'y' if card.bodies == 1 else 'ies'}{joints} · {card.seconds:.3g} s"
+    data = {
+        "data-words": f"{entry.title} {entry.about} {entry.theme} {card.name}".lower(),
+        "data-film": f"film-{number}",
+        "data-command": f"sandbox run {card.name}",
+    }
+    words = [node("h3", "", entry.title), node("p", "about", entry.about), node("p", "facts", facts)]
+    return node("a", "card", node("span", "still", picture), *words, href=f"#{card.name}", **data)
+
+
+def _stage() -> Node:
+    """The dialog in which a scene is played."""
+    ways = [
+        node("button", kind, sign, type="button", title=title, **{"aria-label": title})
+        for kind, sign, title in (
+            ("back", "‹", "The scene before (Page Up)"),
+            ("on", "›", "The next scene (Page Down)"),
+            ("close", "✕", "Close (Esc)"),
+        )
+    ]
+    words = node("div", "", node("h2", ""), node("p", "about"))
+    head = node("div", "head", words, node("div", "ways", *ways))
+    foot = node("p", "foot", "In the window, with tools to throw, join and rewind: ", node("code", ""))
+    return node("dialog", "stage", head, node("div", "slot"), foot)

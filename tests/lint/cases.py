@@ -1,0 +1,234 @@
+"""For each rule a scene that it finds fault with, and one that is near it and fine."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+Words = dict[str, Any]
+GROUND = {"id": "ground", "type": "static", "position": [0, -0.5], "shapes": [{"box": [40, 1]}]}
+CRATE = {"id": "crate", "position": [0, 0.5], "shapes": [{"box": [1, 1]}]}
+BALL = {"id": "ball", "position": [3, 3], "shapes": [{"circle": 0.5}]}
+KEPT = {"always": True, "inside": [-20, -1, 20, 20]}
+
+
+class Case(NamedTuple):
+    """Fields of a scene with a fault and of one without, and words of what is said of the first."""
+
+    silly: Words
+    fine: Words
+    words: str
+
+
+def scene(**fields: Any) -> Words:
+    return {"bodies": [GROUND, CRATE], "expect": [KEPT], **fields}
+
+
+def pinned(kind: str, **fields: Any) -> Words:
+    return scene(
+        bodies=[GROUND, CRATE, BALL],
+        joints=[{"id": "j", "type": kind, "bodies": ["crate", "ball"], "anchor": [1.5, 1.5], **fields}],
+    )
+
+
+def falling(body: Words, **fields: Any) -> Words:
+    return scene(bodies=[GROUND, {**BALL, **body}], expect=[{"at": 9, "touches": ["ball", "ground"]}], **fields)
+
+
+SENSOR = {"id": "eye", "type": "static", "position": [0, 3], "shapes": [{"circle": 1, "sensor": True}]}
+
+
+def watched(filters: Words, **fields: Any) -> Words:
+    eye = {**SENSOR, "shapes": [{"circle": 1, "sensor": True, **filters}]}
+    return scene(bodies=[GROUND, CRATE, eye], categories=["ghost"], prefabs=fields.pop("prefabs", {}), **fields)
+
+
+GHOST = {"id": "ghost", "position": [5, 0.5], "shapes": [{"circle": 0.5, "category": "ghost"}]}
+PRESS = [{"id": "c", "press": [{"joint": "j", "motor_speed": 90}]}]
+
+CASES: dict[str, list[Case]] = {
+    "overlap": [
+        Case(
+            scene(bodies=[GROUND, CRATE, {**CRATE, "id": "other", "position": [0.7, 0.5]}]),
+            scene(bodies=[GROUND, CRATE, {**CRATE, "id": "other", "position": [0.97, 0.5]}]),
+            '"crate" and "other" start 0.3 m deep in each other',
+        ),
+        Case(
+            scene(bodies=[GROUND, {**CRATE, "position": [0, 0.2]}]),
+            scene(bodies=[GROUND, {**CRATE, "position": [0, 0.2], "shapes": [{"box": [1, 1], "mask": []}]}]),
+            "0.3 m deep",
+        ),
+        Case(
+            pinned("weld", collide=True)
+            | {"bodies": [GROUND, CRATE, {**BALL, "position": [0.5, 0.5], "shapes": [{"circle": 0.5}]}]},
+            pinned("weld") | {"bodies": [GROUND, CRATE, {**BALL, "position": [0.5, 0.5]}]},
+            "start 0.5 m deep",
+        ),
+    ],
+    "falls-away": [
+        Case(falling({"position": [30, 3]}), falling({"position": [20.3, 3]}), '"ball" falls for ever'),
+        Case(falling({"position": [0, -3]}), falling({"position": [0, -3], "gravity_scale": 0}), "nothing below"),
+        Case(
+            falling({"shapes": [{"circle": 0.5, "mask": []}]}),
+            falling({"shapes": [{"circle": 0.5, "mask": 1}]}),
+            "look at its mask",
+        ),
+        Case(falling({"position": [30, 3]}), falling({"position": [30, 3], "velocity": [-5, 0]}), "falls"),
+    ],
+    "runaway-speed": [
+        Case(
+            scene(bodies=[GROUND, {**BALL, "velocity": [0, 5000]}]),
+            scene(bodies=[GROUND, {**BALL, "velocity": [0, 500]}]),
+            '"ball" is off at 5000 m/s',
+        ),
+        Case(
+            scene(bodies=[GROUND, {**BALL, "velocity": [5000, 0.001]}]),
+            scene(bodies=[GROUND, {**BALL, "velocity": [5000, -2000]}]),
+            "in no time",
+        ),
+    ],
+    "far-anchor": [
+        Case(
+            pinned("revolute", bodies=["ground", "ball"], anchor=[30, 3]),
+            pinned("revolute", bodies=["ground", "ball"], anchor=[6, 3]),
+            '"j" holds "ball" 27 m away',
+        ),
+        Case(
+            pinned("weld", bodies=["ball"], anchor=[30, 1]),
+            pinned("friction", bodies=["ball"], anchor=[30, 1], max_force=1),
+            "places in the world",
+        ),
+    ],
+    "static-wheel": [
+        Case(pinned("wheel", bodies=["crate", "ground"]), pinned("wheel"), '"ground", which is static'),
+        Case(pinned("wheel", bodies=["crate", None]), pinned("wheel", bodies=[None, "crate"]), "is the world"),
+        Case(
+            pinned("wheel") | {"bodies": [GROUND, CRATE, {**BALL, "fixed_rotation": True}]},
+            pinned("wheel") | {"bodies": [GROUND, {**CRATE, "fixed_rotation": True}, BALL]},
+            "whose rotation is fixed",
+        ),
+    ],
+    "idle-motor": [
+        Case(
+            pinned("revolute", motor_speed=90, max_torque=0),
+            pinned("revolute", motor_speed=90, max_torque=1),
+            'motor of "max_torque" 0',
+        ),
+        Case(
+            pinned("prismatic", axis=[1, 0], max_force=5),
+            pinned("prismatic", axis=[1, 0], max_force=5, motor_speed=0),
+            'no "motor_speed"',
+        ),
+        Case(
+            pinned("revolute", motor_speed=0),
+            pinned("revolute", motor_speed=0) | {"controls": PRESS},
+            "it holds still",
+        ),
+        Case(pinned("friction", max_force=0), pinned("friction", max_force=0, max_torque=0.1), "neither force nor"),
+    ],
+    "mass-ratio": [
+        Case(
+            pinned("weld") | {"bodies": [GROUND, {**CRATE, "mass": 2001}, {**BALL, "mass": 2}]},
+            pinned("weld") | {"bodies": [GROUND, {**CRATE, "mass": 1999}, {**BALL, "mass": 2}]},
+            '"crate" to "ball", of 1e+03 times less mass',
+        )
+    ],
+    "blind-sensor": [
+        Case(watched({"mask": ["ghost"]}), watched({"mask": ["default"]}), 'the sensor of "eye"'),
+        Case(
+            watched({"mask": ["ghost"]}),
+            watched(
+                {"mask": ["ghost"]},
+                rules=[{"when": {"time": 1}, "do": [{"spawn": GHOST}]}],
+            ),
+            "can feel no other body",
+        ),
+        Case(
+            scene(bodies=[GROUND, SENSOR]),
+            scene(bodies=[{**GROUND, "type": "kinematic"}, SENSOR]),
+            "static bodies do not feel static ones",
+        ),
+    ],
+    "stuck-joint": [
+        Case(
+            pinned("weld") | {"joints": [{"id": k, "type": t, "bodies": ["crate", "ball"], "anchor": [1, 1]}
+                                         for k, t in (("w", "weld"), ("h", "revolute"))]},
+            pinned("weld") | {"joints": [
+                {"id": "w", "type": "weld", "bodies": ["crate", "ball"], "anchor": [1, 1], "break_force": 9},
+                {"id": "h", "type": "revolute", "bodies": ["crate", "ball"], "anchor": [1, 1]}]},
+            '"h" moves nothing',
+        ),
+        Case(
+            pinned("revolute") | {"bodies": [GROUND, *({**b, "fixed_rotation": True} for b in (CRATE, BALL))]},
+            pinned("revolute") | {"bodies": [GROUND, {**CRATE, "fixed_rotation": True}, BALL]},
+            '"j" cannot turn',
+        ),
+    ],
+    "no-expect": [Case(scene(expect=[]), scene(), "the scene expects nothing")],
+    "never-fails": [
+        Case(
+            scene(expect=[{"at": 9, "rests": "ground"}]),
+            scene(expect=[{"at": 9, "rests": ["ground", "crate"]}]),
+            "static bodies alone",
+        ),
+        Case(
+            scene(expect=[{"at": 9, "counter": "n", "equals": 0}], counters={"n": 0}),
+            scene(
+                expect=[{"at": 9, "counter": "n", "equals": 0}],
+                counters={"n": 0},
+                rules=[{"when": {"time": 5}, "do": [{"counter": "n", "add": 1}]}],
+            ),
+            'nothing changes the counter "n"',
+        ),
+        Case(
+            scene(expect=[{"always": True, "outcome": "open"}]),
+            scene(
+                expect=[{"always": True, "outcome": "open"}],
+                rules=[{"when": {"time": 5}, "do": [{"win": "well done"}]}],
+            ),
+            "nothing wins or loses",
+        ),
+        Case(
+            scene(expect=[{"within": [0, 9], "stands": "crate"}]),
+            scene(expect=[{"within": [1, 9], "stands": "crate"}]),
+            "at step 0 everybody stands",
+        ),
+        Case(
+            scene(bodies=[GROUND, SENSOR], expect=[{"at": 9, "apart": ["ground", "eye"]}]),
+            scene(expect=[{"at": 9, "apart": ["ground", "crate"]}]),
+            "neither of the two can move",
+        ),
+    ],
+    "unused": [
+        Case(
+            scene(counters={"n": 0}),
+            scene(counters={"n": 0}, expect=[{"at": 9, "counter": "n", "equals": 0}]),
+            'the counter "n" is never used',
+        ),
+        Case(
+            scene(controls=[{"id": "fire", "keys": ["space"]}]),
+            scene(
+                controls=[{"id": "fire", "keys": ["space"]}],
+                rules=[{"when": {"press": "fire"}, "do": [{"delete": "crate"}]}],
+            ),
+            'the control "fire" does nothing',
+        ),
+        Case(
+            scene(materials={"wood": {}}),
+            scene(materials={"wood": {}}, bodies=[GROUND, {**CRATE, "shapes": [{"box": [1, 1], "material": "wood"}]}]),
+            'the material "wood" is never used',
+        ),
+        Case(
+            scene(prefabs={"p": {"shapes": [{"circle": 1}]}}),
+            scene(
+                prefabs={"p": {"shapes": [{"circle": 1}]}},
+                rules=[{"when": {"time": 1}, "do": [{"spawn": {"id": "new", "prefab": "p"}}]}],
+            ),
+            'the prefab "p" is never used',
+        ),
+        Case(
+            scene(categories=["ghost"], bodies=[GROUND, {**CRATE, "shapes": [{"box": [1, 1], "mask": "ghost"}]}]),
+            scene(categories=["ghost"], bodies=[GROUND, CRATE, GHOST]),
+            "no shape is in it",
+        ),
+    ],
+}  # fmt: skip
