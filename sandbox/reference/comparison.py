@@ -50,6 +50,7 @@ class Observer:
     def __init__(self, world: World) -> None:
         self.world = world
         self.tally = Comparison()
+        self._roster = world.names
         self._probe = Probe(self._poses(), world.state.vertices)
 
     def _poses(self) -> Poses:
@@ -57,11 +58,16 @@ class Observer:
         return Poses.of(state.bodies, state.shapes, state.vertices)
 
     def step(self) -> None:
-        """One step of the world, compared."""
+        """One step of the world, compared, unless bodies came or went at its end."""
         poses = self._poses()
+        if self.world.names != self._roster:
+            self._roster = self.world.names
+            self._probe = Probe(poses, self.world.state.vertices)
         # A joint that breaks in the step still keeps its bodies apart in it.
         bonds = self.world.scratch.joint_filter.bonds.copy()
         self.world.step()
+        if self.world.names != self._roster:
+            return  # rules have brought bodies or taken some away since: the tables are no longer those of the step
         self.tally.steps += 1
         candidates = that_matter(overlapping_pairs(self._search_boxes(poses)), poses.bodies, poses.shapes)
         candidates = not_joined(candidates, bonds, poses.shapes)

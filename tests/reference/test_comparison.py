@@ -34,6 +34,14 @@ def test_a_shipped_scene_has_no_disagreement_and_no_missed_pair(name: str, steps
     assert tally.steps == steps
 
 
+@pytest.mark.parametrize(("name", "steps", "changes"), [("water-wheel", 60, 5), ("chain-reaction", 140, 5)])
+def test_steps_at_whose_end_rules_bring_or_delete_bodies_are_left_out(name: str, steps: int, changes: int) -> None:
+    tally = compare(load_scene(find_scene(Path(name))), steps)
+    assert tally.agrees
+    assert tally.misses == []
+    assert tally.steps == steps - changes
+
+
 def overlapping() -> World:
     """A box and a ball sunk into the ground, and a ball beside, well inside the box's margin."""
     return flat.world(
