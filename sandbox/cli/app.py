@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import keyword
 from typing import Annotated, Any
 
 import typer
@@ -16,6 +17,7 @@ COMMANDS = (
     "diff",
     "bisect",
     "render",
+    "import",
     "sat",
     "solver",
     "compare",
@@ -23,7 +25,8 @@ COMMANDS = (
     "events",
     "cache",
 )
-"""Command names in the order of the help text; `name` is the function `name` in `sandbox/cli/name.py`."""
+"""Command names in the order of the help text; `name` is the function `name` in `sandbox/cli/name.py`, but for words
+of Python's own, which get a `_` there."""
 
 
 class LazyGroup(TyperGroup):
@@ -50,9 +53,10 @@ def build() -> Any:
 
 
 def _load(name: str) -> Any:
-    module = importlib.import_module(f"sandbox.cli.{name}")
+    word = f"{name}_" if keyword.iskeyword(name) else name
+    module = importlib.import_module(f"sandbox.cli.{word}")
     app = typer.Typer(add_completion=False)
-    app.command(name, cls=getattr(module, "CommandClass", None))(getattr(module, name))
+    app.command(name, cls=getattr(module, "CommandClass", None))(getattr(module, word))
     return typer.main.get_command(app)
 
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 import typer
 
 from sandbox._printable import told
+from sandbox.cli.import_options import open_any
 from sandbox.cli.options import WORKERS
 from sandbox.errors import SandboxError
 from sandbox.resources import SCENE_SUFFIX, files_below, find_scene
@@ -20,7 +21,9 @@ if TYPE_CHECKING:
     from sandbox.cli.check_result import Result
     from sandbox.cli.progress import SceneProgress
 
-_PATHS = typer.Argument(metavar="PATH", help=f"Scene files, or folders to search for *{SCENE_SUFFIX}.")
+_PATHS = typer.Argument(
+    metavar="PATH", help=f"Scenes, files that `import` takes, or folders to search for *{SCENE_SUFFIX}."
+)
 _STEPS = typer.Option(
     min=1,
     max=10_000_000,
@@ -133,11 +136,10 @@ def _run_all(work: Work, console: Console, show: Callable[[Result], None]) -> li
 def _results(work: Work, progress: SceneProgress) -> Iterator[Result]:
     from sandbox.cli.check_result import Result
     from sandbox.replay.headless_run import planned_steps, run_headless
-    from sandbox.scene import load_scene
 
     for file in work.files:
         try:
-            scene = load_scene(file)
+            scene = open_any(file)
             progress.begin(file.name, planned_steps(scene, work.steps))
             yield Result(file, scene, run_headless(scene, work.steps, progress.done, work.workers))
         except (SandboxError, OSError) as error:

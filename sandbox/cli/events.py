@@ -49,10 +49,10 @@ def events(
     """
     kinds = _checked(kind or [])
     from sandbox.cli.compiling import announce_compilation
-    from sandbox.scene import load_scene
+    from sandbox.cli.import_options import open_any
 
     file = find_scene(scene)
-    loaded = load_scene(file)
+    loaded = open_any(file)
     if body is not None:
         _check_body(body, loaded)
     announce_compilation()

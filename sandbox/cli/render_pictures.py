@@ -21,11 +21,11 @@ FILM_STEPS = 300
 
 def run_to_show(path: Path) -> Run:
     """What a scene or a recording does. Raises `SandboxError`."""
+    from sandbox.cli.import_options import open_any
     from sandbox.replay.golden.run import run_of
     from sandbox.replay.recording.recording import Recording
-    from sandbox.scene import load_scene
 
-    return run_of(Recording.load(path) if path.name.endswith(SUFFIX) else load_scene(find_scene(path)))
+    return run_of(Recording.load(path) if path.name.endswith(SUFFIX) else open_any(find_scene(path)))
 
 
 def write_still(options: RenderOptions, suffix: str) -> None:

@@ -87,10 +87,10 @@ class Loader:
 
     def _read(self, recording: Recording | None) -> tuple[Scene, tuple[TimedCommand, ...], int]:
         """A scene, what a recording did to it, and in how many steps."""
-        from sandbox.scene import load_scene
+        from sandbox.formats import open_scene
 
         if self._leftover is not None:
             return self._leftover.scene, self._leftover.commands, self._leftover.steps
         if recording is None:
-            return load_scene(self.path), (), 0
+            return open_scene(self.path).scene, (), 0
         return recording.load_scene(), recording.commands, recording.steps

@@ -1,0 +1,46 @@
+"""A scene while it is being read from a foreign file."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sandbox.errors import SceneError
+from sandbox.formats.naming import Names
+from sandbox.formats.outlines import Words
+from sandbox.formats.remarks import Remarks
+from sandbox.scene.scene import Scene
+
+
+class Draft:
+    """Bodies and joints as a scene file has them, and remarks on what has no words there."""
+
+    def __init__(self, title: str, remarks: Remarks) -> None:
+        self.title, self.remarks = title, remarks
+        self.bodies: list[Words] = []
+        self.joints: list[Words] = []
+        self.fields: Words = {}
+        self._names, self._joint_names = Names(), Names()
+
+    def add_body(self, name: str, words: Words) -> str:
+        """Bring a body in; the id that it has got."""
+        found = self._names.take(name, f"body-{len(self.bodies) + 1}")
+        self.bodies.append({"id": found, **words})
+        return found
+
+    def add_joint(self, name: str, words: Words) -> str:
+        """Bring a joint in; the id that it has got."""
+        found = self._joint_names.take(name, f"joint-{len(self.joints) + 1}")
+        self.joints.append({"id": found, **words})
+        return found
+
+    def scene(self, source: str) -> Scene:
+        """The finished scene. Raises `SceneError` where a number is past the limits of a scene."""
+        data: dict[str, Any] = {"title": self.title, **self.fields, "bodies": self.bodies}
+        if self.joints:
+            data["joints"] = self.joints
+        if not self.bodies:
+            self.remarks.note("", "nothing of this file can be a body: the scene is empty")
+        try:
+            return Scene(**data)
+        except SceneError as error:
+            raise SceneError(source, error.problems) from None
