@@ -10,6 +10,8 @@ from sandbox.formats.outlines import Words
 from sandbox.formats.remarks import Remarks
 from sandbox.scene.scene import Scene
 
+_OF_STATIC = ("shapes", "position", "angle", "color")
+
 
 class Draft:
     """Bodies and joints as a scene file has them, and remarks on what has no words there."""
@@ -19,11 +21,16 @@ class Draft:
         self.bodies: list[Words] = []
         self.joints: list[Words] = []
         self.fields: Words = {}
+        self.if_empty = "nothing of this file can be a body: the scene is empty"
+        """The remark on a file that brings no bodies."""
         self._names, self._joint_names = Names(), Names()
 
-    def add_body(self, name: str, words: Words) -> str:
-        """Bring a body in; the id that it has got."""
+    def add_body(self, name: str, words: Words, place: str = "") -> str:
+        """Bring a body in; the id that it has got. One that should move but weighs nothing is static, with a remark."""
         found = self._names.take(name, f"body-{len(self.bodies) + 1}")
+        if "type" not in words and "mass" not in words and not any(map(_has_mass, words["shapes"])):
+            self.remarks.note(place or found, "a body that weighs nothing is static")
+            words = {"type": "static", **{key: words[key] for key in words if key in _OF_STATIC}}
         self.bodies.append({"id": found, **words})
         return found
 
@@ -39,8 +46,13 @@ class Draft:
         if self.joints:
             data["joints"] = self.joints
         if not self.bodies:
-            self.remarks.note("", "nothing of this file can be a body: the scene is empty")
+            self.remarks.note("", self.if_empty)
         try:
             return Scene(**data)
         except SceneError as error:
             raise SceneError(source, error.problems) from None
+
+
+def _has_mass(shape: Words) -> bool:
+    is_line = ("segment" in shape or "chain" in shape) and not shape.get("radius")
+    return shape.get("density", 1.0) > 0.0 and not shape.get("sensor") and not is_line

@@ -37,8 +37,13 @@ def polygon_words(
 
 
 def chain_words(points: Sequence[Vec], closed: bool, remarks: Remarks, place: str) -> list[Words]:
-    """Lines from point to point, in metres: a segment, or one chain, or several where it is too long for one."""
+    """Lines from point to point, in metres: a segment, or one chain, or several where it is too long for one.
+
+    A line that ends where it begins is closed.
+    """
     line = without_repeats(points, closed)
+    if not closed and len(line) > 3 and math.dist(line[0], line[-1]) < 2 * MIN_EDGE:
+        closed, line = True, line[:-1]
     if closed and len(line) < 3:
         closed = False
     if len(line) < 2:
