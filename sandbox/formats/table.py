@@ -12,6 +12,7 @@ from sandbox.formats.physics_editor import is_physics_editor, read_physics_edito
 from sandbox.formats.planck import is_planck, read_planck
 from sandbox.formats.rube import is_rube, read_rube
 from sandbox.formats.source import Options, Source
+from sandbox.formats.svg.reader import is_svg, read_svg
 from sandbox.formats.tiled.reader import is_tiled, read_tiled
 
 
@@ -31,5 +32,6 @@ FORMATS = (
     Format("body-editor", "Physics Body Editor", is_body_editor, read_body_editor),
     Format("physics-editor", "PhysicsEditor of CodeAndWeb", is_physics_editor, read_physics_editor),
     Format("tiled", "map of Tiled", is_tiled, read_tiled),
+    Format("svg", "drawing in SVG", is_svg, read_svg),
 )
 """In the order in which they are asked; no file is of two of them."""

@@ -9,11 +9,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 
-from sandbox.formats.box2d.mass import central_inertia, mass_of
+from sandbox.formats.box2d.pose import Pose, in_world, levered, mobility, turning
 from sandbox.formats.box2d.world import Body, Joint, Spring
-from sandbox.formats.numbers import Vec, degrees, tidy, tidy_point, turned
+from sandbox.formats.numbers import degrees, tidy, tidy_point
 from sandbox.formats.outlines import Words
 from sandbox.formats.remarks import Remarks
 
@@ -22,48 +21,6 @@ _APART = 0.005
 _ASKEW = math.radians(2.0)
 """The same of angles (`b2_angularSlop`), rad."""
 _STAYS_TURNED = "its bodies stay turned against each other as at the start; Box2D would turn them to the reference"
-
-
-@dataclass(frozen=True)
-class Pose:
-    """A joint at the start: its bodies, anchors and axis in the world, and where remarks on it go."""
-
-    joint: Joint
-    a: Body
-    b: Body
-    remarks: Remarks
-
-    @property
-    def at_a(self) -> Vec:
-        """Anchor of the first body, m."""
-        return _in_world(self.a, self.joint.anchor_a)
-
-    @property
-    def at_b(self) -> Vec:
-        """Anchor of the second body, m."""
-        return _in_world(self.b, self.joint.anchor_b)
-
-    @property
-    def axis(self) -> Vec:
-        """Unit vector of the axis."""
-        x, y = turned(self.joint.axis, self.a.angle)
-        length = math.hypot(x, y)
-        return (x / length, y / length) if length > 1e-9 else (1.0, 0.0)
-
-    @property
-    def angle(self) -> float:
-        """The angle that Box2D sees at the start, rad."""
-        return self.b.angle - self.a.angle - self.joint.reference_angle
-
-    @property
-    def slide(self) -> float:
-        """The translation that Box2D sees at the start, m."""
-        (ax, ay), (bx, by), (x, y) = self.at_a, self.at_b, self.axis
-        return (bx - ax) * x + (by - ay) * y
-
-    def note(self, text: str, amount: str = "") -> None:
-        """Something is otherwise, by so much."""
-        self.remarks.note(self.joint.place + (f" ({amount})" if amount else ""), text)
 
 
 def joint_words(joint: Joint, a: Body, b: Body, remarks: Remarks) -> Words | None:
@@ -94,7 +51,7 @@ def _prismatic(pose: Pose) -> Words:
 def _wheel(pose: Pose) -> Words:
     words: Words = {"type": "wheel", "anchor": _on_axis(pose), "axis": tidy_point(pose.axis)}
     words |= _limits(pose, pose.slide, tidy)
-    spring = _spring_words(pose, _levered(pose, pose.axis))
+    spring = _spring_words(pose, levered(pose, pose.axis))
     words |= spring or {"hertz": None}
     if spring and tidy(pose.slide):
         words["rest"] = tidy(-pose.slide)
@@ -107,7 +64,7 @@ def _distance(pose: Pose) -> Words:
     if not math.isclose(away, pose.joint.length, rel_tol=1e-6, abs_tol=1e-6):
         words["length"] = tidy(max(pose.joint.length, 0.0))
     along = ((pose.at_b[0] - pose.at_a[0]) / away, (pose.at_b[1] - pose.at_a[1]) / away) if away > 1e-9 else (1.0, 0.0)
-    return words | _spring_words(pose, _levered(pose, along))
+    return words | _spring_words(pose, levered(pose, along))
 
 
 def _rope(pose: Pose) -> Words:
@@ -119,7 +76,7 @@ def _weld(pose: Pose) -> Words:
     if abs(pose.angle) > _ASKEW:
         pose.note(_STAYS_TURNED, f"{degrees(pose.angle):.3g} degrees")
     words: Words = {"type": "weld", "anchor": _anchor(pose)}
-    spring = _spring_words(pose, sum(_turning(body) for body in (pose.a, pose.b)))
+    spring = _spring_words(pose, sum(turning(body) for body in (pose.a, pose.b)))
     # In Box2D a soft weld gives way to turning only.
     return words | {f"angular_{key}": value for key, value in spring.items()}
 
@@ -134,7 +91,7 @@ def _friction(pose: Pose) -> Words:
 
 def _motor(pose: Pose) -> Words:
     joint, a, b = pose.joint, pose.a, pose.b
-    x, y = _in_world(a, joint.offset)
+    x, y = in_world(a, joint.offset)
     hertz = tidy(max(joint.correction, 0.0) * 60.0 / (2.0 * math.pi))
     pose.note("a motor joint's correction factor is the stiffness of a critically damped spring")
     return {
@@ -147,7 +104,7 @@ def _motor(pose: Pose) -> Words:
 
 def _target(pose: Pose) -> Words:
     words: Words = {"type": "target", "anchor": tidy_point(pose.at_b), "target": tidy_point(pose.joint.target)}
-    spring = _spring_words(pose, sum(_mobility(body) for body in (pose.a, pose.b)))
+    spring = _spring_words(pose, sum(mobility(body) for body in (pose.a, pose.b)))
     return words | (spring or {"hertz": 0}) | {"max_force": tidy(pose.joint.max_force)}
 
 
@@ -209,27 +166,3 @@ def _spring_words(pose: Pose, mobility: float) -> Words:
         omega = math.sqrt(spring.stiffness * mobility)
         hertz, ratio = omega / (2.0 * math.pi), spring.damping * mobility / (2.0 * omega)
     return {"hertz": tidy(hertz), "damping_ratio": tidy(max(ratio, 0.0))} if hertz > 0.0 else {}
-
-
-def _levered(pose: Pose, along: Vec) -> float:
-    """How easily the two anchors are moved apart along a unit vector, 1/kg."""
-    total = 0.0
-    for body, anchor in ((pose.a, pose.at_a), (pose.b, pose.at_b)):
-        center = _in_world(body, mass_of(body).center)
-        arm = (anchor[0] - center[0]) * along[1] - (anchor[1] - center[1]) * along[0]
-        total += _mobility(body) + _turning(body) * arm * arm
-    return total
-
-
-def _mobility(body: Body) -> float:
-    return 1.0 / mass_of(body).mass if body.type == "dynamic" else 0.0
-
-
-def _turning(body: Body) -> float:
-    inertia = central_inertia(mass_of(body)) if body.type == "dynamic" and not body.fixed_rotation else 0.0
-    return 1.0 / inertia if inertia > 0.0 else 0.0
-
-
-def _in_world(body: Body, local: Vec) -> Vec:
-    x, y = turned(local, body.angle)
-    return body.position[0] + x, body.position[1] + y

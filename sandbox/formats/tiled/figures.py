@@ -7,8 +7,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
-from sandbox.formats.numbers import Vec, tidy, tidy_point, turned
+from sandbox.formats.numbers import Vec, tidy, tidy_point, tidy_points, turned
 from sandbox.formats.outlines import Words, chain_words, polygon_words
+from sandbox.formats.primitives import capsule_words, ellipse_points
 from sandbox.formats.reading import Node
 from sandbox.formats.remarks import Remarks
 
@@ -29,6 +30,9 @@ def figure_of(node: Node, remarks: Remarks) -> Figure | None:
     """What an object is, about the point that it stands at and turns about; None, with a remark, if it is no shape."""
     width, height = node.number("width"), node.number("height")
     corners = ((0.0, 0.0), (width, 0.0), (width, height), (0.0, height))
+    if node.has("template"):
+        remarks.note(node.place, "an object made of a template is left out")
+        return None
     if node.has("polygon"):
         return _polygon(tuple(node.points("polygon")))
     if node.has("polyline"):
@@ -88,32 +92,15 @@ def shape_words(figure: Figure, pixels: float, tolerance: float, remarks: Remark
     lean = math.degrees(math.atan2(by - ay, bx - ax)) % 180.0
     angle = {"angle": tidy(lean)} if tidy(lean) not in (0.0, 180.0) else {}
     if figure.kind == "capsule":
-        return [_capsule(width, height) | at | angle]
+        return [capsule_words(width, height) | at | angle]
     if figure.kind == "ellipse":
         return [_ellipse(width, height, tolerance, remarks, place) | at | angle]
     return [{"box": [tidy(width), tidy(height)], **at, **angle}]
 
 
-def _capsule(width: float, height: float) -> Words:
-    radius, half = min(width, height) / 2.0, abs(width - height) / 2.0
-    if half < 1e-6:
-        return {"circle": tidy(radius)}
-    end = (half, 0.0) if width > height else (0.0, half)
-    return {"capsule": [tidy_point((-end[0], -end[1])), tidy_point(end)], "radius": tidy(radius)}
-
-
 def _ellipse(width: float, height: float, tolerance: float, remarks: Remarks, place: str) -> Words:
     if math.isclose(width, height, rel_tol=1e-6):
         return {"circle": tidy(width / 2.0)}
-    count = sides_of(max(width, height) / 2.0, tolerance)
-    remarks.note(f"{place} ({count} sides)", "an ellipse is a polygon")
-    steps = [2.0 * math.pi * k / count for k in range(count)]
-    return {"polygon": [tidy_point((width / 2.0 * math.cos(t), height / 2.0 * math.sin(t))) for t in steps]}
-
-
-def sides_of(radius: float, tolerance: float) -> int:
-    """How many sides a circle needs so that none lies further than `tolerance` within it: 8 to 48, a multiple of 4."""
-    if tolerance >= radius:
-        return 8
-    count = math.pi / math.acos(1.0 - tolerance / radius)
-    return min(48, max(8, 4 * math.ceil(count / 4.0)))
+    points = ellipse_points(width, height, tolerance)
+    remarks.note(f"{place} ({len(points)} sides)", "an ellipse is a polygon")
+    return {"polygon": tidy_points(points)}

@@ -84,9 +84,6 @@ class _Reader:
 
     def _read_object(self, node: Node, shift: Vec, asked: str) -> None:
         note_others(node, self._remarks)
-        if node.has("template"):
-            self._remarks.note(node.place, "an object made of a template is left out")
-            return
         x, y = node.number("x") + shift[0], node.number("y") + shift[1]
         solids = self._tile_solids(node) if node.has("gid") else self._own_solid(node)
         shapes = [words for solid in solids for words in self._words(solid, node.place)]
