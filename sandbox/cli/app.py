@@ -18,6 +18,7 @@ COMMANDS = (
     "bisect",
     "render",
     "import",
+    "export",
     "sat",
     "solver",
     "compare",
