@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from sandbox.errors import SceneError
@@ -50,7 +51,10 @@ class Draft:
         try:
             return Scene(**data)
         except SceneError as error:
-            raise SceneError(source, error.problems) from None
+            refused = "the scene made of this file is refused: "
+            raise SceneError(
+                source, [replace(each, message=refused + each.message) for each in error.problems]
+            ) from None
 
 
 def _has_mass(shape: Words) -> bool:

@@ -28,5 +28,5 @@ def sides_of(radius: float, tolerance: float) -> int:
     """How many sides a circle needs so that none lies further than `tolerance` within it: 8 to 48, a multiple of 4."""
     if tolerance >= radius:
         return 8
-    count = math.pi / math.acos(1.0 - tolerance / radius)
+    count = math.pi / max(1e-3, math.acos(1.0 - tolerance / radius))
     return min(48, max(8, 4 * math.ceil(count / 4.0)))

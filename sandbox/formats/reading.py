@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from typing import Any, Self
 
@@ -51,7 +50,7 @@ class Node:
         """A finite number; formats that write numbers in their own way override this. Raises `MisreadError`."""
         if isinstance(value, bool) or not isinstance(value, (int, float)):
             raise MisreadError(path, f"must be a number, not {describe(value)}")
-        if not math.isfinite(value) or abs(value) > 1e20:
+        if not -1e20 <= value <= 1e20:  # nor NaN
             raise MisreadError(path, "must be a finite number")
         return float(value)
 

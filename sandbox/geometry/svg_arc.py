@@ -49,4 +49,4 @@ def _steps(radius: float, angle: float, tolerance: float) -> int:
     """How many sides an arc of so many radians needs, so that none lies further than `tolerance` from it."""
     if tolerance >= radius:
         return max(1, math.ceil(abs(angle) / (math.pi / 4.0)))
-    return min(MOST_SIDES, max(1, math.ceil(abs(angle) / (2.0 * math.acos(1.0 - tolerance / radius)))))
+    return min(MOST_SIDES, max(1, math.ceil(abs(angle) / max(1e-6, 2.0 * math.acos(1.0 - tolerance / radius)))))

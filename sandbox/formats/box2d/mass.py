@@ -65,6 +65,6 @@ def _moments(fixture: Fixture) -> Moments:
     """Times the density; lines weigh nothing."""
     outline = fixture.outline
     core = convex_hull(outline.points) if outline.kind == "polygon" else outline.points
-    if outline.kind == "chain" or fixture.density <= 0.0 or len(core) == 2:
+    if outline.kind == "chain" or fixture.density <= 0.0 or len(core) in (0, 2):
         return Moments(0.0, 0.0, 0.0, 0.0)
     return Moments(*(fixture.density * value for value in moments(core, outline.radius)))
