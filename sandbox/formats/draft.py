@@ -52,9 +52,8 @@ class Draft:
             return Scene(**data)
         except SceneError as error:
             refused = "the scene made of this file is refused: "
-            raise SceneError(
-                source, [replace(each, message=refused + each.message) for each in error.problems]
-            ) from None
+            problems = [replace(each, message=refused + each.message) for each in error.problems]
+            raise SceneError(source, problems) from None
 
 
 def _has_mass(shape: Words) -> bool:

@@ -62,10 +62,9 @@ class _Reader:
         kind = node.text("type", "static")
         if kind not in _TYPES:
             raise MisreadError((*node.path, "type"), 'must be "static", "kinematic" or "dynamic"')
-        name = node.data.get("name")
         return Body(
             place=node.place,
-            name=name if isinstance(name, str) else "",
+            name=_name(node),
             type=_TYPES[_TYPES.index(kind)],
             position=node.vector("position"),
             angle=node.number("angle"),
@@ -103,8 +102,8 @@ class _Reader:
     def _joint(self, node: Node) -> Joint:
         kind = node.text("type").removesuffix("-joint")
         joint = Joint(
-            place=place_of(node.path, kind),
-            name="",
+            place=place_of(node.path, _name(node) or kind),
+            name=_name(node),
             kind=kind,
             a=self._number(node, "bodyA", self._bodies),
             b=self._number(node, "bodyB", self._bodies),
@@ -141,6 +140,12 @@ class _Reader:
         reference = node.node(key)
         index = reference.whole("refIndex", -1) if reference else -1
         return known.get(index, -1)
+
+
+def _name(node: Node) -> str:
+    """What `sandbox export` adds; planck.js has no names."""
+    name = node.data.get("name")
+    return name if isinstance(name, str) else ""
 
 
 def _limits(node: Node, joint: Joint) -> None:

@@ -34,7 +34,7 @@ class PlanckJoint:
         if not joint.enabled:
             self._note("a joint that is switched off is left out")
             return None
-        return {"collideConnected": joint.collide, **makers[joint.kind]()}
+        return {"name": joint.id, "collideConnected": joint.collide, **makers[joint.kind]()}
 
     def _note(self, text: str) -> None:
         self._remarks.note(self._joint.id, text)
