@@ -49,13 +49,12 @@ def import_(options: ImportOptions) -> None:
     Exit code 0: it was written.
     Exit code 2: a file could not be used, or there is one of that name already.
     """
-    from sandbox.formats import Options, import_scene
+    from sandbox.formats import import_scene
 
     if os.path.lexists(options.output) and not options.force:
         raise SandboxError(f"{told(options.output)}: there is a file of that name already; --force writes over it")
     check_writable(options.output)
-    settings = Options(options.units_per_metre, options.tolerance)
-    imported = import_scene(options.file, options.format, settings)
+    imported = import_scene(options.file, options.format, options.units_per_metre, options.tolerance)
     imported.scene.save(options.output)
     _report(options, imported)
 

@@ -3,7 +3,6 @@
 from sandbox.formats.exports import TARGETS, Exported, export_scene
 from sandbox.formats.imports import Imported, import_scene, open_scene
 from sandbox.formats.remarks import Remark, remark_lines
-from sandbox.formats.source import Options
 from sandbox.formats.table import FORMATS
 
 __all__ = [
@@ -11,7 +10,6 @@ __all__ = [
     "TARGETS",
     "Exported",
     "Imported",
-    "Options",
     "Remark",
     "export_scene",
     "import_scene",

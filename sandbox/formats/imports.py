@@ -12,7 +12,7 @@ from sandbox.formats.draft import Draft
 from sandbox.formats.open_file import open_source
 from sandbox.formats.reading import MisreadError
 from sandbox.formats.remarks import Remark, Remarks
-from sandbox.formats.source import AS_IT_IS, Options, Source
+from sandbox.formats.source import Options, Source
 from sandbox.formats.table import FORMATS, Format
 from sandbox.formats.xml_tree import Element
 from sandbox.resources import SCENE_SUFFIX
@@ -30,20 +30,24 @@ class Imported:
     remarks: tuple[Remark, ...] = ()
 
 
-def import_scene(path: str | os.PathLike[str], format: str = "", options: Options = AS_IT_IS) -> Imported:
+def import_scene(
+    path: str | os.PathLike[str], format: str = "", units_per_metre: float | None = None, tolerance: float = 0.01
+) -> Imported:
     """The scene in a file of another program; `format` is one of `FORMATS`, by default told from its contents.
 
-    Raises `SceneError` with the place of what cannot be used.
+    `units_per_metre` says how many units of the file (pixels) make a metre, None: as its format has it. `tolerance` is
+    how far flat sides may lie from the curve that they stand for, m. Raises `SceneError` with the place of what cannot
+    be used.
     """
     check_kind("import_scene", "the path of a file", path, str, os.PathLike)
     source = open_source(Path(path))
     kind = _named(source, format) if format else _found(source)
     if kind is None:
         raise SceneError(str(path), [_unknown()])
-    return _import(source, kind, options)
+    return _import(source, kind, Options(units_per_metre, tolerance))
 
 
-def open_scene(path: str | os.PathLike[str], options: Options = AS_IT_IS) -> Imported:
+def open_scene(path: str | os.PathLike[str]) -> Imported:
     """The scene in a file, which is a scene or of another program, as its contents tell. Raises `SceneError`."""
     check_kind("open_scene", "the path of a file", path, str, os.PathLike)
     file = Path(path)
@@ -53,7 +57,7 @@ def open_scene(path: str | os.PathLike[str], options: Options = AS_IT_IS) -> Imp
     kind = _found(source)
     if kind is None and isinstance(source.data, Element):
         raise SceneError(str(path), [_unknown()])
-    return Imported(loads_scene(source.text, str(file))) if kind is None else _import(source, kind, options)
+    return Imported(loads_scene(source.text, str(file))) if kind is None else _import(source, kind, Options())
 
 
 def _unknown() -> Problem:

@@ -25,10 +25,6 @@ class Options:
     tolerance: float = 0.01
 
 
-AS_IT_IS = Options()
-"""Nothing is asked for: all is as the format has it."""
-
-
 @dataclass(frozen=True)
 class Source:
     """A file: where it is, its text, and its contents (of XML the root element, else parsed JSON)."""

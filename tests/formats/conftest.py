@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from sandbox.formats import Imported, Options, import_scene
+from sandbox.formats import Imported, import_scene
 
 Read = Callable[..., Imported]
 
@@ -21,7 +21,7 @@ def read(tmp_path: Path) -> Read:
     def call(content: Any, name: str = "file", units: float | None = None, tolerance: float = 0.01) -> Imported:
         path = tmp_path / name
         path.write_text(content if isinstance(content, str) else json.dumps(content), encoding="utf-8")
-        return import_scene(path, "", Options(units, tolerance))
+        return import_scene(path, "", units, tolerance)
 
     return call
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox.errors import ArgumentError, SceneError
@@ -74,7 +74,6 @@ def ring(shape: FlatShape) -> tuple[Any, ...]:
     return tuple(corners[start:] + corners[:start])
 
 
-@settings(max_examples=25, deadline=None)
 @given(scenes())
 def test_a_world_comes_back_as_it_was(scene: Scene) -> None:
     back = there_and_back(scene).scene.flatten()

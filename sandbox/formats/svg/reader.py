@@ -28,7 +28,7 @@ _SILENT = {
     "title", "desc", "metadata", "defs", "style", "linearGradient", "radialGradient", "pattern", "clipPath", "mask",
     "filter", "marker", "symbol", "solidColor", "view",
 }  # fmt: skip
-_MOST_ELEMENTS = 200_000
+MOST_ELEMENTS = 50_000
 """Elements that are drawn, those counted again that `use` repeats."""
 _MOST_USES = 30
 """How deep `use` may lead to `use`."""
@@ -83,8 +83,8 @@ class _Reader:
 
     def _element(self, element: Element, outside: Place) -> None:
         self._count += 1
-        if self._count > _MOST_ELEMENTS:
-            raise MisreadError((element.line,), f"it draws more than {_MOST_ELEMENTS} elements")
+        if self._count > MOST_ELEMENTS:
+            raise MisreadError((element.line,), f"it draws more than {MOST_ELEMENTS} elements")
         if element.tag in _SILENT or ":" in element.tag:
             return
         style = style_of(element, self._sheet, outside.style)

@@ -140,5 +140,5 @@ def _cells(holder: Element, data: Element) -> list[int] | str:
         if data.get("encoding") == "csv":
             return [int(number) for number in holder.text.replace("\n", ",").split(",") if number.strip()]
     except ValueError:
-        raise MisreadError((), f"the tiles of line {holder.line} are no numbers") from None
+        raise MisreadError((holder.line,), "the tiles are no numbers") from None
     return holder.text.strip()
