@@ -43,7 +43,7 @@ def import_scene(
     source = open_source(Path(path))
     kind = _named(source, format) if format else _found(source)
     if kind is None:
-        raise SceneError(str(path), [_unknown()])
+        raise SceneError(str(path), [_unknown(source)])
     return _import(source, kind, Options(units_per_metre, tolerance))
 
 
@@ -56,11 +56,13 @@ def open_scene(path: str | os.PathLike[str]) -> Imported:
     source = open_source(file)
     kind = _found(source)
     if kind is None and isinstance(source.data, Element):
-        raise SceneError(str(path), [_unknown()])
+        raise SceneError(str(path), [_unknown(source)])
     return Imported(loads_scene(source.text, str(file))) if kind is None else _import(source, kind, Options())
 
 
-def _unknown() -> Problem:
+def _unknown(source: Source) -> Problem:
+    if isinstance(source.data, dict) and {"bodies", "generate"} & source.data.keys():
+        return Problem("this is a scene already")
     known = ", ".join(each.name for each in FORMATS)
     return Problem(f"this is in no format that can be imported ({known})")
 
