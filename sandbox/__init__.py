@@ -24,6 +24,7 @@ from sandbox._version import __version__
 from sandbox.notebook import render_with
 
 if TYPE_CHECKING:
+    from sandbox.batch.batch import Batch as Batch
     from sandbox.engine.commands.base import Command as Command
     from sandbox.engine.commands.control import Control as Control
     from sandbox.engine.commands.delete import Delete as Delete
@@ -161,6 +162,7 @@ if TYPE_CHECKING:
     from sandbox.scene import OnLeave as OnLeave
     from sandbox.scene import OnPress as OnPress
     from sandbox.scene import OnTime as OnTime
+    from sandbox.scene import Place as Place
     from sandbox.scene import PolygonShape as PolygonShape
     from sandbox.scene import Prefab as Prefab
     from sandbox.scene import Prismatic as Prismatic
@@ -198,6 +200,8 @@ if TYPE_CHECKING:
     from sandbox.scene import load_scene as load_scene
     from sandbox.scene import loads_scene as loads_scene
     from sandbox.scene import schema as schema
+    from sandbox.sweeps.sweep import sweep as sweep
+    from sandbox.sweeps.table import SweepTable as SweepTable
     from sandbox.world.export.copies import copy_of as copy_of
     from sandbox.world.export.copies import paste_of as paste_of
     from sandbox.world.export.scene_now import SceneNow as SceneNow

@@ -135,17 +135,27 @@ class Call:
     `unlocked` calls let other threads of Python run meanwhile.
     """
 
-    __slots__ = ("_arguments", "_block", "_call", "_enter", "_entry", "_unlocked")
+    __slots__ = ("_arguments", "_block", "_call", "_code", "_enter", "_entry", "_unlocked")
 
     def __init__(self, entry: Callable[..., Any], arguments: tuple[Any, ...], unlocked: bool = False) -> None:
         self._entry, self._unlocked = entry, unlocked
         self._arguments = arguments
         self._call: Callable[..., Any] | None = None
         self._block: Block | None = None
+        self._code = 0
         self._enter: Callable[[int], Any]
 
     def __call__(self) -> Any:
         return (self._call or self.bind())()
+
+    def machine(self) -> tuple[int, int]:
+        """The addresses of the machine code and of the block of arguments, for a kernel that calls it (`_calls.py`).
+
+        The second holds until other arguments are taken, and both as long as this is there. Needs the compiler.
+        """
+        self.bind()
+        assert self._block is not None
+        return self._code, self._block.address
 
     def bind(self) -> Callable[..., Any]:
         """What this calls: machine code that is there, compiled now if need be."""
@@ -169,6 +179,7 @@ class Call:
             version = cast(EntryPoint, self._entry).version(self._arguments)
             self._block = version.block(self._arguments)
             self._enter = version.enter_unlocked if self._unlocked else version.enter
+            self._code = version.address
         else:
             self._block.fill(self._arguments)
         enter, address, result = self._enter, self._block.address, self._block.result

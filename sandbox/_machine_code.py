@@ -41,9 +41,9 @@ class Version:
         self._returns = returns
         self._results = "".join(_letters(returns)) if isinstance(returns, list) else ""
         result = None if self._results else _RESULTS[returns]
-        address = self._engine.get_function_address(ENTER)
-        self.enter: Callable[[int], Any] = ctypes.PYFUNCTYPE(result, ctypes.c_void_p)(address)
-        self.enter_unlocked: Callable[[int], Any] = ctypes.CFUNCTYPE(result, ctypes.c_void_p)(address)
+        self.address: int = self._engine.get_function_address(ENTER)
+        self.enter: Callable[[int], Any] = ctypes.PYFUNCTYPE(result, ctypes.c_void_p)(self.address)
+        self.enter_unlocked: Callable[[int], Any] = ctypes.CFUNCTYPE(result, ctypes.c_void_p)(self.address)
         """The same, without the lock of the interpreter: other threads run meanwhile."""
 
     def block(self, arguments: tuple[Any, ...]) -> Block:

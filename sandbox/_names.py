@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 _MODULES = {
+    "sandbox.batch.batch": "Batch",
     "sandbox.engine.commands.base": "Command",
     "sandbox.engine.commands.control": "Control",
     "sandbox.engine.commands.delete": "Delete DeleteJoint DeleteRegion",
@@ -54,11 +55,13 @@ _MODULES = {
         ChainShape ChangeGravity ChangeJoint ChangeRegion CircleShape Condition Count CounterIs DeleteBodies
         DistanceJoint Ended Friction Gear Gravity GravityScale Grid InputControl Inside Lose Material Motor
         MoveAt Near OnBegin OnCount OnEnd OnEnter OnEvery OnHit OnJointBreak OnLeave OnPress OnTime
-        PolygonShape Prefab Prismatic Pulley PushOnce PushStep PutBodies Pyramid Rests Revolute Row Rule
+        Place PolygonShape Prefab Prismatic Pulley PushOnce PushStep PutBodies Pyramid Rests Revolute Row Rule
         RunPath Scatter Scene SegmentShape Senses SetBodySurface Settings SpawnBody Speeding Stack Stands
         SwitchThruster Target Thruster Touches Turned View Water Weld Wheel Win Wind load_scene loads_scene
         schema
     """,
+    "sandbox.sweeps.sweep": "sweep",
+    "sandbox.sweeps.table": "SweepTable",
     "sandbox.world.export.copies": "copy_of paste_of",
     "sandbox.world.export.scene_now": "SceneNow scene_of",
 }

@@ -25,7 +25,8 @@ class Problem:
     """One mistake in a scene or recording.
 
     `pointer` is a JSON pointer (RFC 6901) such as `/bodies/3/shapes/0`; `line` and `column` count from 1 and are
-    0 where it did not come from a file; `hint` is the mend, if one is known.
+    0 where it did not come from a file; `hint` is the mend, if one is known. `source` is the file or the option that it
+    is in, where that is another one than the error speaks of.
     """
 
     message: str
@@ -34,6 +35,7 @@ class Problem:
     column: int = 0
     hint: str = ""
     excerpt: str = ""
+    source: str = ""
 
 
 class FileError(SandboxError):
@@ -47,8 +49,8 @@ class FileError(SandboxError):
     def lines(self) -> list[str]:
         """The error list as text lines: `file:line:column: message`, then the excerpt with a caret, then the hint."""
         out: list[str] = []
-        source = printable(self.source)
         for problem in self.problems:
+            source = printable(problem.source or self.source)
             place = f"{source}:{problem.line}:{problem.column}" if problem.line else source
             where = f" (at {problem.pointer})" if problem.pointer and not problem.line else ""
             hint = f" {printable(problem.hint)}" if problem.hint else ""

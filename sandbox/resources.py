@@ -35,6 +35,16 @@ def benchmark_scenes() -> list[Path]:
     return sorted((scenes_dir() / _BENCHMARKS).glob("*" + _BENCHMARK_SUFFIX))
 
 
+def part_file(name: str) -> Path:
+    """The file of a part that comes with the package, such as `materials`, for scenes to include."""
+    return scenes_dir() / "parts" / f"{name}.json"
+
+
+def shipped_parts() -> list[str]:
+    """The names of the parts that come with the package, sorted."""
+    return sorted(path.stem for path in part_file("").parent.glob("*.json"))
+
+
 def scene_name(path: Path) -> str:
     """The name of a scene file by which it is found: `pyramid-10`."""
     return path.name.removesuffix(SCENE_SUFFIX).removesuffix(_BENCHMARK_SUFFIX)

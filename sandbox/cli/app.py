@@ -24,6 +24,7 @@ COMMANDS = (
     "compare",
     "bench",
     "events",
+    "sweep",
     "cache",
 )
 """Command names in the order of the help text; `name` is the function `name` in `sandbox/cli/name.py`, but for words

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 import typer
 
 from sandbox._printable import told
 from sandbox.cli.import_options import open_any
-from sandbox.cli.options import WORKERS
+from sandbox.cli.options import SET, WORKERS, values_set
 from sandbox.errors import SandboxError
 from sandbox.resources import SCENE_SUFFIX, files_below, find_scene
 
@@ -40,6 +40,7 @@ def check(
     steps: Annotated[int | None, _STEPS] = None,
     only: Annotated[str, _ONLY] = "",
     workers: Annotated[int, WORKERS] = 1,
+    set: Annotated[list[str] | None, SET] = None,
     json: Annotated[bool, _JSON] = False,
 ) -> None:
     """Run scenes without a window and judge what each says must hold.
@@ -51,22 +52,26 @@ def check(
     Exit code 1: an expectation failed, or bad numbers froze a body.
     Exit code 2: a file could not be used; the other scenes still ran.
     """
+    values = values_set(set)
     files = find_files(paths, only)
     from sandbox.cli.check_result import exit_code
     from sandbox.cli.compiling import announce_compilation
 
     announce_compilation()
-    work = Work(files, steps, workers)
+    work = Work(files, steps, workers, values)
     results = _run_for_machines(work) if json else _run_for_people(work)
     raise typer.Exit(exit_code(results))
 
 
 class Work(NamedTuple):
-    """What is to be run: `steps` instead of a scene's own number, by so many `workers`."""
+    """What is to be run: `steps` instead of a scene's own number, by so many `workers`, with
+    `values` for what the scenes say.
+    """
 
     files: Sequence[Path]
     steps: int | None
     workers: int
+    values: Mapping[str, Any]
 
 
 def find_files(paths: Sequence[Path], only: str = "", verb: str = "check") -> list[Path]:
@@ -139,7 +144,7 @@ def _results(work: Work, progress: SceneProgress) -> Iterator[Result]:
 
     for file in work.files:
         try:
-            scene = open_any(file)
+            scene = open_any(file, work.values)
             progress.begin(file.name, planned_steps(scene, work.steps))
             yield Result(file, scene, run_headless(scene, work.steps, progress.done, work.workers))
         except (SandboxError, OSError) as error:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from sandbox._printable import printable
+from sandbox.cli.options import SET, values_set
 from sandbox.errors import SandboxError
 from sandbox.resources import find_scene
 
@@ -36,6 +37,7 @@ def events(
     steps: Annotated[int | None, _STEPS] = None,
     kind: Annotated[list[str] | None, _KIND] = None,
     body: Annotated[str | None, _BODY] = None,
+    set: Annotated[list[str] | None, SET] = None,
     json: Annotated[bool, _JSON] = False,
 ) -> None:
     """Run a scene without a window and tell what happens in it.
@@ -52,7 +54,7 @@ def events(
     from sandbox.cli.import_options import open_any
 
     file = find_scene(scene)
-    loaded = open_any(file)
+    loaded = open_any(file, values_set(set))
     if body is not None:
         _check_body(body, loaded)
     announce_compilation()

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from sandbox.engine.compile_step import compile_parts
 from sandbox.engine.events.sensors import SensorOverlaps
+from sandbox.engine.lanes.advance import Rows
+from sandbox.engine.lanes.lane_world import LaneWorld
 from sandbox.engine.stepper import Stepper
 from sandbox.engine.world import World
 from sandbox.geometry.exact_axes import Axis
@@ -19,6 +23,7 @@ def call_every_entry_point() -> None:
     """All that Python calls in the engine, in the geometry and in the comparison with other engines."""
     compile_parts()
     _share_a_step()
+    _step_a_batch()
     _ask_about(_windy_world())
     _look_at_a_pair()
 
@@ -29,6 +34,14 @@ def _share_a_step() -> None:
     for joints in ((), (FlatJoint("pin", "revolute", None, "ball"),)):
         state = build_state(FlatScene((ball,), joints=joints))
         Stepper(state, workers=2).bind_workers()
+
+
+def _step_a_batch() -> None:
+    """What steps the rows of a batch."""
+    ball = FlatBody("ball", "dynamic", (FlatShape("circle", ((0.0, 0.0),), 0.5),))
+    lane = LaneWorld(FlatScene((ball,)))
+    no_rows, none = np.zeros((0, 1), np.int64), np.zeros(0, np.int64)
+    lane.call(Rows(no_rows, no_rows, none, none), np.zeros(2, np.int64))()
 
 
 def _windy_world() -> World:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -20,15 +21,18 @@ UNITS = typer.Option(
 )  # fmt: skip
 
 
-def open_any(path: Path) -> Scene:
-    """The scene in a file; of another program's file what it does not carry over is told on stderr."""
+def open_any(path: Path, values: Mapping[str, Any] | None = None) -> Scene:
+    """The scene in a file, with `values` as `load_scene` takes them.
+
+    Of another program's file what it does not carry over is told on stderr.
+    """
     from sandbox.scene import load_scene
 
     if path.name.endswith(SCENE_SUFFIX):
-        return load_scene(path)
+        return load_scene(path, values)
     from sandbox.formats import open_scene
 
-    imported = open_scene(path)
+    imported = open_scene(path, values)
     tell(path, imported)
     return imported.scene
 

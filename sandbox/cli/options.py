@@ -4,15 +4,47 @@ from __future__ import annotations
 
 import functools
 import inspect
-from collections.abc import Callable
+import json
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
 from typing import Any, TypeVar, get_type_hints
 
 import typer
+
+from sandbox._printable import told
+from sandbox.errors import SandboxError
 
 Options = TypeVar("Options")
 WORKERS = typer.Option(
     "--workers", min=1, max=64, metavar="N", help="Threads that share a step of many bodies; the bits are the same."
 )
+
+SET = typer.Option(
+    "--set", metavar="PATH=VALUE", show_default=False,
+    help='Put a value into the scene before anything is made of it: "vars.rows=40", "bodies.crate.mass=2". Repeatable.',
+)  # fmt: skip
+
+
+def values_set(given: Sequence[str] | None) -> dict[str, Any]:
+    """What `--set` options say, as `load_scene` takes it: values are JSON, or else text. Raises `SandboxError`."""
+    values: dict[str, Any] = {}
+    for words in given or ():
+        path, equals, value = words.partition("=")
+        if not path or not equals:
+            raise SandboxError(f"--set {words!r}: write a path and a value, such as --set gravity.1=-1.62")
+        if path in values:
+            raise SandboxError(f"--set {path} is given twice")
+        try:
+            values[path] = json.loads(value)
+        except (ValueError, RecursionError):
+            values[path] = value
+    return values
+
+
+def no_values(path: Path, values: Mapping[str, Any]) -> None:
+    """A recording is of one scene as it was. Raises `SandboxError` if values were given for it."""
+    if values:
+        raise SandboxError(f"{told(path)} is a recording, which brings its scene: --set is for scenes")
 
 
 def takes(options_class: type[Options]) -> Callable[[Callable[[Options], None]], Callable[..., None]]:

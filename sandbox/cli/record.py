@@ -11,7 +11,7 @@ import typer
 
 from sandbox._atomic_write import check_writable
 from sandbox._printable import told
-from sandbox.cli.options import WORKERS, takes
+from sandbox.cli.options import SET, WORKERS, takes, values_set
 from sandbox.errors import SandboxError
 from sandbox.resources import find_scene
 
@@ -41,6 +41,7 @@ class RecordOptions:
     commands: Annotated[Path | None, _COMMANDS] = None
     embed: Annotated[bool, _EMBED] = False
     force: Annotated[bool, _FORCE] = False
+    set: Annotated[list[str] | None, SET] = None
     workers: Annotated[int, WORKERS] = 1
     json: Annotated[bool, _JSON] = False
 
@@ -61,7 +62,7 @@ def record(options: RecordOptions) -> None:
     output = options.output
     _check_output(output, options.force)
     file = find_scene(options.scene)
-    loaded = open_any(file)
+    loaded = open_any(file, values_set(options.set))
     script = read_commands(options.commands) if options.commands is not None else ()
     announce_compilation()
     total = planned_steps(loaded) if options.steps is None else options.steps

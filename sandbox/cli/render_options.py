@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from sandbox.cli.options import SET
 from sandbox.errors import SandboxError
 
 if TYPE_CHECKING:
@@ -73,6 +74,7 @@ class RenderOptions:
     theme: Annotated[str, _THEME] = "dark"
     color_by: Annotated[str | None, _COLOR_BY] = None
     depth: Annotated[bool, _DEPTH] = True
+    set: Annotated[list[str] | None, SET] = None
     json: Annotated[bool, _JSON] = False
 
 

@@ -29,7 +29,7 @@ def write_page(options: RenderOptions) -> None:
 
     _check(options)
     skip, steps = steps_asked_for(options)
-    run = run_to_show(options.scene)
+    run = run_to_show(options.scene, options.set)
     if steps is None and skip >= run.steps:
         raise SandboxError(f"--step {skip}: the run has {run.steps} steps; --steps says how many to show from there")
     run = run if steps is None else replace(run, steps=skip + steps)

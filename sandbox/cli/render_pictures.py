@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sandbox._printable import told
+from sandbox.cli.options import no_values, values_set
 from sandbox.cli.render_options import FILM_SIZE, STILL_SIZE, RenderOptions, steps_asked_for, style_of
 from sandbox.errors import SandboxError
 from sandbox.replay.recording.limits import SUFFIX
@@ -19,13 +21,17 @@ if TYPE_CHECKING:
 FILM_STEPS = 300
 
 
-def run_to_show(path: Path) -> Run:
-    """What a scene or a recording does. Raises `SandboxError`."""
+def run_to_show(path: Path, given: Sequence[str] | None = None) -> Run:
+    """What a scene, with what `--set` options say, or a recording does. Raises `SandboxError`."""
     from sandbox.cli.import_options import open_any
     from sandbox.replay.golden.run import run_of
     from sandbox.replay.recording.recording import Recording
 
-    return run_of(Recording.load(path) if path.name.endswith(SUFFIX) else open_any(find_scene(path)))
+    values = values_set(given)
+    if path.name.endswith(SUFFIX):
+        no_values(path, values)
+        return run_of(Recording.load(path))
+    return run_of(open_any(find_scene(path), values))
 
 
 def write_still(options: RenderOptions, suffix: str) -> None:
@@ -81,7 +87,7 @@ def _begin(options: RenderOptions, size: tuple[int, int], first: int) -> tuple[R
     from sandbox.render.shots import Shooting
     from sandbox.replay.golden.run import RunStepper
 
-    run = run_to_show(options.scene)
+    run = run_to_show(options.scene, options.set)
     last = max(options.step, first)
     if _is_recording(options) and last > run.steps:
         raise SandboxError(f"step {last}: {told(options.scene)} has {run.steps} steps")
@@ -95,7 +101,7 @@ def _length(options: RenderOptions, stepper: RunStepper, first: int, steps: int 
     """How many steps a film shows: of a recording as many as there are."""
     if not _is_recording(options):
         return steps or FILM_STEPS
-    left = run_to_show(options.scene).steps - first
+    left = run_to_show(options.scene, options.set).steps - first
     if steps is not None and steps > left:
         raise SandboxError(f"step {first + steps}: {told(options.scene)} has {first + left} steps")
     if left == 0:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
-from sandbox.cli.options import WORKERS
+from sandbox.cli.options import SET, WORKERS, no_values, takes, values_set
 from sandbox.resources import find_scene
 
 _SCENE = typer.Argument(
@@ -23,15 +24,22 @@ _SCRIPT = typer.Option(show_default=False, help="Do what this file of keys and c
 _SCREENSHOT = typer.Option(show_default=False, help="Write the last picture to this PNG file.")
 
 
-def run(
-    scene: Annotated[list[Path] | None, _SCENE] = None,
-    size: Annotated[str | None, _SIZE] = None,
-    step: Annotated[int, _STEP] = 0,
-    frames: Annotated[int | None, _FRAMES] = None,
-    screenshot: Annotated[Path | None, _SCREENSHOT] = None,
-    script: Annotated[Path | None, _SCRIPT] = None,
-    workers: Annotated[int, WORKERS] = 1,
-) -> None:
+@dataclass(frozen=True)
+class RunOptions:
+    """What `sandbox run` was asked for."""
+
+    scene: Annotated[list[Path] | None, _SCENE] = None
+    size: Annotated[str | None, _SIZE] = None
+    step: Annotated[int, _STEP] = 0
+    frames: Annotated[int | None, _FRAMES] = None
+    screenshot: Annotated[Path | None, _SCREENSHOT] = None
+    script: Annotated[Path | None, _SCRIPT] = None
+    workers: Annotated[int, WORKERS] = 1
+    set: Annotated[list[str] | None, SET] = None
+
+
+@takes(RunOptions)
+def run(options: RunOptions) -> None:
     """Open a scene in a window; without a scene, choose one from a list.
 
     Space pauses, Left rewinds, Ctrl+Z undoes; the tools at the left throw, draw, join and erase. F1 shows all keys.
@@ -39,16 +47,18 @@ def run(
     """
     from sandbox.cli.picture_options import parse_size, writable_picture
 
-    pixels = parse_size(size) if size is not None else None
-    if screenshot is not None:
-        writable_picture(screenshot, {".png"})
+    pixels = parse_size(options.size) if options.size is not None else None
+    if options.screenshot is not None:
+        writable_picture(options.screenshot, {".png"})
     from sandbox.scene.read import check_readable
 
-    paths = [find_scene(path) for path in scene or ()]
+    paths = [find_scene(path) for path in options.scene or ()]
     for path in paths:
         check_readable(path)  # before there is a window, which would close again at once
     if len(paths) > 1:
         _check_two_recordings(paths)
+    values = values_set(options.set)
+    _check_values(paths, values)
     from sandbox.window.requirements import check_packages
 
     check_packages()
@@ -56,7 +66,25 @@ def run(
     from sandbox.window.start import run_window
 
     first, other = (*paths, None, None)[:2]
-    run_window(Options(first, pixels, step, frames, screenshot, workers, script, other))
+    seen = Options(
+        first, pixels, options.step, options.frames, options.screenshot, options.workers, options.script, other, values
+    )
+    run_window(seen)
+
+
+def _check_values(paths: list[Path], values: dict[str, Any]) -> None:
+    """Values are for one scene, and wrong ones are told here rather than in a window."""
+    from sandbox.errors import SandboxError
+    from sandbox.replay.recording.limits import SUFFIX
+
+    if values and not paths:
+        raise SandboxError("--set is for a scene: name one")
+    for path in paths if values else ():
+        if path.name.endswith(SUFFIX):
+            no_values(path, values)
+        from sandbox.scene import load_scene
+
+        load_scene(path, values)
 
 
 def _check_two_recordings(paths: list[Path]) -> None:

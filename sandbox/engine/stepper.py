@@ -58,6 +58,24 @@ class Stepper:
         if len(self._state.bodies) + len(self._state.joints) >= _WORTH_SHARING // 4:  # else it may never be needed
             self.bind_workers()
 
+    def machine(self) -> list[list[tuple[int, int]]]:
+        """Where the machine code of fields, `collide`, `solve` and `solve_continuous` is, and the arguments of each
+        (`Call.machine`), for even and for odd steps; zeros for fields that there are none of."""
+        parts = (apply_fields, collide, solve, solve_continuous)
+        calls = [[self._calls.get((part, turn)) for part in parts] for turn in (0, 1)]
+        return [[(0, 0) if call is None else call[0].machine() for call in row] for row in calls]
+
+    @property
+    def turn(self) -> int:
+        """0 before an even step, 1 before an odd one."""
+        return self._turn
+
+    @property
+    def contact_tables(self) -> tuple[Records, Records]:
+        """The tables that an even and an odd step find the contacts of the step before in."""
+        even, odd = self._contacts
+        return even.before, odd.before
+
     def bind_workers(self) -> Sequence[Callable[[], Any]]:
         """What the other workers run in the next step, compiled if need be."""
         return [call.bind() for call in self._served[self._turn]]

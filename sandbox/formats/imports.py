@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from sandbox.arguments import check_kind
 from sandbox.errors import Problem, SceneError
@@ -47,17 +49,23 @@ def import_scene(
     return _import(source, kind, Options(units_per_metre, tolerance))
 
 
-def open_scene(path: str | os.PathLike[str]) -> Imported:
-    """The scene in a file, which is a scene or of another program, as its contents tell. Raises `SceneError`."""
+def open_scene(path: str | os.PathLike[str], set: Mapping[str, Any] | None = None) -> Imported:
+    """The scene in a file, which is a scene or of another program, as its contents tell.
+
+    `set` as `load_scene` takes it, for scenes alone. Raises `SceneError`.
+    """
     check_kind("open_scene", "the path of a file", path, str, os.PathLike)
     file = Path(path)
     if file.name.endswith(SCENE_SUFFIX):
-        return Imported(load_scene(file))
+        return Imported(load_scene(file, set))
     source = open_source(file)
     kind = _found(source)
     if kind is None and isinstance(source.data, Element):
         raise SceneError(str(path), [_unknown(source)])
-    return Imported(loads_scene(source.text, str(file))) if kind is None else _import(source, kind, Options())
+    if kind is not None and set:
+        mend = "make a scene of it with sandbox import first"
+        raise SceneError(str(path), [Problem("values can be set of scenes alone", hint=mend)])
+    return Imported(loads_scene(source.text, str(file), set)) if kind is None else _import(source, kind, Options())
 
 
 def _unknown(source: Source) -> Problem:

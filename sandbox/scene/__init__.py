@@ -3,7 +3,7 @@
 The models speak as a file does: their fields are a file's keys, and their angles are in degrees.
 """
 
-from sandbox.scene.body import Body, Prefab
+from sandbox.scene.body import Body
 from sandbox.scene.expect import (
     Above,
     Apart,
@@ -21,7 +21,7 @@ from sandbox.scene.expect import (
     Turned,
 )
 from sandbox.scene.flat import FlatBody, FlatScene, FlatSettings, FlatShape
-from sandbox.scene.generators import Chain, Grid, Pyramid, Row, Scatter, Stack
+from sandbox.scene.generators import Chain, Grid, Place, Pyramid, Row, Scatter, Stack
 from sandbox.scene.joints.drives import Friction, Motor, Target
 from sandbox.scene.joints.gear import Gear
 from sandbox.scene.joints.revolute import Revolute, Weld
@@ -59,6 +59,7 @@ from sandbox.scene.play.triggers import (
     OnPress,
     OnTime,
 )
+from sandbox.scene.prefab import Prefab
 from sandbox.scene.regions import Attraction, Gravity, GravityScale, Water, Wind
 from sandbox.scene.scene import Scene
 from sandbox.scene.schema import schema
@@ -116,6 +117,7 @@ __all__ = [
     "OnLeave",
     "OnPress",
     "OnTime",
+    "Place",
     "PolygonShape",
     "Prefab",
     "Prismatic",

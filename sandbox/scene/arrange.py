@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from sandbox.geometry.rotation import RADIANS_PER_DEGREE, cos_sin_degrees
 from sandbox.scene.flat import FlatShape, Vec
-from sandbox.scene.generators import Chain, Generator, Grid, Pyramid, Row, Scatter, Stack
+from sandbox.scene.generators import Chain, Generator, Grid, Place, Pyramid, Row, Scatter, Stack
 from sandbox.scene.scatter import scatter
 from sandbox.scene.splitmix import SplitMix64
 
@@ -30,12 +30,17 @@ def reach(shapes: Sequence[FlatShape]) -> float:
 
 
 def placings(generator: Generator, shapes: Sequence[FlatShape], degrees: float) -> list[Placing]:
-    """A placing for each body, in the order of `body_names`; fewer if a scatter found no room for more."""
+    """A placing for each body, in the order of `body_names`; fewer if a scatter found no room for more.
+
+    The shapes are those of the body; there need be none where the generator says how far apart bodies stand.
+    """
     if isinstance(generator, Scatter):
-        return _scattered(generator, reach(shapes))
+        return _scattered(generator, 2 * reach(shapes) if generator.apart is None else generator.apart)
+    if isinstance(generator, Place):
+        return [(*generator.at, generator.angle)] * (generator.count or 1)
     if isinstance(generator, Chain):
         return _chained(generator, chain_step(generator, shapes))
-    width, height = outer_size(shapes, degrees)
+    width, height = outer_size(shapes, degrees) if shapes else (0.0, 0.0)
     points: list[Vec]
     match generator:
         case Row():
@@ -83,9 +88,8 @@ def _pyramid(rows: int, spacing: Vec) -> list[Vec]:
     ]
 
 
-def _scattered(generator: Scatter, reach: float) -> list[Placing]:
+def _scattered(generator: Scatter, apart: float) -> list[Placing]:
     random = SplitMix64(generator.seed)
-    apart = 2 * reach if generator.apart is None else generator.apart
     points = scatter(generator.count, generator.inside, apart, random)
     if generator.angle is None:
         return [(x, y, None) for x, y in points]

@@ -20,6 +20,7 @@ from sandbox.scene.quantities import (
     LocalPoint,
     Mass,
     Name,
+    Number,
     Point,
     Speed,
     Turning,
@@ -31,8 +32,8 @@ from sandbox.scene.thruster import Thruster
 Shapes = Annotated[tuple[Shape, ...], Listed("of shapes", 1, MAX_SHAPES)]
 
 
-class Prefab(Model):
-    """A body without id and position: a pattern for bodies and generators."""
+class BodyFields(Model):
+    """What a body has beside its id and place, and what a prefab of one body gives."""
 
     type: Literal["static", "kinematic", "dynamic"] = Field(
         default="dynamic",
@@ -63,7 +64,7 @@ class Prefab(Model):
     )
     path: BodyPath | None = Field(default=None, description="Where a kinematic body goes, and when.")
     material: Name | None = Field(default=None, description="Material of all shapes that do not name their own.")
-    color: Color | None = Field(default=None, description='Such as "#3a7bd5"; default: chosen by the theme.')
+    color: Color | None = Field(default=None, description='As "#3a7bd5" or "tomato"; default: chosen by the theme.')
 
 
 class Placed(Model):
@@ -74,10 +75,11 @@ class Placed(Model):
         default=None, description="Name of a prefab; fields given here win over the prefab's fields."
     )
     position: Point = Field(default=(0.0, 0.0), description="Of the body's origin, m.")
+    params: dict[Name, Number] = Field(default={}, description="Parameters of the prefab, by name.")
 
 
 @known_as("a body")
-class Body(Prefab, Placed):
+class Body(BodyFields, Placed):
     """One body."""
 
     def __eq__(self, other: object) -> bool:

@@ -13,12 +13,13 @@ Path = tuple[str | int, ...]
 
 @dataclass(frozen=True)
 class Finding:
-    """A mistake at `path`; `on_key` points at the field's name rather than its value."""
+    """A mistake at `path`; `on_key` points at the field's name rather than its value, `within` at a part of a text."""
 
     path: Path
     message: str
     hint: str = ""
     on_key: bool = False
+    within: tuple[int, int] | None = None
 
     def problem(self, line: int = 0, column: int = 0, excerpt: str = "") -> Problem:
         """The mistake as the error carries it."""

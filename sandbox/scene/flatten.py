@@ -9,7 +9,8 @@ from typing import Any
 from sandbox.geometry.decompose import decompose
 from sandbox.geometry.rotation import RADIANS_PER_DEGREE
 from sandbox.scene.arrange import chain_step, placings
-from sandbox.scene.body import Body, Prefab
+from sandbox.scene.body import Body, BodyFields
+from sandbox.scene.colors import hex_color
 from sandbox.scene.finding import Finding, Path
 from sandbox.scene.flat import FlatBody, FlatJoint, FlatScene, FlatSettings, FlatShape
 from sandbox.scene.flat_joints import chain_joints, flat_joint, joint_faults
@@ -20,6 +21,7 @@ from sandbox.scene.known import NOTHING, Known
 from sandbox.scene.limits import MAX_ALIKE, MAX_SHAPES
 from sandbox.scene.play.actions import Action, SpawnBody
 from sandbox.scene.play.flatten_play import flat_controls, flat_rules
+from sandbox.scene.prefab import Prefab
 from sandbox.scene.scene_fields import SceneFields
 from sandbox.scene.shapes import PolygonShape
 from sandbox.scene.solidity import faults
@@ -27,7 +29,7 @@ from sandbox.scene.solidity import faults
 _FARTHEST = 1e9
 _SAME = [
     "type", "velocity", "linear_damping", "angular_damping", "gravity_scale", "fixed_rotation", "sleep_speed", "bullet",
-    "mass", "inertia", "center", "color",
+    "mass", "inertia", "center",
 ]  # fmt: skip
 
 
@@ -122,6 +124,7 @@ class Flattener:
     def _traits(self, values: dict[str, Any], path: Path) -> dict[str, Any]:
         """The fields of a flat body that do not depend on where it is; adds what is wrong with them."""
         traits = {name: values[name] for name in _SAME}
+        traits["color"] = None if values["color"] is None else hex_color(values["color"])
         traits["shapes"] = self._flat_shapes(values["shapes"], values["material"])
         traits["angle"] = values["angle"] * RADIANS_PER_DEGREE
         traits["angular_velocity"] = values["angular_velocity"] * RADIANS_PER_DEGREE
@@ -149,5 +152,5 @@ def _part_count(shapes: tuple[Any, ...]) -> int:
     return len(shapes) + sum(len(decompose(shape.polygon, shape.holes).parts) - 1 for shape in polygons)
 
 
-def _values(pattern: Prefab) -> dict[str, Any]:
-    return {name: getattr(pattern, name) for name in Prefab.model_fields}
+def _values(pattern: BodyFields) -> dict[str, Any]:
+    return {name: getattr(pattern, name) for name in BodyFields.model_fields}

@@ -9,7 +9,19 @@ from pydantic import Field, Tag
 from sandbox.scene.base import Model
 from sandbox.scene.constraints import Range
 from sandbox.scene.limits import MAX_BODIES
-from sandbox.scene.quantities import Angles, Displacement, Distance, Force, Name, Point, Rectangle, Size, Size2
+from sandbox.scene.quantities import (
+    Angles,
+    Degrees,
+    Displacement,
+    Distance,
+    Force,
+    Name,
+    Number,
+    Point,
+    Rectangle,
+    Size,
+    Size2,
+)
 from sandbox.scene.union import TAG, by_key
 
 Count = Annotated[int, Range(1, MAX_BODIES)]
@@ -19,6 +31,18 @@ class Generator(Model):
     """What all generators have."""
 
     id: Name = Field(description='Begins the id of every body made: "wall" gives "wall-1" and so on.')
+    params: dict[Name, Number] = Field(
+        default={}, description="Parameters of the prefab, by name; they may count the copies with i, row and column."
+    )
+
+
+class Place(Generator):
+    """One copy at a place, or `count` of them, each where expressions over `i` say: ID, or ID-1, ID-2, ..."""
+
+    place: Name = Field(description="The prefab to copy.")
+    count: Count | None = Field(default=None, description="How many, counted by i from 1; default: one, called ID.")
+    at: Point = Field(default=(0.0, 0.0), description="Where its origin comes to lie, m.")
+    angle: Degrees = Field(default=0.0, description="How far it is turned, degrees, counter-clockwise.")
 
 
 class Row(Generator):
@@ -99,6 +123,7 @@ class Chain(Generator):
 
 
 GENERATORS: dict[str, type[Generator]] = {
+    "place": Place,
     "row": Row,
     "stack": Stack,
     "grid": Grid,
@@ -109,7 +134,8 @@ GENERATORS: dict[str, type[Generator]] = {
 """Every kind of generator by its key."""
 
 AnyGenerator = Annotated[
-    Annotated[Row, Tag(TAG + "row")]
+    Annotated[Place, Tag(TAG + "place")]
+    | Annotated[Row, Tag(TAG + "row")]
     | Annotated[Stack, Tag(TAG + "stack")]
     | Annotated[Grid, Tag(TAG + "grid")]
     | Annotated[Pyramid, Tag(TAG + "pyramid")]
@@ -125,9 +151,16 @@ def kind_of(generator: Generator) -> str:
     return next(key for key, kind in GENERATORS.items() if isinstance(generator, kind))
 
 
+def spacing_field(generator: Generator) -> str:
+    """The field that says how far apart the copies stand."""
+    return {Row: "step", Chain: "step", Scatter: "apart"}.get(type(generator), "spacing")
+
+
 def body_count(generator: Generator) -> int:
-    """How many bodies a generator makes; nothing is made for the answer."""
+    """How many bodies a generator makes of a prefab of one; nothing is made for the answer."""
     match generator:
+        case Place():
+            return generator.count or 1
         case Row() | Stack() | Scatter() | Chain():
             return generator.count
         case Grid():
@@ -145,6 +178,8 @@ def body_names(generator: Generator) -> list[str]:
             places = [(r, c) for r in range(generator.rows) for c in range(generator.columns)]
         case Pyramid():
             places = [(r, c) for r in range(generator.rows) for c in range(generator.rows - r)]
+        case Place(count=None):
+            return [name]
         case _:
             return [f"{name}-{k + 1}" for k in range(body_count(generator))]
     return [f"{name}-{r + 1}-{c + 1}" for r, c in places]

@@ -37,6 +37,9 @@ MAX_VERTICES = polygon.MAX_VERTICES
 MAX_OUTLINE = 1000
 """Vertices of a polygon that may be concave, those of its holes included."""
 
+MAX_PATH = 100_000
+"""Characters of a path in the syntax of SVG."""
+
 MAX_HOLES = 100
 """Holes of a polygon."""
 
@@ -84,3 +87,21 @@ MAX_ALIVE = 10_000
 
 MAX_TEXT = 500
 """Characters of a text to the player."""
+
+MAX_EXPRESSION = 500
+"""Characters of an expression."""
+
+MAX_EXPRESSION_DEPTH = 32
+"""Nesting of parentheses, signs and powers in an expression."""
+
+MAX_VARS = 1000
+"""Numbers by name, those of included files counted, and parameters of a prefab."""
+
+MAX_INCLUDES = 100
+"""Files that a scene includes, and those that these include."""
+
+MAX_NESTING = 16
+"""Prefabs within prefabs, and files that include files."""
+
+MAX_VALUES = 2_000_000
+"""Values that the copies of prefabs have together: half of what a file of 16 MiB can hold."""

@@ -16,6 +16,15 @@ Node = tuple[Path, dict[str, Any]]
 """An object of the file and the path to it."""
 
 
+SEVERAL = ("bodies", "joints", "generate")
+"""What makes a prefab one of several bodies."""
+
+
+def is_several(prefab: object) -> bool:
+    """Whether a prefab has bodies, rather than being one."""
+    return isinstance(prefab, dict) and any(key in prefab for key in SEVERAL)
+
+
 def mapping(value: object) -> dict[str, Any]:
     """`value` if it is an object, else an empty one."""
     return value if isinstance(value, dict) else {}

@@ -8,23 +8,30 @@ from typing import Annotated, Any
 from pydantic import AfterValidator, Field, JsonValue, ValidationInfo
 from pydantic_core import PydanticCustomError
 
+from sandbox.scene.colors import COLOR_PATTERN, color_fault
 from sandbox.scene.constraints import Listed, Range
+from sandbox.scene.drawn import Drawn
 from sandbox.scene.limits import MAX_HOLES, MAX_NAME, MAX_OUTLINE
 
 _LENGTHS: dict[str, JsonValue] = {"minLength": 1, "maxLength": MAX_NAME}
 _NAME = re.compile(rf"[\w.:-]{{1,{MAX_NAME}}}")
-_COLOR = re.compile(r"#[0-9a-fA-F]{6}")
+
+
+def is_name(value: str) -> bool:
+    """Whether it can be an id, or the name of a prefab or material."""
+    return bool(_NAME.fullmatch(value))
 
 
 def _check_name(value: str) -> str:
-    if not _NAME.fullmatch(value):
+    if not is_name(value):
         raise PydanticCustomError("name", f"must be 1 to {MAX_NAME} letters, digits or any of _ - . :")
     return value
 
 
 def _check_color(value: str) -> str:
-    if not _COLOR.fullmatch(value):
-        raise PydanticCustomError("color", 'must be a colour such as "#3a7bd5"')
+    fault = color_fault(value)
+    if fault:
+        raise PydanticCustomError("color", "{fault}", {"fault": fault})
     return value
 
 
@@ -77,7 +84,7 @@ Number = Annotated[float, Range(-1e12, 1e12)]
 Bits = Annotated[int, Range(0, 0xFFFFFFFF)]
 
 Name = Annotated[str, AfterValidator(_check_name), Field(json_schema_extra=_LENGTHS)]
-Color = Annotated[str, AfterValidator(_check_color), Field(json_schema_extra={"pattern": f"^{_COLOR.pattern}$"})]
+Color = Annotated[str, AfterValidator(_check_color), Field(json_schema_extra={"pattern": COLOR_PATTERN})]
 
 Point = Annotated[tuple[Coordinate, Coordinate], Listed("[x, y]", 2, 2)]
 Displacement = Point
@@ -86,8 +93,8 @@ Velocity2 = Annotated[tuple[Velocity, Velocity], Listed("[x, y]", 2, 2)]
 Acceleration2 = Annotated[tuple[Acceleration, Acceleration], Listed("[x, y]", 2, 2)]
 Size2 = Annotated[tuple[Size, Size], Listed("[width, height]", 2, 2)]
 Ends = Annotated[tuple[LocalPoint, LocalPoint], Listed("[[x, y], [x, y]]", 2, 2)]
-Outline = Annotated[tuple[LocalPoint, ...], Listed("[[x, y], [x, y], [x, y], ...]", 3, MAX_OUTLINE)]
-ChainPoints = Annotated[tuple[LocalPoint, ...], Listed("[[x, y], [x, y], ...]", 2, MAX_OUTLINE)]
+Outline = Annotated[tuple[LocalPoint, ...], Listed("[[x, y], [x, y], [x, y], ...]", 3, MAX_OUTLINE), Drawn()]
+ChainPoints = Annotated[tuple[LocalPoint, ...], Listed("[[x, y], [x, y], ...]", 2, MAX_OUTLINE), Drawn(may_close=False)]
 Holes = Annotated[tuple[Outline, ...], Listed("of holes [[[x, y], [x, y], [x, y], ...], ...]", 0, MAX_HOLES)]
 Rectangle = Annotated[
     tuple[Coordinate, Coordinate, Coordinate, Coordinate],

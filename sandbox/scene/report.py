@@ -10,7 +10,7 @@ from sandbox.errors import Problem, SceneError
 from sandbox.scene.excerpt import excerpt, line_column
 from sandbox.scene.finding import Finding
 from sandbox.scene.limits import MAX_ALIKE, MAX_PROBLEMS
-from sandbox.scene.locate import Span, locate
+from sandbox.scene.locate import Place, Span, locate
 
 _VARYING = re.compile(r'"[^"]*"|[0-9.]+')
 """What differs among mistakes of one sort: names and numbers."""
@@ -21,10 +21,15 @@ def scene_error(source: str, findings: list[Finding], text: str | None) -> Scene
     if text is None:
         return SceneError(source, told(findings))
     found = locate(text, {finding.path for finding in findings})
-    places = [found[f.path].key_span if f.on_key else found[f.path].value_span for f in findings]
+    places = [_span(finding, found[finding.path], text) for finding in findings]
     pairs = sorted(zip(places, findings, strict=True), key=lambda pair: pair[0][0])
     spans = {id(finding): span for span, finding in pairs}
     return SceneError(source, told([f for _, f in pairs], lambda f: _problem(f, text, spans[id(f)])))
+
+
+def sort_of(finding: Finding) -> str:
+    """The message without names and numbers: equal for mistakes of one sort."""
+    return _VARYING.sub("", finding.message)
 
 
 def told(findings: Iterable[Finding], problem: Callable[[Finding], Problem] = Finding.problem) -> list[Problem]:
@@ -33,7 +38,7 @@ def told(findings: Iterable[Finding], problem: Callable[[Finding], Problem] = Fi
     alike: Counter[str] = Counter()
     first: dict[str, str] = {}
     for finding in findings:
-        sort = _VARYING.sub("", finding.message)
+        sort = sort_of(finding)
         alike[sort] += 1
         if alike[sort] <= MAX_ALIKE and len(shown) < MAX_PROBLEMS:
             shown.append(problem(finding))
@@ -47,6 +52,16 @@ def told(findings: Iterable[Finding], problem: Callable[[Finding], Problem] = Fi
 def syntax_error(source: str, text: str, span: Span, message: str, hint: str = "") -> SceneError:
     """The error for text that is no JSON, at `span`."""
     return SceneError(source, [_problem(Finding((), message, hint), text, span)])
+
+
+def _span(finding: Finding, place: Place, text: str) -> Span:
+    """Which characters to point at; a part of a text is found as long as nothing before it is escaped."""
+    if finding.on_key:
+        return place.key_span
+    start, end = place.value_span
+    if finding.within is None or text[start : start + 1] != '"' or "\\" in text[start:end]:
+        return place.value_span
+    return start + 1 + finding.within[0], start + 1 + finding.within[1]
 
 
 def _problem(finding: Finding, text: str, span: Span) -> Problem:

@@ -15,6 +15,7 @@ from sandbox.scene.known import NOTHING, Known
 from sandbox.scene.limits import MAX_FINDINGS
 from sandbox.scene.names import body_ids
 from sandbox.scene.near_names import did_you_mean
+from sandbox.scene.plain import SEVERAL, is_several
 from sandbox.scene.play.play_rules import play_rules
 from sandbox.scene.references import unknown_names
 
@@ -33,6 +34,7 @@ def cross_checks(data: object, known: Known = NOTHING) -> list[Finding]:
         ids.findings,
         unknown_names(data, ids, known),
         _without_shapes(data),
+        _several_in_one(data),
         _overrounded(data),
         _times(data),
         field_rules(data, known),
@@ -56,6 +58,24 @@ def _without_shapes(data: dict[str, Any]) -> Iterator[Finding]:
                 yield Finding((*path, kind), f"the prefab {quoted(generator[kind])} has no shapes")
 
 
+def _several_in_one(data: dict[str, Any]) -> Iterator[Finding]:
+    """Bodies cannot be made of prefabs of several; and what parameters are left have nothing to fill in."""
+    prefabs = plain.mapping(data.get("prefabs"))
+    for path, body in plain.entries(data):
+        name = body.get("prefab")
+        if isinstance(name, str) and is_several(prefabs.get(name)):
+            hint = f'place it: {{"id": ..., "place": {quoted(name)}, "at": [0, 0]}} in "generate"'
+            yield Finding((*path, "prefab"), f"the prefab {quoted(name)} has several bodies", hint)
+        elif isinstance(body.get("params"), dict) and (name is None or name in prefabs):
+            text = "there is no prefab here to fill in"
+            yield Finding((*path, "params"), text, "a body of a running world takes its prefab as it is", on_key=True)
+    for path, prefab in plain.children(prefabs, ("prefabs",)):
+        stray = [key for key in prefab if key not in (*SEVERAL, "params")]
+        if is_several(prefab) and stray:
+            text = f"a prefab of several bodies has no {quoted(str(stray[0]))} of its own"
+            yield Finding((*path, stray[0]), text, "give it to its bodies", on_key=True)
+
+
 def _misspelt(body: dict[str, Any]) -> bool:
     """Whether a body has a field that looks like "shapes" or "prefab"; that mistake is told then."""
     strays = [key for key in body if key not in Body.model_fields]
@@ -64,7 +84,7 @@ def _misspelt(body: dict[str, Any]) -> bool:
 
 def _has_shapes(prefabs: dict[str, Any], name: object) -> bool:
     """Whether a prefab gives shapes; unknown names are told elsewhere and count as having some."""
-    known = isinstance(name, str) and isinstance(prefabs.get(name), dict)
+    known = isinstance(name, str) and isinstance(prefabs.get(name), dict) and not is_several(prefabs[name])
     return not known or "shapes" in prefabs[str(name)]
 
 

@@ -5,13 +5,18 @@ from __future__ import annotations
 from pathlib import Path as FilePath
 from typing import Any
 
-from pydantic import PrivateAttr
+from pydantic import BaseModel, PrivateAttr, ValidationError
 
 from sandbox._atomic_write import write_text
+from sandbox.errors import SceneError
 from sandbox.notebook import Shown
+from sandbox.scene.authoring.blame import Expansion
+from sandbox.scene.authoring.document import Document
+from sandbox.scene.authoring.expand import expanded
+from sandbox.scene.authoring.python_words import in_words
 from sandbox.scene.effort import one_effort
 from sandbox.scene.excerpt import line_column
-from sandbox.scene.finding import path_of
+from sandbox.scene.finding import Finding, Path, path_of
 from sandbox.scene.flat import FlatScene
 from sandbox.scene.flatten import Flattener
 from sandbox.scene.locate import locate
@@ -19,6 +24,7 @@ from sandbox.scene.pretty import kinds_first, pretty
 from sandbox.scene.report import scene_error
 from sandbox.scene.rules import cross_checks
 from sandbox.scene.scene_fields import SceneFields
+from sandbox.scene.wording import findings
 
 
 class Scene(Shown, SceneFields):
@@ -27,10 +33,18 @@ class Scene(Shown, SceneFields):
     _source: str = PrivateAttr("Scene")
     _text: str | None = PrivateAttr(None)
     _flat: FlatScene | None = PrivateAttr(None)
+    _expansion: Expansion | None = PrivateAttr(None)
+    _set: dict[str, Any] = PrivateAttr(default_factory=dict)
 
     def __init__(self, **data: Any) -> None:
-        super().__init__(**data)
-        self.flatten()
+        with one_effort():
+            expansion = expanded(Document("Scene", in_words(data)))
+            try:
+                BaseModel.__init__(self, **expansion.data)
+            except ValidationError as error:
+                raise expansion.error(findings(error, type(self))) from None
+            self._expansion = expansion if expansion.origins or not expansion.sound or "vars" in data else None
+            self.flatten()
 
     __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
 
@@ -44,22 +58,49 @@ class Scene(Shown, SceneFields):
         """The file's text; None for a scene built in Python."""
         return self._text
 
+    @property
+    def set_values(self) -> dict[str, Any]:
+        """What was set from outside when the file was loaded, as `load_scene` takes it."""
+        return dict(self._set)
+
+    @property
+    def included_files(self) -> tuple[FilePath, ...]:
+        """The files that the scene's file includes, and those that these include."""
+        return self._expansion.files if self._expansion is not None else ()
+
     @one_effort()
     def flatten(self) -> FlatScene:
         """The scene with nothing left to look up, always the same object. Raises `SceneError`."""
         if self._flat is None:
             flattener = Flattener(self)
-            findings = cross_checks(self.to_data())
-            flat = None if findings else flattener.flat()
-            if findings or flattener.findings:
-                raise scene_error(self._source, findings or flattener.findings, self._text)
+            found = cross_checks(self.to_data())
+            sound = self._expansion is None or self._expansion.sound
+            flat = flattener.flat() if sound and not found else None
+            if not sound or found or flattener.findings:
+                raise self._error(found or flattener.findings)
             self._flat = flat
         assert self._flat is not None
         return self._flat
 
+    def _error(self, found: list[Finding]) -> SceneError:
+        if self._expansion is not None:
+            return self._expansion.error(found)
+        return scene_error(self._source, found, self._text)
+
+    def written(self, folder: str | FilePath | None = None) -> dict[str, Any]:
+        """The scene as its author wrote it, as plain data: with its expressions, parameters and includes.
+
+        In another `folder` than that of its file, what its includes brought stands in the scene itself.
+        """
+        if self._expansion is None:
+            return self.to_data()
+        here = FilePath(self._source).resolve().parent if self._text is not None else None
+        moved = folder is not None and here is not None and FilePath(folder).resolve() != here
+        return self._expansion.written(moved)
+
     def save(self, path: str | FilePath) -> None:
         """Write the scene as JSON (UTF-8) that loads to an equal scene. Raises `OSError`; what was there stays then."""
-        data = self.to_data()
+        data = self.written(FilePath(path).parent)
         head = {"$schema": data.pop("$schema")} if "$schema" in data else {}
         text = pretty(kinds_first({**head, "format": 1, **data})) + "\n"
         write_text(FilePath(path), text)
@@ -68,7 +109,10 @@ class Scene(Shown, SceneFields):
         """Line and column in the scene's file of the value at a JSON pointer; None if there is no file."""
         if self._text is None:
             return None
-        path = path_of(pointer)
+        path: Path = path_of(pointer)
+        if self._expansion is not None:
+            indices = (int(part) if part.isdigit() else part for part in path_of(pointer))
+            path = self._expansion.entry(tuple(indices))
         return line_column(self._text, locate(self._text, [path])[path].value_span[0])
 
     def model_copy(self, *, update: Any = None, deep: bool = False) -> Scene:

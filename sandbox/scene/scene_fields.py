@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from sandbox.scene.base import Model
-from sandbox.scene.body import Body, Prefab
+from sandbox.scene.body import Body
 from sandbox.scene.constraints import Exactly, Listed
 from sandbox.scene.expect import AnyExpectation
 from sandbox.scene.generators import AnyGenerator
@@ -18,6 +18,7 @@ from sandbox.scene.limits import (
     MAX_CONTROLS,
     MAX_EXPECTATIONS,
     MAX_GENERATORS,
+    MAX_INCLUDES,
     MAX_JOINTS,
     MAX_REGIONS,
     MAX_RULES,
@@ -25,6 +26,7 @@ from sandbox.scene.limits import (
 from sandbox.scene.material import Material
 from sandbox.scene.play.control import InputControl
 from sandbox.scene.play.rule import Rule
+from sandbox.scene.prefab import Prefab
 from sandbox.scene.quantities import Acceleration2, Name, Number
 from sandbox.scene.regions import AnyRegion
 from sandbox.scene.settings import Settings, View
@@ -37,6 +39,12 @@ class SceneFields(Model):
     format: Annotated[Literal[1], Exactly(1)] = Field(default=1, description="Version of the format.")
     title: str = Field(default="", description="A line for people.")
     about: str = Field(default="", description="What to watch for.")
+    include: Annotated[tuple[str, ...], Listed('["FILE.json", ...]', 0, MAX_INCLUDES)] = Field(
+        default=(), description='Files whose vars, materials and prefabs are there too; "sandbox:materials" is one.'
+    )
+    vars: dict[Name, Number] = Field(
+        default={}, description='Numbers by name, for expressions such as "=2 * rows" where a number is allowed.'
+    )
     gravity: Acceleration2 = Field(default=(0.0, -9.81), description="[x, y], m/s^2; y points up.")
     categories: Annotated[tuple[Name, ...], Listed('["name", ...]', 0, MAX_CATEGORIES)] = Field(
         default=(), description='Names of collision categories; "default" is one already.'

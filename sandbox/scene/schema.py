@@ -36,7 +36,12 @@ def _tidy(node: Any, in_list: bool = False) -> Any:
     choices = [entry for entry in kept.get("anyOf", ()) if entry != {"type": "null"}]
     if len(choices) == 1 and not in_list:
         kept = {**choices[0], **{key: value for key, value in kept.items() if key != "anyOf"}}
-    return kept
+    return _or_expression(kept) if kept.get("type") in ("number", "integer") and "const" not in kept else kept
+
+
+def _or_expression(number: dict[str, Any]) -> dict[str, Any]:
+    """Where a number may stand, an expression may; the limits of the one say nothing about the other."""
+    return {**number, "type": [number["type"], "string"], "pattern": "^="}
 
 
 def _is_noise(key: str, value: Any) -> bool:

@@ -50,6 +50,8 @@ def _reworded(item: Mapping[str, Any], root: type[BaseModel]) -> list[Finding]:
     if path and path[-1] == "[key]":
         return [Finding(path[:-1], f"the name {quoted(str(path[-2]))} {item['msg']}", on_key=True)]
     message, hint = _message(item)
+    if kind == "drawing":
+        return [Finding(path, message, within=item["ctx"]["span"])]
     if kind in ("polygon", "ends"):
         return [Finding((*path, *item["ctx"]["place"]), message)]
     return [Finding(path, f"{_label(path)}{message}", hint)]

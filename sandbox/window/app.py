@@ -183,7 +183,8 @@ class App:
             note_recent(self._folder, path)
         start = self.options.start_step if path == self.options.scene else 0
         other = self.options.other if path == self.options.scene else None
-        loader = Loader(path, start, self.options.workers, other=other)
+        values = self.options.values if path == self.options.scene else {}
+        loader = Loader(path, start, self.options.workers, other=other, values=values)
         return LoadingScreen(loader, self._play, self._failed)
 
     def _play(self, session: Session, leftover: Leftover | None = None) -> PlayScreen:

@@ -77,7 +77,8 @@ class Journal:
         scene = session.scene
         words = scene.text if scene.text is not None else json.dumps({"format": 1, **scene.to_data()})
         source = str(Path(scene.source).resolve()) if scene.text is not None else scene.source
-        self._line({"source": source, "from_file": scene.text is not None, "title": scene.title, "scene": words})
+        head = {"source": source, "from_file": scene.text is not None, "title": scene.title, "scene": words}
+        self._line({**head, "set": scene.set_values})
         return bool(self._file)
 
     def _line(self, content: Any) -> None:
@@ -134,12 +135,18 @@ def _runs(path: Path) -> bool:
     return True
 
 
+def _scene(head: Any) -> Scene:
+    if head["from_file"]:
+        return loads_scene(head["scene"], head["source"], head.get("set"))
+    return Scene(**json.loads(head["scene"]))
+
+
 def _read(path: Path) -> Leftover | None:
     """A journal; None if nothing of use is in it."""
     lines = _lines(path)
     try:
         head = next(lines)
-        scene = loads_scene(head["scene"], head["source"]) if head["from_file"] else Scene(**json.loads(head["scene"]))
+        scene = _scene(head)
     except (StopIteration, SandboxError, KeyError, TypeError, ValueError):
         return None
     commands: list[TimedCommand] = []

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
 
 from sandbox.errors import SandboxError
 from sandbox.window.journal import Leftover
@@ -26,9 +28,14 @@ class Loader:
         workers: int = 1,
         leftover: Leftover | None = None,
         other: Path | None = None,
+        values: Mapping[str, Any] = MappingProxyType({}),
     ) -> None:
-        """With `leftover`, what is in it is loaded, and not the file at `path`; `other` is a recording beside it."""
+        """With `leftover`, what is in it is loaded, and not the file at `path`; `other` is a recording beside it.
+
+        `values` are set in the scene, as `load_scene` takes them.
+        """
         self.path = path
+        self._values = values
         self._other = other
         self._leftover = leftover
         self.start_step = start_step
@@ -95,7 +102,7 @@ class Loader:
         if self._leftover is not None:
             return self._leftover.scene, self._leftover.commands, self._leftover.steps
         if recording is None:
-            imported = open_scene(self.path)
+            imported = open_scene(self.path, self._values)
             self._left_out = len(imported.remarks)
             return imported.scene, (), 0
         return recording.load_scene(), recording.commands, recording.steps

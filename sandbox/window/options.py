@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 from sandbox.render.camera import Size
 
@@ -24,3 +26,5 @@ class Options:
     script: Path | None = None
     other: Path | None = None
     """A recording that says what is expected of the one that is played."""
+    values: Mapping[str, Any] = field(default_factory=dict)
+    """What is set in the scene, as `load_scene` takes it."""

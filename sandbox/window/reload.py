@@ -24,7 +24,9 @@ class Reloader:
         self.problem = ""
         """Why the file as it stands cannot be used; empty if it can."""
         self._workers = workers
-        self._stamp = _stamp(self.path)
+        self._values = session.scene.set_values if recording is None else {}
+        self._files = [self.path, *session.scene.included_files]
+        self._stamp = self._stamps()
         self._since = 0.0
         self._loader: Loader | None = None
 
@@ -40,8 +42,8 @@ class Reloader:
         self._since += elapsed
         if self._since >= LOOK_SECONDS:
             self._since = 0.0
-            stamp = _stamp(self.path)
-            if stamp is not None and stamp != self._stamp:
+            stamp = self._stamps()
+            if None not in stamp and stamp != self._stamp:
                 self._stamp = stamp
                 self.read()
         return None
@@ -49,7 +51,11 @@ class Reloader:
     def read(self) -> None:
         """Read it now, whether it has changed or not."""
         if self._loader is None:
-            self._loader = Loader(self._read_from, workers=self._workers, other=self._other)
+            self._loader = Loader(self._read_from, workers=self._workers, other=self._other, values=self._values)
+
+    def _stamps(self) -> list[tuple[int, int] | None]:
+        """Changes when one of the files does, those that the scene includes among them."""
+        return [_stamp(path) for path in self._files]
 
     def _take(self) -> Session | None:
         assert self._loader is not None

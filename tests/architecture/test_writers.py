@@ -11,6 +11,7 @@ WRITER = "sandbox._atomic_write"
 SCRATCH = {
     "sandbox.replay.revisions.trace": "a job in a temporary folder, for another process",
     "sandbox.replay.revisions.tracer": "the answer to it",
+    "sandbox.sweeps.journal": "grows by a line for each finished run; a last one that was cut off is left out",
     "sandbox.window.journal": "grows by a line at a time; a reader leaves out a last one that was cut off",
 }
 

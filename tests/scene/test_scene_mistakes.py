@@ -74,7 +74,8 @@ def generate(fields: str) -> str:
         (body('"shapes": [{"circle": 1}], "friction": 1'),
          '2:41: unknown field "friction": it belongs in a material or a shape'),
         (body('"shapes": [{"circle": 1}], "position": [2e9, 0]'), "2:54: position[0] must not be above 1e+09 m"),
-        (body('"shapes": [{"circle": 1}], "color": "red"'), '2:50: color must be a colour such as "#3a7bd5"'),
+        (body('"shapes": [{"circle": 1}], "color": "redd"'),
+         '2:50: color must be a colour such as "#3a7bd5" or "tomato": did you mean "red"?'),
         (body('"shapes": [{"circle": 1}], "material": "wood"'), '2:53: no material is named "wood"'),
         (body('"prefab": "crate"'), '2:24: no prefab is named "crate"'),
         (body('"shapes": [{"segment": [[0, 0], [1, 0]]}]'),
@@ -150,14 +151,14 @@ def generate(fields: str) -> str:
         (generate('"row": "crate"'), '2:1: "count" is missing'),
         (generate('"row": "crte", "count": 2'), '2:20: no prefab is named "crte": did you mean "crate"?'),
         (generate('"row": "crate", "count": 0'), "2:38: count must not be below 1"),
-        (generate('"pile": "crate", "count": 2'),
-         '2:1: a generator needs one of "row", "stack", "grid", "pyramid", "scatter", "chain"'),
+        (generate('"heap": "crate", "count": 2'),
+         '2:1: a generator needs one of "place", "row", "stack", "grid", "pyramid", "scatter", "chain"'),
     ],
 )  # fmt: skip
 def test_one_mistake_is_one_line(text, told):
     lines = [line for line in refused(text).lines() if line.startswith("x.json:")]
     assert lines[0].removeprefix("x.json:") == told
-    assert len(lines) == (2 if '"pile"' in text else 1)
+    assert len(lines) == (2 if '"heap"' in text else 1)
 
 
 def test_the_vertices_of_holes_count_as_well():

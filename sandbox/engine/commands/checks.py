@@ -24,7 +24,7 @@ GRAVITY_LIMIT = 1e6
 TIME_LIMIT = 1e9
 """Latest time of a path that a command may set, in s."""
 
-_LIMITS = {
+LIMITS = {
     **dict.fromkeys(("position", "angle", "point", "target", "radius", "pointer"), MAX_COORDINATE),
     **dict.fromkeys(("velocity", "angular_velocity", "speed"), SPEED_LIMIT),
     "gravity": GRAVITY_LIMIT,
@@ -93,7 +93,7 @@ def _is(value: Any, kind: Any) -> bool:
 
 
 def _check(command: Any, field: str, number: Any) -> None:
-    limit = _LIMITS.get(field, math.inf)
+    limit = LIMITS.get(field, math.inf)
     try:
         finite = math.isfinite(number)
     except OverflowError:  # a whole number that no float can hold

@@ -77,7 +77,7 @@ def _earlier_scenes(recording: Recording) -> Iterator[tuple[str, Scene]]:
     for source in (texts, known):
         for where, text in source:
             try:
-                yield where, loads_scene(text, str(path))
+                yield where, loads_scene(text, str(path), recording.scene.set)
             except SandboxError:
                 continue
 

@@ -65,10 +65,14 @@ PoseRow = Annotated[tuple[float, float, float], Listed("[x, y, angle]", 3, 3)]
 
 
 class SceneEntry(Model):
-    """Which scene: by `path` from the recording's folder or by `content`, and what it came down to."""
+    """Which scene: by `path` from the recording's folder, with the values that were `set` in it, or by `content`.
+
+    The hashes are what it came down to.
+    """
 
     path: RelativePath | None = None
     content: dict[str, Any] | None = None
+    set: dict[str, Any] = Field(default={})
     hash: Hex16
     world: Hex4
     bodies: dict[Id, Hex4]

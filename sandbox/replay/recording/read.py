@@ -140,7 +140,7 @@ def _recording(
     meaning = Meaning(entry.hash, entry.world, entry.bodies, entry.joints)
     place = path.parent / entry.path if entry.path is not None else None
     return RecordingFields(
-        scene=SceneSource(meaning, place, content),
+        scene=SceneSource(meaning, place, content, entry.set),
         steps=model.steps,
         step_rate=model.step_rate,
         commands=commands,

@@ -123,4 +123,4 @@ def _apply_due(recorder: Recorder, script: Sequence[TimedCommand], done: int) ->
 
 def _source_of(scene: Scene) -> SceneSource:
     path = Path(scene.source) if scene.text is not None and Path(scene.source).is_file() else None
-    return SceneSource(meaning_of(scene.flatten()), path.resolve() if path else None, scene)
+    return SceneSource(meaning_of(scene.flatten()), path.resolve() if path else None, scene, scene.set_values)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 from sandbox._version import __version__
 from sandbox.engine.arithmetic_version import ARITHMETIC
@@ -23,11 +23,15 @@ Pose: TypeAlias = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class SceneSource:
-    """Where a recording's scene is: in a file at `path`, or in `content`; `meaning` is what it came down to then."""
+    """Where a recording's scene is: in a file at `path`, or in `content`; `meaning` is what it came down to then.
+
+    `set` are values that were put into the scene of a file when it was loaded.
+    """
 
     meaning: Meaning
     path: Path | None = None
     content: Scene | None = None
+    set: Mapping[str, Any] = field(default_factory=dict)
 
     @property
     def gone(self) -> bool:
@@ -40,7 +44,7 @@ class SceneSource:
             return self.content
         assert self.path is not None
         try:
-            return load_scene(self.path)
+            return load_scene(self.path, self.set)
         except SceneError as error:
             if looks_like_a_scene(self.path):
                 raise

@@ -60,6 +60,7 @@ def _scene(scene: SceneSource, path: Path, embed: bool | None) -> str:
     way = None if embed else _way(scene, path, embed)
     if way is not None:
         members.append(f'"path": {_json(way)}')
+        members += [f'"set": {_json(dict(scene.set))}'] if scene.set else []
     elif scene.content is None and scene.path is None:
         raise RecordingError(str(path), [Problem("the recording has no scene")])
     meaning = scene.meaning

@@ -7,8 +7,9 @@ from math import atan2
 from typing import Any
 
 from sandbox.geometry.rotation import RADIANS_PER_DEGREE
-from sandbox.scene.body import Body, Prefab
+from sandbox.scene.body import Body
 from sandbox.scene.generators import kind_of
+from sandbox.scene.prefab import Prefab
 from sandbox.world.export.numbers import degrees, fitted, pair, shortest
 from sandbox.world.export.present import Motion, Present
 from sandbox.world.export.shape_words import shape_words

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from sandbox.scene.body import Prefab
 from sandbox.scene.flat_shapes import flat_shapes
+from sandbox.scene.prefab import Prefab
 from sandbox.world.export.present import SURFACE, Present
 
 Words = dict[str, Any]

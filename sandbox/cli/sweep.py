@@ -1,0 +1,187 @@
+"""`sandbox sweep`: one scene, many runs, each with other values; a row of a table for each."""
+
+from __future__ import annotations
+
+import math
+import sys
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+import typer
+
+from sandbox._printable import told
+from sandbox.cli.failures import FAILED, HOLDS
+from sandbox.cli.options import takes
+from sandbox.cli.sweep_options import SweepOptions, check_output, check_plot_file, varied
+from sandbox.errors import SandboxError
+from sandbox.resources import find_scene
+
+if TYPE_CHECKING:
+    from sandbox.sweeps.design import Design
+    from sandbox.sweeps.runners import Job
+    from sandbox.sweeps.study import Outcome, Study
+    from sandbox.sweeps.table import SweepTable
+
+
+@takes(SweepOptions)
+def sweep(options: SweepOptions) -> None:
+    """Run a scene many times, each with other values, and write a table with a row for each run.
+
+    The rows are in the order of the grid and the same, byte for byte, however many processes or machines ran them.
+    A sweep that was ended goes on with --resume. A run that fails has the error as its status; the others go on.
+
+    Exit code 0: all runs came to their end.
+    Exit code 1: some failed.
+    Exit code 2: the scene, or an option, could not be used.
+    """
+    if options.plot is not None:
+        check_plot_file(options.plot)
+    start = time.perf_counter()
+    table, title = _read(options) if options.is_of_table else _run(options)
+    if options.plot is not None:
+        _draw(table, options, title)
+    failed = _count_failed(table)
+    _tell(table, options, failed, time.perf_counter() - start)
+    raise typer.Exit(FAILED if failed else HOLDS)
+
+
+def _read(options: SweepOptions) -> tuple[SweepTable, str]:
+    """A table that is there."""
+    from sandbox.sweeps.table import read_table
+
+    if options.plot is None:
+        raise SandboxError(f"{told(options.scene)} is a table; --plot FILE draws it, and a scene is run")
+    return read_table(options.scene), ""
+
+
+def _run(options: SweepOptions) -> tuple[SweepTable, str]:
+    """Make all runs, and write the table."""
+    from sandbox.cli.compiling import announce_compilation
+    from sandbox.scene import load_scene
+    from sandbox.sweeps.design import grid, sample
+    from sandbox.sweeps.study import study_of
+    from sandbox.sweeps.sweep import table_of
+
+    if not options.vary:
+        raise SandboxError("nothing varies; say what does, such as --vary gravity.1=-12:-2:6")
+    vary = varied(options.vary)
+    check_output(options)
+    design = grid(vary) if options.sample is None else sample(vary, options.sample, options.seed)
+    file = find_scene(options.scene)
+    scene = load_scene(file)
+    study = study_of(scene, design, options.steps, options.collect or [])
+    if options.plot is not None:
+        from sandbox.sweeps.plot import check_plot
+
+        check_plot((*design.paths, *study.columns, "steps"), _plot(options, design.paths[0], study.columns, ""))
+    announce_compilation()
+    table = table_of(study, design, _with_journal(study, design, options, file.name))
+    return table, scene.title or file.name
+
+
+def _with_journal(study: Study, design: Design, options: SweepOptions, name: str) -> list[Outcome]:
+    """All outcomes: those that an earlier sweep has left, and the others, which are run; the table is not yet there."""
+    from sandbox.sweeps.journal import Journal, journal_of
+    from sandbox.sweeps.sweep import table_of
+
+    if options.output is None:
+        return list(_progressing(study, list(enumerate(design.runs)), options, (name, 0)))
+    journal = Journal(journal_of(options.output), study.fingerprint(design.runs), len(design.runs))
+    done = journal.done() if options.resume else {}
+    left = [(run, values) for run, values in enumerate(design.runs) if run not in done]
+    with journal.writing(goes_on=bool(done)), _telling_how_to_go_on(done, len(design.runs)):
+        for outcome in _progressing(study, left, options, (name, len(done))):
+            journal.note(outcome)
+            done[outcome.run] = outcome
+    table_of(study, design, done.values()).save(options.output)
+    journal.remove()
+    return list(done.values())
+
+
+@contextmanager
+def _telling_how_to_go_on(done: Mapping[int, Outcome], runs: int) -> Iterator[None]:
+    """Say what is kept, where runs are interrupted or fail all together."""
+    try:
+        yield
+    except (KeyboardInterrupt, SandboxError):
+        print(f"{len(done)} of {runs} runs are kept; --resume goes on with the others", file=sys.stderr)
+        raise
+
+
+def _progressing(study: Study, jobs: Sequence[Job], options: SweepOptions, begun: tuple[str, int]) -> Iterator[Outcome]:
+    """Make runs and show how many are done; `begun` is the name of the scene, and how many were done before."""
+    from rich.console import Console
+
+    from sandbox.cli.progress import SceneProgress
+    from sandbox.sweeps.sweep import outcomes_of
+
+    name, before = begun
+    with SceneProgress(Console(stderr=True), 1, "runs") as progress:
+        progress.begin(name, before + len(jobs))
+        progress.done(before)
+        for done, outcome in enumerate(outcomes_of(study, jobs, options.scheduler or options.jobs or None), 1):
+            yield outcome
+            progress.done(before + done)
+
+
+def _draw(table: SweepTable, options: SweepOptions, title: str) -> None:
+    from sandbox.sweeps.plot import save_plot
+
+    assert options.plot is not None
+    numbers = [name for name in table.columns if table[name].dtype != object and name != "steps"]
+    save_plot(table, _plot(options, table.columns[0], numbers[1:] or numbers, title), options.plot)
+
+
+def _plot(options: SweepOptions, x: str, collected: Sequence[str], title: str) -> Any:
+    """What to draw: what was asked for, by default the first column that was collected over the first that varies."""
+    from sandbox.sweeps.plot import Plot
+
+    y = tuple(options.y or collected[-1:])
+    if not y:
+        raise SandboxError("--plot: nothing is collected that could be drawn; add --collect, such as energy")
+    return Plot(options.x or x, y, options.by or "", title, options.theme)
+
+
+def _count_failed(table: SweepTable) -> int:
+    return sum(status != "ok" for status in table["status"]) if "status" in table.columns else 0
+
+
+def _tell(table: SweepTable, options: SweepOptions, failed: int, seconds: float) -> None:
+    written = [path for path in (None if options.is_of_table else options.output, options.plot) if path is not None]
+    if options.json:
+        _print_document(table, options, failed, seconds)
+        return
+    if options.output is None and not options.is_of_table:
+        sys.stdout.write(table.csv())
+    plural = "run" if len(table) == 1 else "runs"
+    words = f"{len(table)} {plural}"
+    for path in written:
+        print(f"{told(path)}: {words}")
+    if failed:
+        row = next(row for row in table.rows if row["status"] != "ok")
+        print(f"{failed} of {len(table)} runs failed, the first with: {told(row['status'])}", file=sys.stderr)
+
+
+def _in_json(value: Any) -> Any:
+    """A value as JSON has it, which knows neither NaN nor infinities."""
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def _print_document(table: SweepTable, options: SweepOptions, failed: int, seconds: float) -> None:
+    import json
+
+    files = {"output": options.output, "plot": options.plot}
+    rows = [{name: _in_json(value) for name, value in row.items()} for row in table.rows]
+    document = {
+        "exit_code": FAILED if failed else HOLDS,
+        "seconds": round(seconds, 3),
+        "scene": options.scene.as_posix(),
+        **{name: path.as_posix() if path is not None else None for name, path in files.items()},
+        "runs": len(table),
+        "failed": failed,
+        "columns": table.columns,
+        "rows": rows,
+    }
+    print(json.dumps(document, indent=2, ensure_ascii=False))

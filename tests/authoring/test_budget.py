@@ -1,0 +1,76 @@
+"""What a few lines could make of themselves is refused before it is made."""
+
+from __future__ import annotations
+
+import json
+import tracemalloc
+from typing import Any
+
+import pytest
+
+from sandbox.errors import SceneError
+from sandbox.scene import loads_scene
+from sandbox.scene.authoring import output
+from sandbox.scene.limits import MAX_NESTING
+
+BALL = {"shapes": [{"circle": 1}]}
+
+
+def told(prefabs: dict[str, Any], *generate: dict[str, Any]) -> str:
+    """The first mistake of a scene; refusing it must take little memory."""
+    text = json.dumps({"prefabs": prefabs, "generate": generate})
+    loads_scene('{"prefabs": {"p": {"bodies": []}}, "generate": [{"id": "x", "place": "p"}]}')
+    tracemalloc.start()
+    with pytest.raises(SceneError) as caught:
+        loads_scene(text)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 20_000_000
+    return caught.value.problems[0].message
+
+
+def doubling(levels: int, last: dict[str, Any], count: int = 2) -> dict[str, Any]:
+    """Prefabs each of which holds `count` copies of the next."""
+    inner = {f"p{k}": {"generate": [{"id": "a", "place": f"p{k + 1}", "count": count}]} for k in range(levels)}
+    return {**inner, f"p{levels}": last}
+
+
+def test_many_copies_of_many_bodies_are_counted_first():
+    prefab = {"bodies": [{"id": f"b{k}", **BALL} for k in range(500)]}
+    assert told({"p": prefab}, {"id": "x", "place": "p", "count": 100_000}).startswith("the scene has more than 100000")
+    assert told({"p": prefab}, {"id": "x", "row": "p", "count": 1000, "step": [1, 0]}).startswith("the scene has more")
+
+
+def test_copies_of_copies(monkeypatch):
+    monkeypatch.setattr(output, "MAX_BODIES", 1000)
+    assert (
+        told(doubling(12, BALL), {"id": "x", "place": "p0"})
+        == "the scene has more than 1000 bodies, which is the limit"
+    )
+
+
+def test_copies_of_nothing(monkeypatch):
+    monkeypatch.setattr(output, "MAX_VALUES", 20_000)
+    said = told(doubling(12, {"bodies": []}, 10), {"id": "x", "place": "p0"})
+    assert said == "the copies of prefabs have more than 20,000 values together, which is the limit"
+
+
+def test_joints_count_too(monkeypatch):
+    monkeypatch.setattr(output, "MAX_JOINTS", 50)
+    weld = {"id": "w", "type": "weld", "bodies": ["b"], "anchor": [0, 0]}
+    said = told({"p": {"bodies": [{"id": "b", **BALL}], "joints": [weld]}}, {"id": "x", "place": "p", "count": 100})
+    assert said == "the scene has more than 50 joints, which is the limit"
+
+
+def test_differing_copies_of_a_large_body(monkeypatch):
+    monkeypatch.setattr(output, "MAX_VALUES", 20_000)
+    body = {"params": {"r": 1}, "shapes": [{"circle": "=r"}] * 200}
+    said = told({"p": body}, {"id": "x", "place": "p", "count": 100, "params": {"r": "=i"}})
+    assert said == "the copies of prefabs have more than 20,000 values together, which is the limit"
+
+
+def test_prefabs_in_prefabs_end_somewhere():
+    said = told(doubling(MAX_NESTING + 1, BALL, 1), {"id": "x", "place": "p0"})
+    assert said == "prefabs in prefabs, deeper than 16 levels"
+    said = told(doubling(1000, BALL, 1), {"id": "x", "place": "p0"})
+    assert said == "prefabs in prefabs, deeper than 16 levels"

@@ -1,0 +1,1 @@
+"""Batches: each world as it would go alone."""

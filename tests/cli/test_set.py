@@ -1,0 +1,61 @@
+"""`--set` on the command line."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+
+@pytest.fixture
+def scene(write_scene: Callable[..., Path], monkeypatch: pytest.MonkeyPatch) -> str:
+    path = write_scene("a.scene.json", {"at": 5, "rests": "crate"}, vars={"g": 9.81}, gravity=[0, "=-g"])
+    monkeypatch.chdir(path.parent)
+    return path.name
+
+
+def test_values_reach_the_commands(cli: Callable, scene: str) -> None:
+    assert cli("check", scene).code == 0
+    moved = cli("check", scene, "--set", "bodies.crate.position.1=5", "--json")
+    assert moved.code == 1
+    assert json.loads(moved.out)["scenes"][0]["verdict"] == "failed"
+    assert cli("events", scene, "--set", "bodies.crate.position.1=0.52", "--steps", "60", "--kind", "begin").out
+    assert cli("render", scene, "-o", "x.svg", "--set", "title=Moon").code == 0
+    assert "Moon" in Path("x.svg").read_text(encoding="utf-8")
+
+
+def test_a_recording_with_values_is_replayed(cli: Callable, scene: str) -> None:
+    assert cli("record", scene, "-o", "a.replay.json", "--steps", "10", "--set", "vars.g=1.62").code == 0
+    assert json.loads(Path("a.replay.json").read_text())["scene"]["set"] == {"vars.g": 1.62}
+    assert cli("replay", "a.replay.json").code == 0
+    assert cli("replay", "a.replay.json", "--update").code == 0
+    assert json.loads(Path("a.replay.json").read_text())["scene"]["set"] == {"vars.g": 1.62}
+
+
+@pytest.mark.parametrize(
+    ("command", "given", "said"),
+    [
+        ("check", ["vars.h=1"], 'a.scene.json: --set vars.h: the scene has no number "h": it has g'),
+        ("check", ["vars"], "sandbox: --set 'vars': write a path and a value, such as --set gravity.1=-1.62"),
+        ("check", ["=1"], "sandbox: --set '=1': write a path and a value, such as --set gravity.1=-1.62"),
+        ("check", ["vars.g=1", "vars.g=2"], "sandbox: --set vars.g is given twice"),
+        ("check", ["vars.g=NaN"], "a.scene.json: --set vars.g: must be a finite number"),
+        ("run", ["vars.h=1"], 'a.scene.json: --set vars.h: the scene has no number "h": it has g'),
+        ("events", ["vars.g=x"], "a.scene.json: --set vars.g: must be a number, not text"),
+    ],
+)
+def test_wrong_ones_are_one_message(cli: Callable, scene: str, command: str, given: list[str], said: str) -> None:
+    done = cli(command, scene, *(word for value in given for word in ("--set", value)))
+    assert done.code == 2
+    assert said in done.err.replace("\n", " ")
+    assert "Traceback" not in done.err
+
+
+def test_recordings_bring_their_scene(cli: Callable, scene: str) -> None:
+    cli("record", scene, "-o", "a.replay.json", "--steps", "2")
+    for arguments in (["run"], ["render", "-o", "x.png"]):
+        done = cli(*arguments, "a.replay.json", "--set", "vars.g=1")
+        assert done.code == 2
+        assert "a.replay.json is a recording, which brings its scene: --set is for scenes" in done.err

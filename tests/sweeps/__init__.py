@@ -1,0 +1,1 @@
+"""Sweeps: tables of many runs."""
