@@ -12,8 +12,8 @@ from sandbox.formats.remarks import Remarks
 from sandbox.formats.svg.lengths import length, numbers
 from sandbox.formats.svg.matrix import Matrix
 from sandbox.formats.svg.rings import outlines
+from sandbox.formats.svg.strokes import Stroke, strokes_of
 from sandbox.formats.xml_tree import Element
-from sandbox.geometry.svg_path import Subpath, flat_path
 from sandbox.scene.limits import MAX_OUTLINE
 
 KINDS = ("path", "rect", "circle", "ellipse", "line", "polyline", "polygon")
@@ -57,30 +57,30 @@ def line_words(brush: Brush, width: float) -> list[Words]:
     return [words | thick for part in found for words in part]
 
 
-def subpaths(brush: Brush) -> list[Subpath]:
+def subpaths(brush: Brush) -> list[Stroke]:
     """What a pen would draw, in metres; coarser than asked for where it would have too many corners for a scene."""
     for coarser in range(8):
         found = _drawn(brush, brush.tolerance * 2.0**coarser / max(brush.matrix.scale, 1e-12))
         if all(len(each.points) <= MAX_OUTLINE for each in found):
             break
-    return [Subpath([brush.matrix.of(point) for point in each.points], each.closed) for each in found]
+    return [Stroke([brush.matrix.of(point) for point in each.points], each.closed) for each in found]
 
 
-def _drawn(brush: Brush, tolerance: float) -> list[Subpath]:
+def _drawn(brush: Brush, tolerance: float) -> list[Stroke]:
     element = brush.element
     if element.tag == "path":
-        path = flat_path(element.get("d"), tolerance)
-        if path.fault:
-            brush.remarks.note(f"{brush.place} ({path.fault})", "a path is drawn up to a mistake in its data")
-        return path.subpaths
+        found, mistake = strokes_of(element.get("d"), tolerance)
+        if mistake:
+            brush.remarks.note(f"{brush.place} ({mistake})", "a path is drawn up to a mistake in its data")
+        return found
     if element.tag == "line":
         ends = [(brush.length("x1", 0), brush.length("y1", 1)), (brush.length("x2", 0), brush.length("y2", 1))]
-        return [Subpath(ends)]
+        return [Stroke(ends)]
     if element.tag in ("polyline", "polygon"):
         values = numbers(element.get("points"))
         points = list(zip(values[::2], values[1::2], strict=False))
-        return [Subpath(points, element.tag == "polygon")] if len(points) > 1 else []
-    return [Subpath(_outline(brush, tolerance), True)]
+        return [Stroke(points, element.tag == "polygon")] if len(points) > 1 else []
+    return [Stroke(_outline(brush, tolerance), True)]
 
 
 def _outline(brush: Brush, tolerance: float) -> list[Vec]:
@@ -95,7 +95,7 @@ def _outline(brush: Brush, tolerance: float) -> list[Vec]:
             f"M{x + rx} {y}h{across}a{rx} {ry} 0 0 1 {rx} {ry}v{down}a{rx} {ry} 0 0 1 {-rx} {ry}"
             f"h{-across}a{rx} {ry} 0 0 1 {-rx} {-ry}v{-down}a{rx} {ry} 0 0 1 {rx} {-ry}z"
         )
-        return flat_path(text, tolerance).subpaths[0].points
+        return strokes_of(text, tolerance)[0][0].points
     cx, cy = brush.length("cx", 0), brush.length("cy", 1)
     rx, ry = _radii(brush)
     return [(cx + x, cy + y) for x, y in ellipse_points(2 * rx, 2 * ry, tolerance)]
