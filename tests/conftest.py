@@ -24,7 +24,7 @@ if sys.dont_write_bytecode:
 # red run is due to a change and not to chance. No time limits, for the first call of a kernel compiles it. Shapes are
 # drawn at random and many do not meet, and CI machines are slow: neither says anything about the code.
 checks = [HealthCheck.filter_too_much, HealthCheck.too_slow]
-for profile, share in (("quick", 5), ("deep", 15), ("thorough", 100)):
+for profile, share in (("quick", 5), ("deep", 10), ("thorough", 100)):
     settings.register_profile(
         profile, max_examples=share, derandomize=profile != "thorough", deadline=None, print_blob=True,
         suppress_health_check=checks,

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from sandbox.cli.options import takes
+from sandbox.cli.options import SET, takes, values_set
 from sandbox.errors import SandboxError
 from sandbox.resources import find_scene
 
@@ -53,6 +53,7 @@ class SatOptions:
     figure: Annotated[str | None, _FIGURE] = None
     axis: Annotated[int | None, _AXIS] = None
     step_by_step: Annotated[bool, _STEPS] = False
+    set: Annotated[list[str] | None, SET] = None
 
 
 @takes(SatOptions)
@@ -66,7 +67,7 @@ def sat(options: SatOptions) -> None:
     from sandbox.cli.sat_pair import pair_in
     from sandbox.geometry.sat_table import sat_table
 
-    pair = pair_in(find_scene(options.scene), options.bodies, options.step)
+    pair = pair_in(find_scene(options.scene), options.bodies, options.step, values_set(options.set))
     table = sat_table(pair.a, pair.b, options.all_axes)
     svg, axis = options.svg, options.axis
     if svg is not None:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from sandbox.errors import SandboxError, UnknownBodyError
 
@@ -36,12 +37,12 @@ class SatPair:
         return f"{parts[0]} and {parts[1]}: of all pairs of their shapes the deepest, or else the nearest one"
 
 
-def pair_in(path: Path, bodies: tuple[str, str] | None, step: int) -> SatPair:
-    """The pair of a scene file. Raises `SandboxError` if the bodies do not make one."""
+def pair_in(path: Path, bodies: tuple[str, str] | None, step: int, values: Mapping[str, Any] | None = None) -> SatPair:
+    """The pair of a scene file, with `values` set in it. Raises `SandboxError` if the bodies do not make one."""
     from sandbox.engine.world import World
     from sandbox.scene import load_scene
 
-    world = World(load_scene(path))
+    world = World(load_scene(path, values))
     names = bodies or _only_two(world)
     _check(world, names)
     if step:

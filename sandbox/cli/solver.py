@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from sandbox.cli.options import takes
+from sandbox.cli.options import SET, takes, values_set
 from sandbox.errors import SandboxError
 from sandbox.resources import find_scene
 
@@ -52,6 +52,7 @@ class SolverOptions:
     measure: Annotated[str, _MEASURE] = ""
     figure: Annotated[str, _FIGURE] = ""
     svg: Annotated[Path | None, _SVG] = None
+    set: Annotated[list[str] | None, SET] = None
     json: Annotated[bool, _JSON] = False
 
 
@@ -113,7 +114,7 @@ def _passes(options: SolverOptions) -> SolverFigure:
     from sandbox.render.solver_page import Run, SolverFigure
     from sandbox.scene import load_scene
 
-    scene = load_scene(find_scene(options.scene))
+    scene = load_scene(find_scene(options.scene), values_set(options.set))
     flat, step = scene.flatten(), options.step
     runs = []
     for label, techniques in runs_of(flat, options.vary or [], options.iterations):
@@ -132,7 +133,7 @@ def _over_time(options: SolverOptions) -> SolverFigure:
     from sandbox.replay.headless_run import planned_steps
     from sandbox.scene import load_scene
 
-    scene = load_scene(find_scene(options.scene))
+    scene = load_scene(find_scene(options.scene), values_set(options.set))
     flat = scene.flatten()
     total = planned_steps(scene) if options.steps is None else options.steps
     wanted = runs_of(flat, options.vary or [], options.iterations)

@@ -13,7 +13,7 @@ from sandbox.notebook import Shown
 from sandbox.scene.authoring.blame import Expansion
 from sandbox.scene.authoring.document import Document
 from sandbox.scene.authoring.expand import expanded
-from sandbox.scene.authoring.python_words import in_words
+from sandbox.scene.authoring.python_words import as_written, in_words
 from sandbox.scene.effort import one_effort
 from sandbox.scene.excerpt import line_column
 from sandbox.scene.finding import Finding, Path, path_of
@@ -94,9 +94,10 @@ class Scene(Shown, SceneFields):
         """
         if self._expansion is None:
             return self.to_data()
-        here = FilePath(self._source).resolve().parent if self._text is not None else None
-        moved = folder is not None and here is not None and FilePath(folder).resolve() != here
-        return self._expansion.written(moved)
+        if self._text is None:
+            return {key: as_written(value) for key, value in self._expansion.main.data.items()}
+        here = FilePath(self._source).resolve().parent
+        return self._expansion.written(moved=folder is not None and FilePath(folder).resolve() != here)
 
     def save(self, path: str | FilePath) -> None:
         """Write the scene as JSON (UTF-8) that loads to an equal scene. Raises `OSError`; what was there stays then."""

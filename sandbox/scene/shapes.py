@@ -184,7 +184,8 @@ class PolygonShape(Turnable):
     """A polygon of 3 to 1000 vertices, in either winding; it may be concave and have holes."""
 
     polygon: Annotated[Outline, AfterValidator(_check_polygon)] = Field(
-        description="Vertices [[x, y], ...], m; repeated vertices and ones on a straight side are dropped."
+        description="Vertices [[x, y], ...], m, or a path in the syntax of SVG; repeated vertices and ones on a "
+        "straight side are dropped."
     )
     holes: Annotated[Holes, AfterValidator(_check_holes)] = Field(
         default=(), description="Outlines of holes [[[x, y], ...], ...], m: within the polygon, apart from each other."
@@ -197,7 +198,9 @@ class PolygonShape(Turnable):
 class ChainShape(Turnable):
     """Lines from point to point, smooth at the joints; they have no mass unless they have a radius."""
 
-    chain: Annotated[ChainPoints, AfterValidator(_check_chain)] = Field(description="The points [[x, y], ...], m.")
+    chain: Annotated[ChainPoints, AfterValidator(_check_chain)] = Field(
+        description="The points [[x, y], ...], m, or a path in the syntax of SVG."
+    )
     closed: Annotated[bool, AfterValidator(_check_closed)] = Field(
         default=False, description="true: a last line leads from the last point to the first."
     )

@@ -1,122 +1,65 @@
-"""Other values in the document of a scene, by paths such as `bodies.crate.position.0`.
+"""Other values in the words of a scene, by paths such as `bodies.crate.position.0` or `vars.rows`.
 
-The seam between sweeps and the words of a scene file: nothing else here knows how a document is built.
+The seam between sweeps and scene files: what `--set` does for one run (`scene/authoring/changes.py`), for many.
 """
 
 from __future__ import annotations
 
-import copy
-from collections.abc import Iterable, Mapping
+import hashlib
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from typing import Any
 
-from pydantic import BaseModel
-
-from sandbox.arguments import shown
-from sandbox.errors import ArgumentError
-from sandbox.scene import Scene
-from sandbox.scene.near_names import did_you_mean
-from sandbox.scene.scene_fields import SceneFields
+from sandbox._bounded_read import read_bytes
+from sandbox.errors import ArgumentError, SceneError
+from sandbox.scene import Scene, loads_scene
+from sandbox.scene.limits import MAX_BYTES
 
 SEED = "seed"
-"""The path that stands for the seed of every generator which has one."""
+"""The path that stands for `vars.seed` where a scene has that number, else for the seed of every generator that has
+one."""
 
 
-def scene_with(document: Mapping[str, Any], values: Mapping[str, Any]) -> Scene:
-    """The scene of a document that is `prepared` for the paths of `values`, with that value at each of them.
+@dataclass(frozen=True)
+class Words:
+    """What an author wrote: the text, the file that it is from, beside which includes are looked for, the values that
+    were set before, and a fingerprint of what it includes."""
 
-    A path leads through keys, the numbers of entries from 0, and their ids, with dots between. Raises `ArgumentError`
-    where a path leads nowhere, `SceneError` where the scene cannot be with such values.
-    """
-    changed = copy.deepcopy(dict(document))
-    for path, value in values.items():
-        _put(changed, path, value)
-    return Scene(**changed)
+    text: str
+    source: str
+    before: Mapping[str, Any]
+    included: str
 
+    @classmethod
+    def of(cls, scene: Scene) -> Words:
+        """Those of a scene; of one that was built in Python, what a file of it would say."""
+        text = scene.text if scene.text is not None else json.dumps(scene.to_data())
+        included = b"".join(read_bytes(file, MAX_BYTES) for file in scene.included_files)
+        source = os.path.abspath(scene.source) if os.path.isfile(scene.source) else scene.source
+        return cls(text, source, scene.set_values, hashlib.blake2b(included, digest_size=8).hexdigest())
 
-def prepared(data: Mapping[str, Any], paths: Iterable[str]) -> dict[str, Any]:
-    """The document of a scene with all that `paths` lead through written out, where it was left to its default.
+    def with_values(self, values: Mapping[str, Any]) -> Scene:
+        """The scene with other values. Raises `SceneError`, and `ArgumentError` for a seed of nothing."""
+        changed = {**self.before, **{path: value for path, value in values.items() if path != SEED}}
+        if SEED in values:
+            changed |= dict.fromkeys(self._seeds(), values[SEED])
+        return loads_scene(self.text, self.source, changed)
 
-    Raises `ArgumentError` that names the first path which leads nowhere.
-    """
-    document = copy.deepcopy(dict(data))
-    scene = Scene(**document)
-    for path in paths:
-        if path != SEED:
-            _write_out(document, scene, path)
-        _put(copy.deepcopy(document), path, 0)
-    return document
+    def told(self, error: SceneError) -> str:
+        """The first mistake, without the name of the file and of an option that nobody gave."""
+        problem = error.problems[0]
+        path = problem.source.removeprefix(f"{self.source}: --set ") if problem.source else ""
+        alone = replace(problem, source="", excerpt="", line=0, column=0)
+        words = SceneError("", [alone]).lines()[0].removeprefix(": ")
+        return f"{path}: {words}" if path else words
 
-
-def _write_out(document: dict[str, Any], scene: Scene, path: str) -> None:
-    """Write what a path leads through into the document, where only the `scene` that is made of it has it."""
-    node: Any = document
-    model: Any = scene
-    for part in _parts(path)[:-1]:
-        if isinstance(node, dict) and part not in node and isinstance(model, BaseModel):
-            default = _plain(getattr(model, part, None))
-            if default is not None:
-                node[part] = default
-        at = _key(node, part, path)
-        node = node[at]
-        model = getattr(model, str(at), None) if isinstance(model, BaseModel) else model[at]
-
-
-def _plain(value: Any) -> Any:
-    """A value of a model as a document has it; a model is empty there, as what it leaves out is its default."""
-    if isinstance(value, BaseModel):
-        return {}
-    return list(value) if isinstance(value, tuple) else value
-
-
-def _put(document: dict[str, Any], path: str, value: Any) -> None:
-    if path == SEED:
-        _put_seeds(document, value)
-        return
-    *parents, last = _parts(path)
-    node: Any = document
-    for part in parents:
-        node = node[_key(node, part, path)]
-    at = last if isinstance(node, dict) else _key(node, last, path)
-    node[at] = value
-
-
-def _parts(path: str) -> list[str]:
-    parts = path.split(".")
-    if not all(parts):
-        raise ArgumentError(f"{path or 'a path'}: a path is keys and ids with dots between, such as gravity.1")
-    known = [field.alias or name for name, field in SceneFields.model_fields.items()]
-    if parts[0] not in known:
-        hint = did_you_mean(parts[0], known) or f"it has {', '.join(known[2:])}"
-        raise ArgumentError(f"{path}: a scene has no {parts[0]!r}; {hint}")
-    return parts
-
-
-def _key(node: Any, part: str, path: str) -> str | int:
-    """What part of a path leads to in a node: a key, or the place of an entry by its number or its id."""
-    if isinstance(node, dict):
-        if part in node:
-            return part
-        raise ArgumentError(f"{path}: there is no {part!r}; {_instead(part, list(node))}")
-    if not isinstance(node, list):
-        raise ArgumentError(f"{path}: {part!r} is looked for in {shown(node)}, which has nothing inside")
-    if part.isdecimal() and len(part) < 9:
-        if int(part) < len(node):
-            return int(part)
-        raise ArgumentError(f"{path}: there is no entry {part}; there are {len(node)}, counted from 0")
-    names = [str(entry.get("id", "")) if isinstance(entry, dict) else "" for entry in node]
-    if part not in names:
-        raise ArgumentError(f"{path}: there is no entry {part!r}; {_instead(part, [name for name in names if name])}")
-    return names.index(part)
-
-
-def _instead(part: str, names: list[str]) -> str:
-    most = ", ".join(names[:8]) + (", ..." if len(names) > 8 else "")
-    return did_you_mean(part, names) or (f"there are {most}" if names else "none has an id; give its number, from 0")
-
-
-def _put_seeds(document: dict[str, Any], value: Any) -> None:
-    seeded = [entry for entry in document.get("generate", ()) if "scatter" in entry]
-    if not seeded:
-        raise ArgumentError("seed: nothing in this scene is random: it has no scatter generator")
-    for entry in seeded:
-        entry[SEED] = value
+    def _seeds(self) -> list[str]:
+        data = json.loads(self.text)
+        if SEED in data.get("vars", ()):
+            return [f"vars.{SEED}"]
+        found = [f"generate.{k}.{SEED}" for k, entry in enumerate(data.get("generate", ())) if "scatter" in entry]
+        if not found:
+            raise ArgumentError("seed: nothing in this scene is random: it has no scatter generator")
+        return found

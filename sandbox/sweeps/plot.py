@@ -21,6 +21,7 @@ SUFFIXES = (".png", ".svg")
 MOST_PANELS = 6
 _MOST_GROUPS = 10
 _LEGEND_WIDTH = 90
+_FEW = 12
 
 
 @dataclass(frozen=True)
@@ -138,10 +139,16 @@ def _draw_group(axis: Any, x: Column, y: Column, color: str) -> None:
     at = [y[x == place] for place in places]
     if len(places) < len(x):
         axis.fill_between(places, [v.min() for v in at], [v.max() for v in at], color=color, alpha=0.13, linewidth=0)
-    if len(places) <= 4 * len(x) ** 0.5 or len(places) < len(x) or len(places) <= 60:
+    if len(places) < len(x) or _is_a_row(places):
         axis.plot(places, [v.mean() for v in at], color=color, linewidth=2.0, zorder=3)
     size = 26.0 if len(x) <= 100 else 10.0
     axis.scatter(x, y, s=size, color=color, alpha=0.85 if len(places) == len(x) else 0.4, linewidths=0, zorder=4)
+
+
+def _is_a_row(places: Column) -> bool:
+    """Whether places are few, or evenly spread, as those of a random sample are not: then a line tells something."""
+    gaps = np.diff(places)
+    return len(places) <= _FEW or bool(np.allclose(gaps, gaps[0], rtol=1e-6))
 
 
 def _places(column: Column) -> tuple[Column, list[str]]:

@@ -7,7 +7,6 @@ import json
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import islice
-from typing import Any
 
 from sandbox._version import __version__
 from sandbox.engine.arithmetic_version import ARITHMETIC
@@ -18,7 +17,7 @@ from sandbox.scene import Scene
 from sandbox.sweeps.collector import check_names, run_and_collect
 from sandbox.sweeps.design import Design, Values
 from sandbox.sweeps.expression import Collected, read_expressions
-from sandbox.sweeps.override import prepared, scene_with
+from sandbox.sweeps.override import Words
 
 OK = "ok"
 _TRIED = 100
@@ -27,12 +26,12 @@ _TRIED = 100
 
 @dataclass(frozen=True)
 class Study:
-    """What all runs of a sweep share: the document of the scene, what varies, how many steps, what is collected.
+    """What all runs of a sweep share: the words of the scene, what varies, how many steps, what is collected.
 
     `steps` is None for as many as the scene itself plans.
     """
 
-    document: str
+    words: Words
     paths: tuple[str, ...]
     steps: int | None
     collect: tuple[str, ...]
@@ -49,11 +48,12 @@ class Study:
 
     def scene(self, values: Values) -> Scene:
         """The scene of the run with these values of the parameters."""
-        return scene_with(json.loads(self.document), dict(zip(self.paths, values, strict=True)))
+        return self.words.with_values(dict(zip(self.paths, values, strict=True)))
 
     def fingerprint(self, runs: Sequence[Values]) -> str:
         """16 hex digits of everything that decides what the runs give, the version of this package included."""
-        everything = [__version__, ARITHMETIC, self.document, self.paths, self.steps, self.collect, runs]
+        words = [self.words.text, self.words.before, self.words.included]
+        everything = [__version__, ARITHMETIC, words, self.paths, self.steps, self.collect, runs]
         return hashlib.blake2b(json.dumps(everything).encode(), digest_size=8).hexdigest()
 
 
@@ -78,8 +78,7 @@ def study_of(scene: Scene, design: Design, steps: int | None, collect: Sequence[
 
     Raises `ArgumentError` or `SceneError`.
     """
-    document = prepared(scene.to_data(), design.paths)
-    study = Study(json.dumps(document), design.paths, steps, tuple(collect))
+    study = Study(Words.of(scene), design.paths, steps, tuple(collect))
     expressions = study.expressions
     for name in study.columns:
         if name in (*design.paths, "digest", "steps", "status"):
@@ -99,7 +98,7 @@ def _first_scene(study: Study, runs: Sequence[Values]) -> Scene | None:
         except SceneError as error:
             refusal = refusal or error
     if refusal is not None:
-        raise ArgumentError(f"the scene cannot be with such values: {first_line(refusal)}")
+        raise ArgumentError(f"the scene cannot be with such values: {study.words.told(refusal)}")
     return None
 
 
@@ -113,10 +112,10 @@ def make_run(study: Study, run: int, values: Values) -> Outcome:
         return Outcome(run, collected, world.digest(), world.step_count, OK)
     except (SandboxError, MemoryError) as error:
         lost = (float("nan"),) * len(study.columns)
-        return Outcome(run, lost, "", 0, first_line(error))
+        return Outcome(run, lost, "", 0, _status(study, error))
 
 
-def first_line(error: Any) -> str:
-    """The first line of what an error says, without the name of the scene before it."""
-    text = str(error) or type(error).__name__
-    return text.splitlines()[0].removeprefix("Scene: ").strip()
+def _status(study: Study, error: Exception) -> str:
+    """What a run that failed says: one line."""
+    text = study.words.told(error) if isinstance(error, SceneError) else str(error) or type(error).__name__
+    return text.splitlines()[0]

@@ -191,7 +191,11 @@ def test_a_key_of_the_keyboard_is_no_expression():
     assert scene.controls[0].keys == ("=",)
 
 
+def test_an_escaped_sign_is_one_too():
+    assert loads_scene('{"gravity": ["\\u003d1+1", 0]}').gravity == (2, 0)
+
+
 def test_python_takes_expressions_too():
     scene = Scene(vars={"g": "=9.81/6"}, gravity=(0, "=-g"))
     assert scene.gravity == (0, -9.81 / 6)
-    assert scene.written() == {"vars": {"g": "=9.81/6"}, "gravity": (0, "=-g")}
+    assert scene.written() == {"vars": {"g": "=9.81/6"}, "gravity": [0, "=-g"]}

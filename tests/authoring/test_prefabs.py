@@ -219,6 +219,14 @@ def test_a_mistake_in_a_prefab_is_told_once_for_all_copies():
     assert len(refused(json.dumps({"prefabs": prefabs, "generate": copies})).problems) == 1
 
 
+def test_an_id_that_a_copy_has_is_taken():
+    prefabs, twice = {"p": {"bodies": [{"id": "a", "shapes": [{"circle": 1}]}]}}, {"id": "x", "place": "p"}
+    error = refused(json.dumps({"prefabs": prefabs, "generate": [twice, twice]}))
+    assert [(problem.pointer, problem.message) for problem in error.problems] == [
+        ("/generate/1/id", 'the id "x.a" is taken by a copy of a prefab')
+    ]
+
+
 def test_bodies_are_no_copies_of_several():
     text = '{"prefabs": {"p": {"bodies": []}}, "bodies": [{"id": "x", "prefab": "p"}]}'
     assert one(text).startswith('1:69: the prefab "p" has several bodies: place it')

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 import sandbox
 from sandbox.sweeps.design import grid, sample
-from sandbox.sweeps.override import prepared, scene_with
+from sandbox.sweeps.override import Words
 
 DOCUMENT = {
     "materials": {"wood": {"friction": 0.4}},
@@ -74,7 +74,7 @@ def test_paths_lead_to_values() -> None:
     values = {"gravity.1": -2.0, "bodies.crate.position.0": 3.0, "bodies.0.angle": 9.0, "settings.substeps": 7,
               "materials.wood.friction": 0.9, "generate.rain.count": 2, "seed": 8,
               "bodies.crate.velocity.1": 4.0}  # fmt: skip
-    scene = scene_with(prepared(DOCUMENT, values), values)
+    scene = Words.of(sandbox.Scene(**DOCUMENT)).with_values(values)
     assert scene.gravity == (0.0, -2.0)
     assert scene.bodies[0].position == (3.0, 2.0)
     assert (scene.bodies[0].angle, scene.bodies[0].velocity) == (9.0, (0.0, 4.0))
@@ -87,23 +87,30 @@ def test_paths_lead_to_values() -> None:
 @pytest.mark.parametrize(
     ("path", "said"),
     [
-        ("gravty.1", 'did you mean "gravity"'),
-        ("gravity.2", "there are 2, counted from 0"),
-        ("gravity.x", "no entry 'x'"),
-        ("gravity.1.0", "has nothing inside"),
+        ("gravty.1", 'gravty.1: the scene has no "gravty": did you mean "gravity"?'),
+        ("gravity.2", 'gravity has no "2"'),
+        ("gravity.1.0", "gravity.1 is a value by itself"),
         ("bodies.crat.angle", 'did you mean "crate"'),
-        ("bodies.crate.position.0.1.2", "has nothing inside"),
         ("materials.wod.friction", 'did you mean "wood"'),
-        ("bodies..angle", "keys and ids with dots between"),
-        ("", "keys and ids with dots between"),
+        ("vars.grip", 'the scene has no number "grip"'),
+        ("", 'has no ""'),
     ],
 )
 def test_paths_that_lead_nowhere(path: str, said: str) -> None:
-    with pytest.raises(sandbox.ArgumentError) as error:
-        prepared(DOCUMENT, [path])
-    assert said in str(error.value)
+    words = Words.of(sandbox.Scene(**DOCUMENT))
+    with pytest.raises(sandbox.SceneError) as error:
+        words.with_values({path: 0})
+    assert said in words.told(error.value)
+
+
+def test_numbers_by_name_and_values_set_before() -> None:
+    text = """{"vars": {"x": 1, "seed": 2}, "bodies": [
+        {"id": "a.b", "shapes": [{"box": [1, 1]}], "position": ["=x", "=seed"]}]}"""
+    words = Words.of(sandbox.loads_scene(text, set={"vars.x": 7}))
+    scene = words.with_values({"seed": 5, "bodies.a.b.angle": 30})
+    assert (scene.bodies[0].position, scene.bodies[0].angle) == ((7.0, 5.0), 30.0)
 
 
 def test_a_seed_of_nothing() -> None:
     with pytest.raises(sandbox.ArgumentError, match="nothing in this scene is random"):
-        prepared({"bodies": []}, ["seed"])
+        Words.of(sandbox.Scene()).with_values({"seed": 1})

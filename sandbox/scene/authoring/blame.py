@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path as FilePath
@@ -16,6 +17,8 @@ from sandbox.scene.authoring.library import PARTS, Library
 from sandbox.scene.authoring.output import Origin
 from sandbox.scene.finding import Finding, Path, quoted
 from sandbox.scene.report import scene_error, sort_of
+
+_TAKEN = re.compile(r"is taken by (bodies)\[(\d+)\]")
 
 
 @dataclass(frozen=True)
@@ -91,7 +94,12 @@ class Expansion:
         value = Document("", self.data).value(finding.path)
         if is_expression(text) and isinstance(value, (int, float)) and not finding.hint:
             finding = replace(finding, hint=f"{quoted(text)} is {value:.6g}")
-        return Fault(document, replace(finding, path=path))
+        return Fault(document, replace(finding, path=path, message=_TAKEN.sub(self._taken, finding.message)))
+
+    def _taken(self, match: re.Match[str]) -> str:
+        """Bodies that copies of prefabs have are in no list that the author wrote."""
+        made = (match[1], int(match[2])) in self.origins
+        return "is taken by a copy of a prefab" if made else match[0]
 
     def _unique(self, faults: list[Fault]) -> list[Fault]:
         """Each mistake once, however many copies have it, and nothing more about what is wrong already."""

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path as FilePath
 from typing import Any
 
+from sandbox.scene.authoring.mistake import MARK
 from sandbox.scene.finding import Finding, Path
 
 
@@ -24,6 +26,11 @@ class Document:
     file: FilePath | None = None
     changed: Mapping[Path, str] = field(default_factory=dict)
     repeats: Sequence[Finding] = ()
+
+    @cached_property
+    def calculates(self) -> bool:
+        """Whether there can be expressions in it."""
+        return self.text is None or f'"{MARK}' in self.text or "\\u003d" in self.text.lower()
 
     def value(self, path: Path) -> Any:
         """What stands at a path; None if nothing does."""

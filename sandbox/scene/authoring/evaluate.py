@@ -8,14 +8,14 @@ from typing import Any
 
 from sandbox.scene.authoring.document import Fault, Written
 from sandbox.scene.authoring.expression import is_expression, parsed, plain_number
-from sandbox.scene.authoring.mistake import ExpressionError
+from sandbox.scene.authoring.mistake import MARK, ExpressionError
 from sandbox.scene.finding import Finding
 from sandbox.scene.limits import MAX_DEPTH, MAX_FINDINGS
 
 Numbers = Mapping[str, float]
 BROKEN = math.nan
 """Stands for a number that could not be worked out; nothing is said of what asks for it."""
-_TEXTS = frozenset({"$schema", "title", "about", "win", "lose", "keys", "minus"})
+TEXTS = frozenset({"$schema", "title", "about", "win", "lose", "keys", "minus"})
 """Fields of free text, in which "=" means nothing."""
 _STAND_IN = 1
 
@@ -28,6 +28,8 @@ class Evaluator:
 
     def resolved(self, written: Written, known: Numbers) -> Any:
         """The value with a number for every expression in it; the very same object if there is none."""
+        if not written.document.calculates or not _has_expression(written.value, MAX_DEPTH):
+            return written.value
         return self._resolved(written, known, MAX_DEPTH)
 
     def number(self, written: Written, known: Numbers) -> float:
@@ -50,7 +52,7 @@ class Evaluator:
         if depth == 0 or not isinstance(value, (dict, list, tuple)):
             return value
         if isinstance(value, dict):
-            pairs = [(key, entry) for key, entry in value.items() if key not in _TEXTS and not _is_plain(entry)]
+            pairs = [(key, entry) for key, entry in value.items() if key not in TEXTS and not _is_plain(entry)]
         else:
             pairs = [(key, entry) for key, entry in enumerate(value) if not _is_plain(entry)]
         changed = {}
@@ -59,6 +61,18 @@ class Evaluator:
             if made is not entry:
                 changed[key] = made
         return _replaced(value, changed) if changed else value
+
+
+def _has_expression(value: Any, depth: int) -> bool:
+    """Whether there may be an expression in a value: most have none, and are not looked into twice."""
+    if isinstance(value, str):
+        return value.startswith(MARK)
+    if depth == 0 or not isinstance(value, (dict, list, tuple)):
+        return False
+    for entry in value.values() if isinstance(value, dict) else value:
+        if not _is_plain(entry) and _has_expression(entry, depth - 1):
+            return True
+    return False
 
 
 def _is_plain(value: Any) -> bool:

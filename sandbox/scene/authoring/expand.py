@@ -9,8 +9,8 @@ from sandbox.scene import plain
 from sandbox.scene.authoring.blame import Expansion
 from sandbox.scene.authoring.copies import Setting
 from sandbox.scene.authoring.document import Document, Written
-from sandbox.scene.authoring.evaluate import Evaluator, Numbers
-from sandbox.scene.authoring.expression import MARK, plain_number
+from sandbox.scene.authoring.evaluate import TEXTS, Evaluator, Numbers
+from sandbox.scene.authoring.expression import plain_number
 from sandbox.scene.authoring.generate import Generators
 from sandbox.scene.authoring.include import Reader
 from sandbox.scene.authoring.library import Library, gathered
@@ -51,13 +51,10 @@ def expanded(main: Document) -> Expansion:
 
 def _rest(main: Document, evaluator: Evaluator, known: Numbers) -> dict[str, Any]:
     """All fields, with numbers for the expressions in those that nothing else is made of."""
-    plain_text = main.text is not None and f'"{MARK}' not in main.text and "\\u003d" not in main.text.lower()
     top = Written(main, (), main.data)
     data = dict(main.data)
-    if not plain_text:
-        texts = ("$schema", "title", "about")
-        names = [name for name in data if name not in _MADE and name not in texts]
-        data.update((name, evaluator.resolved(top.at(name), known)) for name in names)
+    names = [name for name in data if name not in (*_MADE, *TEXTS)]
+    data.update((name, evaluator.resolved(top.at(name), known)) for name in names)
     include = data.get("include")
     if isinstance(include, (list, tuple)) and all(isinstance(entry, str) for entry in include):
         del data["include"]

@@ -14,12 +14,10 @@ from typing import Any
 
 from sandbox.scene.authoring.arithmetic import CONSTANTS, FUNCTIONS, INDICES, OPERATORS, UndefinedError
 from sandbox.scene.authoring.grammar import Parser, Step
-from sandbox.scene.authoring.mistake import ExpressionError
+from sandbox.scene.authoring.mistake import MARK, ExpressionError
 from sandbox.scene.locate import Span
 from sandbox.scene.near_names import did_you_mean
 
-MARK = "="
-"""Begins every expression."""
 _EXACT = 2.0**53
 
 

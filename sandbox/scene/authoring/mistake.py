@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from sandbox.scene.locate import Span
 
+MARK = "="
+"""Begins every expression."""
+
 
 class ExpressionError(Exception):
     """What is wrong with an expression, the mend, and which characters of it show that."""

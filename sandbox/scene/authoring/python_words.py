@@ -22,5 +22,15 @@ def in_words(data: Mapping[str, Any]) -> dict[str, Any]:
     return words
 
 
+def as_written(value: Any) -> Any:
+    """Data from Python as a file would hold it: models in words, sequences as lists."""
+    if isinstance(value, Model):
+        return value.to_data()
+    if isinstance(value, Mapping):
+        return {key: as_written(entry) for key, entry in value.items()}
+    value = value.tolist() if hasattr(value, "tolist") else value
+    return [as_written(entry) for entry in value] if isinstance(value, (list, tuple)) else value
+
+
 def _plain(part: Any) -> Any:
     return part.to_data() if isinstance(part, Model) else part
