@@ -83,6 +83,11 @@ if TYPE_CHECKING:
     from sandbox.errors import UnknownBodyError as UnknownBodyError
     from sandbox.errors import UnknownJointError as UnknownJointError
     from sandbox.errors import UnknownRegionError as UnknownRegionError
+    from sandbox.formats.exports import Exported as Exported
+    from sandbox.formats.exports import export_scene as export_scene
+    from sandbox.formats.imports import Imported as Imported
+    from sandbox.formats.imports import import_scene as import_scene
+    from sandbox.formats.remarks import Remark as Remark
     from sandbox.geometry.collide import Contact as Contact
     from sandbox.geometry.collide import Distance as Distance
     from sandbox.geometry.collide import collide as collide

@@ -34,6 +34,9 @@ _MODULES = {
         ReadOnlyAttributeError RecordingError SandboxError SceneError ShapeError SnapshotError
         UnknownAttributeError UnknownBodyError UnknownJointError UnknownRegionError
     """,
+    "sandbox.formats.exports": "Exported export_scene",
+    "sandbox.formats.imports": "Imported import_scene",
+    "sandbox.formats.remarks": "Remark",
     "sandbox.geometry.collide": "Contact Distance collide contains distance",
     "sandbox.geometry.sat_rows": "SatRow",
     "sandbox.geometry.sat_table": "SatTable sat_table",

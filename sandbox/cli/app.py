@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import keyword
 from typing import Annotated, Any
 
 import typer
@@ -11,14 +12,15 @@ from typer.core import TyperGroup
 PANELS = {
     "Play and show": ("run", "list", "render", "gallery"),
     "Test": ("check", "record", "replay", "diff", "bisect"),
-    "Write scenes": ("new", "lint", "fmt", "expand", "schema"),
+    "Write scenes": ("new", "lint", "fmt", "expand", "schema", "import", "export"),
     "Look inside": ("sat", "solver", "events"),
     "Measure": ("sweep", "compare", "bench"),
     "This machine": ("cache",),
 }
 """Command names by the heading of the help text that they stand under, in its order."""
 COMMANDS = tuple(name for names in PANELS.values() for name in names)
-"""All command names; `name` is the function `name` in `sandbox/cli/name.py`."""
+"""All command names; `name` is the function `name` in `sandbox/cli/name.py`, but for words of Python's own, which get a
+`_` there."""
 
 
 class LazyGroup(TyperGroup):
@@ -45,10 +47,11 @@ def build() -> Any:
 
 
 def _load(name: str) -> Any:
-    module = importlib.import_module(f"sandbox.cli.{name}")
+    word = f"{name}_" if keyword.iskeyword(name) else name
+    module = importlib.import_module(f"sandbox.cli.{word}")
     app = typer.Typer(add_completion=False)
     panel = next(panel for panel, names in PANELS.items() if name in names)
-    app.command(name, cls=getattr(module, "CommandClass", None), rich_help_panel=panel)(getattr(module, name))
+    app.command(name, cls=getattr(module, "CommandClass", None), rich_help_panel=panel)(getattr(module, word))
     return typer.main.get_command(app)
 
 

@@ -100,12 +100,12 @@ def examined(
     file: Path, options: CheckOptions, values: Mapping[str, Any], progress: SceneProgress | None = None
 ) -> Result:
     """One scene, run and judged."""
+    from sandbox.cli.import_options import open_any
     from sandbox.replay.headless_run import run_headless
-    from sandbox.scene import load_scene
     from sandbox.scene.duration import planned_steps
 
     try:
-        scene = load_scene(file, values)
+        scene = open_any(file, values)
         if progress is not None:
             progress.begin(file.name, planned_steps(scene, options.steps))
         told = progress.done if progress is not None else None

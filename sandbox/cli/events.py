@@ -51,10 +51,10 @@ def events(
     """
     kinds = _checked(kind or [])
     from sandbox.cli.compiling import announce_compilation
-    from sandbox.scene import load_scene
+    from sandbox.cli.import_options import open_any
 
     file = find_scene(scene)
-    loaded = load_scene(file, values_set(set))
+    loaded = open_any(file, values_set(set))
     if body is not None:
         _check_body(body, loaded)
     announce_compilation()

@@ -54,15 +54,15 @@ def record(options: RecordOptions) -> None:
     Exit code 2: a file could not be used, or there is one of that name already.
     """
     from sandbox.cli.compiling import announce_compilation
+    from sandbox.cli.import_options import open_any
     from sandbox.replay.recording.read import read_commands
     from sandbox.replay.recording.recorder import record as run
-    from sandbox.scene import load_scene
     from sandbox.scene.duration import planned_steps
 
     output = options.output
     _check_output(output, options.force)
     file = find_scene(options.scene)
-    loaded = load_scene(file, values_set(options.set))
+    loaded = open_any(file, values_set(options.set))
     script = read_commands(options.commands) if options.commands is not None else ()
     announce_compilation()
     total = planned_steps(loaded) if options.steps is None else options.steps

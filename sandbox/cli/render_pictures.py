@@ -23,15 +23,15 @@ FILM_STEPS = 300
 
 def run_to_show(path: Path, given: Sequence[str] | None = None) -> Run:
     """What a scene, with what `--set` options say, or a recording does. Raises `SandboxError`."""
+    from sandbox.cli.import_options import open_any
     from sandbox.replay.golden.run import run_of
     from sandbox.replay.recording.recording import Recording
-    from sandbox.scene import load_scene
 
     values = values_set(given)
     if path.name.endswith(SUFFIX):
         no_values(path, values)
         return run_of(Recording.load(path))
-    return run_of(load_scene(find_scene(path), values))
+    return run_of(open_any(find_scene(path), values))
 
 
 def write_still(options: RenderOptions, suffix: str) -> None:

@@ -45,20 +45,25 @@ class Subpath:
 
 def outlines(text: str) -> list[tuple[list[Vec], bool]]:
     """The points of each subpath, and whether it is closed. Raises `PathError`."""
+    if len(text) > MAX_PATH:
+        raise PathError(f"a path has at most {MAX_PATH:,} characters", (0, 1))
     return [(_points(one, text), one.closed) for one in subpaths(text)]
 
 
 def subpaths(text: str) -> Iterator[Subpath]:
-    """The strokes of a path, with absolute coordinates. Raises `PathError`."""
-    if len(text) > MAX_PATH:
-        raise PathError(f"a path has at most {MAX_PATH:,} characters", (0, 1))
-    pen = _Pen()
-    for letter, values, span in _commands(text):
-        if letter in "Mm" and pen.stroke is not None and pen.stroke.pieces:
-            yield pen.stroke
-        pen.draw(letter, values, span)
+    """The strokes of a path, with absolute coordinates. Raises `PathError`, after what stands before the mistake."""
+    pen, mistake = _Pen(), None
+    try:
+        for letter, values, span in _commands(text):
+            if letter in "Mm" and pen.stroke is not None and pen.stroke.pieces:
+                yield pen.stroke
+            pen.draw(letter, values, span)
+    except PathError as error:
+        mistake = error
     if pen.stroke is not None and pen.stroke.pieces:
         yield pen.stroke
+    if mistake is not None:
+        raise mistake
 
 
 class _Pen:

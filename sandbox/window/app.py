@@ -194,6 +194,7 @@ class App:
         shown = self.options.frames is None or self.options.script is not None
         screen = PlayScreen(session, self.canvas.display.size, self._lead, lockstep, shown)
         self._recall(screen.workspace)
+        screen.workspace.say_trouble()
         if session.recording is not None and shown:
             begin_comparison(screen.workspace, session.other, lockstep)
             open_panel(screen.workspace)

@@ -41,6 +41,7 @@ class Loader:
         self.start_step = start_step
         self.workers = workers
         self.message = "Reading the scene"
+        self._left_out = 0
         self._session: Session | None = None
         self._error: Exception | None = None
         self._thread = threading.Thread(target=self._run, daemon=True)
@@ -78,6 +79,8 @@ class Loader:
         World(scene, self.workers).step()
         session = Session(scene, script, length, self.workers)
         session.recording = recording
+        if self._left_out:
+            session.trouble = f"not all of the file is carried over: sandbox import lists {self._left_out} remarks"
         session.other = Recording.load(self._other) if self._other is not None else None
         if self.start_step:
             self.message = f"Simulating the first {self.start_step:,} steps"
@@ -94,10 +97,12 @@ class Loader:
 
     def _read(self, recording: Recording | None) -> tuple[Scene, tuple[TimedCommand, ...], int]:
         """A scene, what a recording did to it, and in how many steps."""
-        from sandbox.scene import load_scene
+        from sandbox.formats import open_scene
 
         if self._leftover is not None:
             return self._leftover.scene, self._leftover.commands, self._leftover.steps
         if recording is None:
-            return load_scene(self.path, self._values), (), 0
+            imported = open_scene(self.path, self._values)
+            self._left_out = len(imported.remarks)
+            return imported.scene, (), 0
         return recording.load_scene(), recording.commands, recording.steps

@@ -20,6 +20,7 @@ COMMANDS = {
     "update": ["replay", "--update=missing"], "render": ["render", "-o", f"{EVIL}.html"],
     "record": ["record", "-o", f"{EVIL}.replay.json"], "bad record": ["record", "-o", f"{EVIL}.json"],
     "folder": ["record", "-o", f"{EVIL}/a.replay.json"], "png": ["render", "-o", f"{EVIL}.jpg"],
+    "import": ["import", "-o", f"{EVIL}.json"], "export": ["export", "-o", f"{EVIL}.py"],
     "report": ["replay", "--report", f"{EVIL}.txt"], "diff": ["diff", "pyramid-10"],
 }  # fmt: skip
 

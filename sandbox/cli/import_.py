@@ -1,0 +1,73 @@
+"""`sandbox import`: a file of another program as a scene."""
+
+from __future__ import annotations
+
+import json
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from sandbox._atomic_write import check_writable
+from sandbox._printable import told
+from sandbox.cli.import_options import UNITS, remark_data, tell
+from sandbox.cli.options import takes
+from sandbox.errors import SandboxError
+
+if TYPE_CHECKING:
+    from sandbox.formats import Imported
+
+_FILE = typer.Argument(metavar="FILE", help="A file of another program.")
+_OUTPUT = typer.Option("-o", "--output", metavar="SCENE", show_default=False, help="Where to write the scene.")
+_FORMAT = typer.Option(metavar="F", show_default=False, help="The format of the file; default: told from its contents.")
+_TOLERANCE = typer.Option(min=1e-5, max=1.0, metavar="M", help="How far flat sides may lie from a curve, m.")
+_FORCE = typer.Option("--force", help="Write over a file that is there.")
+_JSON = typer.Option("--json", help="Print one JSON document instead of lines.")
+
+
+@dataclass(frozen=True)
+class ImportOptions:
+    """What `sandbox import` was asked for."""
+
+    file: Annotated[Path, _FILE]
+    output: Annotated[Path, _OUTPUT]
+    format: Annotated[str, _FORMAT] = ""
+    units_per_metre: Annotated[float | None, UNITS] = None
+    tolerance: Annotated[float, _TOLERANCE] = 0.01
+    force: Annotated[bool, _FORCE] = False
+    json: Annotated[bool, _JSON] = False
+
+
+@takes(ImportOptions)
+def import_(options: ImportOptions) -> None:
+    """Make a scene of a file of another program: R.U.B.E., planck.js, Tiled, Physics Body Editor, PhysicsEditor, SVG.
+
+    What a scene cannot carry over is listed on stderr, with its place in the file.
+
+    Exit code 0: it was written.
+    Exit code 2: a file could not be used, or there is one of that name already.
+    """
+    from sandbox.formats import import_scene
+
+    if os.path.lexists(options.output) and not options.force:
+        raise SandboxError(f"{told(options.output)}: there is a file of that name already; --force writes over it")
+    check_writable(options.output)
+    imported = import_scene(options.file, options.format, options.units_per_metre, options.tolerance)
+    imported.scene.save(options.output)
+    _report(options, imported)
+
+
+def _report(options: ImportOptions, imported: Imported) -> None:
+    scene, output = imported.scene, options.output
+    facts = {"path": output.as_posix(), "format": imported.format, "bodies": len(scene.bodies)}
+    if options.json:
+        facts |= {"joints": len(scene.joints), "remarks": remark_data(imported)}
+        print(json.dumps(facts, indent=2, ensure_ascii=False))
+        return
+    tell(options.file, imported)
+    bodies, joints = (f"{len(each)} {word}{'' if len(each) == 1 else what}" for each, word, what in (
+        (scene.bodies, "bod", "ies"), (scene.joints, "joint", "s"),
+    ))  # fmt: skip
+    print(f"{told(output)}: {bodies}, {joints}, from a file in the format {imported.format}")

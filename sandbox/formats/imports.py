@@ -1,0 +1,100 @@
+"""From a file of another program to a scene."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from sandbox.arguments import check_kind
+from sandbox.errors import Problem, SceneError
+from sandbox.formats.draft import Draft
+from sandbox.formats.open_file import open_source
+from sandbox.formats.reading import MisreadError
+from sandbox.formats.remarks import Remark, Remarks
+from sandbox.formats.source import Options, Source
+from sandbox.formats.table import FORMATS, Format
+from sandbox.formats.xml_tree import Element
+from sandbox.resources import SCENE_SUFFIX
+from sandbox.scene.effort import one_effort
+from sandbox.scene.load import load_scene, loads_scene
+from sandbox.scene.scene import Scene
+
+
+@dataclass(frozen=True)
+class Imported:
+    """A `scene` made of a file in `format` ("" for a scene file), and `remarks`: what it does not carry over."""
+
+    scene: Scene
+    format: str = ""
+    remarks: tuple[Remark, ...] = ()
+
+
+def import_scene(
+    path: str | os.PathLike[str], format: str = "", units_per_metre: float | None = None, tolerance: float = 0.01
+) -> Imported:
+    """The scene in a file of another program; `format` is one of `FORMATS`, by default told from its contents.
+
+    `units_per_metre` says how many units of the file (pixels) make a metre, None: as its format has it. `tolerance` is
+    how far flat sides may lie from the curve that they stand for, m. Raises `SceneError` with the place of what cannot
+    be used.
+    """
+    check_kind("import_scene", "the path of a file", path, str, os.PathLike)
+    source = open_source(Path(path))
+    kind = _named(source, format) if format else _found(source)
+    if kind is None:
+        raise SceneError(str(path), [_unknown(source)])
+    return _import(source, kind, Options(units_per_metre, tolerance))
+
+
+def open_scene(path: str | os.PathLike[str], set: Mapping[str, Any] | None = None) -> Imported:
+    """The scene in a file, which is a scene or of another program, as its contents tell.
+
+    `set` as `load_scene` takes it, for scenes alone. Raises `SceneError`.
+    """
+    check_kind("open_scene", "the path of a file", path, str, os.PathLike)
+    file = Path(path)
+    if file.name.endswith(SCENE_SUFFIX):
+        return Imported(load_scene(file, set))
+    source = open_source(file)
+    kind = _found(source)
+    if kind is None and isinstance(source.data, Element):
+        raise SceneError(str(path), [_unknown(source)])
+    if kind is not None and set:
+        mend = "make a scene of it with sandbox import first"
+        raise SceneError(str(path), [Problem("values can be set of scenes alone", hint=mend)])
+    return Imported(loads_scene(source.text, str(file), set)) if kind is None else _import(source, kind, Options())
+
+
+def _unknown(source: Source) -> Problem:
+    if isinstance(source.data, dict) and {"bodies", "generate"} & source.data.keys():
+        return Problem("this is a scene already")
+    known = ", ".join(each.name for each in FORMATS)
+    return Problem(f"this is in no format that can be imported ({known})")
+
+
+def _found(source: Source) -> Format | None:
+    return next((each for each in FORMATS if each.matches(source.data)), None)
+
+
+def _named(source: Source, name: str) -> Format:
+    kind = next((each for each in FORMATS if each.name == name), None)
+    if kind is None:
+        raise SceneError(name, [Problem(f"no such format; known are {', '.join(each.name for each in FORMATS)}")])
+    if not kind.matches(source.data):
+        raise SceneError(str(source.path), [Problem(f"this is no file of the format {name} ({kind.title})")])
+    return kind
+
+
+@one_effort()
+def _import(source: Source, kind: Format, options: Options) -> Imported:
+    remarks = Remarks()
+    draft = Draft(source.path.name.partition(".")[0], remarks)
+    try:
+        kind.read(source, draft, options)
+    except MisreadError as error:
+        raise source.error(error) from None
+    scene = draft.scene(str(source.path))
+    return Imported(scene, kind.name, tuple(remarks))

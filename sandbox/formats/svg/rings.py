@@ -1,0 +1,50 @@
+"""Which rings of a path are outlines, and which are holes in them.
+
+Source: SVG 2, section 13.4.2 (`fill-rule`). A ring bounds what is filled if it is filled on one side of it only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+from sandbox.formats.numbers import Vec
+
+Ring = Sequence[Vec]
+
+
+def outlines(rings: Sequence[Ring], even_odd: bool) -> list[tuple[Ring, list[Ring]]]:
+    """Each outline with its holes. Rings are taken not to cross each other."""
+    numbers = range(len(rings))
+    inside = [[k for k in numbers if k != n and _winding(rings[k], rings[n][0])] for n in numbers]
+    turns = [1 if _area(ring) > 0.0 else -1 for ring in rings]
+    found: dict[int, list[Ring]] = {}
+    holes = []
+    for n, ring in enumerate(rings):
+        around = sum(turns[k] for k in inside[n])
+        filled = [(len(inside[n]) + add) % 2 == 1 if even_odd else around + add * turns[n] != 0 for add in (0, 1)]
+        if filled == [False, True]:
+            found[n] = []
+        elif filled == [True, False]:
+            holes.append((n, ring))
+    for n, ring in holes:
+        around_it = [k for k in inside[n] if k in found]
+        if around_it:
+            found[max(around_it, key=lambda k: len(inside[k]))].append(ring)
+    return [(rings[n], own) for n, own in found.items()]
+
+
+def _area(ring: Ring) -> float:
+    return sum(a[0] * b[1] - a[1] * b[0] for a, b in pairwise([*ring, ring[0]]))
+
+
+def _winding(ring: Ring, point: Vec) -> int:
+    """How often a ring goes round a point."""
+    x, y = point
+    count = 0
+    for (ax, ay), (bx, by) in pairwise([*ring, ring[0]]):
+        if (ay <= y) != (by <= y):
+            side = (bx - ax) * (y - ay) - (x - ax) * (by - ay)
+            if (side > 0.0) == (by > ay):
+                count += 1 if by > ay else -1
+    return count

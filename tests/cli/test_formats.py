@@ -1,0 +1,90 @@
+"""`sandbox import` and `sandbox export`, and other commands on files of other programs."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from sandbox.scene import load_scene
+from tests.cli.conftest import cli  # noqa: F401
+
+DRAWING = (
+    '<svg xmlns="http://www.w3.org/2000/svg" width="320" height="320"><text>hi</text>'
+    '<rect class="static" y="300" width="320" height="20"/><circle cx="160" cy="250" r="16"/></svg>'
+)
+
+
+@pytest.fixture(autouse=True)
+def drawing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    path = tmp_path / "ball.drawing"  # no ending tells what it is
+    path.write_text(DRAWING, encoding="utf-8")
+    return path
+
+
+def test_import_writes_a_scene_and_lists_the_rest(cli: Callable) -> None:  # noqa: F811
+    done = cli("import", "ball.drawing", "-o", "ball.scene.json")
+    assert (done.code, done.out) == (0, "ball.scene.json: 2 bodies, 0 joints, from a file in the format svg\n")
+    assert done.err == "ball.drawing: elements of the kind text are left out: line 1 <text>\n"
+    assert [body.id for body in load_scene("ball.scene.json").bodies] == ["body-1", "body-2"]
+
+
+def test_import_for_machines(cli: Callable) -> None:  # noqa: F811
+    done = cli("import", "ball.drawing", "-o", "ball.scene.json", "--units-per-metre", "16", "--json")
+    assert json.loads(done.out) == {
+        "path": "ball.scene.json", "format": "svg", "bodies": 2, "joints": 0,
+        "remarks": [{"place": "line 1 <text>", "text": "elements of the kind text are left out"}],
+    }  # fmt: skip
+    assert load_scene("ball.scene.json").bodies[1].shapes[0].circle == 1
+
+
+def test_a_file_that_is_there_stays(cli: Callable) -> None:  # noqa: F811
+    Path("out.scene.json").write_text("mine")
+    assert cli("import", "ball.drawing", "-o", "out.scene.json").code == 2
+    assert cli("export", "pyramid-10", "-o", "out.scene.json").code == 2
+    assert Path("out.scene.json").read_text() == "mine"
+    assert cli("import", "ball.drawing", "-o", "out.scene.json", "--force").code == 0
+
+
+@pytest.mark.parametrize(
+    ("format", "message"),
+    [("rube", "this is no file of the format rube (R.U.B.E. (b2dJson))"), ("dwg", "no such format; known are rube")],
+)
+def test_another_format_than_it_is(cli: Callable, format: str, message: str) -> None:  # noqa: F811
+    done = cli("import", "ball.drawing", "-o", "out.scene.json", "--format", format)
+    assert done.code == 2
+    assert message in done.err
+
+
+def test_check_and_events_take_such_a_file(cli: Callable) -> None:  # noqa: F811
+    done = cli("check", "ball.drawing", "--steps", "60")
+    assert done.code == 0
+    assert "holds" in done.out
+    assert "elements of the kind text are left out" in done.err
+    assert "body-1" in cli("events", "ball.drawing", "--steps", "60", "--kind", "begin").out
+
+
+def test_a_damaged_file_is_told_once(cli: Callable) -> None:  # noqa: F811
+    Path("bad.svg").write_text(DRAWING.replace("</svg>", ""))
+    done = cli("check", "bad.svg")
+    assert done.code == 2
+    assert "bad.svg:1:" in done.out + done.err
+
+
+def test_export_of_an_import(cli: Callable) -> None:  # noqa: F811
+    assert cli("export", "ball.drawing", "-o", "world.json").code == 0
+    done = cli("import", "world.json", "-o", "back.scene.json", "--json")
+    assert json.loads(done.out)["format"] == "planck"
+
+
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [("a.svg", "pictures and pages are made by sandbox render"), ("a.scene.json", "are scenes"), ("a.dwg", "end in")],
+)
+def test_what_export_does_not_write(cli: Callable, name: str, message: str) -> None:  # noqa: F811
+    done = cli("export", "pyramid-10", "-o", name)
+    assert done.code == 2
+    assert message in done.err

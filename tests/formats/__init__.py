@@ -1,0 +1,1 @@
+"""Files of other programs: from them to scenes, and back."""
