@@ -7,9 +7,11 @@ powers, sines and cosines are worked out exactly and rounded once.
 from __future__ import annotations
 
 import math
+import struct
 from collections.abc import Callable, Mapping
 
 from sandbox.geometry.rotation import cos_sin_degrees
+from sandbox.scene.splitmix import SplitMix64
 
 MAX_EXPONENT = 1000
 """Largest exponent of a power, either way."""
@@ -98,6 +100,12 @@ def tangent(degrees: float) -> float:
     return sin / cos
 
 
+def random(x: float) -> float:
+    """A number evenly spread over [0, 1) that depends on `x` alone: the same one for the same number, everywhere."""
+    (bits,) = struct.unpack("<Q", struct.pack("<d", x + 0.0))  # 0 and -0 are one number
+    return SplitMix64(bits).between(0.0, 1.0)
+
+
 OPERATORS: Mapping[str, Callable[[float, float], float]] = {
     "+": lambda a, b: a + b,
     "-": lambda a, b: a - b,
@@ -118,6 +126,7 @@ FUNCTIONS: Mapping[str, Callable[..., float]] = {
     "round": lambda x: float(round(x)),
     "min": min,
     "max": max,
+    "random": random,
 }
 MANY = ("min", "max")
 """Functions that take two numbers or more; all others take one."""
