@@ -22,7 +22,7 @@ from sandbox.window.play import PlayScreen
 from sandbox.window.recent import note_recent
 from sandbox.window.scene_index import scene_entries
 from sandbox.window.screen import Canvas, Screen
-from sandbox.window.script import Script
+from sandbox.window.script import Script, is_stray
 from sandbox.window.session import Session
 from sandbox.window.state_folder import state_folder
 from sandbox.window.workspace import Wish, Workspace
@@ -113,6 +113,8 @@ class App:
         for event in pygame.event.get():
             if event.type == pygame.QUIT:
                 return False
+            if self._script is not None and is_stray(event):
+                continue
             taken = self.canvas.gui.process(event)
             screen.handle(event, taken)
         return True

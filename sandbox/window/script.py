@@ -40,9 +40,17 @@ _MOD_KEYS = {"Ctrl": pygame.K_LCTRL, "Shift": pygame.K_LSHIFT}
 ACTS = ("key", "type", "move", "click", "double", "hold", "press", "let", "wheel", "wait", "shot", "film")
 """Those that need a word."""
 _BUTTONS = {"left": 1, "middle": 2, "right": 3}
+_HANDS = {
+    pygame.KEYDOWN, pygame.KEYUP, pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEWHEEL,
+}  # fmt: skip
 DRAG_PICTURES = 12
 TRIES = 20
 """How often the hand goes after a widget that moves."""
+
+
+def is_stray(event: pygame.event.Event) -> bool:
+    """Whether it comes from a real mouse or keyboard: where a script has the window, these would spoil what it does."""
+    return event.type in _HANDS and not getattr(event, "scripted", False)
 
 
 class Script:
@@ -107,7 +115,7 @@ class Script:
         return round(x), round(y)
 
     def _post(self, kind: int, **given: Any) -> None:
-        pygame.event.post(pygame.event.Event(kind, **given))
+        pygame.event.post(pygame.event.Event(kind, scripted=True, **given))
 
     def _press_key(self, key: int, text: str, down: bool) -> None:
         kind = pygame.KEYDOWN if down else pygame.KEYUP

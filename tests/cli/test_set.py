@@ -26,7 +26,8 @@ def test_values_reach_the_commands(cli: Callable, scene: str) -> None:
     assert "Moon" in Path("x.svg").read_text(encoding="utf-8")
 
 
-def test_a_recording_with_values_is_replayed(cli: Callable, scene: str) -> None:
+def test_a_recording_with_values_is_replayed(cli: Callable, scene: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("CI", raising=False)
     assert cli("record", scene, "-o", "a.replay.json", "--steps", "10", "--set", "vars.g=1.62").code == 0
     assert json.loads(Path("a.replay.json").read_text())["scene"]["set"] == {"vars.g": 1.62}
     assert cli("replay", "a.replay.json").code == 0
