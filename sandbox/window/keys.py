@@ -35,10 +35,17 @@ class Chord:
         return bool(event.key == self.key) and bool(mods & pygame.KMOD_SHIFT) == self.shift
 
 
+def split(text: str) -> tuple[list[str], str]:
+    """The modifiers and the last key of a chord's text, which may be "+" itself: "Ctrl++"."""
+    *held, last = [text] if len(text) == 1 else text.replace("++", "+\0").split("+")
+    return held, "+" if last == "\0" else last
+
+
 def chord(text: str) -> Chord:
     """The chord that a text such as "Ctrl+Z" means. Raises `ValueError`."""
-    *held, last = [text] if len(text) == 1 else text.replace("++", "+\0").split("+")
-    last = "+" if last == "\0" else last
+    held, last = split(text)
+    if unknown := [name for name in held if name not in ("Ctrl", "Shift")]:
+        raise ValueError(f"there is no key {unknown[0]!r} to hold; there are Ctrl and Shift")
     ctrl, shift = "Ctrl" in held, "Shift" in held
     if last in _NAMED:
         return Chord(_NAMED[last], "", ctrl, shift)

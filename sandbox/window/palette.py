@@ -125,7 +125,14 @@ class Palette:
 
 
 def matching(offers: list[Offer], words: str) -> list[Offer]:
-    """Those that have every word in title or kind, those first whose title begins so; `MOST` at most."""
+    """Those that have every word in title, kind or help, `MOST` at most; first those whose title begins so, then those
+    which need no help for it."""
     wanted = words.lower().split()
-    found = [one for one in offers if all(word in f"{one.kind} {one.title}".lower() for word in wanted)]
-    return sorted(found, key=lambda one: not one.title.lower().startswith(words.lower()))[:MOST]
+
+    def holds(text: str) -> bool:
+        return all(word in text.lower() for word in wanted)
+
+    def rank(one: Offer) -> tuple[bool, bool]:
+        return not one.title.lower().startswith(words.lower()), not holds(f"{one.kind} {one.title}")
+
+    return sorted((one for one in offers if holds(f"{one.kind} {one.title} {one.help}")), key=rank)[:MOST]

@@ -29,7 +29,7 @@ from typing import Any
 import pygame
 
 from sandbox.errors import SandboxError
-from sandbox.window.keys import chord
+from sandbox.window.keys import chord, split
 from sandbox.window.reel import Reel
 from sandbox.window.widgets import places
 
@@ -122,7 +122,7 @@ class Script:
         self._post(kind, key=key, unicode=text if down else "", mod=self._mods, scancode=0)
 
     def _key(self, number: int, words: list[str], locate: Locate) -> Iterator[None]:
-        *held, _ = words[0].split("+") if len(words[0]) > 1 else [words[0]]
+        held = split(words[0])[0]
         before = self._mods
         for name in held:
             self._mods |= _MODS.get(name, 0)
