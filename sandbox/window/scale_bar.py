@@ -10,6 +10,7 @@ from sandbox.window.workspace import Workspace
 
 WIDEST_PIXELS = 120.0
 MARGIN = 12.0
+PAD = 6.0
 SIZE = 14.0
 
 
@@ -22,19 +23,29 @@ def draw_scale_bar(overlay: Overlay, workspace: Workspace, pointer: tuple[float,
     length = round_length(WIDEST_PIXELS / viewport.camera.scale)
     pixels = length * viewport.camera.scale
     right, y = left + width - MARGIN, top + height - MARGIN
+    text, place = length_text(length), _place(workspace, pointer)
+    wide = overlay.width(place, SIZE)
+    start = right - pixels - (20.0 + wide if place else 0.0)
+    overlay.panel((start - PAD, y - 22.0, right + PAD, y + 5.0), colors.panel, 0.85, 6.0)
     for box in (
         (right - pixels, y - 2.0, right, y),
         (right - pixels, y - 7.0, right - pixels + 1.5, y),
         (right - 1.5, y - 7.0, right, y),
     ):
         overlay.panel(box, colors.faint, 0.9, 0.0)
-    text = length_text(length)
     overlay.text(right - pixels / 2 - overlay.width(text, SIZE) / 2, y - 20.0, text, colors.faint, size=SIZE)
-    if viewport.holds(pointer):
-        digits = max(2 - math.floor(math.log10(max(1.0 / viewport.camera.scale, 1e-12))) - 2, 0)
-        x, up = viewport.point(pointer)
-        place = f"{x:.{digits}f}, {up:.{digits}f} m"
-        overlay.text(right - pixels - 20.0 - overlay.width(place, SIZE), y - 12.0, place, colors.faint, size=SIZE)
+    if place:
+        overlay.text(start, y - 16.0, place, colors.faint, size=SIZE)
+
+
+def _place(workspace: Workspace, pointer: tuple[float, float]) -> str:
+    """The coordinates of the pointer with as many digits as a pixel is worth; nothing outside the scene."""
+    viewport = workspace.viewport
+    if not viewport.holds(pointer):
+        return ""
+    digits = max(2 - math.floor(math.log10(max(1.0 / viewport.camera.scale, 1e-12))) - 2, 0)
+    x, up = viewport.point(pointer)
+    return f"{x:.{digits}f}, {up:.{digits}f} m"
 
 
 def round_length(most: float) -> float:
