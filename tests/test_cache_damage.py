@@ -136,6 +136,7 @@ def one_line(told: str) -> None:
     assert re.fullmatch(r"sandbox: machine code cannot be kept in .+: .+; .+SANDBOX_CACHE_DIR.+\n", told)
 
 
+@pytest.mark.slow
 def test_a_folder_that_cannot_be_made_stops_nothing(tmp_path):
     (tmp_path / "file").write_text("")
     one_line(run(tmp_path, "file"))

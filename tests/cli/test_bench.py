@@ -107,6 +107,7 @@ def test_a_misspelt_scene_gets_a_hint(cli: Callable) -> None:
     assert 'did you mean "box2d-smash"' in done.err
 
 
+@pytest.mark.slow
 def test_workers_take_part_one_after_another(cli: Callable, write_scene: Callable) -> None:
     path = write_scene("a.scene.json")
     done = cli("bench", path, "--engines", "sandbox,pymunk", "--workers", "1,2", "--steps", 3, "--json")

@@ -129,6 +129,7 @@ def test_never_twice_as_many_parts_as_there_can_be(outline):
     assert len(found.parts) < max(2 * least_parts(list(found.rings[0])), 2)
 
 
+@pytest.mark.slow
 def test_nearly_as_few_parts_as_there_can_be():
     """In the mean: of stars with up to 12 corners, the same in every run."""
     random = np.random.default_rng(5)

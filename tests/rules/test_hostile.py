@@ -86,9 +86,9 @@ def test_a_body_that_is_too_fast_for_any_world_is_frozen():
     assert abs(w.body("a").position[0]) <= 1e9
 
 
-def test_a_million_rules():
-    (message,) = refused(rules=[{"when": {"time": 1}, "do": [{"win": ""}]}] * 300_000)
-    assert message == "rules has 300000 entries; 1000 is the limit"
+def test_thousands_of_rules():
+    (message,) = refused(rules=[{"when": {"time": 1}, "do": [{"win": ""}]}] * 30_000)
+    assert message == "rules has 30000 entries; 1000 is the limit"
 
 
 def test_too_many_actions():

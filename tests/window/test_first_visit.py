@@ -96,6 +96,7 @@ def test_a_wedge_is_drawn_and_lands_on_the_ground(visit: Visit) -> None:
     assert recording.final[entry["id"]][1] < y
 
 
+@pytest.mark.slow
 def test_a_stroke_becomes_a_polygon_of_few_corners(visit: Visit) -> None:
     moves = "".join(
         f"move @{-5 + 1.5 * np.cos(t):.3f},{4 + 1.5 * np.sin(t):.3f}\n" for t in np.linspace(0, 2 * np.pi, 60)
@@ -143,6 +144,7 @@ def test_all_of_it_is_undone_and_done_again(visit: Visit) -> None:
     assert visit.recording("yard-2").commands == ()
 
 
+@pytest.mark.slow
 def test_the_moment_is_saved_as_a_scene_that_begins_so(visit: Visit) -> None:
     visit.do("wait 5\nkey C\ndrag @-4,4 to @-3.5,4\nwait 20\nkey Space\nkey S\nkey Ctrl+Shift+S\nwait 2\n")
     scene = sandbox.load_scene(visit.folder / "yard-2.scene.json")
@@ -155,6 +157,7 @@ def test_the_moment_is_saved_as_a_scene_that_begins_so(visit: Visit) -> None:
     assert stop.value.code == 0
 
 
+@pytest.mark.slow
 def test_copies_are_pasted_turned_scaled_and_deleted(visit: Visit) -> None:
     visit.do(
         "key Space\nclick @0,0.5\nkey Ctrl+D\nkey ]\nkey T\ndrag @1.2,1.4 to @0.6,2.4\n"
@@ -166,6 +169,7 @@ def test_copies_are_pasted_turned_scaled_and_deleted(visit: Visit) -> None:
     assert set(visit.recording("yard-2").final) == {"ground"}
 
 
+@pytest.mark.slow
 def test_panels_tools_and_help_open_by_keys_and_by_mouse(visit: Visit) -> None:
     visit.do(
         "key Space\nwait 2\nshot plain.png\nkey Tab\nwait 2\nshot bare.png\nkey Tab\nkey F1\nwait 2\nshot help.png\n"

@@ -162,6 +162,7 @@ def test_several_bodies_move_by_the_same_way(canvas: Canvas, tmp_path: Path) -> 
     assert world.body("jet").position == pytest.approx((-1.0, 3.0), abs=1e-3)
 
 
+@pytest.mark.slow
 def test_ten_thousand_bodies_are_listed_without_drawing_them_all(canvas: Canvas, tmp_path: Path) -> None:
     bodies = [{"id": f"b{k}", "shapes": [{"circle": 0.1}], "position": [k, 0]} for k in range(10000)]
     scene = sandbox.Scene(format=1, gravity=[0, 0], bodies=bodies)
@@ -225,6 +226,7 @@ def test_a_selected_joint_is_ringed_where_the_picture_shows_it() -> None:
     assert len(highlight_joint(world.state, frame, camera, "gone", (1.0, 0.0, 0.0)).strokes.start) == 0
 
 
+@pytest.mark.slow
 def test_ten_thousand_joints_are_picked_from_in_no_time() -> None:
     count = 10_000
     bodies = [{"id": f"b{k}", "shapes": [{"circle": 0.1}], "position": [k, 0]} for k in range(count)]

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pytest
 
 from sandbox.window.panels.plots.chart import value_range
 from sandbox.window.panels.plots.panel import PlotsPanel
@@ -36,6 +37,7 @@ def test_what_happens_while_the_panel_is_closed_is_not_kept(canvas: Canvas, tmp_
     assert screen.session.world.step_count > 70
 
 
+@pytest.mark.slow
 def test_a_click_in_a_plot_goes_there(canvas: Canvas, tmp_path: Path) -> None:
     seen: list[Any] = []
     lines = "key F6\nkey Space\nwait 60\nclick plots.chart.energy\nwait 2"

@@ -123,6 +123,7 @@ def test_the_axis_is_turned_in_the_scene_and_clicks_into_place_at_edges(canvas: 
     assert app.screen.session.world.digest() == before  # turning an axis moves no body
 
 
+@pytest.mark.slow
 def test_the_tour_goes_from_the_axes_to_the_contact_points(canvas: Canvas, tmp_path: Path) -> None:
     app = run(
         canvas, tmp_path, "test-two", "click sat.tour.start\nwait 1\n" + "click sat.tour.next\n" * 20 + "wait 1\n"
