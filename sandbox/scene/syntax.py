@@ -6,6 +6,8 @@ import re
 from json import JSONDecodeError
 
 from sandbox.errors import SceneError
+from sandbox.scene.brackets import CLOSING, open_brackets
+from sandbox.scene.excerpt import line_column
 from sandbox.scene.locate import Span
 from sandbox.scene.report import syntax_error
 
@@ -36,11 +38,13 @@ def _explain(text: str, pos: int, msg: str) -> tuple[str, str]:
     if "trailing comma" in msg or (before == "," and here and here in "]}"):
         return "a trailing comma", "take it away: nothing follows it"
     if text[pos:].strip() == "" and "tring" not in msg:
-        return "the file ends too early", "a closing bracket is missing"
+        return "the file ends too early", _unclosed(text, pos)[1] or "a closing bracket is missing"
     if here in ("/", "#"):
         return "JSON has no comments", 'a scene has the field "about" for words'
     if here == "'":
         return "text stands in double quotes", ""
+    if "property name" in msg and here in CLOSING:
+        return "a field's name is due here", f"{_unclosed(text, pos)[1]}, or objects are to stand in a list [...]"
     if "property name" in msg:
         return "a field's name is due here", "in double quotes" if word else ""
     return _explain_value(text, pos, msg, word.group() if word else "")
@@ -58,8 +62,7 @@ def _explain_value(text: str, pos: int, msg: str, word: str) -> tuple[str, str]:
     if "':'" in msg:
         return 'a ":" is missing after the field\'s name', ""
     if "','" in msg:
-        leading = text[pos - 1 : pos] == "0" and text[pos : pos + 1].isdigit()
-        return ("a number must not begin with 0", "") if leading else ("a comma is missing before this", "")
+        return _explain_end(text, pos, word)
     known = {"true": "true", "false": "false", "none": "null", "nan": "", "inf": "", "infinity": ""}
     if word.lower() in known and known[word.lower()]:
         return f"{word} is not JSON", f'did you mean "{known[word.lower()]}"?'
@@ -68,3 +71,26 @@ def _explain_value(text: str, pos: int, msg: str, word: str) -> tuple[str, str]:
     if text[pos : pos + 1] in ("+", ".", "-"):
         return "not a valid number", "a number begins with a digit or -, as in 0.5 or -0.5"
     return "a value is due here", ""
+
+
+def _explain_end(text: str, pos: int, word: str) -> tuple[str, str]:
+    """What is wrong where an entry has ended, and neither a comma nor the right bracket follows."""
+    here, before = text[pos : pos + 1], text[pos - 1 : pos]
+    if before == "0" and here.isdigit():
+        return "a number must not begin with 0", ""
+    if word and before == '"':
+        return "the text ends before this", 'a " is missing or too much; within a text it is \\"'
+    if here in CLOSING.values():
+        closing, mend = _unclosed(text, pos)
+        return (f'a "{closing}" is missing before this', mend) if closing else ("nothing is open here", "")
+    return "a comma is missing before this", ""
+
+
+def _unclosed(text: str, pos: int) -> tuple[str, str]:
+    """The bracket that is due at `pos`, and which one it is to close; empty if none is open."""
+    opened = open_brackets(text, pos)
+    if not opened:
+        return "", ""
+    line, column = line_column(text, opened[-1])
+    bracket = text[opened[-1]]
+    return CLOSING[bracket], f'the "{bracket}" at {line}:{column} is not closed by a "{CLOSING[bracket]}"'

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from itertools import islice
 from types import UnionType
 from typing import Annotated, Any, Union, get_args, get_origin
@@ -48,7 +49,10 @@ def no_kind(path: Path, item: Mapping[str, Any]) -> list[Finding]:
     if any(did_you_mean(key, kinds) for key in strays):
         return unknown
     listed = ", ".join(f'"{key}"' for key in kinds)
-    return [Finding(path, f"{article} {what} needs one of {listed}"), *unknown]
+    wanted = f"{article} {what} needs one of {listed}"
+    if len(unknown) == 1 and not unknown[0].hint:  # one wrong word is one mistake
+        return [replace(unknown[0], hint=wanted)]
+    return [Finding(path, wanted), *unknown]
 
 
 def no_type(path: Path, item: Mapping[str, Any]) -> list[Finding]:

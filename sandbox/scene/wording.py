@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from itertools import islice
 from typing import Any
 
 from pydantic import BaseModel, ValidationError
@@ -11,7 +12,8 @@ from pydantic import BaseModel, ValidationError
 from sandbox.scene.constraints import describe
 from sandbox.scene.finding import Finding, Path, quoted
 from sandbox.scene.limits import MAX_FINDINGS
-from sandbox.scene.near_names import did_you_mean
+from sandbox.scene.near_names import did_you_mean, nearest
+from sandbox.scene.number_mend import number_mend
 from sandbox.scene.union import TAGS
 from sandbox.scene.unknown import model_at, names, no_kind, no_type, unknown_field
 
@@ -42,7 +44,7 @@ def _reworded(item: Mapping[str, Any], root: type[BaseModel]) -> list[Finding]:
         place = tuple(part for part in loc[:-1] if part not in TAGS)
         return [unknown_field((*place, loc[-1]), names(model_at(loc[:-1], root)))]
     if kind == "missing":
-        return [Finding(path[:-1], f'"{path[-1]}" is missing')]
+        return [] if _is_misspelt(item, root) else [Finding(path[:-1], f'"{path[-1]}" is missing')]
     if kind == "kind":
         return no_kind(path, item)
     if kind == "kind_value":
@@ -57,6 +59,15 @@ def _reworded(item: Mapping[str, Any], root: type[BaseModel]) -> list[Finding]:
     return [Finding(path, f"{_label(path)}{message}", hint)]
 
 
+def _is_misspelt(item: Mapping[str, Any], root: type[BaseModel]) -> bool:
+    """Whether a missing field is there under an unknown name that is told to be meant for it."""
+    given, missing = item["input"], item["loc"][-1]
+    known = names(model_at(item["loc"][:-1], root))
+    if not isinstance(given, Mapping) or missing not in known:
+        return False
+    return any(nearest(key, known) == missing for key in islice(given, MAX_FINDINGS) if key not in known)
+
+
 def _message(item: Mapping[str, Any]) -> tuple[str, str]:
     kind, value, context = item["type"], item["input"], item.get("ctx", {})
     if kind in _WANTED:
@@ -64,7 +75,7 @@ def _message(item: Mapping[str, Any]) -> tuple[str, str]:
         if kind == "float_type" and isinstance(value, int) and not isinstance(value, bool):
             return "must be a finite number", ""  # a whole one beyond all floats
         same = kind == "int_type" and isinstance(value, float)
-        return (wanted, "") if same else (f"{wanted}, not {describe(value)}", "")
+        return (wanted, "") if same else (f"{wanted}, not {describe(value)}", _mend_of_text(kind, value))
     if kind == "literal_error":
         return _not_a_choice(value, context["expected"])
     if kind == "choice":
@@ -78,6 +89,12 @@ def _message(item: Mapping[str, Any]) -> tuple[str, str]:
         "string_too_long": f"must have at most {context.get('max_length')} characters",
     }
     return fixed.get(kind, str(item["msg"])), ""
+
+
+def _mend_of_text(kind: str, value: object) -> str:
+    if kind == "bool_type":
+        return "take the quotes away" if value in ("true", "false") else ""
+    return number_mend(value) if kind in ("float_type", "int_type") and isinstance(value, str) else ""
 
 
 def _not_a_choice(value: object, expected: str) -> tuple[str, str]:

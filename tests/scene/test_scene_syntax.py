@@ -18,7 +18,7 @@ from tests.scene.scene_helpers import one
         ("  \n ", '1:1: the file is empty: a scene is an object: {"bodies": [...]}'),
         ('{"title": "a",}', "1:14: a trailing comma: take it away: nothing follows it"),
         ('{"gravity": [0, 1,]}', "1:18: a trailing comma: take it away: nothing follows it"),
-        ('{"title": "a"', "1:14: the file ends too early: a closing bracket is missing"),
+        ('{"title": "a"', "1:14: the file ends too early: the \"{\" at 1:1 is not closed by a \"}\""),
         ('{"title": "a" "about": ""}', "1:15: a comma is missing before this"),
         ('{"title" "a"}', '1:10: a ":" is missing after the field\'s name'),
         ('{title: "a"}', "1:2: a field's name is due here: in double quotes"),
@@ -50,3 +50,22 @@ def test_a_scene_of_the_allowed_depth_is_read():
 
 def test_brackets_in_texts_are_not_nesting():
     assert loads_scene(json.dumps({"about": "[" * 100})).about == "[" * 100
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ('{"bodies": [{"id": "a"]}', '1:23: a "}" is missing before this: the "{" at 1:13 is not closed by a "}"'),
+        ('{"gravity": [0, 1}', '1:18: a "]" is missing before this: the "[" at 1:13 is not closed by a "]"'),
+        ('{"bodies": [{"id": "]}"}', '1:25: the file ends too early: the "[" at 1:12 is not closed by a "]"'),
+        ('{"bodies": {"id": "a"}, {"id": "b"}]}',
+         '1:25: a field\'s name is due here: the "{" at 1:1 is not closed by a "}", '
+         "or objects are to stand in a list [...]"),
+        ('{"title": "a, "about": "b"}',
+         '1:16: the text ends before this: a " is missing or too much; within a text it is \\"'),
+        ('{"title": "a "best" game"}',
+         '1:15: the text ends before this: a " is missing or too much; within a text it is \\"'),
+    ],
+)  # fmt: skip
+def test_the_bracket_or_quote_that_is_not_closed_is_named(text, told):
+    assert one(text) == told

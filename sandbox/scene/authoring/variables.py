@@ -14,6 +14,7 @@ from sandbox.scene.authoring.mistake import ExpressionError
 from sandbox.scene.constraints import describe
 from sandbox.scene.finding import quoted
 from sandbox.scene.limits import MAX_NAME, MAX_VARS
+from sandbox.scene.number_mend import number_mend
 
 _NAME = re.compile(r"[A-Za-z_][A-Za-z_0-9]*")
 _SHOWN = 8
@@ -58,7 +59,7 @@ def _is_number(entry: Written, evaluator: Evaluator) -> bool:
         return True
     if isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < math.inf:
         return True
-    hint = 'an expression begins with "=", as in "=9.81 / 6"' if isinstance(value, str) else ""
+    hint = number_mend(value) if isinstance(value, str) else ""
     said = "must be a finite number" if isinstance(value, float) else f"must be a number, not {describe(value)}"
     evaluator.faults.append(entry.fault(said, hint))
     return False
