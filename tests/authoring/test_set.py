@@ -58,7 +58,7 @@ def test_a_path_sets_a_value(path, value, found):
         ("bodies.2.mass", 5, 'bodies has no "2"; it has 2 entries, and no id of that name'),
         ("bodies.-1.mass", 5, 'bodies has no "-1"; it has 2 entries, and no id of that name'),
         ("bodies.ground.mas", 5, 'bodies.0 has no "mas": did you mean "mass"?'),
-        ("bodies.ground.mass", "heavy", 'mass must be a number, not text: an expression begins with "=", as in "=9.81 / 6"'),
+        ("bodies.ground.mass", "2 kg", "mass must be a number, not text: a number stands without its unit and quotes"),
         ("bodies.ground.id.x", 5, 'bodies.0.id is a value by itself, and has no "x"'),
         ("settings.substeps", 0, "substeps must not be below 1"),
         ("view.follow", "grund", 'no body has the id "grund": did you mean "ground"?'),
