@@ -58,7 +58,7 @@ def _hinge_or_slide(joint: Joint, values: Values) -> None:
         joint.upper = values.get("upperAngle", values.get("upperTranslation"))
     if values.get("enableMotor"):
         joint.motor_speed = values["motorSpeed"]
-        joint.max_motor = min(values.get("maxMotorTorque", values.get("maxMotorForce", 0.0)), _ANY_FORCE)
+        joint.max_motor = min(values["maxMotorForce" if joint.kind == "prismatic" else "maxMotorTorque"], _ANY_FORCE)
 
 
 def _distance(joint: Joint, values: Values, remarks: Remarks) -> None:

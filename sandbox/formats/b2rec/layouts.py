@@ -33,7 +33,9 @@ _STRUCTURES = {
     "POLYGON": "vertices:POLYPOINTS normals:POLYPOINTS centroid:VEC2 radius:F32 count:I32",
     "CHAINSEG": "ghost1:VEC2 point1:VEC2 point2:VEC2 ghost2:VEC2 chainId:I32",
     "FILTER": "categoryBits:U64 maskBits:U64 groupIndex:I32",
-    "MATERIAL": "friction:F32 restitution:F32 rollingResistance:F32 tangentSpeed:F32 userMaterialId:U64 customColor:U32",
+    "MATERIAL": (
+        "friction:F32 restitution:F32 rollingResistance:F32 tangentSpeed:F32 userMaterialId:U64 customColor:U32"
+    ),
     "MASSDATA": "mass:F32 center:VEC2 rotationalInertia:F32",
     "LOCKS": "linearX:BOOL linearY:BOOL angularZ:BOOL",
     "EXPLOSIONDEF": "maskBits:U64 position:POSITION radius:F32 falloff:F32 impulsePerLength:F32",

@@ -52,7 +52,7 @@ def _count(what: str, found: Counter[str], remarks: Remarks) -> None:
 def _world(session: Session, first: Call | None, remarks: Remarks) -> World:
     settings = session.settings
     on: dict[int, list[Any]] = {body: [] for body in session.bodies}
-    for shape in session.shapes.values():
+    for shape in (*session.shapes.values(), *session.chains.values()):
         on[shape.body].append(shape)
     numbers = {body: number for number, body in enumerate(session.bodies)}
     bodies = [body_of(made, on[key], numbers[key], remarks) for key, made in session.bodies.items()]
@@ -76,6 +76,3 @@ def _world(session: Session, first: Call | None, remarks: Remarks) -> World:
         world.step_rate = round(1.0 / first.arguments["dt"], 3)
         world.settings["substeps"] = min(max(first.arguments["subStepCount"], 1), MAX_SUBSTEPS)
     return world
-
-
-

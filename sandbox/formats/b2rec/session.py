@@ -29,6 +29,7 @@ class Session:
     settings: Values
     bodies: dict[int, Made] = field(default_factory=dict)
     shapes: dict[int, Made] = field(default_factory=dict)
+    chains: dict[int, Made] = field(default_factory=dict)
     joints: dict[int, Made] = field(default_factory=dict)
     unused: Counter[str] = field(default_factory=Counter)
 
@@ -55,7 +56,8 @@ class Session:
             kind = name.removesuffix("Shape").lower()
             geometry = {"geometry": given.get(_argument(kind))}
             material = given["def"].get("material", {})
-            self.shapes[given["made"]] = Made(kind, given["def"] | material | geometry, given["body"])
+            things = self.chains if kind == "chain" else self.shapes
+            things[given["made"]] = Made(kind, given["def"] | material | geometry, given["body"])
 
     def _set(self, call: Call) -> bool:
         """Whether the call sets fields of a definition: its arguments are named as they are, or renamed below."""
@@ -78,7 +80,9 @@ class Session:
         body = call.arguments["body"]
         _known(self.bodies, body, call)
         del self.bodies[body]
-        self.shapes = {key: made for key, made in self.shapes.items() if made.body != body}
+        self.shapes, self.chains = (
+            {key: made for key, made in things.items() if made.body != body} for things in (self.shapes, self.chains)
+        )
         ends = ("bodyA", "bodyB")
         self.joints = {key: made for key, made in self.joints.items() if body not in map(made.values.get, ends)}
 
@@ -94,7 +98,11 @@ def _argument(kind: str) -> str:
 
 
 def _destroy_shape(session: Session, call: Call) -> None:
-    session.shapes.pop(call.arguments.get("shape", call.arguments.get("chain")), None)
+    session.shapes.pop(call.arguments["shape"], None)
+
+
+def _destroy_chain(session: Session, call: Call) -> None:
+    session.chains.pop(call.arguments["chain"], None)
 
 
 def _destroy_joint(session: Session, call: Call) -> None:
@@ -127,13 +135,15 @@ def _nothing(session: Session, call: Call) -> None:
 
 
 _ACTIONS: dict[str, Callable[[Session, Call], None]] = {
-    "DestroyBody": Session.destroy_body, "DestroyShape": _destroy_shape, "DestroyChain": _destroy_shape,
-    "DestroyJoint": _destroy_joint, "BodySetMassData": _mass, "BodyDisable": _enable, "BodyEnable": _enable, "BodyApplyMassFromShapes": _mass,
+    "DestroyBody": Session.destroy_body, "DestroyShape": _destroy_shape, "DestroyChain": _destroy_chain,
+    "DestroyJoint": _destroy_joint, "BodySetMassData": _mass, "BodyDisable": _enable, "BodyEnable": _enable,
+    "BodyApplyMassFromShapes": _mass,
     "WorldSetGravity": _setting("gravity"), "WorldEnableSleeping": _setting("sleeping"),
     "WorldSetRestitutionThreshold": _setting("restitutionThreshold"),
     "WorldEnableWarmStarting": _setting("warmStarting"), "WorldEnableSpeculative": _setting("speculative"),
     "WorldSetContactTuning": _setting("contactHertz", "contactDampingRatio", "contactSpeed"),
-} | dict.fromkeys(("ShapeSetCircle", "ShapeSetCapsule", "ShapeSetSegment", "ShapeSetPolygon"), _reshape) | dict.fromkeys(
+    "ShapeSetCircle": _reshape, "ShapeSetCapsule": _reshape, "ShapeSetSegment": _reshape, "ShapeSetPolygon": _reshape,
+} | dict.fromkeys(
     ("WorldRebuildStaticTree", "WorldSetHitEventThreshold", "WorldSetContactRecycleDistance", "BodyWakeTouching",
      "JointWakeBodies", "BodyClearForces", "ShapeSetUserMaterial", "ShapeEnableSensorEvents", "BodyEnableHitEvents",
      "ShapeEnableContactEvents", "ShapeEnablePreSolveEvents", "ShapeEnableHitEvents", "BodyEnableContactEvents",

@@ -94,7 +94,8 @@ class Joint:
     """A joint between the bodies of numbers `a` and `b`. Anchors and the axis in the frames of their bodies.
 
     `lower` and `upper` are there where the limit is on, `motor_speed` where the motor is. `ground` are the wheels of
-    a pulley, `rest` where the spring of a hinge or slide pulls to (rad or m), `joints` the numbers of those that a gear couples, `offset` and `angle` where a motor joint drives to.
+    a pulley, `rest` where the spring of a hinge or slide pulls to (rad or m), `joints` the numbers of
+    those that a gear couples, `offset` and `angle` where a motor joint drives to.
     """
 
     place: str
