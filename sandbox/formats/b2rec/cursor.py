@@ -50,11 +50,10 @@ class Cursor:
     def _primitive(self, tag: str) -> Any:
         shape = _FORMATS[tag]
         found = shape.unpack(self.bytes(shape.size))
-        if "f" in PRIMITIVES[tag] or tag == "F64":
-            # Corners that a polygon does not have are whatever was in memory.
-            if tag != "POLYPOINTS" and not all(map(math.isfinite, found)):
-                self.at -= shape.size
-                raise self.fault("a number is not finite")
+        # Corners that a polygon does not have are whatever was in memory.
+        if tag != "POLYPOINTS" and not all(map(math.isfinite, found)):
+            self.at -= shape.size
+            raise self.fault("a number is not finite")
         return found[0] if len(found) == 1 else found
 
     def _text(self) -> str:

@@ -34,8 +34,8 @@ def joint_words(joint: Joint, a: Body, b: Body, remarks: Remarks) -> Words | Non
 
 
 def _revolute(pose: Pose) -> Words:
-    limits, spring = _limits(pose, pose.angle, degrees), _resting(pose, pose.angle, degrees)
-    return {"type": "revolute", "anchor": _anchor(pose), **limits, **spring, **_turning_motor(pose.joint)}
+    held = _limits(pose, pose.angle, degrees) | _resting(pose, pose.angle, degrees)
+    return {"type": "revolute", "anchor": _anchor(pose), **held, **_turning_motor(pose.joint)}
 
 
 def _prismatic(pose: Pose) -> Words:
@@ -82,9 +82,8 @@ def _weld(pose: Pose) -> Words:
     words |= {f"angular_{key}": value for key, value in spring.items()}
     # In Box2D 2 a soft weld gives way to turning only.
     place = pose.joint.linear_spring
-    if place.hertz > 0.0:
-        words |= {"hertz": tidy(place.hertz), "damping_ratio": tidy(place.damping_ratio)}
-    return words
+    soft = {"hertz": tidy(place.hertz), "damping_ratio": tidy(place.damping_ratio)}
+    return words | (soft if place.hertz > 0.0 else {})
 
 
 def _friction(pose: Pose) -> Words:
@@ -178,11 +177,11 @@ def _limits(pose: Pose, start: float, unit: Callable[[float], float]) -> Words:
 
 def _resting(pose: Pose, start: float, unit: Callable[[float], float]) -> Words:
     """The spring of a hinge or slide."""
-    joint = pose.joint
-    if joint.rest is None or joint.spring.hertz <= 0.0:
+    joint, spring = pose.joint, pose.joint.spring
+    if joint.rest is None or spring.hertz <= 0.0:
         return {}
-    spring: Words = {"hertz": tidy(joint.spring.hertz), "damping_ratio": tidy(max(joint.spring.damping_ratio, 0.0))}
-    return spring | {"rest": unit(joint.rest - start)}
+    words: Words = {"hertz": tidy(spring.hertz), "damping_ratio": tidy(spring.damping_ratio)}
+    return words | {"rest": unit(joint.rest - start)}
 
 
 def _turning_motor(joint: Joint) -> Words:
