@@ -1,19 +1,23 @@
-"""Opens a file that may be of any format: JSON or XML, told by its first character."""
+"""Opens a file that may be of any format: a recording, JSON or XML, told by its first characters."""
 
 from __future__ import annotations
 
 from pathlib import Path as FilePath
 
+from sandbox.formats.b2rec.header import MAGIC
 from sandbox.formats.source import Source
 from sandbox.formats.xml_tree import parse_xml
 from sandbox.scene.finding import Path
 from sandbox.scene.parse import parse
-from sandbox.scene.read import read_text
+from sandbox.scene.read import as_text, read_data
 
 
 def open_source(path: FilePath) -> Source:
-    """The file, parsed: the root element of XML, or the data of JSON. Raises `SceneError`."""
-    text = read_text(path).removeprefix("\ufeff")
+    """The file, parsed: the root element of XML, the data of JSON, or the bytes of a recording. Raises `SceneError`."""
+    data = read_data(path)
+    if data.startswith(MAGIC):
+        return Source(path, "", data)
+    text = as_text(path, data).removeprefix("\ufeff")
     if text.lstrip().startswith("<"):
         return Source(path, text, parse_xml(text, str(path)), _line)
     return Source(path, text, parse(text, str(path)).data)

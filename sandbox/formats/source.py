@@ -27,7 +27,8 @@ class Options:
 
 @dataclass(frozen=True)
 class Source:
-    """A file: where it is, its text, and its contents (of XML the root element, else parsed JSON)."""
+    """A file: where it is, its text, and its contents (of XML the root element, of a recording
+    the bytes, else parsed JSON)."""
 
     path: Path
     text: str
@@ -36,6 +37,8 @@ class Source:
 
     def error(self, misread: MisreadError) -> SceneError:
         """The error that a user sees, with the place of what cannot be used."""
+        if isinstance(self.data, bytes):
+            return scene_error(str(self.path), [Finding((), misread.message, misread.hint)], None)
         if self.line_of is None:
             return scene_error(str(self.path), [Finding(misread.path, misread.message, misread.hint)], self.text)
         problem = Problem(misread.message, hint=misread.hint, line=self.line_of(misread.path), column=1)

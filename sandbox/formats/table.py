@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+from sandbox.formats.b2rec.reader import is_b2rec, read_b2rec
 from sandbox.formats.body_editor import is_body_editor, read_body_editor
 from sandbox.formats.draft import Draft
 from sandbox.formats.physics_editor import is_physics_editor, read_physics_editor
@@ -32,6 +33,7 @@ FORMATS = (
     Format("body-editor", "Physics Body Editor", is_body_editor, read_body_editor),
     Format("physics-editor", "PhysicsEditor of CodeAndWeb", is_physics_editor, read_physics_editor),
     Format("tiled", "map of Tiled", is_tiled, read_tiled),
+    Format("b2rec", "recording of Box2D v3", is_b2rec, lambda source, draft, _: read_b2rec(source.data, draft)),
     Format("svg", "drawing in SVG", is_svg, read_svg),
 )
 """In the order in which they are asked; no file is of two of them."""

@@ -15,9 +15,19 @@ from sandbox.scene.report import syntax_error
 
 def read_text(path: Path, what: str = "scene", limit: int = MAX_BYTES) -> str:
     """The text of a UTF-8 file of at most `limit` bytes; `what` it should hold. Raises `SceneError`."""
+    return as_text(path, read_data(path, what, limit))
+
+
+def read_data(path: Path, what: str = "scene", limit: int = MAX_BYTES) -> bytes:
+    """The contents of a file of at most `limit` bytes; `what` it should hold. Raises `SceneError`."""
     data = _read_bytes(path, what, limit)
     if len(data) > limit:
         raise _error(path, f"the file is larger than {limit // 2**20} MiB, the limit of a {what}")
+    return data
+
+
+def as_text(path: Path, data: bytes) -> str:
+    """Contents of the file `path` as UTF-8. Raises `SceneError`."""
     try:
         return data.decode("utf-8")
     except UnicodeDecodeError as error:

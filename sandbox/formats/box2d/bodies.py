@@ -9,8 +9,6 @@ from sandbox.formats.outlines import Words, chain_words, convex_hull, polygon_wo
 from sandbox.formats.remarks import Remarks
 from sandbox.scene.quantities import MAX_BOUNCE
 
-_EVERYTHING = 0xFFFF
-"""All categories that Box2D 2 has."""
 _STAND_IN: Words = {"circle": 0.05, "sensor": True, "mask": 0}
 
 
@@ -48,6 +46,8 @@ def _motion_words(body: Body, remarks: Remarks) -> Words:
             words["bullet"] = True
     if not body.allow_sleep:
         words["sleep_speed"] = 0
+    elif body.sleep_speed is not None:
+        words["sleep_speed"] = tidy(max(body.sleep_speed, 0.0))
     if not body.awake:
         remarks.note(body.place, "a sleeping body begins awake")
     return words
@@ -61,12 +61,22 @@ def _shape_words(fixture: Fixture, remarks: Remarks) -> list[Words]:
 def _geometry_words(outline: Outline, remarks: Remarks, place: str) -> list[Words]:
     if outline.kind == "circle":
         return _circle_words(outline, remarks, place)
+    if outline.kind == "capsule":
+        return [{"capsule": tidy_points(outline.points), "radius": tidy(outline.radius)}]
     if outline.kind == "polygon" and len(outline.points) > 2:
         hull = convex_hull(outline.points)
         if len(hull) < len(without_repeats(outline.points)):
             remarks.note(place, "a polygon that is not convex is its hull, as in Box2D")
         words = polygon_words(hull, remarks, place)
-        return [words] if words else []
+        rounding: Words = {"radius": tidy(outline.radius)} if outline.radius > 0.0 else {}
+        return [words | rounding] if words else []
+    found = _line_words(outline, remarks, place)
+    if outline.one_sided:
+        found = [words | {"one_sided": True} for words in found]
+    return found
+
+
+def _line_words(outline: Outline, remarks: Remarks, place: str) -> list[Words]:
     found = chain_words(outline.points, outline.closed, remarks, place)
     if outline.closed or not found or (outline.before is None and outline.after is None):
         return found
@@ -104,15 +114,19 @@ def _surface_words(fixture: Fixture, remarks: Remarks) -> Words:
         words["bumper"] = True
     if fixture.sensor:
         words["sensor"] = True
-    return words | filter_words(fixture.category, fixture.mask, fixture.group)
+    if fixture.rolling_resistance > 0.0:
+        words["rolling_resistance"] = tidy(fixture.rolling_resistance)
+    if fixture.surface_speed:
+        words["surface_speed"] = tidy(fixture.surface_speed)
+    return words | filter_words(fixture.category, fixture.mask, fixture.group, fixture.everything)
 
 
-def filter_words(category: int, mask: int, group: int) -> Words:
-    """A filter of Box2D; its groups mean the same here, and its masks of 16 bits hold all categories that it has."""
+def filter_words(category: int, mask: int, group: int, everything: int = 0xFFFF) -> Words:
+    """A filter of Box2D; its groups mean the same here, and a mask of all the bits that it has there is everything."""
     words: Words = {}
     if category != 1:
         words["category"] = category & 0xFFFFFFFF
-    if mask & 0xFFFFFFFF not in (_EVERYTHING, 0xFFFFFFFF):
+    if mask & 0xFFFFFFFF not in (everything, 0xFFFFFFFF):
         words["mask"] = mask & 0xFFFFFFFF
     if group:
         words["group"] = group

@@ -34,13 +34,13 @@ def joint_words(joint: Joint, a: Body, b: Body, remarks: Remarks) -> Words | Non
 
 
 def _revolute(pose: Pose) -> Words:
-    limits = _limits(pose, pose.angle, degrees)
-    return {"type": "revolute", "anchor": _anchor(pose), **limits, **_turning_motor(pose.joint)}
+    held = _limits(pose, pose.angle, degrees) | _resting(pose, pose.angle, degrees)
+    return {"type": "revolute", "anchor": _anchor(pose), **held, **_turning_motor(pose.joint)}
 
 
 def _prismatic(pose: Pose) -> Words:
     words: Words = {"type": "prismatic", "anchor": _on_axis(pose), "axis": tidy_point(pose.axis)}
-    words |= _limits(pose, pose.slide, tidy)
+    words |= _limits(pose, pose.slide, tidy) | _resting(pose, pose.slide, tidy)
     if abs(pose.angle) > _ASKEW:
         pose.note(_STAYS_TURNED, f"{degrees(pose.angle):.3g} degrees")
     if pose.joint.motor_speed is not None:
@@ -64,6 +64,8 @@ def _distance(pose: Pose) -> Words:
     if not math.isclose(away, pose.joint.length, rel_tol=1e-6, abs_tol=1e-6):
         words["length"] = tidy(max(pose.joint.length, 0.0))
     along = ((pose.at_b[0] - pose.at_a[0]) / away, (pose.at_b[1] - pose.at_a[1]) / away) if away > 1e-9 else (1.0, 0.0)
+    if pose.joint.lower is not None and pose.joint.upper is not None:
+        words |= {"min": tidy(pose.joint.lower), "max": tidy(pose.joint.upper)}
     return words | _spring_words(pose, levered(pose, along))
 
 
@@ -77,8 +79,11 @@ def _weld(pose: Pose) -> Words:
         pose.note(_STAYS_TURNED, f"{degrees(pose.angle):.3g} degrees")
     words: Words = {"type": "weld", "anchor": _anchor(pose)}
     spring = _spring_words(pose, sum(turning(body) for body in (pose.a, pose.b)))
-    # In Box2D a soft weld gives way to turning only.
-    return words | {f"angular_{key}": value for key, value in spring.items()}
+    words |= {f"angular_{key}": value for key, value in spring.items()}
+    # In Box2D 2 a soft weld gives way to turning only.
+    place = pose.joint.linear_spring
+    soft = {"hertz": tidy(place.hertz), "damping_ratio": tidy(place.damping_ratio)}
+    return words | (soft if place.hertz > 0.0 else {})
 
 
 def _friction(pose: Pose) -> Words:
@@ -102,6 +107,23 @@ def _motor(pose: Pose) -> Words:
     }  # fmt: skip
 
 
+def _drive(pose: Pose) -> Words:
+    """The motor joint of Box2D 3: springs that pull the two frames together."""
+    joint, (ax, ay), (bx, by) = pose.joint, pose.at_a, pose.at_b
+    return {
+        "type": "motor", "anchor": tidy_point((bx, by)), "offset": tidy_point((ax - bx, ay - by)),
+        "angle": degrees(-pose.angle), "hertz": tidy(joint.linear_spring.hertz),
+        "damping_ratio": tidy(joint.linear_spring.damping_ratio), "angular_hertz": tidy(joint.spring.hertz),
+        "angular_damping_ratio": tidy(joint.spring.damping_ratio),
+        "max_force": tidy(joint.max_force), "max_torque": tidy(joint.max_torque),
+    }  # fmt: skip
+
+
+def _filter(pose: Pose) -> Words:
+    """Keeps its bodies from colliding, and does nothing else: friction without force."""
+    return {"type": "friction", "anchor": tidy_point(pose.at_b), "max_force": 0}
+
+
 def _target(pose: Pose) -> Words:
     words: Words = {"type": "target", "anchor": tidy_point(pose.at_b), "target": tidy_point(pose.joint.target)}
     spring = _spring_words(pose, sum(mobility(body) for body in (pose.a, pose.b)))
@@ -123,6 +145,7 @@ def _pulley(pose: Pose) -> Words:
 _KINDS: dict[str, Callable[[Pose], Words]] = {
     "revolute": _revolute, "prismatic": _prismatic, "wheel": _wheel, "distance": _distance, "rope": _rope,
     "weld": _weld, "friction": _friction, "motor": _motor, "mouse": _target, "pulley": _pulley,
+    "drive": _drive, "filter": _filter,
 }  # fmt: skip
 
 
@@ -150,6 +173,15 @@ def _limits(pose: Pose, start: float, unit: Callable[[float], float]) -> Words:
         pose.note("its limits are left out: the lower one is greater than the upper one")
         return {}
     return {"lower": unit(lower - start), "upper": unit(upper - start)}
+
+
+def _resting(pose: Pose, start: float, unit: Callable[[float], float]) -> Words:
+    """The spring of a hinge or slide."""
+    joint, spring = pose.joint, pose.joint.spring
+    if joint.rest is None or spring.hertz <= 0.0:
+        return {}
+    words: Words = {"hertz": tidy(spring.hertz), "damping_ratio": tidy(spring.damping_ratio)}
+    return words | {"rest": unit(joint.rest - start)}
 
 
 def _turning_motor(joint: Joint) -> Words:

@@ -65,6 +65,7 @@ def _moments(fixture: Fixture) -> Moments:
     """Times the density; lines weigh nothing."""
     outline = fixture.outline
     core = convex_hull(outline.points) if outline.kind == "polygon" else outline.points
-    if outline.kind == "chain" or fixture.density <= 0.0 or len(core) in (0, 2):
+    flat = outline.kind == "polygon" and len(core) < 3
+    if flat or outline.kind == "chain" or fixture.density <= 0.0 or not core:
         return Moments(0.0, 0.0, 0.0, 0.0)
     return Moments(*(fixture.density * value for value in moments(core, outline.radius)))

@@ -9,13 +9,10 @@ from sandbox.formats.draft import Draft
 from sandbox.formats.numbers import tidy, tidy_point
 from sandbox.formats.outlines import Words
 
-_THRESHOLD = 1.0
-"""Slower impacts do not bounce in Box2D 2, m/s (`b2_velocityThreshold`)."""
-
 
 def write_world(world: World, draft: Draft) -> None:
     """Bring bodies and joints into the draft, in the order of the file."""
-    settings: Words = {"restitution_threshold": _THRESHOLD}
+    settings: Words = {"restitution_threshold": tidy(world.restitution_threshold), **world.settings}
     if world.step_rate:
         settings["step_rate"] = tidy(min(max(world.step_rate, 1.0), 1e4))
     if not world.sleeping:

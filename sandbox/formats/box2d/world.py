@@ -12,19 +12,25 @@ BodyType = Literal["static", "kinematic", "dynamic"]
 
 @dataclass
 class Outline:
-    """The shape of a fixture: a circle about its point, a polygon, or lines with the points before and after them."""
+    """The shape of a fixture: a circle about its point, a capsule about two, a polygon, or lines with the points before
+    and after them. `radius` rounds a polygon outwards; `one_sided` lines are solid from the left of them.
+    """
 
-    kind: Literal["circle", "polygon", "chain"]
+    kind: Literal["circle", "capsule", "polygon", "chain"]
     points: list[Vec]
     radius: float = 0.0
     closed: bool = False
     before: Vec | None = None
     after: Vec | None = None
+    one_sided: bool = False
 
 
 @dataclass
 class Fixture:
-    """A shape with its surface and filter; the defaults are those of Box2D."""
+    """A shape with its surface and filter; the defaults are those of Box2D 2. `everything` is its mask of all bits.
+
+    `rolling_resistance` is a lever arm, m; `surface_speed` in m/s, positive to the right on top.
+    """
 
     place: str
     outline: Outline
@@ -35,6 +41,9 @@ class Fixture:
     category: int = 1
     mask: int = 0xFFFF
     group: int = 0
+    everything: int = 0xFFFF
+    rolling_resistance: float = 0.0
+    surface_speed: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -63,6 +72,7 @@ class Body:
     fixed_rotation: bool = False
     bullet: bool = False
     allow_sleep: bool = True
+    sleep_speed: float | None = None
     awake: bool = True
     active: bool = True
     mass_data: MassData | None = None
@@ -84,7 +94,8 @@ class Joint:
     """A joint between the bodies of numbers `a` and `b`. Anchors and the axis in the frames of their bodies.
 
     `lower` and `upper` are there where the limit is on, `motor_speed` where the motor is. `ground` are the wheels of
-    a pulley, `joints` the numbers of those that a gear couples, `offset` and `angle` where a motor joint drives to.
+    a pulley, `rest` where the spring of a hinge or slide pulls to (rad or m), `joints` the numbers of
+    those that a gear couples, `offset` and `angle` where a motor joint drives to.
     """
 
     place: str
@@ -103,6 +114,8 @@ class Joint:
     max_motor: float = 0.0
     length: float = 0.0
     spring: Spring = field(default_factory=Spring)
+    linear_spring: Spring = field(default_factory=Spring)
+    rest: float | None = None
     ratio: float = 1.0
     ground: tuple[Vec, Vec] = ((0.0, 0.0), (0.0, 0.0))
     lengths: Vec | None = None
@@ -117,11 +130,15 @@ class Joint:
 
 @dataclass
 class World:
-    """All of a file. `step_rate` in steps per second, 0 where the file does not say."""
+    """All of a file. `step_rate` in steps per second, 0 where the file does not say; slower impacts than
+    `restitution_threshold` (m/s) do not bounce: 1 in Box2D 2 (`b2_velocityThreshold`). `settings` as a scene has them.
+    """
 
     gravity: Vec = (0.0, 0.0)
     sleeping: bool = True
     warm_starting: bool = True
     step_rate: float = 0.0
+    restitution_threshold: float = 1.0
+    settings: dict[str, float] = field(default_factory=dict)
     bodies: list[Body] = field(default_factory=list)
     joints: list[Joint] = field(default_factory=list)
