@@ -12,6 +12,8 @@ from sandbox.window.session import Session
 Rect = tuple[int, int, int, int]
 """Left, top, width, height in pixels of the window."""
 ZOOM_A_NOTCH = 1.15
+USUAL_ASPECT = 1.6
+"""Width to height of the picture that a scene's `view` is made for."""
 
 
 @dataclass
@@ -100,4 +102,8 @@ class Viewport:
 
 
 def _home(session: Session, size: Size) -> Camera:
-    return scene_camera(session.scene.view, session.home, size)
+    """As the scene asks, but at least as wide as in a picture of `USUAL_ASPECT`: panels take from the width."""
+    camera = scene_camera(session.scene.view, session.home, size)
+    if getattr(session.scene.view, "height", None) is None or size[0] >= USUAL_ASPECT * size[1]:
+        return camera
+    return replace(camera, scale=camera.scale * size[0] / (USUAL_ASPECT * size[1]))
