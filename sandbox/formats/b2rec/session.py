@@ -72,6 +72,8 @@ class Session:
                 if not given.keys() <= made.values.keys():
                     return False
                 made.values.update(given)
+                if call.name in ("BodySetLinearVelocity", "BodySetAngularVelocity"):
+                    made.values["ofCenter"] = True  # setters speak of the centre of mass, definitions of the origin
                 return True
         return False
 
