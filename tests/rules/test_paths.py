@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from sandbox.engine.commands.set_path import SetPath
@@ -123,6 +123,7 @@ class TestBodies:
 coordinates = st.floats(-50, 50, width=32)
 
 
+@example([(0.0, 31.0), (0.0, 0.0), (0.0, 0.0)], 2.0, 0.8620276963672764, "once", False, 0.0)
 @given(st.lists(st.tuples(coordinates, coordinates), min_size=1, max_size=5), st.floats(0.1, 9), st.floats(0, 2),
        st.sampled_from(["once", "loop", "ping-pong"]), st.booleans(), st.floats(0, 1e4))  # fmt: skip
 @examples(200)

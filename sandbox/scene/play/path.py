@@ -75,6 +75,6 @@ def _with_pauses(points: Places, times: list[float], pause: float, loops: bool) 
     when: list[float] = []
     for k, (point, time) in enumerate(zip(points, times, strict=True)):
         found += [point, point] if k < pauses else [point]
-        begins = time + k * pause
-        when += [begins, begins + pause] if k < pauses else [begins]
+        begins, ends = time + k * pause, time + (k + 1) * pause  # never after the next one begins, however rounded
+        when += [begins, ends] if k < pauses else [begins]
     return found, when
