@@ -16,7 +16,7 @@ from sandbox.window.widgets import PLAIN, Scale, button, checkbox, drag, drag2, 
 from sandbox.window.workspace import Workspace
 
 Vec = tuple[float, float]
-NEXT_TO_NOTHING = 5e-7
+NEXT_TO_NOTHING = 5e-6
 
 
 @dataclass(frozen=True)
