@@ -23,6 +23,7 @@ NOTES: dict[int, str] = {
     "that another joint has left; where something heavy lands on light bodies, their pile takes twelve relax passes; "
     "friction on something immovable acts at the surface of what moves, no longer in the middle of the overlap; only "
     "the body whose own velocity or forces are too large is frozen, before anything is solved with them",
+    13: "a contact without rolling resistance no longer gets the sign of a zero from others with whom it is solved",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

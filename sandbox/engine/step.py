@@ -17,10 +17,7 @@ from sandbox.engine.bodies.quarantine import guard_forces, guard_positions
 from sandbox.engine.broad_phase.pairs import sort_pairs
 from sandbox.engine.broad_phase.proxies import bound_shapes
 from sandbox.engine.broad_phase.resting_grid import find_all_pairs, order_shapes
-from sandbox.engine.contact_solver.fill_blocks import fill_blocks
-from sandbox.engine.contact_solver.graph_coloring import color_contacts
-from sandbox.engine.contact_solver.prepare import prepare_contacts
-from sandbox.engine.contact_solver.store import clear_reports, store_impulses
+from sandbox.engine.contact_solver.store import clear_reports
 from sandbox.engine.continuous_collision.candidates import mark_fast, mark_fast_at_start
 from sandbox.engine.joints.pair_filter import JointFilter, filter_joined_pairs
 from sandbox.engine.joints.reactions import finish_joints
@@ -38,8 +35,7 @@ from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.decisions import Decisions
 from sandbox.engine.records.state import StateTables
 from sandbox.engine.records.workers import Workers
-from sandbox.engine.restitution.impacts import ImpactList, list_impact_contacts
-from sandbox.engine.substeps import Pass, run_substeps, unsettled_bits
+from sandbox.engine.solve_islands import Level, solve_level
 from sandbox.tables import Records
 
 
@@ -107,7 +103,7 @@ def solve(
         update_active_set(bodies, active, solver, ccd.bodies)
         list_active_contacts(bodies, contacts, count)
     rows = active.bodies[1 : 1 + active.bodies[0]]
-    levels = assign_substep_levels(state, active, solver.free_motions, piles, contacts, joints, ccd.bodies)
+    levels = assign_substep_levels(state, active, solver, piles, contacts, joints, ccd.bodies)
 
     fastest = begin_motions(bodies, rows, solver)
     clear_flags(bodies, rows, solver, state.drags)
@@ -121,17 +117,9 @@ def solve(
             continue
         if level > 0:
             rewind_driven(bodies, rows, solver.motions)
-        color_count = color_contacts(bodies, active, solver, ccd.bodies, contacts, level, levels > 1, blocks)
-        counter.color_count = color_count if color_count > counter.color_count else counter.color_count
-        block_count, unsettled_count = fill_blocks(contacts, solver.colors, blocks)
-        threshold = setting.restitution_threshold
-        impact_count = list_impact_contacts(bodies, solver, contacts, level, fastest, threshold, blocks.impacts)
-        prepare_contacts(bodies, contacts.now, blocks, block_count, workers, level, impact_count > 0)
-        impacts = ImpactList(blocks.impacts, impact_count, threshold)
-        bits = unsettled_bits(bodies, rows, solver.free_motions, ccd.bodies, level)
-        todo = Pass(level, block_count, unsettled_count, bits)
-        run_substeps(state, active, solver, contacts.now, blocks, impacts, joints, workers, todo)
-        store_impulses(bodies, solver.flags, contacts, blocks, block_count, workers, level)
+        which = Level(level, levels > 1, fastest)
+        colors = solve_level(state, active, solver, contacts, blocks, ccd, joints, workers, which)
+        counter.color_count = colors if colors > counter.color_count else counter.color_count
     if joints is not None:
         finish_joints(joints, setting.step_seconds, counter)
     guard_positions(bodies, rows, solver.motions, active.info, state.counters)

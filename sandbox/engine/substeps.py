@@ -42,13 +42,15 @@ class Pass(NamedTuple):
 
     The first `unsettled_count` of them are of unsettled bodies, whose bits `unsettled` has: these take a rigid pass
     first, once, if some are `NEW` to each other, and more relax passes than the others if some overlap deeply or are
-    overloaded.
+    overloaded. Batch 0 has the joints and what is dragged. `impacts` says that some contact of the level may have one.
     """
 
     level: int
+    batch: int
     block_count: int
     unsettled_count: int
     unsettled: int
+    impacts: bool
 
 
 @kernel
@@ -79,9 +81,11 @@ def run_substeps(
     impacts: ImpactList,
     joints: JointWork | None,
     workers: Workers,
+    rows: Integers,
     todo: Pass,
-) -> None:
-    """Integrate, solve and relax the islands of one substep level, in as many substeps as it asks for.
+) -> int:
+    """Integrate, solve and relax the islands of a batch, whose bodies `rows` are, in as many substeps as their level
+    asks for. Returns how many bodies were frozen.
 
     The settings may switch off any technique of the contact solver.
     """
@@ -89,8 +93,8 @@ def run_substeps(
     setting = state.settings[0]
     motions = solver.motions
     free_motions = solver.free_motions
-    rows = active.bodies[1 : 1 + active.bodies[0]]
     level = todo.level
+    rest = todo.batch == 0
     count = todo.block_count
     unsettled = todo.unsettled_count
     substeps = setting.substeps << level
@@ -108,19 +112,21 @@ def run_substeps(
     relax_passes = relax_count(todo.unsettled) if setting.relax == 1 else 0
     gravity = math.sqrt(setting.gravity_x * setting.gravity_x + setting.gravity_y * setting.gravity_y)
 
-    if joints is not None:
+    if joints is not None and rest:
         select_parts(joints, free_motions, level)
     prepare_forces(bodies, rows, solver, level, setting, seconds)
+    frozen = 0
     for substep in range(substeps):
         integrate_velocities(rows, solver, workers)
         resolve_impacts(bodies, solver, contacts, impacts, seconds)
-        solve_mouse_joints(state, solver, level, seconds)
-        guard_velocities(bodies, rows, motions, solver.forces, active.info, state.counters)
+        if rest:
+            solve_mouse_joints(state, solver, level, seconds)
+        frozen += guard_velocities(bodies, rows, motions, solver.forces, active.info, state.counters[0].step_count)
         if warm:
             warm_start(motions, blocks, count, workers)
         else:
             forget_impulses(blocks, count)
-        if joints is not None:
+        if joints is not None and rest:
             solve_joints(joints, motions, free_motions, seconds, workers)
         if todo.unsettled & NEW and substep == 0:
             # What was just put there has no impulses yet, and soft contacts alone would let it slip until it has.
@@ -128,14 +134,16 @@ def run_substeps(
             if not accumulate:
                 forget_impulses(blocks, unsettled)
         solve_contacts(motions, blocks, count, workers, soft)
-        if joints is not None:
+        if joints is not None and rest:
             prepare_move(joints, motions, free_motions, seconds)
         integrate_positions(rows, solver, gravity, seconds, workers)
-        resolve_late_impacts(bodies, rows, solver, contacts, impacts, level, seconds)
-        if joints is not None:
+        if todo.impacts:
+            resolve_late_impacts(bodies, rows, solver, contacts, impacts, level, seconds)
+        if joints is not None and rest:
             relax_joints(joints, motions, free_motions, seconds, workers)
         for turn in range(relax_passes):
             relaxed = count if turn == relax_passes - 1 else unsettled
             if not accumulate:
                 forget_impulses(blocks, relaxed)
             solve_contacts(motions, blocks, relaxed, workers, relax)
+    return frozen

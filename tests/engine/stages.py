@@ -21,7 +21,6 @@ from sandbox.engine.contact_solver.blocks import LANES
 from sandbox.engine.memory.scratch import Scratch
 from sandbox.engine.narrow_phase import find_contacts as narrow_phase
 from sandbox.engine.narrow_phase import speculative
-from sandbox.engine.records.bodies import FREE_MOTION
 from sandbox.engine.records.colliders import BOX, FILTER, PAIR
 from sandbox.engine.records.contact_blocks import SoftContact
 from sandbox.engine.records.state import StateTables
@@ -66,6 +65,7 @@ sort_pairs = stage(pairs.sort_pairs)
 mark_confined = stage(speculative.mark_confined)
 find_contacts = stage(narrow_phase.find_contacts)
 color_contacts = stage(graph_coloring.color_contacts)
+sort_contacts = stage(filling.sort_contacts)
 fill_blocks = stage(filling.fill_blocks)
 prepare_contacts = stage(prepare.prepare_contacts)
 store_impulses = stage(store.store_impulses)
@@ -168,8 +168,9 @@ class Paused:
     def lay_out(self) -> None:
         """Colours, slots, blocks and lanes."""
         s, m = self.state, self.scratch
-        self.colors = color_contacts(s.bodies, m.active, m.solver, m.ccd.bodies, m.contacts, 0, False, m.blocks)
-        self.blocks, _ = fill_blocks(m.contacts, m.solver.colors, m.blocks)
+        self.colors = color_contacts(s.bodies, m.active, m.solver, m.ccd.bodies, m.contacts, 0, False, False, m.blocks)
+        sort_contacts(m.contacts, m.solver.batches, m.blocks, 1)
+        self.blocks, _ = fill_blocks(m.solver.colors, m.blocks, 0)
         assert self.blocks <= len(m.blocks.blocks)
         self.prepare()
 
@@ -210,7 +211,7 @@ class Paused:
     def strike(self) -> None:
         """Resolve the impacts of contacts that close at more than 0.2 m/s."""
         m = self.scratch
-        slots = m.blocks.impacts
+        slots = m.blocks.batches.impacts
         count = list_impact_contacts(self.state.bodies, m.solver, m.contacts, 0, 1e9, 0.2, slots)
         resolve_impacts(self.state.bodies, m.solver, m.contacts.now, ImpactList(slots, count, 0.2), self.substep)
 
@@ -227,10 +228,10 @@ class Paused:
 
 def island_roots(count: int, links: Sequence[tuple[int, int]], active: Sequence[bool]) -> list[int]:
     """What `find_islands` finds for bodies that are joined by contacts."""
-    bodies, free_motions, contacts = BODY.zeros(count), FREE_MOTION.zeros(count), CONTACT.zeros(len(links) + 1)
+    bodies, found, contacts = BODY.zeros(count), np.zeros(count, np.int64), CONTACT.zeros(len(links) + 1)
     for row, awake in zip(bodies, active, strict=True):
         row.type, row.awake = DYNAMIC, int(awake)
     for row, (a, b) in zip(contacts, links, strict=False):
         row.body_a, row.body_b = a, b
-    find_islands(bodies, np.arange(count), free_motions, contacts, np.arange(len(links)), None)
-    return [int(i) for i in free_motions.island]
+    find_islands(bodies, np.arange(count), found, contacts, np.arange(len(links)), None)
+    return [int(i) for i in found]

@@ -11,13 +11,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox.engine.bodies.flags import IMMOVABLE
-from sandbox.engine.contact_solver.blocks import LANES, MAX_COLORS
+from sandbox.engine.contact_solver.blocks import LANES, MAX_COLORS, SETTLED
 from sandbox.engine.contact_solver.further_colors import MOST_WORDS
-from sandbox.engine.contact_solver.graph_coloring import FREE, SETTLED, UNSETTLED, lowest_free
+from sandbox.engine.contact_solver.graph_coloring import FREE, UNSETTLED, lowest_free
 from sandbox.engine.memory.scratch import Scratch
 from sandbox.engine.records.contact_blocks import BLOCK
 from sandbox.world.build import build_state
-from tests.engine.stages import fill_blocks, stage
+from tests.engine.stages import fill_blocks, sort_contacts, stage
 from tests.examples import examples
 from tests.flat import scene
 from tests.naive import contact_blocks as naive
@@ -37,7 +37,8 @@ def laid(pairs: list[naive.Pair], colors: list[int], movable: list[bool], room: 
     blocks.colors[: len(pairs)] = colors
     blocks.sets[:] = blocks.further[:] = blocks.further_heads[:] = 12345
     taken = np.where(movable, 7, IMMOVABLE)
-    used, unsettled = fill_blocks(contacts, taken, blocks)
+    sort_contacts(contacts, memory.solver.batches, blocks, 1)
+    used, unsettled = fill_blocks(taken, blocks, 0)
     found = []
     for block in blocks.blocks[:used]:
         slots = blocks.slots[block.first : block.first + block.count]

@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 
 from sandbox.engine.contact_solver import soft_constraint
-from sandbox.engine.contact_solver.blocks import LANES, MAX_COLORS
-from sandbox.engine.contact_solver.graph_coloring import SETTLED
+from sandbox.engine.contact_solver.blocks import LANES, MAX_COLORS, SETTLED
 from sandbox.engine.world import World
 from sandbox.reference.simple.bodies import Body
 from sandbox.reference.simple.contacts import Contact, Point
@@ -246,7 +245,7 @@ def test_the_plank_has_serial_contacts():
 def test_contacts_of_unsettled_bodies_come_first(paused):
     scratch, bodies = paused.scratch, paused.state.bodies
     unsettled = (scratch.ccd.bodies.unsettled != 0) & (bodies.inverse_mass > 0.0)
-    blocks, first = fill_blocks(scratch.contacts, scratch.solver.colors, scratch.blocks)
+    blocks, first = fill_blocks(scratch.solver.colors, scratch.blocks, 0)
     count = int(scratch.blocks.blocks.count[:first].sum())
     touch = [unsettled[slot.body_a] or unsettled[slot.body_b] for slot in scratch.blocks.slots[: paused.count]]
     assert blocks == paused.blocks

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from sandbox.engine.contact_solver.blocks import LANES, MAX_COLORS, VECTOR
-from sandbox.engine.contact_solver.graph_coloring import SETTLED
+from sandbox.engine.contact_solver.blocks import LANES, MAX_COLORS, SETTLED, VECTOR
 
 ENOUGH = VECTOR // 4
 Pair = tuple[int, int]

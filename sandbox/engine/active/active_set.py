@@ -53,6 +53,7 @@ def update_active_set(bodies: Records, active: ActiveSet, solver: SolverBodies, 
         solver.forces[i].moves = 0
         solver.flags[i] = 0
         solver.colors[i] = IMMOVABLE
+        solver.batches[i] = 0
         ccd_body = ccd_bodies[i]
         ccd_body.deep = ccd_body.unsettled = ccd_body.fast = ccd_body.confined = 0
     active.bodies[0] = count

@@ -16,41 +16,43 @@ from sandbox.tables import Integers, Records
 def find_islands(
     bodies: Records,
     active_bodies: Integers,
-    free_motions: Records,
+    islands: Integers,
     contacts: Records,
     active_contacts: Integers,
     joints: JointWork | None,
 ) -> None:
-    """Write `free_motion.island` of every active body: the lowest row of its island."""
+    """Write into `islands` of every active body the lowest row of its island."""
     for i in active_bodies:
-        free_motions[i].island = i
+        islands[i] = i
     for i in active_contacts:
         contact = contacts[i]
         if is_active(bodies[contact.body_a]) and is_active(bodies[contact.body_b]):
-            _unite(free_motions, contact.body_a, contact.body_b)
+            unite(islands, contact.body_a, contact.body_b)
     if joints is not None:
         for i in range(joints.ties.shape[0]):
             if is_active(bodies[joints.ties[i].low]) and is_active(bodies[joints.ties[i].high]):
-                _unite(free_motions, joints.ties[i].low, joints.ties[i].high)
+                unite(islands, joints.ties[i].low, joints.ties[i].high)
     for i in active_bodies:
-        free_motions[i].island = _root(free_motions, i)
+        islands[i] = root_of(islands, i)
 
 
 @kernel
-def _unite(free_motions: Records, i: int, j: int) -> None:
+def unite(islands: Integers, i: int, j: int) -> None:
     """Put two bodies into one island."""
-    a = _root(free_motions, i)
-    b = _root(free_motions, j)
+    if islands[i] == islands[j]:
+        return
+    a = root_of(islands, i)
+    b = root_of(islands, j)
     if a < b:
-        free_motions[b].island = a
+        islands[b] = a
     elif b < a:
-        free_motions[a].island = b
+        islands[a] = b
 
 
 @kernel
-def _root(free_motions: Records, i: int) -> int:
+def root_of(islands: Integers, i: int) -> int:
     """Root of body i; halves the path on its way."""
-    while free_motions[i].island != i:
-        free_motions[i].island = free_motions[free_motions[i].island].island
-        i = free_motions[i].island
+    while islands[i] != i:
+        islands[i] = islands[islands[i]]
+        i = islands[i]
     return i

@@ -92,7 +92,7 @@ def bearable(slight: float, gravity: float, omega: float) -> float:
 
 @kernel
 def measure_bodies(
-    bodies: Records, rows: Integers, free_motions: Records, piles: Records, joints: JointWork | None, load: Load
+    bodies: Records, rows: Integers, islands: Integers, piles: Records, joints: JointWork | None, load: Load
 ) -> None:
     """Weight and height of every pile; of its width, foot, bearing body and ratio what is worst for it."""
     down_x = load.down_x
@@ -107,7 +107,7 @@ def measure_bodies(
         body = bodies[i]
         if not is_active(body):
             continue
-        root = free_motions[i].island
+        root = islands[i]
         pile = piles[root]
         x = body.center_x - bodies[root].center_x
         y = body.center_y - bodies[root].center_y
@@ -133,11 +133,11 @@ def _widen(pile: Records, across: float) -> None:
 
 
 @kernel
-def some_pile_may_fall(rows: Integers, free_motions: Records, piles: Records, omega: float, gravity: float) -> bool:
+def some_pile_may_fall(rows: Integers, islands: Integers, piles: Records, omega: float, gravity: float) -> bool:
     """Whether some pile of two or more would need a higher level, or be overloaded, if it were as bad as its bodies
     allow."""
     for i in rows:
-        if free_motions[i].island == i and piles[i].bodies > 1:
+        if islands[i] == i and piles[i].bodies > 1:
             piles[i].ratio = piles[i].heaviest / piles[i].bearer
             if level_for(piles[i], omega, gravity) > 0 or may_be_overloaded(piles[i]):
                 return True
@@ -148,7 +148,7 @@ def some_pile_may_fall(rows: Integers, free_motions: Records, piles: Records, om
 def measure_contacts(
     bodies: Records,
     rows: Integers,
-    free_motions: Records,
+    islands: Integers,
     piles: Records,
     contacts: Contacts,
     joints: JointWork | None,
@@ -168,7 +168,7 @@ def measure_contacts(
         b = bodies[contact.body_b]
         if not (is_active(a) or is_active(b)):
             continue
-        root = free_motions[contact.body_a].island if is_active(a) else free_motions[contact.body_b].island
+        root = islands[contact.body_a] if is_active(a) else islands[contact.body_b]
         pile = piles[root]
         x = a.center_x - bodies[root].center_x
         y = a.center_y - bodies[root].center_y

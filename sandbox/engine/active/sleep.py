@@ -44,8 +44,8 @@ def fall_asleep(
             ready = True
     if ready and state.settings[0].sleeping == 1:
         touched = contacts.active[1 : 1 + contacts.active[0]]
-        find_islands(bodies, rows, solver.free_motions, contacts.now, touched, joints)
-        _sleep_islands(bodies, rows, solver.free_motions, solver.flags, active.info)
+        find_islands(bodies, rows, solver.islands, contacts.now, touched, joints)
+        _sleep_islands(bodies, rows, solver.islands, solver.flags, active.info)
     _count_sleepers(bodies, rows, active.info[0], state.counters[0])
 
 
@@ -92,19 +92,17 @@ def _count_slow_time(bodies: Records, rows: Integers, flags: Integers, seconds: 
 
 
 @kernel
-def _sleep_islands(
-    bodies: Records, rows: Integers, free_motions: Records, flags: Integers, active_info: Records
-) -> None:
+def _sleep_islands(bodies: Records, rows: Integers, islands: Integers, flags: Integers, active_info: Records) -> None:
     """An island sleeps if none of its bodies is too lively; a lively body flags the root."""
     for i in rows:
         if is_active(bodies[i]) and bodies[i].sleep_time < SLEEP_SECONDS:
-            flags[free_motions[i].island] |= ISLAND_AWAKE
+            flags[islands[i]] |= ISLAND_AWAKE
     for i in rows:
         body = bodies[i]
-        if is_active(body) and flags[free_motions[i].island] & ISLAND_AWAKE == 0:
+        if is_active(body) and flags[islands[i]] & ISLAND_AWAKE == 0:
             active_info[0].stale = 1
             body.awake = 0
-            body.island = free_motions[i].island + 1
+            body.island = islands[i] + 1
             body.velocity_x = 0.0
             body.velocity_y = 0.0
             body.angular_velocity = 0.0

@@ -23,6 +23,7 @@ from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.joints.fine_substeps import refine_small_parts
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.active_set import ActiveSet
+from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.ccd import OVERLOADED
 from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.state import StateTables
@@ -41,7 +42,7 @@ ALWAYS = 2
 def assign_substep_levels(
     state: StateTables,
     active: ActiveSet,
-    free_motions: Records,
+    solver: SolverBodies,
     piles: Records,
     contacts: Contacts,
     joints: JointWork | None,
@@ -53,10 +54,10 @@ def assign_substep_levels(
     for the sake of truth. Bodies of a pile in which something heavy lands on something light get the bit `OVERLOADED`
     of `ccd_bodies.unsettled`.
     """
-    used = _assign_to_piles(state, active, free_motions, piles, contacts, joints, ccd_bodies)
+    used = _assign_to_piles(state, active, solver, piles, contacts, joints, ccd_bodies)
     if joints is not None:
         used |= refine_small_parts(
-            joints, state.bodies, free_motions, contacts.now, contacts.active[1 : 1 + contacts.active[0]]
+            joints, state.bodies, solver.free_motions, contacts.now, contacts.active[1 : 1 + contacts.active[0]]
         )
     return used
 
@@ -65,7 +66,7 @@ def assign_substep_levels(
 def _assign_to_piles(
     state: StateTables,
     active: ActiveSet,
-    free_motions: Records,
+    solver: SolverBodies,
     piles: Records,
     contacts: Contacts,
     joints: JointWork | None,
@@ -80,7 +81,7 @@ def _assign_to_piles(
     counter = state.counters[0]
     setting = state.settings[0]
     for i in rows:
-        free_motions[i].substep_level = 0
+        solver.free_motions[i].substep_level = 0
     if counter.substep_watch == SELDOM and counter.step_count % EVERY != 0:
         return 1
     gravity_x = setting.gravity_x
@@ -90,11 +91,11 @@ def _assign_to_piles(
     used = 1
     if gravity > 0.0:
         find_islands(
-            state.bodies, rows, free_motions, contacts.now, contacts.active[1 : 1 + contacts.active[0]], joints
+            state.bodies, rows, solver.islands, contacts.now, contacts.active[1 : 1 + contacts.active[0]], joints
         )
         seconds = setting.step_seconds / setting.substeps
         load = Load(gravity_x / gravity, gravity_y / gravity, gravity, omega)
-        used = _look(state.bodies, rows, free_motions, piles, contacts, joints, load, seconds, ccd_bodies)
+        used = _look(state.bodies, rows, solver, piles, contacts, joints, load, seconds, ccd_bodies)
     counter.substep_watch = ALWAYS if used > 1 or masses_differ(state.bodies, gravity, omega) else SELDOM
     return used
 
@@ -103,7 +104,7 @@ def _assign_to_piles(
 def _look(
     bodies: Records,
     rows: Integers,
-    free_motions: Records,
+    solver: SolverBodies,
     piles: Records,
     contacts: Contacts,
     joints: JointWork | None,
@@ -112,18 +113,18 @@ def _look(
     ccd_bodies: Records,
 ) -> int:
     """Bodies alone show that most islands are safe; only if one may not be, contacts are looked at too."""
-    measure_bodies(bodies, rows, free_motions, piles, joints, load)
-    if not some_pile_may_fall(rows, free_motions, piles, load.omega, load.gravity):
+    measure_bodies(bodies, rows, solver.islands, piles, joints, load)
+    if not some_pile_may_fall(rows, solver.islands, piles, load.omega, load.gravity):
         return 1
-    measure_contacts(bodies, rows, free_motions, piles, contacts, joints, load)
+    measure_contacts(bodies, rows, solver.islands, piles, contacts, joints, load)
     used = 1
     for i in rows:
-        pile = piles[free_motions[i].island]
+        pile = piles[solver.islands[i]]
         if is_active(bodies[i]) and is_stacked(pile):
-            free_motions[i].substep_level = level_for(pile, load.omega, load.gravity)
+            solver.free_motions[i].substep_level = level_for(pile, load.omega, load.gravity)
             if is_overloaded(pile, seconds):
                 ccd_bodies[i].unsettled |= OVERLOADED
-            used |= 1 << free_motions[i].substep_level
+            used |= 1 << solver.free_motions[i].substep_level
     return used
 
 

@@ -39,24 +39,31 @@ def guard_forces(
         sound = abs(body.velocity_x + seconds * ax) <= linear and abs(body.velocity_y + seconds * ay) <= linear
         if not (sound and abs(body.angular_velocity + seconds * aw) <= angular):
             active_info[0].stale = 1
-            _freeze(body, counters[0])
+            _freeze(body, counters[0].step_count)
+            counters[0].frozen_count += 1
             found = True
     return found
 
 
 @kernel
 def guard_velocities(
-    bodies: Records, active_bodies: Integers, motions: Records, forces: Records, active_info: Records, counters: Records
-) -> None:
-    """Slow down what the solver made too fast, before it can pass that on, and freeze what has no velocity at all."""
+    bodies: Records, active_bodies: Integers, motions: Records, forces: Records, active_info: Records, step_count: int
+) -> int:
+    """Slow down what the solver made too fast, before it can pass that on, and freeze what has no velocity at all.
+
+    Returns how many were frozen.
+    """
+    frozen = 0
     for i in active_bodies:
         if forces[i].moves == 0:
             continue
         if not _slowed(motions[i]):
             active_info[0].stale = 1
-            _freeze(bodies[i], counters[0])
+            _freeze(bodies[i], step_count)
             _stop(motions[i])
             forces[i].moves = 0
+            frozen += 1
+    return frozen
 
 
 @kernel
@@ -75,7 +82,8 @@ def guard_positions(
         inside = x <= MAX_COORDINATE and y <= MAX_COORDINATE and turned <= MAX_COORDINATE
         if not (_slowed(motion) and inside):
             active_info[0].stale = 1
-            _freeze(body, counters[0])
+            _freeze(body, counters[0].step_count)
+            counters[0].frozen_count += 1
             _stop(motion)
 
 
@@ -98,10 +106,10 @@ def _within(speed: float) -> float:
 
 
 @kernel
-def _freeze(body: Records, counter: Records) -> None:
+def _freeze(body: Records, step_count: int) -> None:
     """Make a body static at the pose it had when the step began."""
     body.type = STATIC
-    body.frozen_step = counter.step_count
+    body.frozen_step = step_count
     body.awake = 1
     body.velocity_x = 0.0
     body.velocity_y = 0.0
@@ -111,7 +119,6 @@ def _freeze(body: Records, counter: Records) -> None:
     body.force_x = 0.0
     body.force_y = 0.0
     body.torque = 0.0
-    counter.frozen_count += 1
 
 
 @kernel

@@ -12,6 +12,8 @@ VECTOR = 16
 """Lanes that one turn of the arithmetic covers. Constant, or LLVM would not vectorise it."""
 MAX_COLORS = 62
 """Contacts that find no colour below this go into serial blocks, whose lanes are solved one by one."""
+SETTLED = MAX_COLORS + 1
+"""What is added to the colour of a contact between bodies that are not unsettled."""
 
 NORMAL_X = 0 * LANES
 NORMAL_Y = 1 * LANES

@@ -1,26 +1,24 @@
-"""Stage: contacts are ordered by colour and cut into blocks."""
+"""Stage: contacts are ordered by batch and colour, and cut into blocks."""
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
-from sandbox.engine.contact_solver.blocks import LANES, MAX_COLORS
+from sandbox._jit import inlined_kernel, kernel
+from sandbox.engine.active.island_batches import batch_of
+from sandbox.engine.contact_solver.blocks import LANES, MAX_COLORS, SETTLED
 from sandbox.engine.contact_solver.further_colors import color_further
-from sandbox.engine.contact_solver.graph_coloring import SETTLED
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.contacts import Contacts
-from sandbox.tables import Integers
+from sandbox.tables import Integers, Records
 
 
 @kernel
-def fill_blocks(contacts: Contacts, taken: Integers, blocks: ContactBlocks) -> tuple[int, int]:
-    """Order contacts by colour into slots and cut every colour into blocks; `blocks.starts` tells where each begins.
+def fill_blocks(taken: Integers, blocks: ContactBlocks, batch: int) -> tuple[int, int]:
+    """Cut every colour of a batch into blocks, after `sort_contacts`; `blocks.starts` tells where each begins.
 
     Returns how many blocks that takes, and how many of them, the first ones, are of unsettled bodies. `taken` is
-    `solver.colors`, as `color_contacts` has left it.
+    `solver.colors`, as `color_contacts` has left it. Only batch 0 may have contacts that found no colour.
     """
-    rows = contacts.active[1 : 1 + contacts.active[0]]
-    heads = blocks.heads
-    _sort_by_color(contacts, rows, blocks)
+    heads = blocks.heads[2 * SETTLED * batch :]
     used = unsettled = 0
     blocks.starts[0] = 0
     for c in range(2 * SETTLED):
@@ -35,26 +33,37 @@ def fill_blocks(contacts: Contacts, taken: Integers, blocks: ContactBlocks) -> t
 
 
 @kernel
-def _sort_by_color(contacts: Contacts, rows: Integers, blocks: ContactBlocks) -> None:
-    """A counting sort: afterwards `heads` has the first slot of each colour, and behind them how many there are."""
+def sort_contacts(contacts: Contacts, of_body: Integers, blocks: ContactBlocks, batch_count: int) -> None:
+    """Order the active contacts into slots, by batch (`of_body` of their bodies) and then by colour: a counting sort.
+
+    Afterwards `heads` has the first slot of each colour of each batch, and behind them how many there are.
+    """
+    rows = contacts.active[1 : 1 + contacts.active[0]]
+    colors = blocks.colors
     heads = blocks.heads
-    for c in range(2 * SETTLED + 1):
+    for c in range(2 * SETTLED * batch_count + 1):
         heads[c] = 0
     for k in range(rows.shape[0]):
-        if blocks.colors[k] >= 0:
-            heads[blocks.colors[k]] += 1
+        if colors[k] >= 0:
+            heads[_key(contacts.now[rows[k]], of_body, colors[k], batch_count)] += 1
     total = 0
-    for c in range(2 * SETTLED + 1):
+    for c in range(2 * SETTLED * batch_count + 1):
         total += heads[c]
         heads[c] = total
     for k in range(rows.shape[0] - 1, -1, -1):
-        if blocks.colors[k] < 0:
+        if colors[k] < 0:
             continue
-        heads[blocks.colors[k]] -= 1
-        slot = blocks.slots[heads[blocks.colors[k]]]
+        key = _key(contacts.now[rows[k]], of_body, colors[k], batch_count)
+        heads[key] -= 1
+        slot = blocks.slots[heads[key]]
         slot.contact = rows[k]
         slot.body_a = contacts.now[rows[k]].body_a
         slot.body_b = contacts.now[rows[k]].body_b
+
+
+@inlined_kernel
+def _key(contact: Records, of_body: Integers, color: int, batch_count: int) -> int:
+    return color if batch_count == 1 else 2 * SETTLED * batch_of(contact, of_body) + color
 
 
 @kernel

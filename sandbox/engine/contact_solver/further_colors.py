@@ -10,8 +10,8 @@ from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.bodies.flags import IMMOVABLE
-from sandbox.engine.contact_solver.blocks import LANES, MAX_COLORS, VECTOR
-from sandbox.engine.contact_solver.graph_coloring import SETTLED, lowest_free
+from sandbox.engine.contact_solver.blocks import LANES, MAX_COLORS, SETTLED, VECTOR
+from sandbox.engine.contact_solver.graph_coloring import lowest_free
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.tables import Integers, Records
 
@@ -71,7 +71,7 @@ def _number_bodies(taken: Integers, blocks: ContactBlocks, first: int, end: int)
 
 @kernel
 def _color(taken: Integers, blocks: ContactBlocks, first: int, end: int, words: int) -> None:
-    """Note in `impacts` (free as yet) the lowest colour that neither body of each contact has, and count them."""
+    """Note in `spare` the lowest colour that neither body of each contact has, and count them."""
     slots = blocks.slots
     sets = blocks.sets
     heads = blocks.further
@@ -92,7 +92,7 @@ def _color(taken: Integers, blocks: ContactBlocks, first: int, end: int, words: 
             if b != IMMOVABLE:
                 sets[b * words + word] |= 1 << color
         color += word * MAX_COLORS
-        blocks.impacts[k].contact = color
+        blocks.spare[k].contact = color
         heads[color] += 1
 
 
@@ -138,9 +138,9 @@ def _there_are_blocks(blocks: ContactBlocks, used: int, left: int, end: int) -> 
 
 @kernel
 def _move_to_colors(blocks: ContactBlocks, first: int, end: int, colors: int) -> None:
-    """Order slots by their colour in `impacts`, if it is one of so many, `further` of each; the others come last."""
+    """Order slots by their colour in `spare`, if it is one of so many, `further` of each; the others come last."""
     slots = blocks.slots
-    spare = blocks.impacts
+    spare = blocks.spare
     heads = blocks.further_heads
     place = first
     for c in range(colors):

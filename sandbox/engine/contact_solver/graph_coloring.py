@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox.engine.bodies.flags import IMMOVABLE, is_active
-from sandbox.engine.contact_solver.blocks import MAX_COLORS
+from sandbox.engine.active.islands import unite
+from sandbox.engine.bodies.flags import IMMOVABLE, MOVING_KINEMATIC, is_active
+from sandbox.engine.contact_solver.blocks import MAX_COLORS, SETTLED
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contact_blocks import ContactBlocks
@@ -13,10 +14,10 @@ from sandbox.tables import Records
 
 FREE = tuple(next(k for k in range(9) if not (bits >> k) & 1) for bits in range(256))
 """For every set of the first eight colours the lowest that is not in it; 8 if all are."""
+TOO_MANY = 1 << 40
+"""Counts as so many contacts: an island with such a one fits into no batch (`active.island_batches`)."""
 UNSETTLED = 1 << MAX_COLORS
 """In the set of a body's colours: its contacts come before those of all others."""
-SETTLED = MAX_COLORS + 1
-"""What is added to the colour of a contact between bodies that are not unsettled."""
 
 
 @kernel
@@ -28,6 +29,7 @@ def color_contacts(
     contacts: Contacts,
     substep_level: int,
     mixed: bool,
+    islands_too: bool,
     blocks: ContactBlocks,
 ) -> int:
     """Greedy colouring of the active contacts of a substep level, in order; returns the number of colours.
@@ -38,12 +40,18 @@ def color_contacts(
     one among sleeping bodies or of another substep level gets -1 and is not solved. Contacts of unsettled bodies have
     colours of their own below `SETTLED`, which is added to those of all others. Contacts that find no colour get
     further ones in `fill_blocks`, if there are enough of them.
+
+    With `islands_too` what contacts join is united in `solver.islands`, and `solver.batches` counts each body and its
+    contacts, each of these at one of its two: as `TOO_MANY` where they fit into no batch.
     """
     taken = solver.colors
     rows = contacts.active[1 : 1 + contacts.active[0]]
     for i in active.bodies[1 : 1 + active.bodies[0]]:
         free = UNSETTLED if ccd_bodies[i].unsettled != 0 else 0
         taken[i] = free if is_active(bodies[i]) else IMMOVABLE
+        if islands_too:
+            solver.islands[i] = i
+            solver.batches[i] = 1 if is_active(bodies[i]) else TOO_MANY
     highest = -1
     for k in range(rows.shape[0]):
         a = contacts.now[rows[k]].body_a
@@ -63,6 +71,11 @@ def color_contacts(
                 taken[a] |= 1 << color
             if moves_b:
                 taken[b] |= 1 << color
+        if islands_too:
+            if moves_a and moves_b:
+                unite(solver.islands, a, b)
+            driven = moves_a != moves_b and (solver.flags[a] | solver.flags[b]) & MOVING_KINEMATIC != 0
+            solver.batches[a if moves_a else b] += TOO_MANY if driven or color == MAX_COLORS else 1
     return highest + 1
 
 

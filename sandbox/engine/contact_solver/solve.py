@@ -113,13 +113,18 @@ def _solve_lane(v: Floats, g: Floats, k: int, soft: SoftContact) -> None:
 
 @kernel
 def _resist_rolling(v: Floats, g: Floats, count: int) -> None:
-    """Rolling resistance: a torque impulse against relative spin, bounded by lever arm times normal impulse."""
+    """Rolling resistance: a torque impulse against relative spin, bounded by lever arm times normal impulse.
+
+    Contacts without it keep even the signs of their zeros: what shares a block must not matter.
+    """
     for k in range(count):
         load = v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] + v[cb.POINT_2 + cb.NORMAL_IMPULSE + k]
+        resists = v[cb.ROLLING_RESISTANCE + k] > 0.0
         limit = v[cb.ROLLING_RESISTANCE + k] * load
         before = v[cb.ROLLING_IMPULSE + k]
-        spin = g[cb.ANGULAR_B + k] - g[cb.ANGULAR_A + k]
-        after = clamp_to_cone(before - v[cb.ROLLING_MASS + k] * spin, limit)
-        v[cb.ROLLING_IMPULSE + k] = after
-        g[cb.ANGULAR_A + k] = g[cb.ANGULAR_A + k] - v[cb.INVERSE_INERTIA_A + k] * (after - before)
-        g[cb.ANGULAR_B + k] = g[cb.ANGULAR_B + k] + v[cb.INVERSE_INERTIA_B + k] * (after - before)
+        spin_a = g[cb.ANGULAR_A + k]
+        spin_b = g[cb.ANGULAR_B + k]
+        after = clamp_to_cone(before - v[cb.ROLLING_MASS + k] * (spin_b - spin_a), limit)
+        v[cb.ROLLING_IMPULSE + k] = after if resists else before
+        g[cb.ANGULAR_A + k] = spin_a - v[cb.INVERSE_INERTIA_A + k] * (after - before) if resists else spin_a
+        g[cb.ANGULAR_B + k] = spin_b + v[cb.INVERSE_INERTIA_B + k] * (after - before) if resists else spin_b

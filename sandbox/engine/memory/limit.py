@@ -5,8 +5,8 @@ Bodies in one place make as many pairs as the square of their number: asked for 
 
 from __future__ import annotations
 
-from sandbox.engine.contact_solver.blocks import BLOCK_SIZE, LANES
-from sandbox.engine.contact_solver.graph_coloring import SETTLED
+from sandbox.engine.contact_solver.blocks import BLOCK_SIZE, LANES, SETTLED
+from sandbox.engine.records.batches import SIZE
 from sandbox.engine.records.colliders import PAIR
 from sandbox.engine.records.contact_blocks import BLOCK, SLOT
 from sandbox.engine.records.contacts import REPORT, SLEEPING_RUN
@@ -18,7 +18,7 @@ MAX_STEP_BYTES = 4 * 1024**3
 _WORD = 8
 _PAIR_BYTES = 4 * _WORD + sum(
     table.dtype.itemsize
-    for table in (CONTACT, CONTACT, PAIR, PAIR, SLEEPING_RUN, SLEEPING_RUN, SLEEPING_RUN, REPORT, SLOT)
+    for table in (CONTACT, CONTACT, PAIR, PAIR, SLEEPING_RUN, SLEEPING_RUN, SLEEPING_RUN, REPORT, SLOT, SLOT)
 )
 _BLOCK_BYTES = BLOCK.dtype.itemsize + _WORD * BLOCK_SIZE
 
@@ -26,6 +26,11 @@ _BLOCK_BYTES = BLOCK.dtype.itemsize + _WORD * BLOCK_SIZE
 def most_blocks(pairs: int) -> int:
     """Most solver blocks that so many contacts fill: every colour has one that is not full, settled or not."""
     return pairs // LANES + 2 * SETTLED
+
+
+def most_batches(pairs: int) -> int:
+    """Most batches that islands with so many contacts are put into; what is left is solved with the first."""
+    return pairs // SIZE + 1
 
 
 def step_bytes(pairs: int) -> int:

@@ -10,16 +10,16 @@ import numpy as np
 from sandbox.engine.active.active_set import new_active_set
 from sandbox.engine.active.pile_stability import PILE
 from sandbox.engine.broad_phase.grid import LEVEL_SPACE, head_count
-from sandbox.engine.contact_solver.blocks import BLOCK_SIZE, MAX_COLORS
+from sandbox.engine.contact_solver.blocks import BLOCK_SIZE, MAX_COLORS, SETTLED
 from sandbox.engine.contact_solver.further_colors import MOST_WORDS
-from sandbox.engine.contact_solver.graph_coloring import SETTLED
 from sandbox.engine.fields.records import Fields, has_fields
 from sandbox.engine.joints.assembly import assemble
 from sandbox.engine.joints.pair_filter import JointFilter
 from sandbox.engine.joints.part_layout import PartLayouts
 from sandbox.engine.joints.records import JointWork
-from sandbox.engine.memory.limit import most_blocks
+from sandbox.engine.memory.limit import most_batches, most_blocks
 from sandbox.engine.records.active_set import ActiveSet
+from sandbox.engine.records.batches import BLOCKS, SIZE, Batches
 from sandbox.engine.records.bodies import BODY_FORCES, FREE_MOTION, MOTION, SolverBodies
 from sandbox.engine.records.ccd import CCD_BODY, CCD_IMPACT, Ccd
 from sandbox.engine.records.colliders import BOX, FILTER, PAIR, PROXY, Colliders, Grid
@@ -82,7 +82,7 @@ class Scratch:
             colliders=_colliders(room),
             grid=_grid(room.shapes, pair_capacity),
             contacts=_contacts(state, pair_capacity),
-            blocks=_blocks(pair_capacity),
+            blocks=_blocks(pair_capacity, _batches(room.bodies, pair_capacity, workers)),
             ccd=_ccd(state, room),
             joint_filter=joint_filter,
             joints=joints,
@@ -128,6 +128,8 @@ class Scratch:
         self.active = _active_set(state, room)._replace(info=self.active.info)
         self.solver = _solver_bodies(room.bodies)
         self.piles = PILE.zeros(room.bodies)
+        batches = self.blocks.batches._replace(bodies=np.zeros(room.bodies, np.int64))
+        self.blocks = self.blocks._replace(batches=batches)
         self.colliders = _colliders(room)
         shapes = _grid(room.shapes, 0)
         self.grid = shapes._replace(pairs=self.grid.pairs, sorted_pairs=self.grid.sorted_pairs)
@@ -165,6 +167,8 @@ def _solver_bodies(bodies: int) -> SolverBodies:
         flags=np.zeros(bodies, np.int64),
         colors=np.zeros(bodies, np.int64),
         struck=np.zeros(bodies, np.int64),
+        islands=np.zeros(bodies, np.int64),
+        batches=np.zeros(bodies, np.int64),
     )
 
 
@@ -202,19 +206,35 @@ def _contacts(state: State, pairs: int) -> Contacts:
     )
 
 
-def _blocks(pairs: int) -> ContactBlocks:
+def _blocks(pairs: int, batches: Batches) -> ContactBlocks:
     blocks = most_blocks(pairs)
     return ContactBlocks(
         slots=SLOT.zeros(pairs),
         blocks=BLOCK.zeros(blocks),
         colors=np.zeros(pairs, np.int64),
         lanes=aligned_zeros(blocks * BLOCK_SIZE, np.float64),
-        heads=np.zeros(2 * SETTLED + 1, np.int64),
+        heads=np.zeros(2 * SETTLED * most_batches(pairs) + 1, np.int64),
         further=np.zeros(MOST_WORDS * MAX_COLORS + 1, np.int64),
         further_heads=np.zeros(MOST_WORDS * MAX_COLORS + 1, np.int64),
         sets=np.zeros(pairs, np.int64),
         starts=np.zeros(blocks + 2, np.int64),
+        spare=SLOT.zeros(pairs),
+        batches=batches,
+    )
+
+
+def _batches(bodies: int, pairs: int, workers: int) -> Batches:
+    batches = most_batches(pairs)
+    blocks = (workers - 1) * BLOCKS if batches > 1 else 0
+    return Batches(
+        size=np.full(1, SIZE),
+        bodies=np.zeros(bodies, np.int64),
+        first_body=np.zeros(batches + 1, np.int64),
         impacts=SLOT.zeros(pairs),
+        first_impact=np.zeros(batches + 1, np.int64),
+        blocks=BLOCK.zeros(blocks),
+        lanes=aligned_zeros(blocks * BLOCK_SIZE, np.float64),
+        starts=np.zeros(blocks + 2 * workers, np.int64),
     )
 
 

@@ -30,12 +30,11 @@ FREE_MOTION = Table(
         Field("free_x", "m/s", "velocity at its end if nothing touches the body"),
         Field("free_y", "m/s", "velocity at its end if nothing touches the body"),
         Field("free_w", "rad/s", "velocity at its end if nothing touches the body"),
-        Field("island", "-", "root of its island", "i8"),
         Field("substep_level", "-", "its island takes 2**substep_level times the substeps of the scene", "i8"),
         Field("buoyed", "-", "1 when it floats at rest", "i8"),
     ),
 )
-"""One row a body: where an unhindered body would go, and its place in the constraint graph."""
+"""One row a body: where an unhindered body would go, and how its island is solved."""
 
 BODY_FORCES = Table(
     "body_forces",
@@ -57,7 +56,8 @@ class SolverBodies(NamedTuple):
     """Scratch memory with a row for each body, beside the body table of the state.
 
     `flags` holds the bits of `active.body_flags`, `colors` the colours that the contacts of a body have, `struck` how
-    many contacts the stage of impacts had looked at when it last changed a body.
+    many contacts the stage of impacts had looked at when it last changed a body, `islands` the lowest row of its island
+    where that is known, `batches` which batch that is in (0 for what does not move).
     """
 
     motions: Records
@@ -66,3 +66,5 @@ class SolverBodies(NamedTuple):
     flags: Integers
     colors: Integers
     struck: Integers
+    islands: Integers
+    batches: Integers

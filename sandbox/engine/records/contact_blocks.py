@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from sandbox.engine.records.batches import Batches
 from sandbox.tables import Field, Floats, Integers, Records, Table
 
 SLOT = Table(
@@ -32,8 +33,8 @@ class ContactBlocks(NamedTuple):
 
     `colors` has the colour of each active contact, `starts` first how many ranges of one colour the blocks fall into,
     then the first block of each and behind them the number of blocks; `heads`, `further` and `further_heads` are
-    scratch of the counting sorts by colour, `sets` the further colours that bodies have. `impacts` has the contacts
-    that may have an impact.
+    scratch of the counting sorts by batch and colour, `sets` the further colours that bodies have. `spare` is
+    scratch for other orders of them. `batches` are those that islands fall into.
     """
 
     slots: Records
@@ -45,7 +46,8 @@ class ContactBlocks(NamedTuple):
     further: Integers
     further_heads: Integers
     sets: Integers
-    impacts: Records
+    spare: Records
+    batches: Batches
 
 
 class SoftContact(NamedTuple):

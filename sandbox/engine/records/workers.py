@@ -14,20 +14,26 @@ WORDS = 64
 SIZE = 0
 """Word: how many workers take part in a step."""
 NUMBERS = 16
+"""Numbers that a worker tells the others, or itself when it is alone."""
+FROZEN = 4
+"""Word: how many bodies were frozen by those who solve islands."""
 
 
 class Workers(NamedTuple):
     """`words` and `numbers` tell of the task under way; `gathered` has the bodies of a block for each worker. `number`
-    says which worker this is meant for: 0 is the one that takes the step."""
+    says which worker this is meant for: 0 is the one that takes the step. `alone` are words of one who shares nothing.
+    """
 
     words: Integers
     numbers: Floats
     gathered: Floats
     number: int
+    alone: Integers
 
 
 def workers_memory(count: int) -> Workers:
     """Memory for so many workers, of which only the first takes part until `words` says otherwise."""
-    words = aligned_zeros(WORDS, np.int64)
-    words[SIZE] = 1
-    return Workers(words, aligned_zeros(NUMBERS, np.float64), aligned_zeros(count * GATHER_SIZE, np.float64), 0)
+    words, alone = aligned_zeros(WORDS, np.int64), aligned_zeros(WORDS, np.int64)
+    words[SIZE] = alone[SIZE] = 1
+    numbers = aligned_zeros(count * NUMBERS, np.float64)
+    return Workers(words, numbers, aligned_zeros(count * GATHER_SIZE, np.float64), 0, alone)

@@ -150,8 +150,6 @@ def resolve_late_impacts(
 
     Corners of a spinning body do that: their speeds change while it turns. The relax pass would stop them dead.
     """
-    if impacts.length == 0:
-        return
     for i in active_bodies:
         free_motion = solver.free_motions[i]
         if bodies[i].type == DYNAMIC and bodies[i].awake == 1 and free_motion.substep_level == substep_level:

@@ -25,6 +25,7 @@ from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.decisions import Decisions
 from sandbox.engine.records.state import StateTables
 from sandbox.engine.records.workers import Workers
+from sandbox.engine.solve_islands import solve_batches, told_share
 from sandbox.engine.workers.parallel_for import CLOSED, FIRST_PAIR, TASK, look_again, note_done, take
 from sandbox.engine.workers.task_kinds import (
     DECIDE_PAIRS,
@@ -41,6 +42,7 @@ from sandbox.engine.workers.task_kinds import (
     SECONDS,
     SOLVE_BATCHES,
     SOLVE_CONTACTS,
+    SOLVE_ISLANDS,
     STORE_IMPULSES,
     SWEEP_HINGES,
     WARM_START,
@@ -71,8 +73,11 @@ def serve(
         if first < end:
             if words[TASK] <= WRITE_CONTACTS:
                 _do_pairs(state, colliders, grid, contacts, workers, decisions, first, end)
+            elif words[TASK] == SOLVE_ISLANDS:
+                share = told_share(workers)
+                solve_batches(state, active, solver, contacts, blocks, joints, workers, share, first, end)
             elif words[TASK] < SOLVE_BATCHES:
-                _do_bodies(state, active, solver, contacts, blocks, workers, first, end)
+                _do_bodies(state, solver, contacts, blocks, workers, first, end)
             elif joints is not None and words[TASK] >= WARM_START_HINGES:
                 _do_hinges(joints, workers, first, end)
             elif joints is not None:
@@ -122,7 +127,6 @@ def _do_hinges(joints: JointWork, workers: Workers, first: int, end: int) -> Non
 @kernel
 def _do_bodies(
     state: StateTables,
-    active: ActiveSet,
     solver: SolverBodies,
     contacts: Contacts,
     blocks: ContactBlocks,
@@ -130,7 +134,7 @@ def _do_bodies(
     first: int,
     end: int,
 ) -> None:
-    """Do a task of `solve` for blocks of contacts or for active bodies."""
+    """Do a task of `solve` for blocks of contacts or bodies of batch 0, which come first."""
     task = workers.words[TASK]
     n = workers.numbers
     motions = solver.motions
@@ -140,9 +144,9 @@ def _do_bodies(
     elif task == WARM_START:
         warm_start_blocks(motions, blocks, first, end, gathered)
     elif task == INTEGRATE_VELOCITIES:
-        integrate_some_velocities(active.bodies[1 + first : 1 + end], solver)
+        integrate_some_velocities(blocks.batches.bodies[first:end], solver)
     elif task == INTEGRATE_POSITIONS:
-        integrate_some_positions(active.bodies[1 + first : 1 + end], solver, n[GRAVITY], n[SECONDS])
+        integrate_some_positions(blocks.batches.bodies[first:end], solver, n[GRAVITY], n[SECONDS])
     elif task == PREPARE_CONTACTS:
         prepare_blocks(state.bodies, contacts.now, blocks, first, end, int(n[LEVEL]), n[IMPACTS] > 0.0)
     elif task == STORE_IMPULSES:

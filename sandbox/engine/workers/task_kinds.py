@@ -18,6 +18,7 @@ SOLVE_BATCHES = 10
 RELAX_BATCHES = 11
 WARM_START_HINGES = 12
 SWEEP_HINGES = 13
+SOLVE_ISLANDS = 14
 
 # Places in `Workers.numbers`; the fields of `SoftContact` come first.
 SECONDS = 6
@@ -28,6 +29,7 @@ FASTEST = 10
 PUSH = 11
 MOST = 12
 GIVE = 13
+UNSETTLED = 14
 
 
 @kernel

@@ -6,8 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from sandbox.engine.contact_solver.blocks import MAX_COLORS
-from sandbox.engine.contact_solver.graph_coloring import SETTLED
+from sandbox.engine.contact_solver.blocks import MAX_COLORS, SETTLED
 from sandbox.render.geometry import Ints
 from sandbox.render.marks import Marks
 from sandbox.render.overlays.look import Look, Overlay

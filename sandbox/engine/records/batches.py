@@ -1,0 +1,31 @@
+"""Islands, some at a time, and the memory in which they are solved."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from sandbox.engine.contact_solver.blocks import LANES, SETTLED
+from sandbox.tables import Floats, Integers, Records
+
+SIZE = 2048
+"""Bodies and contacts of a batch: these take 264 bytes each, so that a batch takes half of a megabyte."""
+BLOCKS = SIZE // LANES + 2 * SETTLED
+"""That many contacts fill no more blocks: every colour has one that is not full, settled or not."""
+
+
+class Batches(NamedTuple):
+    """The batches that the islands of a substep level fall into, see `active.island_batches`.
+
+    `size[0]` is how many bodies and contacts one has at most. `bodies` has the bodies of batch n from `first_body[n]`
+    to before `first_body[n + 1]`; so has `impacts` the contacts that may have an impact, by `first_impact`. `blocks`,
+    `lanes` and `starts` are what `ContactBlocks` has, for each worker but the first.
+    """
+
+    size: Integers
+    bodies: Integers
+    first_body: Integers
+    impacts: Records
+    first_impact: Integers
+    blocks: Records
+    lanes: Floats
+    starts: Integers

@@ -1,0 +1,195 @@
+"""Stage: the islands of a substep level, from colouring to the impulses that the next step begins with.
+
+They are solved in batches (`active.island_batches`): the first by all workers together, each of the others by whichever
+worker takes it.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from sandbox._atomics import atomic_add
+from sandbox._jit import kernel
+from sandbox.engine.active.island_batches import form_batches, sort_impacts, worth_batches
+from sandbox.engine.contact_solver.blocks import BLOCK_SIZE, GATHER_SIZE
+from sandbox.engine.contact_solver.fill_blocks import fill_blocks, sort_contacts
+from sandbox.engine.contact_solver.graph_coloring import color_contacts
+from sandbox.engine.contact_solver.prepare import prepare_contacts
+from sandbox.engine.contact_solver.store import store_impulses
+from sandbox.engine.joints.records import JointWork
+from sandbox.engine.records.active_set import ActiveSet
+from sandbox.engine.records.batches import BLOCKS
+from sandbox.engine.records.bodies import SolverBodies
+from sandbox.engine.records.ccd import Ccd
+from sandbox.engine.records.contact_blocks import ContactBlocks
+from sandbox.engine.records.contacts import Contacts
+from sandbox.engine.records.state import StateTables
+from sandbox.engine.records.workers import FROZEN, NUMBERS, Workers
+from sandbox.engine.restitution.impacts import ImpactList, list_impact_contacts
+from sandbox.engine.substeps import Pass, run_substeps, unsettled_bits
+from sandbox.engine.workers.parallel_for import first_part, next_part
+from sandbox.engine.workers.task_kinds import IMPACTS, LEVEL, SOLVE_ISLANDS, UNSETTLED
+
+
+class Level(NamedTuple):
+    """A substep level: its number, whether there are others, and the square of the speed (m/s) of the fastest point of
+    any body."""
+
+    number: int
+    mixed: bool
+    fastest: float
+
+
+class Share(NamedTuple):
+    """What all batches of a level have in common: whether some contact may have an impact, and the bits of `unsettled`
+    that some body of the level has."""
+
+    level: int
+    impacts: bool
+    unsettled: int
+
+
+@kernel
+def solve_level(
+    state: StateTables,
+    active: ActiveSet,
+    solver: SolverBodies,
+    contacts: Contacts,
+    blocks: ContactBlocks,
+    ccd: Ccd,
+    joints: JointWork | None,
+    workers: Workers,
+    level: Level,
+) -> int:
+    """Colour, solve and store the contacts of the islands of a substep level; returns the number of colours."""
+    number = level.number
+    batches = blocks.batches
+    rows = active.bodies[1 : 1 + active.bodies[0]]
+    worth = worth_batches(contacts.active[0], batches)
+    colors = color_contacts(state.bodies, active, solver, ccd.bodies, contacts, number, level.mixed, worth, blocks)
+    count = form_batches(rows, solver, state.drags, joints, worth, batches)
+    sort_contacts(contacts, solver.batches, blocks, count)
+    impacts = _list_impacts(state, solver, contacts, blocks, level, count)
+    bits = unsettled_bits(state.bodies, rows, solver.free_motions, ccd.bodies, number)
+    share = Share(number, impacts > 0, bits)
+    _tell(workers, share)
+    first = 0
+    end = 1
+    while first < end:
+        solve_batches(state, active, solver, contacts, blocks, joints, workers, share, first, end)
+        if first > 0:
+            first, end = next_part(workers, first, end)
+        elif count > 1:
+            first, end = first_part(workers, SOLVE_ISLANDS, 1, count)
+        else:
+            first = end
+    state.counters[0].frozen_count += workers.words[FROZEN]
+    return int(colors)
+
+
+@kernel
+def _list_impacts(
+    state: StateTables,
+    solver: SolverBodies,
+    contacts: Contacts,
+    blocks: ContactBlocks,
+    level: Level,
+    count: int,
+) -> int:
+    """List the contacts that may have an impact, by batch; returns how many there are."""
+    batches = blocks.batches
+    slots = batches.impacts if count == 1 else blocks.spare
+    threshold = state.settings[0].restitution_threshold
+    found = list_impact_contacts(state.bodies, solver, contacts, level.number, level.fastest, threshold, slots)
+    if count > 1:
+        sort_impacts(slots, found, solver.batches, batches, count)
+    else:
+        batches.first_impact[0] = 0
+        batches.first_impact[1] = found
+    return int(found)
+
+
+@kernel
+def _tell(workers: Workers, share: Share) -> None:
+    """Tell who solves islands what all batches share."""
+    workers.words[FROZEN] = 0
+    workers.numbers[LEVEL] = share.level
+    workers.numbers[IMPACTS] = 1.0 if share.impacts else 0.0
+    workers.numbers[UNSETTLED] = share.unsettled
+
+
+@kernel
+def told_share(workers: Workers) -> Share:
+    """What those who solve islands were told."""
+    n = workers.numbers
+    return Share(int(n[LEVEL]), n[IMPACTS] > 0.0, int(n[UNSETTLED]))
+
+
+@kernel
+def solve_batches(
+    state: StateTables,
+    active: ActiveSet,
+    solver: SolverBodies,
+    contacts: Contacts,
+    blocks: ContactBlocks,
+    joints: JointWork | None,
+    workers: Workers,
+    share: Share,
+    first: int,
+    end: int,
+) -> None:
+    """Solve the batches first..end-1 as worker `workers.number`: batch 0 with all others, any other one alone."""
+    batches = blocks.batches
+    own = _own_blocks(blocks, workers.number)
+    team = _team(workers, first > 0)
+    bodies = state.bodies
+    level = share.level
+    threshold = state.settings[0].restitution_threshold
+    frozen = 0
+    for batch in range(first, end):
+        members = batches.bodies[batches.first_body[batch] : batches.first_body[batch + 1]]
+        start = batches.first_impact[batch]
+        stop = batches.first_impact[batch + 1]
+        slots: Any = batches.impacts[start:stop]
+        impacts = ImpactList(slots, stop - start, threshold)
+        block_count, unsettled_count = fill_blocks(solver.colors, own, batch)
+        prepare_contacts(bodies, contacts.now, own, block_count, team, level, share.impacts)
+        todo = Pass(level, batch, block_count, unsettled_count, share.unsettled, share.impacts)
+        frozen += run_substeps(state, active, solver, contacts.now, own, impacts, joints, team, members, todo)
+        store_impulses(bodies, solver.flags, contacts, own, block_count, team, level)
+    if frozen > 0:
+        atomic_add(workers.words, FROZEN, frozen)
+
+
+@kernel
+def _team(workers: Workers, alone: bool) -> Workers:
+    """Whom a worker divides its tasks with: all others, or nobody."""
+    n = workers.number
+    return Workers(
+        workers.alone if alone else workers.words,
+        workers.numbers[n * NUMBERS :] if alone else workers.numbers,
+        workers.gathered[n * GATHER_SIZE :] if alone else workers.gathered,
+        n,
+        workers.alone,
+    )
+
+
+@kernel
+def _own_blocks(blocks: ContactBlocks, number: int) -> ContactBlocks:
+    """The memory in which a worker solves: the first one has that of the step."""
+    batches = blocks.batches
+    first = (number - 1) * BLOCKS
+    rows: Any = batches.blocks[first : first + BLOCKS] if number > 0 else blocks.blocks
+    return ContactBlocks(
+        blocks.slots,
+        rows,
+        blocks.colors,
+        batches.lanes[first * BLOCK_SIZE : (first + BLOCKS) * BLOCK_SIZE] if number > 0 else blocks.lanes,
+        batches.starts[(number - 1) * (BLOCKS + 2) : number * (BLOCKS + 2)] if number > 0 else blocks.starts,
+        blocks.heads,
+        blocks.further,
+        blocks.further_heads,
+        blocks.sets,
+        blocks.spare,
+        batches,
+    )

@@ -1,0 +1,72 @@
+"""Batches of islands: every island in one, none over two, and the bits the same however many share one."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import sandbox
+from sandbox.engine import stepper
+from sandbox.engine.memory import limit, scratch
+from sandbox.engine.world import World
+from sandbox.resources import find_scene
+from tests.determinism import busy, jointed
+from tests.shipped import shipped
+
+
+@pytest.fixture
+def few_a_batch(monkeypatch):
+    """Batches of up to two bodies each, in worlds of any size."""
+    monkeypatch.setattr(limit, "SIZE", 2)
+    monkeypatch.setattr(scratch, "SIZE", 2)
+    monkeypatch.setattr(stepper, "_WORTH_SHARING", 0)
+
+
+def digests(scene, workers: int) -> list[str]:
+    world = World(scene, workers)
+    found = []
+    for _ in range(12):
+        world.step(10)
+        found.append(world.digest())
+    return found
+
+
+@pytest.mark.parametrize("made", [busy, jointed])
+@pytest.mark.parametrize("workers", [1, 3])
+def test_a_busy_scene_with_commands_goes_the_same_way(made, workers, few_a_batch, monkeypatch):
+    in_batches = [made.digests(World(made.scene(), workers)) for _ in range(4 if workers > 1 else 1)]
+    monkeypatch.undo()
+    expected = made.digests(World(made.scene()))
+    assert in_batches == [expected] * len(in_batches)
+
+
+@pytest.mark.parametrize("name", ["stack-20", "newtons-cradle", "bowling", "billiards"])
+@pytest.mark.parametrize("workers", [1, 2])
+def test_shipped_scenes_go_the_same_way(name, workers, few_a_batch, monkeypatch):
+    in_batches = digests(shipped(name), workers)
+    monkeypatch.undo()
+    assert in_batches == digests(shipped(name), 1)
+
+
+def test_every_island_is_in_one_batch_that_holds_it():
+    world = World(sandbox.load_scene(find_scene(Path("box2d-many-pyramids"))))
+    world.step()
+    made = world.scratch
+    batches, of_body = made.blocks.batches, made.solver.batches
+    count = int(of_body.max()) + 1
+    assert count > 20
+    awake = made.active.bodies[1 : 1 + made.active.bodies[0]]
+    first = batches.first_body[: count + 1]
+    assert sorted(batches.bodies[: first[-1]]) == sorted(awake)
+    for n in range(count):
+        members = batches.bodies[first[n] : first[n + 1]]
+        assert (of_body[members] == n).all()
+        assert (np.diff(members) > 0).all()
+        assert n == 0 or len(members) <= batches.size[0]
+    rows = made.contacts.active[1 : 1 + made.contacts.active[0]]
+    touching = world.state.contacts[rows]
+    moves = world.state.bodies.inverse_mass > 0.0
+    both = moves[touching.body_a] & moves[touching.body_b]
+    assert (of_body[touching.body_a] == of_body[touching.body_b])[both].all()
