@@ -17,9 +17,9 @@ from sandbox.engine.records.colliders import Colliders, Grid
 from sandbox.tables import Integers, Records
 
 SHARE = 4
-"""The grid is split when less than one in so many shapes moves."""
+"""The grid is split when there are more resting shapes than one for so many that move."""
 LEAST = 64
-"""Fewer shapes than this are not worth it."""
+"""Fewer resting shapes than this are not worth it."""
 
 
 @kernel
@@ -44,7 +44,8 @@ def order_shapes(shapes: Records, active: ActiveSet) -> bool:
             active.shapes[resting] = i
             resting += 1
     info.moving = moving
-    info.split = 1 if count >= LEAST and SHARE * moving < count else 0
+    rests = count - moving
+    info.split = 1 if rests >= LEAST and SHARE * rests > moving else 0
     return True
 
 
