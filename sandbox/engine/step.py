@@ -5,13 +5,13 @@ It has two halves, so that an empty kernel cache can be filled by two processes 
 
 from __future__ import annotations
 
-from sandbox._jit import entry_point
+from sandbox._jit import entry_point, kernel
 from sandbox.engine.active.active_set import list_active_contacts, update_active_set
 from sandbox.engine.active.pile_stability import MAX_LEVEL
 from sandbox.engine.active.sleep import fall_asleep
 from sandbox.engine.active.substep_level import assign_substep_levels
 from sandbox.engine.active.wake_islands import wake_touched
-from sandbox.engine.bodies.flags import clear_flags
+from sandbox.engine.bodies.flags import AT_A_TIME, clear_flags, keep_dragged_awake
 from sandbox.engine.bodies.integrate import begin_motions, finish_motions, rewind_driven
 from sandbox.engine.bodies.quarantine import guard_forces, guard_positions
 from sandbox.engine.broad_phase.pairs import sort_pairs
@@ -36,7 +36,7 @@ from sandbox.engine.records.decisions import Decisions
 from sandbox.engine.records.state import StateTables
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.solve_islands import Level, solve_level
-from sandbox.tables import Records
+from sandbox.tables import Integers, Records
 
 
 @entry_point
@@ -105,9 +105,7 @@ def solve(
     rows = active.bodies[1 : 1 + active.bodies[0]]
     levels = assign_substep_levels(state, active, solver, piles, contacts, joints, ccd.bodies)
 
-    fastest = begin_motions(bodies, rows, solver)
-    clear_flags(bodies, rows, solver, state.drags)
-    mark_fast_at_start(bodies, rows, ccd.bodies, setting.step_seconds)
+    fastest = _begin(state, rows, solver, ccd.bodies)
     if joints is not None:
         begin_joints(joints, bodies, solver.free_motions, contacts)
     clear_reports(contacts.reports, count)
@@ -122,11 +120,35 @@ def solve(
         counter.color_count = colors if colors > counter.color_count else counter.color_count
     if joints is not None:
         finish_joints(joints, setting.step_seconds, counter)
-    guard_positions(bodies, rows, solver.motions, active.info, state.counters)
-    finish_motions(bodies, rows, solver.motions)
-
+    _finish(state, rows, solver, active)
     fall_asleep(state, active, solver, contacts, joints)
     counter.step_count += 1
     counter.old_contact_count = counter.contact_count
     counter.contact_count = count
     return mark_fast(bodies, rows, solver.motions, ccd.bodies) > 0
+
+
+@kernel
+def _begin(state: StateTables, rows: Integers, solver: SolverBodies, ccd_bodies: Records) -> float:
+    """What is done to each active body before the substeps, with some of them at a time, while they are in the cache.
+
+    Returns the square of the highest speed (m/s) of a point of any body.
+    """
+    fastest = 0.0
+    for first in range(0, rows.shape[0], AT_A_TIME):
+        some = rows[first : first + AT_A_TIME]
+        square = begin_motions(state.bodies, some, solver)
+        fastest = square if square > fastest else fastest
+        clear_flags(state.bodies, some, solver)
+        mark_fast_at_start(state.bodies, some, ccd_bodies, state.settings[0].step_seconds)
+    keep_dragged_awake(solver.flags, state.drags)
+    return fastest
+
+
+@kernel
+def _finish(state: StateTables, rows: Integers, solver: SolverBodies, active: ActiveSet) -> None:
+    """What is done to each active body after the substeps, with some of them at a time."""
+    for first in range(0, rows.shape[0], AT_A_TIME):
+        some = rows[first : first + AT_A_TIME]
+        guard_positions(state.bodies, some, solver.motions, active.info, state.counters)
+        finish_motions(state.bodies, some, solver.motions)

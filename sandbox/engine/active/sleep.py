@@ -37,11 +37,7 @@ def fall_asleep(
         flag_supported(solver.flags, joints)
         keep_awake_at_kinematic(solver.flags, joints)
         keep_awake_while_corrected(solver.flags, joints)
-    _count_slow_time(bodies, rows, solver.flags, state.settings[0].step_seconds)
-    ready = False
-    for i in rows:
-        if is_active(bodies[i]) and bodies[i].sleep_time >= SLEEP_SECONDS:
-            ready = True
+    ready = _count_slow_time(bodies, rows, solver.flags, state.settings[0].step_seconds)
     if ready and state.settings[0].sleeping == 1:
         touched = contacts.active[1 : 1 + contacts.active[0]]
         find_islands(bodies, rows, solver.islands, contacts.now, touched, joints)
@@ -73,7 +69,9 @@ def _count_sleepers(bodies: Records, rows: Integers, active_info: Records, count
 
 
 @kernel
-def _count_slow_time(bodies: Records, rows: Integers, flags: Integers, seconds: float) -> None:
+def _count_slow_time(bodies: Records, rows: Integers, flags: Integers, seconds: float) -> bool:
+    """Count how long bodies have been slow; whether one of them long enough to sleep."""
+    ready = False
     for i in rows:
         body = bodies[i]
         if not is_active(body):
@@ -89,6 +87,8 @@ def _count_slow_time(bodies: Records, rows: Integers, flags: Integers, seconds: 
         nudged = body.sleep_time >= SLEEP_SECONDS and speed > STILL_SPEED and speed > body.slow_speed
         if nudged or flags[i] & KEPT_AWAKE != 0:
             body.sleep_time = 0.0
+        ready = ready or body.sleep_time >= SLEEP_SECONDS
+    return ready
 
 
 @kernel

@@ -7,6 +7,8 @@ from sandbox.engine.records.bodies import SolverBodies
 from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC, KINEMATIC
 
+AT_A_TIME = 512
+"""So many rows of the body table fit into a core's cache: loops over all bodies that follow each other share them."""
 SUPPORTED = 1
 """It lies on or against something, hangs from it, or floats at rest; a body in free flight never sleeps."""
 KEPT_AWAKE = 2
@@ -36,15 +38,20 @@ def disturbs(body: Records) -> bool:
 
 
 @kernel
-def clear_flags(bodies: Records, active_bodies: Integers, solver: SolverBodies, drags: Records) -> None:
-    """Nothing is known to rest yet but what floats. What is dragged is kept awake; `flag_contact` adds the others."""
+def clear_flags(bodies: Records, active_bodies: Integers, solver: SolverBodies) -> None:
+    """Nothing is known to rest yet but what floats; `flag_contact` adds what lies on something."""
     for i in active_bodies:
         moves = bodies[i].type == KINEMATIC and disturbs(bodies[i])
         floats = solver.free_motions[i].buoyed == 1
         solver.flags[i] = (SUPPORTED if floats else 0) | (MOVING_KINEMATIC if moves else 0)
+
+
+@kernel
+def keep_dragged_awake(flags: Integers, drags: Records) -> None:
+    """What is dragged does not fall asleep."""
     for k in range(drags.shape[0]):
         if drags[k].body >= 0:
-            solver.flags[drags[k].body] |= KEPT_AWAKE
+            flags[drags[k].body] |= KEPT_AWAKE
 
 
 @inlined_kernel
