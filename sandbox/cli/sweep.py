@@ -13,7 +13,7 @@ import typer
 
 from sandbox._printable import told
 from sandbox.cli.failures import FAILED, HOLDS
-from sandbox.cli.options import takes
+from sandbox.cli.options import takes, values_set
 from sandbox.cli.sweep_options import SweepOptions, check_output, check_plot_file, varied
 from sandbox.errors import SandboxError
 from sandbox.resources import find_scene
@@ -59,7 +59,7 @@ def _read(options: SweepOptions) -> tuple[SweepTable, str]:
 def _run(options: SweepOptions) -> tuple[SweepTable, str]:
     """Make all runs, and write the table."""
     from sandbox.cli.compiling import announce_compilation
-    from sandbox.scene import load_scene
+    from sandbox.cli.opening import open_any
     from sandbox.sweeps.design import grid, sample
     from sandbox.sweeps.study import study_of
     from sandbox.sweeps.sweep import table_of
@@ -70,7 +70,7 @@ def _run(options: SweepOptions) -> tuple[SweepTable, str]:
     check_output(options)
     design = grid(vary) if options.sample is None else sample(vary, options.sample, options.seed)
     file = find_scene(options.scene)
-    scene = load_scene(file)
+    scene = open_any(file, values_set(options.set))
     study = study_of(scene, design, options.steps, options.collect or [])
     if options.plot is not None:
         from sandbox.sweeps.plot import check_plot

@@ -12,6 +12,7 @@ import typer
 
 from sandbox._atomic_write import check_writable
 from sandbox._printable import told
+from sandbox.cli.options import SET
 from sandbox.errors import SandboxError
 
 _SCENE = typer.Argument(
@@ -56,6 +57,7 @@ class SweepOptions:
     output: Annotated[Path | None, _OUTPUT] = None
     sample: Annotated[int | None, _SAMPLE] = None
     seed: Annotated[int, _SEED] = 1
+    set: Annotated[list[str] | None, SET] = None
     jobs: Annotated[int, _JOBS] = 0
     scheduler: Annotated[str | None, _SCHEDULER] = None
     resume: Annotated[bool, _RESUME] = False
