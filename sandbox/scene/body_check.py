@@ -8,7 +8,7 @@ from sandbox.scene.body_refs import is_pattern, matches_any
 from sandbox.scene.finding import Finding, Path, quoted
 from sandbox.scene.limits import MAX_MATCHES, MAX_NAME
 from sandbox.scene.names import BodyNames
-from sandbox.scene.near_names import did_you_mean
+from sandbox.scene.near_names import did_you_mean, near_pattern
 
 _TOO_MANY = f"there are too many patterns for so many bodies; patterns times bodies may be {MAX_MATCHES:,}"
 
@@ -39,15 +39,14 @@ class BodyCheck:
 
 def _is_known(name: str, ids: BodyNames) -> bool:
     """Whether an id or pattern means a body, or may mean one of a generator that cannot be read."""
-    if name.startswith(ids.unread):
-        return True
     if is_pattern(name):
         return bool(ids.unread) or matches_any(name, ids) or matches_any(name, ids.spawned_ids())
-    return name in ids or ids.is_spawned(name)
+    return name in ids or ids.is_spawned(name) or ids.is_unread(name)
 
 
 def unknown_body(name: str, place: Path, ids: BodyNames) -> Finding:
     """The finding about an id or pattern that means no body."""
+    known, lacks = [*ids.spawned_ids(), *ids], ("bodies", "generate", "rules", "controls")
     if is_pattern(name):
-        return Finding(place, f"no body's id matches {quoted(name)}")
-    return Finding(place, f"no body has the id {quoted(name)}", did_you_mean(name, [*ids.spawned_ids(), *ids]))
+        return Finding(place, f"no body's id matches {quoted(name)}", near_pattern(name, known), lacks=lacks)
+    return Finding(place, f"no body has the id {quoted(name)}", did_you_mean(name, known), lacks=lacks)

@@ -13,13 +13,17 @@ Path = tuple[str | int, ...]
 
 @dataclass(frozen=True)
 class Finding:
-    """A mistake at `path`; `on_key` points at the field's name rather than its value, `within` at a part of a text."""
+    """A mistake at `path`; `on_key` points at the field's name rather than its value, `within` at a part of a text.
+
+    `lacks` are the fields that would declare what is not known: where these are wrong themselves, nothing is said.
+    """
 
     path: Path
     message: str
     hint: str = ""
     on_key: bool = False
     within: tuple[int, int] | None = None
+    lacks: tuple[str, ...] = ()
 
     def problem(self, line: int = 0, column: int = 0, excerpt: str = "") -> Problem:
         """The mistake as the error carries it."""

@@ -26,6 +26,16 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
     return by_folded[near[0]] if near else None
 
 
+def near_pattern(name: str, known: Iterable[str]) -> str:
+    """The hint with a pattern like `name`, a beginning and a star, that means some of the `known` names."""
+    head, star, rest = name.partition("*")
+    if not star or rest or head[-1:] not in ("-", "."):
+        return ""
+    texts, end = islice(known, _CONSIDERED), head[-1]
+    near = nearest(head, {text[: k + 1]: None for text in texts for k, letter in enumerate(text) if letter == end})
+    return f'did you mean "{near}*"?' if near else ""
+
+
 def did_you_mean(name: str, known: Iterable[str]) -> str:
     """The hint with the nearest of the `known` names, empty if none is near."""
     near = nearest(name, known)
