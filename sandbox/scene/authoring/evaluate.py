@@ -80,6 +80,21 @@ def _has_expression(value: Any, depth: int) -> bool:
     return False
 
 
+def names_asked_for(value: Any) -> set[str]:
+    """The names that expressions in plain data ask for."""
+    found: set[str] = set()
+    nodes = [value]
+    while nodes:
+        node = nodes.pop()
+        if isinstance(node, str) and node.startswith(MARK):
+            found |= _names(node)
+        elif isinstance(node, dict):
+            nodes += [entry for key, entry in node.items() if key not in TEXTS]
+        elif isinstance(node, (list, tuple)):
+            nodes += node
+    return found
+
+
 def _is_plain(value: Any) -> bool:
     return type(value) in (float, int, bool) or value is None
 
