@@ -41,6 +41,10 @@ _FORCE = typer.Option("--force", help="Write over a table that is there.")
 _PLOT = typer.Option(metavar="FILE", show_default=False, help="Draw columns of the table: .png or .svg.")
 _X = typer.Option("--x", metavar="COLUMN", show_default=False, help="Along the x axis; default: the first that varies.")
 _Y = typer.Option("--y", metavar="COLUMN", show_default=False, help="What is drawn; may be repeated, a panel each.")
+_OVER = typer.Option(
+    "--over", metavar="COLUMN", show_default=False,
+    help="Draw a heat map: this column upwards, --y as colours; default where two values vary: the second.",
+)  # fmt: skip
 _BY = typer.Option("--by", metavar="COLUMN", show_default=False, help="A colour for each value of this column.")
 _THEME = typer.Option(help="Colours of the plot.")
 _JSON = typer.Option("--json", help="Print one JSON document instead of lines.")
@@ -66,6 +70,7 @@ class SweepOptions:
     x: Annotated[str | None, _X] = None
     y: Annotated[list[str] | None, _Y] = None
     by: Annotated[str | None, _BY] = None
+    over: Annotated[str | None, _OVER] = None
     theme: Annotated[Literal["dark", "light"], _THEME] = "dark"
     json: Annotated[bool, _JSON] = False
 
