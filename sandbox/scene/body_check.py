@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from sandbox.scene.body_refs import is_pattern, matches_any
-from sandbox.scene.finding import Finding, Path, quoted
+from sandbox.scene.finding import TAKEN, Finding, Path, quoted
 from sandbox.scene.limits import MAX_MATCHES, MAX_NAME
 from sandbox.scene.names import BodyNames
-from sandbox.scene.near_names import did_you_mean, near_pattern
+from sandbox.scene.near_names import is_misspelling, near_pattern, nearest
 
 _TOO_MANY = f"there are too many patterns for so many bodies; patterns times bodies may be {MAX_MATCHES:,}"
 
@@ -48,5 +48,9 @@ def unknown_body(name: str, place: Path, ids: BodyNames) -> Finding:
     """The finding about an id or pattern that means no body."""
     known, lacks = [*ids.spawned_ids(), *ids], ("bodies", "generate", "rules", "controls")
     if is_pattern(name):
-        return Finding(place, f"no body's id matches {quoted(name)}", near_pattern(name, known), lacks=lacks)
-    return Finding(place, f"no body has the id {quoted(name)}", did_you_mean(name, known), lacks=lacks)
+        hint = near_pattern(name, known)
+        return Finding(place, f"no body's id matches {quoted(name)}", hint, lacks=lacks if hint else (*lacks, TAKEN))
+    near = nearest(name, known)
+    hint = f'did you mean "{near}"?' if near else ""
+    lacks = lacks if is_misspelling(name, near) else (*lacks, TAKEN)
+    return Finding(place, f"no body has the id {quoted(name)}", hint, lacks=lacks)

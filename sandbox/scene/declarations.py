@@ -9,7 +9,7 @@ from collections.abc import Collection, Iterable
 from functools import cache
 from typing import Any
 
-from sandbox.scene.finding import Finding
+from sandbox.scene.finding import COPIES, TAKEN, Finding
 from sandbox.scene.near_names import nearest
 from sandbox.scene.plain import children, is_several
 from sandbox.scene.prefab import Prefab
@@ -41,13 +41,29 @@ def without_follow_ups(
 
 
 def _is_whole(data: dict[str, Any], field: str) -> bool:
+    if field == COPIES:
+        return _are_copies_named(data)
+    if field == TAKEN:
+        return _is_each_once(data.get("joints"))
     if not _is_read(data, field, SceneFields.model_fields):
         return False
     if field not in _COPIED:
         return True
     prefabs = [prefab for _, prefab in children(data.get("prefabs"), ())]
     several = [prefab for prefab in prefabs if is_several(prefab)]
-    return all(_is_read(one, field, Prefab.model_fields) and _is_each_once(one.get(field, ())) for one in several)
+    return all(_is_read(one, field, Prefab.model_fields) for one in several)
+
+
+def _are_copies_named(data: dict[str, Any]) -> bool:
+    """Whether no prefab gives an id twice, which each of its copies would have twice then."""
+    prefabs = (prefab for _, prefab in children(data.get("prefabs"), ()) if is_several(prefab))
+    return all(_is_each_once(_bodies_of(prefab)) and _is_each_once(prefab.get("joints")) for prefab in prefabs)
+
+
+def _bodies_of(prefab: dict[str, Any]) -> list[Any]:
+    """The entries of a prefab that are bodies under their own ids, those of single copies included."""
+    placed = [entry for _, entry in children(prefab.get("generate"), ()) if "place" in entry and "count" not in entry]
+    return [*(body for _, body in children(prefab.get("bodies"), ())), *placed]
 
 
 def _is_read(home: dict[str, Any], field: str, known: Collection[str]) -> bool:
@@ -65,7 +81,8 @@ def _is_read(home: dict[str, Any], field: str, known: Collection[str]) -> bool:
 
 
 def _is_each_once(entries: Any) -> bool:
-    ids = [entry["id"] for entry in entries]
+    """Whether no id in a list is given twice, as far as they can be read."""
+    ids = [entry["id"] for _, entry in children(entries, ()) if isinstance(entry.get("id"), str)]
     return len(set(ids)) == len(ids)
 
 

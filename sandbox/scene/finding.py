@@ -10,6 +10,11 @@ from sandbox.errors import Problem
 Path = tuple[str | int, ...]
 """The way to a value in a scene: keys and indices, such as ("bodies", 3, "shapes", 0)."""
 
+COPIES = "copies"
+"""Stands among what is lacking for the ids within prefabs: where one is given twice, all copies have it twice."""
+TAKEN = "taken"
+"""Stands there for ids that were meant otherwise: of two that are alike, one has the name of what is missed."""
+
 
 @dataclass(frozen=True)
 class Finding:

@@ -8,7 +8,7 @@ from typing import Any
 
 from sandbox.scene import plain
 from sandbox.scene.body_check import unknown_body
-from sandbox.scene.finding import Finding, Path, quoted
+from sandbox.scene.finding import COPIES, TAKEN, Finding, Path, quoted
 from sandbox.scene.limits import MAX_FINDINGS, MAX_JOINTS, MAX_NAME
 from sandbox.scene.names import BodyNames
 from sandbox.scene.near_names import did_you_mean
@@ -28,14 +28,14 @@ def joint_references(data: dict[str, Any], ids: BodyNames, others: Collection[st
         name = joint.get("id")
         if isinstance(name, str):
             if name in known or name in others:
-                yield Finding((*path, "id"), f"the id {quoted(name)} is taken by another joint", lacks=_DECLARING)
+                yield Finding((*path, "id"), f"the id {quoted(name)} is taken by another joint", lacks=(COPIES,))
             known.setdefault(name, path)
     for path, joint in joints:
         yield from _bodies(path, joint, ids)
         for place, name in plain.texts(joint.get("joints"), (*path, "joints")):
             if ids.counted and name not in known and name not in others and not ids.is_unread(name):
                 near = did_you_mean(name, chain(known, others))
-                yield Finding(place, f"no joint has the id {quoted(name)}", near, lacks=_DECLARING)
+                yield Finding(place, f"no joint has the id {quoted(name)}", near, lacks=(*_DECLARING, TAKEN))
 
 
 def joint_ids(data: dict[str, Any]) -> dict[str, Path]:

@@ -9,7 +9,7 @@ from typing import Any
 
 from pydantic import ConfigDict, TypeAdapter, ValidationError
 
-from sandbox.scene.finding import Finding, Path, quoted
+from sandbox.scene.finding import COPIES, Finding, Path, quoted
 from sandbox.scene.generators import AnyGenerator, Generator, body_count, body_names, kind_of
 from sandbox.scene.known import NOTHING, Known
 from sandbox.scene.limits import MAX_BODIES
@@ -64,7 +64,7 @@ class BodyNames:
             self.findings.append(Finding(place, f"the id {quoted(name)} is taken by a body of the world"))
         elif name in self.origins:
             first = "".join(f"[{part}]" if isinstance(part, int) else part for part in self.origins[name])
-            self.findings.append(Finding(place, f"the id {quoted(name)} is taken by {first}", lacks=("bodies",)))
+            self.findings.append(Finding(place, f"the id {quoted(name)} is taken by {first}", lacks=(COPIES,)))
         else:
             self.origins[name] = path
 

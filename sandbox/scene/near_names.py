@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import difflib
+import re
 from collections.abc import Iterable
 from itertools import islice
 
 from sandbox.scene.effort import effort
 from sandbox.scene.limits import MAX_NAME
 
+_WORDS = re.compile(r"[^-._:]+")
 _CONSIDERED = 2000
 """So many names are looked at for one that is wrong."""
 
@@ -24,6 +26,13 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
     left.compared -= (len(wanted) + 1) * sum(len(other) + 1 for other in by_folded)
     near = difflib.get_close_matches(wanted, by_folded, n=1, cutoff=0.6)
     return by_folded[near[0]] if near else None
+
+
+def is_misspelling(name: str, near: str | None) -> bool:
+    """Whether a name that is near one is meant by it, word by word: `crat` and `crate`, not `ball-1` and `ball-2`."""
+    words, meant = _WORDS.findall(name.casefold()), _WORDS.findall((near or "").casefold())
+    pairs = zip(words, meant, strict=False)
+    return len(words) == len(meant) and all(difflib.get_close_matches(a, [b], cutoff=0.7) for a, b in pairs)
 
 
 def near_pattern(name: str, known: Iterable[str]) -> str:

@@ -10,7 +10,7 @@ from sandbox.scene import plain
 from sandbox.scene.body import Body
 from sandbox.scene.declarations import is_misspelt, without_follow_ups
 from sandbox.scene.field_rules import field_rules
-from sandbox.scene.finding import Finding, quoted
+from sandbox.scene.finding import TAKEN, Finding, quoted
 from sandbox.scene.generators import GENERATORS
 from sandbox.scene.known import NOTHING, Known
 from sandbox.scene.limits import MAX_FINDINGS
@@ -47,7 +47,7 @@ def cross_checks(data: object, known: Known = NOTHING) -> list[Finding]:
         _repeated_categories(data),
     ]
     found = [finding for rule in rules for finding in islice(rule, MAX_FINDINGS)]
-    return without_follow_ups(found, data, known.lacking)
+    return without_follow_ups(found, data, (*known.lacking, *([TAKEN] if ids.findings else [])))
 
 
 def _without_shapes(data: dict[str, Any]) -> Iterator[Finding]:

@@ -136,6 +136,13 @@ LIST, OBJECT = ["x"], {"x": 1}
          '/generate/3/id the id "car.bed" is taken by a copy of a prefab'),
         ("prefabs.cart.bodies.1.id", "bed",
          '/prefabs/cart/bodies/1/id the id "bed" is taken by bodies[0] of the prefab'),
+        # of two that are alike, one may have the name that is missed then
+        ("bodies.1.id", "ball", '/bodies/1/id the id "ball" is taken by bodies[0]'),
+        # generators that are wrong, in the scene and in a prefab
+        ("generate.3", {"id": "ring", "place": "brick", "coutn": 9, "at": ["=i", 60]},
+         '/generate/3/coutn unknown field "coutn": did you mean "count"?'),
+        ("prefabs.cart.generate", [{"id": "hook", "row": "brick", "coutn": 2, "step": [1, 0]}],
+         '/prefabs/cart/generate/0/coutn unknown field "coutn": did you mean "count"?'),
         # an unknown name is one mistake, wherever it stands
         ("bodies.0.id", "bal",
          '/rules/0/when/begin/0 no body has the id "ball", here and elsewhere: did you mean "bal"?'),

@@ -50,7 +50,7 @@ def expanded(main: Document) -> Expansion:
             data[name] = made
     lacking: tuple[str, ...] = PARTS if reader.faults or reader.problems or _includes_more(data) else ()
     faults = (*reader.faults, *_without_follow_ups(evaluator.faults, main, lacking), *output.faults)
-    if any("generate" in path for _, path in evaluator.broken):  # nobody knows how many there would be
+    if not output.is_whole or any("generate" in path for _, path in evaluator.broken):
         lacking = (*lacking, "generate")
     return Expansion(main, data, output.origins, lacking, faults, evaluator.broken, tuple(reader.problems), library)
 

@@ -9,7 +9,7 @@ from typing import Any
 from sandbox.scene import plain
 from sandbox.scene.body_check import BodyCheck
 from sandbox.scene.body_refs import is_pattern, matches_any
-from sandbox.scene.finding import Finding, Path, quoted
+from sandbox.scene.finding import TAKEN, Finding, Path, quoted
 from sandbox.scene.flat_rules import FIRST, MOTION, POINTER, SECOND, SELF
 from sandbox.scene.joint_references import joint_ids
 from sandbox.scene.limits import MAX_EXPECTATIONS, MAX_NAME, MAX_RULES
@@ -23,7 +23,7 @@ _BODIES = ("delete", "of", "put", "path")
 _PLACES = ("at", "along", "target")
 _JOINTS = ("joint", "break_joint")
 _DECLARING = {
-    "joint": ("joints", "generate"), "region": ("regions",), "counter": ("counters",), "control": ("controls",)
+    "joint": ("joints", "generate", TAKEN), "region": ("regions",), "counter": ("counters",), "control": ("controls",)
 }  # fmt: skip
 """The fields that bring what can be named."""
 
