@@ -46,7 +46,8 @@ def _is_known(name: str, ids: BodyNames) -> bool:
 
 def unknown_body(name: str, place: Path, ids: BodyNames) -> Finding:
     """The finding about an id or pattern that means no body."""
-    known, lacks = [*ids.spawned_ids(), *ids], ("bodies", "generate", "rules", "controls")
+    known = [*ids.spawned_ids(), *ids]
+    lacks: tuple[str, ...] = ("bodies", "generate", "rules", "controls")
     if is_pattern(name):
         hint = near_pattern(name, known)
         return Finding(place, f"no body's id matches {quoted(name)}", hint, lacks=lacks if hint else (*lacks, TAKEN))

@@ -9,6 +9,7 @@ from collections.abc import Collection, Iterable
 from functools import cache
 from typing import Any
 
+from sandbox.scene.effort import Effort
 from sandbox.scene.finding import COPIES, TAKEN, Finding
 from sandbox.scene.near_names import nearest
 from sandbox.scene.plain import children, is_several
@@ -33,25 +34,28 @@ def without_follow_ups(
     Of the fields `lacking`, more is declared than the data has.
     """
 
+    # Who has spent all effort on near names is still not told what follows from one wrong field.
+    own = Effort()
+
     @cache
     def is_whole(field: str) -> bool:
-        return field not in lacking and _is_whole(data, field)
+        return field not in lacking and _is_whole(data, field, own)
 
     return [finding for finding in findings if all(map(is_whole, finding.lacks))]
 
 
-def _is_whole(data: dict[str, Any], field: str) -> bool:
+def _is_whole(data: dict[str, Any], field: str, left: Effort) -> bool:
     if field == COPIES:
         return _are_copies_named(data)
     if field == TAKEN:
         return _is_each_once(data.get("joints"))
-    if not _is_read(data, field, SceneFields.model_fields):
+    if not _is_read(data, field, SceneFields.model_fields, left):
         return False
     if field not in _COPIED:
         return True
     prefabs = [prefab for _, prefab in children(data.get("prefabs"), ())]
     several = [prefab for prefab in prefabs if is_several(prefab)]
-    return all(_is_read(one, field, Prefab.model_fields) for one in several)
+    return all(_is_read(one, field, Prefab.model_fields, left) for one in several)
 
 
 def _are_copies_named(data: dict[str, Any]) -> bool:
@@ -66,9 +70,9 @@ def _bodies_of(prefab: dict[str, Any]) -> list[Any]:
     return [*(body for _, body in children(prefab.get("bodies"), ())), *placed]
 
 
-def _is_read(home: dict[str, Any], field: str, known: Collection[str]) -> bool:
+def _is_read(home: dict[str, Any], field: str, known: Collection[str], left: Effort) -> bool:
     """Whether a field of an object is of its kind, and so are the names in it."""
-    if is_misspelt(field, home, known):
+    if is_misspelt(field, home, known, left):
         return False
     value = home.get(field, {} if field in _BY_NAME else ())
     if field in _BY_NAME:
@@ -92,6 +96,6 @@ def _is_named(entry: dict[str, Any], field: str) -> bool:
     return isinstance(entry.get("id"), str)
 
 
-def is_misspelt(field: str, home: dict[str, Any], known: Collection[str]) -> bool:
+def is_misspelt(field: str, home: dict[str, Any], known: Collection[str], left: Effort | None = None) -> bool:
     """Whether an object has a field that is not `known`, and looks like this one."""
-    return any(nearest(key, known) == field for key in home if key not in known)
+    return any(nearest(key, known, left) == field for key in home if key not in known)

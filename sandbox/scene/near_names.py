@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterable
 from itertools import islice
 
-from sandbox.scene.effort import effort
+from sandbox.scene.effort import Effort, effort
 from sandbox.scene.limits import MAX_NAME
 
 _WORDS = re.compile(r"[^-._:]+")
@@ -15,9 +15,12 @@ _CONSIDERED = 2000
 """So many names are looked at for one that is wrong."""
 
 
-def nearest(name: str, known: Iterable[str]) -> str | None:
-    """The one of the `known` names that is most like `name`, if any is. In Python, a key may be anything."""
-    wanted, left = str(name).casefold(), effort()
+def nearest(name: str, known: Iterable[str], left: Effort | None = None) -> str | None:
+    """The one of the `known` names that is most like `name`, if any is. In Python, a key may be anything.
+
+    That is an effort, for which there is what is `left`, by default of the file at hand.
+    """
+    wanted, left = str(name).casefold(), left or effort()
     if len(wanted) > MAX_NAME or left.compared <= 0:
         return None
     by_folded = {other.casefold(): other for other in islice(known, _CONSIDERED) if len(other) <= MAX_NAME}

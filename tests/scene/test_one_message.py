@@ -173,6 +173,15 @@ def test_one_mistake_is_one_message(path: str, value: object, said: str) -> None
     assert told(changed(path, value)) == [said]
 
 
+def test_a_misspelt_list_is_one_message_however_much_refers_to_it() -> None:
+    """Near names are looked for as long as that takes not too long, which tells nothing of what follows."""
+    names = [f"somebody-with-a-long-name-{k}" for k in range(900)]
+    rules = [{"when": {"time": 1}, "do": [{"delete": f"{name}-or-so"}]} for name in names]
+    bodies = [{"id": name, "shapes": [{"circle": 1}]} for name in names]
+    assert told({"bodies": bodies, "bodys": bodies, "rules": rules})[-1].startswith('/bodys unknown field "bodys"')
+    assert len(told({"bodies": bodies, "bodys": bodies, "rules": rules})) == 1
+
+
 def keys_once() -> dict[str, tuple[str, Any, list[Any]]]:
     """Every field that shipped scenes have, by its name: the file, its data, and the way to the field."""
     found: dict[str, tuple[str, Any, list[Any]]] = {}
