@@ -160,6 +160,10 @@ LIST, OBJECT = ["x"], {"x": 1}
         ("expect.0.touches", "ball",
          '/expect/0/touches an expectation has one kind, and this one has "stands" and "touches"'),
         ("joints.0.bodies", "pad", '/joints/0/bodies bodies must be a list ["id", "id"]; null is the world, not text'),
+        # names of the event without their sign
+        ("rules.0.do.0.delete", "second", '/rules/0/do/0/delete no body has the id "second": did you mean "@second"?'),
+        ("rules.0.do.1", {"velocity": [8, 0], "of": "ball", "along": "motion"},
+         '/rules/0/do/1/along no body has the id "motion": did you mean "@motion"?'),
         # fields that belong elsewhere, or have a longer name
         ("rules.1.do.1.speed", 3, '/rules/1/do/1/speed unknown field "speed": did you mean "motor_speed"?'),
         ("controls.0.hold.0.speed", 3, '/controls/0/hold/0/speed unknown field "speed": did you mean "motor_speed"?'),

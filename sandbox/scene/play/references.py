@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
+from dataclasses import replace
 from itertools import islice
 from typing import Any
 
@@ -80,7 +81,9 @@ class _LookUp:
             if name.startswith("@"):
                 yield from _token(name, place, there)
             elif self._bodies is not None:
-                yield from self._bodies.faults(name, place)
+                for fault in self._bodies.faults(name, place):
+                    is_token = f"@{name}" in there
+                    yield replace(fault, hint=f'did you mean "@{name}"?') if is_token else fault
 
     def several(self, what: str, value: object, path: Path) -> Iterator[Finding]:
         """Faults of ids of other things, or patterns for them."""
