@@ -21,6 +21,7 @@ class Finding:
     """A mistake at `path`; `on_key` points at the field's name rather than its value, `within` at a part of a text.
 
     `lacks` are the fields that would declare what is not known: where these are wrong themselves, nothing is said.
+    What is about a name is told `once`, however many places have it.
     """
 
     path: Path
@@ -29,6 +30,7 @@ class Finding:
     on_key: bool = False
     within: tuple[int, int] | None = None
     lacks: tuple[str, ...] = ()
+    once: bool = False
 
     def problem(self, line: int = 0, column: int = 0, excerpt: str = "") -> Problem:
         """The mistake as the error carries it."""

@@ -51,10 +51,11 @@ def told(findings: Iterable[Finding], problem: Callable[[Finding], Problem] = Fi
 
 
 def _once(findings: Sequence[Finding]) -> Iterator[tuple[Finding, bool]]:
-    """The findings, and whether they are told of other places too: an unknown name is one mistake wherever it is."""
-    places = Counter((finding.message, finding.hint) for finding in findings if finding.lacks)
+    """The findings, and whether they are told of other places too: a wrong name is one mistake wherever it is."""
+    places = Counter((finding.message, finding.hint) for finding in findings if finding.lacks or finding.once)
     for finding in findings:
-        count = places.pop((finding.message, finding.hint), 0) if finding.lacks else 1
+        is_name = finding.lacks or finding.once
+        count = places.pop((finding.message, finding.hint), 0) if is_name else 1
         if count:
             yield finding, count > 1
 

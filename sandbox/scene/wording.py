@@ -74,7 +74,9 @@ def _reworded(item: Mapping[str, Any], root: type[BaseModel]) -> list[Finding]:
     if kind == "kind_value":
         return no_type(path, item)
     if path and path[-1] == "[key]":
-        return [Finding(path[:-1], f"the name {quoted(str(path[-2]))} {item['msg']}", on_key=True)]
+        return [Finding(path[:-1], f"the name {quoted(str(path[-2]))} {item['msg']}", on_key=True, once=True)]
+    if kind == "name":
+        return [Finding(path, f"the name {quoted(item['input'])} {item['msg']}", once=True)]
     message, hint = _message(item)
     if kind == "drawing":
         return [Finding(path, message, within=item["ctx"]["span"])]

@@ -177,6 +177,12 @@ def test_one_mistake_is_one_message(path: str, value: object, said: str) -> None
     assert told(changed(path, value)) == [said]
 
 
+def test_a_wrong_name_is_told_once() -> None:
+    words = json.loads(json.dumps(GAME).replace('"score"', '"the score"'))
+    said = 'the name "the score" must be 1 to 100 letters, digits or any of _ - . :, here and elsewhere'
+    assert told(words) == [f"/counters/the score {said}"]
+
+
 def test_a_misspelt_list_is_one_message_however_much_refers_to_it() -> None:
     """Near names are looked for as long as that takes not too long, which tells nothing of what follows."""
     names = [f"somebody-with-a-long-name-{k}" for k in range(900)]
