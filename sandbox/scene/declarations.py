@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable
 from functools import cache
+from itertools import islice
 from typing import Any
 
 from sandbox.scene.effort import Effort
@@ -22,6 +23,8 @@ _NAMES_ALONE = "categories"
 _UNNAMED = ("regions", "rules")
 """Those whose entries need no id."""
 _REGION_FIELDS = {name: None for kind in UNIONS["region"].values() for name in kind.model_fields}
+_MOST = 100
+"""So many fields that are none are looked at for one that is misspelt."""
 _COPIED = frozenset({"bodies", "joints", "generate"})
 """What prefabs declare too, in the scenes that have copies of them."""
 
@@ -98,4 +101,5 @@ def _is_named(entry: dict[str, Any], field: str) -> bool:
 
 def is_misspelt(field: str, home: dict[str, Any], known: Collection[str], left: Effort | None = None) -> bool:
     """Whether an object has a field that is not `known`, and looks like this one."""
-    return any(nearest(key, known, left) == field for key in home if key not in known)
+    strays = islice((key for key in home if key not in known), _MOST)
+    return any(nearest(key, known, left) == field for key in strays)
