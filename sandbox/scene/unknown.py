@@ -17,6 +17,9 @@ from sandbox.scene.near_names import did_you_mean, nearest
 from sandbox.scene.objects import OBJECTS
 from sandbox.scene.union import TAGS, UNIONS
 
+_FEW = 8
+"""So many fields are listed where none is meant."""
+
 
 def unknown_field(path: Path, known: list[str]) -> Finding:
     """The finding about a field that is none of those `known`."""
@@ -36,7 +39,9 @@ def _meant(name: str, known: list[str]) -> str:
         return f"did you mean {' or '.join(map(quoted, longer))}?"
     if homes:
         return f"it belongs in {' or '.join(inside or homes)}"
-    return f'did you mean "{near}"?' if near else ""
+    if near is not None:
+        return f'did you mean "{near}"?'
+    return f"there are {', '.join(known)}" if len(known) <= _FEW else ""
 
 
 def _word(text: str) -> str:

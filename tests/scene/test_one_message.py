@@ -160,6 +160,9 @@ LIST, OBJECT = ["x"], {"x": 1}
         ("expect.0.touches", "ball",
          '/expect/0/touches an expectation has one kind, and this one has "stands" and "touches"'),
         ("joints.0.bodies", "pad", '/joints/0/bodies bodies must be a list ["id", "id"]; null is the world, not text'),
+        # one wrong word is one mistake
+        ("rules.1.if", {"counter": "score", ">": 0},
+         '/rules/1/if/> unknown field ">": there are counter, equals, least, most, touches'),
         # names of the event without their sign
         ("rules.0.do.0.delete", "second", '/rules/0/do/0/delete no body has the id "second": did you mean "@second"?'),
         ("rules.0.do.1", {"velocity": [8, 0], "of": "ball", "along": "motion"},

@@ -86,8 +86,12 @@ def _range(test: dict[str, Any], path: Path) -> Iterator[Finding]:
 
 
 def _near(wanted: Iterable[str], given: dict[str, Any], model: type[Model]) -> bool:
-    """Whether an object has a field that is not of its model, and looks like one that is wanted; that is told then."""
-    return any(is_misspelt(name, given, model.model_fields) for name in wanted)
+    """Whether an object has a field that is not of its model, and looks like one that is wanted, or is the only one.
+
+    That is told then, with what is known.
+    """
+    strays = [key for key in islice(given, MAX_FINDINGS) if key not in model.model_fields]
+    return len(strays) == 1 or any(is_misspelt(name, given, model.model_fields) for name in wanted)
 
 
 def _path(path: dict[str, Any], home: Path) -> Iterator[Finding]:
