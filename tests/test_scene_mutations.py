@@ -19,13 +19,13 @@ Data = dict[str, Any]
 Change = Callable[[Data], None]
 
 CONTACTLESS = {
-    "cart-pole", "corners", "peaucellier", "pendulums", "planets", "pool", "pumpjack", "without-speculation",
+    "cart-pole", "corners", "flag", "peaucellier", "pendulums", "planets", "pool", "pumpjack", "without-speculation",
 }  # fmt: skip
 """Only joints or fields hold these together, or they show what does not touch, or nothing moves before it is played:
 then `tests/rules/test_shipped_games.py` judges the recording."""
 WEIGHTLESS = {
     "air-hockey", "billiards", "bowling", "breakout", "bullets", "fast-ball", "fast-spinner", "geneva-drive",
-    "mini-golf", "peaucellier", "planets", "pool", "without-speculation",
+    "mini-golf", "peaucellier", "planets", "pool", "turnstile", "without-speculation",
     *(name for name, file in FILES.items() if file.parent.name == "sat"),
 }  # fmt: skip
 WITH_GRAVITY = sorted(FILES.keys() - WEIGHTLESS)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from sandbox.cli.options import takes
+from sandbox.cli.options import SET, takes, values_set
 from sandbox.errors import MissingDependencyError, SandboxError
 
 if TYPE_CHECKING:
@@ -44,6 +44,7 @@ class BenchOptions:
     steps: Annotated[int | None, _STEPS] = None
     workers: Annotated[str, _WORKERS] = "1"
     profile: Annotated[bool, _PROFILE] = False
+    set: Annotated[list[str] | None, SET] = None
     json: Annotated[bool, _JSON] = False
 
 
@@ -178,12 +179,13 @@ def _results(
     from sandbox.bench.course import Course
     from sandbox.bench.race import run_race
     from sandbox.cli.bench_result import BenchResult
+    from sandbox.cli.opening import open_any
     from sandbox.resources import scene_name
-    from sandbox.scene import load_scene
 
+    values = values_set(options.set)
     for file in files:
         try:
-            scene = load_scene(file)
+            scene = open_any(file, values)
             steps = scene.settings.steps if options.steps is None else options.steps
             progress.begin(file.name, steps)
             race = run_race(Course(scene, scene_name(file)), engines, steps, options.profile, progress.done)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from sandbox.cli.failures import FAILED, HOLDS, NOTHING
-from sandbox.resources import find_scene
+from sandbox.cli.options import SET, values_set
 
 if TYPE_CHECKING:
     from sandbox.replay.revisions.bisect import Found
@@ -30,6 +30,7 @@ def bisect(
     bad: Annotated[str, _BAD] = "HEAD",
     engine: Annotated[Path | None, _ENGINE] = None,
     no_jit: Annotated[bool, _NO_JIT] = False,
+    set: Annotated[list[str] | None, SET] = None,
     json: Annotated[bool, _JSON] = False,
 ) -> None:
     """Find the commit from which on a recording goes another way than at the good revision, by halving.
@@ -42,11 +43,11 @@ def bisect(
     Exit code 2: a file or a revision could not be used.
     Exit code 5: good and bad go the same way.
     """
-    from sandbox.cli.diff import load
+    from sandbox.cli.opening import open_or_replay
     from sandbox.replay.golden.run import run_of
     from sandbox.replay.revisions.worktree import Repository
 
-    what = load(find_scene(file))
+    what = open_or_replay(file, values_set(set))
     run = run_of(what)
     repository = Repository(engine)
     ends = repository.commit(good), repository.commit(bad)

@@ -100,7 +100,7 @@ def examined(
     file: Path, options: CheckOptions, values: Mapping[str, Any], progress: SceneProgress | None = None
 ) -> Result:
     """One scene, run and judged."""
-    from sandbox.cli.import_options import open_any
+    from sandbox.cli.opening import open_any
     from sandbox.replay.headless_run import run_headless
     from sandbox.scene.duration import planned_steps
 

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 from typer.core import TyperCommand
 
-from sandbox.cli.options import takes
+from sandbox.cli.options import SET, takes, values_set
 from sandbox.errors import SandboxError
 from sandbox.resources import SCENE_SUFFIX, find_scene
 
@@ -78,6 +78,7 @@ class CompareOptions:
     save: Annotated[Path | None, _SAVE] = None
     twin: Annotated[str, _TWIN] = ""
     plot: Annotated[Path | None, _PLOT] = None
+    set: Annotated[list[str] | None, SET] = None
     json: Annotated[bool, _JSON] = False
 
 
@@ -97,19 +98,19 @@ def compare(options: CompareOptions) -> None:
     from sandbox.cli.check import find_files
     from sandbox.cli.compiling import announce_compilation
 
-    steps, every, save, name = options.steps, options.every, options.save, _twin_of(options.twin)
-    _check_options(name is not None, options.plot, save)
+    name, values = _twin_of(options.twin), values_set(options.set)
+    _check_options(name is not None, options.plot, options.save)
     files = find_files(options.paths, options.only, "compare")
     announce_compilation()
     if name is not None:
-        from sandbox.cli.compare_twin import run_twins
+        from sandbox.cli.compare_twin import Task, run_twins
 
-        raise typer.Exit(run_twins(files, name, steps, every, options.plot, options.json))
+        task = Task(name, options.steps, options.every, options.plot, values)
+        raise typer.Exit(run_twins(files, task, options.json))
     from sandbox.cli.compare_result import exit_code
 
     run = _run_for_machines if options.json else _run_for_people
-    results = run(files, steps, every, save)
-    raise typer.Exit(exit_code(results))
+    raise typer.Exit(exit_code(run(files, options)))
 
 
 def _twin_of(text: str) -> TwinName | None:
@@ -133,7 +134,7 @@ def _check_options(twin: bool, plot: Path | None, save: Path | None) -> None:
         raise SandboxError(f"{save}: not a folder; --save needs one to write into")
 
 
-def _run_for_people(files: Sequence[Path], steps: int | None, every: int, save: Path | None) -> list[Result]:
+def _run_for_people(files: Sequence[Path], options: CompareOptions) -> list[Result]:
     from rich.console import Console
 
     from sandbox.cli.compare_table import Table
@@ -144,12 +145,12 @@ def _run_for_people(files: Sequence[Path], steps: int | None, every: int, save: 
     start = time.perf_counter()
     # On one terminal the bar and the lines must share a console, or they would overwrite each other.
     bar = out if out.is_terminal else Console(stderr=True)
-    results = _run_all(files, steps, every, save, bar, table.show)
+    results = _run_all(files, options, bar, table.show)
     table.summary(results, time.perf_counter() - start)
     return results
 
 
-def _run_for_machines(files: Sequence[Path], steps: int | None, every: int, save: Path | None) -> list[Result]:
+def _run_for_machines(files: Sequence[Path], options: CompareOptions) -> list[Result]:
     import json
 
     from rich.console import Console
@@ -157,7 +158,7 @@ def _run_for_machines(files: Sequence[Path], steps: int | None, every: int, save
     from sandbox.cli.compare_result import document
 
     start = time.perf_counter()
-    results = _run_all(files, steps, every, save, Console(stderr=True), _report_error)
+    results = _run_all(files, options, Console(stderr=True), _report_error)
     print(json.dumps(document(results, time.perf_counter() - start), indent=2, ensure_ascii=False))
     return results
 
@@ -170,38 +171,32 @@ def _report_error(result: Result) -> None:
 
 
 def _run_all(
-    files: Sequence[Path],
-    steps: int | None,
-    every: int,
-    save: Path | None,
-    console: Console,
-    show: Callable[[Result], None],
+    files: Sequence[Path], options: CompareOptions, console: Console, show: Callable[[Result], None]
 ) -> list[Result]:
     from sandbox.cli.progress import SceneProgress
 
     results = []
     with SceneProgress(console, len(files)) as progress:
-        for result in _results(files, steps, every, save, progress):
+        for result in _results(files, options, progress):
             show(result)
             results.append(result)
     return results
 
 
-def _results(
-    files: Sequence[Path], steps: int | None, every: int, save: Path | None, progress: SceneProgress
-) -> Iterator[Result]:
+def _results(files: Sequence[Path], options: CompareOptions, progress: SceneProgress) -> Iterator[Result]:
     from sandbox.cli.compare_result import Result
+    from sandbox.cli.opening import open_any
     from sandbox.reference.comparison import compare
     from sandbox.reference.regression import save_regressions
-    from sandbox.scene import load_scene
     from sandbox.scene.duration import planned_steps
 
+    values, save = values_set(options.set), options.save
     for file in files:
         try:
-            scene = load_scene(file)
-            total = planned_steps(scene) if steps is None else steps
+            scene = open_any(file, values)
+            total = planned_steps(scene) if options.steps is None else options.steps
             progress.begin(file.name, total)
-            tally = compare(scene, total, every, progress.done)
+            tally = compare(scene, total, options.every, progress.done)
             saved = save_regressions(scene, file, tally, save) if save is not None else []
             yield Result(file, scene, tally, saved)
         except (SandboxError, OSError) as error:

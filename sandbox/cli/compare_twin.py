@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -32,27 +32,35 @@ _MEASURES = (
 """Field of the measures, what the table calls it, its unit there and the factor to it."""
 
 
-def run_twins(
-    files: Sequence[Path], name: TwinName, steps: int | None, every: int, plot: Path | None, as_json: bool
-) -> int:
-    """Run every scene in the engine and in `name`, and show what came of it; the exit code."""
+@dataclass(frozen=True)
+class Task:
+    """With whom scenes are compared, how long, how often they are measured, where curves go, what is set in them."""
+
+    name: TwinName
+    steps: int | None
+    every: int
+    plot: Path | None
+    values: Mapping[str, Any]
+
+
+def run_twins(files: Sequence[Path], task: Task, as_json: bool) -> int:
+    """Run every scene in the engine and in the twin, and show what came of it; the exit code."""
     from rich.console import Console
 
     from sandbox.cli.progress import SceneProgress
 
-    if plot is not None:
-        _check_plot(plot, files)
+    if task.plot is not None:
+        _check_plot(task.plot, files)
     out = Console(soft_wrap=True, highlight=False)
     # In a file there is room for numbers of any length.
     out = out if out.is_terminal else Console(soft_wrap=True, highlight=False, width=_WIDTH)
     entries: list[dict[str, Any]] = []
     with SceneProgress(out if out.is_terminal and not as_json else Console(stderr=True), len(files)) as progress:
         for file in files:
-            one = _Job(file, name, steps, every, plot)
-            entries.append(_run(one, None if as_json else out, progress))
+            entries.append(_run(file, task, None if as_json else out, progress))
     code = UNUSABLE if any("problems" in entry for entry in entries) else HOLDS
     if as_json:
-        print(json.dumps(_document(entries, name, code), indent=2, ensure_ascii=False))
+        print(json.dumps(_document(entries, task.name, code), indent=2, ensure_ascii=False))
     return code
 
 
@@ -66,28 +74,17 @@ def _check_plot(plot: Path, files: Sequence[Path]) -> None:
     require_matplotlib()
 
 
-@dataclass(frozen=True)
-class _Job:
-    """One scene: its file, whom it is compared with, how long, how often it is measured, where the curves go."""
-
-    file: Path
-    name: TwinName
-    steps: int | None
-    every: int
-    plot: Path | None
-
-
-def _run(job: _Job, out: Console | None, progress: Any) -> dict[str, Any]:
+def _run(file: Path, task: Task, out: Console | None, progress: Any) -> dict[str, Any]:
+    from sandbox.cli.opening import open_any
     from sandbox.reference.twin import simulate_twin
-    from sandbox.scene import load_scene
     from sandbox.scene.duration import planned_steps
 
-    file, plot = job.file, job.plot
+    plot = task.plot
     try:
-        scene = load_scene(file)
-        total = planned_steps(scene) if job.steps is None else job.steps
+        scene = open_any(file, task.values)
+        total = planned_steps(scene) if task.steps is None else task.steps
         progress.begin(file.name, total)
-        twin = simulate_twin(scene, total, job.every, progress.done, job.name)
+        twin = simulate_twin(scene, total, task.every, progress.done, task.name)
         if plot is not None:
             _save(twin, scene, file, plot)
     except (SandboxError, OSError) as error:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from sandbox.cli.failures import FAILED, HOLDS
-from sandbox.resources import find_scene
+from sandbox.cli.options import SET, values_set
 
 if TYPE_CHECKING:
     from sandbox.replay.golden.divergence import Divergence
@@ -19,11 +20,16 @@ _B = typer.Argument(metavar="B", show_default=False, help="A recording or a scen
 _JSON = typer.Option("--json", help="Print one JSON document instead of lines.")
 
 
-def diff(a: Annotated[Path, _A], b: Annotated[Path, _B], json: Annotated[bool, _JSON] = False) -> None:
+def diff(
+    a: Annotated[Path, _A],
+    b: Annotated[Path, _B],
+    set: Annotated[list[str] | None, SET] = None,
+    json: Annotated[bool, _JSON] = False,
+) -> None:
     """Run two recordings or scenes side by side and find the first step, body and number in which they differ.
 
     A scene beside a recording gets the recording's commands and steps, so that an edited scene can be held against
-    the one that was recorded.
+    the one that was recorded. --set puts values into B.
 
     Exit code 0: no difference.
     Exit code 1: there is one.
@@ -31,32 +37,24 @@ def diff(a: Annotated[Path, _A], b: Annotated[Path, _B], json: Annotated[bool, _
     """
     from sandbox.cli.compiling import announce_compilation
 
-    one, two = _runs(a, b)
+    one, two = _runs(a, b, values_set(set))
     announce_compilation()
     found = _find(one, two, f"{a.name}, {b.name}")
     _print_document(found, min(one.steps, two.steps)) if json else _print_lines(found, one, two)
     raise typer.Exit(HOLDS if found is None else FAILED)
 
 
-def _runs(a: Path, b: Path) -> tuple[Run, Run]:
+def _runs(a: Path, b: Path, values: Mapping[str, Any]) -> tuple[Run, Run]:
+    from sandbox.cli.opening import open_or_replay
     from sandbox.replay.golden.run import Run, run_of
     from sandbox.scene import Scene
 
-    one, two = load(a), load(b)
+    one, two = open_or_replay(a, {}), open_or_replay(b, values)
     if isinstance(one, Scene) and not isinstance(two, Scene):
         return Run(one, two.steps, two.commands), run_of(two)
     if isinstance(two, Scene) and not isinstance(one, Scene):
         return run_of(one), Run(two, one.steps, one.commands)
     return run_of(one), run_of(two)
-
-
-def load(path: Path) -> Any:
-    """The recording or scene in a file. Raises `FileError`."""
-    from sandbox.replay.recording.limits import SUFFIX
-    from sandbox.replay.recording.recording import Recording
-    from sandbox.scene import load_scene
-
-    return Recording.load(path) if path.name.endswith(SUFFIX) else load_scene(find_scene(path))
 
 
 def _find(one: Run, two: Run, name: str) -> Divergence | None:

@@ -51,7 +51,7 @@ def events(
     """
     kinds = _checked(kind or [])
     from sandbox.cli.compiling import announce_compilation
-    from sandbox.cli.import_options import open_any
+    from sandbox.cli.opening import open_any
 
     file = find_scene(scene)
     loaded = open_any(file, values_set(set))

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from sandbox.cli.options import SET, values_set
 from sandbox.cli.output import FORCE, OUTPUT, check_new, put
 from sandbox.resources import find_scene
 
@@ -17,6 +18,7 @@ def expand(
     scene: Annotated[Path, _SCENE],
     output: Annotated[Path | None, OUTPUT] = None,
     force: Annotated[bool, FORCE] = False,
+    set: Annotated[list[str] | None, SET] = None,
 ) -> None:
     """Print what a scene comes down to: every body and joint that prefabs and generators make, written out.
 
@@ -27,8 +29,8 @@ def expand(
     """
     if output is not None:
         check_new(output, force)
-    from sandbox.scene import load_scene
+    from sandbox.cli.opening import open_any
     from sandbox.scene.pretty import scene_text
     from sandbox.scene.write_out import written_out
 
-    put(scene_text(written_out(load_scene(find_scene(scene)))), output)
+    put(scene_text(written_out(open_any(find_scene(scene), values_set(set)))), output)

@@ -12,8 +12,8 @@ import typer
 
 from sandbox._atomic_write import check_writable, write_text
 from sandbox._printable import printable, told
-from sandbox.cli.import_options import open_any
-from sandbox.cli.options import takes
+from sandbox.cli.opening import open_any
+from sandbox.cli.options import SET, takes, values_set
 from sandbox.errors import SandboxError
 from sandbox.resources import SCENE_SUFFIX, find_scene
 
@@ -32,6 +32,7 @@ class ExportOptions:
     scene: Annotated[Path, _SCENE]
     output: Annotated[Path, _OUTPUT]
     force: Annotated[bool, _FORCE] = False
+    set: Annotated[list[str] | None, SET] = None
     json: Annotated[bool, _JSON] = False
 
 
@@ -50,7 +51,7 @@ def export(options: ExportOptions) -> None:
     if os.path.lexists(options.output) and not options.force:
         raise SandboxError(f"{told(options.output)}: there is a file of that name already; --force writes over it")
     check_writable(options.output)
-    exported = export_scene(open_any(find_scene(options.scene)), name)
+    exported = export_scene(open_any(find_scene(options.scene), values_set(options.set)), name)
     write_text(options.output, exported.text)
     facts = {"path": options.output.as_posix(), "format": name}
     if options.json:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -11,13 +11,15 @@ import typer
 
 from sandbox._printable import told
 from sandbox.cli.failures import FAILED, HOLDS, UNUSABLE
-from sandbox.cli.options import takes
+from sandbox.cli.options import SET, takes, values_set
 from sandbox.errors import ArgumentError, SandboxError
 from sandbox.resources import SCENE_SUFFIX
 
 if TYPE_CHECKING:
     from sandbox.lint.rule import Rule
     from sandbox.lint.run import Lint
+
+    Look = Callable[[Path], Sequence[Lint]]
 
 _PATHS = typer.Argument(
     metavar="[SCENE]...", show_default=False,
@@ -37,6 +39,7 @@ class LintOptions:
     select: Annotated[str, _SELECT] = ""
     ignore: Annotated[str, _IGNORE] = ""
     rules: Annotated[bool, _RULES] = False
+    set: Annotated[list[str] | None, SET] = None
     json: Annotated[bool, _JSON] = False
 
 
@@ -68,7 +71,8 @@ def lint(options: LintOptions) -> None:
         return
     files = find_files(options.paths or [Path()], verb="lint")
     announce_compilation()
-    results = _for_machines(files, rules) if options.json else _for_people(files, rules)
+    look = _look(rules, values_set(options.set))
+    results = _for_machines(files, look) if options.json else _for_people(files, look)
     raise typer.Exit(_exit_code(results))
 
 
@@ -95,50 +99,63 @@ def _print_rules(rules: Iterable[Rule], as_json: bool) -> None:
             typer.echo(f"{rule.name:<14} {rule.finds}")
 
 
-def _results(files: Sequence[Path], rules: Sequence[Rule]) -> Iterator[Result]:
+def _look(rules: Sequence[Rule], values: Mapping[str, Any]) -> Look:
+    from sandbox.cli.opening import open_any
+    from sandbox.lint.run import lint
+
+    return lambda file: lint(open_any(file, values), rules)
+
+
+def _results(files: Sequence[Path], look: Look) -> Iterator[Result]:
     from rich.console import Console
 
     from sandbox.cli.progress import SceneProgress
-    from sandbox.lint.run import lint as look
-    from sandbox.scene import load_scene
 
     with SceneProgress(Console(stderr=True), 1, "files") as progress:
         progress.begin("scenes", len(files))
         for done, file in enumerate(files, 1):
             try:
-                yield Result(file, look(load_scene(file), rules))
+                yield Result(file, look(file))
             except (SandboxError, OSError) as error:
                 yield Result(file, error=error)
             progress.done(done)
 
 
-def _for_people(files: Sequence[Path], rules: Sequence[Rule]) -> list[Result]:
+def _for_people(files: Sequence[Path], look: Look) -> list[Result]:
     from rich.console import Console
     from rich.text import Text
 
     out = Console(soft_wrap=True, highlight=False)
     results = []
-    for result in _results(files, rules):
+    for result in _results(files, look):
         for found in result.found:
             out.print(_line(result.path, found))
         _report(result)
         results.append(result)
-    count, plural = sum(len(result.found) for result in results), "" if len(results) == 1 else "s"
-    out.print(Text(f"{len(results)} scene{plural}: {count or 'no'} finding{'' if count == 1 else 's'}", style="bold"))
+    out.print(Text(_summary(results), style="bold"))
     return results
+
+
+def _summary(results: Sequence[Result]) -> str:
+    count, unusable = (sum(each) for each in zip(*((len(r.found), r.error is not None) for r in results), strict=True))
+    scenes = f"{len(results)} scene{'' if len(results) == 1 else 's'}"
+    lost = f"{unusable} could not be used"
+    if unusable == len(results):
+        return f"{scenes}: {lost}"
+    return f"{scenes}: {count or 'no'} finding{'' if count == 1 else 's'}" + (f", {lost}" if unusable else "")
 
 
 def _line(path: Path, found: Lint) -> Any:
     from rich.text import Text
 
     problem = found.problem
-    place = f"{told(path)}:{problem.line}:{problem.column}: "
+    place = f":{problem.line}:{problem.column}" if problem.line else f" (at {problem.pointer})" * bool(problem.pointer)
     hint = f": {problem.hint}" if problem.hint else ""
-    return Text.assemble((place, "bold"), (f"{found.rule}: ", "cyan"), problem.message, hint)
+    return Text.assemble((f"{told(path)}{place}: ", "bold"), (f"{found.rule}: ", "cyan"), problem.message, hint)
 
 
-def _for_machines(files: Sequence[Path], rules: Sequence[Rule]) -> list[Result]:
-    results = list(_results(files, rules))
+def _for_machines(files: Sequence[Path], look: Look) -> list[Result]:
+    results = list(_results(files, look))
     for result in results:
         _report(result)
     _print_document({"exit_code": _exit_code(results), "scenes": [_entry(result) for result in results]})

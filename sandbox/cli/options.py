@@ -5,13 +5,11 @@ from __future__ import annotations
 import functools
 import inspect
 import json
-from collections.abc import Callable, Mapping, Sequence
-from pathlib import Path
+from collections.abc import Callable, Sequence
 from typing import Any, TypeVar, get_type_hints
 
 import typer
 
-from sandbox._printable import told
 from sandbox.errors import SandboxError
 
 Options = TypeVar("Options")
@@ -39,12 +37,6 @@ def values_set(given: Sequence[str] | None) -> dict[str, Any]:
         except (ValueError, RecursionError):
             values[path] = value
     return values
-
-
-def no_values(path: Path, values: Mapping[str, Any]) -> None:
-    """A recording is of one scene as it was. Raises `SandboxError` if values were given for it."""
-    if values:
-        raise SandboxError(f"{told(path)} is a recording, which brings its scene: --set is for scenes")
 
 
 def takes(options_class: type[Options]) -> Callable[[Callable[[Options], None]], Callable[..., None]]:

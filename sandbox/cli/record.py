@@ -54,7 +54,7 @@ def record(options: RecordOptions) -> None:
     Exit code 2: a file could not be used, or there is one of that name already.
     """
     from sandbox.cli.compiling import announce_compilation
-    from sandbox.cli.import_options import open_any
+    from sandbox.cli.opening import open_any
     from sandbox.replay.recording.read import read_commands
     from sandbox.replay.recording.recorder import record as run
     from sandbox.scene.duration import planned_steps

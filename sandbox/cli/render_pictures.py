@@ -7,11 +7,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sandbox._printable import told
-from sandbox.cli.options import no_values, values_set
+from sandbox.cli.options import values_set
 from sandbox.cli.render_options import FILM_SIZE, STILL_SIZE, RenderOptions, steps_asked_for, style_of
 from sandbox.errors import SandboxError
 from sandbox.replay.recording.limits import SUFFIX
-from sandbox.resources import find_scene
 
 if TYPE_CHECKING:
     from sandbox.cli.picture_progress import PictureProgress
@@ -23,15 +22,10 @@ FILM_STEPS = 300
 
 def run_to_show(path: Path, given: Sequence[str] | None = None) -> Run:
     """What a scene, with what `--set` options say, or a recording does. Raises `SandboxError`."""
-    from sandbox.cli.import_options import open_any
+    from sandbox.cli.opening import open_or_replay
     from sandbox.replay.golden.run import run_of
-    from sandbox.replay.recording.recording import Recording
 
-    values = values_set(given)
-    if path.name.endswith(SUFFIX):
-        no_values(path, values)
-        return run_of(Recording.load(path))
-    return run_of(open_any(find_scene(path), values))
+    return run_of(open_or_replay(path, values_set(given)))
 
 
 def write_still(options: RenderOptions, suffix: str) -> None:

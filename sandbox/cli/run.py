@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 import typer
 
-from sandbox.cli.options import SET, WORKERS, no_values, takes, values_set
+from sandbox.cli.options import SET, WORKERS, takes, values_set
 from sandbox.resources import find_scene
 
 _SCENE = typer.Argument(
@@ -74,17 +74,13 @@ def run(options: RunOptions) -> None:
 
 def _check_values(paths: list[Path], values: dict[str, Any]) -> None:
     """Values are for one scene, and wrong ones are told here rather than in a window."""
+    from sandbox.cli.opening import open_or_replay
     from sandbox.errors import SandboxError
-    from sandbox.replay.recording.limits import SUFFIX
 
     if values and not paths:
         raise SandboxError("--set is for a scene: name one")
     for path in paths if values else ():
-        if path.name.endswith(SUFFIX):
-            no_values(path, values)
-        from sandbox.scene import load_scene
-
-        load_scene(path, values)
+        open_or_replay(path, values)
 
 
 def _check_two_recordings(paths: list[Path]) -> None:

@@ -39,10 +39,10 @@ class SatPair:
 
 def pair_in(path: Path, bodies: tuple[str, str] | None, step: int, values: Mapping[str, Any] | None = None) -> SatPair:
     """The pair of a scene file, with `values` set in it. Raises `SandboxError` if the bodies do not make one."""
+    from sandbox.cli.opening import open_any
     from sandbox.engine.world import World
-    from sandbox.scene import load_scene
 
-    world = World(load_scene(path, values))
+    world = World(open_any(path, values))
     names = bodies or _only_two(world)
     _check(world, names)
     if step:

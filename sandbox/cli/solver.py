@@ -109,12 +109,12 @@ def _check_name(option: str, name: str, known: Iterable[str]) -> None:
 
 
 def _passes(options: SolverOptions) -> SolverFigure:
+    from sandbox.cli.opening import open_any
     from sandbox.cli.solver_runs import runs_of
     from sandbox.reference.simple.trace import settled, watch_passes
     from sandbox.render.solver_page import Run, SolverFigure
-    from sandbox.scene import load_scene
 
-    scene = load_scene(find_scene(options.scene), values_set(options.set))
+    scene = open_any(find_scene(options.scene), values_set(options.set))
     flat, step = scene.flatten(), options.step
     runs = []
     for label, techniques in runs_of(flat, options.vary or [], options.iterations):
@@ -126,14 +126,14 @@ def _passes(options: SolverOptions) -> SolverFigure:
 def _over_time(options: SolverOptions) -> SolverFigure:
     from rich.console import Console
 
+    from sandbox.cli.opening import open_any
     from sandbox.cli.progress import SceneProgress
     from sandbox.cli.solver_runs import runs_of
     from sandbox.reference.simple.trace import run_course
     from sandbox.render.solver_page import Run, SolverFigure
-    from sandbox.scene import load_scene
     from sandbox.scene.duration import planned_steps
 
-    scene = load_scene(find_scene(options.scene), values_set(options.set))
+    scene = open_any(find_scene(options.scene), values_set(options.set))
     flat = scene.flatten()
     total = planned_steps(scene) if options.steps is None else options.steps
     wanted = runs_of(flat, options.vary or [], options.iterations)

@@ -13,13 +13,14 @@ import typer
 
 from sandbox._printable import told
 from sandbox.cli.failures import FAILED, HOLDS
-from sandbox.cli.options import takes
+from sandbox.cli.options import takes, values_set
 from sandbox.cli.sweep_options import SweepOptions, check_output, check_plot_file, varied
 from sandbox.errors import SandboxError
 from sandbox.resources import find_scene
 
 if TYPE_CHECKING:
     from sandbox.sweeps.design import Design
+    from sandbox.sweeps.plot import Plot
     from sandbox.sweeps.runners import Job
     from sandbox.sweeps.study import Outcome, Study
     from sandbox.sweeps.table import SweepTable
@@ -39,27 +40,31 @@ def sweep(options: SweepOptions) -> None:
     if options.plot is not None:
         check_plot_file(options.plot)
     start = time.perf_counter()
-    table, title = _read(options) if options.is_of_table else _run(options)
-    if options.plot is not None:
-        _draw(table, options, title)
+    table, plot = _read(options) if options.is_of_table else _run(options)
+    if options.plot is not None and plot is not None:
+        from sandbox.sweeps.plot import save_plot
+
+        save_plot(table, plot, options.plot)
     failed = _count_failed(table)
     _tell(table, options, failed, time.perf_counter() - start)
     raise typer.Exit(FAILED if failed else HOLDS)
 
 
-def _read(options: SweepOptions) -> tuple[SweepTable, str]:
+def _read(options: SweepOptions) -> tuple[SweepTable, Plot]:
     """A table that is there."""
     from sandbox.sweeps.table import read_table
 
     if options.plot is None:
         raise SandboxError(f"{told(options.scene)} is a table; --plot FILE draws it, and a scene is run")
-    return read_table(options.scene), ""
+    table = read_table(options.scene)
+    numbers = [name for name in table.columns if table[name].dtype != object and name != "steps"]
+    return table, _plot(options, table.columns[:1], numbers[1:] or numbers)
 
 
-def _run(options: SweepOptions) -> tuple[SweepTable, str]:
+def _run(options: SweepOptions) -> tuple[SweepTable, Plot | None]:
     """Make all runs, and write the table."""
     from sandbox.cli.compiling import announce_compilation
-    from sandbox.scene import load_scene
+    from sandbox.cli.opening import open_any
     from sandbox.sweeps.design import grid, sample
     from sandbox.sweeps.study import study_of
     from sandbox.sweeps.sweep import table_of
@@ -70,15 +75,17 @@ def _run(options: SweepOptions) -> tuple[SweepTable, str]:
     check_output(options)
     design = grid(vary) if options.sample is None else sample(vary, options.sample, options.seed)
     file = find_scene(options.scene)
-    scene = load_scene(file)
+    scene = open_any(file, values_set(options.set))
     study = study_of(scene, design, options.steps, options.collect or [])
+    plot = None
     if options.plot is not None:
         from sandbox.sweeps.plot import check_plot
 
-        check_plot((*design.paths, *study.columns, "steps"), _plot(options, design.paths[0], study.columns, ""))
+        plot = _plot(options, design.paths, study.columns, scene.title or file.name)
+        check_plot((*design.paths, *study.columns, "steps"), plot)
     announce_compilation()
     table = table_of(study, design, _with_journal(study, design, options, file.name))
-    return table, scene.title or file.name
+    return table, plot
 
 
 def _with_journal(study: Study, design: Design, options: SweepOptions, name: str) -> list[Outcome]:
@@ -126,22 +133,16 @@ def _progressing(study: Study, jobs: Sequence[Job], options: SweepOptions, begun
             progress.done(before + done)
 
 
-def _draw(table: SweepTable, options: SweepOptions, title: str) -> None:
-    from sandbox.sweeps.plot import save_plot
-
-    assert options.plot is not None
-    numbers = [name for name in table.columns if table[name].dtype != object and name != "steps"]
-    save_plot(table, _plot(options, table.columns[0], numbers[1:] or numbers, title), options.plot)
-
-
-def _plot(options: SweepOptions, x: str, collected: Sequence[str], title: str) -> Any:
-    """What to draw: what was asked for, by default the first column that was collected over the first that varies."""
+def _plot(options: SweepOptions, varied: Sequence[str], collected: Sequence[str], title: str = "") -> Plot:
+    """What to draw: what was asked for, by default the last column that was collected over what varies."""
     from sandbox.sweeps.plot import Plot
 
     y = tuple(options.y or collected[-1:])
     if not y:
         raise SandboxError("--plot: nothing is collected that could be drawn; add --collect, such as energy")
-    return Plot(options.x or x, y, options.by or "", title, options.theme)
+    is_said = options.x or options.by or options.over
+    over = options.over or ("" if is_said or len(varied) != 2 else varied[1])
+    return Plot(options.x or varied[0], y, options.by or "", over, title, options.theme)
 
 
 def _count_failed(table: SweepTable) -> int:

@@ -12,6 +12,7 @@ import typer
 
 from sandbox._atomic_write import check_writable
 from sandbox._printable import told
+from sandbox.cli.options import SET
 from sandbox.errors import SandboxError
 
 _SCENE = typer.Argument(
@@ -40,6 +41,10 @@ _FORCE = typer.Option("--force", help="Write over a table that is there.")
 _PLOT = typer.Option(metavar="FILE", show_default=False, help="Draw columns of the table: .png or .svg.")
 _X = typer.Option("--x", metavar="COLUMN", show_default=False, help="Along the x axis; default: the first that varies.")
 _Y = typer.Option("--y", metavar="COLUMN", show_default=False, help="What is drawn; may be repeated, a panel each.")
+_OVER = typer.Option(
+    "--over", metavar="COLUMN", show_default=False,
+    help="Draw a heat map: this column upwards, --y as colours; default where two values vary: the second.",
+)  # fmt: skip
 _BY = typer.Option("--by", metavar="COLUMN", show_default=False, help="A colour for each value of this column.")
 _THEME = typer.Option(help="Colours of the plot.")
 _JSON = typer.Option("--json", help="Print one JSON document instead of lines.")
@@ -56,6 +61,7 @@ class SweepOptions:
     output: Annotated[Path | None, _OUTPUT] = None
     sample: Annotated[int | None, _SAMPLE] = None
     seed: Annotated[int, _SEED] = 1
+    set: Annotated[list[str] | None, SET] = None
     jobs: Annotated[int, _JOBS] = 0
     scheduler: Annotated[str | None, _SCHEDULER] = None
     resume: Annotated[bool, _RESUME] = False
@@ -64,6 +70,7 @@ class SweepOptions:
     x: Annotated[str | None, _X] = None
     y: Annotated[list[str] | None, _Y] = None
     by: Annotated[str | None, _BY] = None
+    over: Annotated[str | None, _OVER] = None
     theme: Annotated[Literal["dark", "light"], _THEME] = "dark"
     json: Annotated[bool, _JSON] = False
 

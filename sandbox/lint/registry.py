@@ -11,6 +11,8 @@ from sandbox.lint.rules import (
     falls_away,
     far_anchor,
     idle_motor,
+    idle_rule,
+    left_off,
     mass_ratio,
     never_fails,
     no_expect,
@@ -23,8 +25,8 @@ from sandbox.lint.rules import (
 from sandbox.scene.near_names import did_you_mean
 
 _MODULES = (
-    overlap, falls_away, runaway_speed, far_anchor, stuck_joint, static_wheel, idle_motor, mass_ratio, blind_sensor,
-    no_expect, never_fails, unused,
+    overlap, falls_away, runaway_speed, far_anchor, stuck_joint, static_wheel, idle_motor, left_off, mass_ratio,
+    blind_sensor, idle_rule, no_expect, never_fails, unused,
 )  # fmt: skip
 RULES: Mapping[str, Rule] = {module.RULE.name: module.RULE for module in _MODULES}
 """In the order in which they are listed."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -13,7 +14,7 @@ from sandbox.scene import Scene
 from sandbox.scene.body_refs import matching_ids
 from sandbox.scene.finding import Path, path_of
 from sandbox.scene.flat import FlatBody, FlatJoint, FlatScene, Vec
-from sandbox.scene.flat_rules import FlatAction, FlatSetting, FlatSpawn
+from sandbox.scene.flat_rules import FlatAction, FlatCount, FlatSetting, FlatSpawn
 
 Box = tuple[float, float, float, float]
 """Left, bottom, right, top, m."""
@@ -29,6 +30,12 @@ class Subject:
     def data(self) -> dict[str, Any]:
         """As its author wrote it, as plain data."""
         return self.scene.written()
+
+    @cached_property
+    def words(self) -> dict[str, Any]:
+        """The same with its expressions, if it has any."""
+        found: dict[str, Any] = json.loads(self.scene.text) if self.scene.text is not None else self.data
+        return found
 
     @cached_property
     def flat(self) -> FlatScene:
@@ -67,6 +74,14 @@ class Subject:
             done += [*control.press, *control.hold, *control.release]
         return tuple(done)
 
+    def changes(self, counter: str) -> list[FlatCount]:
+        """What rules and controls do to a counter."""
+        return [action for action in self.actions if isinstance(action, FlatCount) and action.counter == counter]
+
+    def start(self, counter: str) -> float:
+        """What a counter starts with."""
+        return self.scene.counters[counter]
+
     @cached_property
     def spawned(self) -> tuple[FlatBody, ...]:
         """Bodies that rules and controls bring, under the ids of their entries."""
@@ -74,11 +89,11 @@ class Subject:
 
     def is_played(self, body: str) -> bool:
         """Whether rules or controls do something to a body, as far as can be told before."""
-        return any(_may_mean(action, body) for action in self.actions if not _is_about(action, "joint", "region"))
+        return any(may_mean(action, body) for action in self.actions if not _is_about(action, "joint", "region"))
 
     def is_driven(self, joint: FlatJoint) -> bool:
         """Whether rules or controls change a joint."""
-        return any(_may_mean(action, joint.id) for action in self.actions if _is_about(action, "joint"))
+        return any(may_mean(action, joint.id) for action in self.actions if _is_about(action, "joint"))
 
     def named(self, ids: str | tuple[str, ...]) -> list[str]:
         """The bodies that ids and patterns mean, of those that are there at the start."""
@@ -114,6 +129,6 @@ def _is_about(action: FlatAction, *parts: str) -> bool:
     return isinstance(action, FlatSetting) and action.what in parts
 
 
-def _may_mean(action: FlatAction, name: str) -> bool:
+def may_mean(action: FlatAction, name: str) -> bool:
     """Whether an action is for a body or joint; those of an event may be any."""
     return any(given.startswith("@") for given in action.of) or bool(matching_ids(action.of, [name]))

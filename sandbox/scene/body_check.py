@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from sandbox.scene.body_refs import is_pattern, matches_any
-from sandbox.scene.finding import Finding, Path, quoted
+from sandbox.scene.finding import TAKEN, Finding, Path, quoted
 from sandbox.scene.limits import MAX_MATCHES, MAX_NAME
 from sandbox.scene.names import BodyNames
-from sandbox.scene.near_names import did_you_mean
+from sandbox.scene.near_names import is_misspelling, near_pattern, nearest
 
 _TOO_MANY = f"there are too many patterns for so many bodies; patterns times bodies may be {MAX_MATCHES:,}"
 
@@ -39,15 +39,19 @@ class BodyCheck:
 
 def _is_known(name: str, ids: BodyNames) -> bool:
     """Whether an id or pattern means a body, or may mean one of a generator that cannot be read."""
-    if name.startswith(ids.unread):
-        return True
     if is_pattern(name):
         return bool(ids.unread) or matches_any(name, ids) or matches_any(name, ids.spawned_ids())
-    return name in ids or ids.is_spawned(name)
+    return name in ids or ids.is_spawned(name) or ids.is_unread(name)
 
 
 def unknown_body(name: str, place: Path, ids: BodyNames) -> Finding:
     """The finding about an id or pattern that means no body."""
+    known = [*ids.spawned_ids(), *ids]
+    lacks: tuple[str, ...] = ("bodies", "generate", "rules", "controls")
     if is_pattern(name):
-        return Finding(place, f"no body's id matches {quoted(name)}")
-    return Finding(place, f"no body has the id {quoted(name)}", did_you_mean(name, [*ids.spawned_ids(), *ids]))
+        hint = near_pattern(name, known)
+        return Finding(place, f"no body's id matches {quoted(name)}", hint, lacks=lacks if hint else (*lacks, TAKEN))
+    near = nearest(name, known)
+    hint = f'did you mean "{near}"?' if near else ""
+    lacks = lacks if is_misspelling(name, near) else (*lacks, TAKEN)
+    return Finding(place, f"no body has the id {quoted(name)}", hint, lacks=lacks)

@@ -7,10 +7,14 @@ from itertools import chain, islice
 from typing import Any
 
 from sandbox.scene import plain
-from sandbox.scene.finding import Finding, Path, quoted
+from sandbox.scene.body_check import unknown_body
+from sandbox.scene.finding import COPIES, TAKEN, Finding, Path, quoted
 from sandbox.scene.limits import MAX_FINDINGS, MAX_JOINTS, MAX_NAME
 from sandbox.scene.names import BodyNames
 from sandbox.scene.near_names import did_you_mean
+
+_DECLARING = ("joints", "generate")
+"""The fields that bring joints."""
 
 
 def joint_references(data: dict[str, Any], ids: BodyNames, others: Collection[str] = ()) -> Iterator[Finding]:
@@ -24,13 +28,14 @@ def joint_references(data: dict[str, Any], ids: BodyNames, others: Collection[st
         name = joint.get("id")
         if isinstance(name, str):
             if name in known or name in others:
-                yield Finding((*path, "id"), f"the id {quoted(name)} is taken by another joint")
+                yield Finding((*path, "id"), f"the id {quoted(name)} is taken by another joint", lacks=(COPIES,))
             known.setdefault(name, path)
     for path, joint in joints:
         yield from _bodies(path, joint, ids)
         for place, name in plain.texts(joint.get("joints"), (*path, "joints")):
-            if ids.counted and name not in known and name not in others:
-                yield Finding(place, f"no joint has the id {quoted(name)}", did_you_mean(name, chain(known, others)))
+            if ids.counted and name not in known and name not in others and not ids.is_unread(name):
+                near = did_you_mean(name, chain(known, others))
+                yield Finding(place, f"no joint has the id {quoted(name)}", near, lacks=(*_DECLARING, TAKEN))
 
 
 def joint_ids(data: dict[str, Any]) -> dict[str, Path]:
@@ -57,11 +62,11 @@ def _chain_ids(data: dict[str, Any]) -> dict[str, Path]:
 def _bodies(path: Path, joint: dict[str, Any], ids: BodyNames) -> Iterator[Finding]:
     names = list(plain.texts(joint.get("bodies"), (*path, "bodies")))
     for place, name in names:
-        if ids.counted and name not in ids and not name.startswith(ids.unread):
-            yield Finding(place, f"no body has the id {quoted(name)}", did_you_mean(name, ids))
-    if len(names) == 2 and names[0][1] == names[1][1]:
-        yield Finding(names[1][0], f"{quoted(names[1][1])} cannot be joined to itself")
+        if ids.counted and name not in ids and not ids.is_unread(name):
+            yield unknown_body(name, place, ids)
     listed = joint.get("bodies")
+    if isinstance(listed, (list, tuple)) and len(names) == 2 == len(listed) and names[0][1] == names[1][1]:
+        yield Finding(names[1][0], f"{quoted(names[1][1])} cannot be joined to itself")
     if isinstance(listed, (list, tuple)) and listed and all(entry is None for entry in islice(listed, MAX_FINDINGS)):
         yield Finding((*path, "bodies"), "a joint needs at least one body")
     if joint.get("type") == "target" and isinstance(listed, (list, tuple)) and len(listed) == 2:

@@ -17,6 +17,7 @@ from sandbox.scene.authoring.document import Document
 from sandbox.scene.authoring.expand import expanded
 from sandbox.scene.effort import one_effort
 from sandbox.scene.flatten import Flattener
+from sandbox.scene.known import Known
 from sandbox.scene.known_file import is_recording
 from sandbox.scene.parse import parse
 from sandbox.scene.plain import mapping
@@ -51,7 +52,7 @@ def loads_scene(text: str, source: str = "<string>", set: Mapping[str, Any] | No
     changed = with_changes(parsed.data, set or {}, source)
     expansion = expanded(Document(source, parsed.data, text, _file(source), changed, parsed.repeats))
     check_numbers_set(expansion, numbers)
-    found = cross_checks(expansion.data)
+    found = cross_checks(expansion.data, Known(lacking=expansion.lacking))
     try:
         scene = Scene.model_validate(expansion.data)
     except ValidationError as error:

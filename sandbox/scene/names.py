@@ -9,13 +9,13 @@ from typing import Any
 
 from pydantic import ConfigDict, TypeAdapter, ValidationError
 
-from sandbox.scene.finding import Finding, Path, quoted
-from sandbox.scene.generators import AnyGenerator, Generator, body_count, body_names
+from sandbox.scene.finding import COPIES, Finding, Path, quoted
+from sandbox.scene.generators import AnyGenerator, Generator, body_count, body_names, kind_of
 from sandbox.scene.known import NOTHING, Known
 from sandbox.scene.limits import MAX_BODIES
-from sandbox.scene.plain import children, spawns
+from sandbox.scene.plain import OCCASIONS, actions, children, mapping, spawns
+from sandbox.scene.union import UNIONS
 
-_FEW = 100
 _GENERATOR: TypeAdapter[Generator] = TypeAdapter(AnyGenerator, config=ConfigDict(defer_build=True))
 
 
@@ -23,13 +23,13 @@ _GENERATOR: TypeAdapter[Generator] = TypeAdapter(AnyGenerator, config=ConfigDict
 class BodyNames:
     """The path of the body or generator behind each id.
 
-    `unread` begins the ids that may come from generators with mistakes of their own; `counted` is False
+    `unread` begin the ids that may come from generators with mistakes of their own; `counted` is False
     where the scene is too large to name its bodies. `known` are the ids that a world has besides; `spawned` begin the
     ids of what rules and controls bring.
     """
 
     origins: dict[str, Path] = field(default_factory=dict)
-    unread: tuple[str, ...] = ()
+    unread: Collection[str] = ()
     counted: bool = True
     findings: list[Finding] = field(default_factory=list)
     known: Collection[str] = ()
@@ -39,6 +39,11 @@ class BodyNames:
         """Whether it is an id that rules or controls may give: that of an entry, and a number."""
         head, _, number = name.rpartition("-")
         return head in self.spawned and number.isascii() and number.isdigit() and number[0] != "0"
+
+    def is_unread(self, name: str) -> bool:
+        """Whether it may be an id of what a generator makes that cannot be read, or of a joint of that."""
+        heads = (name[:end] for end in range(len(name) + 1) if name[end : end + 1] in ("", "-", "."))
+        return "" in self.unread or any(head in self.unread for head in heads)
 
     def spawned_ids(self) -> list[str]:
         """The first ids that rules or controls may give."""
@@ -59,7 +64,7 @@ class BodyNames:
             self.findings.append(Finding(place, f"the id {quoted(name)} is taken by a body of the world"))
         elif name in self.origins:
             first = "".join(f"[{part}]" if isinstance(part, int) else part for part in self.origins[name])
-            self.findings.append(Finding(place, f"the id {quoted(name)} is taken by {first}"))
+            self.findings.append(Finding(place, f"the id {quoted(name)} is taken by {first}", lacks=(COPIES,)))
         else:
             self.origins[name] = path
 
@@ -91,18 +96,36 @@ def _spawned(data: dict[str, Any]) -> tuple[str, ...]:
     return tuple(dict.fromkeys(name for name in found if isinstance(name, str)))
 
 
-def _unread(data: dict[str, Any], generators: list[tuple[Path, Generator | None]]) -> tuple[str, ...]:
+def _unread(data: dict[str, Any], generators: list[tuple[Path, Generator | None]]) -> Collection[str]:
     raw = dict(children(data.get("generate"), ("generate",)))
     ids = [raw[path].get("id") for path, generator in generators if generator is None]
-    if len(ids) > _FEW:  # each name that may be of one of them would be compared with all
-        return ("",)
-    return tuple(f"{name}-" if isinstance(name, str) else "" for name in ids)
+    heads = {name if isinstance(name, str) else "" for name in ids}
+    return heads if _all_brought_are_read(data) else heads | {""}
+
+
+def _all_brought_are_read(data: dict[str, Any]) -> bool:
+    """Whether every action of rules and controls can be read as far as it may bring bodies."""
+    rules, controls = data.get("rules", ()), data.get("controls", ())
+    listed: list[Any] = [rules, controls]
+    listed += [rule.get("do", ()) for _, rule in children(rules, ())]
+    listed += [control.get(occasion, ()) for _, control in children(controls, ()) for occasion in OCCASIONS]
+    if not all(isinstance(each, (list, tuple)) and all(isinstance(one, dict) for one in each) for each in listed):
+        return False
+    return all(_is_read(action) for _, action in actions(data))
+
+
+def _is_read(action: dict[str, Any]) -> bool:
+    if "spawn" in action:
+        return isinstance(mapping(action["spawn"]).get("id"), str)
+    return any(kind in action for kind in UNIONS["action"])
 
 
 def _generators(data: dict[str, Any]) -> Iterator[tuple[Path, Generator | None]]:
-    """Each generator with its path; None where it has mistakes of its own."""
+    """Each generator with its path; None where it has mistakes of its own, or repeats what is not there."""
+    prefabs = mapping(data.get("prefabs"))
     for path, generator in children(data.get("generate"), ("generate",)):
         try:
-            yield path, _GENERATOR.validate_python(generator)
+            found = _GENERATOR.validate_python(generator)
         except ValidationError:
-            yield path, None
+            found = None
+        yield path, found if found is not None and generator[kind_of(found)] in prefabs else None

@@ -20,13 +20,14 @@ from sandbox.scene.play.references import play_references
 
 MOVING = "moving"
 """What a camera follows that goes with whatever moves."""
+_ONE_OF = {"materials": "material", "prefabs": "prefab", "categories": "category"}
 
 
 def unknown_names(data: dict[str, Any], ids: BodyNames, known: Known) -> Iterator[Finding]:
     """A finding for every name that refers to nothing."""
     materials = plain.mapping(data.get("materials"))
     for path, node in [*plain.patterns(data), *plain.shapes(data)]:
-        yield from _unknown(node, path, "material", "material", materials)
+        yield from _unknown(node, path, "material", materials, "materials")
     yield from _prefabs(data)
     yield from _categories(data)
     yield from _bodies(data, ids)
@@ -35,27 +36,28 @@ def unknown_names(data: dict[str, Any], ids: BodyNames, known: Known) -> Iterato
     yield from play_references(data, ids)
 
 
-def _unknown(node: dict[str, Any], path: Path, field: str, what: str, known: Collection[str]) -> Iterator[Finding]:
+def _unknown(node: dict[str, Any], path: Path, field: str, known: Collection[str], lacks: str) -> Iterator[Finding]:
+    what = _ONE_OF[lacks]
     for place, name in plain.texts(node.get(field), (*path, field)):
         if name not in known:
-            yield Finding(place, f"no {what} is named {quoted(name)}", did_you_mean(name, known))
+            yield Finding(place, f"no {what} is named {quoted(name)}", did_you_mean(name, known), lacks=(lacks,))
 
 
 def _prefabs(data: dict[str, Any]) -> Iterator[Finding]:
     known = plain.mapping(data.get("prefabs"))
     for path, body in plain.entries(data):
-        yield from _unknown(body, path, "prefab", "prefab", known)
+        yield from _unknown(body, path, "prefab", known, "prefabs")
     for path, generator in plain.children(data.get("generate"), ("generate",)):
         for kind in GENERATORS:
             if isinstance(generator.get(kind), str):
-                yield from _unknown(generator, path, kind, "prefab", known)
+                yield from _unknown(generator, path, kind, known, "prefabs")
 
 
 def _categories(data: dict[str, Any]) -> Iterator[Finding]:
     known = ["default", *(name for _, name in plain.texts(data.get("categories"), ()))]
     for path, shape in plain.shapes(data):
         for field in ("category", "mask"):
-            yield from _unknown(shape, path, field, "category", known)
+            yield from _unknown(shape, path, field, known, "categories")
 
 
 def _bodies(data: dict[str, Any], ids: BodyNames) -> Iterator[Finding]:
@@ -73,7 +75,7 @@ def _bodies(data: dict[str, Any], ids: BodyNames) -> Iterator[Finding]:
 def _followed(data: dict[str, Any], ids: BodyNames) -> Iterator[Finding]:
     """The body that the camera goes with; `MOVING` means whatever moves."""
     name = plain.mapping(data.get("view")).get("follow")
-    if not ids.counted or not isinstance(name, str) or name == MOVING or name.startswith(ids.unread):
+    if not ids.counted or not isinstance(name, str) or name == MOVING or ids.is_unread(name):
         return
     if name not in ids and not ids.is_spawned(name):
         yield unknown_body(name, ("view", "follow"), ids)

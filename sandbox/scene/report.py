@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
 
 from sandbox.errors import Problem, SceneError
 from sandbox.scene.excerpt import excerpt, line_column
@@ -37,16 +38,30 @@ def told(findings: Iterable[Finding], problem: Callable[[Finding], Problem] = Fi
     shown: list[Problem] = []
     alike: Counter[str] = Counter()
     first: dict[str, str] = {}
-    for finding in findings:
+    for finding, is_repeated in _once(list(findings)):
         sort = sort_of(finding)
         alike[sort] += 1
         if alike[sort] <= MAX_ALIKE and len(shown) < MAX_PROBLEMS:
-            shown.append(problem(finding))
+            shown.append(_with_places(problem(finding), is_repeated))
             first.setdefault(sort, shown[-1].message.rstrip(":"))
     left = {sort: count - MAX_ALIKE for sort, count in alike.items() if sort in first and count > MAX_ALIKE}
     shown += [Problem(f"and at least {count} more like this: {first[sort]}") for sort, count in left.items()]
     others = alike.total() - sum(left.values()) - (len(shown) - len(left))
     return [*shown, Problem(f"and at least {others} more mistakes")] if others else shown
+
+
+def _once(findings: Sequence[Finding]) -> Iterator[tuple[Finding, bool]]:
+    """The findings, and whether they are told of other places too: a wrong name is one mistake wherever it is."""
+    places = Counter((finding.message, finding.hint) for finding in findings if finding.lacks or finding.once)
+    for finding in findings:
+        is_name = finding.lacks or finding.once
+        count = places.pop((finding.message, finding.hint), 0) if is_name else 1
+        if count:
+            yield finding, count > 1
+
+
+def _with_places(problem: Problem, is_repeated: bool) -> Problem:
+    return replace(problem, message=f"{problem.message}, here and elsewhere") if is_repeated else problem
 
 
 def syntax_error(source: str, text: str, span: Span, message: str, hint: str = "") -> SceneError:

@@ -8,18 +8,23 @@ from typing import Any
 
 from sandbox.scene import plain
 from sandbox.scene.body import Body
+from sandbox.scene.declarations import is_misspelt, without_follow_ups
 from sandbox.scene.field_rules import field_rules
-from sandbox.scene.finding import Finding, quoted
+from sandbox.scene.finding import TAKEN, Finding, quoted
 from sandbox.scene.generators import GENERATORS
 from sandbox.scene.known import NOTHING, Known
 from sandbox.scene.limits import MAX_FINDINGS
 from sandbox.scene.names import body_ids
-from sandbox.scene.near_names import did_you_mean
 from sandbox.scene.plain import SEVERAL, is_several
 from sandbox.scene.play.play_rules import play_rules
+from sandbox.scene.prefab import Prefab
 from sandbox.scene.references import unknown_names
+from sandbox.scene.union import UNIONS
 
 _TIMES = ("at", "always", "within")
+_BODY_FIELDS = {**Body.model_fields, **Prefab.model_fields}
+_WANTED = {name: None for kind in UNIONS["expectation"].values() for name in kind.model_fields}
+_GIVE_SHAPES = 'give it one, as in "shapes": [{"circle": 0.5}]'
 
 
 def cross_checks(data: object, known: Known = NOTHING) -> list[Finding]:
@@ -41,21 +46,28 @@ def cross_checks(data: object, known: Known = NOTHING) -> list[Finding]:
         play_rules(data),
         _repeated_categories(data),
     ]
-    return [finding for rule in rules for finding in islice(rule, MAX_FINDINGS)]
+    found = [finding for rule in rules for finding in islice(rule, MAX_FINDINGS)]
+    return without_follow_ups(found, data, (*known.lacking, *([TAKEN] if ids.findings else [])))
 
 
 def _without_shapes(data: dict[str, Any]) -> Iterator[Finding]:
-    prefabs = plain.mapping(data.get("prefabs"))
+    prefabs, told = plain.mapping(data.get("prefabs")), set[str]()
+    for _, generator in plain.children(data.get("generate"), ()):
+        for name in (generator[kind] for kind in GENERATORS if kind in generator):
+            if isinstance(name, str) and name not in told and not _has_shapes(prefabs, name):
+                told.add(name)
+                yield Finding(("prefabs", name), f"the prefab {quoted(name)} has no shapes", _GIVE_SHAPES)
     for path, body in plain.entries(data):
-        if "shapes" in body or _misspelt(body) or ("prefab" in body and _has_shapes(prefabs, body["prefab"])):
+        pattern = body.get("prefab")
+        if "shapes" in body or _misspelt(body) or (pattern is not None and _has_shapes(prefabs, pattern)):
             continue
+        if isinstance(pattern, str):
+            if pattern in told:
+                continue
+            told.add(pattern)
         name = body.get("id")
         whose = f"the body {quoted(name)}" if isinstance(name, str) else "the body"
-        yield Finding(path, f"{whose} has no shapes", 'give it one, as in "shapes": [{"circle": 0.5}]')
-    for path, generator in plain.children(data.get("generate"), ("generate",)):
-        for kind in GENERATORS:
-            if kind in generator and not _has_shapes(prefabs, generator[kind]):
-                yield Finding((*path, kind), f"the prefab {quoted(generator[kind])} has no shapes")
+        yield Finding(path, f"{whose} has no shapes", _GIVE_SHAPES)
 
 
 def _several_in_one(data: dict[str, Any]) -> Iterator[Finding]:
@@ -70,22 +82,21 @@ def _several_in_one(data: dict[str, Any]) -> Iterator[Finding]:
             text = "there is no prefab here to fill in"
             yield Finding((*path, "params"), text, "a body of a running world takes its prefab as it is", on_key=True)
     for path, prefab in plain.children(prefabs, ("prefabs",)):
-        stray = [key for key in prefab if key not in (*SEVERAL, "params")]
+        stray = [key for key in prefab if key in Prefab.model_fields and key not in (*SEVERAL, "params")]
         if is_several(prefab) and stray:
             text = f"a prefab of several bodies has no {quoted(str(stray[0]))} of its own"
             yield Finding((*path, stray[0]), text, "give it to its bodies", on_key=True)
 
 
 def _misspelt(body: dict[str, Any]) -> bool:
-    """Whether a body has a field that looks like "shapes" or "prefab"; that mistake is told then."""
-    strays = [key for key in body if key not in Body.model_fields]
-    return any(did_you_mean(key, ["shapes", "prefab"]) for key in strays)
+    """Whether a body or prefab has a field that looks like "shapes" or "prefab"; that mistake is told then."""
+    return is_misspelt("shapes", body, _BODY_FIELDS) or is_misspelt("prefab", body, _BODY_FIELDS)
 
 
 def _has_shapes(prefabs: dict[str, Any], name: object) -> bool:
     """Whether a prefab gives shapes; unknown names are told elsewhere and count as having some."""
-    known = isinstance(name, str) and isinstance(prefabs.get(name), dict) and not is_several(prefabs[name])
-    return not known or "shapes" in prefabs[str(name)]
+    prefab = prefabs.get(name) if isinstance(name, str) else None
+    return not isinstance(prefab, dict) or is_several(prefab) or "shapes" in prefab or _misspelt(prefab)
 
 
 def _overrounded(data: dict[str, Any]) -> Iterator[Finding]:
@@ -101,7 +112,7 @@ def _overrounded(data: dict[str, Any]) -> Iterator[Finding]:
 def _times(data: dict[str, Any]) -> Iterator[Finding]:
     for path, expectation in plain.children(data.get("expect"), ("expect",)):
         given = [key for key in _TIMES if expectation.get(key) is not None]
-        if not given:
+        if not given and not any(is_misspelt(key, expectation, _WANTED) for key in _TIMES):
             yield Finding(path, 'an expectation needs a time: "at": step, "always": true, or "within": [first, last]')
         elif len(given) > 1:
             listed = " and ".join(f'"{key}"' for key in given)

@@ -19,6 +19,7 @@ from sandbox.scene.excerpt import line_column
 from sandbox.scene.finding import Finding, Path, path_of
 from sandbox.scene.flat import FlatScene
 from sandbox.scene.flatten import Flattener
+from sandbox.scene.known import Known
 from sandbox.scene.locate import locate
 from sandbox.scene.pretty import scene_text
 from sandbox.scene.report import scene_error
@@ -73,7 +74,8 @@ class Scene(Shown, SceneFields):
         """The scene with nothing left to look up, always the same object. Raises `SceneError`."""
         if self._flat is None:
             flattener = Flattener(self)
-            found = cross_checks(self.to_data())
+            lacking = self._expansion.lacking if self._expansion is not None else ()
+            found = cross_checks(self.to_data(), Known(lacking=lacking))
             sound = self._expansion is None or self._expansion.sound
             flat = flattener.flat() if sound and not found else None
             if not sound or found or flattener.findings:

@@ -40,7 +40,7 @@ def _explain(text: str, pos: int, msg: str) -> tuple[str, str]:
     if text[pos:].strip() == "" and "tring" not in msg:
         return "the file ends too early", _unclosed(text, pos)[1] or "a closing bracket is missing"
     if here in ("/", "#"):
-        return "JSON has no comments", 'a scene has the field "about" for words'
+        return "JSON has no comments", 'an object may have one as a field, "$comment": "..."'
     if here == "'":
         return "text stands in double quotes", ""
     if "property name" in msg and here in CLOSING:

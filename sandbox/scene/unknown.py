@@ -13,18 +13,40 @@ from pydantic import BaseModel, Tag
 from sandbox.scene.constraints import describe
 from sandbox.scene.finding import Finding, Path, quoted
 from sandbox.scene.limits import MAX_FINDINGS
-from sandbox.scene.near_names import did_you_mean
+from sandbox.scene.near_names import did_you_mean, nearest
 from sandbox.scene.objects import OBJECTS
 from sandbox.scene.union import TAGS, UNIONS
 
+_FEW = 8
+"""So many fields are listed where none is meant."""
+
 
 def unknown_field(path: Path, known: list[str]) -> Finding:
+    """The finding about a field that is none of those `known`."""
     name = str(path[-1])
-    hint = did_you_mean(name, known)
+    return Finding(path, f"unknown field {quoted(name)}", _meant(name, known), on_key=True)
+
+
+def _meant(name: str, known: list[str]) -> str:
+    """The hint: the same word in the plural, an object in this one that has it, a name it is part of, or a near one."""
+    near = nearest(name, known)
     homes = [home for home, model in OBJECTS.items() if name in model.model_fields]
-    if homes and hint != f'did you mean "{name}"?':
-        hint = f"it belongs in {' or '.join(homes)}"
-    return Finding(path, f"unknown field {quoted(name)}", hint, on_key=True)
+    inside = [home for home in homes if _word(home) in map(_word, known)]
+    longer = [other for other in known if name in other.split("_")]
+    if near is not None and _word(near) == _word(name):
+        longer = [near]
+    if longer and not inside:
+        return f"did you mean {' or '.join(map(quoted, longer))}?"
+    if homes:
+        return f"it belongs in {' or '.join(inside or homes)}"
+    if near is not None:
+        return f'did you mean "{near}"?'
+    return f"there are {', '.join(known)}" if len(known) <= _FEW else ""
+
+
+def _word(text: str) -> str:
+    """The last word of a name or of what an author calls an object, in the singular."""
+    return text.split()[-1].strip('"').removesuffix("s")
 
 
 def no_kind(path: Path, item: Mapping[str, Any]) -> list[Finding]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from dataclasses import replace
 from itertools import islice
 from typing import Any
 
@@ -14,6 +15,7 @@ from sandbox.scene.finding import Finding, Path, quoted
 from sandbox.scene.limits import MAX_FINDINGS
 from sandbox.scene.near_names import did_you_mean, nearest
 from sandbox.scene.number_mend import number_mend
+from sandbox.scene.report import sort_of
 from sandbox.scene.union import TAGS
 from sandbox.scene.unknown import model_at, names, no_kind, no_type, unknown_field
 
@@ -26,6 +28,7 @@ _WANTED = {
     "model_attributes_type": "must be an object {...}",
     "dict_type": "must be an object {...}",
 }
+_AND_SO = "and so must those after it"
 
 
 def findings(error: ValidationError, root: type[BaseModel]) -> list[Finding]:
@@ -33,7 +36,28 @@ def findings(error: ValidationError, root: type[BaseModel]) -> list[Finding]:
     found: list[Finding] = []
     for item in error.errors(include_url=False)[:MAX_FINDINGS]:
         found += _reworded(item, root)
-    return found
+    return _runs_as_one(found)
+
+
+def _runs_as_one(found: list[Finding]) -> list[Finding]:
+    """Where a list has wrong entries from its first one on, that one is told for all: they are one mistake."""
+    kept: list[Finding] = []
+    last: Path = ()
+    for finding in found:
+        is_next = bool(kept) and _is_next(finding.path, last) and kept[-1].path[-1] == 0
+        last = finding.path
+        if not (is_next and sort_of(finding) == sort_of(kept[-1])):
+            kept.append(finding)
+        elif not kept[-1].hint.endswith(_AND_SO):
+            kept[-1] = replace(kept[-1], hint=f"{kept[-1].hint}; {_AND_SO}".removeprefix("; "))
+    return kept
+
+
+def _is_next(path: Path, before: Path) -> bool:
+    """Whether two paths lead to entries of one list that follow each other."""
+    if not path or not before or path[:-1] != before[:-1]:
+        return False
+    return isinstance(path[-1], int) and isinstance(before[-1], int) and path[-1] == before[-1] + 1
 
 
 def _reworded(item: Mapping[str, Any], root: type[BaseModel]) -> list[Finding]:
@@ -50,7 +74,9 @@ def _reworded(item: Mapping[str, Any], root: type[BaseModel]) -> list[Finding]:
     if kind == "kind_value":
         return no_type(path, item)
     if path and path[-1] == "[key]":
-        return [Finding(path[:-1], f"the name {quoted(str(path[-2]))} {item['msg']}", on_key=True)]
+        return [Finding(path[:-1], f"the name {quoted(str(path[-2]))} {item['msg']}", on_key=True, once=True)]
+    if kind == "name":
+        return [Finding(path, f"the name {quoted(item['input'])} {item['msg']}", once=True)]
     message, hint = _message(item)
     if kind == "drawing":
         return [Finding(path, message, within=item["ctx"]["span"])]

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 import pygame
 
+from sandbox.scene.near_names import did_you_mean
+
 _NAMED = {
     "Space": pygame.K_SPACE, "Esc": pygame.K_ESCAPE, "Tab": pygame.K_TAB, "Enter": pygame.K_RETURN,
     "Delete": pygame.K_DELETE, "Backspace": pygame.K_BACKSPACE, "Home": pygame.K_HOME, "End": pygame.K_END,
@@ -13,6 +15,7 @@ _NAMED = {
     "Left": pygame.K_LEFT, "Right": pygame.K_RIGHT, "Up": pygame.K_UP, "Down": pygame.K_DOWN,
     **{f"F{n}": getattr(pygame, f"K_F{n}") for n in range(1, 13)},
 }  # fmt: skip
+_BY_NAME = {name.casefold(): key for name, key in _NAMED.items()}
 _KEYPAD = {"+": pygame.K_KP_PLUS, "-": pygame.K_KP_MINUS, ".": pygame.K_KP_PERIOD}
 
 
@@ -47,10 +50,11 @@ def chord(text: str) -> Chord:
     if unknown := [name for name in held if name not in ("Ctrl", "Shift")]:
         raise ValueError(f"there is no key {unknown[0]!r} to hold; there are Ctrl and Shift")
     ctrl, shift = "Ctrl" in held, "Shift" in held
-    if last in _NAMED:
-        return Chord(_NAMED[last], "", ctrl, shift)
+    if last.casefold() in _BY_NAME:
+        return Chord(_BY_NAME[last.casefold()], "", ctrl, shift)
     if len(last) != 1:
-        raise ValueError(f"there is no key {last!r}")
+        hint = did_you_mean(last, _NAMED)
+        raise ValueError(f"there is no key {last!r}{f'; {hint}' * bool(hint)}")
     mark = not last.isalnum()
     return Chord(ord(last.lower()), last if mark else "", ctrl, shift)
 

@@ -43,6 +43,8 @@ _BUTTONS = {"left": 1, "middle": 2, "right": 3}
 _HANDS = {
     pygame.KEYDOWN, pygame.KEYUP, pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEWHEEL,
 }  # fmt: skip
+_NUMBERS = {"wait": 0, "wheel": 0, "hold": 2, "drag": 4}
+"""Which word after an act is a whole number."""
 DRAG_PICTURES = 12
 TRIES = 20
 """How often the hand goes after a widget that moves."""
@@ -93,11 +95,16 @@ class Script:
             raise self._error(number, f"there is no act {name!r}; there are {', '.join(least)}")
         if len(rest) < least[name]:
             raise self._error(number, f"{name!r} needs {least[name]} words after it")
-        if name in ("key", "hold", "let") and rest[0] not in {**_MODS, **_BUTTONS}:
+        if name == "let" and rest[0] not in {**_MODS, **_BUTTONS}:
+            raise self._error(number, f"only {', '.join({**_MODS, **_BUTTONS})} are let, not {rest[0]!r}")
+        if name == "key" or (name == "hold" and rest[0] not in _MODS):
             try:
                 chord(rest[0])
             except ValueError as error:
                 raise self._error(number, str(error)) from None
+        where = _NUMBERS.get(name, len(rest))
+        if where < len(rest) and not rest[where].removeprefix("-").isdecimal():
+            raise self._error(number, f"{name!r} takes a whole number there, not {rest[where]!r}")
 
     def _error(self, number: int, text: str) -> SandboxError:
         return SandboxError(f"{self.path}:{number}: {text}")

@@ -67,6 +67,30 @@ def test_check_and_events_take_such_a_file(cli: Callable) -> None:  # noqa: F811
     assert "body-1" in cli("events", "ball.drawing", "--steps", "60", "--kind", "begin").out
 
 
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["sat", "ball.drawing", "--json"],
+        ["solver", "ball.drawing", "--over-time", "--steps", "2"],
+        ["compare", "ball.drawing", "--steps", "2"],
+        ["compare", "ball.drawing", "--steps", "2", "--twin=simple"],
+        ["diff", "ball.drawing", "ball.drawing"],
+        ["bench", "ball.drawing", "--engines", "pymunk", "--steps", "2"],
+        ["sweep", "ball.drawing", "--vary", "gravity.1=-9,-3", "--steps", "1", "--collect", "energy", "-j", "1"],
+        ["expand", "ball.drawing"],
+        ["lint", "ball.drawing", "--ignore", "no-expect"],
+    ],
+)
+def test_every_command_takes_such_a_file(cli: Callable, arguments: list[str]) -> None:  # noqa: F811
+    done = cli(*arguments)
+    assert (done.code, "elements of the kind text are left out" in done.err) == (0, True), done
+
+
+def test_a_finding_in_such_a_file_says_where(cli: Callable) -> None:  # noqa: F811
+    done = cli("lint", "ball.drawing", "--select", "no-expect")
+    assert (done.code, done.out.splitlines()[0].partition(": ")[0]) == (1, "ball.drawing")
+
+
 def test_a_damaged_file_is_told_once(cli: Callable) -> None:  # noqa: F811
     Path("bad.svg").write_text(DRAWING.replace("</svg>", ""))
     done = cli("check", "bad.svg")

@@ -36,6 +36,42 @@ def test_a_recording_with_values_is_replayed(cli: Callable, scene: str, monkeypa
 
 
 @pytest.mark.parametrize(
+    ("command", "more"),
+    [
+        ("bench", ["--engines", "sandbox"]),
+        ("bisect", ["--good", "HEAD"]),
+        ("compare", []),
+        ("compare", ["--twin"]),
+        ("diff", ["a.scene.json"]),
+        ("expand", []),
+        ("export", ["-o", "x.py"]),
+        ("lint", []),
+        ("sat", []),
+        ("solver", []),
+        ("sweep", ["--vary", "vars.g=1,2"]),
+    ],
+)
+def test_every_command_that_reads_a_scene_takes_values(
+    cli: Callable, scene: str, command: str, more: list[str]
+) -> None:
+    done = cli(command, scene, *more, "--set", "bodies.crate.mass=true")
+    said = "a.scene.json: --set bodies.crate.mass: mass must be a number, not true or false"
+    assert (done.code, said in done.err.replace("\n", " ")) == (2, True), done
+
+
+def test_of_two_scenes_the_second_gets_the_values(cli: Callable, scene: str) -> None:
+    done = cli("diff", scene, scene, "--set", "bodies.crate.velocity.0=1")
+    assert done.code == 1
+    assert "velocity_x expected 0.0 m/s, got 1.0 m/s" in done.out
+    assert cli("diff", scene, scene, "--set", "title=Moon").code == 0
+
+
+def test_what_lint_finds_in_a_value_is_told_where_it_would_stand(cli: Callable, scene: str) -> None:
+    done = cli("lint", scene, "--set", "bodies.crate.position=[0,0]", "--select", "overlap")
+    assert (done.code, done.out.count("overlap")) == (1, 1)
+
+
+@pytest.mark.parametrize(
     ("command", "given", "said"),
     [
         ("check", ["vars.h=1"], 'a.scene.json: --set vars.h: the scene has no number "h": it has g'),
@@ -56,7 +92,7 @@ def test_wrong_ones_are_one_message(cli: Callable, scene: str, command: str, giv
 
 def test_recordings_bring_their_scene(cli: Callable, scene: str) -> None:
     cli("record", scene, "-o", "a.replay.json", "--steps", "2")
-    for arguments in (["run"], ["render", "-o", "x.png"]):
+    for arguments in (["run"], ["render", "-o", "x.png"], ["diff", scene]):
         done = cli(*arguments, "a.replay.json", "--set", "vars.g=1")
         assert done.code == 2
         assert "a.replay.json is a recording, which brings its scene: --set is for scenes" in done.err

@@ -90,6 +90,14 @@ def test_a_plot_of_a_table_that_is_there(cli: Callable, scene: Path, tmp_path: P
     assert plot.read_bytes() != first
 
 
+def test_over_two_values_it_is_a_heat_map(cli: Callable, scene: Path, tmp_path: Path) -> None:
+    table, plots = tmp_path / "t.csv", [tmp_path / "p.svg", tmp_path / "q.svg"]
+    title = "title=top over gravity.1 and bodies.crate.velocity.0"
+    cli("sweep", scene, *VARY, *COLLECT, "-o", table, "--plot", plots[0], "--set", title)
+    cli("sweep", table, "--plot", plots[1], "--x", "gravity.1", "--over", "bodies.crate.velocity.0", "--y", "top")
+    assert plots[0].read_bytes() == plots[1].read_bytes()
+
+
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [

@@ -42,8 +42,33 @@ def watched(filters: Words, **fields: Any) -> Words:
     return scene(bodies=[GROUND, CRATE, eye], categories=["ghost"], prefabs=fields.pop("prefabs", {}), **fields)
 
 
+RACK = {"id": "rack", "shapes": [{"box": [1, 3], "at": [0.5, 0]}, {"box": [0.9, 0.1], "at": [0, -1.5]}]}
+
+
+def two_eyes(mask: str) -> Words:
+    eyes = [{"circle": 1, "sensor": True}, {"circle": 2, "sensor": True, "mask": mask}]
+    return {**SENSOR, "shapes": eyes}
+
+
 GHOST = {"id": "ghost", "position": [5, 0.5], "shapes": [{"circle": 0.5, "category": "ghost"}]}
 PRESS = [{"id": "c", "press": [{"joint": "j", "motor_speed": 90}]}]
+
+LIFT = {"id": "lift", "type": "kinematic", "position": [9, 1], "shapes": [{"box": [1, 1]}],
+        "path": {"to": [[0, 1]], "speed": 1, "enabled": False}}  # fmt: skip
+
+
+def one_of(prefab: Words) -> Words:
+    return {"prefabs": {"p": prefab}, "generate": [{"id": "one", "place": "p", "at": [8, 8]}]}
+
+
+def ruled(when: Words, condition: Words | None = None, **joint: Any) -> Words:
+    """A scene with a rule, and another one that brings eggs and counts them."""
+    egg = {"id": "egg", "shapes": [{"circle": 0.1}]}
+    rules = [{"when": when, "do": [{"delete": "crate"}], **({"if": condition} if condition else {})}]
+    rules.append({"when": {"every": 1}, "do": [{"spawn": egg}, {"counter": "m", "add": 1}]})
+    bodies = [GROUND, CRATE, BALL, SENSOR, LIFT]
+    return pinned("weld", **joint) | {"bodies": bodies, "rules": rules, "counters": {"n": 0, "m": 0}}
+
 
 CASES: dict[str, list[Case]] = {
     "overlap": [
@@ -63,6 +88,12 @@ CASES: dict[str, list[Case]] = {
             pinned("weld") | {"bodies": [GROUND, CRATE, {**BALL, "position": [0.5, 0.5]}]},
             "start 0.5 m deep",
         ),
+        # shallow for the rack as a whole, deep for the thin tooth of it that touches
+        Case(
+            scene(bodies=[GROUND, CRATE, {**RACK, "position": [0.9, 2]}]),
+            scene(bodies=[GROUND, CRATE, {**RACK, "position": [1.03, 2]}]),
+            '"crate" and "rack" start 0.05 m deep',
+        ),
     ],
     "falls-away": [
         Case(falling({"position": [30, 3]}), falling({"position": [20.3, 3]}), '"ball" falls for ever'),
@@ -73,6 +104,11 @@ CASES: dict[str, list[Case]] = {
             "look at its mask",
         ),
         Case(falling({"position": [30, 3]}), falling({"position": [30, 3], "velocity": [-5, 0]}), "falls"),
+        Case(
+            falling({"position": [30, 3]}, rules=[{"when": {"time": 1}, "do": [{"delete": "ground"}]}]),
+            falling({"position": [30, 3]}, rules=[{"when": {"time": 1}, "do": [{"delete": "ball"}]}]),
+            "falls",
+        ),
     ],
     "runaway-speed": [
         Case(
@@ -147,6 +183,11 @@ CASES: dict[str, list[Case]] = {
             scene(bodies=[{**GROUND, "type": "kinematic"}, SENSOR]),
             "static bodies do not feel static ones",
         ),
+        Case(
+            scene(bodies=[GROUND, CRATE, two_eyes("ghost")], categories=["ghost"]),
+            scene(bodies=[GROUND, CRATE, two_eyes("default")], categories=["ghost"]),
+            'a sensor of "eye" can feel no other body',
+        ),
     ],
     "stuck-joint": [
         Case(
@@ -161,6 +202,11 @@ CASES: dict[str, list[Case]] = {
             pinned("revolute") | {"bodies": [GROUND, *({**b, "fixed_rotation": True} for b in (CRATE, BALL))]},
             pinned("revolute") | {"bodies": [GROUND, {**CRATE, "fixed_rotation": True}, BALL]},
             '"j" cannot turn',
+        ),
+        Case(
+            pinned("prismatic", axis=[1, 0], lower=1, upper=1),
+            pinned("prismatic", axis=[1, 0], lower=1, upper=1, motor_speed=0, max_force=5) | {"controls": PRESS},
+            '"j" cannot move: its "lower" is its "upper"',
         ),
     ],
     "no-expect": [Case(scene(expect=[]), scene(), "the scene expects nothing")],
@@ -197,6 +243,15 @@ CASES: dict[str, list[Case]] = {
             scene(expect=[{"at": 9, "apart": ["ground", "crate"]}]),
             "neither of the two can move",
         ),
+        Case(
+            scene(bodies=[GROUND, SENSOR]),
+            scene(
+                bodies=[GROUND, SENSOR],
+                rules=[{"when": {"time": 1}, "do": [{"spawn": GHOST}]}],
+                categories=["ghost"],
+            ),
+            "there is no dynamic body",
+        ),
     ],
     "unused": [
         Case(
@@ -229,6 +284,51 @@ CASES: dict[str, list[Case]] = {
             scene(categories=["ghost"], bodies=[GROUND, {**CRATE, "shapes": [{"box": [1, 1], "mask": "ghost"}]}]),
             scene(categories=["ghost"], bodies=[GROUND, CRATE, GHOST]),
             "no shape is in it",
+        ),
+        Case(
+            scene(vars={"w": 1, "h": "=2 * w"}),
+            scene(vars={"w": 1, "h": "=2 * w"}, gravity=[0, "=-h"]),
+            'the number "h" is never used',
+        ),
+        Case(
+            scene(**one_of({"params": {"r": 1, "d": 1}, "shapes": [{"circle": "=r"}]})),
+            scene(**one_of({"params": {"r": "=d / 2", "d": 1}, "shapes": [{"circle": "=r"}]})),
+            'the parameter "d" of "p" is never used',
+        ),
+        Case(
+            scene(controls=[{"id": "fire", "press": [{"delete": "crate"}]}]),
+            scene(controls=[{"id": "fire", "press": [{"delete": "crate"}], "pad": ["a"]}]),
+            "nobody can press it",
+        ),
+    ],
+    "left-off": [
+        Case(
+            pinned("weld", enabled=False),
+            pinned("weld", enabled=False) | {"rules": [{"when": {"time": 1}, "do": [{"joint": "j", "enabled": True}]}]},
+            '"j" is off, and nothing switches it on',
+        ),
+        Case(
+            scene(bodies=[GROUND, CRATE, LIFT]),
+            scene(bodies=[GROUND, CRATE, LIFT], rules=[{"when": {"time": 1}, "do": [{"path": "l*", "enabled": True}]}]),
+            'the path of "lift" is off',
+        ),
+    ],
+    "idle-rule": [
+        Case(ruled({"enter": ["ground", "crate"]}), ruled({"enter": ["eye", "crate"]}), '"ground" has no sensor'),
+        Case(ruled({"leave": ["eye", "ground"]}), ruled({"leave": ["eye", "egg-*"]}), '"eye" cannot feel "ground"'),
+        Case(ruled({"begin": ["eye", "crate"]}), ruled({"begin": ["egg-1", "crate"]}), '"enter" and "leave" tell'),
+        Case(ruled({"hit": ["ground", "lift"]}), ruled({"hit": ["ground", "crate"]}), "look at their masks"),
+        Case(ruled({"joint_break": "j"}), ruled({"joint_break": "j"}, break_force=9), "no such joint can break"),
+        Case(
+            ruled({"count": "n", "reaches": 3}), ruled({"count": "m", "reaches": 3}), 'nothing changes the counter "n"'
+        ),
+        Case(
+            ruled({"count": "m", "reaches": -1}), ruled({"count": "m", "reaches": 1}), "only goes up"
+        ),
+        Case(
+            ruled({"time": 2}, {"counter": "n", "least": 1}),
+            ruled({"time": 2}, {"counter": "m", "least": 1}),
+            "this never holds",
         ),
     ],
 }  # fmt: skip

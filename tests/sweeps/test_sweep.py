@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import sandbox
+from sandbox.sweeps.heat_map import cells_of
 from sandbox.sweeps.journal import Journal
 from sandbox.sweeps.plot import Plot, save_plot
 from sandbox.sweeps.study import Outcome
@@ -119,6 +120,25 @@ class TestPlots:
         first = (tmp_path / "a.svg").read_bytes()
         assert first == (tmp_path / "b.svg").read_bytes()
         assert first.startswith(b"<?xml")
+
+    def test_a_heat_map_has_a_cell_for_each_pair(self) -> None:
+        across, up = np.array([0.0, 1.0, 0.0, 1.0, 0.0]), np.array([5.0, 5.0, 7.0, 7.0, 7.0])
+        values = np.array([1.0, 2.0, 3.0, float("nan"), 5.0])
+        cells = cells_of((across, up, values), np.unique(across), np.unique(up))
+        assert np.array_equal(cells, [[1.0, 2.0], [4.0, float("nan")]], equal_nan=True)
+
+    @pytest.mark.parametrize(("sampled", "failed"), [(False, True), (True, False)])
+    def test_heat_maps_are_drawn(self, tmp_path: Path, sampled: bool, failed: bool) -> None:
+        pairs = [(0.1 * k, k * k) for k in range(9)] if sampled else [(0.1 * k, j) for k in range(3) for j in range(3)]
+        x, y = map(list, zip(*pairs, strict=True))
+        z = [float("nan")] * 9 if failed else [float(k) for k in range(9)]
+        table = SweepTable({"x": x, "wood": [f"w{k}" for k in y], "z": z})
+        for name in ("a.svg", "b.svg"):
+            save_plot(table, Plot("x", ("z",), over="wood"), tmp_path / name)
+        drawn = (tmp_path / "a.svg").read_text(encoding="utf-8")
+        assert drawn == (tmp_path / "b.svg").read_text(encoding="utf-8")
+        with pytest.raises(sandbox.ArgumentError, match="by and over exclude each other"):
+            save_plot(table, Plot("x", ("z",), by="wood", over="wood"), tmp_path / "c.svg")
 
     def test_words_and_missing_values(self, tmp_path: Path) -> None:
         table = SweepTable({"wood": ["ice", "oak", "ice"], "y": [1.0, float("nan"), 2.0]})

@@ -29,10 +29,23 @@ def test_a_script_can_press_the_keys_of_every_action(tmp_path: Path, monkeypatch
             pass
 
 
-def test_a_modifier_that_is_not_there_is_told_with_its_line(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("act", "said"),
+    [
+        ("key Hyper+S", "there is no key 'Hyper' to hold; there are Ctrl and Shift"),
+        ("hold Rigth for 5", "there is no key 'Rigth'; did you mean \"Right\"?"),
+        ("let Right", "only Ctrl, Shift, left, middle, right are let, not 'Right'"),
+        ("hold Right for ever", "'hold' takes a whole number there, not 'ever'"),
+        ("wait long", "'wait' takes a whole number there, not 'long'"),
+    ],
+)
+def test_a_wrong_act_is_told_with_its_line(tmp_path: Path, act: str, said: str) -> None:
     acts = tmp_path / "acts.txt"
-    acts.write_text("wait 1\nkey Hyper+S\n", encoding="utf-8")
-    with pytest.raises(SandboxError, match=r":2: there is no key 'Hyper' to hold; there are Ctrl and Shift"):
+    acts.write_text(f"wait 1\n{act}\n", encoding="utf-8")
+    with pytest.raises(SandboxError) as caught:
         Script(acts)
-    with pytest.raises(ValueError, match="Hyper"):
-        chord("Hyper+S")
+    assert str(caught.value) == f"{acts}:2: {said}"
+
+
+def test_keys_are_known_as_scenes_write_them() -> None:
+    assert chord("left") == chord("Left")

@@ -16,8 +16,10 @@ def check(subject: Subject) -> Iterator[Finding]:
     others = _unlike([*subject.flat.bodies, *subject.spawned])
     for body in subject.flat.bodies:
         sensors = [shape for shape in body.shapes if shape.sensor]
-        if sensors and not any(can_feel(sensor, body, other) for sensor in sensors for other in others):
-            text = f"the sensor of {quoted(body.id)} can feel no other body"
+        blind = [sensor for sensor in sensors if not any(can_feel(sensor, body, other) for other in others)]
+        if blind:
+            which = "the sensor" if len(blind) == len(sensors) else "a sensor"
+            text = f"{which} of {quoted(body.id)} can feel no other body"
             mend = "look at its mask and category; static bodies do not feel static ones"
             yield Finding(path_to(body), text, mend)
 

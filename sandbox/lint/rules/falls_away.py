@@ -9,6 +9,7 @@ from sandbox.lint.rule import Rule
 from sandbox.lint.subject import Box, Subject, path_to
 from sandbox.scene.finding import Finding, quoted
 from sandbox.scene.flat import FlatBody
+from sandbox.scene.flat_rules import FlatExplode, FlatGravity
 
 
 def check(subject: Subject) -> Iterator[Finding]:
@@ -18,11 +19,13 @@ def check(subject: Subject) -> Iterator[Finding]:
     either of them moves sideways, anywhere.
     """
     right, up = subject.flat.gravity
-    if right or up >= 0.0 or subject.flat.regions or subject.actions:
+    pulls = any(isinstance(action, (FlatExplode, FlatGravity)) for action in subject.actions)
+    if right or up >= 0.0 or subject.flat.regions or pulls:
         return
     held = {name for joint in subject.flat.joints for name in (joint.body_a, joint.body_b)}
     for body in subject.flat.bodies:
-        falls = body.type == "dynamic" and body.gravity_scale > 0.0 and not body.thrusters
+        free = body.type == "dynamic" and body.gravity_scale > 0.0 and not body.thrusters
+        falls = free and not subject.is_played(body.id)
         if falls and body.id not in held and not _is_expected(subject, body) and not _is_caught(subject, body):
             mend = "put something under it, or look at its mask"
             yield Finding(path_to(body), f"{quoted(body.id)} falls for ever: nothing below could stop it", mend)

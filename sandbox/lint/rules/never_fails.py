@@ -6,9 +6,9 @@ from collections.abc import Iterator
 
 from sandbox.lint.rule import Rule
 from sandbox.lint.subject import Subject
-from sandbox.scene.expect import Apart, CounterIs, Ended, Expectation, Stands
+from sandbox.scene.expect import Above, Apart, Below, CounterIs, Ended, Expectation, Inside, Stands
 from sandbox.scene.finding import Finding
-from sandbox.scene.flat_rules import FlatCount, FlatEnd
+from sandbox.scene.flat_rules import FlatEnd
 
 _ABOUT_BODIES = ("rests", "stands", "asleep", "of")
 
@@ -27,8 +27,7 @@ def _why(subject: Subject, expectation: Expectation) -> str:
         case Ended(outcome="open"):
             return "" if any(isinstance(a, FlatEnd) for a in subject.actions) else "nothing wins or loses the game"
         case CounterIs(counter=name):
-            changes = [a for a in subject.actions if isinstance(a, FlatCount) and a.counter == name]
-            return "" if changes else f'nothing changes the counter "{name}"'
+            return "" if subject.changes(name) else f'nothing changes the counter "{name}"'
         case Apart(apart=(one, two)):
             return "" if _can_meet(subject, one, two) else "neither of the two can move"
         case Stands() if expectation.at == 0 or (expectation.within and expectation.within[0] == 0):
@@ -39,10 +38,15 @@ def _why(subject: Subject, expectation: Expectation) -> str:
 def _of_static(subject: Subject, expectation: Expectation) -> str:
     ids = next((found for name in _ABOUT_BODIES if (found := getattr(expectation, name, None)) is not None), None)
     if ids is None:
-        return ""
+        about_all = isinstance(expectation, (Above, Below, Inside))
+        return "there is no dynamic body" if about_all and not _has_dynamic(subject) else ""
     meant = [subject.bodies[name] for name in subject.named(ids)]
     still = meant and all(body.type == "static" and not subject.is_played(body.id) for body in meant)
     return "it speaks of static bodies alone" if still else ""
+
+
+def _has_dynamic(subject: Subject) -> bool:
+    return any(body.type == "dynamic" for body in (*subject.flat.bodies, *subject.spawned))
 
 
 def _can_meet(subject: Subject, one: str, two: str) -> bool:

@@ -10,6 +10,7 @@ from sandbox.scene.finding import Finding, quoted
 from sandbox.scene.flat import INFINITE, FlatJoint
 
 _TURNING = ("revolute", "wheel")
+_LIMITED = ("revolute", "prismatic")
 
 
 def check(subject: Subject) -> Iterator[Finding]:
@@ -22,6 +23,9 @@ def check(subject: Subject) -> Iterator[Finding]:
         if a == b and not _is_rigid(subject, joint):
             text = f"{quoted(joint.id)} moves nothing: rigid welds hold both of its ends together"
             yield Finding(path_to(joint), text, "take it out, or one of the welds")
+        elif joint.kind in _LIMITED and joint.lower == joint.upper and not subject.is_driven(joint):
+            text = f'{quoted(joint.id)} cannot move: its "lower" is its "upper"'
+            yield Finding(path_to(joint), text, "a weld holds as well; or give it room")
         elif joint.kind in _TURNING and not any(_turns(subject, name) for name in (joint.body_a, joint.body_b)):
             text = f"{quoted(joint.id)} cannot turn: neither of its bodies does"
             yield Finding(path_to(joint), text, 'a weld holds them as well; or leave out "fixed_rotation"')

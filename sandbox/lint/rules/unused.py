@@ -1,12 +1,14 @@
-"""Materials, prefabs, categories and counters that nothing uses, and controls that do nothing."""
+"""Names that nothing uses: materials, prefabs, categories, counters, numbers; and controls that do nothing."""
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Iterator
 from typing import Any
 
 from sandbox.lint.rule import Rule
 from sandbox.lint.subject import Subject
+from sandbox.scene.authoring.evaluate import names_asked_for
 from sandbox.scene.expect import CounterIs
 from sandbox.scene.finding import Finding, Path, quoted
 from sandbox.scene.flat import FlatBody
@@ -37,6 +39,26 @@ def check(subject: Subject) -> Iterator[Finding]:
         if not (control.press or control.hold or control.release) and control.id not in awaited:
             text = f"the control {quoted(control.id)} does nothing, and no rule waits for it"
             yield Finding(("controls", number), text, 'give it a "press" or a "hold", or take it out')
+        elif not (control.keys or control.minus or control.pad or control.mouse):
+            text = f"the control {quoted(control.id)} has no keys, no button and no stick: nobody can press it"
+            yield Finding(("controls", number), text, 'give it some, as in "keys": ["space"]')
+    yield from _numbers(subject)
+
+
+def _numbers(subject: Subject) -> Iterator[Finding]:
+    """Numbers by name, and parameters of prefabs, that no expression asks for."""
+    scene, words = subject.scene, subject.words
+    parts = [json.loads(file.read_text(encoding="utf-8")) for file in scene.included_files]
+    asked = names_asked_for([words, scene.set_values, parts])
+    for name in words.get("vars", {}):
+        if name not in asked:
+            yield _unused(("vars", name), f"the number {quoted(name)}", "no expression asks for it")
+    for name, prefab in words.get("prefabs", {}).items():
+        asked = names_asked_for(prefab)
+        for param in prefab.get("params", {}):
+            if param not in asked:
+                what = f"the parameter {quoted(param)} of {quoted(name)}"
+                yield _unused(("prefabs", name, "params", param), what, "no expression in the prefab asks for it")
 
 
 def _words(subject: Subject) -> set[tuple[str, str]]:
@@ -76,4 +98,4 @@ def _members(bodies: Iterable[FlatBody]) -> int:
     return bits
 
 
-RULE = Rule("unused", "materials, prefabs, categories, counters and controls that nothing uses", check)
+RULE = Rule("unused", "materials, prefabs, categories, counters, numbers and controls that nothing uses", check)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path as FilePath
 from typing import Any
@@ -25,14 +25,17 @@ _TAKEN = re.compile(r"is taken by (bodies)\[(\d+)\]")
 class Expansion:
     """Plain `data` that a `main` document comes down to.
 
-    `origins` say where values were written whose path is another one, `faults` and `problems` (of files that are no
-    JSON) what was wrong already.
+    `origins` say where values were written whose path is another one; the fields `lacking` would have more in them if
+    all that is included could be read. `broken` are the places of numbers that could not be worked out. `faults` and
+    `problems` (of files that are no JSON) were wrong already.
     """
 
     main: Document
     data: Any
     origins: Mapping[Path, Origin] = field(default_factory=dict)
+    lacking: tuple[str, ...] = ()
     faults: tuple[Fault, ...] = ()
+    broken: Collection[tuple[Document, Path]] = ()
     problems: tuple[Problem, ...] = ()
     library: Library = field(default_factory=Library)
 
@@ -104,12 +107,20 @@ class Expansion:
     def _unique(self, faults: list[Fault]) -> list[Fault]:
         """Each mistake once, however many copies have it, and nothing more about what is wrong already."""
         wrong = {(id(fault.document), fault.finding.path) for fault in self.faults}
+        wrong |= {(id(document), path) for document, whole in self.broken for path in (whole, _list_of(whole))}
+        wrong_kinds = {(id(fault.document), fault.finding.path) for fault in faults if not fault.finding.lacks}
         seen: dict[Any, Fault] = {}
         for k, fault in enumerate(faults):
             place = (id(fault.document), fault.finding.path)
-            if k < len(self.faults) or place not in wrong:
-                seen.setdefault((*place, sort_of(fault.finding)), fault)
+            if k < len(self.faults) or place not in (wrong_kinds if fault.finding.lacks else wrong):
+                # Of a copy, the ids of several bodies and joints may be taken.
+                seen.setdefault((*place, sort_of(fault.finding).partition(" is taken by ")[0]), fault)
         return list(seen.values())
+
+
+def _list_of(path: Path) -> Path:
+    """The path of the list that an entry is in; that of anything else."""
+    return path[:-1] if isinstance(path[-1], int) else path
 
 
 def _problems(document: Document, findings: list[Finding], is_main: bool) -> Iterator[Problem]:

@@ -6,10 +6,10 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from sandbox.scene.authoring.document import Fault, Written
+from sandbox.scene.authoring.document import Document, Fault, Written
 from sandbox.scene.authoring.expression import is_expression, parsed, plain_number
 from sandbox.scene.authoring.mistake import MARK, ExpressionError
-from sandbox.scene.finding import Finding
+from sandbox.scene.finding import Finding, Path
 from sandbox.scene.limits import MAX_DEPTH, MAX_FINDINGS
 
 Numbers = Mapping[str, float]
@@ -21,10 +21,11 @@ _STAND_IN = 1
 
 
 class Evaluator:
-    """Works out expressions; `faults` collects what is wrong with them."""
+    """Works out expressions; `faults` collects what is wrong with them, `broken` where numbers stand in for such."""
 
     def __init__(self) -> None:
         self.faults: list[Fault] = []
+        self.broken: set[tuple[Document, Path]] = set()
 
     def resolved(self, written: Written, known: Numbers) -> Any:
         """The value with a number for every expression in it; the very same object if there is none."""
@@ -40,7 +41,8 @@ class Evaluator:
         except ExpressionError as mistake:
             asked = any(math.isnan(known.get(name, 0.0)) for name in _names(text))
             if not asked and len(self.faults) < MAX_FINDINGS:
-                finding = Finding(written.path, mistake.message, mistake.hint, within=mistake.span)
+                lacks = ("vars",) if mistake.unknown else ()
+                finding = Finding(written.path, mistake.message, mistake.hint, within=mistake.span, lacks=lacks)
                 self.faults.append(Fault(written.document, finding))
             return BROKEN
 
@@ -48,7 +50,10 @@ class Evaluator:
         value = written.value
         if is_expression(value):
             result = self.number(written, known)
-            return _STAND_IN if math.isnan(result) else plain_number(result)
+            if not math.isnan(result):
+                return plain_number(result)
+            self.broken.add((written.document, written.path))
+            return _STAND_IN
         if depth == 0 or not isinstance(value, (dict, list, tuple)):
             return value
         if isinstance(value, dict):
@@ -73,6 +78,21 @@ def _has_expression(value: Any, depth: int) -> bool:
         if not _is_plain(entry) and _has_expression(entry, depth - 1):
             return True
     return False
+
+
+def names_asked_for(value: Any) -> set[str]:
+    """The names that expressions in plain data ask for."""
+    found: set[str] = set()
+    nodes = [value]
+    while nodes:
+        node = nodes.pop()
+        if isinstance(node, str) and node.startswith(MARK):
+            found |= _names(node)
+        elif isinstance(node, dict):
+            nodes += [entry for key, entry in node.items() if key not in TEXTS]
+        elif isinstance(node, (list, tuple)):
+            nodes += node
+    return found
 
 
 def _is_plain(value: Any) -> bool:

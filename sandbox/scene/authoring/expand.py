@@ -3,21 +3,24 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection, Iterator
 from typing import Any
 
 from sandbox.scene import plain
 from sandbox.scene.authoring.blame import Expansion
 from sandbox.scene.authoring.copies import Setting
-from sandbox.scene.authoring.document import Document, Written
+from sandbox.scene.authoring.document import Document, Fault, Written
 from sandbox.scene.authoring.evaluate import TEXTS, Evaluator, Numbers
 from sandbox.scene.authoring.expression import plain_number
 from sandbox.scene.authoring.generate import Generators
 from sandbox.scene.authoring.include import Reader
-from sandbox.scene.authoring.library import Library, gathered
+from sandbox.scene.authoring.library import PARTS, Library, gathered
 from sandbox.scene.authoring.output import Origin, Output, TooMuchError
-from sandbox.scene.authoring.prefabs import Prefabs
+from sandbox.scene.authoring.prefabs import Prefabs, has_parameters
 from sandbox.scene.authoring.variables import numbers
+from sandbox.scene.declarations import is_misspelt, without_follow_ups
 from sandbox.scene.finding import Path
+from sandbox.scene.scene_fields import SceneFields
 
 _MADE = ("include", "vars", "materials", "prefabs", "bodies", "joints", "generate")
 
@@ -45,15 +48,32 @@ def expanded(main: Document) -> Expansion:
     for name, made in (("prefabs", output.prefabs), ("bodies", output.bodies), ("joints", output.joints)):
         if made and isinstance(data.get(name, made), type(made)):
             data[name] = made
-    faults = (*reader.faults, *evaluator.faults, *output.faults)
-    return Expansion(main, data, output.origins, faults, tuple(reader.problems), library)
+    lacking: tuple[str, ...] = PARTS if reader.faults or reader.problems or _includes_more(data) else ()
+    faults = (*reader.faults, *_without_follow_ups(evaluator.faults, main, lacking), *output.faults)
+    if not output.is_whole or any("generate" in path for _, path in evaluator.broken):
+        lacking = (*lacking, "generate")
+    return Expansion(main, data, output.origins, lacking, faults, evaluator.broken, tuple(reader.problems), library)
+
+
+def _includes_more(data: dict[str, Any]) -> bool:
+    """Whether files are included that nobody has looked for, as the field is wrong."""
+    return "include" in data or is_misspelt("include", data, SceneFields.model_fields)
+
+
+def _without_follow_ups(faults: list[Fault], main: Document, lacking: Collection[str]) -> Iterator[Fault]:
+    """The faults but those about numbers whose names may be in what cannot be read."""
+    told = set(map(id, without_follow_ups([fault.finding for fault in faults], main.data, lacking)))
+    for fault in faults:
+        readable = has_parameters(fault.document.value(fault.finding.path[:2]))
+        if id(fault.finding) in told and (readable or not fault.finding.lacks):
+            yield fault
 
 
 def _rest(main: Document, evaluator: Evaluator, known: Numbers) -> dict[str, Any]:
     """All fields, with numbers for the expressions in those that nothing else is made of."""
     top = Written(main, (), main.data)
     data = dict(main.data)
-    names = [name for name in data if name not in (*_MADE, *TEXTS)]
+    names = [name for name in data if name in SceneFields.model_fields and name not in (*_MADE, *TEXTS)]
     data.update((name, evaluator.resolved(top.at(name), known)) for name in names)
     include = data.get("include")
     if isinstance(include, (list, tuple)) and all(isinstance(entry, str) for entry in include):

@@ -66,7 +66,7 @@ def _looked_up(name: str, known: Mapping[str, float], span: Span) -> float:
     if name in INDICES:
         raise ExpressionError(f'there is no "{name}" here', "only what a generator copies is counted", span)
     hint = did_you_mean(name, [*known, *CONSTANTS, *FUNCTIONS])
-    raise ExpressionError(f'no number is named "{name}"', hint or 'give it in "vars"', span)
+    raise ExpressionError(f'no number is named "{name}"', hint or 'give it in "vars"', span, unknown=True)
 
 
 def _applied(name: str, values: list[float], span: Span) -> float:

@@ -75,7 +75,9 @@ class Generators:
         if not setting.prefix:
             known = {**setting.known, **_SAMPLE}
             self.prefabs.output.add_generator(self.prefabs.evaluator.resolved(written, known), written)
-        elif isinstance(named.value, str) and named.value not in self.prefabs.written:
+            return
+        self.prefabs.output.is_whole = False
+        if isinstance(named.value, str) and named.value not in self.prefabs.written:
             text = f"no prefab is named {quoted(named.value)}"
             hint = did_you_mean(named.value, self.prefabs.written)
             self.prefabs.output.faults.append(named.fault(text, hint))
@@ -93,7 +95,7 @@ class Generators:
 
     def _model(self, written: Written, setting: Setting) -> Generator | None:
         """The generator as the first copy sees it, under its full id; None if it has mistakes of its own."""
-        counts = "place" not in written.value or "count" in written.value
+        counts = "count" in written.value or not written.value.keys() <= Place.model_fields.keys()
         sample = self._resolved(written, {**setting.known, **_SAMPLE} if counts else setting.known)
         try:
             found = _GENERATOR.validate_python(sample)

@@ -9,8 +9,8 @@ MARK = "="
 
 
 class ExpressionError(Exception):
-    """What is wrong with an expression, the mend, and which characters of it show that."""
+    """What is wrong with an expression, the mend, which characters of it show that, and whether a name is unknown."""
 
-    def __init__(self, message: str, hint: str = "", span: Span = (0, 1)) -> None:
+    def __init__(self, message: str, hint: str = "", span: Span = (0, 1), unknown: bool = False) -> None:
         super().__init__(message)
-        self.message, self.hint, self.span = message, hint, span
+        self.message, self.hint, self.span, self.unknown = message, hint, span, unknown

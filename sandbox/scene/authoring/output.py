@@ -27,7 +27,10 @@ class Origin:
 
 @dataclass
 class Output:
-    """What is made of the `main` document; `origins` by the path in the scene made, where it is another one."""
+    """What is made of the `main` document; `origins` by the path in the scene made, where it is another one.
+
+    It `is_whole` unless a generator in a prefab could not be read, so that nobody knows what it would make.
+    """
 
     main: Document
     bodies: list[Any] = field(default_factory=list)
@@ -36,6 +39,7 @@ class Output:
     generate: list[Any] = field(default_factory=list)
     origins: dict[Path, Origin] = field(default_factory=dict)
     faults: list[Fault] = field(default_factory=list)
+    is_whole: bool = True
     _values: int = 0
     _numbers: dict[str, int] = field(default_factory=dict)
 

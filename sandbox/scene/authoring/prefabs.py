@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from itertools import islice
 from typing import Any
 
 from sandbox.scene.authoring.arithmetic import INDICES
-from sandbox.scene.authoring.document import Document, Written
+from sandbox.scene.authoring.document import Document, Fault, Written
 from sandbox.scene.authoring.evaluate import Evaluator, Numbers
 from sandbox.scene.authoring.output import Output, size_of
 from sandbox.scene.authoring.variables import numbers
+from sandbox.scene.declarations import is_misspelt
 from sandbox.scene.finding import Path, quoted
 from sandbox.scene.near_names import did_you_mean
-from sandbox.scene.plain import is_several
+from sandbox.scene.plain import is_several, mapping
+from sandbox.scene.prefab import Prefab
 
 _POSE = ("id", "prefab", "params", "position", "angle", "velocity", "angular_velocity", "path")
 """What differs between copies of one body; the rest is a prefab that they share."""
@@ -80,7 +82,11 @@ class Prefabs:
         given = params.value if isinstance(params.value, dict) else {}
         for key in given:
             place = params.at(key)
-            if key not in defaults and (place.document, place.path) not in self._strays:
+            if (
+                key not in defaults
+                and has_parameters(self.written[name].value)
+                and (place.document, place.path) not in self._strays
+            ):
                 self._strays.add((place.document, place.path))
                 hint = did_you_mean(str(key), defaults) or _listed(defaults)
                 text = f"the prefab {quoted(name)} has no parameter {quoted(str(key))}"
@@ -113,6 +119,8 @@ class Prefabs:
             bodies = [(self._part(name, part, known), part) for part in _listed_in(written, "bodies")]
             joints = [(self.evaluator.resolved(part, known), part) for part in _listed_in(written, "joints")]
             generate = list(_listed_in(written, "generate"))
+            places = [(part.value, part) for part in generate if "place" in part.value and "count" not in part.value]
+            self.output.faults += (*_repeated([*bodies, *places]), *_repeated(joints))
             size = 1 + sum(size_of(entry) for entry, _ in (*bodies, *joints)) + len(generate)
             self._templates[key] = Template(bodies, joints, generate, known, size)
         return self._templates[key]
@@ -139,6 +147,24 @@ class Prefabs:
         self.output.add_prefab(made, shared, part)
         own = {key: value for key, value in both.items() if key in _POSE and key not in ("params", "prefab")}
         return {**own, "prefab": made}
+
+
+def has_parameters(prefab: object) -> bool:
+    """Whether all parameters of a prefab can be read."""
+    home = mapping(prefab)
+    return isinstance(home.get("params", {}), dict) and not is_misspelt("params", home, Prefab.model_fields)
+
+
+def _repeated(parts: list[tuple[Entry, Written]]) -> Iterator[Fault]:
+    """Ids that are given twice in a prefab, told there rather than of each copy."""
+    seen: dict[str, Path] = {}
+    for entry, part in parts:
+        name = entry.get("id")
+        if isinstance(name, str) and name in seen:
+            kind, number = seen[name][-2:]
+            yield part.at("id").fault(f"the id {quoted(name)} is taken by {kind}[{number}] of the prefab")
+        elif isinstance(name, str):
+            seen[name] = part.path
 
 
 def _listed_in(written: Written, key: str) -> list[Written]:

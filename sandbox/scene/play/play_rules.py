@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import islice, pairwise
 from typing import Any
 
 from sandbox.scene import plain
+from sandbox.scene.base import Model
+from sandbox.scene.declarations import is_misspelt
+from sandbox.scene.expect import CounterIs
 from sandbox.scene.finding import Finding, Path, quoted
 from sandbox.scene.limits import MAX_ALIVE, MAX_ALL_ACTIONS, MAX_COUNTERS, MAX_EXPECTATIONS, MAX_FINDINGS
+from sandbox.scene.play.actions import Count
+from sandbox.scene.play.path import BodyPath
+from sandbox.scene.play.rule import Condition
 
 _TESTS = ("equals", "least", "most")
 
@@ -22,7 +28,7 @@ def play_rules(data: dict[str, Any]) -> Iterator[Finding]:
         if isinstance(pattern.get("path"), dict):
             yield from _path(pattern["path"], (*path, "path"))
     for path, action in plain.actions(data):
-        if "counter" in action and ("add" in action) == ("set" in action):
+        if "counter" in action and ("add" in action) == ("set" in action) and not _near(("add", "set"), action, Count):
             yield Finding(path, 'a counter action needs one of "add" and "set"')
     tested = [((*path, "if"), plain.mapping(rule.get("if"))) for path, rule in _children(data, "rules") if "if" in rule]
     expected = islice(_children(data, "expect"), MAX_EXPECTATIONS)
@@ -41,7 +47,7 @@ def _limits(data: dict[str, Any]) -> Iterator[Finding]:
     for _, action in actions:
         entry, limit = action.get("spawn"), action.get("limit", 100)
         name = entry.get("id") if isinstance(entry, dict) else None
-        if isinstance(name, str) and plain.is_number(limit):
+        if isinstance(name, str) and plain.is_number(limit) and limit <= MAX_ALIVE:  # else its own model says so
             alive[name] = max(alive.get(name, 0), int(limit))
     if sum(alive.values()) > MAX_ALIVE:
         text = f"rules and controls could bring {sum(alive.values())} bodies at once; {MAX_ALIVE:,} is the limit"
@@ -69,9 +75,9 @@ def _range(test: dict[str, Any], path: Path) -> Iterator[Finding]:
     if "counter" not in test:
         if given:
             yield Finding((*path, given[0]), f'"{given[0]}" of which counter? name one', on_key=True)
-        elif "touches" not in test:
+        elif "touches" not in test and not _near(("counter", "touches"), test, Condition):
             yield Finding(path, 'a condition needs a "counter", or "touches"')
-    elif not given:
+    elif not given and not _near(_TESTS, test, CounterIs):
         yield Finding(path, 'a counter needs "equals", or "least" and "most" or one of them')
     elif "equals" in given and len(given) > 1:
         yield Finding((*path, given[1]), f'"equals" stands alone, and this one has "{given[1]}" too', on_key=True)
@@ -79,9 +85,18 @@ def _range(test: dict[str, Any], path: Path) -> Iterator[Finding]:
         yield Finding((*path, "least"), '"least" must not be greater than "most"')
 
 
+def _near(wanted: Iterable[str], given: dict[str, Any], model: type[Model]) -> bool:
+    """Whether an object has a field that is not of its model, and looks like one that is wanted, or is the only one.
+
+    That is told then, with what is known.
+    """
+    strays = [key for key in islice(given, MAX_FINDINGS) if key not in model.model_fields]
+    return len(strays) == 1 or any(is_misspelt(name, given, model.model_fields) for name in wanted)
+
+
 def _path(path: dict[str, Any], home: Path) -> Iterator[Finding]:
     times, speed, to = path.get("times"), path.get("speed"), path.get("to")
-    if (times is None) == (speed is None):
+    if (times is None) == (speed is None) and not _near(("times", "speed"), path, BodyPath):
         yield Finding(home, 'a path needs "times" or a "speed", one of them')
     if not isinstance(to, (list, tuple)) or not to:
         return  # its own model says so

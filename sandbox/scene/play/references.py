@@ -3,24 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
+from dataclasses import replace
 from itertools import islice
 from typing import Any
 
 from sandbox.scene import plain
 from sandbox.scene.body_check import BodyCheck
 from sandbox.scene.body_refs import is_pattern, matches_any
-from sandbox.scene.finding import Finding, Path, quoted
+from sandbox.scene.finding import TAKEN, Finding, Path, quoted
 from sandbox.scene.flat_rules import FIRST, MOTION, POINTER, SECOND, SELF
 from sandbox.scene.joint_references import joint_ids
 from sandbox.scene.limits import MAX_EXPECTATIONS, MAX_NAME, MAX_RULES
 from sandbox.scene.names import BodyNames
-from sandbox.scene.near_names import did_you_mean
+from sandbox.scene.near_names import did_you_mean, near_pattern
+from sandbox.scene.play.triggers import TRIGGERS
 
 PAIRS = ("hit", "begin", "end", "enter", "leave")
 """Triggers with two bodies."""
 _BODIES = ("delete", "of", "put", "path")
 _PLACES = ("at", "along", "target")
 _JOINTS = ("joint", "break_joint")
+_DECLARING = {
+    "joint": ("joints", "generate", TAKEN), "region": ("regions",), "counter": ("counters",), "control": ("controls",)
+}  # fmt: skip
+"""The fields that bring what can be named."""
 
 
 def play_references(data: dict[str, Any], ids: BodyNames) -> Iterator[Finding]:
@@ -36,7 +42,7 @@ def play_references(data: dict[str, Any], ids: BodyNames) -> Iterator[Finding]:
         test = plain.mapping(rule.get("if"))
         yield from look_up.one("counter", test.get("counter"), (*path, "if", "counter"))
         yield from look_up.bodies(test.get("touches"), (*path, "if", "touches"))
-        there = {FIRST, SECOND} if any(kind in when for kind in PAIRS) else {POINTER} if "press" in when else set()
+        there = _there(when)
         for place, action in islice(plain.children(rule.get("do"), (*path, "do")), MAX_RULES):
             yield from _action(action, place, look_up, there)
     for path, control in plain.children(data.get("controls"), ("controls",)):
@@ -45,12 +51,21 @@ def play_references(data: dict[str, Any], ids: BodyNames) -> Iterator[Finding]:
                 yield from _action(action, place, look_up, {POINTER})
 
 
+def _there(when: dict[str, Any]) -> set[str]:
+    """The @ names that a trigger brings; of one that cannot be read, all that any brings."""
+    if any(kind in when for kind in PAIRS):
+        return {FIRST, SECOND}
+    if "press" in when:
+        return {POINTER}
+    return set() if any(kind in when for kind in TRIGGERS) else {FIRST, SECOND, POINTER}
+
+
 class _LookUp:
     """All that names can refer to."""
 
     def __init__(self, data: dict[str, Any], ids: BodyNames) -> None:
         self._bodies = BodyCheck(ids, ("rules",)) if ids.counted else None
-        self._joints = joint_ids(data)
+        self._joints, self._ids = joint_ids(data), ids
         regions = (region.get("id") for _, region in plain.children(data.get("regions"), ("regions",)))
         controls = (control.get("id") for _, control in plain.children(data.get("controls"), ("controls",)))
         self._named: dict[str, Collection[str]] = {
@@ -66,25 +81,33 @@ class _LookUp:
             if name.startswith("@"):
                 yield from _token(name, place, there)
             elif self._bodies is not None:
-                yield from self._bodies.faults(name, place)
+                for fault in self._bodies.faults(name, place):
+                    is_token = f"@{name}" in there
+                    yield replace(fault, hint=f'did you mean "@{name}"?') if is_token else fault
 
     def several(self, what: str, value: object, path: Path) -> Iterator[Finding]:
         """Faults of ids of other things, or patterns for them."""
         for place, name in plain.texts(value, path):
             if not is_pattern(name):
                 yield from self.one(what, name, place)
-            elif len(name) <= MAX_NAME and not matches_any(name, self._named[what]):
-                yield Finding(place, f"no {what}'s id matches {quoted(name)}")
+            elif len(name) <= MAX_NAME and not matches_any(name, self._named[what]) and not self._may_match(what):
+                near = near_pattern(name, self._named[what])
+                yield Finding(place, f"no {what}'s id matches {quoted(name)}", near, lacks=_DECLARING[what])
+
+    def _may_match(self, what: str) -> bool:
+        return what == "joint" and bool(self._ids.unread)
 
     def one(self, what: str, name: object, path: Path) -> Iterator[Finding]:
         """The fault of an id."""
         if isinstance(name, str) and name not in self._named[what]:
+            if what == "joint" and self._ids.is_unread(name):
+                return
             told = f"no {what} is named {quoted(name)}" if what == "counter" else f"no {what} has the id {quoted(name)}"
             known = self._named[what]
             hint = did_you_mean(name, known)
             if what == "counter" and not known:
                 hint = f'declare it: "counters": {{{quoted(name)}: 0}}'
-            yield Finding(path, told, hint)
+            yield Finding(path, told, hint, lacks=_DECLARING[what])
 
 
 def _trigger(when: dict[str, Any], path: Path, look_up: _LookUp) -> Iterator[Finding]:
