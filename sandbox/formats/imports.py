@@ -60,7 +60,7 @@ def open_scene(path: str | os.PathLike[str], set: Mapping[str, Any] | None = Non
         return Imported(load_scene(file, set))
     source = open_source(file)
     kind = _found(source)
-    if kind is None and isinstance(source.data, Element):
+    if kind is None and (isinstance(source.data, Element) or _part(source.data)):
         raise SceneError(str(path), [_unknown(source)])
     if kind is not None and set:
         mend = "make a scene of it with sandbox import first"
@@ -68,11 +68,30 @@ def open_scene(path: str | os.PathLike[str], set: Mapping[str, Any] | None = Non
     return Imported(loads_scene(source.text, str(file), set)) if kind is None else _import(source, kind, Options())
 
 
+_PARTS = {
+    "tileset": "this is a tileset of Tiled: import a map that uses it",
+    "template": "this is a template of Tiled: import a map that uses it",
+    "world": "this is a world of Tiled: import its maps, one by one",
+}
+
+
 def _unknown(source: Source) -> Problem:
+    if part := _part(source.data):
+        return Problem(_PARTS[part])
     if isinstance(source.data, dict) and {"bodies", "generate"} & source.data.keys():
         return Problem("this is a scene already")
     known = ", ".join(each.name for each in FORMATS)
     return Problem(f"this is in no format that can be imported ({known})")
+
+
+def _part(data: Any) -> str:
+    """What of Tiled it is that is no map; "" for anything else."""
+    if isinstance(data, Element):
+        return data.tag if data.tag in _PARTS else ""
+    if not isinstance(data, dict):
+        return ""
+    kind = data.get("type") or ("world" if "onlyShowAdjacentMaps" in data else "")
+    return kind if isinstance(kind, str) and kind in _PARTS else ""
 
 
 def _found(source: Source) -> Format | None:

@@ -17,7 +17,10 @@ MAX_CELLS = 4_000_000
 """Cells of a layer, empty ones included."""
 FLIPPED_X, FLIPPED_Y, SWAPPED = 1 << 31, 1 << 30, 1 << 29
 """The upper bits of a cell: mirrored left to right, top to bottom, and along the diagonal, which comes first."""
-_NUMBER = (1 << 28) - 1
+TURNED = 1 << 28
+"""On hexagonal maps: turned by 120 degrees; there `SWAPPED` is a turn by 60."""
+NUMBER = (1 << 28) - 1
+"""The lower bits of a cell: the number of its tile."""
 
 
 class Cell(NamedTuple):
@@ -41,11 +44,11 @@ def cells_of(layer: Node, remarks: Remarks) -> Iterator[Cell]:
         for index in np.flatnonzero(numbers).tolist():
             row, column = divmod(index, width)
             value = int(numbers[index])
-            yield Cell(left + column, top + row, value & _NUMBER, value & (FLIPPED_X | FLIPPED_Y | SWAPPED))
+            yield Cell(left + column, top + row, value & NUMBER, value & ~NUMBER)
 
 
 def _numbers(part: Node, layer: Node, count: int, remarks: Remarks) -> np.ndarray[tuple[int], np.dtype[np.uint32]]:
-    data, path = part.data.get("data"), (*part.path, "data")
+    data, path = part.value("data"), (*part.path, "data")
     if data is None:
         return np.zeros(0, np.uint32)
     if isinstance(data, str):
