@@ -8,6 +8,7 @@ from typing import Any
 
 from sandbox.formats.numbers import Vec, tidy_points
 from sandbox.formats.remarks import Remarks
+from sandbox.formats.uncrossed import crossing, uncrossed
 from sandbox.geometry.decompose import decompose
 from sandbox.geometry.polygon import MIN_EDGE, PolygonError
 from sandbox.scene.limits import MAX_OUTLINE
@@ -34,6 +35,17 @@ def polygon_words(
             kept.append(hole)
     words: Words = {"polygon": tidy_points(ring)}
     return words | ({"holes": [tidy_points(hole) for hole in kept]} if kept else {})
+
+
+def polygon_parts(outline: Sequence[Vec], remarks: Remarks, place: str) -> list[Words]:
+    """A polygon in metres; one that crosses itself as the polygons that it goes round, with a remark."""
+    ring = without_repeats(outline)
+    if not (3 <= len(ring) <= MAX_OUTLINE and crossing([ring])):
+        words = polygon_words(ring, remarks, place)
+        return [words] if words else []
+    remarks.note(place, "a polygon that crosses itself is all that it goes round")
+    found = [polygon_words(part, remarks, place, holes) for part, holes in uncrossed([ring], even_odd=False)]
+    return [words for words in found if words]
 
 
 def chain_words(points: Sequence[Vec], closed: bool, remarks: Remarks, place: str) -> list[Words]:

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from sandbox.formats.numbers import Vec, tidy, tidy_point, tidy_points
-from sandbox.formats.outlines import Words, chain_words, polygon_words
+from sandbox.formats.outlines import Words, chain_words, polygon_words, without_repeats
 from sandbox.formats.primitives import capsule_words, ellipse_points
 from sandbox.formats.remarks import Remarks
 from sandbox.formats.svg.lengths import length, numbers
 from sandbox.formats.svg.matrix import Matrix
 from sandbox.formats.svg.rings import outlines
 from sandbox.formats.svg.strokes import Stroke, strokes_of
+from sandbox.formats.uncrossed import MOST_SIDES, crossing, uncrossed
 from sandbox.formats.xml_tree import Element
 from sandbox.scene.limits import MAX_OUTLINE
 
@@ -44,9 +46,18 @@ def filled_words(brush: Brush, even_odd: bool) -> list[Words]:
         return _rect(brush)
     if brush.element.tag in ("circle", "ellipse"):
         return _ellipse(brush)
-    rings = [ring for ring in (each.points for each in subpaths(brush)) if len(ring) > 2]
-    found = [polygon_words(ring, brush.remarks, brush.place, holes) for ring, holes in outlines(rings, even_odd)]
+    rings = [ring for ring in (without_repeats(each.points) for each in subpaths(brush)) if len(ring) > 2]
+    parts = _parts(rings, even_odd) if rings else []
+    if rings and not parts:
+        brush.remarks.note(brush.place, "a path is left out: it encloses nothing, or crosses itself too often")
+    found = [polygon_words(ring, brush.remarks, brush.place, holes) for ring, holes in parts]
     return [words for words in found if words]
+
+
+def _parts(rings: list[list[Vec]], even_odd: bool) -> Sequence[tuple[Sequence[Vec], Sequence[Sequence[Vec]]]]:
+    """Outlines and their holes; rings that cross are cut apart as the fill rule says."""
+    few = sum(map(len, rings)) <= MOST_SIDES
+    return uncrossed(rings, even_odd) if few and crossing(rings) else outlines(rings, even_odd)
 
 
 def line_words(brush: Brush, width: float) -> list[Words]:

@@ -19,7 +19,7 @@ from sandbox.formats.svg.lengths import length
 from sandbox.formats.svg.matrix import Matrix
 from sandbox.formats.svg.place import Place, area_of, placed, told, within_view
 from sandbox.formats.svg.placing import extent, moved
-from sandbox.formats.svg.style import Sheet, colour_of, style_of
+from sandbox.formats.svg.style import Sheet, colour_of, is_hidden, is_painted, style_of
 from sandbox.formats.xml_tree import Element
 
 PIXELS_PER_METRE = 32.0
@@ -28,6 +28,7 @@ _SILENT = {
     "title", "desc", "metadata", "defs", "style", "linearGradient", "radialGradient", "pattern", "clipPath", "mask",
     "filter", "marker", "symbol", "solidColor", "view",
 }  # fmt: skip
+_ANIMATIONS = ("animate", "animateTransform", "animateMotion", "set")
 MOST_ELEMENTS = 50_000
 """Elements that are drawn, those counted again that `use` repeats."""
 _MOST_USES = 30
@@ -88,14 +89,15 @@ class _Reader:
         if element.tag in _SILENT or ":" in element.tag:
             return
         style = style_of(element, self._sheet, outside.style)
-        if style.get("display") == "none" or style.get("visibility") in ("hidden", "collapse"):
+        unseen = element.tag in KINDS and style.get("visibility") in ("hidden", "collapse")
+        if unseen or is_hidden(style):
             self._remarks.note(told(element), "what is hidden is left out")
             return
         place = placed(element, replace(outside, style=style))
         if place is None:
             self._remarks.note(told(element), "what has a transform that cannot be read is left out")
             return
-        if "none" not in (style.get("clip-path", "none"), style.get("mask", "none")):
+        if {style.get("clip-path", "none"), style.get("mask", "none")} != {"none"}:
             self._remarks.note(told(element), "clip paths and masks are left out")
         if element.tag in _GROUPS:
             self._grouped(element, place)
@@ -123,6 +125,9 @@ class _Reader:
             return
         shift = Matrix(e=length(element.get("x"), place.size[0]), f=length(element.get("y"), place.size[1]))
         inner = replace(place, matrix=place.matrix.after(shift), uses=place.uses + 1)
+        if meant.tag in ("symbol", "svg"):
+            given = {key: element.get(key) for key in ("width", "height") if element.get(key)}
+            meant = replace(meant, attributes=meant.attributes | given)
         if meant.tag == "symbol":
             self._group(meant, replace(inner, style=style_of(meant, self._sheet, place.style)))
         else:
@@ -131,10 +136,12 @@ class _Reader:
     def _figure(self, element: Element, place: Place) -> None:
         style, where = place.style, told(element)
         brush = Brush(element, place.matrix, self._tolerance, place.size, self._remarks, where)
-        is_filled = style["fill"] not in ("none", "transparent") and element.tag != "line"
+        if any(child.tag in _ANIMATIONS for child in element.children):
+            self._remarks.note(where, "animations are left out")
+        is_filled = is_painted(style, "fill") and element.tag != "line"
         if is_filled:
             shapes = filled_words(brush, style["fill-rule"] == "evenodd")
-        elif style["stroke"] not in ("none", "transparent"):
+        elif is_painted(style, "stroke"):
             shapes = line_words(brush, length(style["stroke-width"], max(place.size), 1.0))
         else:
             self._remarks.note(where, "what is neither filled nor drawn is left out")

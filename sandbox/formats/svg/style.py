@@ -13,8 +13,8 @@ from PIL import ImageColor
 
 from sandbox.formats.xml_tree import Element
 
-_INHERITED = ("fill", "stroke", "stroke-width", "fill-rule", "visibility", "color")
-_OWN = ("display", "clip-path", "mask", "opacity")
+_INHERITED = ("fill", "stroke", "stroke-width", "fill-rule", "visibility", "color", "fill-opacity", "stroke-opacity")
+_OWN = ("display", "clip-path", "mask", "opacity", "transform", "transform-origin")
 _START = {"fill": "black", "stroke": "none", "stroke-width": "1", "fill-rule": "nonzero", "visibility": "visible"}
 _COMMENT = re.compile(r"/\*.*?\*/|<!--|-->", re.DOTALL)
 _RULE = re.compile(r"([^{}]+)\{([^{}]*)\}")
@@ -82,6 +82,20 @@ def style_of(element: Element, sheet: Sheet, parent: Style | None = None) -> Sty
     given |= sheet.of(element)
     given |= declarations(element.get("style"))
     return style | {key: value for key, value in given.items() if key in (*_INHERITED, *_OWN) and value != "inherit"}
+
+
+def is_painted(style: Style, what: str) -> bool:
+    """Whether "fill" or "stroke" shows."""
+    return style.get(what) not in ("none", "transparent") and not _is_clear(style.get(f"{what}-opacity", ""))
+
+
+def is_hidden(style: Style) -> bool:
+    """Whether nothing of an element shows, nor of what is in it."""
+    return style.get("display") == "none" or _is_clear(style.get("opacity", ""))
+
+
+def _is_clear(opacity: str) -> bool:
+    return re.fullmatch(r"\+?0*\.?0*%?", opacity) is not None and "0" in opacity
 
 
 def colour_of(style: Style) -> str:

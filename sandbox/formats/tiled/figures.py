@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from sandbox.formats.numbers import Vec, tidy, tidy_point, tidy_points, turned
-from sandbox.formats.outlines import Words, chain_words, polygon_words
+from sandbox.formats.outlines import Words, chain_words, polygon_parts
 from sandbox.formats.primitives import capsule_words, ellipse_points
 from sandbox.formats.reading import Node
 from sandbox.formats.remarks import Remarks
@@ -101,8 +101,7 @@ def shape_words(figure: Figure, pixels: float, tolerance: float, remarks: Remark
     if figure.kind == "line":
         return chain_words(points, False, remarks, place)
     if figure.kind == "polygon":
-        words = polygon_words(points, remarks, place)
-        return [words] if words else []
+        return polygon_parts(points, remarks, place)
     (ax, ay), (bx, by), (cx, cy), _ = points
     width, height = math.dist(points[0], points[1]), math.dist(points[1], points[2])
     if min(width, height) < 2e-6:
