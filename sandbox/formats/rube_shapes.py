@@ -73,8 +73,12 @@ def _drawn(shape: Node, points: list[Vec], fixture: Node, remarks: Remarks) -> l
     if kind != "polygon":
         remarks.note(fixture.place, f'a shape of the type "{kind[:40]}" is left out')
         return []
+    ring = without_repeats(points)
+    if len(ring) < 3:
+        remarks.note(fixture.place, "a polygon is left out: it has fewer than 3 corners")
+        return []
     try:  # the editor cuts what is not convex when it exports
-        return [Outline("polygon", list(part.vertices)) for part in decompose(without_repeats(points)).parts]
+        return [Outline("polygon", list(part.vertices)) for part in decompose(ring).parts]
     except PolygonError as error:
         remarks.note(fixture.place, f"a polygon is left out: {error}")
         return []

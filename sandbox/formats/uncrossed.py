@@ -78,7 +78,7 @@ def _following(counts: list[int]) -> Iterator[tuple[int, int]]:
 
 def _near(sides: list[Piece]) -> list[tuple[int, int]]:
     """Pairs i < j of sides whose boxes meet."""
-    ends = np.array(sides, np.int64)
+    ends = np.array(sides, np.int64).reshape(-1, 2, 2)
     low, high = ends.min(axis=1), ends.max(axis=1)
     found: list[tuple[int, int]] = []
     for start in range(0, len(sides), _AT_ONCE):
