@@ -134,6 +134,11 @@ class TestJoints:
         assert joint.upper == pytest.approx(math.degrees(1.5))
         assert (joint.motor_speed, joint.max_torque) == (pytest.approx(math.degrees(2)), 3)
 
+    def test_a_limit_that_is_far_away_is_none(self, read: Read) -> None:
+        limits = {"enableLimit": True, "lowerLimit": -1, "upperLimit": 3.4e18}
+        (joint,) = read(joined("revolute", **limits)).scene.joints
+        assert (joint.lower, joint.upper) == (pytest.approx(math.degrees(-1)), None)
+
     def test_slides_count_from_the_start(self, read: Read) -> None:
         fields = {"localAxisA": {"x": 0, "y": 1}, "anchorA": {"x": 0, "y": 4}}
         (joint,) = read(joined("prismatic", **fields, enableLimit=True, lowerLimit=0, upperLimit=3)).scene.joints

@@ -27,6 +27,8 @@ RAMP = {"id": 1, "objectgroup": {"objects": [{"x": 0, "y": 16, "polygon": [
     {"x": 0, "y": 0}, {"x": 16, "y": -16}, {"x": 16, "y": 0}]}]}}  # fmt: skip
 BLOCK = {"id": 0, "objectgroup": {"objects": [{"x": 0, "y": 0, "width": 16, "height": 16}]}}
 TILES = {"firstgid": 1, "name": "tiles", "tilewidth": 16, "tileheight": 16, "tiles": [BLOCK, RAMP, {"id": 2}]}
+ZSTD = "KLUv/QRobQAAAkICgjIQ/7x3/HsBAOSvZv0="
+"""The grid of `TestTiles`."""
 BOMB = base64.b64encode(zlib.compress(bytes(10**7))).decode()
 
 
@@ -162,9 +164,9 @@ class TestTiles:
         (box,) = self.shapes(read, cells(3, 3, 3, 3, 0, 0, 0, 0, properties=[{"name": "solid", "value": True}]))
         assert box.box == (4, 1)
 
-    def test_zstd_is_told(self, read: Read) -> None:
-        layer = cells() | {"data": "KLUv/Q==", "encoding": "base64", "compression": "zstd"}
-        assert "packed by zstd" in texts(read(tiled(layer)))[0]
+    def test_packed_by_zstd(self, read: Read) -> None:
+        packed = {"data": ZSTD, "encoding": "base64", "compression": "zstd"}
+        assert self.shapes(read, cells() | packed) == self.shapes(read, cells(*self.GRID))
 
     @pytest.mark.parametrize(
         ("change", "message"),
@@ -175,6 +177,7 @@ class TestTiles:
                 {"data": BOMB, "compression": "zlib"},
                 "33 bytes or more",
             ),
+            ({"data": ZSTD[:20], "compression": "zstd"}, "the data end too early"),
             ({"width": 10**6, "height": 10**6}, "has 1000000 x 1000000 cells"),
             ({"data": [-1] * 8}, "must be whole numbers of 32 bits"),
         ],

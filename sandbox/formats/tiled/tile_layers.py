@@ -31,7 +31,7 @@ class TileLayers:
 
     def solids(self, layer: Node) -> list[Solid]:
         """The solid figures of a layer, in pixels of the picture, and their surfaces. Raises `MisreadError`."""
-        cells = list(cells_of(layer, self.remarks))
+        cells = list(cells_of(layer))
         solid = is_solid(layer) or (self.by_name and self._named(layer, cells))
         whole: list[tuple[int, int]] = []
         found: list[Solid] = []
