@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -33,20 +33,28 @@ class Imported:
 
 
 def import_scene(
-    path: str | os.PathLike[str], format: str = "", units_per_metre: float | None = None, tolerance: float = 0.01
+    path: str | os.PathLike[str],
+    format: str = "",
+    units_per_metre: float | None = None,
+    tolerance: float = 0.01,
+    solid: Sequence[str] = (),
 ) -> Imported:
     """The scene in a file of another program; `format` is one of `FORMATS`, by default told from its contents.
 
     `units_per_metre` says how many units of the file (pixels) make a metre, None: as its format has it. `tolerance` is
-    how far flat sides may lie from the curve that they stand for, m. Raises `SceneError` with the place of what cannot
-    be used.
+    how far flat sides may lie from the curve that they stand for, m. `solid` are names of layers of a map of Tiled that
+    are solid all over. Raises `SceneError` with the place of what cannot be used.
     """
     check_kind("import_scene", "the path of a file", path, str, os.PathLike)
     source = open_source(Path(path))
     kind = _named(source, format) if format else _found(source)
     if kind is None:
         raise SceneError(str(path), [_unknown(source)])
-    return _import(source, kind, Options(units_per_metre, tolerance))
+    if solid and kind.name != "tiled":
+        raise SceneError(
+            str(path), [Problem(f"layers can be made solid in a map of Tiled alone; this is {kind.title}")]
+        )
+    return _import(source, kind, Options(units_per_metre, tolerance, tuple(solid)))
 
 
 def open_scene(path: str | os.PathLike[str], set: Mapping[str, Any] | None = None) -> Imported:

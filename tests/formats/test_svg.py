@@ -241,6 +241,10 @@ class TestHarm:
         with pytest.raises(SceneError, match=r"file:2:9: mismatched tag"):
             read(svg("<g>\n<rect></g></rect>"))
 
+    def test_layers_are_of_maps_alone(self, read: Read) -> None:
+        with pytest.raises(SceneError, match="layers can be made solid in a map of Tiled alone"):
+            read(svg("<circle r='9'/>"), solid=["sea"])
+
     def test_other_xml_is_told(self, read: Read) -> None:
         with pytest.raises(SceneError, match="in no format that can be imported"):
             read("<html/>")

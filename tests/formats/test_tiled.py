@@ -280,6 +280,15 @@ class TestWhatIsSolid:
         assert len(imported.scene.bodies) == count
         assert any(text.startswith("no tile has a collision shape") for text in texts(imported)) is bool(count)
 
+    def test_layers_may_be_asked_for(self, read: Read) -> None:
+        plain = {"firstgid": 1, "tilewidth": 16, "tileheight": 16}
+        layers = {"type": "group", "layers": [cells(*self.FULL, name="sea"), cells(3, 0, 0, 0, 0, 0, 0, 0)]}
+        assert len(read(tiled(layers, tilesets=[plain]), solid=["sea"]).scene.bodies) == 1
+        with pytest.raises(SceneError, match='no tile layer is named "sky"; there are "sea", "ground"'):
+            read(tiled(layers, tilesets=[plain]), solid=["sky"])
+        nothing = texts(read(tiled(cells(3, 0, 0, 0, 0, 0, 0, 0, name="sea"), tilesets=[plain])))[-1]
+        assert nothing.endswith('; or import it with --solid LAYER ("sea")')
+
     def test_names_tell_nothing_where_shapes_do(self, read: Read) -> None:
         point = {"x": 1, "y": 1, "point": True}
         imported = read(tiled(cells(3, 1, 0, 0, 0, 0, 0, 0, name="ground"), objects(point)))

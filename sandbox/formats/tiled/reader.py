@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import Any
 
@@ -58,7 +58,7 @@ class _Reader:
         self._root, self._draft, self._remarks = root, draft, draft.remarks
         self._grid, folder = grid_of(root), source.path.parent
         self._pixels = options.units_per_metre or self._grid.tile[1]
-        self._tolerance = options.tolerance
+        self._tolerance, self._asked = options.tolerance, options.solid
         self._bottom = 0.0 if root.flag("infinite") else self._grid.height
         self._sets = Tilesets(root, folder, self._remarks)
         self._templates = Templates(folder, self._sets, self._remarks)
@@ -68,10 +68,14 @@ class _Reader:
             self._remarks.note("", f"the map is {self._grid.way[:20]}: places are read as of an orthogonal one")
             self._grid = replace(self._grid, way="orthogonal")
         note_others(self._root, self._remarks)
-        by_name = not self._sets.has_shapes and not _is_any(self._root, _says_solid)
-        self._tiles = TileLayers(self._grid, self._sets, by_name, self._remarks)
+        names = [layer.text("name") for layer in _tile_layers(self._root)]
+        shown = ", ".join(f'"{name[:40]}"' for name in names[:6]) + (", ..." if len(names) > 6 else "")
+        if missing := [name for name in self._asked if name not in names]:
+            raise MisreadError(("layers",), f'no tile layer is named "{missing[0][:40]}"; there are {shown or "none"}')
+        by_name = not (self._asked or self._sets.has_shapes or _is_any(self._root, _says_solid))
+        self._tiles = TileLayers(self._grid, self._sets, self._asked, by_name, self._remarks)
         self._read_layers(self._root, (0.0, 0.0), "")
-        self._draft.if_empty = _NOTHING_SOLID
+        self._draft.if_empty = _NOTHING_SOLID + (f"; or import it with --solid LAYER ({shown})" if names else "")
 
     def _read_layers(self, parent: Node, offset: Vec, kind: str) -> None:
         for layer in parent.nodes("layers"):
@@ -165,6 +169,13 @@ class _Reader:
 def _is_any(parent: Node, says: Callable[[Node], bool]) -> bool:
     """Whether something holds for any layer, in groups too."""
     return any(says(layer) or _is_any(layer, says) for layer in parent.nodes("layers"))
+
+
+def _tile_layers(parent: Node) -> Iterator[Node]:
+    for layer in parent.nodes("layers"):
+        if layer.text("type") == "tilelayer":
+            yield layer
+        yield from _tile_layers(layer)
 
 
 def _says_solid(layer: Node) -> bool:

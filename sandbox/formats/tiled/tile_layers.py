@@ -22,17 +22,18 @@ _NAMES = {"collision", "collisions", "collider", "colliders", "solid", "solids",
 
 @dataclass(frozen=True)
 class TileLayers:
-    """Reads tile layers of a map. Where no tile of it has a shape, a layer is solid `by_name`."""
+    """Reads tile layers. Those `asked` for are solid all over; where nothing else is solid, others `by_name`."""
 
     grid: Grid
     sets: Tilesets
+    asked: tuple[str, ...]
     by_name: bool
     remarks: Remarks
 
     def solids(self, layer: Node) -> list[Solid]:
         """The solid figures of a layer, in pixels of the picture, and their surfaces. Raises `MisreadError`."""
         cells = list(cells_of(layer))
-        solid = is_solid(layer) or (self.by_name and self._named(layer, cells))
+        solid = is_solid(layer) or layer.text("name") in self.asked or (self.by_name and self._named(layer, cells))
         whole: list[tuple[int, int]] = []
         found: list[Solid] = []
         empty = 0
