@@ -72,7 +72,6 @@ def _report(options: ImportOptions, imported: Imported) -> None:
         print(json.dumps(facts, indent=2, ensure_ascii=False))
         return
     tell(options.file, imported)
-    bodies, joints = (f"{len(each)} {word}{'' if len(each) == 1 else what}" for each, word, what in (
-        (scene.bodies, "bod", "ies"), (scene.joints, "joint", "s"),
-    ))  # fmt: skip
+    counted = ((scene.bodies, "body", "bodies"), (scene.joints, "joint", "joints"))
+    bodies, joints = (f"{len(each)} {one if len(each) == 1 else more}" for each, one, more in counted)
     print(f"{told(output)}: {bodies}, {joints}, from a file in the format {imported.format}")

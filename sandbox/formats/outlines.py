@@ -46,6 +46,8 @@ def _possible(ring: list[Vec], holes: list[list[Vec]], remarks: Remarks, place: 
 def polygon_parts(outline: Sequence[Vec], remarks: Remarks, place: str) -> list[Words]:
     """A polygon in metres; one that crosses itself as the polygons that it goes round, with a remark."""
     ring = without_repeats(outline)
+    if not _fault(ring, ()):
+        return [{"polygon": tidy_points(ring)}]
     if not (3 <= len(ring) <= MAX_OUTLINE and crossing([ring])):
         words = polygon_words(ring, remarks, place)
         return [words] if words else []

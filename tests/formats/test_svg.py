@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+import time
 from typing import Any
 
 import pytest
 
 from sandbox.errors import SceneError
 from sandbox.formats.svg import reader
+from sandbox.formats.svg.sheet import Sheet
 from tests.formats.conftest import Read, texts
 
 
@@ -163,6 +165,30 @@ class TestStyles:
         )
         assert [body.color for body in drawn] == ["#ff0000", "#00ff00", "#112233"]
 
+    @pytest.mark.parametrize(
+        ("selector", "fits"),
+        [("g circle", True), ("g > circle", True), ("svg > circle", False), ("svg #out .in", True), ("#out>.in", True),
+         ("svg g circle.in", True), ("g g circle", False), (".in circle", False), ("#out#in", False), ("g *", True)],
+    )  # fmt: skip
+    def test_selectors_of_several_parts(self, read: Read, selector: str, fits: bool) -> None:
+        sheet = f"<style>{selector} {{ fill: #00ff00 }}</style>"
+        (body,) = bodies(read, f'{sheet}<g id="out"><circle class="in" r="9" fill="#ff0000"/></g>')
+        assert (body.color == "#00ff00") is fits
+
+    def test_other_selectors_are_counted(self, read: Read) -> None:
+        dark = "@charset 'x'; @media print { circle { fill: lime } a { fill: red } }"
+        imported = read(
+            svg(f"<style>a:hover, [x], b + c, > a {{ fill: red }} {dark}</style><circle r='9' fill='red'/>")
+        )
+        assert imported.remarks[0].place == "(5)"
+        assert imported.scene.bodies[0].color == "#ff0000"
+
+    @pytest.mark.parametrize("text", ["a", "@", "@a{", "@a{x{}", "a{", "/*", "@a ", "g g{fill:red}", "a,"])
+    def test_no_sheet_takes_longer_than_it_is_long(self, text: str) -> None:
+        started = time.process_time()
+        Sheet(text * 10_000)
+        assert time.process_time() - started < 5.0  # it was minutes
+
     def test_what_is_not_seen_is_listed(self, read: Read) -> None:
         imported = read(svg(
             '<rect width="9" height="9" display="none"/><g visibility="hidden"><circle r="9"/></g>'
@@ -232,6 +258,12 @@ class TestHarm:
         with pytest.raises(SceneError, match="it draws more than 1000 elements"):
             read(svg(f'<defs><g id="g0"/>{ladder}</defs><use href="#g8"/>'))
         assert texts(read(svg('<g id="a"><use href="#a"/></g>')))[0] == "a use of what is not in the file is left out"
+
+    def test_what_is_too_long_is_left_out(self, read: Read) -> None:
+        imported = read(svg(f'<path d="M0 0{"h1" * 600_000}"/><rect transform="{"scale(1) " * 600}"/>'))
+        assert texts(imported)[:2] == [
+            "a path of more than 1000000 characters is left out", "what has a transform that cannot be read is left out"
+        ]  # fmt: skip
 
     def test_deep_nesting_is_refused(self, read: Read) -> None:
         with pytest.raises(SceneError, match="nested deeper than 200 levels"):

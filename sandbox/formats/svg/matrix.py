@@ -13,6 +13,8 @@ from sandbox.formats.numbers import Vec
 
 _FUNCTION = re.compile(r"\s*,?\s*(\w+)\s*\(([^()]*)\)")
 _NUMBER = re.compile(r"[\s,]*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)([a-zA-Z%]*)[\s,]*")
+_LONGEST = 4000
+"""Characters of a transform."""
 _UNITS = {"": 1.0, "px": 1.0, "deg": 1.0, "rad": 180.0 / math.pi, "grad": 0.9, "turn": 360.0}
 """Of lengths in pixels, and of angles in degrees."""
 
@@ -58,6 +60,8 @@ class Matrix(NamedTuple):
 def parse_transform(text: str) -> Matrix | None:
     """The map of a `transform` attribute; None if it is none."""
     found, at = Matrix(), 0
+    if len(text) > _LONGEST:
+        return None
     while text[at:].strip():
         match = _FUNCTION.match(text, at)
         values = _values(match[2]) if match else None

@@ -9,7 +9,7 @@ from sandbox.formats.numbers import Vec
 from sandbox.formats.outlines import Words
 from sandbox.formats.svg.lengths import length, numbers
 from sandbox.formats.svg.matrix import Matrix, fitted, parse_transform
-from sandbox.formats.svg.style import Style
+from sandbox.formats.svg.sheet import Style
 from sandbox.formats.xml_tree import Element
 
 _ORIGIN = re.compile(r"\s*([+-]?\d*\.?\d+)(?:px)?[\s,]+([+-]?\d*\.?\d+)(?:px)?\s*")
@@ -27,6 +27,8 @@ class Place:
     sensor: bool = False
     group: list[Words] | None = None
     uses: int = 0
+    around: tuple[Element, ...] = ()
+    """The elements that it stands in, the outermost first."""
 
 
 def area_of(element: Element, whole: Vec) -> Vec:

@@ -19,7 +19,8 @@ from sandbox.formats.svg.lengths import length
 from sandbox.formats.svg.matrix import Matrix
 from sandbox.formats.svg.place import Place, area_of, placed, told, within_view
 from sandbox.formats.svg.placing import extent, moved
-from sandbox.formats.svg.style import Sheet, colour_of, is_hidden, is_painted, style_of
+from sandbox.formats.svg.sheet import Sheet
+from sandbox.formats.svg.style import colour_of, is_hidden, is_painted, style_of
 from sandbox.formats.xml_tree import Element
 
 PIXELS_PER_METRE = 32.0
@@ -63,10 +64,13 @@ class _Reader:
             self._draft.title = " ".join(title.text.split())[:100]
         if self._sheet.passed_over:
             place = f"({self._sheet.passed_over})"
-            self._remarks.note(place, "rules of a style sheet with selectors of several parts are left out")
+            self._remarks.note(
+                place, "rules of a style sheet with other selectors than elements, classes and ids are left out"
+            )
         scale = 1.0 / self._pixels
         metres = Matrix(scale, 0.0, 0.0, -scale, 0.0, self._size[1] * scale)
-        self._group(self._root, Place(metres, style_of(self._root, self._sheet), self._size))
+        style = style_of(self._root, self._sheet)
+        self._group(self._root, Place(metres, style, self._size, around=(self._root,)))
 
     def _collect(self, element: Element, sheets: list[str]) -> None:
         if name := element.get("id"):
@@ -88,12 +92,12 @@ class _Reader:
             raise MisreadError((element.line,), f"it draws more than {MOST_ELEMENTS} elements")
         if element.tag in _SILENT or ":" in element.tag:
             return
-        style = style_of(element, self._sheet, outside.style)
+        style = style_of(element, self._sheet, outside.style, outside.around)
         unseen = element.tag in KINDS and style.get("visibility") in ("hidden", "collapse")
         if unseen or is_hidden(style):
             self._remarks.note(told(element), "what is hidden is left out")
             return
-        place = placed(element, replace(outside, style=style))
+        place = placed(element, replace(outside, style=style, around=(*outside.around, element)))
         if place is None:
             self._remarks.note(told(element), "what has a transform that cannot be read is left out")
             return
@@ -129,7 +133,7 @@ class _Reader:
             given = {key: element.get(key) for key in ("width", "height") if element.get(key)}
             meant = replace(meant, attributes=meant.attributes | given)
         if meant.tag == "symbol":
-            self._group(meant, replace(inner, style=style_of(meant, self._sheet, place.style)))
+            self._group(meant, replace(inner, style=style_of(meant, self._sheet, place.style, place.around)))
         else:
             self._element(meant, inner)
 
