@@ -265,6 +265,16 @@ class TestHarm:
             "a path of more than 1000000 characters is left out", "what has a transform that cannot be read is left out"
         ]  # fmt: skip
 
+    @pytest.mark.parametrize("scale", ["1e200", "1e308", "1e-200", "0"])
+    def test_scales_without_measure_are_told(self, read: Read, scale: str) -> None:
+        shapes = (
+            '<path d="M0 0c9 9 9 0 1 1z"/><path d="M0 0A3 4 5 1 0 9 9z"/><circle r="9"/><rect width="9" height="3"/>'
+        )
+        try:
+            assert read(svg(f'<g transform="scale({scale})">{shapes}</g>')).remarks
+        except SceneError as error:
+            assert len(error.problems) == 1
+
     def test_deep_nesting_is_refused(self, read: Read) -> None:
         with pytest.raises(SceneError, match="nested deeper than 200 levels"):
             read(svg("<g>" * 300 + "</g>" * 300))
