@@ -23,6 +23,9 @@ _FILE = typer.Argument(metavar="FILE", help="A file of another program.")
 _OUTPUT = typer.Option("-o", "--output", metavar="SCENE", show_default=False, help="Where to write the scene.")
 _FORMAT = typer.Option(metavar="F", show_default=False, help="The format of the file; default: told from its contents.")
 _TOLERANCE = typer.Option(min=1e-5, max=1.0, metavar="M", help="How far flat sides may lie from a curve, m.")
+_SOLID = typer.Option(
+    "--solid", metavar="LAYER", show_default=False, help="A layer of a map that is solid all over. Repeatable."
+)
 _FORCE = typer.Option("--force", help="Write over a file that is there.")
 _JSON = typer.Option("--json", help="Print one JSON document instead of lines.")
 
@@ -36,6 +39,7 @@ class ImportOptions:
     format: Annotated[str, _FORMAT] = ""
     units_per_metre: Annotated[float | None, UNITS] = None
     tolerance: Annotated[float, _TOLERANCE] = 0.01
+    solid: Annotated[list[str] | None, _SOLID] = None
     force: Annotated[bool, _FORCE] = False
     json: Annotated[bool, _JSON] = False
 
@@ -54,7 +58,8 @@ def import_(options: ImportOptions) -> None:
     if os.path.lexists(options.output) and not options.force:
         raise SandboxError(f"{told(options.output)}: there is a file of that name already; --force writes over it")
     check_writable(options.output)
-    imported = import_scene(options.file, options.format, options.units_per_metre, options.tolerance)
+    given = options.format, options.units_per_metre, options.tolerance, options.solid or ()
+    imported = import_scene(options.file, *given)
     imported.scene.save(options.output)
     _report(options, imported)
 
@@ -67,7 +72,6 @@ def _report(options: ImportOptions, imported: Imported) -> None:
         print(json.dumps(facts, indent=2, ensure_ascii=False))
         return
     tell(options.file, imported)
-    bodies, joints = (f"{len(each)} {word}{'' if len(each) == 1 else what}" for each, word, what in (
-        (scene.bodies, "bod", "ies"), (scene.joints, "joint", "s"),
-    ))  # fmt: skip
+    counted = ((scene.bodies, "body", "bodies"), (scene.joints, "joint", "joints"))
+    bodies, joints = (f"{len(each)} {one if len(each) == 1 else more}" for each, one, more in counted)
     print(f"{told(output)}: {bodies}, {joints}, from a file in the format {imported.format}")

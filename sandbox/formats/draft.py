@@ -51,9 +51,10 @@ class Draft:
         try:
             return Scene(**data)
         except SceneError as error:
-            refused = "the scene made of this file is refused: "
-            problems = [replace(each, message=refused + each.message) for each in error.problems]
-            raise SceneError(source, problems) from None
+            first, more = error.problems[0], len(error.problems) - 1
+            others = f" (and {more} more like this)" if more else ""
+            message = f"the scene made of this file is refused: {first.message}{others}"
+            raise SceneError(source, [replace(first, message=message)]) from None
 
 
 def _has_mass(shape: Words) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -33,20 +33,28 @@ class Imported:
 
 
 def import_scene(
-    path: str | os.PathLike[str], format: str = "", units_per_metre: float | None = None, tolerance: float = 0.01
+    path: str | os.PathLike[str],
+    format: str = "",
+    units_per_metre: float | None = None,
+    tolerance: float = 0.01,
+    solid: Sequence[str] = (),
 ) -> Imported:
     """The scene in a file of another program; `format` is one of `FORMATS`, by default told from its contents.
 
     `units_per_metre` says how many units of the file (pixels) make a metre, None: as its format has it. `tolerance` is
-    how far flat sides may lie from the curve that they stand for, m. Raises `SceneError` with the place of what cannot
-    be used.
+    how far flat sides may lie from the curve that they stand for, m. `solid` are names of layers of a map of Tiled that
+    are solid all over. Raises `SceneError` with the place of what cannot be used.
     """
     check_kind("import_scene", "the path of a file", path, str, os.PathLike)
     source = open_source(Path(path))
     kind = _named(source, format) if format else _found(source)
     if kind is None:
         raise SceneError(str(path), [_unknown(source)])
-    return _import(source, kind, Options(units_per_metre, tolerance))
+    if solid and kind.name != "tiled":
+        raise SceneError(
+            str(path), [Problem(f"layers can be made solid in a map of Tiled alone; this is {kind.title}")]
+        )
+    return _import(source, kind, Options(units_per_metre, tolerance, tuple(solid)))
 
 
 def open_scene(path: str | os.PathLike[str], set: Mapping[str, Any] | None = None) -> Imported:
@@ -60,7 +68,7 @@ def open_scene(path: str | os.PathLike[str], set: Mapping[str, Any] | None = Non
         return Imported(load_scene(file, set))
     source = open_source(file)
     kind = _found(source)
-    if kind is None and isinstance(source.data, Element):
+    if kind is None and (isinstance(source.data, Element) or _part(source.data)):
         raise SceneError(str(path), [_unknown(source)])
     if kind is not None and set:
         mend = "make a scene of it with sandbox import first"
@@ -68,11 +76,30 @@ def open_scene(path: str | os.PathLike[str], set: Mapping[str, Any] | None = Non
     return Imported(loads_scene(source.text, str(file), set)) if kind is None else _import(source, kind, Options())
 
 
+_PARTS = {
+    "tileset": "this is a tileset of Tiled: import a map that uses it",
+    "template": "this is a template of Tiled: import a map that uses it",
+    "world": "this is a world of Tiled: import its maps, one by one",
+}
+
+
 def _unknown(source: Source) -> Problem:
+    if part := _part(source.data):
+        return Problem(_PARTS[part])
     if isinstance(source.data, dict) and {"bodies", "generate"} & source.data.keys():
         return Problem("this is a scene already")
     known = ", ".join(each.name for each in FORMATS)
     return Problem(f"this is in no format that can be imported ({known})")
+
+
+def _part(data: Any) -> str:
+    """What of Tiled it is that is no map; "" for anything else."""
+    if isinstance(data, Element):
+        return data.tag if data.tag in _PARTS else ""
+    if not isinstance(data, dict):
+        return ""
+    kind = data.get("type") or ("world" if "onlyShowAdjacentMaps" in data else "")
+    return kind if isinstance(kind, str) and kind in _PARTS else ""
 
 
 def _found(source: Source) -> Format | None:

@@ -5,11 +5,12 @@ from __future__ import annotations
 from pathlib import Path as FilePath
 
 from sandbox.formats.b2rec.header import MAGIC
+from sandbox.formats.decoded import decoded, unwrapped
 from sandbox.formats.source import Source
 from sandbox.formats.xml_tree import parse_xml
 from sandbox.scene.finding import Path
 from sandbox.scene.parse import parse
-from sandbox.scene.read import as_text, read_data
+from sandbox.scene.read import read_data
 
 
 def open_source(path: FilePath) -> Source:
@@ -17,9 +18,10 @@ def open_source(path: FilePath) -> Source:
     data = read_data(path)
     if data.startswith(MAGIC):
         return Source(path, "", data)
-    text = as_text(path, data).removeprefix("\ufeff")
+    text = decoded(path, data).removeprefix("\ufeff")
     if text.lstrip().startswith("<"):
         return Source(path, text, parse_xml(text, str(path)), _line)
+    text = unwrapped(text)
     return Source(path, text, parse(text, str(path)).data)
 
 

@@ -8,7 +8,8 @@ from typing import Any
 
 from sandbox.formats.numbers import Vec, tidy_points
 from sandbox.formats.remarks import Remarks
-from sandbox.geometry.decompose import decompose
+from sandbox.formats.uncrossed import crossing, uncrossed
+from sandbox.geometry.decompose import check_outline
 from sandbox.geometry.polygon import MIN_EDGE, PolygonError
 from sandbox.scene.limits import MAX_OUTLINE
 
@@ -21,19 +22,38 @@ def polygon_words(
 ) -> Words | None:
     """A polygon in metres, convex or not, or None with a remark. Holes that cannot be are left out with one."""
     ring = without_repeats(outline)
-    fault = _fault(ring, ())
-    if fault:
+    kept = list(map(without_repeats, holes))
+    if kept and _fault(ring, kept):
+        kept = _possible(ring, kept, remarks, place)
+    if not kept and (fault := _fault(ring, ())):
         remarks.note(place, f"a polygon is left out: {fault}")
         return None
+    words: Words = {"polygon": tidy_points(ring)}
+    return words | ({"holes": [tidy_points(hole) for hole in kept]} if kept else {})
+
+
+def _possible(ring: list[Vec], holes: list[list[Vec]], remarks: Remarks, place: str) -> list[list[Vec]]:
+    """Those holes that a ring can have; the others are left out with a remark, if not the ring itself cannot be."""
     kept: list[list[Vec]] = []
-    for hole in map(without_repeats, holes):
-        fault = _fault(ring, (*kept, hole))
-        if fault:
+    for hole in [] if _fault(ring, ()) else holes:
+        if fault := _fault(ring, (*kept, hole)):
             remarks.note(place, f"a hole is left out: {fault}")
         else:
             kept.append(hole)
-    words: Words = {"polygon": tidy_points(ring)}
-    return words | ({"holes": [tidy_points(hole) for hole in kept]} if kept else {})
+    return kept
+
+
+def polygon_parts(outline: Sequence[Vec], remarks: Remarks, place: str) -> list[Words]:
+    """A polygon in metres; one that crosses itself as the polygons that it goes round, with a remark."""
+    ring = without_repeats(outline)
+    if not _fault(ring, ()):
+        return [{"polygon": tidy_points(ring)}]
+    if not (3 <= len(ring) <= MAX_OUTLINE and crossing([ring])):
+        words = polygon_words(ring, remarks, place)
+        return [words] if words else []
+    remarks.note(place, "a polygon that crosses itself is all that it goes round")
+    found = [polygon_words(part, remarks, place, holes) for part, holes in uncrossed([ring], even_odd=False)]
+    return [words for words in found if words]
 
 
 def chain_words(points: Sequence[Vec], closed: bool, remarks: Remarks, place: str) -> list[Words]:
@@ -115,7 +135,7 @@ def _fault(ring: Sequence[Vec], holes: Sequence[Sequence[Vec]]) -> str:
     if count > MAX_OUTLINE:
         return f"it has {count} corners; {MAX_OUTLINE} is the limit"
     try:
-        decompose([(x, y) for x, y in tidy_points(ring)], [[(x, y) for x, y in tidy_points(h)] for h in holes])
+        check_outline([(x, y) for x, y in tidy_points(ring)], [[(x, y) for x, y in tidy_points(h)] for h in holes])
     except PolygonError as error:
         return str(error)
     return ""

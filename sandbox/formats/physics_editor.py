@@ -13,7 +13,7 @@ from typing import Any
 from sandbox.formats.box2d.bodies import filter_words
 from sandbox.formats.draft import Draft
 from sandbox.formats.numbers import Vec, tidy, tidy_point
-from sandbox.formats.outlines import Words, polygon_words
+from sandbox.formats.outlines import Words, polygon_parts
 from sandbox.formats.reading import MisreadError, Node
 from sandbox.formats.remarks import Remarks
 from sandbox.formats.shelf import Item, put_on_shelf
@@ -103,7 +103,7 @@ class _Reader:
         outlines = [_pairs(node)] if node.has("shape") else _point_lists(node, "vertices")
         for outline in outlines:
             points = [self._metres(point) for point in outline]
-            if words := polygon_words(points, self._remarks, node.place):
+            for words in polygon_parts(points, self._remarks, node.place):
                 yield words, points
 
     def _metres(self, point: Vec) -> Vec:

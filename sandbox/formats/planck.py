@@ -9,12 +9,14 @@ from __future__ import annotations
 from typing import Any
 
 from sandbox.formats.box2d.scene import write_world
-from sandbox.formats.box2d.world import Body, BodyType, Fixture, Joint, Outline, Spring, World
+from sandbox.formats.box2d.terms import TYPES, body_of, chain_of, edge_of, note_unread
+from sandbox.formats.box2d.world import Body, Fixture, Joint, Outline, Spring, World
 from sandbox.formats.draft import Draft
 from sandbox.formats.reading import MisreadError, Node, place_of
 from sandbox.formats.remarks import Remarks
 
-_TYPES: tuple[BodyType, ...] = ("static", "kinematic", "dynamic")
+_OF_THE_SOLVER = ("impulse", "gamma", "bias", "mass")
+"""What some joints write of the step that they were in."""
 
 
 def is_planck(data: Any) -> bool:
@@ -59,25 +61,14 @@ class _Reader:
         return index
 
     def _body(self, node: Node) -> Body:
-        kind = node.text("type", "static")
-        if kind not in _TYPES:
+        kind = next((each for each in TYPES if each == node.text("type", "static")), None)
+        if kind is None:
             raise MisreadError((*node.path, "type"), 'must be "static", "kinematic" or "dynamic"')
-        return Body(
-            place=node.place,
-            name=_name(node),
-            type=_TYPES[_TYPES.index(kind)],
-            position=node.vector("position"),
-            angle=node.number("angle"),
-            velocity=node.vector("linearVelocity"),
-            spin=node.number("angularVelocity"),
-            linear_damping=node.number("linearDamping"),
-            angular_damping=node.number("angularDamping"),
-            gravity_scale=node.number("gravityScale", 1.0),
-            fixed_rotation=node.flag("fixedRotation"),
-            bullet=node.flag("bullet"),
-            allow_sleep=node.flag("allowSleep", True),
-            fixtures=[made for index in self._references(node, "fixtures") if (made := self._fixture(self._at(index)))],
-        )
+        body = body_of(node, kind, _name(node))
+        made = (self._fixture(self._at(index)) for index in self._references(node, "fixtures"))
+        body.fixtures = [fixture for fixture in made if fixture]
+        note_unread(node, self._remarks)
+        return body
 
     def _fixture(self, node: Node) -> Fixture | None:
         reference = node.node("shape")
@@ -87,7 +78,7 @@ class _Reader:
         if outline is None:
             self._remarks.note(node.place, "a fixture without a circle, polygon, edge or chain is left out")
             return None
-        return Fixture(
+        fixture = Fixture(
             place=node.place,
             outline=outline,
             density=node.number("density"),
@@ -98,6 +89,8 @@ class _Reader:
             mask=node.whole("filterMaskBits", 0xFFFF),
             group=node.whole("filterGroupIndex"),
         )
+        note_unread(node, self._remarks)
+        return fixture
 
     def _joint(self, node: Node) -> Joint:
         kind = node.text("type").removesuffix("-joint")
@@ -115,11 +108,12 @@ class _Reader:
             length=node.number("maxLength" if kind == "rope" else "length"),
             spring=Spring(node.number("frequencyHz"), node.number("dampingRatio")),
             ratio=node.number("ratio", 1.0),
-            max_force=node.number("maxForce"),
-            max_torque=node.number("maxTorque"),
+            max_force=node.strength("maxForce"),
+            max_torque=node.strength("maxTorque"),
         )
         _limits(node, joint)
         self._more(node, joint)
+        note_unread(node, self._remarks, *_OF_THE_SOLVER)
         return joint
 
     def _more(self, node: Node, joint: Joint) -> None:
@@ -144,18 +138,19 @@ class _Reader:
 
 def _name(node: Node) -> str:
     """What `sandbox export` adds; planck.js has no names."""
-    name = node.data.get("name")
+    name = node.value("name")
     return name if isinstance(name, str) else ""
 
 
 def _limits(node: Node, joint: Joint) -> None:
     slides = joint.kind == "prismatic"
+    names = ("lowerTranslation", "upperTranslation") if slides else ("lowerAngle", "upperAngle")
+    limits = node.number(names[0]), node.number(names[1])
     if node.flag("enableLimit"):
-        names = ("lowerTranslation", "upperTranslation") if slides else ("lowerAngle", "upperAngle")
-        joint.lower, joint.upper = node.number(names[0]), node.number(names[1])
+        joint.lower, joint.upper = limits
+    speed, strength = node.number("motorSpeed"), node.strength("maxMotorForce" if slides else "maxMotorTorque")
     if node.flag("enableMotor"):
-        joint.motor_speed = node.number("motorSpeed")
-        joint.max_motor = node.number("maxMotorForce" if slides else "maxMotorTorque")
+        joint.motor_speed, joint.max_motor = speed, strength
 
 
 def _outline(shape: Node) -> Outline | None:
@@ -165,14 +160,7 @@ def _outline(shape: Node) -> Outline | None:
     if kind in ("polygon", "box"):
         return Outline("polygon", shape.points("vertices"))
     if kind == "edge":
-        line = Outline("chain", [shape.vector("vertex1"), shape.vector("vertex2")])
-        line.before = shape.vector("vertex0") if shape.flag("hasVertex0") else None
-        line.after = shape.vector("vertex3") if shape.flag("hasVertex3") else None
-        return line
+        return edge_of(shape)
     if kind == "chain":
-        line = Outline("chain", shape.points("vertices"), closed=shape.flag("isLoop"))
-        if not line.closed:
-            line.before = shape.vector("prevVertex") if shape.flag("hasPrevVertex") else None
-            line.after = shape.vector("nextVertex") if shape.flag("hasNextVertex") else None
-        return line
+        return chain_of(shape, shape.flag("isLoop"))
     return None

@@ -10,6 +10,8 @@ from sandbox.scene.finding import Path, quoted
 
 Vec = tuple[float, float]
 
+_ANY_FORCE = 1e15
+
 
 class MisreadError(Exception):
     """A value cannot be used. `path` leads to it, as in `sandbox.scene.finding`; no user sees this one."""
@@ -26,10 +28,14 @@ def place_of(path: Path, name: str = "") -> str:
 
 
 class Node:
-    """An object of a file and the path to it. A key that is missing, or null, has the default."""
+    """An object of a file and the path to it. A key that is missing, or null, has the default.
+
+    It remembers which keys it was asked for, so that the others can be told: `unread`.
+    """
 
     def __init__(self, data: dict[str, Any], path: Path = ()) -> None:
         self.data, self.path = data, path
+        self._asked = {"name"}
 
     @property
     def place(self) -> str:
@@ -37,13 +43,23 @@ class Node:
         name = self.data.get("name")
         return place_of(self.path, name if isinstance(name, str) else "")
 
+    def value(self, key: str) -> Any:
+        """What stands there, whatever it is; None for nothing."""
+        self._asked.add(key)
+        return self.data.get(key)
+
+    def unread(self, *known: str) -> list[str]:
+        """Keys that nobody asked for, but for those `known` to mean nothing and those whose value says nothing."""
+        says = (key for key, value in self.data.items() if value not in (None, 0, "", [], {}))
+        return [key for key in says if key not in self._asked and key not in known]
+
     def has(self, key: str) -> bool:
         """Whether there is a value."""
-        return self.data.get(key) is not None
+        return self.value(key) is not None
 
     def number(self, key: str, default: float = 0.0) -> float:
         """A finite number. Raises `MisreadError`."""
-        value = self.data.get(key)
+        value = self.value(key)
         return default if value is None else self.number_of(value, (*self.path, key))
 
     def number_of(self, value: Any, path: Path) -> float:
@@ -54,6 +70,13 @@ class Node:
             raise MisreadError(path, "must be a finite number")
         return float(value)
 
+    def strength(self, key: str, default: float = 0.0) -> float:
+        """A force or torque: one greater than a scene has is the greatest that it has. Raises `MisreadError`."""
+        value = self.value(key)
+        if isinstance(value, (int, float)) and not isinstance(value, bool) and value > _ANY_FORCE:
+            return _ANY_FORCE
+        return self.number(key, default)
+
     def whole(self, key: str, default: int = 0) -> int:
         """A whole number. Raises `MisreadError`."""
         value = self.number(key, default)
@@ -63,7 +86,7 @@ class Node:
 
     def flag(self, key: str, default: bool = False) -> bool:
         """true or false, or 1 and 0. Raises `MisreadError`."""
-        value = self.data.get(key)
+        value = self.value(key)
         if value is None:
             return default
         if not isinstance(value, (bool, int)):
@@ -72,7 +95,7 @@ class Node:
 
     def text(self, key: str, default: str = "") -> str:
         """A text. Raises `MisreadError`."""
-        value = self.data.get(key)
+        value = self.value(key)
         if value is None:
             return default
         if not isinstance(value, str):
@@ -81,7 +104,7 @@ class Node:
 
     def vector(self, key: str, default: Vec = (0.0, 0.0)) -> Vec:
         """{"x": .., "y": ..}, or the number 0 for the zero vector. Raises `MisreadError`."""
-        value = self.data.get(key)
+        value = self.value(key)
         return default if value is None else self.vector_of(value, (*self.path, key))
 
     def vector_of(self, value: Any, path: Path) -> Vec:
@@ -97,7 +120,7 @@ class Node:
 
     def listed(self, key: str) -> list[Any]:
         """A list; none is empty. Raises `MisreadError`."""
-        value = self.data.get(key)
+        value = self.value(key)
         if value is None:
             return []
         if not isinstance(value, list):
@@ -106,7 +129,7 @@ class Node:
 
     def node(self, key: str) -> Self | None:
         """An object, or None. Raises `MisreadError`."""
-        value = self.data.get(key)
+        value = self.value(key)
         return None if value is None else self._made(value, (*self.path, key))
 
     def nodes(self, key: str) -> Iterator[Self]:
@@ -116,7 +139,7 @@ class Node:
 
     def points(self, key: str) -> list[Vec]:
         """A list of vectors, or parallel lists {"x": [..], "y": [..]}. Raises `MisreadError`."""
-        value, path = self.data.get(key), (*self.path, key)
+        value, path = self.value(key), (*self.path, key)
         if isinstance(value, dict):
             columns = self._made(value, path)
             xs, ys = columns.listed("x"), columns.listed("y")

@@ -1,7 +1,7 @@
-"""R.U.B.E. scenes, as b2dJson writes them.
+"""R.U.B.E. scenes: what the editor exports (b2dJson), and what it saves for itself (`.rube`).
 
-Source: `b2dJson.cpp` of iforce2d/b2dJson (its loader tells the defaults), and `loadrube.js` for what the loaders do
-with files that leave out more than the editor does.
+Source: `b2dJson.cpp` of iforce2d/b2dJson (its loader tells the defaults), `loadrube.js` for what the loaders do with
+files that leave out more than the editor does, and https://www.iforce2d.net/rube/json-structure.
 """
 
 from __future__ import annotations
@@ -9,124 +9,102 @@ from __future__ import annotations
 from typing import Any
 
 from sandbox.formats.box2d.scene import write_world
-from sandbox.formats.box2d.world import Body, BodyType, Fixture, MassData, Outline, World
+from sandbox.formats.box2d.terms import TYPES, body_of, note_unread
+from sandbox.formats.box2d.world import Body, MassData, World
 from sandbox.formats.draft import Draft
 from sandbox.formats.reading import MisreadError
 from sandbox.formats.remarks import Remarks
 from sandbox.formats.rube_joints import rube_joints
 from sandbox.formats.rube_node import RubeNode, note_properties
+from sandbox.formats.rube_shapes import drawn_fixtures, exported_fixtures
 
-_TYPES: tuple[BodyType, ...] = ("static", "kinematic", "dynamic")
+_WORLD = {"gravity", "velocityIterations", "positionIterations", "stepsPerSecond"}
+_OF_THE_EDITOR = ("exportOptions", "autoClearForces", "collisionbitplanes", "hasDestructionListener",
+                  "hasContactFilter", "hasContactListener", "id", "path")  # fmt: skip
+"""What is of the program that made the file, or of the one that loads it."""
 
 
 def is_rube(data: Any) -> bool:
-    """Whether parsed JSON is the export of a R.U.B.E. scene."""
-    return isinstance(data, dict) and isinstance(data.get("body"), list) and not {"bodies", "layers"} & data.keys()
+    """Whether parsed JSON is a scene of R.U.B.E., exported or saved."""
+    if not isinstance(data, dict) or {"bodies", "layers"} & data.keys():
+        return False
+    return isinstance(data.get("body"), list) or isinstance(data.get("metaworld"), dict) or data.keys() >= _WORLD
 
 
 def read_rube(data: dict[str, Any], draft: Draft) -> None:
     """Bring all of the file into the draft. Raises `MisreadError`."""
-    root = RubeNode(data)
-    remarks = draft.remarks
-    write_world(_world(root, remarks), draft)
-    for image in root.nodes("image"):
-        remarks.note(image.place, "images are left out")
-    _note_settings(root, remarks)
+    saved = isinstance(data.get("metaworld"), dict)
+    root = RubeNode(data["metaworld"], ("metaworld",)) if saved else RubeNode(data)
+    _Reader(root, "meta" if saved else "", draft.remarks).read(draft)
 
 
-def _world(root: RubeNode, remarks: Remarks) -> World:
-    return World(
-        gravity=root.vector("gravity"),
-        sleeping=root.flag("allowSleep", True),
-        warm_starting=root.flag("warmStarting", True),
-        step_rate=root.number("stepsPerSecond"),
-        bodies=[_body(node, remarks) for node in root.nodes("body")],
-        joints=rube_joints(root, remarks),
-    )
+class _Reader:
+    """`prefix` is what the editor puts before the names of lists in files that it saves for itself.
+
+    There, fixtures are as they were drawn, and bodies and joints are referred to by their `id`, not by their number.
+    """
+
+    def __init__(self, root: RubeNode, prefix: str, remarks: Remarks) -> None:
+        self._root, self._prefix, self._remarks = root, prefix, remarks
+
+    def read(self, draft: Draft) -> None:
+        root, remarks = self._root, self._remarks
+        write_world(self._world(), draft)
+        for image in root.nodes(self._prefix + "image"):
+            remarks.note(image.place, "images are left out")
+        for copied in root.nodes("metaobject"):
+            remarks.note(copied.place, "objects of other files are left out: export the scene in R.U.B.E.")
+        _note_settings(root, remarks)
+
+    def _world(self) -> World:
+        root = self._root
+        by_id = bool(self._prefix)
+        bodies, joints = (list(root.nodes(self._prefix + name)) for name in ("body", "joint"))
+        numbers = {node.whole("id", k) if by_id else k: k for k, node in enumerate(bodies)}
+        return World(
+            gravity=root.vector("gravity"),
+            sleeping=root.flag("allowSleep", True),
+            warm_starting=root.flag("warmStarting", True),
+            step_rate=root.number("stepsPerSecond"),
+            bodies=[self._body(node) for node in bodies],
+            joints=rube_joints(joints, numbers, by_id, self._remarks),
+        )
+
+    def _body(self, node: RubeNode) -> Body:
+        body = body_of(node, TYPES[_type(node)], node.text("name"))
+        body.awake = node.flag("awake", body.type == "static")
+        body.active = node.flag("active", True)
+        if node.has("massData-mass"):
+            body.mass_data = MassData(
+                node.number("massData-mass"), node.vector("massData-center"), node.number("massData-I")
+            )
+        made = drawn_fixtures if self._prefix else exported_fixtures
+        for each in node.nodes("fixture"):
+            note_properties(each, self._remarks)
+            body.fixtures += made(each, self._remarks)
+            note_unread(each, self._remarks, "path", "id")
+        note_properties(node, self._remarks)
+        note_unread(node, self._remarks, "path", "id", "massData-I", "massData-center")
+        return body
+
+
+def _type(node: RubeNode) -> int:
+    """0 to 2, or the word for it in saved files."""
+    given = node.value("type")
+    if given in TYPES:
+        return TYPES.index(given)
+    kind = -1 if isinstance(given, str) else node.whole("type")
+    if kind not in (0, 1, 2):
+        raise MisreadError((*node.path, "type"), "must be 0 (static), 1 (kinematic) or 2 (dynamic)")
+    return kind
 
 
 def _note_settings(root: RubeNode, remarks: Remarks) -> None:
-    for key in ("velocityIterations", "positionIterations"):
-        if root.has(key):
-            remarks.note("", "numbers of iterations are left out: this engine has substeps")
+    if root.has("velocityIterations") | root.has("positionIterations"):
+        remarks.note("", "numbers of iterations are left out: this engine has substeps")
     if not root.flag("continuousPhysics", True):
         remarks.note("", "continuous physics cannot be switched off: nothing passes through what is static")
     if root.flag("subStepping"):
         remarks.note("", "sub-stepping is left out")
     note_properties(root, remarks)
-
-
-def _body(node: RubeNode, remarks: Remarks) -> Body:
-    kind = node.whole("type")
-    if kind not in (0, 1, 2):
-        raise MisreadError((*node.path, "type"), "must be 0 (static), 1 (kinematic) or 2 (dynamic)")
-    note_properties(node, remarks)
-    return Body(
-        place=node.place,
-        name=node.text("name"),
-        type=_TYPES[kind],
-        position=node.vector("position"),
-        angle=node.number("angle"),
-        velocity=node.vector("linearVelocity"),
-        spin=node.number("angularVelocity"),
-        linear_damping=node.number("linearDamping"),
-        angular_damping=node.number("angularDamping"),
-        gravity_scale=node.number("gravityScale", 1.0),
-        fixed_rotation=node.flag("fixedRotation"),
-        bullet=node.flag("bullet"),
-        allow_sleep=node.flag("allowSleep", True),
-        awake=node.flag("awake", kind == 0),
-        active=node.flag("active", True),
-        mass_data=_mass(node),
-        fixtures=[made for each in node.nodes("fixture") if (made := _fixture(each, remarks))],
-    )
-
-
-def _mass(node: RubeNode) -> MassData | None:
-    if not node.has("massData-mass"):
-        return None
-    return MassData(node.number("massData-mass"), node.vector("massData-center"), node.number("massData-I"))
-
-
-def _fixture(node: RubeNode, remarks: Remarks) -> Fixture | None:
-    outline = _outline(node)
-    note_properties(node, remarks)
-    if outline is None:
-        remarks.note(node.place, "a fixture without a circle, polygon, edge or chain is left out")
-        return None
-    return Fixture(
-        place=node.place,
-        outline=outline,
-        density=node.number("density"),
-        friction=node.number("friction"),
-        restitution=node.number("restitution"),
-        sensor=node.flag("sensor"),
-        category=node.whole("filter-categoryBits", 1),
-        mask=node.whole("filter-maskBits", 0xFFFF),
-        group=node.whole("filter-groupIndex"),
-    )
-
-
-def _outline(node: RubeNode) -> Outline | None:
-    if circle := node.node("circle"):
-        return Outline("circle", [circle.vector("center")], circle.number("radius"))
-    if edge := node.node("edge"):
-        ends = [edge.vector("vertex1"), edge.vector("vertex2")]
-        return _ghosted(edge, Outline("chain", ends), ("hasVertex0", "vertex0"), ("hasVertex3", "vertex3"))
-    if loop := node.node("loop"):
-        return Outline("chain", loop.points("vertices"), closed=True)
-    if chain := node.node("chain"):
-        points = chain.points("vertices")
-        if len(points) > 3 and points[0] == points[-1]:
-            return Outline("chain", points[:-1], closed=True)
-        line = Outline("chain", points)
-        return _ghosted(chain, line, ("hasPrevVertex", "prevVertex"), ("hasNextVertex", "nextVertex"))
-    if polygon := node.node("polygon"):
-        return Outline("polygon", polygon.points("vertices"))
-    return None
-
-
-def _ghosted(node: RubeNode, line: Outline, before: tuple[str, str], after: tuple[str, str]) -> Outline:
-    line.before = node.vector(before[1]) if node.flag(before[0]) else None
-    line.after = node.vector(after[1]) if node.flag(after[0]) else None
-    return line
+    note_unread(root, remarks, *_OF_THE_EDITOR)

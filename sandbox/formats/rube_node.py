@@ -30,5 +30,5 @@ class RubeNode(Node):
 
 def note_properties(node: RubeNode, remarks: Remarks) -> None:
     """A remark on the custom properties of an object."""
-    if node.data.get("customProperties"):
+    if node.value("customProperties"):
         remarks.note(node.place, "custom properties are left out")

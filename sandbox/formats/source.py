@@ -18,11 +18,13 @@ class Options:
     """How a file is to be read.
 
     `units_per_metre`: how many units of the file make a metre, None: as its format has it. `tolerance`: how far, in
-    metres, flat sides may lie from the curve that they stand for.
+    metres, flat sides may lie from the curve that they stand for. `solid`: names of layers of a map that are solid all
+    over.
     """
 
     units_per_metre: float | None = None
     tolerance: float = 0.01
+    solid: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -17,6 +17,7 @@ from sandbox.scene.excerpt import excerpt
 
 MAX_DEPTH = 200
 """Nesting of elements."""
+_SVG = "http://www.w3.org/2000/svg"
 _LONGEST_ENTITY = 200
 _MOST_WITH_ENTITIES = 2 * 2**20
 """Characters of a file that declares entities."""
@@ -27,7 +28,7 @@ _ENCODING = re.compile(r"""^(<\?xml[^>]*?)\s+encoding\s*=\s*["'][^"']*["']""")
 
 @dataclass
 class Element:
-    """An element; `tag` and the keys of `attributes` as written, but without the prefix `svg:`."""
+    """An element; `tag` and the keys of `attributes` as written, but tags without the prefix that means SVG."""
 
     tag: str
     attributes: dict[str, str]
@@ -69,6 +70,7 @@ def parse_xml(text: str, source: str) -> Element:
 class _Builder:
     def __init__(self, size: int) -> None:
         self._size, self._taken = size, 0
+        self._prefix = ""
         self._open: list[Element] = []
         self._root: Element | None = None
         self.parser = expat.ParserCreate()
@@ -87,7 +89,10 @@ class _Builder:
         if len(self._open) >= MAX_DEPTH:
             raise _RefusedError(f"nested deeper than {MAX_DEPTH} levels")
         self._take(sum(map(len, attributes.values())))
-        element = Element(tag.removeprefix("svg:"), attributes, self.parser.CurrentLineNumber)
+        if not self._open:
+            self._prefix = next((f"{key[6:]}:" for key, value in attributes.items()
+                                 if key.startswith("xmlns:") and value == _SVG), "svg:")  # fmt: skip
+        element = Element(tag.removeprefix(self._prefix), attributes, self.parser.CurrentLineNumber)
         if self._open:
             self._open[-1].children.append(element)
         else:

@@ -50,16 +50,27 @@ def _floats(ring: Sequence[Vec]) -> tuple[Vec, ...]:
     return tuple((float(x), float(y)) for x, y in ring)
 
 
+def check_outline(outline: Sequence[Vec], holes: Sequence[Sequence[Vec]] = ()) -> None:
+    """Raises `PolygonError` where `decompose` would, and cuts nothing."""
+    _read(_floats(outline), tuple(_floats(hole) for hole in holes))
+
+
 @lru_cache(maxsize=1024)
 def _decompose(outline: tuple[Vec, ...], holes: tuple[tuple[Vec, ...], ...]) -> Decomposition:
+    given = _read(outline, holes)
+    if isinstance(given, tuple):
+        return Decomposition((given,), (Part(given, (_ALL,) * len(given)),))
+    return Decomposition(tuple(tuple(given.vertices[i] for i in ring) for ring in given.rings), _parts(given))
+
+
+def _read(outline: tuple[Vec, ...], holes: tuple[tuple[Vec, ...], ...]) -> tuple[Vec, ...] | Rings:
+    """The corners of a polygon that is convex, or the rings of another one."""
     if not holes and len(outline) <= MAX_VERTICES:
         try:
-            core = convex_polygon(outline)
-            return Decomposition((core,), (Part(core, (_ALL,) * len(core)),))
+            return convex_polygon(outline)
         except ConcaveError:
             pass
-    rings = clean_rings(outline, holes)
-    return Decomposition(tuple(tuple(rings.vertices[i] for i in ring) for ring in rings.rings), _parts(rings))
+    return clean_rings(outline, holes)
 
 
 def _parts(given: Rings) -> tuple[Part, ...]:

@@ -39,7 +39,10 @@ def along_curve(points: Sequence[Vec], tolerance: float) -> Iterator[Vec]:
     order = len(points) - 1
     bends = [_bend(*points[k : k + 3]) for k in range(order - 1)]
     bend = order * (order - 1) * max(bends, default=0.0)
-    parts = 1 if bend <= 8.0 * tolerance else min(_MOST, math.ceil(math.sqrt(bend / (8.0 * tolerance or bend))))
+    parts = 1
+    if bend > 8.0 * tolerance:
+        squared = bend / (8.0 * tolerance or bend)
+        parts = _MOST if squared > _MOST * _MOST else math.ceil(math.sqrt(squared))
     for k in range(1, parts):
         yield _blended(points, k / parts)
     yield points[-1]

@@ -55,9 +55,10 @@ def subpaths(text: str) -> Iterator[Subpath]:
     pen, mistake = _Pen(), None
     try:
         for letter, values, span in _commands(text):
-            if letter in "Mm" and pen.stroke is not None and pen.stroke.pieces:
-                yield pen.stroke
+            done = pen.stroke
             pen.draw(letter, values, span)
+            if done is not None and done is not pen.stroke and done.pieces:
+                yield done
     except PathError as error:
         mistake = error
     if pen.stroke is not None and pen.stroke.pieces:
@@ -81,11 +82,13 @@ class _Pen:
             self._at = self._point(values, relative)
             self.stroke, self._handle = Subpath(self._at), None
             return
-        if self.stroke is None or self.stroke.closed:
-            raise PathError("a stroke begins with M" if self.stroke is None else "after Z a stroke begins with M", span)
+        if self.stroke is None:
+            raise PathError("a stroke begins with M", span)
         if kind == "Z":
             self.stroke.closed, self._at, self._handle = True, self.stroke.start, None
             return
+        if self.stroke.closed:  # the next one begins where that did
+            self.stroke = Subpath(self._at)
         piece = self._piece(kind, values, relative)
         self.stroke.pieces.append(piece)
         self._handle = (kind, piece[-2]) if kind in "CSQT" and isinstance(piece, tuple) else None

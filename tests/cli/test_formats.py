@@ -41,6 +41,13 @@ def test_import_for_machines(cli: Callable) -> None:  # noqa: F811
     assert load_scene("ball.scene.json").bodies[1].shapes[0].circle == 1
 
 
+def test_layers_that_a_map_does_not_have(cli: Callable) -> None:  # noqa: F811
+    Path("map.tmj").write_text('{"layers": [], "tilewidth": 8, "tileheight": 8}')
+    done = cli("import", "map.tmj", "-o", "map.scene.json", "--solid", "sea", "--solid", "sky")
+    assert done.code == 2
+    assert 'no tile layer is named "sea"; there are none' in done.err
+
+
 def test_a_file_that_is_there_stays(cli: Callable) -> None:  # noqa: F811
     Path("out.scene.json").write_text("mine")
     assert cli("import", "ball.drawing", "-o", "out.scene.json").code == 2

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -18,10 +18,11 @@ Read = Callable[..., Imported]
 def read(tmp_path: Path) -> Read:
     """Writes a text, or data as JSON, into a file and imports it; `units` make a metre."""
 
-    def call(content: Any, name: str = "file", units: float | None = None, tolerance: float = 0.01) -> Imported:
+    def call(content: Any, name: str = "file", units: float | None = None, tolerance: float = 0.01,
+             solid: Sequence[str] = ()) -> Imported:  # fmt: skip
         path = tmp_path / name
         path.write_text(content if isinstance(content, str) else json.dumps(content), encoding="utf-8")
-        return import_scene(path, "", units, tolerance)
+        return import_scene(path, "", units, tolerance, solid)
 
     return call
 

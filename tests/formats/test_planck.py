@@ -158,6 +158,15 @@ def test_what_a_world_of_planck_cannot_say_is_listed() -> None:
     assert "rules, controls and counters are left out" in found
 
 
+def test_settings_that_a_file_does_not_hold_are_listed() -> None:
+    ball = {"id": "ball", "shapes": [{"circle": 1, "restitution": 0.5}]}
+    scene = Scene(bodies=[ball], settings={"step_rate": 240, "soft": False, "steps": 9})
+    assert [tuple(remark) for remark in export_scene(scene, "planck").remarks] == [
+        ("(soft, step_rate)", "settings are left out"), ("", "impacts slower than 1 m/s do not bounce there"),
+    ]  # fmt: skip
+    assert export_scene(scene, "pymunk").remarks[0] == ("(soft)", "settings are left out")
+
+
 def test_an_unknown_format_is_told() -> None:
     with pytest.raises(ArgumentError, match="known formats are planck, pymunk"):
         export_scene(Scene(), "dwg")

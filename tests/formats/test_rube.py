@@ -134,6 +134,11 @@ class TestJoints:
         assert joint.upper == pytest.approx(math.degrees(1.5))
         assert (joint.motor_speed, joint.max_torque) == (pytest.approx(math.degrees(2)), 3)
 
+    def test_a_limit_that_is_far_away_is_none(self, read: Read) -> None:
+        limits = {"enableLimit": True, "lowerLimit": -1, "upperLimit": 3.4e18}
+        (joint,) = read(joined("revolute", **limits)).scene.joints
+        assert (joint.lower, joint.upper) == (pytest.approx(math.degrees(-1)), None)
+
     def test_slides_count_from_the_start(self, read: Read) -> None:
         fields = {"localAxisA": {"x": 0, "y": 1}, "anchorA": {"x": 0, "y": 4}}
         (joint,) = read(joined("prismatic", **fields, enableLimit=True, lowerLimit=0, upperLimit=3)).scene.joints
@@ -188,6 +193,55 @@ class TestJoints:
         imported = read(joined("revolute", anchorA={"x": 0, "y": 4}))
         assert imported.scene.joints[0].anchor == (0, 5)
         assert imported.remarks[0].place == 'joint[0] "revolute" (1 m)'
+
+
+DENTED = {"x": [-1, 1, 0.2, -1], "y": [-1, -1, -0.5, 1]}
+
+
+def saved(**fields: Any) -> dict[str, Any]:
+    """A project of the editor: bodies by id, fixtures as they were drawn."""
+    line = {"id": 4, "shapes": [{"type": "line"}], "vertices": {"x": [-9, 9], "y": [0, 0]}}
+    ground = {"id": 3, "name": "ground", "type": "static", "position": 0, "fixture": [line]}
+    solid = {"id": 8, "density": 1, "shapes": [{"type": "polygon"}], "vertices": DENTED}
+    ball = {"density": 1, "shapes": [{"type": "circle", "radius": 0.5}], "vertices": {"x": [2], "y": [0]}}
+    hero = {"id": 7, "name": "hero", "type": "dynamic", "awake": True, "position": {"x": 0, "y": 5},
+            "fixture": [solid, ball]}  # fmt: skip
+    pin = {"id": 1, "type": "revolute", "bodyA": 3, "bodyB": 7, "anchorA": {"x": 0, "y": 5}, "anchorB": 0,
+           "referenceAngle": 0.5, "enableLimit": True, "lowerLimit": -1, "upperLimit": 1}  # fmt: skip
+    return {"metaworld": {"gravity": 0, "metabody": [ground, hero], "metajoint": [pin], **fields}}
+
+
+class TestProjects:
+    def test_are_read_like_what_the_editor_exports(self, read: Read) -> None:
+        imported = read(saved(), "level.rube")
+        ground, hero = imported.scene.bodies
+        assert (ground.type, ground.shapes[0].segment) == ("static", ((-9, 0), (9, 0)))
+        *parts, ball = hero.shapes
+        assert sorted(len(part.polygon) for part in parts) == [3, 3]
+        assert (ball.circle, ball.at) == (0.5, (2, 0))
+        (pin,) = imported.scene.joints
+        assert (pin.bodies, pin.lower) == (("ground", "hero"), pytest.approx(math.degrees(-0.5)))
+        assert imported.remarks == ()
+
+    def test_what_lies_in_other_files_is_told(self, read: Read) -> None:
+        (remark,) = read(saved(metaobject=[{"name": "tree", "file": "tree.rube"}]), "level.rube").remarks
+        assert remark == ('metaworld.metaobject[0] "tree"',
+                          "objects of other files are left out: export the scene in R.U.B.E.")  # fmt: skip
+
+
+def test_no_field_is_dropped_in_silence(read: Read) -> None:
+    spun = {"angle": 1, "massData-I": 2, "path": "a/b", "windFactor": 3, "enableWind": False}
+    imported = read(world(crate(**spun), joint=[], tides=[1]))
+    assert [tuple(remark) for remark in imported.remarks] == [
+        ('body[0] "crate" (windFactor)', "fields that mean nothing to a scene are left out"),
+        ("(tides)", "fields that mean nothing to a scene are left out"),
+    ]
+
+
+def test_strengths_past_all_bounds_are_the_greatest_that_a_scene_has(read: Read) -> None:
+    strong = {"enableMotor": True, "motorSpeed": 1, "maxMotorTorque": 3.4028234663852886e38}
+    (joint,) = read(joined("revolute", **strong)).scene.joints
+    assert joint.max_torque == 1e15
 
 
 class TestDamage:

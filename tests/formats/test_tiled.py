@@ -15,13 +15,20 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox.errors import SceneError
+from sandbox.formats.reading import Node
+from sandbox.formats.tiled.cells import SWAPPED, TURNED
+from sandbox.formats.tiled.figures import Figure
+from sandbox.formats.tiled.grid import grid_of
 from sandbox.formats.tiled.merge import merged
+from sandbox.formats.tiled.tileset import flipped
 from tests.formats.conftest import Read, texts
 
 RAMP = {"id": 1, "objectgroup": {"objects": [{"x": 0, "y": 16, "polygon": [
     {"x": 0, "y": 0}, {"x": 16, "y": -16}, {"x": 16, "y": 0}]}]}}  # fmt: skip
 BLOCK = {"id": 0, "objectgroup": {"objects": [{"x": 0, "y": 0, "width": 16, "height": 16}]}}
 TILES = {"firstgid": 1, "name": "tiles", "tilewidth": 16, "tileheight": 16, "tiles": [BLOCK, RAMP, {"id": 2}]}
+ZSTD = "KLUv/QRobQAAAkICgjIQ/7x3/HsBAOSvZv0="
+"""The grid of `TestTiles`."""
 BOMB = base64.b64encode(zlib.compress(bytes(10**7))).decode()
 
 
@@ -102,7 +109,7 @@ class TestObjects:
         point, text = {"x": 1, "y": 1, "point": True}, {"x": 1, "y": 1, "width": 9, "height": 9, "text": {}}
         imported = read(tiled(objects(point, text, {"x": 0, "y": 0, "template": "a.tx"})))
         assert texts(imported)[:3] == [
-            "a point is left out", "text is left out", "an object made of a template is left out"
+            "a point is left out", "text is left out", "an object is left out: its template is not beside the map"
         ]  # fmt: skip
         assert "nothing is solid" in texts(imported)[-1]
 
@@ -157,9 +164,9 @@ class TestTiles:
         (box,) = self.shapes(read, cells(3, 3, 3, 3, 0, 0, 0, 0, properties=[{"name": "solid", "value": True}]))
         assert box.box == (4, 1)
 
-    def test_zstd_is_told(self, read: Read) -> None:
-        layer = cells() | {"data": "KLUv/Q==", "encoding": "base64", "compression": "zstd"}
-        assert "packed by zstd" in texts(read(tiled(layer)))[0]
+    def test_packed_by_zstd(self, read: Read) -> None:
+        packed = {"data": ZSTD, "encoding": "base64", "compression": "zstd"}
+        assert self.shapes(read, cells() | packed) == self.shapes(read, cells(*self.GRID))
 
     @pytest.mark.parametrize(
         ("change", "message"),
@@ -170,6 +177,7 @@ class TestTiles:
                 {"data": BOMB, "compression": "zlib"},
                 "33 bytes or more",
             ),
+            ({"data": ZSTD[:20], "compression": "zstd"}, "the data end too early"),
             ({"width": 10**6, "height": 10**6}, "has 1000000 x 1000000 cells"),
             ({"data": [-1] * 8}, "must be whole numbers of 32 bits"),
         ],
@@ -177,6 +185,147 @@ class TestTiles:
     def test_damage(self, read: Read, change: dict[str, Any], message: str) -> None:
         with pytest.raises(SceneError, match=message):
             read(tiled(cells(*self.GRID) | change))
+
+
+HEXAGON = {(0, -9), (0, -3), (7, 0), (14, -3), (14, -9), (7, -12)}
+
+
+class TestWays:
+    """Maps that do not lie square: places as Tiled draws them."""
+
+    @pytest.mark.parametrize(
+        ("fields", "cell", "corner"),
+        [
+            ({"orientation": "isometric"}, (0, 0), (16, 16)), ({"orientation": "isometric"}, (3, 1), (48, 48)),
+            ({"orientation": "staggered"}, (0, 1), (16, 24)), ({"orientation": "staggered"}, (2, 2), (64, 32)),
+            ({"orientation": "staggered", "staggerindex": "even"}, (0, 0), (16, 16)),
+            ({"orientation": "staggered", "staggeraxis": "x"}, (1, 0), (16, 24)),
+            ({"orientation": "hexagonal", "hexsidelength": 4}, (1, 1), (48, 26)),
+            ({"orientation": "hexagonal", "hexsidelength": 8, "staggeraxis": "x"}, (1, 1), (20, 40)),
+        ],
+    )  # fmt: skip
+    def test_where_cells_are(self, fields: dict[str, Any], cell: tuple[int, int], corner: tuple[float, float]) -> None:
+        """The lower left corner of the box around a cell, in pixels from the upper left of the map."""
+        grid = grid_of(Node({"tilewidth": 32, "tileheight": 16, "width": 4, "height": 2, **fields}))
+        assert grid.lower_left(*cell) == corner
+
+    @pytest.mark.parametrize(
+        ("fields", "height"),
+        [({"orientation": "isometric"}, 48), ({"orientation": "staggered"}, 24), ({"orientation": "orthogonal"}, 32),
+         ({"orientation": "hexagonal", "hexsidelength": 4}, 26),
+         ({"orientation": "staggered", "staggeraxis": "x"}, 40)],
+    )  # fmt: skip
+    def test_how_high_the_map_is(self, fields: dict[str, Any], height: float) -> None:
+        assert grid_of(Node({"tilewidth": 32, "tileheight": 16, "width": 4, "height": 2, **fields})).height == height
+
+    def test_objects_of_isometric_maps_lie_at_a_slant(self, read: Read) -> None:
+        crate = {"x": 16, "y": 0, "width": 16, "height": 16}
+        (body,) = read(tiled(objects(crate), orientation="isometric", tilewidth=32)).scene.bodies
+        assert body.position == (3, 2.5)
+        assert set(body.shapes[0].polygon) == {(0, 0), (1, -0.5), (0, -1), (-1, -0.5)}
+
+    def test_solid_cells_of_isometric_maps_are_one_field(self, read: Read) -> None:
+        layer = cells(1, 1, 0, 0, 1, 1, 0, 0, properties=[{"name": "solid", "value": True}])
+        imported = read(tiled(layer, orientation="isometric", tilewidth=32, tilesets=[]))
+        assert set(imported.scene.bodies[0].shapes[0].polygon) == {(2, 0), (4, -1), (2, -2), (0, -1)}
+
+    def test_solid_cells_of_hexagonal_maps_are_hexagons(self, read: Read) -> None:
+        layer = cells(1, 0, 0, 0, 0, 0, 0, 0, properties=[{"name": "solid", "value": True}])
+        hexagonal = {"orientation": "hexagonal", "tilewidth": 14, "tileheight": 12, "hexsidelength": 6}
+        (shape,) = read(tiled(layer, **hexagonal, tilesets=[]), units=1.0).scene.bodies[0].shapes
+        assert set(shape.polygon) == HEXAGON
+
+    def test_tiles_of_hexagonal_maps_are_turned_by_sixths(self) -> None:
+        point = Figure("polygon", ((7.0, 0.0),))
+        for flips, corner in ((SWAPPED, (12.196, 3.0)), (TURNED, (12.196, 9.0)), (SWAPPED | TURNED, (7.0, 12.0))):
+            assert flipped(point, (14.0, 12.0), flips, True).points[0] == pytest.approx(corner, abs=1e-3)
+
+    def test_other_ways_are_told(self, read: Read) -> None:
+        assert texts(read(tiled(orientation="oblique")))[0].startswith("the map is oblique")
+
+
+class TestTemplates:
+    XML = """<template><tileset firstgid="1" source="tiles.tsx"/><object name="crate" gid="1" width="16" height="16">
+        <properties><property name="bodyType" value="dynamic"/><property name="density" type="float" value="2"/>
+        </properties></object></template>"""
+    JSON = json.dumps({"type": "template", "object": {"name": "crate", "width": 16, "height": 16, "properties": [
+        {"name": "bodyType", "value": "dynamic"}, {"name": "density", "value": 2}]}})  # fmt: skip
+
+    @pytest.mark.parametrize(("name", "text", "y"), [("crate.tx", XML, 32), ("sub/crate.tj", JSON, 16)])
+    def test_an_instance_is_what_its_template_says_and_what_it_says_itself(
+        self, read: Read, tmp_path: Path, name: str, text: str, y: float
+    ) -> None:
+        (tmp_path / "sub").mkdir()
+        (tmp_path / "tiles.tsx").write_text(XML_TILES)
+        (tmp_path / name).write_text(text)
+        entry = {"template": name.replace("/", "\\"), "x": 16, "y": y, "properties": {"density": 3}}
+        (body,) = read(tiled(objects(entry), tilesets=[])).scene.bodies
+        assert (body.id, body.type, body.position) == ("crate", "dynamic", (1.5, 0.5))
+        assert (body.shapes[0].box, body.shapes[0].density) == ((1, 1), 3)
+
+
+class TestWhatIsSolid:
+    FULL = (1, 1, 1, 1, 1, 1, 1, 1)
+
+    @pytest.mark.parametrize(
+        ("name", "grid", "count"),
+        [("Ground", (3, 3, 3, 3, 0, 0, 0, 0), 1), ("wallLayer", (3, 0, 0, 0, 0, 0, 0, 0), 1),
+         ("Ground", FULL, 0), ("sky", (3, 3, 0, 0, 0, 0, 0, 0), 0)],
+    )  # fmt: skip
+    def test_names_of_layers_tell_it_where_nothing_else_does(
+        self, read: Read, name: str, grid: tuple[int, ...], count: int
+    ) -> None:
+        plain = {"firstgid": 1, "tilewidth": 16, "tileheight": 16}
+        imported = read(tiled(cells(*grid, name=name), tilesets=[plain]))
+        assert len(imported.scene.bodies) == count
+        assert any(text.startswith("no tile has a collision shape") for text in texts(imported)) is bool(count)
+
+    def test_layers_may_be_asked_for(self, read: Read) -> None:
+        plain = {"firstgid": 1, "tilewidth": 16, "tileheight": 16}
+        layers = {"type": "group", "layers": [cells(*self.FULL, name="sea"), cells(3, 0, 0, 0, 0, 0, 0, 0)]}
+        assert len(read(tiled(layers, tilesets=[plain]), solid=["sea"]).scene.bodies) == 1
+        with pytest.raises(SceneError, match='no tile layer is named "sky"; there are "sea", "ground"'):
+            read(tiled(layers, tilesets=[plain]), solid=["sky"])
+        nothing = texts(read(tiled(cells(3, 0, 0, 0, 0, 0, 0, 0, name="sea"), tilesets=[plain])))[-1]
+        assert nothing.endswith('; or import it with --solid LAYER ("sea")')
+
+    def test_names_tell_nothing_where_shapes_do(self, read: Read) -> None:
+        point = {"x": 1, "y": 1, "point": True}
+        imported = read(tiled(cells(3, 1, 0, 0, 0, 0, 0, 0, name="ground"), objects(point)))
+        assert imported.scene.bodies[0].shapes[0].at == (1.5, -0.5)
+
+    def test_a_tile_as_an_object_that_is_said_to_move_is_a_box(self, read: Read) -> None:
+        tiles = {"firstgid": 1, "tilewidth": 64, "tileheight": 64, "tiles": [
+            {"id": 0, "imagewidth": 32, "imageheight": 16}]}  # fmt: skip
+        entry = {"gid": 1, "type": "dynamic", "x": 0, "y": 32}
+        (body,) = read(tiled(objects(entry), tilesets=[tiles])).scene.bodies
+        assert (body.shapes[0].box, body.position) == ((2, 1), (1, 0.5))
+
+    def test_a_tile_that_is_not_square_is_turned_about_the_corner_that_it_stands_on(self, read: Read) -> None:
+        drawn = {"x": 0, "y": 0, "width": 8, "height": 32}
+        tiles = {"firstgid": 1, "tilewidth": 16, "tileheight": 32,
+                 "tiles": [{"id": 0, "objectgroup": {"objects": [drawn]}}]}  # fmt: skip
+        layer = cells(1 | SWAPPED, 0, 0, 0, 0, 0, 0, 0)
+        (shape,) = read(tiled(layer, tilesets=[tiles])).scene.bodies[0].shapes
+        assert (shape.box, shape.angle, shape.at) == ((0.5, 2), 90, (1, -0.25))
+
+
+class TestFiles:
+    def test_numbers_may_be_text(self, read: Read) -> None:
+        entry = {"x": "16", "y": "0", "width": "16", "height": "16"}
+        assert read(tiled(objects(entry), infinite="0")).scene.bodies[0].position == (1.5, 1.5)
+
+    @pytest.mark.parametrize(
+        ("content", "what"),
+        [(TILES | {"type": "tileset"}, "tileset"), ('<tileset name="a"/>', "tileset"), ("<template/>", "template"),
+         ({"maps": [], "onlyShowAdjacentMaps": False, "type": "world"}, "world")],
+    )  # fmt: skip
+    def test_parts_of_maps_are_told(self, read: Read, content: Any, what: str) -> None:
+        with pytest.raises(SceneError, match=f"this is a {what} of Tiled: import"):
+            read(content)
+
+    def test_parallax_is_told(self, read: Read) -> None:
+        assert texts(read(tiled(objects(parallaxx=0.5))))[0].startswith("parallax is left out")
 
 
 class TestTilesets:

@@ -59,7 +59,8 @@ def read_head(data: bytes) -> Head:
         raise MisreadError((), "the snapshot in this recording is of another version of Box2D")
     if config["nextBody"] != config["freeBodies"]:
         hint = "call b2World_StartRecording right after b2CreateWorld, before bodies are made"
-        raise MisreadError((), "this recording begins in the middle: its bodies are an image of Box2D's memory", hint)
+        raise MisreadError((), "this recording begins with bodies in the world: of those it holds only an image of "
+                               "Box2D's memory, which depends on how that was compiled", hint)  # fmt: skip
     flags = config["settings"]
     config |= {"sleeping": bool(flags & _SLEEP), "warmStarting": bool(flags & _WARM)}
     config["speculative"] = bool(flags & _SPECULATIVE)

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import math
 
-from sandbox.formats.b2rec.bodies import angle_of
-from sandbox.formats.b2rec.session import Made, Values
+from sandbox.formats.b2rec.made import Made, Values, angle_of
 from sandbox.formats.box2d.world import Body, Joint, Spring
 from sandbox.formats.reading import place_of
 from sandbox.formats.remarks import Remarks

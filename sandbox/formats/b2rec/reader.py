@@ -37,6 +37,7 @@ def read_b2rec(data: bytes, draft: Draft) -> None:
                 raise MisreadError((), f"more than {MAX_BODIES} bodies are made, the limit of a scene")
         elif call.changes:
             later[call.name] += 1
+    session.finish(first.arguments["dt"] if first else 0.0)
     if head.length_scale != 1.0:
         draft.remarks.note("", f"the world has {head.length_scale:g} units to a metre: here a unit is 1 m")
     _count("calls before the first step that are left out", session.unused, draft.remarks)

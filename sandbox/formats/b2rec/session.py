@@ -5,21 +5,12 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any
+from functools import partial
 
 from sandbox.formats.b2rec.calls import Call
+from sandbox.formats.b2rec.made import Made, Values
+from sandbox.formats.b2rec.weight import center_of, move_center, push
 from sandbox.formats.reading import MisreadError
-
-Values = dict[str, Any]
-
-
-@dataclass
-class Made:
-    """Something that was made: what it is, its definition as it is now, and the body that it is on."""
-
-    kind: str
-    values: Values
-    body: int = 0
 
 
 @dataclass
@@ -32,6 +23,30 @@ class Session:
     chains: dict[int, Made] = field(default_factory=dict)
     joints: dict[int, Made] = field(default_factory=dict)
     unused: Counter[str] = field(default_factory=Counter)
+    forces: list[tuple[int, Values]] = field(default_factory=list)
+    """What pushes bodies during the first step."""
+
+    def on(self, body: int) -> list[Made]:
+        """The shapes and chains of a body."""
+        return [each for things in (self.shapes, self.chains) for each in things.values() if each.body == body]
+
+    def weighing(self, body: int, change: Callable[[], object]) -> None:
+        """Do what changes the mass of a body: that is then the mass of its shapes again."""
+        made = self.bodies[body]
+        before = center_of(made, self.on(body)) if made.values["angularVelocity"] else None
+        change()
+        made.values["massData"] = None
+        if before is not None:
+            move_center(made, before, center_of(made, self.on(body)))
+
+    def finish(self, seconds: float) -> None:
+        """What is left to do at the first step, which lasts so long: forces act on bodies during it."""
+        for body, force in self.forces:
+            if body in self.bodies:
+                x, y = force.get("force", (0.0, 0.0))
+                impulse, turn = (x * seconds, y * seconds), force.get("torque", 0.0) * seconds
+                push(self.bodies[body], self.on(body), impulse, force.get("point"), turn)
+        self.forces = []
 
     def apply(self, call: Call) -> None:
         """Do what the call did. Raises `MisreadError` if it speaks of what is not there."""
@@ -57,7 +72,8 @@ class Session:
             geometry = {"geometry": given.get(_argument(kind))}
             material = given["def"].get("material", {})
             things = self.chains if kind == "chain" else self.shapes
-            things[given["made"]] = Made(kind, given["def"] | material | geometry, given["body"])
+            made = Made(kind, given["def"] | material | geometry, given["body"])
+            self.weighing(given["body"], lambda: things.update({given["made"]: made}))
 
     def _set(self, call: Call) -> bool:
         """Whether the call sets fields of a definition: its arguments are named as they are, or renamed below."""
@@ -71,9 +87,11 @@ class Session:
                 made = _known(things, call.arguments[subject], call)
                 if not given.keys() <= made.values.keys():
                     return False
-                made.values.update(given)
-                if call.name in ("BodySetLinearVelocity", "BodySetAngularVelocity"):
-                    made.values["ofCenter"] = True  # setters speak of the centre of mass, definitions of the origin
+                update = partial(made.values.update, given)
+                if call.name in _WEIGHING:
+                    self.weighing(call.arguments.get("body", made.body), update)
+                else:
+                    update()
                 return True
         return False
 
@@ -100,7 +118,8 @@ def _argument(kind: str) -> str:
 
 
 def _destroy_shape(session: Session, call: Call) -> None:
-    session.shapes.pop(call.arguments["shape"], None)
+    made = _known(session.shapes, call.arguments["shape"], call)
+    session.weighing(made.body, lambda: session.shapes.pop(call.arguments["shape"]))
 
 
 def _destroy_chain(session: Session, call: Call) -> None:
@@ -124,8 +143,39 @@ def _reshape(session: Session, call: Call) -> None:
     made.values["geometry"] = call.arguments[_argument(made.kind)]
 
 
-def _mass(session: Session, call: Call) -> None:
-    _known(session.bodies, call.arguments["body"], call).values["massData"] = call.arguments.get("massData")
+def _set_mass(session: Session, call: Call) -> None:
+    _known(session.bodies, call.arguments["body"], call).values["massData"] = call.arguments["massData"]
+
+
+def _weigh_anew(session: Session, call: Call) -> None:
+    made = _known(session.bodies, call.arguments["body"], call)
+    session.weighing(call.arguments["body"], lambda: made.values.update(massData=None))
+
+
+def _push(session: Session, call: Call) -> None:
+    body, given = call.arguments["body"], call.arguments
+    made, impulse = _known(session.bodies, body, call), given["impulse"]
+    if call.name == "BodyApplyAngularImpulse":
+        push(made, session.on(body), (0.0, 0.0), turn=impulse)
+    else:
+        push(made, session.on(body), impulse, given.get("point"))
+
+
+def _force(session: Session, call: Call) -> None:
+    _known(session.bodies, call.arguments["body"], call)
+    session.forces.append((call.arguments["body"], call.arguments))
+
+
+def _clear_forces(session: Session, call: Call) -> None:
+    session.forces = [each for each in session.forces if each[0] != call.arguments["body"]]
+
+
+def _surface_of_chain(session: Session, call: Call) -> None:
+    made, index = _known(session.chains, call.arguments["chain"], call), call.arguments["materialIndex"]
+    materials = made.values["materials"]
+    if not 0 <= index < len(materials):
+        raise MisreadError((), f"{call.name} speaks of a material that the chain does not have (at byte {call.at})")
+    made.values["materials"] = [*materials[:index], call.arguments["material"], *materials[index + 1 :]]
 
 
 def _enable(session: Session, call: Call) -> None:
@@ -138,20 +188,25 @@ def _nothing(session: Session, call: Call) -> None:
 
 _ACTIONS: dict[str, Callable[[Session, Call], None]] = {
     "DestroyBody": Session.destroy_body, "DestroyShape": _destroy_shape, "DestroyChain": _destroy_chain,
-    "DestroyJoint": _destroy_joint, "BodySetMassData": _mass, "BodyDisable": _enable, "BodyEnable": _enable,
-    "BodyApplyMassFromShapes": _mass,
+    "DestroyJoint": _destroy_joint, "BodySetMassData": _set_mass, "BodyDisable": _enable, "BodyEnable": _enable,
+    "BodyApplyMassFromShapes": _weigh_anew, "ChainSetSurfaceMaterial": _surface_of_chain,
+    "BodyApplyLinearImpulse": _push, "BodyApplyLinearImpulseToCenter": _push, "BodyApplyAngularImpulse": _push,
+    "BodyApplyForce": _force, "BodyApplyForceToCenter": _force, "BodyApplyTorque": _force,
+    "BodyClearForces": _clear_forces,
     "WorldSetGravity": _setting("gravity"), "WorldEnableSleeping": _setting("sleeping"),
     "WorldSetRestitutionThreshold": _setting("restitutionThreshold"),
     "WorldEnableWarmStarting": _setting("warmStarting"), "WorldEnableSpeculative": _setting("speculative"),
     "WorldSetContactTuning": _setting("contactHertz", "contactDampingRatio", "contactSpeed"),
     "ShapeSetCircle": _reshape, "ShapeSetCapsule": _reshape, "ShapeSetSegment": _reshape, "ShapeSetPolygon": _reshape,
+    "ShapeSetChainSegment": _reshape,
 } | dict.fromkeys(
     ("WorldRebuildStaticTree", "WorldSetHitEventThreshold", "WorldSetContactRecycleDistance", "BodyWakeTouching",
-     "JointWakeBodies", "BodyClearForces", "ShapeSetUserMaterial", "ShapeEnableSensorEvents", "BodyEnableHitEvents",
+     "JointWakeBodies", "ShapeSetUserMaterial", "ShapeEnableSensorEvents", "BodyEnableHitEvents",
      "ShapeEnableContactEvents", "ShapeEnablePreSolveEvents", "ShapeEnableHitEvents", "BodyEnableContactEvents",
      "BodyEnableContactRecycling", "JointSetForceThreshold", "JointSetTorqueThreshold"), _nothing
 )  # fmt: skip
 
+_WEIGHING = ("BodySetType", "ShapeSetDensity")
 _IGNORED = ("BodySetTargetTransform",)
 _RENAMED: dict[str, tuple[str, ...]] = {
     "BodySetLinearVelocity": ("linearVelocity",), "BodySetAngularVelocity": ("angularVelocity",),

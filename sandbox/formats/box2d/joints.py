@@ -20,6 +20,8 @@ _APART = 0.005
 """Anchors that stand further apart (m) are worth a remark: what Box2D itself lets be (`b2_linearSlop`)."""
 _ASKEW = math.radians(2.0)
 """The same of angles (`b2_angularSlop`), rad."""
+_BOUNDLESS = 1e6
+"""A limit (m or rad) so far away is none."""
 _STAYS_TURNED = "its bodies stay turned against each other as at the start; Box2D would turn them to the reference"
 
 
@@ -172,7 +174,8 @@ def _limits(pose: Pose, start: float, unit: Callable[[float], float]) -> Words:
     if lower > upper:
         pose.note("its limits are left out: the lower one is greater than the upper one")
         return {}
-    return {"lower": unit(lower - start), "upper": unit(upper - start)}
+    found = {"lower": lower, "upper": upper}
+    return {key: unit(value - start) for key, value in found.items() if abs(value) < _BOUNDLESS}
 
 
 def _resting(pose: Pose, start: float, unit: Callable[[float], float]) -> Words:

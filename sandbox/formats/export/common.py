@@ -9,9 +9,14 @@ from sandbox.formats.numbers import Vec, turned
 from sandbox.formats.remarks import Remarks
 from sandbox.geometry.mass import Moments, moments
 from sandbox.scene.flat import FlatBody, FlatJoint, FlatScene
+from sandbox.scene.scene import Scene
+from sandbox.scene.settings import Settings
 
 STRONG = 1e12
 """Force or torque of a motor that is as strong as it needs to be: files hold no infinity."""
+
+_OURS = {"steps", "restitution_threshold"}
+"""Settings that are told otherwise, or mean nothing but to `sandbox check`."""
 
 
 def mass_of(body: FlatBody) -> MassData:
@@ -50,6 +55,14 @@ def limited(joint: FlatJoint) -> bool:
 def finite(value: float) -> float:
     """A strength, or a great one for one without bound."""
     return value if math.isfinite(value) else STRONG
+
+
+def note_settings(scene: Scene, remarks: Remarks, kept: set[str]) -> None:
+    """Remarks on settings that are not the usual ones, but for those `kept` and the length of a check."""
+    given, usual = dict(scene.settings), dict(Settings())
+    changed = [name for name in given.keys() - kept - _OURS if given[name] != usual[name]]
+    if changed:
+        remarks.note(f"({', '.join(sorted(changed))})", "settings are left out")
 
 
 def note_foreign(scene: FlatScene, remarks: Remarks) -> None:

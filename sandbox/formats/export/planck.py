@@ -11,7 +11,7 @@ import json
 from collections.abc import Sequence
 from typing import Any
 
-from sandbox.formats.export.common import note_foreign
+from sandbox.formats.export.common import note_foreign, note_settings
 from sandbox.formats.export.planck_joints import PlanckJoint
 from sandbox.formats.export.planck_shapes import planck_shapes, vector
 from sandbox.formats.remarks import Remarks
@@ -19,12 +19,17 @@ from sandbox.scene.flat import FlatBody, FlatJoint, FlatShape
 from sandbox.scene.scene import Scene
 
 _ALL = 0xFFFFFFFF
+_SLOW = 1.0
+"""`Settings.velocityThreshold`, m/s."""
 
 
 def planck_text(scene: Scene, remarks: Remarks) -> str:
     """The JSON of the world."""
     flat = scene.flatten()
     note_foreign(flat, remarks)
+    note_settings(scene, remarks, set())
+    if scene.settings.restitution_threshold != _SLOW and any(s.restitution for b in flat.bodies for s in b.shapes):
+        remarks.note("", f"impacts slower than {_SLOW:g} m/s do not bounce there")
     shapes = [shape for body in scene.bodies for shape in body.shapes]
     if any(getattr(shape, "ghosts", None) for shape in shapes):
         remarks.note("", "ghosts of chains are left out")

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from sandbox._printable import printable
-from sandbox.formats.export.common import mass_of, note_foreign
+from sandbox.formats.export.common import mass_of, note_foreign, note_settings
 from sandbox.formats.export.pymunk_joints import KINDS, joint_lines
 from sandbox.formats.remarks import Remarks
 from sandbox.scene.flat import FlatBody, FlatJoint, FlatScene, FlatShape
@@ -81,6 +81,7 @@ def pymunk_text(scene: Scene, remarks: Remarks) -> str:
     """The program."""
     flat = scene.flatten()
     note_foreign(flat, remarks)
+    note_settings(scene, remarks, {"step_rate"})
     _note(flat, remarks)
     settings = scene.settings
     title = printable(scene.title).replace("\\", "/").replace('"', "'") or "A scene"

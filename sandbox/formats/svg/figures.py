@@ -3,21 +3,28 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from sandbox.formats.numbers import Vec, tidy, tidy_point, tidy_points
-from sandbox.formats.outlines import Words, chain_words, polygon_words
+from sandbox.formats.outlines import Words, chain_words, polygon_words, without_repeats
 from sandbox.formats.primitives import capsule_words, ellipse_points
 from sandbox.formats.remarks import Remarks
 from sandbox.formats.svg.lengths import length, numbers
 from sandbox.formats.svg.matrix import Matrix
 from sandbox.formats.svg.rings import outlines
 from sandbox.formats.svg.strokes import Stroke, strokes_of
+from sandbox.formats.uncrossed import MOST_SIDES, crossing, uncrossed
 from sandbox.formats.xml_tree import Element
 from sandbox.scene.limits import MAX_OUTLINE
 
 KINDS = ("path", "rect", "circle", "ellipse", "line", "polyline", "polygon")
 """Elements that are shapes."""
+_MOST_RINGS = 5000
+_HOPELESS = 50 * MAX_OUTLINE
+"""Points that no coarser drawing makes few enough."""
+_LONGEST = 1_000_000
+"""Characters of a path."""
 
 
 @dataclass(frozen=True)
@@ -44,9 +51,21 @@ def filled_words(brush: Brush, even_odd: bool) -> list[Words]:
         return _rect(brush)
     if brush.element.tag in ("circle", "ellipse"):
         return _ellipse(brush)
-    rings = [ring for ring in (each.points for each in subpaths(brush)) if len(ring) > 2]
-    found = [polygon_words(ring, brush.remarks, brush.place, holes) for ring, holes in outlines(rings, even_odd)]
+    rings = [ring for ring in (without_repeats(each.points) for each in subpaths(brush)) if len(ring) > 2]
+    if len(rings) > _MOST_RINGS:
+        brush.remarks.note(brush.place, f"a path of more than {_MOST_RINGS} rings is left out")
+        return []
+    parts = _parts(rings, even_odd) if rings else []
+    if rings and not parts:
+        brush.remarks.note(brush.place, "a path is left out: it encloses nothing, or crosses itself too often")
+    found = [polygon_words(ring, brush.remarks, brush.place, holes) for ring, holes in parts]
     return [words for words in found if words]
+
+
+def _parts(rings: list[list[Vec]], even_odd: bool) -> Sequence[tuple[Sequence[Vec], Sequence[Sequence[Vec]]]]:
+    """Outlines and their holes; rings that cross are cut apart as the fill rule says."""
+    few = sum(map(len, rings)) <= MOST_SIDES
+    return uncrossed(rings, even_odd) if few and crossing(rings) else outlines(rings, even_odd)
 
 
 def line_words(brush: Brush, width: float) -> list[Words]:
@@ -59,15 +78,21 @@ def line_words(brush: Brush, width: float) -> list[Words]:
 
 def subpaths(brush: Brush) -> list[Stroke]:
     """What a pen would draw, in metres; coarser than asked for where it would have too many corners for a scene."""
+    found, before = [], 0
     for coarser in range(8):
         found = _drawn(brush, brush.tolerance * 2.0**coarser / max(brush.matrix.scale, 1e-12))
-        if all(len(each.points) <= MAX_OUTLINE for each in found):
+        count = sum(len(each.points) for each in found)
+        if count in (before, 0) or count > _HOPELESS or all(len(each.points) <= MAX_OUTLINE for each in found):
             break
+        before = count
     return [Stroke([brush.matrix.of(point) for point in each.points], each.closed) for each in found]
 
 
 def _drawn(brush: Brush, tolerance: float) -> list[Stroke]:
     element = brush.element
+    if element.tag == "path" and len(element.get("d")) > _LONGEST:
+        brush.remarks.note(brush.place, f"a path of more than {_LONGEST} characters is left out")
+        return []
     if element.tag == "path":
         found, mistake = strokes_of(element.get("d"), tolerance)
         if mistake:

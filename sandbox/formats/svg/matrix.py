@@ -12,7 +12,11 @@ from typing import NamedTuple
 from sandbox.formats.numbers import Vec
 
 _FUNCTION = re.compile(r"\s*,?\s*(\w+)\s*\(([^()]*)\)")
-_NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?")
+_NUMBER = re.compile(r"[\s,]*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)([a-zA-Z%]*)[\s,]*")
+_LONGEST = 4000
+"""Characters of a transform."""
+_UNITS = {"": 1.0, "px": 1.0, "deg": 1.0, "rad": 180.0 / math.pi, "grad": 0.9, "turn": 360.0}
+"""Of lengths in pixels, and of angles in degrees."""
 
 
 class Matrix(NamedTuple):
@@ -56,13 +60,28 @@ class Matrix(NamedTuple):
 def parse_transform(text: str) -> Matrix | None:
     """The map of a `transform` attribute; None if it is none."""
     found, at = Matrix(), 0
+    if len(text) > _LONGEST:
+        return None
     while text[at:].strip():
         match = _FUNCTION.match(text, at)
-        made = match and _made(match[1], [float(number) for number in _NUMBER.findall(match[2])])
+        values = _values(match[2]) if match else None
+        made = _made(match[1], values) if match and values is not None else None
         if not match or made is None:
             return None
         found, at = found.after(made), match.end()
     return found if all(map(math.isfinite, found)) else None
+
+
+def _values(text: str) -> list[float] | None:
+    """Arguments with the units of CSS, or None where one is none."""
+    found, at = [], 0
+    while text[at:].strip():
+        match = _NUMBER.match(text, at)
+        if match is None or match[2] not in _UNITS:
+            return None
+        found.append(float(match[1]) * _UNITS[match[2]])
+        at = match.end()
+    return found
 
 
 def _made(name: str, numbers: list[float]) -> Matrix | None:
@@ -71,6 +90,10 @@ def _made(name: str, numbers: list[float]) -> Matrix | None:
             return Matrix(a, b, c, d, e, f)
         case "translate", [x, *rest] if len(rest) < 2:
             return Matrix(e=x, f=rest[0] if rest else 0.0)
+        case ("translateX", [x]) | ("translateY", [x]):
+            return Matrix(e=x) if name == "translateX" else Matrix(f=x)
+        case ("scaleX", [x]) | ("scaleY", [x]):
+            return Matrix(a=x) if name == "scaleX" else Matrix(d=x)
         case "scale", [x, *rest] if len(rest) < 2:
             return Matrix(a=x, d=rest[0] if rest else x)
         case "rotate", [angle]:
@@ -86,11 +109,12 @@ def _made(name: str, numbers: list[float]) -> Matrix | None:
     return None
 
 
-def fitted(box: tuple[float, float, float, float], size: Vec, stretched: bool) -> Matrix:
-    """The map of a `viewBox` (x, y, width, height) into an area of this size: amid it, or stretched to fill it."""
+def fitted(box: tuple[float, float, float, float], size: Vec, way: str) -> Matrix:
+    """The map of a `viewBox` (x, y, width, height) into an area of this size, as `preserveAspectRatio` says."""
     x, y, width, height = box
     across, down = size[0] / width, size[1] / height
-    if not stretched:
-        across = down = min(across, down)
-    left, top = (size[0] - across * width) / 2.0, (size[1] - down * height) / 2.0
+    if not way.startswith("none"):
+        across = down = max(across, down) if way.endswith("slice") else min(across, down)
+    shares = [0.0 if f"{axis}Min" in way else 1.0 if f"{axis}Max" in way else 0.5 for axis in "xY"]
+    left, top = shares[0] * (size[0] - across * width), shares[1] * (size[1] - down * height)
     return Matrix(across, 0.0, 0.0, down, left - across * x, top - down * y)

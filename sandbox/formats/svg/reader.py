@@ -19,7 +19,8 @@ from sandbox.formats.svg.lengths import length
 from sandbox.formats.svg.matrix import Matrix
 from sandbox.formats.svg.place import Place, area_of, placed, told, within_view
 from sandbox.formats.svg.placing import extent, moved
-from sandbox.formats.svg.style import Sheet, colour_of, style_of
+from sandbox.formats.svg.sheet import Sheet
+from sandbox.formats.svg.style import colour_of, is_hidden, is_painted, style_of
 from sandbox.formats.xml_tree import Element
 
 PIXELS_PER_METRE = 32.0
@@ -28,6 +29,7 @@ _SILENT = {
     "title", "desc", "metadata", "defs", "style", "linearGradient", "radialGradient", "pattern", "clipPath", "mask",
     "filter", "marker", "symbol", "solidColor", "view",
 }  # fmt: skip
+_ANIMATIONS = ("animate", "animateTransform", "animateMotion", "set")
 MOST_ELEMENTS = 50_000
 """Elements that are drawn, those counted again that `use` repeats."""
 _MOST_USES = 30
@@ -62,10 +64,13 @@ class _Reader:
             self._draft.title = " ".join(title.text.split())[:100]
         if self._sheet.passed_over:
             place = f"({self._sheet.passed_over})"
-            self._remarks.note(place, "rules of a style sheet with selectors of several parts are left out")
+            self._remarks.note(
+                place, "rules of a style sheet with other selectors than elements, classes and ids are left out"
+            )
         scale = 1.0 / self._pixels
         metres = Matrix(scale, 0.0, 0.0, -scale, 0.0, self._size[1] * scale)
-        self._group(self._root, Place(metres, style_of(self._root, self._sheet), self._size))
+        style = style_of(self._root, self._sheet)
+        self._group(self._root, Place(metres, style, self._size, around=(self._root,)))
 
     def _collect(self, element: Element, sheets: list[str]) -> None:
         if name := element.get("id"):
@@ -87,15 +92,16 @@ class _Reader:
             raise MisreadError((element.line,), f"it draws more than {MOST_ELEMENTS} elements")
         if element.tag in _SILENT or ":" in element.tag:
             return
-        style = style_of(element, self._sheet, outside.style)
-        if style.get("display") == "none" or style.get("visibility") in ("hidden", "collapse"):
+        style = style_of(element, self._sheet, outside.style, outside.around)
+        unseen = element.tag in KINDS and style.get("visibility") in ("hidden", "collapse")
+        if unseen or is_hidden(style):
             self._remarks.note(told(element), "what is hidden is left out")
             return
-        place = placed(element, replace(outside, style=style))
+        place = placed(element, replace(outside, style=style, around=(*outside.around, element)))
         if place is None:
             self._remarks.note(told(element), "what has a transform that cannot be read is left out")
             return
-        if "none" not in (style.get("clip-path", "none"), style.get("mask", "none")):
+        if {style.get("clip-path", "none"), style.get("mask", "none")} != {"none"}:
             self._remarks.note(told(element), "clip paths and masks are left out")
         if element.tag in _GROUPS:
             self._grouped(element, place)
@@ -123,18 +129,23 @@ class _Reader:
             return
         shift = Matrix(e=length(element.get("x"), place.size[0]), f=length(element.get("y"), place.size[1]))
         inner = replace(place, matrix=place.matrix.after(shift), uses=place.uses + 1)
+        if meant.tag in ("symbol", "svg"):
+            given = {key: element.get(key) for key in ("width", "height") if element.get(key)}
+            meant = replace(meant, attributes=meant.attributes | given)
         if meant.tag == "symbol":
-            self._group(meant, replace(inner, style=style_of(meant, self._sheet, place.style)))
+            self._group(meant, replace(inner, style=style_of(meant, self._sheet, place.style, place.around)))
         else:
             self._element(meant, inner)
 
     def _figure(self, element: Element, place: Place) -> None:
         style, where = place.style, told(element)
         brush = Brush(element, place.matrix, self._tolerance, place.size, self._remarks, where)
-        is_filled = style["fill"] not in ("none", "transparent") and element.tag != "line"
+        if any(child.tag in _ANIMATIONS for child in element.children):
+            self._remarks.note(where, "animations are left out")
+        is_filled = is_painted(style, "fill") and element.tag != "line"
         if is_filled:
             shapes = filled_words(brush, style["fill-rule"] == "evenodd")
-        elif style["stroke"] not in ("none", "transparent"):
+        elif is_painted(style, "stroke"):
             shapes = line_words(brush, length(style["stroke-width"], max(place.size), 1.0))
         else:
             self._remarks.note(where, "what is neither filled nor drawn is left out")

@@ -16,7 +16,9 @@ Ring = Sequence[Vec]
 def outlines(rings: Sequence[Ring], even_odd: bool) -> list[tuple[Ring, list[Ring]]]:
     """Each outline with its holes. Rings are taken not to cross each other."""
     numbers = range(len(rings))
-    inside = [[k for k in numbers if k != n and _winding(rings[k], rings[n][0])] for n in numbers]
+    boxes = [_box(ring) for ring in rings]
+    inside = [[k for k in numbers if k != n and _covers(boxes[k], rings[n][0]) and _winding(rings[k], rings[n][0])]
+              for n in numbers]  # fmt: skip
     turns = [1 if _area(ring) > 0.0 else -1 for ring in rings]
     found: dict[int, list[Ring]] = {}
     holes = []
@@ -36,6 +38,15 @@ def outlines(rings: Sequence[Ring], even_odd: bool) -> list[tuple[Ring, list[Rin
 
 def _area(ring: Ring) -> float:
     return sum(a[0] * b[1] - a[1] * b[0] for a, b in pairwise([*ring, ring[0]]))
+
+
+def _box(ring: Ring) -> tuple[float, float, float, float]:
+    xs, ys = zip(*ring, strict=True)
+    return min(xs), min(ys), max(xs), max(ys)
+
+
+def _covers(box: tuple[float, float, float, float], point: Vec) -> bool:
+    return box[0] <= point[0] <= box[2] and box[1] <= point[1] <= box[3]
 
 
 def _winding(ring: Ring, point: Vec) -> int:

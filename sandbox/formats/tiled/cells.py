@@ -11,13 +11,17 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.formats.reading import MisreadError, Node
-from sandbox.formats.remarks import Remarks
+from sandbox.formats.tiled.zstd import decompress
+from sandbox.formats.tiled.zstd_bits import ZstdError
 
 MAX_CELLS = 4_000_000
 """Cells of a layer, empty ones included."""
 FLIPPED_X, FLIPPED_Y, SWAPPED = 1 << 31, 1 << 30, 1 << 29
 """The upper bits of a cell: mirrored left to right, top to bottom, and along the diagonal, which comes first."""
-_NUMBER = (1 << 28) - 1
+TURNED = 1 << 28
+"""On hexagonal maps: turned by 120 degrees; there `SWAPPED` is a turn by 60."""
+NUMBER = (1 << 28) - 1
+"""The lower bits of a cell: the number of its tile."""
 
 
 class Cell(NamedTuple):
@@ -29,7 +33,7 @@ class Cell(NamedTuple):
     flips: int
 
 
-def cells_of(layer: Node, remarks: Remarks) -> Iterator[Cell]:
+def cells_of(layer: Node) -> Iterator[Cell]:
     """Every cell with a tile, in the order of the file. Raises `MisreadError`."""
     chunks = list(layer.nodes("chunks"))
     for part in chunks or [layer]:
@@ -37,22 +41,19 @@ def cells_of(layer: Node, remarks: Remarks) -> Iterator[Cell]:
         width, height = part.whole("width"), part.whole("height")
         if not (0 <= width * height <= MAX_CELLS and width >= 0):
             raise MisreadError((*part.path, "width"), f"has {width} x {height} cells; {MAX_CELLS} is the limit")
-        numbers = _numbers(part, layer, width * height, remarks)
+        numbers = _numbers(part, layer, width * height)
         for index in np.flatnonzero(numbers).tolist():
             row, column = divmod(index, width)
             value = int(numbers[index])
-            yield Cell(left + column, top + row, value & _NUMBER, value & (FLIPPED_X | FLIPPED_Y | SWAPPED))
+            yield Cell(left + column, top + row, value & NUMBER, value & ~NUMBER)
 
 
-def _numbers(part: Node, layer: Node, count: int, remarks: Remarks) -> np.ndarray[tuple[int], np.dtype[np.uint32]]:
-    data, path = part.data.get("data"), (*part.path, "data")
+def _numbers(part: Node, layer: Node, count: int) -> np.ndarray[tuple[int], np.dtype[np.uint32]]:
+    data, path = part.value("data"), (*part.path, "data")
     if data is None:
         return np.zeros(0, np.uint32)
     if isinstance(data, str):
         packing = layer.text("compression")
-        if packing == "zstd":
-            remarks.note(layer.place, "a layer is left out: it is packed by zstd; save the map with zlib instead")
-            return np.zeros(0, np.uint32)
         raw = _unpacked(data, packing, 4 * count, path)
         found = np.frombuffer(raw, "<u4")
     elif isinstance(data, list):
@@ -76,6 +77,11 @@ def _unpacked(text: str, packing: str, size: int, path: tuple[str | int, ...]) -
         try:
             raw = zlib.decompressobj(zlib.MAX_WBITS | 32).decompress(raw, size + 1)
         except zlib.error as error:
+            raise MisreadError(path, f"cannot be unpacked: {error}") from None
+    elif packing == "zstd":
+        try:
+            raw = decompress(raw, size)
+        except ZstdError as error:
             raise MisreadError(path, f"cannot be unpacked: {error}") from None
     elif packing:
         raise MisreadError(path, f'is packed in a way that is not known: "{packing[:20]}"')

@@ -8,17 +8,22 @@ from dataclasses import dataclass
 from typing import Literal
 
 from sandbox.formats.numbers import Vec, tidy, tidy_point, tidy_points, turned
-from sandbox.formats.outlines import Words, chain_words, polygon_words
+from sandbox.formats.outlines import Words, chain_words, polygon_parts
 from sandbox.formats.primitives import capsule_words, ellipse_points
 from sandbox.formats.reading import Node
 from sandbox.formats.remarks import Remarks
 
+_SIDES = 32
+"""Of a round figure that is seen at a slant."""
+
 
 @dataclass(frozen=True)
 class Figure:
-    """A box (its four corners, turned by nothing but right angles), ellipse (corners of its box), polygon or line."""
+    """A box (its four corners, turned by nothing but right angles), ellipse (corners of its box), polygon or line; or
+    all of a cell, without points.
+    """
 
-    kind: Literal["box", "ellipse", "capsule", "polygon", "line"]
+    kind: Literal["box", "ellipse", "capsule", "polygon", "line", "cell"]
     points: tuple[Vec, ...]
 
     def mapped(self, move: Callable[[Vec], Vec]) -> Figure:
@@ -30,9 +35,6 @@ def figure_of(node: Node, remarks: Remarks) -> Figure | None:
     """What an object is, about the point that it stands at and turns about; None, with a remark, if it is no shape."""
     width, height = node.number("width"), node.number("height")
     corners = ((0.0, 0.0), (width, 0.0), (width, height), (0.0, height))
-    if node.has("template"):
-        remarks.note(node.place, "an object made of a template is left out")
-        return None
     if node.has("polygon"):
         return _polygon(tuple(node.points("polygon")))
     if node.has("polyline"):
@@ -66,6 +68,26 @@ def _polygon(points: tuple[Vec, ...]) -> Figure:
     return Figure("polygon", points)
 
 
+def outline_of(figure: Figure) -> Figure:
+    """The figure as a polygon, or line, that any affine map may lead elsewhere."""
+    if figure.kind in ("line", "polygon", "cell"):
+        return figure
+    if figure.kind == "box":
+        return Figure("polygon", figure.points)
+    (ax, ay), (bx, by), (cx, cy), _ = figure.points
+    u, v = ((bx - ax) / 2.0, (by - ay) / 2.0), ((cx - bx) / 2.0, (cy - by) / 2.0)
+    wide, high = math.hypot(*u), math.hypot(*v)
+    radius = min(wide, high)
+    ring = []
+    for k in range(_SIDES):
+        cosine, sine = math.cos(math.tau * (k + 0.5) / _SIDES), math.sin(math.tau * (k + 0.5) / _SIDES)
+        if figure.kind == "capsule" and radius > 0.0:  # a circle, its halves drawn apart
+            cosine = (radius * cosine + math.copysign(wide - radius, cosine)) / wide
+            sine = (radius * sine + math.copysign(high - radius, sine)) / high
+        ring.append(((ax + cx) / 2.0 + cosine * u[0] + sine * v[0], (ay + cy) / 2.0 + cosine * u[1] + sine * v[1]))
+    return Figure("polygon", tuple(ring))
+
+
 def turned_about_origin(figure: Figure, degrees: float) -> Figure:
     """Turned clockwise, as Tiled counts it."""
     if degrees % 360.0 == 0.0:
@@ -79,8 +101,7 @@ def shape_words(figure: Figure, pixels: float, tolerance: float, remarks: Remark
     if figure.kind == "line":
         return chain_words(points, False, remarks, place)
     if figure.kind == "polygon":
-        words = polygon_words(points, remarks, place)
-        return [words] if words else []
+        return polygon_parts(points, remarks, place)
     (ax, ay), (bx, by), (cx, cy), _ = points
     width, height = math.dist(points[0], points[1]), math.dist(points[1], points[2])
     if min(width, height) < 2e-6:

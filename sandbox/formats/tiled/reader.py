@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 from typing import Any
 
 from sandbox.formats.centred import centred
@@ -10,10 +12,14 @@ from sandbox.formats.numbers import Vec, tidy, tidy_point
 from sandbox.formats.outlines import Words
 from sandbox.formats.reading import MisreadError, Node
 from sandbox.formats.source import Options, Source
-from sandbox.formats.tiled.cells import FLIPPED_X, FLIPPED_Y, SWAPPED, cells_of
-from sandbox.formats.tiled.figures import Figure, figure_of, shape_words
-from sandbox.formats.tiled.merge import merged
-from sandbox.formats.tiled.tilesets import Solid, Tilesets, flipped
+from sandbox.formats.tiled.cells import NUMBER
+from sandbox.formats.tiled.figures import figure_of, outline_of, shape_words
+from sandbox.formats.tiled.grid import WAYS, grid_of
+from sandbox.formats.tiled.templates import Templates
+from sandbox.formats.tiled.tile_layers import TileLayers
+from sandbox.formats.tiled.tiled_node import TiledNode
+from sandbox.formats.tiled.tileset import CELL, Solid, box, flipped
+from sandbox.formats.tiled.tilesets import Tilesets
 from sandbox.formats.tiled.tmx import line_in, map_of
 from sandbox.formats.tiled.traits import body_words, is_solid, kind_of, note_others, surface_words
 from sandbox.formats.xml_tree import Element
@@ -38,11 +44,11 @@ def is_tiled(data: Any) -> bool:
 def read_tiled(source: Source, draft: Draft, options: Options) -> None:
     """Bring all of the map into the draft. Raises `MisreadError` and `SceneError`."""
     if not isinstance(source.data, Element):
-        _Reader(Node(source.data), source, draft, options).read()
+        _Reader(TiledNode(source.data), source, draft, options).read()
         return
     data = map_of(source.data)
     try:
-        _Reader(Node(data), source, draft, options).read()
+        _Reader(TiledNode(data), source, draft, options).read()
     except MisreadError as error:
         raise Source(source.path, source.text, data, line_in(data)).error(error) from None
 
@@ -50,26 +56,33 @@ def read_tiled(source: Source, draft: Draft, options: Options) -> None:
 class _Reader:
     def __init__(self, root: Node, source: Source, draft: Draft, options: Options) -> None:
         self._root, self._draft, self._remarks = root, draft, draft.remarks
-        self._tile = (root.number("tilewidth", 32.0), root.number("tileheight", 32.0))
-        if min(self._tile) < 1.0:
-            raise MisreadError(("tilewidth",), "tiles must be at least a pixel wide and high")
-        self._pixels = options.units_per_metre or self._tile[1]
-        self._tolerance = options.tolerance
-        self._bottom = 0.0 if root.flag("infinite") else root.number("height") * self._tile[1]
-        self._sets = Tilesets(root, source.path.parent, self._remarks)
+        self._grid, folder = grid_of(root), source.path.parent
+        self._pixels = options.units_per_metre or self._grid.tile[1]
+        self._tolerance, self._asked = options.tolerance, options.solid
+        self._bottom = 0.0 if root.flag("infinite") else self._grid.height
+        self._sets = Tilesets(root, folder, self._remarks)
+        self._templates = Templates(folder, self._sets, self._remarks)
 
     def read(self) -> None:
-        way = self._root.text("orientation", "orthogonal")
-        if way != "orthogonal":
-            self._remarks.note("", f"the map is {way[:20]}: places are read as of an orthogonal one")
+        if self._grid.way not in WAYS:
+            self._remarks.note("", f"the map is {self._grid.way[:20]}: places are read as of an orthogonal one")
+            self._grid = replace(self._grid, way="orthogonal")
         note_others(self._root, self._remarks)
+        names = [layer.text("name") for layer in _tile_layers(self._root)]
+        shown = ", ".join(f'"{name[:40]}"' for name in names[:6]) + (", ..." if len(names) > 6 else "")
+        if missing := [name for name in self._asked if name not in names]:
+            raise MisreadError(("layers",), f'no tile layer is named "{missing[0][:40]}"; there are {shown or "none"}')
+        by_name = not (self._asked or self._sets.has_shapes or _is_any(self._root, _says_solid))
+        self._tiles = TileLayers(self._grid, self._sets, self._asked, by_name, self._remarks)
         self._read_layers(self._root, (0.0, 0.0), "")
-        self._draft.if_empty = _NOTHING_SOLID
+        self._draft.if_empty = _NOTHING_SOLID + (f"; or import it with --solid LAYER ({shown})" if names else "")
 
     def _read_layers(self, parent: Node, offset: Vec, kind: str) -> None:
         for layer in parent.nodes("layers"):
             shift = (offset[0] + layer.number("offsetx"), offset[1] + layer.number("offsety"))
             asked = kind_of(layer) or kind
+            if (layer.number("parallaxx", 1.0), layer.number("parallaxy", 1.0)) != (1.0, 1.0):
+                self._remarks.note(layer.place, "parallax is left out: a layer stands where it is on the map")
             match layer.text("type"):
                 case "group":
                     self._read_layers(layer, shift, asked)
@@ -82,16 +95,20 @@ class _Reader:
                     self._remarks.note(layer.place, f"a layer of the type {other[:20]} is left out")
             note_others(layer, self._remarks)
 
-    def _read_object(self, node: Node, shift: Vec, asked: str) -> None:
+    def _read_object(self, instance: Node, shift: Vec, asked: str) -> None:
+        node = self._templates.filled(instance)
+        if node is None:
+            return
         note_others(node, self._remarks)
-        x, y = node.number("x") + shift[0], node.number("y") + shift[1]
-        solids = self._tile_solids(node) if node.has("gid") else self._own_solid(node)
+        x, y = self._grid.project((node.number("x"), node.number("y")))
+        asked = kind_of(node) or asked
+        solids = self._tile_solids(node, asked) if node.has("gid") else self._own_solid(node)
         shapes = [words for solid in solids for words in self._words(solid, node.place)]
         if not shapes:
             return
-        kind = kind_of(node) or asked or "static"
+        kind = asked or "static"
         words: Words = {} if kind == "dynamic" else {"type": kind}
-        words |= {"position": self._metres((x, y)), "shapes": shapes}
+        words |= {"position": self._metres((x + shift[0], y + shift[1])), "shapes": shapes}
         if rotation := tidy(-node.number("rotation")):
             words["angle"] = rotation
         if kind != "static":
@@ -100,66 +117,67 @@ class _Reader:
 
     def _own_solid(self, node: Node) -> list[Solid]:
         figure = figure_of(node, self._remarks)
-        return [(figure, surface_words(node))] if figure else []
+        if figure is None:
+            return []
+        if self._grid.way == "isometric":
+            figure = outline_of(figure).mapped(self._grid.turned)
+        return [(figure, surface_words(node))]
 
-    def _tile_solids(self, node: Node) -> list[Solid]:
-        """What is solid of a tile that stands as an object, about the point that it stands at."""
-        value = node.whole("gid")
-        number, flips = value & (1 << 28) - 1, value & (FLIPPED_X | FLIPPED_Y | SWAPPED)
+    def _tile_solids(self, node: Node, asked: str) -> list[Solid]:
+        """The shapes of the tile that stands as an object: all of it, where a type of body says that it is one."""
+        gid = node.whole("gid")
+        number, flips = gid & NUMBER, gid & ~NUMBER
         tiles = self._sets.of(number)
-        solids = tiles.solids.get(number - tiles.first, []) if tiles else []
+        solids = tiles.solids_of(number) if tiles else []
+        if not solids and (asked or is_solid(node)):
+            solids = [(CELL, {})]
         if tiles is None or not solids:
             self._remarks.note(node.place, "a tile without a collision shape is left out")
             return []
-        width, height = node.number("width", tiles.size[0]), node.number("height", tiles.size[1])
-        share = _ALIGNED.get(tiles.alignment, _ALIGNED["bottomleft"])
-        scale = width / max(tiles.size[0], 1e-9), height / max(tiles.size[1], 1e-9)
+        size = tiles.size_of(number)
+        width, height = node.number("width", size[0]), node.number("height", size[1])
+        usual = "bottom" if self._grid.way == "isometric" else "bottomleft"
+        share = _ALIGNED.get(tiles.alignment, _ALIGNED[usual])
+        scale = width / max(size[0], 1e-9), height / max(size[1], 1e-9)
+        shift = tiles.offset[0] * scale[0] - share[0] * width, tiles.offset[1] * scale[1] - share[1] * height
 
         def move(point: Vec) -> Vec:
-            return point[0] * scale[0] - share[0] * width, point[1] * scale[1] - share[1] * height
+            return point[0] * scale[0] + shift[0], point[1] * scale[1] + shift[1]
 
         own = surface_words(node)
-        return [(flipped(figure, tiles.size, flips).mapped(move), surface | own) for figure, surface in solids]
+        figures = [(box(size) if figure == CELL else figure, surface) for figure, surface in solids]
+        return [(flipped(figure, size, flips).mapped(move), surface | own) for figure, surface in figures]
 
     def _read_tiles(self, layer: Node, shift: Vec, asked: str) -> None:
-        boxes, shapes, empty = [], [], 0
-        solid = is_solid(layer)
-        for cell in cells_of(layer, self._remarks):
-            tiles = self._sets.of(cell.tile)
-            solids = tiles.solids.get(cell.tile - tiles.first, []) if tiles else []
-            if tiles is None or not (solids or solid):
-                empty += 1
-                continue
-            if tiles.size == self._tile and (solid or solids == [(tiles.box(), {})]):
-                boxes.append((cell.column, cell.row))
-                continue
-            x = cell.column * self._tile[0] + tiles.offset[0]
-            y = (cell.row + 1) * self._tile[1] - tiles.size[1] + tiles.offset[1]
-            for figure, surface in solids or [(tiles.box(), {})]:
-                placed = flipped(figure, tiles.size, cell.flips).mapped(lambda p, x=x, y=y: (p[0] + x, p[1] + y))  # type: ignore[misc]
-                shapes += self._words((placed, surface), layer.place)
-        shapes += [words for box in merged(boxes) for words in self._words((self._box(box), {}), layer.place)]
-        if empty:
-            self._remarks.note(f"{layer.place} ({empty})", "tiles without a collision shape are left out")
-        if shapes:
-            kind = asked if asked == "kinematic" else "static"
-            surface = surface_words(layer)
-            shapes = [surface | words for words in shapes]
-            self._draft.add_body(
-                layer.text("name"), {"type": kind, "position": self._metres(shift), "shapes": shapes}
-            )  # fmt: skip
-
-    def _box(self, box: tuple[int, int, int, int]) -> Figure:
-        (left, top, columns, rows), (width, height) = box, self._tile
-        xs, ys = (left * width, (left + columns) * width), (top * height, (top + rows) * height)
-        return Figure("box", ((xs[0], ys[0]), (xs[1], ys[0]), (xs[1], ys[1]), (xs[0], ys[1])))
+        shapes = [words for solid in self._tiles.solids(layer) for words in self._words(solid, layer.place)]
+        if not shapes:
+            return
+        kind = asked if asked == "kinematic" else "static"
+        surface = surface_words(layer)
+        shapes = [surface | words for words in shapes]
+        self._draft.add_body(layer.text("name"), {"type": kind, "position": self._metres(shift), "shapes": shapes})
 
     def _words(self, solid: Solid, place: str) -> list[Words]:
         figure, surface = solid
-        return [
-            words | surface
-            for words in shape_words(figure, self._pixels, self._tolerance, self._remarks, place)
-        ]  # fmt: skip
+        found = shape_words(figure, self._pixels, self._tolerance, self._remarks, place)
+        return [words | surface for words in found]
 
     def _metres(self, point: Vec) -> list[float]:
         return tidy_point((point[0] / self._pixels, (self._bottom - point[1]) / self._pixels))
+
+
+def _is_any(parent: Node, says: Callable[[Node], bool]) -> bool:
+    """Whether something holds for any layer, in groups too."""
+    return any(says(layer) or _is_any(layer, says) for layer in parent.nodes("layers"))
+
+
+def _tile_layers(parent: Node) -> Iterator[Node]:
+    for layer in parent.nodes("layers"):
+        if layer.text("type") == "tilelayer":
+            yield layer
+        yield from _tile_layers(layer)
+
+
+def _says_solid(layer: Node) -> bool:
+    no_shapes = ("gid", "point", "text", "template")
+    return is_solid(layer) or any(not any(map(each.has, no_shapes)) for each in layer.nodes("objects"))

@@ -12,7 +12,8 @@ from sandbox.formats.reading import MisreadError
 from sandbox.formats.xml_tree import Element
 from sandbox.scene.finding import Path
 
-_TEXTS = {"name", "class", "type", "orientation", "source", "encoding", "compression", "objectalignment", "template"}
+_TEXTS = {"name", "class", "type", "orientation", "source", "encoding", "compression", "objectalignment", "template",
+          "staggeraxis", "staggerindex", "tilerendersize", "fillmode"}  # fmt: skip
 _LAYERS = {"layer": "tilelayer", "objectgroup": "objectgroup", "imagelayer": "imagelayer", "group": "group"}
 _MARKS = ("point", "ellipse", "capsule")
 
@@ -51,15 +52,28 @@ def map_of(root: Element) -> dict[str, Any]:
 def tileset_of(root: Element) -> dict[str, Any]:
     """A tileset, or a reference to one."""
     found = _object(root)
-    if offset := root.first("tileoffset"):
-        found["tileoffset"] = _object(offset)
+    for key in ("tileoffset", "grid"):
+        if child := root.first(key):
+            found[key] = _object(child)
     tiles = []
     for tile in root.named("tile"):
         made = _object(tile)
+        if image := tile.first("image"):
+            made |= {f"image{key}": _number(image.get(key)) for key in ("width", "height") if image.get(key)}
         if group := tile.first("objectgroup"):
             made["objectgroup"] = _group(group)
         tiles.append(made)
     found["tiles"] = tiles
+    return found
+
+
+def template_of(root: Element) -> dict[str, Any]:
+    """A template: an object, and the tileset that its tile is of."""
+    found = _object(root)
+    if element := root.first("object"):
+        found["object"] = _shape(element)
+    if tiles := root.first("tileset"):
+        found["tileset"] = tileset_of(tiles)
     return found
 
 
