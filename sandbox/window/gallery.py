@@ -83,7 +83,7 @@ class Gallery:
             return self
         chosen, self._chosen, self.message = self._chosen, None, ""
         if chosen.is_dir():
-            self._write_search(f"{chosen}{os.sep}")
+            self._write_search(os.path.join("" if chosen.is_absolute() else ".", chosen, ""))
             return self
         return self._open(chosen)
 
@@ -140,9 +140,10 @@ class Gallery:
         imgui.set_next_item_width(-1.0)
         if not self._focused:
             imgui.set_keyboard_focus_here()
-            self._focused = True
         imgui.push_id(self._field)
-        words = text("gallery.search", "", self.search, f"{icons.ICON_FA_MAGNIFYING_GLASS}  title, theme or file")
+        hint = f"{icons.ICON_FA_MAGNIFYING_GLASS}  title, theme or file"
+        words = text("gallery.search", "", self.search, hint, at_end=not self._focused)
+        self._focused = self._focused or imgui.is_item_active()
         imgui.pop_id()
         if words != self.search:
             self._look_for(words)

@@ -8,15 +8,17 @@ from sandbox.render.camera import Size
 from sandbox.window.menu_bar import draw_menu_bar
 from sandbox.window.panels.panel import Panel
 from sandbox.window.scrubber import Scrubber
-from sandbox.window.time_bar import draw_time_bar
+from sandbox.window.time_bar import draw_time_bar, time_bar_height
 from sandbox.window.tool_bar import draw_tool_bar, tool_bar_width
 from sandbox.window.tools.tool_box import ToolBox
 from sandbox.window.viewport import Rect
 from sandbox.window.widgets import mark
 from sandbox.window.workspace import Workspace
 
-TIME_BAR_HEIGHT = 66.0
-PANEL_WIDTH = 340.0
+PANEL_WIDTH, LOW_HEIGHT = 352.0, 200.0
+"""Pixels of what is docked at the right, and least of what is docked below, as far as that leaves half to the scene."""
+WIDE_SHARE, LOW_SHARE = 0.18, 0.34
+"""Of a large window, what they take at least."""
 NARROW = 900
 """Below this width of the window, in pixels, no panel is open at first."""
 FIXED = (
@@ -45,7 +47,7 @@ class Layout:
         if not workspace.interface:
             return 0, 0, *size
         top = draw_menu_bar(workspace, self.panels)
-        bar = TIME_BAR_HEIGHT * workspace.text_scale
+        bar = time_bar_height()
         bottom = size[1] - bar
         left = tool_bar_width(bottom - top)
         _fixed("##tools", 0.0, top, left, bottom - top)
@@ -111,9 +113,10 @@ class Layout:
         builder.dock_builder_remove_node(dock)
         builder.dock_builder_add_node(dock, imgui.internal.DockNodeFlagsPrivate_.dock_space)
         builder.dock_builder_set_node_size(dock, imgui.ImVec2(width, height))
-        share = min(panel_width / width, 0.5)
+        share = min(max(panel_width / width, WIDE_SHARE), 0.5)
         right = builder.dock_builder_split_node(dock, imgui.Dir.right, share)
-        below = builder.dock_builder_split_node(right.id_at_opposite_dir, imgui.Dir.down, 0.34)
+        share = min(max(LOW_SHARE, LOW_HEIGHT * panel_width / PANEL_WIDTH / height), 0.5)
+        below = builder.dock_builder_split_node(right.id_at_opposite_dir, imgui.Dir.down, share)
         for panel in self.panels.values():
             node = below.id_at_dir if panel.side == "bottom" else right.id_at_dir
             builder.dock_builder_dock_window(_window_title(panel), node)

@@ -33,7 +33,7 @@ def _draw_actions(workspace: Workspace, menu: str) -> None:
         if action.menu == menu and not action.held:
             keys = action.keys[0] if action.keys else ""
             checked = action.checked is not None and action.checked(workspace)
-            clicked, _ = imgui.menu_item(action.title, keys, checked, action.enabled(workspace))
+            clicked, _ = imgui.menu_item(f"{action.title}  ", keys, checked, action.enabled(workspace))
             mark(f"menu.{action.name}", action.help)
             if clicked:
                 action.run(workspace)
@@ -42,7 +42,7 @@ def _draw_actions(workspace: Workspace, menu: str) -> None:
 def _draw_panel_items(workspace: Workspace, panels: dict[str, Panel]) -> None:
     imgui.separator()
     for panel in panels.values():
-        clicked, _ = imgui.menu_item(f"{panel.icon}  {panel.title}", panel.key, panel.name in workspace.panels)
+        clicked, _ = imgui.menu_item(f"{panel.icon}  {panel.title}  ", panel.key, panel.name in workspace.panels)
         mark(f"menu.panel.{panel.name}", panel.help)
         if clicked:
             workspace.toggle_panel(panel.name)

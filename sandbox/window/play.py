@@ -27,7 +27,7 @@ from sandbox.window.problem_box import draw_problem
 from sandbox.window.reload import Reloader
 from sandbox.window.scale_bar import draw_scale_bar
 from sandbox.window.scene_picture import ScenePicture
-from sandbox.window.scoreboard import draw_scoreboard
+from sandbox.window.scoreboard import below_counters, draw_scoreboard
 from sandbox.window.screen import Canvas, Screen
 from sandbox.window.session import Session
 from sandbox.window.tools.act import MagnetTool
@@ -177,7 +177,9 @@ class PlayScreen:
         workspace = self.workspace
         apply_style(workspace.theme, workspace.text_scale)
         begin_picture()
-        workspace.viewport.place(self._layout.draw(workspace, canvas.display.size), self.session)
+        overlay = Overlay(canvas.gui, scale=workspace.text_scale)
+        whole = self._layout.draw(workspace, canvas.display.size)
+        workspace.viewport.place(below_counters(overlay, self.session.world, whole), self.session)
         frame = self.session.frame()
         if any(panel.exact and panel.name in workspace.panels for panel in self.panels.values()):
             frame = self.session.current
@@ -186,7 +188,6 @@ class PlayScreen:
         self._since_picture = 0.0
         picture = self._picture.of(frame)
         canvas.paint(picture, workspace.viewport.rect)
-        overlay = Overlay(canvas.gui)
         with overlay.within(workspace.viewport.rect):
             overlay.labels(picture.labels, workspace.viewport.rect)
         self._draw_over(overlay)
@@ -220,11 +221,11 @@ class PlayScreen:
         workspace, clock, scene = self.workspace, self.session.clock, self.session.scene
         rect = workspace.viewport.rect
         if not workspace.interface:
-            hud.draw_figures(overlay, self._figures())
-            hud.draw_time_state(overlay, (rect[2], rect[3]), clock.paused, clock.speed)
+            hud.draw_figures(overlay, rect, self._figures())
+            hud.draw_time_state(overlay, rect, clock.paused, clock.speed)
             title = self._fade(TITLE_SECONDS - workspace.age)
             if title > 0.0:
-                hud.draw_title(overlay, (rect[2], rect[3]), scene.title, scene.about, title)
+                hud.draw_title(overlay, rect, scene.title, scene.about, title)
         else:
             draw_scale_bar(overlay, workspace, self.mouse.at)
         draw_scoreboard(overlay, workspace)
