@@ -51,7 +51,7 @@ class Gallery:
         self._chosen: Path | None = None
         self._leaving = False
         self._scroll_to_selected = False
-        self._focused = False
+        self._focused = self._entered = False
         self._scale = 1.0
         self._field = 0
         self._rows: list[Row] = []
@@ -140,10 +140,11 @@ class Gallery:
         imgui.set_next_item_width(-1.0)
         if not self._focused:
             imgui.set_keyboard_focus_here()
+            self._focused, self._entered = True, False
         imgui.push_id(self._field)
         hint = f"{icons.ICON_FA_MAGNIFYING_GLASS}  title, theme or file"
-        words = text("gallery.search", "", self.search, hint, at_end=not self._focused)
-        self._focused = self._focused or imgui.is_item_active()
+        words = text("gallery.search", "", self.search, hint, at_end=not self._entered)
+        self._entered = self._entered or imgui.is_item_active()
         imgui.pop_id()
         if words != self.search:
             self._look_for(words)
