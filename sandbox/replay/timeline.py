@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from sandbox.attributes import FixedAttributes
 from sandbox.engine.commands.base import Command
 from sandbox.engine.commands.drags import EndDrag
 from sandbox.engine.world import World
 from sandbox.errors import ArgumentError, SandboxError
+from sandbox.replay.deeds import Deeds
 from sandbox.replay.golden.run import Run, RunStepper
-from sandbox.replay.keyframes import Keyframe, Keyframes
+from sandbox.replay.keyframes import Keyframes
+from sandbox.replay.moment import Future, Mark, Moment, common_prefix, parting
+from sandbox.replay.playhead import Playhead
 from sandbox.replay.recording.command_words import TimedCommand, plain_command
 from sandbox.replay.recording.limits import MAX_STEPS
 from sandbox.replay.recording.recorder import recording_of
@@ -22,57 +24,45 @@ from sandbox.scene import Scene
 
 BUDGET = 256 * 1024 * 1024
 """Bytes of keyframes."""
-UNDO_LEVELS = 500
-
-
-@dataclass(frozen=True)
-class Moment:
-    """A place in a run: after `step` steps and `applied` commands, of a run known up to `length` steps.
-
-    The lists are those of that time; what is appended to them later is not part of the moment, so counts go with them.
-    """
-
-    label: str
-    commands: list[TimedCommand]
-    known: int
-    tape: Tape
-    length: int
-    step: int
-    applied: int
-
-
-@dataclass(frozen=True)
-class Mark:
-    """A place in a run to which commands can be taken back; `held` are drags of a future that they will replace."""
-
-    step: int
-    applied: int
-    snapshot: bytes
-    held: frozenset[str]
+UNDO_LEVELS, MOST_BRANCHES = 500, 30
 
 
 class Timeline(FixedAttributes):
     """A live run of `scene`: `step` takes the known future first and then goes on, `apply` begins another one.
 
-    Acts are groups of commands that are undone as one: `begin_act` says where one begins. `script` is what a recording
-    did; it is known from the start, up to `length` steps.
+    A future whose place another one takes becomes one of the `branches`, to which `switch` leads. Acts are groups of
+    commands that are undone as one: `begin_act` says where one begins. `script` is what a recording did; it is known
+    from the start, up to `length` steps.
     """
 
-    __slots__ = ("_cost", "_cuts", "_frames", "_length", "_redo", "_stepper", "_tape", "_undo", "scene")
+    __slots__ = (
+        "_branches",
+        "_cost",
+        "_cuts",
+        "_deeds",
+        "_head",
+        "_length",
+        "_redo",
+        "_stepper",
+        "_tape",
+        "_undo",
+        "scene",
+    )
 
     def __init__(
         self, scene: Scene, script: Sequence[TimedCommand] = (), length: int = 0, workers: int = 1, budget: int = BUDGET
     ) -> None:
         self.scene = scene
         self._stepper = RunStepper(scene, script, workers)
-        self._frames = Keyframes(budget)
+        self._head = Playhead(self._stepper, Keyframes(budget))
         self._tape = Tape()
         self._length = length
         self._undo: list[Moment] = []
         self._redo: list[Moment] = []
+        self._branches: tuple[Future, ...] = ()
+        self._deeds = Deeds()
         self._cost = 0.0
         self._cuts: list[int] = []
-        self._keep()
 
     @property
     def world(self) -> World:
@@ -135,9 +125,18 @@ class Timeline(FixedAttributes):
         """What `redo` would bring back; None if there is nothing."""
         return self._redo[-1].label if self._redo else None
 
+    @property
+    def branches(self) -> Sequence[Future]:
+        """The other futures, the latest one last. Undo brings back those of its time."""
+        return self._branches
+
+    def parts_from(self, branch: Future) -> int | None:
+        """The step after which another future goes its own way; None if it only is longer or shorter."""
+        return parting(self.commands, branch.script())[1]
+
     def step(self) -> None:
         """Take a step. Raises what a known command raises that cannot be applied: it and all after it are forgotten."""
-        self._keep()
+        self._head.keep()
         try:
             self._stepper.apply_due()
         except SandboxError:
@@ -157,13 +156,14 @@ class Timeline(FixedAttributes):
         """
         if not 0 <= step <= self.length:
             raise ArgumentError(f"step {step} is not one of 0 to {self.length}")
-        self._go(step)
+        self._head.go(step, self.step)
         if step >= self._length:
             self._stepper.apply_due()
 
     def begin_act(self, label: str) -> None:
         """What is applied from now on is undone as one; `label` says what it is, such as "Delete crate"."""
         self._undo.append(self._moment(label))
+        self._deeds.begin(label)
         del self._undo[:-UNDO_LEVELS]
 
     def end_act(self) -> None:
@@ -176,7 +176,25 @@ class Timeline(FixedAttributes):
         self.begin_act("Restart")
         self._redo.clear()
         script = list(commands)
-        self._resume(Moment("Restart", script, len(script), Tape(), 0, 0, 0))
+        lost = len(self.commands) > common_prefix(self.commands, script)
+        branches = self._with_mine() if lost else self._branches
+        self._resume(Moment("Restart", Future("", script, len(script), Tape(), 0), 0, 0, branches))
+
+    def switch(self, number: int) -> None:
+        """Know that one of the `branches` instead of this future, which becomes one of them; an act of its own.
+
+        Goes to the step after which they part. Raises `ArgumentError` if there is no such branch.
+        """
+        if not 0 <= number < len(self._branches):
+            raise ArgumentError(f"branch {number} is not one of the {len(self._branches)} that there are")
+        wanted = self._branches[number]
+        self.begin_act("Other future")
+        self._redo.clear()
+        common, step = parting(self.commands, wanted.script())
+        step = min(self.step_count, wanted.length) if step is None else step
+        branches = tuple(branch for branch in self._with_mine() if branch is not wanted)
+        applied = common if step < wanted.length else wanted.known
+        self._resume(Moment(wanted.label, wanted, step, applied, branches))
 
     def apply(self, command: Command) -> None:
         """Apply a command; a future that was known is forgotten. Raises what `World.apply` raises, and forgets nothing.
@@ -225,8 +243,11 @@ class Timeline(FixedAttributes):
         self.world.apply(command)
         self._redo.clear()
         if not self.at_end:
+            if self.length > self.step_count:
+                self._branches = self._with_mine()
             self._forget_coming()
         stepper.note(command)
+        self._deeds.note(stepper.commands[stepper.applied - 1])
         for name in sorted(ending & self._held() - {getattr(command, "body", None)}):
             stepper.add(EndDrag(name))
 
@@ -234,18 +255,10 @@ class Timeline(FixedAttributes):
         """The bodies that hands hold."""
         return frozenset(self.world.names[drag.body] for drag in self.world.state.drags if drag.body >= 0)
 
-    def _go(self, step: int, anew: bool = False) -> None:
-        """To a step, the commands after it not yet applied; `anew` if the world does not belong to this run."""
-        frame = self._frames.before(max(step, 1))
-        if anew or step <= self.step_count or frame.step > self.step_count:
-            self._stepper.restore(frame.snapshot, frame.applied)
-        while self.step_count < step:
-            self.step()
-
     def _place(self, step: int, applied: int, anew: bool = False) -> None:
         """To a step at which just so many commands have been applied."""
         if anew or (step, applied) != (self.step_count, self._stepper.applied):
-            self._go(step, anew)
+            self._head.go(step, self.step, anew)
             self._stepper.apply_due(applied)
 
     def _forget_coming(self) -> None:
@@ -253,13 +266,19 @@ class Timeline(FixedAttributes):
         self._cuts.append(self.step_count)
         self._stepper.forget_coming()
         self._tape = self._tape.up_to(self.step_count)
-        self._frames = self._frames.up_to(self.step_count)
+        self._head.part(self.step_count)
         self._length = self.step_count
 
     def _moment(self, label: str) -> Moment:
-        stepper = self._stepper
-        known = len(stepper.commands)
-        return Moment(label, stepper.commands, known, self._tape, self.length, self.step_count, stepper.applied)
+        return Moment(label, self._future(label), self.step_count, self._stepper.applied, self._branches)
+
+    def _future(self, label: str) -> Future:
+        commands = self._stepper.commands
+        return Future(label, commands, len(commands), self._tape, self.length)
+
+    def _with_mine(self) -> tuple[Future, ...]:
+        """The branches, and this future as one of them."""
+        return (*self._branches, self._future(self._deeds.label(self.commands)))[-MOST_BRANCHES:]
 
     def _swap(self, from_stack: list[Moment], to_stack: list[Moment]) -> str | None:
         if not from_stack:
@@ -271,27 +290,16 @@ class Timeline(FixedAttributes):
 
     def _resume(self, moment: Moment) -> None:
         """Be at a moment again, and know what was known then."""
-        stepper = self._stepper
-        mine, theirs = stepper.commands, moment.commands[: moment.known]
-        common = common_prefix(mine, theirs)
-        parting = min((step for step, _ in (*mine[common : common + 1], *theirs[common : common + 1])), default=None)
-        if parting is not None:
-            self._cuts.append(parting)
-            self._frames = self._frames.up_to(parting)
-        stepper.commands, self._tape, self._length = theirs, moment.tape.up_to(moment.length), moment.length
-        self._place(moment.step, moment.applied, anew=stepper.applied > common or _past(self.step_count, parting))
-
-    def _keep(self) -> None:
-        """Keep a keyframe of this step if one is due."""
-        if self._frames.wants(self.step_count):
-            self._frames.add(Keyframe(self.step_count, self._stepper.applied, self.world.snapshot()))
+        stepper, future, theirs = self._stepper, moment.future, moment.future.script()
+        common, parted = parting(stepper.commands, theirs)
+        if parted is not None:
+            self._cuts.append(parted)
+            self._head.part(parted)
+        stepper.commands, self._tape, self._length = theirs, future.tape.up_to(future.length), future.length
+        self._branches = moment.branches
+        self._place(moment.step, moment.applied, anew=stepper.applied > common or _past(self.step_count, parted))
 
 
-def common_prefix(a: Sequence[TimedCommand], b: Sequence[TimedCommand]) -> int:
-    """How many commands two runs begin with in common."""
-    return next((i for i, (x, y) in enumerate(zip(a, b, strict=False)) if x is not y), min(len(a), len(b)))
-
-
-def _past(step: int, parting: int | None) -> bool:
+def _past(step: int, parted: int | None) -> bool:
     """Whether a step has been taken after two runs parted."""
-    return parting is not None and step > parting
+    return parted is not None and step > parted

@@ -14,8 +14,9 @@ from sandbox.render.camera import Bounds, Vec
 from sandbox.render.frame import Frame, blend, capture, interesting_bounds
 from sandbox.render.pick import pick
 from sandbox.render.trails import Trails
+from sandbox.replay.moment import Mark
 from sandbox.replay.recording.limits import SUFFIX
-from sandbox.replay.timeline import Mark, Timeline
+from sandbox.replay.timeline import Timeline
 from sandbox.window.clock import StepClock
 
 if TYPE_CHECKING:
@@ -109,6 +110,12 @@ class Session:
         label = self.timeline.redo()
         self._look_anew()
         return label
+
+    def switch(self, number: int) -> None:
+        """Go on with one of the timeline's other futures, from where it parts from this one."""
+        self._let_go()
+        self.timeline.switch(number)
+        self._look_anew()
 
     def do(self, label: str, *commands: Command) -> bool:
         """Apply commands as one act. False if one is refused: `trouble` says why, and all are taken back."""

@@ -7,6 +7,7 @@ from imgui_bundle import imgui
 
 from sandbox.window import scrubber as track
 from sandbox.window.actions.registry import BY_NAME
+from sandbox.window.branch_list import branch_icon, draw_branches
 from sandbox.window.hud import speed_text
 from sandbox.window.scrubber import Scrubber
 from sandbox.window.widgets import button, mark
@@ -34,7 +35,12 @@ def draw_time_bar(workspace: Workspace, scrubber: Scrubber, hint: str) -> None:
     """The scrubber above; the buttons, figures and `hint`, what the tool in hand does, below."""
     scrubber.draw(workspace)
     clock = workspace.session.clock
-    for name, icon in _fitting(f"{speed_text(clock.speed):>6} "):
+    buttons = [*BUTTONS, *([("branches", branch_icon(workspace))] if workspace.session.timeline.branches else [])]
+    for name, icon in _fitting(buttons, f"{speed_text(clock.speed):>6} "):
+        if name == "branches":
+            draw_branches(workspace)
+            imgui.same_line()
+            continue
         action = BY_NAME[name]
         shown = icon or (icons.ICON_FA_PLAY if clock.paused else icons.ICON_FA_PAUSE)
         keys = f"   [{action.keys[0]}]"
@@ -48,9 +54,9 @@ def draw_time_bar(workspace: Workspace, scrubber: Scrubber, hint: str) -> None:
     _draw_hint(hint)
 
 
-def _fitting(speed: str) -> list[tuple[str, str]]:
-    """The buttons that find room beside the time; `speed` stands behind "faster"."""
-    style, buttons = imgui.get_style(), list(BUTTONS)
+def _fitting(buttons: list[tuple[str, str]], speed: str) -> list[tuple[str, str]]:
+    """Those of the buttons that find room beside the time; `speed` stands behind "faster"."""
+    style = imgui.get_style()
     room = imgui.get_content_region_avail().x - 4.0 * imgui.get_font_size()
     for names in LEAST_NEEDED:
         wide = [imgui.calc_text_size(icon or icons.ICON_FA_PAUSE).x + 2 * style.frame_padding.x for _, icon in buttons]

@@ -11,7 +11,7 @@ from sandbox.engine.commands.motion import SetPose
 from sandbox.errors import SandboxError
 from sandbox.render.camera import Vec
 from sandbox.render.line import Line
-from sandbox.replay.timeline import Mark
+from sandbox.replay.moment import Mark
 from sandbox.window.tools.joint_pick import joint_under
 from sandbox.window.tools.region_handles import RegionDrag
 from sandbox.window.tools.region_pick import region_at

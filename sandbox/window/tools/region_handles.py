@@ -13,7 +13,7 @@ from sandbox.engine.world import World
 from sandbox.errors import SandboxError
 from sandbox.render.camera import Vec
 from sandbox.render.line import Line
-from sandbox.replay.timeline import Mark
+from sandbox.replay.moment import Mark
 from sandbox.window.tools.tool import Pointer, outline
 from sandbox.window.workspace import Workspace
 from sandbox.world.region_area import Box, box_of, corners_of, disc_of, level_of
