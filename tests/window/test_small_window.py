@@ -32,6 +32,24 @@ def canvas(display: Any) -> Iterator[Canvas]:
     gui.close()
 
 
+def test_a_long_list_of_mistakes_can_be_closed(canvas: Canvas, tmp_path: Path) -> None:
+    def wrong(screen: PlayScreen) -> None:
+        assert screen._reloader is not None
+        screen._reloader.problem = "\n".join(30 * ["a.scene.json:1:1: something is wrong", '  1 | {"a": 1}', "    | ^"])
+
+    def look(screen: PlayScreen) -> None:
+        left, top, width, height = screen.workspace.viewport.rect
+        _, above, right, below = places["problem.close"]
+        assert right < left + width
+        assert top < above < below < top + height
+
+    screen = play(
+        canvas, SCENE, tmp_path, wrong, "wait 4\n", look, "click problem.close\nwait 2\n", size=SIZE
+    )  # fmt: skip
+    assert screen._reloader is not None
+    assert screen._reloader.problem == ""
+
+
 @pytest.mark.parametrize("larger", [0, 7])
 def test_the_scene_keeps_most_of_it_and_nothing_is_out_of_reach(larger: int, canvas: Canvas, tmp_path: Path) -> None:
     def look(screen: PlayScreen) -> None:
