@@ -94,7 +94,7 @@ class Editor:
         label(entry.title, entry.tip)
         if math.isinf(value):
             tip = f"{entry.tip}\nBegins with {start:g} {entry.scale.unit}."
-            if button(f"{entry.name}.set", "no limit: set one", tip):
+            if button(f"{entry.name}.set", "no limit: set one", tip, width=-1.0):
                 workspace.do(self._label(entry), *commands(start))
             return
         side = imgui.get_frame_height()

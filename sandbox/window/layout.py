@@ -40,6 +40,8 @@ class Layout:
         self._shown: set[str] | None = None
         self._fresh: set[str] = set()
         self._settling = 0
+        self._scale: float | None = None
+        """How large text was in the picture before."""
         self._scrubber = Scrubber()
 
     def draw(self, workspace: Workspace, size: Size) -> Rect:
@@ -99,12 +101,28 @@ class Layout:
         dock = imgui.get_id("dock")
         if imgui.internal.dock_builder_get_node(dock) is None:
             self._arrange(dock, width, height, PANEL_WIDTH * workspace.text_scale)
+        elif self._scale is not None and workspace.text_scale != self._scale:
+            self._stretch(workspace.text_scale / self._scale, (0.5 * width, 0.5 * height))
+        self._scale = workspace.text_scale
         imgui.dock_space(dock, imgui.ImVec2(0.0, 0.0), imgui.DockNodeFlags_.passthru_central_node)
         imgui.end()
         node = imgui.internal.dock_builder_get_central_node(dock)
         if node is None:
             return int(left), int(top), int(width), int(height)
         return int(node.pos.x), int(node.pos.y), max(int(node.size.x), 1), max(int(node.size.y), 1)
+
+    def _stretch(self, factor: float, most: tuple[float, float]) -> None:
+        """Make room for text that is `factor` times as large: panels become so many times as wide and high, up to
+        `most` pixels."""
+        nodes = {}
+        for panel in self.panels.values():
+            window = imgui.internal.find_window_by_name(_window_title(panel))
+            node = window.dock_node if window is not None else None
+            if node is not None:
+                nodes[node.id_] = node
+        for node in nodes.values():
+            size = zip((node.size.x, node.size.y), most, strict=True)
+            node.size_ref = imgui.ImVec2(*(min(factor * now, max(limit, now)) for now, limit in size))
 
     def _arrange(self, dock: int, width: float, height: float, panel_width: float) -> None:
         """Where panels are docked at first."""

@@ -158,7 +158,9 @@ def row(label: str, value: str, tip: str = "") -> None:
     """A name and what it is, in two columns."""
     imgui.text_disabled(label)
     imgui.same_line(imgui.get_font_size() * LABEL_EMS)
+    imgui.push_text_wrap_pos(0.0)
     imgui.text_unformatted(value)
+    imgui.pop_text_wrap_pos()
     if tip and imgui.is_item_hovered():
         imgui.set_tooltip(tip)
 

@@ -32,6 +32,19 @@ def canvas(display: Any) -> Iterator[Canvas]:
     gui.close()
 
 
+def test_panels_grow_and_shrink_with_their_text(canvas: Canvas, tmp_path: Path) -> None:
+    widths: list[float] = []
+
+    def look(screen: PlayScreen) -> None:
+        left, _, width, _ = screen.workspace.viewport.rect
+        widths.append(1280 - left - width)
+
+    larger = "key Ctrl++\n" * 3 + "wait 3\n"
+    play(canvas, SCENE, tmp_path, "wait 4\n", look, larger, look, larger.replace("++", "+-"), look)
+    assert widths[1] / widths[0] == pytest.approx(1.1**3, rel=0.02)
+    assert widths[2] == pytest.approx(widths[0], abs=3)
+
+
 def test_a_long_list_of_mistakes_can_be_closed(canvas: Canvas, tmp_path: Path) -> None:
     def wrong(screen: PlayScreen) -> None:
         assert screen._reloader is not None
