@@ -65,7 +65,7 @@ class Hand(Tool):
     def move(self, workspace: Workspace, pointer: Pointer) -> None:
         """Pull, or put elsewhere."""
         self._region.move(workspace, pointer)
-        workspace.session.drag(pointer.point)
+        workspace.session.grip.pull(pointer.point)
         start = self._start
         if start is None:
             return
@@ -75,7 +75,7 @@ class Hand(Tool):
 
     def release(self, workspace: Workspace, pointer: Pointer) -> None:
         """Let go. A click on the anchor of a joint means the joint."""
-        workspace.session.release()
+        workspace.session.grip.let_go()
         if not self._region.release(workspace):
             workspace.session.timeline.end_act()
         if self._joint is not None and not self._moved:
@@ -84,18 +84,18 @@ class Hand(Tool):
 
     def cancel(self, workspace: Workspace) -> bool:
         """Let go."""
-        busy = bool(self._moving) or workspace.session.grabbed is not None
+        busy = bool(self._moving) or workspace.session.grip.body is not None
         busy = self._region.release(workspace) or busy
-        workspace.session.release()
+        workspace.session.grip.let_go()
         self._forget()
         return busy
 
     def strokes(self, workspace: Workspace) -> Sequence[Line]:
         """The line from the grabbed point to the hand, or the handles of the region that is selected."""
         session, camera = workspace.session, workspace.viewport.camera
-        if session.grabbed is None:
+        if session.grip.body is None:
             return self._region.strokes(workspace)
-        start, end = camera.to_screen([session.grip(session.frame()), session.target])
+        start, end = camera.to_screen([session.grip.place(session.frame()), session.grip.target])
         grip, hand = (float(start[0]), float(start[1])), (float(end[0]), float(end[1]))
         color = workspace.theme.drag
         return Line(grip, hand, 1.6, color, 0.75), Line(grip, grip, 6.0, color), Line(hand, hand, 8.0, color)
