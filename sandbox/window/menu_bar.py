@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from imgui_bundle import imgui
 
+from sandbox.render.number_text import counted
 from sandbox.window.actions.registry import ACTIONS, MENUS
 from sandbox.window.panels.panel import Panel
 from sandbox.window.widgets import mark
@@ -55,7 +56,7 @@ def _draw_title(workspace: Workspace) -> None:
     width, used = imgui.get_window_width(), imgui.get_cursor_pos_x()
     frozen = int(world.state.counters[0].frozen_count)
     figures = [
-        f"{len(world.names):,} bodies", f"{len(world.contacts):,} contacts",
+        counted(len(world.names), "body", "bodies"), counted(len(world.contacts), "contact"),
         f"{1000.0 * workspace.session.step_cost:5.2f} ms/step", f"{workspace.fps:3.0f} fps",
     ]  # fmt: skip
     text = "    ".join([*([f"{frozen} frozen"] if frozen else []), *figures])

@@ -5,6 +5,7 @@ from __future__ import annotations
 from imgui_bundle import icons_fontawesome_6 as icons
 from imgui_bundle import imgui
 
+from sandbox.render.number_text import counted
 from sandbox.window import scrubber as track
 from sandbox.window.actions.registry import BY_NAME
 from sandbox.window.branch_list import branch_icon, draw_branches
@@ -72,7 +73,7 @@ def _draw_figures(workspace: Workspace) -> None:
     timeline = workspace.session.timeline
     behind = timeline.length - timeline.step_count
     words = [f"{workspace.session.world.time:8.2f} s", f"step {timeline.step_count:,}"]
-    words += [f"  {behind:,} steps known ahead"] if behind else []
+    words += [f"  {counted(behind, 'step')} known ahead"] if behind else []
     for number, text in enumerate(words):
         if imgui.calc_text_size(text).x > imgui.get_content_region_avail().x - 2.5 * imgui.get_font_size():
             break

@@ -10,9 +10,9 @@ from sandbox.engine.contact_solver.blocks import MAX_COLORS
 from sandbox.engine.contact_solver.graph_coloring import SETTLED
 from sandbox.render.geometry import Ints
 from sandbox.render.marks import Marks
+from sandbox.render.number_text import counted
 from sandbox.render.overlays.look import Look, Overlay
 from sandbox.render.overlays.pen import Pen
-from sandbox.render.overlays.scale import counted
 
 _MOST_LEGEND = 8
 
