@@ -188,9 +188,10 @@ class PlayScreen:
         self._since_picture = 0.0
         picture = self._picture.of(frame)
         canvas.paint(picture, workspace.viewport.rect)
-        with overlay.within(workspace.viewport.rect):
-            overlay.labels(picture.labels, workspace.viewport.rect)
-        self._draw_over(overlay)
+        plain = Overlay(canvas.gui)  # what a picture and panels write has its place there
+        with plain.within(workspace.viewport.rect):
+            plain.labels(picture.labels, workspace.viewport.rect)
+        self._draw_over(plain)
         self._draw_hud(overlay)
 
     def _reread(self, elapsed: float) -> Session | None:
