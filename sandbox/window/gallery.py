@@ -21,9 +21,11 @@ from sandbox.window.thumbnails import Thumbnails
 from sandbox.window.widgets import begin_picture, mark, text
 
 CARD_GAP, HEADING_HEIGHT, HEAD_HEIGHT = 14.0, 48.0, 112.0
-NARROWEST, WIDEST = 216.0, 1280.0
-"""Least width of a card, and the most that all cards of a row take."""
+NARROWEST, WIDEST, WIDE_SHARE = 216.0, 1280.0, 0.8
+"""Least width of a card, and the most that all cards of a row take: pixels, or a share of a larger window."""
 PAD = 8.0
+MOST_COLUMNS = 6
+"""Few themes have more scenes; beyond that, cards are larger."""
 
 _MOVES = {
     pygame.K_LEFT: (-1, 0), pygame.K_RIGHT: (1, 0), pygame.K_UP: (0, -1), pygame.K_DOWN: (0, 1),
@@ -105,7 +107,7 @@ class Gallery:
         apply_style(canvas.theme, scale)
         begin_picture()
         width, height = canvas.display.size
-        wide = min(WIDEST * scale, width - 48.0)
+        wide = min(max(WIDEST * scale, WIDE_SHARE * width), width - 48.0)
         left = (width - wide) / 2
         overlay = Overlay(canvas.gui, scale=scale)
         colors = palette_of(canvas.theme)
@@ -157,7 +159,8 @@ class Gallery:
         imgui.push_style_var(imgui.StyleVar_.window_padding, imgui.ImVec2(0.0, 0.0))
         imgui.begin("##scenes", None, _WINDOW_FLAGS)
         imgui.pop_style_var()
-        columns = max(int((wide + CARD_GAP) / (NARROWEST * self._scale + CARD_GAP)), 1)
+        fitting = int((wide + CARD_GAP) / (NARROWEST * self._scale + CARD_GAP))
+        columns = min(max(fitting, 1), MOST_COLUMNS)
         self._rows = card_rows([entry.theme for entry in self._entries], columns)
         card = (wide - CARD_GAP * (columns - 1)) / columns
         self._draw_grid(canvas, (card, card * PICTURE_SHARE + ABOUT_HEIGHT * self._scale))

@@ -18,7 +18,7 @@ from sandbox.window.gui_style import apply_style
 from sandbox.window.help import draw_help
 from sandbox.window.journal import Journal
 from sandbox.window.keyboard import Keyboard
-from sandbox.window.layout import Layout, first_panels
+from sandbox.window.layout import NARROW, Layout, first_panels
 from sandbox.window.mouse import Mouse
 from sandbox.window.overlay import Overlay
 from sandbox.window.palette import Palette
@@ -70,6 +70,8 @@ class PlayScreen:
         self.player = Player(self.workspace)
         if self.player.controls:
             self.tool_box.choose("play")
+            if size[0] < NARROW:  # where the line of the tool has no room
+                self.workspace.say(self.tool_box.tool.hint(self.workspace))
         self.mouse = Mouse(self.workspace, self.tool_box)
         self._keyboard = Keyboard(self.workspace, self.tool_box, self.panels)
         self._picture = ScenePicture(self.workspace, self.mouse.strokes)

@@ -70,10 +70,6 @@ class LessonsPanel(Panel):
         section = sections[place.section]
         for number, showing in enumerate(section.showings):
             self._draw_showing(workspace, showing, number)
-            if wide:
-                imgui.same_line()
-        if wide and section.showings:
-            imgui.new_line()
         draw_words(section, f"{place.lesson} {place.section}", workspace)
 
     def _draw_steps(self, sections: tuple[Section, ...], title_width: float) -> None:
@@ -91,8 +87,13 @@ class LessonsPanel(Panel):
             self.bookmark.section = titles.index(chosen)
 
     def _draw_showing(self, workspace: Workspace, showing: Showing, number: int) -> None:
-        tip = "Opens the scene, and what the section speaks of in it."
-        if button(f"lessons.show.{number}", f"{icons.ICON_FA_PLAY}  {showing.label}", tip):
+        tip, words = "Opens the scene, and what the section speaks of in it.", f"{icons.ICON_FA_PLAY}  {showing.label}"
+        if number:  # beside the one before, if it has room there
+            style, window = imgui.get_style(), imgui.get_window_pos().x
+            end = imgui.get_item_rect_max().x + style.item_spacing.x + 2 * style.frame_padding.x
+            if end + imgui.calc_text_size(words).x < window + imgui.get_window_width() - style.window_padding.x:
+                imgui.same_line()
+        if button(f"lessons.show.{number}", words, tip):
             self.bookmark.wanted = showing
             if _name(workspace) != showing.scene:
                 workspace.wish = Wish("open", find_scene(scenes_dir() / showing.scene))
