@@ -30,7 +30,7 @@ def _delete(workspace: Workspace) -> None:
     elif selection.joint in world.joint_names and selection.joint is not None:
         workspace.do(f"Delete {selection.joint}", DeleteJoint(selection.joint))
     elif selection.region is not None and world.directory.find_region(selection.region) is not None:
-        workspace.do(f"Delete {selection.region}", DeleteRegion(selection.region))
+        workspace.do(f"Delete {selection.region_title}", DeleteRegion(selection.region))
     else:
         workspace.say("there is nothing selected to delete")
 

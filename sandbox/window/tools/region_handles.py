@@ -126,7 +126,7 @@ class RegionDrag:
         away, handle = min(near, key=lambda row: row[0], default=(math.inf, None))
         if handle is None or name is None or away > HANDLE_PIXELS:
             return False
-        timeline.begin_act(f"{'Move' if handle.moves else 'Resize'} {name}")
+        timeline.begin_act(f"{'Move' if handle.moves else 'Resize'} {workspace.selection.region_title}")
         self._held, self._mark = (name, handle), timeline.mark()
         return True
 

@@ -53,7 +53,7 @@ class InspectorPanel(Panel):
             _draw_head(workspace, joint.id, joint.type, joint.anchors[1] if joint.type != "gear" else None)
             draw_joint(workspace, self._editor, joint)
         elif selection.region is not None and world.directory.find_region(selection.region) is not None:
-            _draw_head(workspace, f"region {selection.region}", "", middle_of(world, selection.region))
+            _draw_head(workspace, selection.region_title, "", middle_of(world, selection.region))
             draw_region(workspace, self._editor, selection.region)
         else:
             self._finder.draw(workspace)

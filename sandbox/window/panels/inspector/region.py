@@ -40,7 +40,7 @@ def draw_region(workspace: Workspace, editor: Editor, name: str) -> None:
     record: Any = world.state.regions[number]
     fields = columns_of(record)
     kind = next(iter(fields))
-    editor.of = name
+    editor.of = workspace.selection.region_title
     if not section("Region"):
         return
     row("kind", kind.replace("_", " "))
@@ -53,7 +53,7 @@ def draw_region(workspace: Workspace, editor: Editor, name: str) -> None:
         entry = Entry(f"inspector.region.{field}", field.replace("_", " "), _SCALES[field], _tip(kind, field))
         _draw_field(workspace, editor, entry, (name, field, _values(workspace, name, record, columns)))
     if button("inspector.region.delete", "Delete", "Takes it out of the world."):
-        workspace.do(f"Delete {name}", DeleteRegion(name))
+        workspace.do(f"Delete {editor.of}", DeleteRegion(name))
 
 
 def _draw_field(workspace: Workspace, editor: Editor, entry: Entry, what: tuple[str, str, tuple[float, ...]]) -> None:
