@@ -40,6 +40,7 @@ def test_a_future_is_chosen_from_the_list_and_by_its_key_and_all_is_undone(canva
         "key ,\n" * 4 + "key Delete\nkey .\nwait 2\n", look,
         "click time.branches\nwait 3\nclick branch.0\nwait 2\n", look, "key End\nwait 2\n", look,
         "key Ctrl+B\nwait 2\n", look, "key Ctrl+Z\nkey Ctrl+Z\nwait 2\n", look,
+        size=(720, 450),
     )  # fmt: skip
     before = len(SCENE.bodies)
     after = seen[0][2]
