@@ -14,7 +14,7 @@ from sandbox.window.actions.registry import BY_NAME
 from sandbox.window.compare import end_comparison, follow_comparison
 from sandbox.window.controls.player import Player
 from sandbox.window.export_box import ExportBox
-from sandbox.window.gui_style import apply_style
+from sandbox.window.gui_style import apply_style, palette_of
 from sandbox.window.help import draw_help
 from sandbox.window.journal import Journal
 from sandbox.window.keyboard import Keyboard
@@ -33,11 +33,12 @@ from sandbox.window.session import Session
 from sandbox.window.tools.act import MagnetTool
 from sandbox.window.tools.play import PlayTool
 from sandbox.window.tools.tool_box import ToolBox
-from sandbox.window.viewport import Viewport
+from sandbox.window.viewport import Rect, Viewport
 from sandbox.window.widgets import begin_picture
 from sandbox.window.workspace import Wish, Workspace
 
 TITLE_SECONDS, FADE_SECONDS = 5.0, 0.8
+FOOT_PIXELS = 90
 TAKEN_OVER = (
     "theme", "panels", "overlays", "color_by", "depth", "interface", "text_scale", "less_motion", "keep_time",
     "selection", "clipboard", "age",
@@ -222,19 +223,19 @@ class PlayScreen:
 
     def _draw_hud(self, overlay: Overlay) -> None:
         workspace, clock, scene = self.workspace, self.session.clock, self.session.scene
-        rect = workspace.viewport.rect
+        rect, colors = workspace.viewport.rect, palette_of(workspace.theme)
         if not workspace.interface:
-            hud.draw_figures(overlay, rect, self._figures())
-            hud.draw_time_state(overlay, rect, clock.paused, clock.speed)
+            hud.draw_figures(overlay, rect, colors, self._figures())
+            hud.draw_time_state(overlay, rect, colors, clock.paused, clock.speed)
             title = self._fade(TITLE_SECONDS - workspace.age)
             if title > 0.0:
-                hud.draw_title(overlay, rect, scene.title, scene.about, title)
+                hud.draw_title(overlay, rect, colors, (scene.title, scene.about), title)
         else:
             draw_scale_bar(overlay, workspace, self.mouse.at)
         draw_scoreboard(overlay, workspace)
         noted = self._fade(workspace.note_until - workspace.age)
         if noted > 0.0:
-            hud.draw_note(overlay, rect, workspace.note, noted)
+            hud.draw_note(overlay, rect if workspace.interface else _foot(rect), colors, workspace.note, noted)
         reloader = self._reloader
         if reloader and reloader.problem and draw_problem(workspace, reloader.problem, overlay.gui.mono):
             reloader.problem = ""
@@ -258,3 +259,10 @@ class PlayScreen:
             time=world.time,
             frozen=int(world.state.counters[0].frozen_count),
         )
+
+
+def _foot(rect: Rect) -> Rect:
+    """The lower end of a rectangle: its upper one has figures and the title where panels are hidden."""
+    left, top, width, height = rect
+    high = min(FOOT_PIXELS, height)
+    return left, top + height - high, width, high
