@@ -26,3 +26,8 @@ def metres(value: float) -> str:
 def point(value: tuple[float, float]) -> str:
     """`(7, 0)`."""
     return f"({plain(value[0])}, {plain(value[1])})"
+
+
+def counted(count: int, one: str, many: str = "") -> str:
+    """`1 box`, `2 boxes`; with an s if `many` is not said."""
+    return f"{count:,} {one if count == 1 else many or one + 's'}"

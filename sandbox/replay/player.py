@@ -8,7 +8,8 @@ from sandbox.engine.commands.base import Command
 from sandbox.engine.world import World
 from sandbox.errors import ArgumentError, CommandError
 from sandbox.replay.golden.run import Run, RunStepper, run_of
-from sandbox.replay.keyframes import Keyframe, Keyframes
+from sandbox.replay.keyframes import Keyframes
+from sandbox.replay.playhead import Playhead
 from sandbox.replay.recording.command_words import plain_command
 from sandbox.replay.recording.recording import Recording
 from sandbox.scene import Scene
@@ -24,7 +25,7 @@ class Player(FixedAttributes):
     another future in the middle. Keyframes take at most `budget` bytes: with a longer run they stand farther apart.
     """
 
-    __slots__ = ("_frames", "_length", "_run", "_stepper")
+    __slots__ = ("_head", "_length", "_run", "_stepper")
 
     def __init__(self, run: Run | Recording | Scene, budget: int = BUDGET) -> None:
         known = run_of(run, "Player")
@@ -54,8 +55,7 @@ class Player(FixedAttributes):
     def step(self, n: int = 1) -> None:
         """Go on by `n` steps, past the end if need be. Raises what a command raises that cannot be applied."""
         for _ in range(checked_count("Player.step", n)):
-            self._keep()
-            self._stepper.advance()
+            self._advance()
         self._length = max(self.length, self.step_count)
 
     def seek(self, step: int) -> None:
@@ -65,13 +65,7 @@ class Player(FixedAttributes):
         """
         if checked_count("Player.seek", step) > self.length:
             raise ArgumentError(f"step {step} is not one of 0 to {self.length}")
-        here = self.step_count
-        frame = self._frames.before(max(step, 1))
-        # Forwards from here, unless a keyframe lies between or the way leads back.
-        if step <= here or frame.step > here:
-            self._stepper.restore(frame.snapshot, frame.applied)
-        if step > self.step_count:
-            self.step(step - self.step_count)
+        self._head.go(step, self._advance)
 
     def apply(self, command: Command) -> None:
         """Apply a command at the end of what is known; elsewhere `branch` first. Raises what `World.apply` does."""
@@ -85,17 +79,16 @@ class Player(FixedAttributes):
         player = Player.__new__(Player)
         here = self.step_count
         commands = [row for row in self._stepper.commands if row[0] < here] + self._stepper.commands_done_at(here)
-        player._begin(Run(self._run.scene, here, tuple(commands)), self._frames.up_to(here))
+        player._begin(Run(self._run.scene, here, tuple(commands)), self._head.frames.up_to(here))
         player._length = here
         player._stepper.restore(self.world.snapshot(), self._stepper.applied)
         return player
 
     def _begin(self, run: Run, frames: Keyframes) -> None:
-        self._run, self._frames = run, frames
+        self._run = run
         self._stepper = RunStepper(run.scene, run.commands)
-        self._keep()
+        self._head = Playhead(self._stepper, frames)
 
-    def _keep(self) -> None:
-        """Keep a keyframe of this step if one is due."""
-        if self._frames.wants(self.step_count):
-            self._frames.add(Keyframe(self.step_count, self._stepper.applied, self.world.snapshot()))
+    def _advance(self) -> None:
+        self._head.keep()
+        self._stepper.advance()

@@ -6,7 +6,7 @@ from imgui_bundle import imgui
 
 from sandbox.engine.commands.base import Command
 from sandbox.errors import SandboxError
-from sandbox.replay.timeline import Mark
+from sandbox.replay.moment import Mark
 from sandbox.window.workspace import Workspace
 
 

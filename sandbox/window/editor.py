@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from imgui_bundle import icons_fontawesome_6 as icons
 from imgui_bundle import imgui
 
 from sandbox.engine.commands.base import Command
@@ -78,7 +79,8 @@ class Editor:
         if wanted != (value is not None):
             workspace.do(self._label(entry), *commands(start if wanted else None))
         elif value is not None:
-            self._beside(workspace, entry, value, commands)
+            imgui.same_line()
+            self._drag(workspace, entry, value, -1.0, commands)
 
     def ceiling(
         self,
@@ -88,19 +90,30 @@ class Editor:
         start: float,
         commands: Callable[[float], Iterable[Command]],
     ) -> None:
-        """A number that may be infinite: a button that gives it `start`, or the number."""
-        if math.isfinite(value):
-            self.number(workspace, entry, [value], commands)
-            return
+        """A number that may be infinite: a button that gives it `start`, or the number and one that takes it away."""
         label(entry.title, entry.tip)
-        if button(f"{entry.name}.set", "any: set a limit", f"{entry.tip}\nBegins with {start:g} {entry.scale.unit}."):
-            workspace.do(self._label(entry), *commands(start))
+        if math.isinf(value):
+            tip = f"{entry.tip}\nBegins with {start:g} {entry.scale.unit}."
+            if button(f"{entry.name}.set", "no limit: set one", tip, width=-1.0):
+                workspace.do(self._label(entry), *commands(start))
+            return
+        side = imgui.get_frame_height()
+        wide = imgui.get_content_region_avail().x - side - imgui.get_style().item_inner_spacing.x
+        self._drag(workspace, entry, value, wide, commands)
+        imgui.same_line(0.0, imgui.get_style().item_inner_spacing.x)
+        if button(f"{entry.name}.none", icons.ICON_FA_XMARK, "No limit.", width=side):
+            workspace.do(self._label(entry), *commands(math.inf))
 
-    def _beside(
-        self, workspace: Workspace, entry: Entry, value: float, commands: Callable[[float | None], Iterable[Command]]
+    def _drag(
+        self,
+        workspace: Workspace,
+        entry: Entry,
+        value: float,
+        width: float,
+        commands: Callable[[float], Iterable[Command]],
     ) -> None:
-        imgui.same_line()
-        imgui.set_next_item_width(-1.0)
+        """The number itself, `width` pixels wide, or with -1 as wide as there is room."""
+        imgui.set_next_item_width(width)
         changed, got = drag(entry.name, "", value, entry.tip, entry.scale)
         given = tuple(commands(plain_number(got))) if changed else ()
         self._adjustment.follow(workspace, changed, *given, label=self._label(entry))

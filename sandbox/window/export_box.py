@@ -10,6 +10,7 @@ from imgui_bundle import imgui
 
 from sandbox.errors import MissingDependencyError, SandboxError
 from sandbox.render.camera import Size
+from sandbox.render.number_text import counted
 from sandbox.render.theme import DARK, LIGHT
 from sandbox.window.export import FILMS, LARGEST, SMALLEST, STILLS, Wanted, as_seen, even, export_path, write_export
 from sandbox.window.gui_style import palette_of
@@ -222,4 +223,4 @@ def _length(workspace: Workspace, wanted: Wanted) -> str:
         return "A film needs steps: end after the start. "
     steps = wanted.last - wanted.first
     seconds = steps * float(workspace.session.world.state.settings[0].step_seconds)
-    return f"{steps:,} steps, {seconds:.2f} s. "
+    return f"{counted(steps, 'step')}, {seconds:.2f} s. "

@@ -21,9 +21,11 @@ from sandbox.window.thumbnails import Thumbnails
 from sandbox.window.widgets import begin_picture, mark, text
 
 CARD_GAP, HEADING_HEIGHT, HEAD_HEIGHT = 14.0, 48.0, 112.0
-NARROWEST, WIDEST = 216.0, 1280.0
-"""Least width of a card, and the most that all cards of a row take."""
+NARROWEST, WIDEST, WIDE_SHARE = 216.0, 1280.0, 0.8
+"""Least width of a card, and the most that all cards of a row take: pixels, or a share of a larger window."""
 PAD = 8.0
+MOST_COLUMNS = 6
+"""Few themes have more scenes; beyond that, cards are larger."""
 
 _MOVES = {
     pygame.K_LEFT: (-1, 0), pygame.K_RIGHT: (1, 0), pygame.K_UP: (0, -1), pygame.K_DOWN: (0, 1),
@@ -51,7 +53,7 @@ class Gallery:
         self._chosen: Path | None = None
         self._leaving = False
         self._scroll_to_selected = False
-        self._focused = False
+        self._focused = self._entered = False
         self._scale = 1.0
         self._field = 0
         self._rows: list[Row] = []
@@ -83,7 +85,7 @@ class Gallery:
             return self
         chosen, self._chosen, self.message = self._chosen, None, ""
         if chosen.is_dir():
-            self._write_search(f"{chosen}{os.sep}")
+            self._write_search(os.path.join("" if chosen.is_absolute() else ".", chosen, ""))
             return self
         return self._open(chosen)
 
@@ -105,7 +107,7 @@ class Gallery:
         apply_style(canvas.theme, scale)
         begin_picture()
         width, height = canvas.display.size
-        wide = min(WIDEST * scale, width - 48.0)
+        wide = min(max(WIDEST * scale, WIDE_SHARE * width), width - 48.0)
         left = (width - wide) / 2
         overlay = Overlay(canvas.gui, scale=scale)
         colors = palette_of(canvas.theme)
@@ -140,9 +142,11 @@ class Gallery:
         imgui.set_next_item_width(-1.0)
         if not self._focused:
             imgui.set_keyboard_focus_here()
-            self._focused = True
+            self._focused, self._entered = True, False
         imgui.push_id(self._field)
-        words = text("gallery.search", "", self.search, f"{icons.ICON_FA_MAGNIFYING_GLASS}  title, theme or file")
+        hint = f"{icons.ICON_FA_MAGNIFYING_GLASS}  title, theme or file"
+        words = text("gallery.search", "", self.search, hint, at_end=not self._entered)
+        self._entered = self._entered or imgui.is_item_active()
         imgui.pop_id()
         if words != self.search:
             self._look_for(words)
@@ -155,7 +159,8 @@ class Gallery:
         imgui.push_style_var(imgui.StyleVar_.window_padding, imgui.ImVec2(0.0, 0.0))
         imgui.begin("##scenes", None, _WINDOW_FLAGS)
         imgui.pop_style_var()
-        columns = max(int((wide + CARD_GAP) / (NARROWEST * self._scale + CARD_GAP)), 1)
+        fitting = int((wide + CARD_GAP) / (NARROWEST * self._scale + CARD_GAP))
+        columns = min(max(fitting, 1), MOST_COLUMNS)
         self._rows = card_rows([entry.theme for entry in self._entries], columns)
         card = (wide - CARD_GAP * (columns - 1)) / columns
         self._draw_grid(canvas, (card, card * PICTURE_SHARE + ABOUT_HEIGHT * self._scale))

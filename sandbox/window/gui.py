@@ -16,7 +16,8 @@ _FONT = Path(imgui_bundle.__file__).parent / "assets" / "fonts" / "Roboto" / "Ro
 _BOLD = _FONT.with_name("Roboto-Bold.ttf")
 _MONO = _FONT.parents[1] / "Inconsolata-Medium.ttf"
 _ICONS = _FONT.parents[1] / "Font_Awesome_6_Free-Solid-900.otf"
-ICON_SIZE = 14.0
+ICON_SIZE, ICON_WIDTH = 14.0, 18.0
+"""Height of an icon's box, and how far all but the widest take a line on, so that what stands behind them lines up."""
 
 
 class Gui:
@@ -73,6 +74,7 @@ class Gui:
             merged = imgui.ImFontConfig()
             merged.merge_mode = True
             merged.glyph_offset = imgui.ImVec2(0.0, 1.0)
+            merged.glyph_min_advance_x = ICON_WIDTH
             self.io.fonts.add_font_from_file_ttf(str(_ICONS), ICON_SIZE, merged)
 
     def _font(self, path: Path) -> Any:

@@ -50,13 +50,15 @@ def apply_style(theme: Theme, text_scale: float = 1.0) -> None:
     (imgui.style_colors_dark if theme is DARK else imgui.style_colors_light)()
     (implot.style_colors_dark if theme is DARK else implot.style_colors_light)()
     style.font_scale_main = text_scale
-    style.window_padding = imgui.ImVec2(10.0, 8.0)
-    style.frame_padding = imgui.ImVec2(7.0, 4.0)
-    style.item_spacing = imgui.ImVec2(7.0, 5.0)
+    room = max(text_scale, 1.0) ** 0.5  # around large text, but not so much that little is left for it
+    style.window_padding = imgui.ImVec2(10.0 * room, 8.0 * room)
+    style.frame_padding = imgui.ImVec2(7.0 * room, 4.0 * room)
+    style.item_spacing = imgui.ImVec2(7.0 * room, 5.0 * room)
     style.window_border_size = style.popup_border_size = 1.0
     style.frame_rounding = style.grab_rounding = style.popup_rounding = 5.0
     style.window_rounding = style.child_rounding = 7.0
     style.tab_rounding = 5.0
+    style.tab_min_width_shrink = 44.0 * text_scale  # an icon and a letter or two, before tabs are scrolled away
     style.tab_bar_border_size = 1.0
     style.scrollbar_size, style.scrollbar_rounding = 10.0, 5.0
     style.docking_separator_size = 1.0
@@ -70,7 +72,7 @@ def _paints(colors: Palette) -> tuple[tuple[str, Color, float], ...]:
     return (
         ("window_bg popup_bg menu_bar_bg title_bg title_bg_active title_bg_collapsed", colors.panel, 1.0),
         ("child_bg docking_empty_bg scrollbar_bg modal_window_dim_bg", colors.panel, 0.0),
-        ("frame_bg", colors.inset, 1.0),
+        ("frame_bg checkbox_selected_bg", colors.inset, 1.0),
         ("button header tab_selected tab_dimmed_selected scrollbar_grab", colors.raised, 1.0),
         ("button_hovered header_hovered frame_bg_hovered frame_bg_active tab_hovered scrollbar_grab_hovered "
          "separator_hovered resize_grip_hovered", colors.hovered, 1.0),

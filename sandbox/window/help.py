@@ -19,6 +19,8 @@ MOUSE = (
     ("Wheel", "zoom about the pointer"),
 )
 WIDEST, HIGHEST, MARGIN = 980.0, 760.0, 24.0
+KEYS_EMS = 7.0
+"""Widest column of keys, in heights of the text."""
 Rows: TypeAlias = Sequence[tuple[str, str]]
 
 
@@ -65,7 +67,9 @@ def _blocks(tools: dict[str, Tool], panels: dict[str, Panel]) -> list[tuple[str,
 def _draw_block(title: str, rows: Rows) -> None:
     imgui.separator_text(title)
     if imgui.begin_table(f"help {title}", 2):
-        imgui.table_setup_column("keys", imgui.TableColumnFlags_.width_fixed, imgui.get_font_size() * 7.0)
+        longest = max(imgui.calc_text_size(keys).x for keys, _ in rows)
+        wide = min(longest + 0.5 * imgui.get_font_size(), imgui.get_font_size() * KEYS_EMS)
+        imgui.table_setup_column("keys", imgui.TableColumnFlags_.width_fixed, wide)
         imgui.table_setup_column("help", imgui.TableColumnFlags_.width_stretch)
         for keys, help_line in rows:
             imgui.table_next_row()

@@ -54,10 +54,9 @@ def highlight_joint(state: State, frame: Frame, camera: Camera, name: str | None
     return Marks(strokes=joined([strokes(first, last, WIDTH, color, 0.95), around]))
 
 
-def highlight_region(state: State, camera: Camera, name: str | None, color: Color) -> Marks:
-    """An outline around the region of that id, if it has an area."""
-    names = state.census.regions.names
-    region = region_mark(state, names.index(name)) if name and name in names else None
+def highlight_region(state: State, camera: Camera, row: int | None, color: Color) -> Marks:
+    """An outline around the region of that row, if it has an area."""
+    region = None if row is None else region_mark(state, row)
     if region is None or not (len(region.edges) or region.disc[2] > 0.0):
         return Marks()
     corners = camera.to_screen(area(region, camera))

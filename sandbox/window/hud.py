@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from sandbox.render.camera import Size
-from sandbox.render.theme import hex_color
 from sandbox.window.gui import TEXT_SIZE
+from sandbox.window.gui_style import Palette
 from sandbox.window.overlay import Overlay, shorten
+from sandbox.window.viewport import Rect
 
-TEXT, FAINT, WARM = hex_color("#e6eaf1"), hex_color("#8e99aa"), hex_color("#ffd479")
-PANEL = hex_color("#1b2029")
 PANEL_OPACITY = 0.9
 MARGIN, PAD_X, PAD_Y, GAP = 14.0, 14.0, 8.0, 22.0
 
@@ -40,30 +38,35 @@ class Figures:
         return [*rows, ("frozen", f"{self.frozen}", "")] if self.frozen else rows
 
 
-def draw_figures(overlay: Overlay, figures: Figures) -> None:
-    """The line of figures in the top left corner."""
+def draw_figures(overlay: Overlay, rect: Rect, colors: Palette, figures: Figures) -> None:
+    """The line of figures in the top left corner, as many as there is room for."""
     columns = [
         (label, value, overlay.width(label), max(overlay.width(value), overlay.width(widest)))
         for label, value, widest in figures.items()
     ]
-    width = sum(a + 6.0 + b for _, _, a, b in columns) + GAP * (len(columns) - 1)
-    _panel(overlay, MARGIN, MARGIN, width)
-    x = MARGIN + PAD_X
+    room = rect[2] - 2 * (MARGIN + PAD_X)
+    while columns and (width := sum(a + 6.0 + b + GAP for _, _, a, b in columns) - GAP) > room:
+        columns.pop()
+    if not columns:
+        return
+    x, y = rect[0] + MARGIN, rect[1] + MARGIN
+    _panel(overlay, colors, x, y, width)
+    x += PAD_X
     for label, value, label_width, value_width in columns:
-        overlay.text(x, MARGIN + PAD_Y, label, FAINT)
-        overlay.text(x + label_width + 6.0, MARGIN + PAD_Y, value, WARM if label == "frozen" else TEXT)
+        overlay.text(x, y + PAD_Y, label, colors.faint)
+        overlay.text(x + label_width + 6.0, y + PAD_Y, value, colors.accent if label == "frozen" else colors.text)
         x += label_width + 6.0 + value_width + GAP
 
 
-def draw_time_state(overlay: Overlay, size: Size, paused: bool, speed: float) -> None:
+def draw_time_state(overlay: Overlay, rect: Rect, colors: Palette, paused: bool, speed: float) -> None:
     """A badge in the top right corner while time does not run as usual."""
     words = [*(["paused"] if paused else []), *([] if speed == 1.0 else [f"speed {speed_text(speed)}"])]
     if words:
         text = "  ·  ".join(words)
         width = overlay.width(text)
-        x = size[0] - MARGIN - 2 * PAD_X - width
-        _panel(overlay, x, MARGIN, width)
-        overlay.text(x + PAD_X, MARGIN + PAD_Y, text, WARM)
+        x, y = rect[0] + rect[2] - MARGIN - 2 * PAD_X - width, rect[1] + MARGIN
+        _panel(overlay, colors, x, y, width)
+        overlay.text(x + PAD_X, y + PAD_Y, text, colors.accent)
 
 
 def speed_text(speed: float) -> str:
@@ -71,36 +74,37 @@ def speed_text(speed: float) -> str:
     return f"×{speed:.0f}" if speed >= 1.0 else f"×1/{1.0 / speed:.0f}"
 
 
-def draw_note(overlay: Overlay, rect: tuple[int, int, int, int], text: str, opacity: float) -> None:
+def draw_note(overlay: Overlay, rect: Rect, colors: Palette, text: str, opacity: float) -> None:
     """A line in the upper part of a rectangle (left, top, width, height in pixels), for what just happened."""
     shown = shorten(overlay, text, rect[2] - 2 * (MARGIN + PAD_X))
     width = overlay.width(shown)
     x, y = rect[0] + (rect[2] - width) / 2, rect[1] + MARGIN + PAD_Y
-    box = x - PAD_X, y - PAD_Y, x + width + PAD_X, y + TEXT_SIZE + PAD_Y + 2.0
-    overlay.panel(box, PANEL, PANEL_OPACITY * opacity, 10.0)
-    overlay.text(x, y, shown, WARM, opacity)
+    box = x - PAD_X, y - PAD_Y, x + width + PAD_X, y + overlay.scale * TEXT_SIZE + PAD_Y + 2.0
+    overlay.panel(box, colors.panel, PANEL_OPACITY * opacity, 10.0)
+    overlay.text(x, y, shown, colors.accent, opacity)
 
 
-def draw_title(overlay: Overlay, size: Size, title: str, about: str, opacity: float) -> None:
-    """The scene's title and what to watch for, below the figures."""
-    top = MARGIN + 2 * PAD_Y + TEXT_SIZE + 10.0
-    room = size[0] - 2 * (MARGIN + PAD_X)
+def draw_title(overlay: Overlay, rect: Rect, colors: Palette, words: tuple[str, str], opacity: float) -> None:
+    """The scene's title and what to watch for, both in `words`, below the figures."""
+    title, about = words
+    left, top = rect[0] + MARGIN, rect[1] + MARGIN + 2 * PAD_Y + overlay.scale * TEXT_SIZE + 10.0
+    room = rect[2] - 2 * (MARGIN + PAD_X)
     lines = [
-        (shorten(overlay, title, room, 22.0), TEXT, 22.0, 30.0),
-        (shorten(overlay, about, room), FAINT, TEXT_SIZE, 20.0),
+        (shorten(overlay, title, room, 22.0), colors.text, 22.0, 30.0),
+        (shorten(overlay, about, room), colors.faint, TEXT_SIZE, 20.0),
     ]
     shown = [line for line in lines if line[0]]
     if not shown:
         return
     width = max(overlay.width(text, points) for text, _, points, _ in shown)
-    height = sum(down for *_, down in shown) + 2 * PAD_Y
-    overlay.panel((MARGIN, top, MARGIN + width + 2 * PAD_X, top + height), PANEL, PANEL_OPACITY * opacity, 10.0)
+    height = overlay.scale * sum(down for *_, down in shown) + 2 * PAD_Y
+    overlay.panel((left, top, left + width + 2 * PAD_X, top + height), colors.panel, PANEL_OPACITY * opacity, 10.0)
     y = top + PAD_Y
     for text, color, points, down in shown:
-        overlay.text(MARGIN + PAD_X, y, text, color, opacity, points)
-        y += down
+        overlay.text(left + PAD_X, y, text, color, opacity, points)
+        y += overlay.scale * down
 
 
-def _panel(overlay: Overlay, x: float, y: float, width: float) -> None:
-    box = (x, y, x + width + 2 * PAD_X, y + TEXT_SIZE + 2 * PAD_Y + 2.0)
-    overlay.panel(box, PANEL, PANEL_OPACITY, 10.0)
+def _panel(overlay: Overlay, colors: Palette, x: float, y: float, width: float) -> None:
+    box = (x, y, x + width + 2 * PAD_X, y + overlay.scale * TEXT_SIZE + 2 * PAD_Y + 2.0)
+    overlay.panel(box, colors.panel, PANEL_OPACITY, 10.0)

@@ -16,8 +16,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sandbox.errors import SandboxError
+from sandbox.replay.moment import common_prefix
 from sandbox.replay.recording.command_words import TimedCommand, decode, encode
-from sandbox.replay.timeline import common_prefix
 from sandbox.scene import Scene, loads_scene
 
 if TYPE_CHECKING:

@@ -8,15 +8,17 @@ from sandbox.render.camera import Size
 from sandbox.window.menu_bar import draw_menu_bar
 from sandbox.window.panels.panel import Panel
 from sandbox.window.scrubber import Scrubber
-from sandbox.window.time_bar import draw_time_bar
+from sandbox.window.time_bar import draw_time_bar, time_bar_height
 from sandbox.window.tool_bar import draw_tool_bar, tool_bar_width
 from sandbox.window.tools.tool_box import ToolBox
 from sandbox.window.viewport import Rect
 from sandbox.window.widgets import mark
 from sandbox.window.workspace import Workspace
 
-TIME_BAR_HEIGHT = 66.0
-PANEL_WIDTH = 340.0
+PANEL_WIDTH, LOW_HEIGHT = 352.0, 200.0
+"""Pixels of what is docked at the right, and least of what is docked below, as far as that leaves half to the scene."""
+WIDE_SHARE, LOW_SHARE = 0.18, 0.34
+"""Of a large window, what they take at least."""
 NARROW = 900
 """Below this width of the window, in pixels, no panel is open at first."""
 FIXED = (
@@ -38,6 +40,8 @@ class Layout:
         self._shown: set[str] | None = None
         self._fresh: set[str] = set()
         self._settling = 0
+        self._scale: float | None = None
+        """How large text was in the picture before."""
         self._scrubber = Scrubber()
 
     def draw(self, workspace: Workspace, size: Size) -> Rect:
@@ -45,7 +49,7 @@ class Layout:
         if not workspace.interface:
             return 0, 0, *size
         top = draw_menu_bar(workspace, self.panels)
-        bar = TIME_BAR_HEIGHT * workspace.text_scale
+        bar = time_bar_height()
         bottom = size[1] - bar
         left = tool_bar_width(bottom - top)
         _fixed("##tools", 0.0, top, left, bottom - top)
@@ -97,12 +101,28 @@ class Layout:
         dock = imgui.get_id("dock")
         if imgui.internal.dock_builder_get_node(dock) is None:
             self._arrange(dock, width, height, PANEL_WIDTH * workspace.text_scale)
+        elif self._scale is not None and workspace.text_scale != self._scale:
+            self._stretch(workspace.text_scale / self._scale, (0.5 * width, 0.5 * height))
+        self._scale = workspace.text_scale
         imgui.dock_space(dock, imgui.ImVec2(0.0, 0.0), imgui.DockNodeFlags_.passthru_central_node)
         imgui.end()
         node = imgui.internal.dock_builder_get_central_node(dock)
         if node is None:
             return int(left), int(top), int(width), int(height)
         return int(node.pos.x), int(node.pos.y), max(int(node.size.x), 1), max(int(node.size.y), 1)
+
+    def _stretch(self, factor: float, most: tuple[float, float]) -> None:
+        """Make room for text that is `factor` times as large: panels become so many times as wide and high, up to
+        `most` pixels."""
+        nodes = {}
+        for panel in self.panels.values():
+            window = imgui.internal.find_window_by_name(_window_title(panel))
+            node = window.dock_node if window is not None else None
+            if node is not None:
+                nodes[node.id_] = node
+        for node in nodes.values():
+            size = zip((node.size.x, node.size.y), most, strict=True)
+            node.size_ref = imgui.ImVec2(*(min(factor * now, max(limit, now)) for now, limit in size))
 
     def _arrange(self, dock: int, width: float, height: float, panel_width: float) -> None:
         """Where panels are docked at first."""
@@ -111,9 +131,10 @@ class Layout:
         builder.dock_builder_remove_node(dock)
         builder.dock_builder_add_node(dock, imgui.internal.DockNodeFlagsPrivate_.dock_space)
         builder.dock_builder_set_node_size(dock, imgui.ImVec2(width, height))
-        share = min(panel_width / width, 0.5)
+        share = min(max(panel_width / width, WIDE_SHARE), 0.5)
         right = builder.dock_builder_split_node(dock, imgui.Dir.right, share)
-        below = builder.dock_builder_split_node(right.id_at_opposite_dir, imgui.Dir.down, 0.34)
+        share = min(max(LOW_SHARE, LOW_HEIGHT * panel_width / PANEL_WIDTH / height), 0.5)
+        below = builder.dock_builder_split_node(right.id_at_opposite_dir, imgui.Dir.down, share)
         for panel in self.panels.values():
             node = below.id_at_dir if panel.side == "bottom" else right.id_at_dir
             builder.dock_builder_dock_window(_window_title(panel), node)

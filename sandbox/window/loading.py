@@ -10,7 +10,7 @@ import pygame
 from sandbox.engine.compile_status import compile_status
 from sandbox.errors import SandboxError
 from sandbox.render.camera import Size
-from sandbox.window.hud import FAINT, TEXT, WARM
+from sandbox.window.gui_style import palette_of
 from sandbox.window.loader import Loader
 from sandbox.window.overlay import Overlay
 from sandbox.window.screen import Canvas, Screen
@@ -56,15 +56,16 @@ class LoadingScreen:
         """The arc and what is being done."""
         canvas.clear()
         width, height = canvas.display.size
-        overlay = Overlay(canvas.gui)
+        scale, colors = canvas.remembered.text_scale or 1.0, palette_of(canvas.theme)
+        overlay = Overlay(canvas.gui, scale=scale)
         turn = 2.0 * math.pi * (self._age * 0.8 % 1.0)
-        overlay.arc(width / 2, height / 2 - 44.0, 17.0, (turn, turn + 4.2), WARM, 3.0)
-        _center(overlay, (width, height), 0.0, self._loader.message + " …", 20.0, TEXT)
-        _center(overlay, (width, height), 32.0, self._loader.path.name, 16.0, FAINT)
+        overlay.arc(width / 2, height / 2 - 44.0, 17.0, (turn, turn + 4.2), colors.accent, 3.0)
+        _center(overlay, (width, height), 0.0, self._loader.message + " …", 20.0, colors.text)
+        _center(overlay, (width, height), 32.0 * scale, self._loader.path.name, 16.0, colors.faint)
         if self._age > SLOW_SECONDS:
             status = compile_status()
             text = f"The first start on a machine compiles the engine: {status}" if status else ""
-            _center(overlay, (width, height), 72.0, text, 16.0, FAINT)
+            _center(overlay, (width, height), 72.0 * scale, text, 16.0, colors.faint)
 
 
 def _center(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from imgui_bundle import imgui
 
+from sandbox.render.number_text import counted
 from sandbox.window.actions.registry import ACTIONS, MENUS
 from sandbox.window.panels.panel import Panel
 from sandbox.window.widgets import mark
@@ -33,7 +34,7 @@ def _draw_actions(workspace: Workspace, menu: str) -> None:
         if action.menu == menu and not action.held:
             keys = action.keys[0] if action.keys else ""
             checked = action.checked is not None and action.checked(workspace)
-            clicked, _ = imgui.menu_item(action.title, keys, checked, action.enabled(workspace))
+            clicked, _ = imgui.menu_item(f"{action.title}  ", keys, checked, action.enabled(workspace))
             mark(f"menu.{action.name}", action.help)
             if clicked:
                 action.run(workspace)
@@ -42,7 +43,7 @@ def _draw_actions(workspace: Workspace, menu: str) -> None:
 def _draw_panel_items(workspace: Workspace, panels: dict[str, Panel]) -> None:
     imgui.separator()
     for panel in panels.values():
-        clicked, _ = imgui.menu_item(f"{panel.icon}  {panel.title}", panel.key, panel.name in workspace.panels)
+        clicked, _ = imgui.menu_item(f"{panel.icon}  {panel.title}  ", panel.key, panel.name in workspace.panels)
         mark(f"menu.panel.{panel.name}", panel.help)
         if clicked:
             workspace.toggle_panel(panel.name)
@@ -55,7 +56,7 @@ def _draw_title(workspace: Workspace) -> None:
     width, used = imgui.get_window_width(), imgui.get_cursor_pos_x()
     frozen = int(world.state.counters[0].frozen_count)
     figures = [
-        f"{len(world.names):,} bodies", f"{len(world.contacts):,} contacts",
+        counted(len(world.names), "body", "bodies"), counted(len(world.contacts), "contact"),
         f"{1000.0 * workspace.session.step_cost:5.2f} ms/step", f"{workspace.fps:3.0f} fps",
     ]  # fmt: skip
     text = "    ".join([*([f"{frozen} frozen"] if frozen else []), *figures])

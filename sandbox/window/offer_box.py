@@ -5,6 +5,7 @@ from __future__ import annotations
 from imgui_bundle import imgui
 
 from sandbox.render.camera import Size
+from sandbox.render.number_text import counted
 from sandbox.window.journal import Leftover
 from sandbox.window.widgets import button
 
@@ -21,7 +22,7 @@ def draw_offer(leftover: Leftover, size: Size) -> bool | None:
     imgui.set_next_window_pos(imgui.ImVec2(size[0] / 2, 48.0), imgui.Cond_.always, imgui.ImVec2(0.5, 0.0))
     imgui.begin("##offer", None, FLAGS)
     title = leftover.title or leftover.scene.source
-    done = f"{leftover.steps:,} steps, {len(leftover.commands):,} commands"
+    done = f"{counted(leftover.steps, 'step')}, {counted(len(leftover.commands), 'command')}"
     imgui.text_unformatted(f"A session was cut off: {title}")
     imgui.text_disabled(done)
     answer: bool | None = None

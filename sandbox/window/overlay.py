@@ -62,8 +62,9 @@ class Overlay:
             width = self.width(label.text, label.size)
             left = label.at[0] - {"left": 0.0, "middle": 0.5, "right": 1.0}[label.anchor] * width
             self.text(
-                rect[0] + left, rect[1] + label.at[1] - 0.55 * label.size, label.text, label.color, 1.0, label.size
-            )
+                rect[0] + left, rect[1] + label.at[1] - 0.55 * self.scale * label.size, label.text, label.color,
+                size=label.size,
+            )  # fmt: skip
 
     def panel(self, box: tuple[float, float, float, float], color: Color, opacity: float, rounding: float) -> None:
         """Fill a rectangle (left, top, right, bottom) with round corners."""

@@ -14,7 +14,7 @@ from sandbox.window.actions.registry import ACTIONS
 from sandbox.window.panels.inspector import finder
 from sandbox.window.panels.panel import Panel
 from sandbox.window.tools.tool_box import ToolBox
-from sandbox.window.widgets import mark, text
+from sandbox.window.widgets import mark, text, wrapped
 from sandbox.window.workspace import Workspace
 
 WIDTH, TOP, ROWS = 560.0, 48.0, 12
@@ -66,16 +66,18 @@ class Palette:
             workspace.palette_shown = False
 
     def _draw_words(self) -> None:
-        if not imgui.is_any_item_active():  # at first, and after Enter
+        if not imgui.is_any_item_active():  # at first
             imgui.set_keyboard_focus_here()
         imgui.set_next_item_width(-1.0)
         words = text("palette.words", "", self._words, f"{icons.ICON_FA_MAGNIFYING_GLASS}  what is to be done")
+        if imgui.is_item_deactivated():  # by Enter: what is typed in the next picture is for it as well
+            imgui.set_keyboard_focus_here(-1)
         if words != self._words:
             self._words, self._row = words, 0
 
     def _draw_offers(self, found: list[Offer], height: float) -> None:
         if not found:
-            imgui.text_disabled("nothing of that name")
+            imgui.text_disabled("Nothing of that name: try another word, or Esc.")
             return
         down, up = imgui.is_key_pressed(imgui.Key.down_arrow), imgui.is_key_pressed(imgui.Key.up_arrow)
         self._row = (self._row + down - up) % len(found)
@@ -89,7 +91,7 @@ class Palette:
         if imgui.is_key_pressed(imgui.Key.enter) or imgui.is_key_pressed(imgui.Key.keypad_enter):
             self._choose(found[self._row])
         else:
-            imgui.text_disabled(found[self._row].help)
+            wrapped(found[self._row].help)
 
     def _draw_offer(self, offer: Offer, on: bool, moved: bool) -> bool:
         clicked, _ = imgui.selectable(f"{offer.title}##{offer.kind}", on)
@@ -97,7 +99,7 @@ class Palette:
         if on and moved:
             imgui.set_scroll_here_y(0.5)
         told = f"{offer.kind}   {offer.keys}" if offer.keys else offer.kind
-        room = imgui.get_content_region_avail().x - imgui.calc_text_size(told).x
+        room = imgui.get_content_region_avail().x - imgui.calc_text_size(told).x - 4.0
         if room > imgui.calc_text_size(offer.title).x + 16.0:
             imgui.same_line(room)
             imgui.text_disabled(told)

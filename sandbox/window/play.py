@@ -14,11 +14,11 @@ from sandbox.window.actions.registry import BY_NAME
 from sandbox.window.compare import end_comparison, follow_comparison
 from sandbox.window.controls.player import Player
 from sandbox.window.export_box import ExportBox
-from sandbox.window.gui_style import apply_style
+from sandbox.window.gui_style import apply_style, palette_of
 from sandbox.window.help import draw_help
 from sandbox.window.journal import Journal
 from sandbox.window.keyboard import Keyboard
-from sandbox.window.layout import Layout, first_panels
+from sandbox.window.layout import NARROW, Layout, first_panels
 from sandbox.window.mouse import Mouse
 from sandbox.window.overlay import Overlay
 from sandbox.window.palette import Palette
@@ -27,17 +27,18 @@ from sandbox.window.problem_box import draw_problem
 from sandbox.window.reload import Reloader
 from sandbox.window.scale_bar import draw_scale_bar
 from sandbox.window.scene_picture import ScenePicture
-from sandbox.window.scoreboard import draw_scoreboard
+from sandbox.window.scoreboard import below_counters, draw_scoreboard
 from sandbox.window.screen import Canvas, Screen
 from sandbox.window.session import Session
 from sandbox.window.tools.act import MagnetTool
 from sandbox.window.tools.play import PlayTool
 from sandbox.window.tools.tool_box import ToolBox
-from sandbox.window.viewport import Viewport
+from sandbox.window.viewport import Rect, Viewport
 from sandbox.window.widgets import begin_picture
 from sandbox.window.workspace import Wish, Workspace
 
 TITLE_SECONDS, FADE_SECONDS = 5.0, 0.8
+FOOT_PIXELS = 90
 TAKEN_OVER = (
     "theme", "panels", "overlays", "color_by", "depth", "interface", "text_scale", "less_motion", "keep_time",
     "selection", "clipboard", "age",
@@ -70,6 +71,8 @@ class PlayScreen:
         self.player = Player(self.workspace)
         if self.player.controls:
             self.tool_box.choose("play")
+            if size[0] < NARROW:  # where the line of the tool has no room
+                self.workspace.say(self.tool_box.tool.hint(self.workspace))
         self.mouse = Mouse(self.workspace, self.tool_box)
         self._keyboard = Keyboard(self.workspace, self.tool_box, self.panels)
         self._picture = ScenePicture(self.workspace, self.mouse.strokes)
@@ -177,7 +180,9 @@ class PlayScreen:
         workspace = self.workspace
         apply_style(workspace.theme, workspace.text_scale)
         begin_picture()
-        workspace.viewport.place(self._layout.draw(workspace, canvas.display.size), self.session)
+        overlay = Overlay(canvas.gui, scale=workspace.text_scale)
+        whole = self._layout.draw(workspace, canvas.display.size)
+        workspace.viewport.place(below_counters(overlay, self.session.world, whole), self.session)
         frame = self.session.frame()
         if any(panel.exact and panel.name in workspace.panels for panel in self.panels.values()):
             frame = self.session.current
@@ -186,10 +191,10 @@ class PlayScreen:
         self._since_picture = 0.0
         picture = self._picture.of(frame)
         canvas.paint(picture, workspace.viewport.rect)
-        overlay = Overlay(canvas.gui)
-        with overlay.within(workspace.viewport.rect):
-            overlay.labels(picture.labels, workspace.viewport.rect)
-        self._draw_over(overlay)
+        plain = Overlay(canvas.gui)  # what a picture and panels write has its place there
+        with plain.within(workspace.viewport.rect):
+            plain.labels(picture.labels, workspace.viewport.rect)
+        self._draw_over(plain)
         self._draw_hud(overlay)
 
     def _reread(self, elapsed: float) -> Session | None:
@@ -218,19 +223,19 @@ class PlayScreen:
 
     def _draw_hud(self, overlay: Overlay) -> None:
         workspace, clock, scene = self.workspace, self.session.clock, self.session.scene
-        rect = workspace.viewport.rect
+        rect, colors = workspace.viewport.rect, palette_of(workspace.theme)
         if not workspace.interface:
-            hud.draw_figures(overlay, self._figures())
-            hud.draw_time_state(overlay, (rect[2], rect[3]), clock.paused, clock.speed)
+            hud.draw_figures(overlay, rect, colors, self._figures())
+            hud.draw_time_state(overlay, rect, colors, clock.paused, clock.speed)
             title = self._fade(TITLE_SECONDS - workspace.age)
             if title > 0.0:
-                hud.draw_title(overlay, (rect[2], rect[3]), scene.title, scene.about, title)
+                hud.draw_title(overlay, rect, colors, (scene.title, scene.about), title)
         else:
             draw_scale_bar(overlay, workspace, self.mouse.at)
         draw_scoreboard(overlay, workspace)
         noted = self._fade(workspace.note_until - workspace.age)
         if noted > 0.0:
-            hud.draw_note(overlay, rect, workspace.note, noted)
+            hud.draw_note(overlay, rect if workspace.interface else _foot(rect), colors, workspace.note, noted)
         reloader = self._reloader
         if reloader and reloader.problem and draw_problem(workspace, reloader.problem, overlay.gui.mono):
             reloader.problem = ""
@@ -254,3 +259,10 @@ class PlayScreen:
             time=world.time,
             frozen=int(world.state.counters[0].frozen_count),
         )
+
+
+def _foot(rect: Rect) -> Rect:
+    """The lower end of a rectangle: its upper one has figures and the title where panels are hidden."""
+    left, top, width, height = rect
+    high = min(FOOT_PIXELS, height)
+    return left, top + height - high, width, high

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import re
+
 from imgui_bundle import imgui
 
 from sandbox.window.gui_style import palette_of
 from sandbox.window.widgets import button, mark, wrapped
 from sandbox.window.workspace import Workspace
 
-MARGIN, WIDEST = 14.0, 760.0
+MARGIN, WIDEST, MOST_SHARE = 14.0, 760.0, 0.6
+"""Pixels around it and its greatest width, and the most that it takes of the height."""
+_EXCERPT = re.compile(r" *\d* \|")
+"""How lines begin that show the file: what stands below each other in them belongs together."""
 FLAGS = (
     imgui.WindowFlags_.no_docking
     | imgui.WindowFlags_.no_saved_settings
@@ -24,16 +29,22 @@ def draw_problem(workspace: Workspace, problem: str, mono: object) -> bool:
     imgui.set_next_window_pos(
         imgui.ImVec2(left + MARGIN, top + height - MARGIN), imgui.Cond_.always, imgui.ImVec2(0.0, 1.0)
     )
-    imgui.set_next_window_size_constraints(imgui.ImVec2(wide, 40.0), imgui.ImVec2(wide, height * 0.6))
+    imgui.set_next_window_size_constraints(imgui.ImVec2(wide, 40.0), imgui.ImVec2(wide, height * MOST_SHARE))
     imgui.begin("##problem", None, FLAGS)
     colors = palette_of(workspace.theme)
     imgui.push_style_color(imgui.Col_.text, imgui.ImVec4(*colors.accent, 1.0))
     imgui.text_unformatted("The file has a mistake; what you see is how it was before.")
     imgui.pop_style_color()
     imgui.push_font(mono, 0.0)  # type: ignore[arg-type]
-    imgui.push_text_wrap_pos(0.0)
-    imgui.text_unformatted(problem)
-    imgui.pop_text_wrap_pos()
+    lines, line = problem.splitlines(), imgui.get_text_line_height() + 1.0
+    rest = 3.0 * imgui.get_frame_height_with_spacing()
+    size = imgui.ImVec2(0.0, min(height * MOST_SHARE - rest, line * (len(lines) + 1.0)))
+    imgui.begin_child("lines", size, imgui.ChildFlags_.none, imgui.WindowFlags_.horizontal_scrollbar)
+    imgui.push_style_var(imgui.StyleVar_.item_spacing, imgui.ImVec2(0.0, 1.0))
+    for text in lines:
+        _draw_line(text, wide)
+    imgui.pop_style_var()
+    imgui.end_child()
     imgui.pop_font()
     closed = button("problem.close", "Close", "It is shown again when the file changes and is still wrong.")
     imgui.same_line()
@@ -41,3 +52,13 @@ def draw_problem(workspace: Workspace, problem: str, mono: object) -> bool:
     mark("problem")
     imgui.end()
     return closed
+
+
+def _draw_line(text: str, wide: float) -> None:
+    """A line of the message, broken where it is too long; one of the file is not."""
+    if _EXCERPT.match(text):
+        imgui.text_unformatted(text)
+        return
+    imgui.push_text_wrap_pos(wide - 3 * MARGIN)
+    imgui.text_unformatted(text)
+    imgui.pop_text_wrap_pos()

@@ -23,19 +23,20 @@ def draw_scale_bar(overlay: Overlay, workspace: Workspace, pointer: tuple[float,
     length = round_length(WIDEST_PIXELS / viewport.camera.scale)
     pixels = length * viewport.camera.scale
     right, y = left + width - MARGIN, top + height - MARGIN
-    text, place = length_text(length), _place(workspace, pointer)
+    text, place, scale = length_text(length), _place(workspace, pointer), overlay.scale
     wide = overlay.width(place, SIZE)
     start = right - pixels - (20.0 + wide if place else 0.0)
-    overlay.panel((start - PAD, y - 22.0, right + PAD, y + 5.0), colors.panel, 0.85, 6.0)
+    overlay.panel((start - PAD, y - 8.0 - scale * SIZE, right + PAD, y + 5.0), colors.panel, 0.85, 6.0)
     for box in (
         (right - pixels, y - 2.0, right, y),
         (right - pixels, y - 7.0, right - pixels + 1.5, y),
         (right - 1.5, y - 7.0, right, y),
     ):
         overlay.panel(box, colors.faint, 0.9, 0.0)
-    overlay.text(right - pixels / 2 - overlay.width(text, SIZE) / 2, y - 20.0, text, colors.faint, size=SIZE)
+    middle = right - pixels / 2 - overlay.width(text, SIZE) / 2
+    overlay.text(middle, y - 6.0 - scale * SIZE, text, colors.faint, size=SIZE)
     if place:
-        overlay.text(start, y - 16.0, place, colors.faint, size=SIZE)
+        overlay.text(start, y - 2.0 - scale * SIZE, place, colors.faint, size=SIZE)
 
 
 def _place(workspace: Workspace, pointer: tuple[float, float]) -> str:

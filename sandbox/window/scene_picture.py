@@ -56,7 +56,7 @@ class ScenePicture:
         if selection.joint is not None:
             lit = highlight_joint(world.state, frame, camera, selection.joint, theme.drag)
         if selection.region is not None:
-            lit = highlight_region(world.state, camera, selection.region, theme.drag)
+            lit = highlight_region(world.state, camera, world.directory.find_region(selection.region), theme.drag)
         shown = [*shown_coloring(workspace.color_by), *(OVERLAYS[name] for name in workspace.overlays)]
         look = Look(world, frame, camera, theme, self._trails())
         return *draw_overlays(shown, look), ghost_over(workspace, frame), lit

@@ -1,17 +1,29 @@
-"""Counters of a game, and how it ended, over the scene."""
+"""Counters of a game above the scene, and how it ended, over it."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
+
+from sandbox.engine.world import World
 from sandbox.window.gui_style import palette_of
 from sandbox.window.overlay import Overlay
+from sandbox.window.viewport import Rect
 from sandbox.window.workspace import Workspace
 
-MARGIN, PAD, GAP = 14.0, 12.0, 22.0
+MARGIN, PAD, GAP, SPACE = 14.0, 12.0, 22.0, 7.0
 SIZE, LARGE = 18.0, 34.0
+Counter = tuple[float, str, float, str]
+"""The pixel at which its name begins, from the left edge, its name, that of its value, and this."""
+
+
+def below_counters(overlay: Overlay, world: World, rect: Rect) -> Rect:
+    """What is left of a rectangle for the scene: the counters, if there are any, stand above it and cover nothing."""
+    high = round(len(list(_lines(overlay, world.counters, rect[2]))) * _line_height(overlay))
+    return rect[0], rect[1] + high, rect[2], max(rect[3] - high, 1)
 
 
 def draw_scoreboard(overlay: Overlay, workspace: Workspace) -> None:
-    """Counters at the upper left of the viewport; a banner in the middle once the game is won or lost."""
+    """Counters above the viewport; a banner in its middle once the game is won or lost."""
     world = workspace.session.world
     if world.counters:
         _draw_counters(overlay, workspace, world.counters)
@@ -19,34 +31,52 @@ def draw_scoreboard(overlay: Overlay, workspace: Workspace) -> None:
         _draw_ending(overlay, workspace, world.outcome.result, world.outcome.text)
 
 
-def _draw_counters(overlay: Overlay, workspace: Workspace, counters: dict[str, float]) -> None:
-    colors, (left, top, width, _) = palette_of(workspace.theme), workspace.viewport.rect
-    words = [(name.replace("-", " ").replace("_", " "), f"{value:g}") for name, value in counters.items()]
-    sizes = [(overlay.width(name, SIZE), overlay.width(value, SIZE, bold=True)) for name, value in words]
-    wide = sum(a + 7.0 + b for a, b in sizes) + GAP * (len(words) - 1) + 2 * PAD
-    if wide > width - 2 * MARGIN:
-        return
-    x, y = left + MARGIN, top + MARGIN
-    overlay.panel((x, y, x + wide, y + SIZE + 2 * 7.0), colors.panel, 0.85, 9.0)
-    x += PAD
-    for (name, value), (a, b) in zip(words, sizes, strict=True):
-        overlay.text(x, y + 6.0, name, colors.faint, size=SIZE)
-        overlay.text(x + a + 7.0, y + 6.0, value, colors.text, size=SIZE, bold=True)
-        x += a + 7.0 + b + GAP
+def _draw_counters(overlay: Overlay, workspace: Workspace, counters: Mapping[str, float]) -> None:
+    colors, (left, bottom, width, _) = palette_of(workspace.theme), workspace.viewport.rect
+    lines, high = list(_lines(overlay, counters, width)), _line_height(overlay)
+    top = bottom - round(len(lines) * high)
+    overlay.panel((left, top, left + width, bottom), colors.panel, 1.0, 0.0)
+    overlay.panel((left, bottom - 1.0, left + width, bottom), colors.line, 1.0, 0.0)
+    for number, line in enumerate(lines):
+        y = top + number * high + SPACE - 2.0
+        for x, name, after, value in line:
+            overlay.text(left + x, y, name, colors.faint, size=SIZE)
+            overlay.text(left + after, y, value, colors.text, size=SIZE, bold=True)
+
+
+def _lines(overlay: Overlay, counters: Mapping[str, float], width: float) -> Iterator[list[Counter]]:
+    """The counters in lines, each as many as fit into `width` pixels, at least one."""
+    line: list[Counter] = []
+    x = MARGIN
+    for name, number in counters.items():
+        title, value = name.replace("-", " ").replace("_", " "), f"{number:g}"
+        after = overlay.width(title, SIZE) + SPACE
+        wide = after + overlay.width(value, SIZE, bold=True)
+        if line and x + wide > width - MARGIN:
+            yield line
+            line, x = [], MARGIN
+        line.append((x, title, x + after, value))
+        x += wide + GAP
+    if line:
+        yield line
+
+
+def _line_height(overlay: Overlay) -> float:
+    return overlay.scale * SIZE + 2 * SPACE
 
 
 def _draw_ending(overlay: Overlay, workspace: Workspace, result: str, text: str) -> None:
     colors, (left, top, width, height) = palette_of(workspace.theme), workspace.viewport.rect
-    head = "Won" if result == "won" else "Lost"
+    head, scale = "Won" if result == "won" else "Lost", overlay.scale
     lines = [(head, LARGE, colors.accent if result == "won" else colors.text)]
     lines += [(text, SIZE, colors.text)] if text else []
     lines += [("R plays again, Backspace goes back in time", 15.0, colors.faint)]
     wide = max(overlay.width(words, size, bold=size == LARGE) for words, size, _ in lines) + 4 * PAD
-    high = sum(size + 10.0 for _, size, _ in lines) + 2 * PAD
+    high = sum(scale * size + 10.0 for _, size, _ in lines) + 2 * PAD
     x, y = left + (width - wide) / 2, top + height * 0.38 - high / 2
     overlay.panel((x, y, x + wide, y + high), colors.panel, 0.92, 12.0)
     y += PAD
     for words, size, color in lines:
         inner = overlay.width(words, size, bold=size == LARGE)
         overlay.text(left + (width - inner) / 2, y, words, color, size=size, bold=size == LARGE)
-        y += size + 10.0
+        y += scale * size + 10.0

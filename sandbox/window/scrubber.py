@@ -11,7 +11,8 @@ from sandbox.window.time_marks import TimeMark, Track
 from sandbox.window.widgets import mark
 from sandbox.window.workspace import Workspace
 
-HEIGHT = 18.0
+HEIGHT, KNOB = 18.0, 7.0
+"""Pixels: of the track with all that stands on it, and the radius of the knob, which has room at both ends."""
 HINT = "Drag: to any moment. Shift and drag: a range for an export."
 MOST_TICKS = 2000
 
@@ -25,7 +26,8 @@ class Scrubber:
     def draw(self, workspace: Workspace) -> None:
         """A track from step 0 to the last one known, with a tick for each act and a flag for each mark."""
         timeline = workspace.session.timeline
-        corner, width = imgui.get_cursor_screen_pos(), max(imgui.get_content_region_avail().x, 1.0)
+        imgui.set_cursor_pos_x(imgui.get_cursor_pos_x() + KNOB)
+        corner, width = imgui.get_cursor_screen_pos(), max(imgui.get_content_region_avail().x - KNOB, 1.0)
         imgui.invisible_button("scrubber", imgui.ImVec2(width, HEIGHT))
         mark("time.scrubber")
         track = Track(corner.x, width, timeline.length)
@@ -89,7 +91,7 @@ def _paint(workspace: Workspace, track: Track, top: float, flags: list[TimeMark]
     for flag in flags:
         if flag.step <= timeline.length:
             _flag(pen, track.x(flag.step), y, colors, flag)
-    pen.add_circle_filled(imgui.ImVec2(here, y), 7.0, packed_color(colors.accent, 1.0), 24)
+    pen.add_circle_filled(imgui.ImVec2(here, y), KNOB, packed_color(colors.accent, 1.0), 24)
 
 
 def _flag(pen: imgui.ImDrawList, x: float, y: float, colors: Palette, flag: TimeMark) -> None:

@@ -40,6 +40,12 @@ class Selection:
         """Select a region alone; None selects nothing."""
         self.bodies, self.joint, self.region = (), None, name
 
+    @property
+    def region_title(self) -> str:
+        """The region for people: "pond", or "region #2" if it has no id."""
+        name = self.region or ""
+        return f"region {name}" if name.startswith("#") else name
+
     def clear(self) -> bool:
         """Select nothing; False if nothing was."""
         some = bool(self.bodies or self.joint or self.region)

@@ -1,4 +1,4 @@
-"""A scene being played: timeline, clock, the last two frames and the hand that drags. Knows no window."""
+"""A scene being played: timeline, clock, the hand that drags and the last two frames. Knows no window."""
 
 from __future__ import annotations
 
@@ -7,16 +7,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sandbox.engine.commands.base import Command
-from sandbox.engine.commands.drags import EndDrag, MoveDrag, StartDrag
 from sandbox.engine.world import World
-from sandbox.errors import CommandError, SandboxError
+from sandbox.errors import SandboxError
 from sandbox.render.camera import Bounds, Vec
 from sandbox.render.frame import Frame, blend, capture, interesting_bounds
-from sandbox.render.pick import pick
 from sandbox.render.trails import Trails
+from sandbox.replay.moment import Mark
 from sandbox.replay.recording.limits import SUFFIX
-from sandbox.replay.timeline import Mark, Timeline
+from sandbox.replay.timeline import Timeline
 from sandbox.window.clock import StepClock
+from sandbox.window.grip import Grip
 
 if TYPE_CHECKING:
     from sandbox.replay.recording.command_words import TimedCommand
@@ -27,8 +27,6 @@ MOST_STEPS = 8
 """Steps a frame at most, however much time has passed."""
 FRAME_BUDGET = 0.05
 """Seconds a frame may spend on steps, so that a heavy scene runs slower but stays responsive."""
-DRAG_ACCELERATION = 500.0
-"""Limit of the drag force for each kilogram, in m/s^2."""
 
 
 class Session:
@@ -37,6 +35,7 @@ class Session:
     def __init__(self, scene: Scene, script: Sequence[TimedCommand] = (), length: int = 0, workers: int = 1) -> None:
         self.scene = scene
         self.timeline = Timeline(scene, script, length, workers)
+        self.grip = Grip(self.timeline)
         self._script = tuple(script)
         self.recording: Recording | None = None
         """What it plays, if it plays a recording."""
@@ -52,9 +51,6 @@ class Session:
         """Where bodies were; kept while somebody wants to see it."""
         self._blended: Frame | None = None
         self._blended_of = (0, 0, 0.0)
-        self._held: int | None = None
-        self.target: Vec = (0.0, 0.0)
-        self._grip: Vec = (0.0, 0.0)
         self.previous = self.current = capture(self.world.state)
         self._between = self.previous, self.current
         self.home = interesting_bounds(self.current)
@@ -86,29 +82,35 @@ class Session:
 
     def seek(self, step: int) -> None:
         """Go to a step that is known, or to the nearest one."""
-        self._let_go()
+        self.grip.let_go()
         self.timeline.seek(min(max(step, 0), self.timeline.length))
         self._look_anew()
 
     def restart(self) -> None:
         """Begin again from the scene as it was written."""
-        self._let_go()
+        self.grip.let_go()
         self.timeline.begin_again(self._script)
         self._look_anew()
 
     def undo(self) -> str | None:
         """Take back the last act; gives its label."""
-        self._let_go()
+        self.grip.let_go()
         label = self.timeline.undo()
         self._look_anew()
         return label
 
     def redo(self) -> str | None:
         """Bring back what `undo` took; gives its label."""
-        self._let_go()
+        self.grip.let_go()
         label = self.timeline.redo()
         self._look_anew()
         return label
+
+    def switch(self, number: int) -> None:
+        """Go on with one of the timeline's other futures, from where it parts from this one."""
+        self.grip.let_go()
+        self.timeline.switch(number)
+        self._look_anew()
 
     def do(self, label: str, *commands: Command) -> bool:
         """Apply commands as one act. False if one is refused: `trouble` says why, and all are taken back."""
@@ -141,7 +143,7 @@ class Session:
 
         Raises `RecordingError` if there is nothing to write, `OSError` if it cannot be written.
         """
-        self._let_go()
+        self.grip.let_go()
         recording = self.timeline.recording()
         path = free_path(folder, self.stem, SUFFIX)
         recording.save(path)
@@ -168,60 +170,9 @@ class Session:
         """What is worth looking at now, in metres."""
         return interesting_bounds(self.current)
 
-    @property
-    def grabbed(self) -> int | None:
-        """The row of the body that is held; None if there is none, or no more."""
-        return None if self._held is None else self.world.state.census.bodies.row_of(self._held)
-
     def grab(self, point: Vec, slack: float) -> bool:
         """Take hold of the dynamic body at `point` (metres); False if there is none within `slack` metres."""
-        frame = self.frame()
-        body = pick(frame, point, slack)
-        if body is None:
-            return False
-        grip = _to_body(frame, body, point)
-        # The picture lags behind the world by up to a step: catch the point that was seen, where it is now.
-        held, seen = frame.roster.serials[body], _to_world(self.current, body, grip)
-        row = self.world.state.census.bodies.row_of(held)
-        if row is None or not self._send_grab(row, seen):
-            return False
-        self._held, self._grip = held, grip
-        self.drag(point)
-        return True
-
-    def drag(self, point: Vec) -> None:
-        """Pull the grabbed body towards `point`."""
-        if self.grabbed is not None and point != self.target:
-            self.timeline.apply(MoveDrag(self.world.names[self.grabbed], point))
-            self.target = point
-
-    def release(self) -> None:
-        """Let go."""
-        self._let_go()
-
-    def grip(self, frame: Frame) -> Vec:
-        """Where the grabbed point of the body is in `frame`, in metres."""
-        assert self._held is not None
-        row = frame.roster.row_of(self._held)
-        assert row is not None
-        return _to_world(frame, row, self._grip)
-
-    def _send_grab(self, body: int, point: Vec) -> bool:
-        force = DRAG_ACCELERATION * float(self.world.state.bodies[body].mass)
-        name = self.world.names[body]
-        self.timeline.begin_act(f"Drag {name}")
-        try:
-            self.timeline.apply(StartDrag(name, point, force))
-        except CommandError:
-            self.timeline.end_act()
-            return False
-        self.target = point
-        return True
-
-    def _let_go(self) -> None:
-        if self.grabbed is not None:
-            self.timeline.apply(EndDrag(self.world.names[self.grabbed]))
-        self._held = None
+        return self.grip.take(self.frame(), self.current, point, slack)
 
     def _look_anew(self) -> None:
         """Time has jumped, or something was put elsewhere: show the world as it is, without a blend."""
@@ -249,16 +200,3 @@ def free_path(folder: Path, stem: str, suffix: str) -> Path:
         count += 1
         path = folder / f"{stem}-{count}{suffix}"
     return path
-
-
-def _to_body(frame: Frame, body: int, point: Vec) -> Vec:
-    """A world point in the body's frame, from its centre of mass."""
-    (c, s), (x, y) = frame.rotation[body], frame.center[body]
-    dx, dy = point[0] - x, point[1] - y
-    return float(c * dx + s * dy), float(c * dy - s * dx)
-
-
-def _to_world(frame: Frame, body: int, local: Vec) -> Vec:
-    """The inverse of `_to_body`."""
-    (c, s), (x, y), (u, v) = frame.rotation[body], frame.center[body], local
-    return float(x + c * u - s * v), float(y + s * u + c * v)

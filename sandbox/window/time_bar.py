@@ -5,7 +5,10 @@ from __future__ import annotations
 from imgui_bundle import icons_fontawesome_6 as icons
 from imgui_bundle import imgui
 
+from sandbox.render.number_text import counted
+from sandbox.window import scrubber as track
 from sandbox.window.actions.registry import BY_NAME
+from sandbox.window.branch_list import branch_icon, draw_branches
 from sandbox.window.hud import speed_text
 from sandbox.window.scrubber import Scrubber
 from sandbox.window.widgets import button, mark
@@ -14,16 +17,31 @@ from sandbox.window.workspace import Workspace
 BUTTONS = (
     ("start", icons.ICON_FA_BACKWARD_FAST), ("step-back", icons.ICON_FA_BACKWARD_STEP), ("pause", ""),
     ("step", icons.ICON_FA_FORWARD_STEP), ("end", icons.ICON_FA_FORWARD_FAST), ("restart", icons.ICON_FA_ROTATE_LEFT),
-    ("slower", icons.ICON_FA_MINUS), ("faster", icons.ICON_FA_PLUS), ("undo", icons.ICON_FA_ARROW_ROTATE_LEFT),
-    ("redo", icons.ICON_FA_ARROW_ROTATE_RIGHT),
+    ("slower", icons.ICON_FA_MINUS), ("faster", icons.ICON_FA_PLUS), ("undo", icons.ICON_FA_REPLY),
+    ("redo", icons.ICON_FA_SHARE),
 )  # fmt: skip
+LEAST_NEEDED = ("start", "end"), ("slower", "faster"), ("step-back", "step"), ("restart",)
+"""Left out, in that order, where not all buttons find room: their keys and the menu Time do the same."""
+PAD = 6.0
+READABLE_EMS = 14.0
+"""Width, in heights of the text, from which a shortened hint says something."""
+
+
+def time_bar_height() -> float:
+    """Pixels that it takes: the scrubber and a row of buttons, with room around them."""
+    return float(track.HEIGHT + imgui.get_style().item_spacing.y + imgui.get_frame_height() + 2 * PAD + 7.0)
 
 
 def draw_time_bar(workspace: Workspace, scrubber: Scrubber, hint: str) -> None:
     """The scrubber above; the buttons, figures and `hint`, what the tool in hand does, below."""
     scrubber.draw(workspace)
-    clock, timeline = workspace.session.clock, workspace.session.timeline
-    for name, icon in BUTTONS:
+    clock = workspace.session.clock
+    buttons = [*BUTTONS, *([("branches", branch_icon(workspace))] if workspace.session.timeline.branches else [])]
+    for name, icon in _fitting(buttons, f"{speed_text(clock.speed):>6} "):
+        if name == "branches":
+            draw_branches(workspace)
+            imgui.same_line()
+            continue
         action = BY_NAME[name]
         shown = icon or (icons.ICON_FA_PLAY if clock.paused else icons.ICON_FA_PAUSE)
         keys = f"   [{action.keys[0]}]"
@@ -33,23 +51,45 @@ def draw_time_bar(workspace: Workspace, scrubber: Scrubber, hint: str) -> None:
         if name == "faster":
             imgui.text_disabled(f"{speed_text(clock.speed):>6} ")
             imgui.same_line()
-    behind = timeline.length - timeline.step_count
-    known = f"   {behind:,} steps known ahead" if behind else ""
-    imgui.text_unformatted(f"{workspace.session.world.time:8.2f} s")
-    imgui.same_line()
-    imgui.text_disabled(f"step {timeline.step_count:,}{known}")
-    imgui.same_line()
+    _draw_figures(workspace)
     _draw_hint(hint)
 
 
+def _fitting(buttons: list[tuple[str, str]], speed: str) -> list[tuple[str, str]]:
+    """Those of the buttons that find room beside the time; `speed` stands behind "faster"."""
+    style = imgui.get_style()
+    room = imgui.get_content_region_avail().x - 4.0 * imgui.get_font_size()
+    for names in LEAST_NEEDED:
+        wide = [imgui.calc_text_size(icon or icons.ICON_FA_PAUSE).x + 2 * style.frame_padding.x for _, icon in buttons]
+        wide += [imgui.calc_text_size(speed).x] if ("faster", icons.ICON_FA_PLUS) in buttons else []
+        if sum(wide) + style.item_spacing.x * len(wide) <= room:
+            break
+        buttons = [one for one in buttons if one[0] not in names]
+    return buttons
+
+
+def _draw_figures(workspace: Workspace) -> None:
+    """The time, the step and what is known ahead, as far as there is room beside the hint's sign."""
+    timeline = workspace.session.timeline
+    behind = timeline.length - timeline.step_count
+    words = [f"{workspace.session.world.time:8.2f} s", f"step {timeline.step_count:,}"]
+    words += [f"  {counted(behind, 'step')} known ahead"] if behind else []
+    for number, text in enumerate(words):
+        if imgui.calc_text_size(text).x > imgui.get_content_region_avail().x - 2.5 * imgui.get_font_size():
+            break
+        (imgui.text_disabled if number else imgui.text_unformatted)(text)
+        imgui.same_line()
+
+
 def _draw_hint(hint: str) -> None:
-    """At the right edge; what does not fit is said under the pointer."""
-    left, room = imgui.get_cursor_pos_x() + 20.0, imgui.get_content_region_avail().x - 24.0
-    if room <= 60.0:
-        return
-    shown = hint
-    while imgui.calc_text_size(shown).x > room and " " in shown:
-        shown = shown.removesuffix(" …").rpartition(" ")[0] + " …"
-    imgui.set_cursor_pos_x(left + max(room - imgui.calc_text_size(shown).x, 0.0))
+    """At the right edge; what does not fit is said under the pointer, and where nothing would, a sign stands for it."""
+    room = imgui.get_content_region_avail().x - 4.0
+    text = imgui.calc_text_size(hint).x
+    shown = hint if text <= room - 20.0 else icons.ICON_FA_CIRCLE_INFO
+    if shown is not hint and room - 20.0 >= READABLE_EMS * imgui.get_font_size():
+        shown = hint
+        while imgui.calc_text_size(shown).x > room - 20.0 and " " in shown:
+            shown = shown.removesuffix(" …").rpartition(" ")[0] + " …"
+    imgui.set_cursor_pos_x(imgui.get_cursor_pos_x() + max(room - imgui.calc_text_size(shown).x, 0.0))
     imgui.text_disabled(shown)
     mark("hint", hint if shown != hint else "")

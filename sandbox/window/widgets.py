@@ -45,8 +45,13 @@ def button(name: str, label: str, tip: str = "", *, on: bool = False, enabled: b
 
 
 def checkbox(name: str, label: str, value: bool, tip: str = "") -> bool:
-    """A box to tick; gives what it is now."""
+    """A box to tick, with an edge, so that it is seen empty as well; gives what it is now."""
+    edge = imgui.get_style_color_vec4(imgui.Col_.text_disabled)
+    imgui.push_style_color(imgui.Col_.border, imgui.ImVec4(edge.x, edge.y, edge.z, 0.5))
+    imgui.push_style_var(imgui.StyleVar_.frame_border_size, 1.0)
     _, value = imgui.checkbox(f"{label}##{name}", value)
+    imgui.pop_style_var()
+    imgui.pop_style_color()
     mark(name, tip)
     return bool(value)
 
@@ -103,11 +108,19 @@ def integer(
     return bool(changed), int(value)
 
 
-def text(name: str, label: str, value: str, hint: str = "") -> str:
-    """A line of text to type; gives what it is now."""
-    _, value = imgui.input_text_with_hint(f"{label}##{name}", hint, value)
+def text(name: str, label: str, value: str, hint: str = "", at_end: bool = False) -> str:
+    """A line of text to type; gives what it is now. With `at_end`, what is typed next comes behind what is there."""
+    flags, place = (imgui.InputTextFlags_.callback_always, _to_end) if at_end else (0, None)
+    _, value = imgui.input_text_with_hint(f"{label}##{name}", hint, value, flags, place)
     mark(name)
     return str(value)
+
+
+def _to_end(data: imgui.InputTextCallbackData) -> int:
+    """Put the cursor behind the text, with nothing selected, as it all is when a field is entered by program."""
+    data.clear_selection()
+    data.cursor_pos = data.buf_text_len
+    return 0
 
 
 def choice(name: str, label: str, value: str, options: Sequence[str], tip: str = "") -> str:
@@ -145,7 +158,9 @@ def row(label: str, value: str, tip: str = "") -> None:
     """A name and what it is, in two columns."""
     imgui.text_disabled(label)
     imgui.same_line(imgui.get_font_size() * LABEL_EMS)
+    imgui.push_text_wrap_pos(0.0)
     imgui.text_unformatted(value)
+    imgui.pop_text_wrap_pos()
     if tip and imgui.is_item_hovered():
         imgui.set_tooltip(tip)
 

@@ -73,6 +73,10 @@ class Ledger(Generic[T]):
             self._register = self._ids = None
         return names
 
+    def called(self, row: int) -> str:
+        """What commands call a row: its id, or if it has none #1 for the first of the scene. No id begins so."""
+        return self.names[row] or f"#{self.serials[row] + 1}"
+
     def row_of(self, serial: int) -> int | None:
         """The row of what has that serial number; None if it is gone."""
         row = bisect_left(self.serials, serial)

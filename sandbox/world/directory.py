@@ -12,6 +12,9 @@ from sandbox.scene.near_names import nearest
 from sandbox.world.census import Ledger
 from sandbox.world.state import State
 
+_MOST_DIGITS = 9
+"""Of the number of a region without an id."""
+
 
 class Directory:
     """The rows of a state by id, as they are now. Whoever adds or removes rows says so; a new census needs a new one.
@@ -54,8 +57,27 @@ class Directory:
         return _row(self._state.census.joints, _looked_up("joint", name, self._joints, UnknownJointError))
 
     def region(self, name: str) -> int:
-        """The row of a region that has an id. Raises `UnknownRegionError` with the nearest name."""
+        """The row of a region: by its id, or as #2 if it is the second of the scene and has none.
+
+        Raises `UnknownRegionError` with the nearest name.
+        """
+        found = self.find_region(name)
+        if found is not None:
+            return found
         return _row(self._state.census.regions, _looked_up("region", name, self._regions, UnknownRegionError))
+
+    def find_region(self, name: str | None) -> int | None:
+        """The same; None if there is no such region."""
+        regions = self._state.census.regions
+        if not isinstance(name, str):
+            return None
+        if name in self._regions:
+            return _row(regions, self._regions[name])
+        number = name.removeprefix("#")
+        if number == name or not (number.isascii() and number.isdigit()) or len(number) > _MOST_DIGITS:
+            return None
+        row = regions.row_of(int(number) - 1)
+        return row if row is not None and regions.called(row) == name else None
 
     def control(self, name: str) -> int:
         """The row of a control. Raises `CommandError` with the nearest name."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import pytest
 
@@ -10,6 +11,7 @@ import sandbox
 from sandbox import SetRegion, SetThruster
 from sandbox.engine.world import World
 from sandbox.errors import CommandError, SceneError, UnknownBodyError, UnknownRegionError
+from sandbox.world.export.scene_now import scene_of
 
 POOL = {"id": "pool", "water": 1, "surface": 0, "inside": [-5, -5, 5, 2], "drag": 2}
 CORK = {"id": "cork", "shapes": [{"box": [1, 1], "density": 0.5}], "position": [0, 0]}
@@ -136,6 +138,35 @@ def test_a_changed_region_goes_with_the_snapshot():
     assert w.body("cork").position[1] > 0.5
 
 
+@pytest.mark.parametrize(("name", "area"), [
+    ("pool", {"inside": [-4, -6, 7, 3], "surface": 1}),
+    ("moon", {"inside": [0, 0, 1, 1]}),
+    ("breeze", {"disc": [61, 1, 4]}),
+    ("ramp", {"outline": [[0, 0], [4, 0], [3, 4]]}),
+    ("#6", {"inside": [71, -5, 81, 6]}),
+    ("sun", {"range": None}),
+])  # fmt: skip
+def test_an_area_elsewhere_is_that_of_a_scene_which_has_it_there(name, area):
+    there = [*REGIONS, {"id": "ramp", "wind": [1, 0], "outline": [[0, 0], [2, 0], [1, 1]]}]
+    number = next(k for k, region in enumerate(there) if name in (region.get("id"), f"#{k + 1}"))
+    elsewhere = [{**region, **area} if k == number else region for k, region in enumerate(there)]
+    w, wanted = world(CORK, regions=there), world(CORK, regions=elsewhere)
+    w.apply(SetRegion(name, **{field: math.inf if value is None else value for field, value in area.items()}))
+    assert w.digest() == wanted.digest()
+    found, told = scene_of(w).scene.regions[number].flat(), wanted.scene.regions[number].flat()
+    assert replace(found, edges=()) == replace(told, edges=())
+    assert sum(found.edges, ()) == pytest.approx(sum(told.edges, ()), abs=1e-15)
+
+
+def test_an_area_that_comes_and_goes_wakes_what_sleeps_there():
+    w = world(BED, CORK, SHORE)
+    w.step(900)
+    w.apply(SetRegion("pool", inside=(5.0, -5.0, 15.0, 2.0)))
+    assert (w.body("cork").awake, w.body("stone").awake) == (True, True)
+    w.step(60)
+    assert w.body("cork").position[1] < -2.0
+
+
 REFUSED = [
     (SetRegion("pol", surface=1.0), "no region 'pol' in this world; did you mean 'pool'?"),
     (SetRegion("", surface=1.0), "no region ''"),
@@ -146,6 +177,15 @@ REFUSED = [
     (SetRegion("pool", surface=math.nan), "surface must be a finite number"),
     (SetRegion("pool", flow=(1e300, 0.0)), "flow[0] must"),
     (SetRegion("sun", falloff=7), "falloff must"),
+    (SetRegion("pool", inside=(0.0, 0.0, 1.0)), "inside must be 4 numbers, not (0.0, 0.0, 1.0)"),
+    (SetRegion("pool", inside=(1.0, 0.0, 0.0, 1.0)), "inside"),
+    (SetRegion("pool", outline=((0.0, 0.0), (1.0, 0.0), (0.0, 1.0))), "has 4 sides and keeps them, not 3"),
+    (SetRegion("pool", outline=((0.0, 0.0), 1.0)), "outline must be a list of pairs of numbers"),
+    (SetRegion("pool", disc=(0.0, 0.0, 1.0)), "its area is no disc"),
+    (SetRegion("breeze", inside=(0.0, 0.0, 1.0, 1.0)), "has no sides"),
+    (SetRegion("pool", drag=math.inf), "drag must be a finite number"),
+    (SetRegion("#1", drag=1.0), "no region '#1'"),
+    (SetRegion("#" + 5000 * "9", drag=1.0), "no region"),
     (SetRegion("sun", falloff=1.5), "falloff must be a whole number"),
     (SetRegion("pool", drag="much"), "drag must be a number, not 'much'"),
     (SetRegion("pool", flow=3.0), "flow must be"),

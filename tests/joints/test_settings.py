@@ -72,6 +72,26 @@ def test_every_setting_of_every_kind_can_be_changed():
         assert set(model.model_fields) - fixed == COMMON.keys() | CHANGES[kind][1].keys()
 
 
+@pytest.mark.parametrize(("kind", "command"), [
+    ("weld", SetJoint("j", break_force=math.inf, break_torque=math.inf)),
+    ("motor", SetJoint("j", max_force=math.inf, max_torque=math.inf)),
+    ("revolute", SetMotor("j", 1.0, math.inf)),
+])  # fmt: skip
+def test_no_limit_is_as_in_a_scene_without_one_and_null_in_a_recording(kind, command):
+    limits = {
+        "weld": ("break_force", "break_torque"),
+        "motor": ("max_force", "max_torque"),
+        "revolute": ("max_torque",),
+    }
+    speed = {"motor_speed": math.degrees(1.0)} if kind == "revolute" else {}
+    w, wanted = made(kind, **dict.fromkeys(limits[kind], 5.0), **speed), made(kind, **speed)
+    w.apply(command)
+    assert w.digest() == wanted.digest()
+    words = command.to_words()
+    assert None in words.values()
+    assert type(command).from_words(words) == command
+
+
 @pytest.mark.parametrize("kind", CHANGES)
 def test_each_alone_changes_nothing_else(kind):
     for name, value in {**COMMON, **CHANGES[kind][1]}.items():
@@ -139,6 +159,8 @@ def test_what_may_break_is_changed_and_what_sleeps_wakes():
         (SetJoint("j", hertz=-1.0), "hertz must not be negative"),
         (SetJoint("j", break_force=-1.0), "break_force must not be negative"),
         (SetJoint("j", break_force=math.nan), "finite"),
+        (SetJoint("j", break_force=-math.inf), "finite"),
+        (SetJoint("j", hertz=math.inf), "finite"),
         (SetJoint("j", hertz="stiff"), "hertz must be a number, not 'stiff'"),
         (SetJoint("j", collide=1), "collide must be True or False"),
         (SetJoint("hinge", lower=3.0, upper=-3.0), "lower must not be greater than upper"),

@@ -64,11 +64,11 @@ def test_keyframes_keep_to_the_budget_and_stand_farther_apart_in_longer_runs() -
     spacings = []
     for step in range(0, STEPS, 10):
         player.seek(step)
-        assert player._frames.size <= 200_000
-        spacings.append(player._frames.spacing)
+        assert player._head.frames.size <= 200_000
+        spacings.append(player._head.frames.spacing)
     assert spacings == sorted(spacings)
     assert spacings[0] < spacings[-1]
-    assert len(player._frames) >= 5
+    assert len(player._head.frames) >= 5
 
 
 def test_a_budget_too_small_for_one_keyframe_keeps_the_first() -> None:

@@ -185,6 +185,62 @@ def test_a_rewound_session_saves_all_that_is_known_and_stays_where_it_is() -> No
     assert sandbox.rerun(recording).passed
 
 
+def test_a_future_that_was_left_is_kept_and_led_to_with_all_that_was_done_in_it() -> None:
+    timeline = Timeline(SCENE)
+    play(timeline, 10)
+    timeline.begin_act("Push ball")
+    timeline.apply(ApplyImpulse("ball", (3.0, 0.0)))
+    play(timeline, 20)
+    pushed = timeline.world.digest()
+    timeline.seek(15)
+    timeline.begin_act("Delete crate")
+    timeline.apply(Delete("crate"))
+    play(timeline, 5)
+    deleted = timeline.world.digest()
+    timeline.seek(4)
+    timeline.begin_act("Push crate")
+    timeline.apply(ApplyImpulse("crate", (0.0, 3.0)))
+    play(timeline, 30)
+
+    def told() -> list[tuple[str, int | None, int]]:
+        return [(branch.label, timeline.parts_from(branch), branch.length) for branch in timeline.branches]
+
+    assert told() == [("Push ball", 4, 30), ("Delete crate", 4, 20)]
+    timeline.switch(0)
+    assert (timeline.step_count, timeline.length) == (4, 30)
+    timeline.seek(30)
+    assert timeline.world.digest() == pushed
+    assert told() == [("Delete crate", 15, 20), ("Push crate", 4, 34)]
+    timeline.switch(0)
+    assert timeline.step_count == 15
+    timeline.seek(20)
+    assert timeline.world.digest() == deleted
+    assert sandbox.rerun(timeline.recording()).passed
+    while timeline.undo_label != "Push ball":
+        timeline.undo()
+    assert (told(), timeline.length) == ([], 30)
+    with pytest.raises(ArgumentError, match="branch 0 is not one of the 0"):
+        timeline.switch(0)
+
+
+def test_a_restart_keeps_what_was_done_and_nothing_else() -> None:
+    timeline = Timeline(SCENE)
+    play(timeline, 5)
+    timeline.begin_again()
+    assert timeline.branches == ()  # it comes out the same
+    play(timeline, 5)
+    timeline.begin_act("Push ball")
+    timeline.apply(ApplyImpulse("ball", (3.0, 0.0)))
+    play(timeline, 5)
+    pushed = timeline.world.digest()
+    timeline.begin_again()
+    ((label, length),) = [(branch.label, branch.length) for branch in timeline.branches]
+    assert (label, length) == ("Push ball", 10)
+    timeline.switch(0)
+    timeline.seek(10)
+    assert timeline.world.digest() == pushed
+
+
 ACTS = st.lists(
     st.one_of(
         st.tuples(st.just("step"), st.integers(1, 12)),
@@ -195,6 +251,7 @@ ACTS = st.lists(
         st.tuples(st.just("undo"), st.just(0)),
         st.tuples(st.just("redo"), st.just(0)),
         st.tuples(st.just("again"), st.just(0)),
+        st.tuples(st.just("switch"), st.integers(0, 3)),
         st.tuples(st.just("recording"), st.just(0)),
     ),
     max_size=14,
@@ -211,6 +268,10 @@ def act(timeline: Timeline, what: str, value: float | str) -> None:
             timeline.undo()
         case "redo":
             timeline.redo()
+        case "switch" if int(value) < len(timeline.branches):
+            wanted = timeline.branches[int(value)]
+            timeline.switch(int(value))
+            assert (list(timeline.commands), timeline.length) == (wanted.script(), wanted.length)
         case "again":
             timeline.begin_again()
         case "recording" if timeline.length:

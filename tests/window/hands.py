@@ -52,10 +52,10 @@ class Hands(App):
             yield from Script(self._folder / "part.txt").hands(self._locate)
 
 
-def play(canvas: Canvas, scene: Scene, folder: Path, *acts: Act) -> PlayScreen:
-    """Play `scene` in a window of `SIZE` pixels, a step a picture; after the first, time stands still at first."""
+def play(canvas: Canvas, scene: Scene, folder: Path, *acts: Act, size: tuple[int, int] = SIZE) -> PlayScreen:
+    """Play `scene` in a window of `size` pixels, a step a picture; after the first, time stands still at first."""
     hands = Hands(canvas, scene, folder, acts)
-    with _window_of(SIZE):
+    with _window_of(size):
         hands.run()
     assert hands.screen is not None
     return hands.screen

@@ -11,6 +11,7 @@ import pygame
 import pytest
 from PIL import Image
 
+from sandbox.render.theme import DARK, LIGHT, Theme
 from sandbox.scene.catalog import Entry
 from sandbox.window.app import App
 from sandbox.window.gallery import Gallery
@@ -123,7 +124,11 @@ def test_a_click_on_a_card_opens_it(canvas: Canvas, scenes: list[Entry]) -> None
     assert hands.script == []
 
 
-def test_the_loading_screen_says_what_is_being_done(canvas: Canvas, scenes: list[Entry], tmp_path: Path) -> None:
+@pytest.mark.parametrize("theme", [DARK, LIGHT])
+def test_the_loading_screen_says_what_is_being_done(
+    theme: Theme, canvas: Canvas, scenes: list[Entry], tmp_path: Path
+) -> None:
+    canvas.theme = theme
     loader = Loader(scenes[1].path)
     screen = LoadingScreen(loader, play=lambda session: pytest.fail("not asked"), failed=pytest.fail)
     canvas.display.begin()
@@ -133,8 +138,9 @@ def test_the_loading_screen_says_what_is_being_done(canvas: Canvas, scenes: list
     canvas.display.save(tmp_path / "loading.png")
     with Image.open(tmp_path / "loading.png") as image:
         drawn = np.asarray(image).astype(int)
-    bright = (drawn.max(axis=2) > 100).nonzero()
-    assert len(bright[0]) > 200  # the arc, what is being done, and the file's name
+    apart = np.abs(drawn[..., :3] - 255.0 * np.array(theme.background)).max(axis=2)
+    bright = (apart > 80.0).nonzero()
+    assert len(bright[0]) > 500  # the arc, what is being done, and the file's name
     assert abs(bright[1].mean() - canvas.display.size[0] / 2) < 20  # centred
     assert loader.result().world.step_count == 0
 

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PIL import Image
+from PIL import Image, ImageSequence
 
 import sandbox
 from sandbox.cli import main
@@ -63,7 +63,10 @@ def visit(display: Any, tmp_path: Path) -> Visit:
 
 
 def test_a_body_is_thrown(visit: Visit) -> None:
-    visit.do("wait 5\ndrag @0,0.5 to @4,5 in 6\nwait 30\nkey S\nwait 2\n")
+    visit.do("wait 5\nfilm thrown.gif\ndrag @0,0.5 to @4,5 in 6\nwait 30\ncut\nkey S\nwait 2\n")
+    with Image.open(visit.folder / "thrown.gif") as film:
+        assert (film.size, film.n_frames) == ((1280, 800), 12)
+        assert {frame.info["duration"] for frame in ImageSequence.Iterator(film)} <= {60, 70}  # 15 a second
     recording = visit.recording()
     assert {type(command).__name__ for _, command in recording.commands} == {"StartDrag", "MoveDrag", "EndDrag"}
     assert max(pose[1] for name, pose in recording.final.items() if name == "crate") > 3.0

@@ -101,7 +101,10 @@ def test_what_is_typed_filters_and_enter_opens(display: Any, tmp_path: Path) -> 
 def test_a_scene_is_opened_by_its_path_folder_by_folder(display: Any, tmp_path: Path) -> None:
     (tmp_path / "deep").mkdir()
     SCENE.save(tmp_path / "deep" / "inner.scene.json")
-    done = gallery(tmp_path, "type ./dee\nkey Enter\nwait 3\ntype inn\nwait 2\nkey Enter\nwait 5\nkey S\nquit\n")
+    done = gallery(
+        tmp_path,
+        "wait 9\ntype .\nwait 9\ntype /dee\nkey Enter\nwait 3\ntype inn\nwait 2\nkey Enter\nwait 5\nkey S\nquit\n",
+    )
     assert (done.returncode, done.stderr) == (0, "")
     assert (tmp_path / "inner.replay.json").is_file()
 

@@ -46,14 +46,14 @@ def drag_to(mouse: Mouse, at: tuple[int, int], rel: tuple[int, int]) -> None:
 def test_the_left_button_drags_a_body(mouse: Mouse) -> None:
     press(mouse, 1, pixel(4.0, 3.0))
     drag_to(mouse, pixel(5.0, 4.0), (50, -50))
-    assert mouse.workspace.session.grabbed == 2
-    assert mouse.workspace.session.target == pytest.approx((5.0, 4.0))
+    assert mouse.workspace.session.grip.body == 2
+    assert mouse.workspace.session.grip.target == pytest.approx((5.0, 4.0))
     assert mouse.workspace.viewport.camera == CAMERA
     strokes = mouse.strokes()
     assert strokes[0].start == pytest.approx(pixel(4.0, 3.0))
     assert strokes[0].end == pytest.approx(pixel(5.0, 4.0))
     release(mouse, 1, pixel(5.0, 4.0))
-    assert mouse.workspace.session.grabbed is None
+    assert mouse.workspace.session.grip.body is None
     assert not mouse.strokes()
 
 
@@ -66,7 +66,7 @@ def test_other_buttons_and_empty_space_pan(mouse: Mouse, button: int, start: tup
     release(mouse, button, (0, 0))
     drag_to(mouse, (10, 10), (10, 10))
     assert mouse.workspace.viewport.camera == CAMERA.panned(30, -20)
-    assert mouse.workspace.session.grabbed is None
+    assert mouse.workspace.session.grip.body is None
 
 
 def test_zoom_keeps_what_is_under_the_cursor(mouse: Mouse) -> None:

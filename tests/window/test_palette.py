@@ -49,8 +49,10 @@ def test_words_and_enter_do_what_is_meant_and_nothing_else_hears_the_keys(canvas
         "key Ctrl+P\nwait 3\ntype overlay contact\nkey Enter\nwait 2\n", look,
         "key Ctrl+P\nwait 3\ntype crate\nkey Enter\nwait 2\n", look,
         "key Ctrl+P\nwait 3\ntype nothing of that name\nkey Enter\nkey Esc\nwait 2\n", look,
+        "key Ctrl+P\nwait 3\ntype zx\nkey Enter\nkey Backspace\nkey Backspace\ntype box\nkey Enter\nwait 2\n", look,
     )  # fmt: skip
-    assert seen == [("wind", [], ()), ("wind", ["contacts"], ()), *[("wind", ["contacts"], ("crate",))] * 2]
+    crate = "wind", ["contacts"], ("crate",)
+    assert seen == [("wind", [], ()), ("wind", ["contacts"], ()), crate, crate, ("box", *crate[1:])]
 
 
 def test_arrows_go_round_and_the_next_time_begins_anew(canvas: Canvas, tmp_path: Path) -> None:

@@ -16,6 +16,7 @@ from sandbox.window.play import PlayScreen
 from sandbox.window.screen import Canvas
 from sandbox.window.tools.region_pick import region_at
 from sandbox.world.export.scene_now import scene_of
+from sandbox.world.region_area import box_of, disc_of, level_of
 from tests.window.hands import play
 
 SCENE = sandbox.Scene(
@@ -87,10 +88,38 @@ def test_a_scene_and_a_recording_of_now_have_what_was_drawn(canvas: Canvas, tmp_
     assert again.digest() == screen.session.world.digest()
 
 
+def test_a_region_without_an_id_is_picked_moved_stretched_and_all_taken_back(canvas: Canvas, tmp_path: Path) -> None:
+    scene = sandbox.Scene(bodies=SCENE.bodies, view=SCENE.view, regions=[
+        {"water": 1, "inside": [-8, 1, -4, 5], "surface": 4}, {"wind": [1, 0], "disc": [6, 4, 2]},
+    ])  # fmt: skip
+    seen: list[Any] = []
+
+    def look(screen: PlayScreen) -> None:
+        state = screen.session.world.state
+        seen.append((screen.workspace.selection.region, box_of(state, 0), level_of(state, 0), disc_of(state, 1)))
+
+    screen = play(
+        canvas, scene, tmp_path, "click @-7,2\nwait 2\n", look,
+        "drag @-6,3 to @-4,4 in 2\nwait 2\n", look, "drag @-2,4 to @1,4 in 2\nwait 2\n", look,
+        "drag @-0.75,5 to @0,4.5 in 2\nwait 2\n", look,
+        "click @6,4\nwait 2\n", "drag @8,4 to @9,4 in 2\nwait 2\n", look,
+        "key Ctrl+Z\nkey Ctrl+Z\nkey Ctrl+Z\nkey Ctrl+Z\nwait 2\n", look, size=(720, 450),
+    )  # fmt: skip
+    near = {"abs": 0.08}
+    assert [row[0] for row in seen] == ["#1", "#1", "#1", "#1", "#2", "#2"]
+    assert seen[1][1] == pytest.approx((-6, 2, -2, 6), **near)
+    assert seen[2][1] == pytest.approx((-6, 2, 1, 6), **near)
+    assert [row[2] for row in seen[:4]] == pytest.approx([4, 5, 5, 4.5], **near)
+    assert seen[4][3] == pytest.approx((6, 4, 3), **near)
+    assert seen[5][1:] == seen[0][1:]
+    assert screen.session.timeline.undo_label is None
+
+
 @pytest.mark.parametrize(
     ("point", "found"),
     [
-        ((0, 0), "disc"),
+        ((0, 0), "#4"),
+        ((0, 1.5), "disc"),
         ((4, 0), "lake"),
         ((-1, 4), "lake"),
         ((9, 9), None),

@@ -70,19 +70,19 @@ def test_restart_begins_again(session: Session) -> None:
     session.update(0.1)
     session.restart()
     assert session.world.digest() == start
-    assert session.grabbed is None
+    assert session.grip.body is None
     assert np.array_equal(session.frame().center, session.current.center)
 
 
 def test_dragging_pulls_the_body_towards_the_hand_and_release_lets_it_fall(session: Session) -> None:
     assert session.grab((0.2, 0.6), 0.0)
-    session.drag((0.2, 4.0))
+    session.grip.pull((0.2, 4.0))
     for _ in range(120):
         session.step_once()
-    grip = session.grip(session.current)
+    grip = session.grip.place(session.current)
     assert np.hypot(grip[0] - 0.2, grip[1] - 4.0) < 0.1
-    session.release()
-    assert session.grabbed is None
+    session.grip.let_go()
+    assert session.grip.body is None
     for _ in range(120):
         session.step_once()
     assert session.world.body("crate").position[1] < 0.8
@@ -91,15 +91,15 @@ def test_dragging_pulls_the_body_towards_the_hand_and_release_lets_it_fall(sessi
 def test_the_grip_is_the_point_that_was_caught(session: Session) -> None:
     session.update(0.05)
     session.grab((4.3, 3.1), 0.0)
-    assert session.grip(session.frame()) == pytest.approx((4.3, 3.1), abs=1e-9)
+    assert session.grip.place(session.frame()) == pytest.approx((4.3, 3.1), abs=1e-9)
 
 
 def test_nothing_is_grabbed_where_nothing_moves(session: Session) -> None:
     assert not session.grab((-5.0, -0.5), 0.0)
     assert not session.grab((10.0, 10.0), 0.1)
-    session.drag((1.0, 1.0))
-    session.release()
-    assert session.grabbed is None
+    session.grip.pull((1.0, 1.0))
+    session.grip.let_go()
+    assert session.grip.body is None
 
 
 def test_bodies_that_come_and_go_are_seen_at_once(session: Session) -> None:
@@ -125,11 +125,11 @@ def test_bodies_that_come_and_go_are_seen_at_once(session: Session) -> None:
 def test_the_hand_keeps_its_body_and_lets_go_of_one_that_is_gone(session: Session) -> None:
     assert session.grab((4.0, 3.0), 0.1)
     session.world.apply(Delete("crate"))
-    assert session.grabbed == 1
-    assert session.grip(session.frame()) == pytest.approx((4.0, 3.0), abs=1e-9)
-    session.drag((5.0, 5.0))
+    assert session.grip.body == 1
+    assert session.grip.place(session.frame()) == pytest.approx((4.0, 3.0), abs=1e-9)
+    session.grip.pull((5.0, 5.0))
     session.world.apply(Delete("other"))
-    assert session.grabbed is None
-    session.drag((6.0, 6.0))
-    session.release()
+    assert session.grip.body is None
+    session.grip.pull((6.0, 6.0))
+    session.grip.let_go()
     session.step_once()

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, Any, Protocol, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -66,6 +67,9 @@ class Touched:
 class Command(ABC):
     """A command: a frozen dataclass, to be given to `World.apply`. Its name and fields are those of recordings."""
 
+    UNLIMITED: ClassVar[frozenset[str]] = frozenset()
+    """Fields in which infinity means that there is no limit: null in a recording, as in a scene file."""
+
     @property
     def outdates_events(self) -> bool:
         """Whether the events of the last step can no longer be worked out afterwards, though it deletes nothing."""
@@ -74,9 +78,10 @@ class Command(ABC):
     def checked(self) -> Self:
         """The same command with Python's own numbers inside.
 
-        Raises `CommandError` unless all fields have their types and are finite and within their limits.
+        Raises `CommandError` unless all fields have their types and are finite, or `UNLIMITED`, and within their
+        limits.
         """
-        return checked(self)
+        return checked(self, self.UNLIMITED)
 
     def going(self, target: CommandTarget) -> Flags | None:
         """Marks of the bodies that it will delete; None if it deletes neither bodies nor joints.
@@ -96,9 +101,15 @@ class Command(ABC):
     def to_words(self) -> dict[str, Any]:
         """The fields as a recording has them; what is None, and is so by default, is left out."""
         given = {item.name: (getattr(self, item.name), item.default) for item in fields(self)}
-        return {name: value for name, (value, default) in given.items() if value is not None or default is not None}
+        words = {name: value for name, (value, default) in given.items() if value is not None or default is not None}
+        return {name: None if self.is_unlimited(name, value) else value for name, value in words.items()}
 
     @classmethod
     def from_words(cls, words: Mapping[str, Any]) -> Self:
         """The command that the fields of a recording stand for."""
-        return cls(**words)
+        return cls(**{n: math.inf if value is None and n in cls.UNLIMITED else value for n, value in words.items()})
+
+    @classmethod
+    def is_unlimited(cls, name: str, value: Any) -> bool:
+        """Whether a value of that field says that there is no limit."""
+        return name in cls.UNLIMITED and value == math.inf

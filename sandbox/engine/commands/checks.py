@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection, Iterator
 from dataclasses import fields, replace
 from functools import cache
 from numbers import Integral, Real
@@ -24,8 +25,10 @@ GRAVITY_LIMIT = 1e6
 TIME_LIMIT = 1e9
 """Latest time of a path that a command may set, in s."""
 
+AREAS = ("inside", "disc", "outline")
+"""Fields that say where a region is."""
 LIMITS = {
-    **dict.fromkeys(("position", "angle", "point", "target", "radius", "pointer"), MAX_COORDINATE),
+    **dict.fromkeys(("position", "angle", "point", "target", "radius", "pointer", *AREAS), MAX_COORDINATE),
     **dict.fromkeys(("velocity", "angular_velocity", "speed"), SPEED_LIMIT),
     "gravity": GRAVITY_LIMIT,
     "value": 1.0,
@@ -35,7 +38,6 @@ LIMITS = {
 _NOT_NEGATIVE = ("hertz", "damping_ratio", "strongest", "max_force", "time")
 _IDS = ("body", "joint", "region", "name")
 _WORDS = {float: "a number", int: "a whole number", bool: "True or False", str: "a text"}
-_PAIR = "a pair of numbers (x, y)"
 
 
 def title(command: Any) -> str:
@@ -46,11 +48,11 @@ def title(command: Any) -> str:
     return type(command).__name__
 
 
-def checked(command: T) -> T:
+def checked(command: T, unlimited: Collection[str] = ()) -> T:
     """A command with Python's own numbers inside.
 
-    Raises `CommandError` unless all fields have their types, and every number is finite and within the limit of its
-    field.
+    Raises `CommandError` unless all fields have their types, and every number is finite, or plus infinity in a field
+    that is `unlimited`, and within the limit of its field.
     """
     kind: Any = type(command)
     plain: dict[str, Any] = {}
@@ -61,12 +63,13 @@ def checked(command: T) -> T:
         wanted = [one for one in types if one is not type(None)]
         fitting = next((one for one in wanted if _is(value, one)), None)
         if fitting is None:
-            words = " or ".join(_PAIR if get_origin(one) is tuple else _WORDS[one] for one in wanted)
+            words = " or ".join(_told(one) for one in wanted)
             raise CommandError(f"{title(command)}: {name} must be {words}, not {shown(value)}")
-        for number in value if get_origin(fitting) is tuple else (value,):
-            if isinstance(number, Real) and not isinstance(number, bool):
+        for number in _flat(value) if get_origin(fitting) is tuple else (value,):
+            endless = name in unlimited and number == math.inf
+            if isinstance(number, Real) and not isinstance(number, bool) and not endless:
                 _check(command, name, number)
-        plain[name] = tuple(map(float, value)) if get_origin(fitting) is tuple else fitting(value)
+        plain[name] = _floats(value) if get_origin(fitting) is tuple else fitting(value)
     changed: Any = replace(command, **plain)  # type: ignore[type-var]
     return changed  # type: ignore[no-any-return]
 
@@ -82,14 +85,38 @@ def _types(kind: Any) -> dict[str, tuple[Any, ...]]:
 
 
 def _is(value: Any, kind: Any) -> bool:
-    """Whether a value may stand for a type; NumPy's numbers, and lists and arrays for pairs, may."""
+    """Whether a value may stand for a type; NumPy's numbers, and lists and arrays for tuples, may."""
     if get_origin(kind) is tuple:
-        return isinstance(value, (tuple, list, np.ndarray)) and len(value) == 2 and all(_is(x, float) for x in value)
+        if not isinstance(value, (tuple, list, np.ndarray)):
+            return False
+        parts = get_args(kind)
+        wanted = [parts[0]] * len(value) if parts[-1] is Ellipsis else parts
+        return len(value) == len(wanted) and all(map(_is, value, wanted))
     if kind is bool:
         return isinstance(value, (bool, np.bool_))
     if kind in (float, int):
         return isinstance(value, Real if kind is float else Integral) and not isinstance(value, bool)
     return isinstance(value, kind)
+
+
+def _told(kind: Any) -> str:
+    """A type in words."""
+    if get_origin(kind) is not tuple:
+        return _WORDS[kind]
+    parts = get_args(kind)
+    if parts[-1] is Ellipsis:
+        return "a list of pairs of numbers"
+    return "a pair of numbers (x, y)" if len(parts) == 2 else f"{len(parts)} numbers"
+
+
+def _flat(value: Any) -> Iterator[Any]:
+    """The numbers of a tuple, and of tuples in it."""
+    for part in value:
+        yield from (part,) if isinstance(part, Real) else _flat(part)
+
+
+def _floats(value: Any) -> tuple[Any, ...]:
+    return tuple(float(part) if isinstance(part, Real) else _floats(part) for part in value)
 
 
 def _check(command: Any, field: str, number: Any) -> None:

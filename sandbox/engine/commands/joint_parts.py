@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 from sandbox.engine.commands.base import Vec
 from sandbox.engine.commands.checks import title
@@ -18,9 +18,10 @@ from sandbox.world.state import State
 class SetMotor(JointCommand):
     """Run the motor of a revolute, prismatic or wheel joint at `speed` (rad/s or m/s); None switches it off.
 
-    `strongest` (N m or N) is the most it gives; None leaves that as it is.
+    `strongest` (N m or N) is the most it gives, infinity for any; None leaves that as it is.
     """
 
+    UNLIMITED: ClassVar[frozenset[str]] = frozenset({"strongest"})
     speed: float | None
     strongest: float | None = None
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
-from typing import Any, Self
+from typing import Any, ClassVar, Self
 
 from sandbox.engine.commands.base import Vec
 from sandbox.engine.commands.checks import title
@@ -44,9 +44,11 @@ class SetJoint(JointCommand):
     are in radians, as everywhere in Python, unless `radians` is False: then they are degrees, as in a file. `enabled`
     switches the joint on or off; one that is broken stays broken. `hertz` begins a spring and `motor_speed` a motor
     where there is none. A new `ratio` counts from the pose of now. `offset` and `angle` of a motor, `rest`, `lower`
-    and `upper` count from the pose the joint began with. What the joint holds wakes.
+    and `upper` count from the pose the joint began with. An infinite `break_force`, `break_torque`, `max_force` or
+    `max_torque` is no limit, where a scene may have none. What the joint holds wakes.
     """
 
+    UNLIMITED: ClassVar[frozenset[str]] = frozenset({"break_force", "break_torque", "max_force", "max_torque"})
     enabled: bool | None = None
     collide: bool | None = None
     break_force: float | None = None
@@ -96,7 +98,7 @@ class SetJoint(JointCommand):
     @classmethod
     def from_words(cls, words: Mapping[str, Any]) -> Self:
         """The command that the fields of a recording stand for."""
-        return cls(**{"radians": not words.keys() & _MAY_BE_ANGLES, **words})
+        return super().from_words({"radians": not words.keys() & _MAY_BE_ANGLES, **words})
 
 
 _SETTINGS = tuple(field.name for field in fields(SetJoint) if field.name not in ("joint", "radians"))
@@ -114,9 +116,10 @@ def _checked(joint: Any, given: Mapping[str, Any], command: SetJoint) -> FlatJoi
         raise CommandError(f"{title(command)}: a {kind} joint has no {stray}; it has {', '.join(known)}")
     needed = {name: _STAND_IN[name] for name in model.model_fields if name in _STAND_IN}
     angles = {name: given[name] for name in ANGLES.get(kind, ()) if name in given} if command.radians else {}
+    endless = {name: None for name, value in given.items() if command.is_unlimited(name, value)}
     in_degrees = {name: angle / RADIANS_PER_DEGREE for name, angle in angles.items()}
     try:
-        flat = model(**{**needed, "type": kind, **given, **in_degrees}).flat()
+        flat = model(**{**needed, "type": kind, **given, **in_degrees, **endless}).flat()
     except SceneError as error:
         raise CommandError(f"{title(command)}: {error.problems[0].message}") from None
     return replace(flat, **angles)  # as they were given: there and back they could round

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
 from sandbox.engine.active.wake import wake_bodies
 from sandbox.engine.commands.base import Command, CommandTarget, Touched, Vec
-from sandbox.engine.commands.checks import title
+from sandbox.engine.commands.checks import AREAS, title
 from sandbox.engine.commands.sleepers_in import sleepers_in
 from sandbox.engine.commands.switch import switch
 from sandbox.errors import CommandError, SceneError
+from sandbox.scene.flat import FlatRegion
+from sandbox.world.region_area import disc_of, side_count
 from sandbox.world.region_columns import columns_of
 
 
@@ -23,10 +25,12 @@ class SetRegion(Command):
 
     Fields are those of a scene file, with the same units and limits, as far as the kind of region has them: `water`,
     `surface`, `drag`, `angular_drag`, `flow`; `gravity`; `gravity_scale`; `attraction`, `at`, `falloff`, `core`,
-    `range`; `wind`, `density`, `drag`. `enabled` switches the region on or off from now on, whatever its schedule was.
-    What sleeps in its area wakes.
+    `range`, infinite for none; `wind`, `density`, `drag`. `enabled` switches the region on or off from now on, whatever
+    its schedule was. `inside`, `outline` and `disc` (m) put its area elsewhere or make it larger, as far as it has such
+    a one, with as many sides as before. What sleeps in its area wakes, where it was and where it is.
     """
 
+    UNLIMITED: ClassVar[frozenset[str]] = frozenset({"range"})
     region: str
     enabled: bool | None = None
     water: float | None = None
@@ -43,6 +47,9 @@ class SetRegion(Command):
     range: float | None = None
     wind: Vec | None = None
     density: float | None = None
+    inside: tuple[float, float, float, float] | None = None
+    outline: tuple[Vec, ...] | None = None
+    disc: tuple[float, float, float] | None = None
 
     def apply(self, target: CommandTarget) -> Touched:
         """Change the region and wake what sleeps in it, where it was and where it is."""
@@ -50,14 +57,21 @@ class SetRegion(Command):
         state, flat = target.state, target.state.census.regions.items[index]
         row = state.regions[index]
         given = {item.name: value for item in fields(self)[2:] if (value := getattr(self, item.name)) is not None}
-        _check(row, given, self)
+        wanted = _checked(row, given, self)
         if "surface" in given and not flat.surfaced:
             raise CommandError(f"{title(self)}: this water has no surface; give it one in the scene")
+        sides = side_count(state, index)
+        _check_area(sides, disc_of(state, index) is not None, wanted, self)
         inside = sleepers_in(state, row)
         for field, columns in columns_of(row).items():
             if field in given and columns:
                 for column, value in zip(columns, given[field] if len(columns) > 1 else (given[field],), strict=True):
                     row[column] = value
+        if self.inside is not None or self.outline is not None:
+            for edge, side in zip(state.edges[row.first_edge :], wanted.edges[:sides], strict=False):
+                edge.normal_x, edge.normal_y, edge.offset = side
+        if wanted.disc is not None:
+            row.disc_x, row.disc_y, row.disc_radius = wanted.disc
         if "surface" in given:
             state.edges[row.first_edge + row.edge_count - 1].offset = given["surface"]
         switch(row, self.enabled, state)
@@ -65,17 +79,30 @@ class SetRegion(Command):
         return Touched(schedules=True)
 
 
-def _check(row: Any, given: Mapping[str, Any], command: SetRegion) -> None:
-    """The fields must be those of the kind, and their values such as a scene may have."""
+def _checked(row: Any, given: Mapping[str, Any], command: SetRegion) -> FlatRegion:
+    """The fields must be those of the kind, and their values such as a scene may have; gives a region with them."""
     from sandbox.scene.regions import REGIONS
 
     known = columns_of(row)
     kind = next(iter(known))
-    strays = [name for name in given if name not in known]
+    strays = [name for name in given if name not in known and name not in AREAS]
     if strays:
         raise CommandError(f"{title(command)}: a region of {kind} has no {strays[0]}; it has {', '.join(known)}")
     now = tuple(float(row[column]) for column in known[kind])
+    endless = {name: None for name, value in given.items() if command.is_unlimited(name, value)}
     try:
-        REGIONS[kind](**{kind: now if len(now) > 1 else now[0], **given})
+        return REGIONS[kind](**{kind: now if len(now) > 1 else now[0], **given, **endless}).flat()
     except SceneError as error:
         raise CommandError(f"{title(command)}: {error.problems[0].message}") from None
+
+
+def _check_area(sides: int, round_: bool, wanted: FlatRegion, command: SetRegion) -> None:
+    """A region keeps the kind of its area, and as many sides as it has."""
+    if command.inside is not None or command.outline is not None:
+        if sides == 0:
+            raise CommandError(f"{title(command)}: its area has no sides that could be elsewhere")
+        found = len(wanted.edges) - wanted.surfaced
+        if found != sides:
+            raise CommandError(f"{title(command)}: its area has {sides} sides and keeps them, not {found}")
+    if command.disc is not None and not round_:
+        raise CommandError(f"{title(command)}: its area is no disc")

@@ -11,10 +11,11 @@ from numpy.typing import NDArray
 
 from sandbox.render.camera import Floats
 from sandbox.render.marks import Marks
+from sandbox.render.number_text import counted
 from sandbox.render.overlays.look import Look
 from sandbox.render.overlays.palette import is_light
 from sandbox.render.overlays.pen import Pen
-from sandbox.render.overlays.scale import amount, counted, round_scale
+from sandbox.render.overlays.scale import amount, round_scale
 from sandbox.render.theme import Theme, hex_color
 from sandbox.world.records import DYNAMIC, STATIC
 

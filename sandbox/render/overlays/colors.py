@@ -9,9 +9,9 @@ import numpy as np
 from sandbox.engine.contact_solver.blocks import MAX_COLORS, SETTLED
 from sandbox.render.geometry import Ints
 from sandbox.render.marks import Marks
+from sandbox.render.number_text import counted
 from sandbox.render.overlays.look import Look, Overlay
 from sandbox.render.overlays.pen import Pen
-from sandbox.render.overlays.scale import counted
 
 _MOST_LEGEND = 8
 

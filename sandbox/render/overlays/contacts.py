@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from sandbox.render.marks import Marks
+from sandbox.render.number_text import counted
 from sandbox.render.overlays.look import Look, Overlay
 from sandbox.render.overlays.pen import Pen
-from sandbox.render.overlays.scale import counted
 
 NORMAL_PIXELS = 20.0
 

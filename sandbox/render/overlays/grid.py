@@ -5,11 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from sandbox.render.marks import Marks
-from sandbox.render.number_text import metres
+from sandbox.render.number_text import counted, metres
 from sandbox.render.overlays.look import Look, Overlay
 from sandbox.render.overlays.memory import GridCells, grid_cells
 from sandbox.render.overlays.pen import Pen, box_corners
-from sandbox.render.overlays.scale import counted
 
 _NUMBER_PIXELS = 26.0
 """Cells smaller than this have no number."""

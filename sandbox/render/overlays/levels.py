@@ -8,9 +8,9 @@ import numpy as np
 
 from sandbox.engine.active.pile_stability import MAX_LEVEL
 from sandbox.render.marks import Marks
+from sandbox.render.number_text import counted
 from sandbox.render.overlays.look import Look, Overlay
 from sandbox.render.overlays.pen import Pen
-from sandbox.render.overlays.scale import counted
 from sandbox.tables import plain
 from sandbox.world.records import DYNAMIC
 

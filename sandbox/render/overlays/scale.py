@@ -51,11 +51,6 @@ def amount(value: float, unit: str) -> str:
     return f"{shortest(float(f'{value:.3g}'))} {unit}"
 
 
-def counted(count: int, one: str, many: str = "") -> str:
-    """`1 box`, `2 boxes`; with an s if `many` is not said."""
-    return f"{count:,} {one if count == 1 else many or one + 's'}"
-
-
 def length_text(value: float) -> str:
     """A length in metres to three digits, in millimetres where it is below a tenth of a metre."""
     small = abs(value) < 0.1

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from sandbox.render.marks import Marks
+from sandbox.render.number_text import counted
 from sandbox.render.overlays.look import Look, Overlay
 from sandbox.render.overlays.pen import Pen, box_corners
-from sandbox.render.overlays.scale import counted
 from sandbox.tables import plain
 
 

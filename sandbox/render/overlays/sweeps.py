@@ -10,9 +10,9 @@ from sandbox.render.camera import Floats
 from sandbox.render.contour import contour
 from sandbox.render.geometry import Ints
 from sandbox.render.marks import Marks
+from sandbox.render.number_text import counted
 from sandbox.render.overlays.look import Look, Overlay
 from sandbox.render.overlays.pen import Pen
-from sandbox.render.overlays.scale import counted
 from sandbox.tables import plain
 
 NORMAL_PIXELS = 24.0

@@ -29,8 +29,8 @@ def _delete(workspace: Workspace) -> None:
         workspace.do(f"Delete {_told(bodies)}", Delete(bodies))
     elif selection.joint in world.joint_names and selection.joint is not None:
         workspace.do(f"Delete {selection.joint}", DeleteJoint(selection.joint))
-    elif selection.region in world.state.census.regions.names and selection.region:
-        workspace.do(f"Delete {selection.region}", DeleteRegion(selection.region))
+    elif selection.region is not None and world.directory.find_region(selection.region) is not None:
+        workspace.do(f"Delete {selection.region_title}", DeleteRegion(selection.region))
     else:
         workspace.say("there is nothing selected to delete")
 
@@ -110,7 +110,13 @@ def _told(names: tuple[str, ...]) -> str:
 
 
 def _selected(workspace: Workspace) -> bool:
-    return bool(workspace.selection.bodies or workspace.selection.joint)
+    """Bodies: nothing else can be copied or scaled."""
+    return bool(workspace.selection.bodies)
+
+
+def _deletable(workspace: Workspace) -> bool:
+    selection = workspace.selection
+    return bool(selection.bodies or selection.joint or selection.region)
 
 
 ACTIONS = (
@@ -129,6 +135,6 @@ ACTIONS = (
            enabled=_selected),
     Action("shrink", "Smaller", "Edit", ("[",), "What is selected a tenth smaller.", lambda w: _scale(w, 1 / 1.1),
            enabled=_selected),
-    Action("delete", "Delete", "Edit", ("Delete",), "Delete what is selected.", _delete, enabled=_selected),
+    Action("delete", "Delete", "Edit", ("Delete",), "Delete what is selected.", _delete, enabled=_deletable),
     Action("select-all", "Select all", "Edit", ("Ctrl+A",), "Select all that can move.", _select_all),
 )  # fmt: skip

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+from sandbox.render.number_text import counted
 from sandbox.resources import SCENE_SUFFIX
 from sandbox.window.actions.action import Action
 from sandbox.window.session import free_path
@@ -17,7 +18,7 @@ def _save_replay(workspace: Workspace) -> None:
     with workspace.attempt("not saved", OSError):
         path = workspace.session.save_recording(workspace.folder)
         steps = workspace.session.timeline.length
-        workspace.say(f"saved {path.name}: {steps:,} steps; run it again with sandbox replay")
+        workspace.say(f"saved {path.name}: {counted(steps, 'step')}; run it again with sandbox replay")
 
 
 def _shoot(workspace: Workspace) -> None:

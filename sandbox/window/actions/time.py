@@ -28,6 +28,14 @@ def _to_end(workspace: Workspace) -> None:
     workspace.session.seek(workspace.session.timeline.length)
 
 
+def _other_future(workspace: Workspace) -> None:
+    """The one that was left first, so that whoever asks again and again sees all of them."""
+    workspace.session.clock.paused = True
+    branch = workspace.session.timeline.branches[0]
+    workspace.session.switch(0)
+    workspace.say(f"another future, known up to step {branch.length:,}: {branch.label or 'nothing done'}")
+
+
 def _known_before(workspace: Workspace) -> bool:
     return workspace.session.timeline.step_count > 0
 
@@ -54,5 +62,8 @@ ACTIONS = (
            lambda w: w.session.clock.change_speed(-1)),
     Action("faster", "Faster", "Time", ("+", "="), "Twice as fast, up to 4.",
            lambda w: w.session.clock.change_speed(1)),
+    Action("other-future", "Other future", "Time", ("Ctrl+B",),
+           "Go to where the next of the futures that you left parts from this one.", _other_future,
+           enabled=lambda w: bool(w.session.timeline.branches)),
     Action("restart", "Restart", "Time", ("R",), "Begin again, with what the file says now.", lambda w: w.restart()),
 )  # fmt: skip

@@ -17,8 +17,11 @@ from sandbox.window.sat.measure import scaled
 from sandbox.window.widgets import button, choice
 from sandbox.window.workspace import Wish, Workspace
 
-WIDE = 620.0
-"""Pixels from which all that chooses stands in one line."""
+WIDE, WIDEST_CHOICE = 620.0, 420.0
+"""Pixels from which all that chooses stands in one line, and the most that a title takes of it."""
+
+STEPS_WIDTH = 104.0
+"""Pixels of the two buttons between, with the gaps."""
 
 
 @dataclass
@@ -52,8 +55,10 @@ class LessonsPanel(Panel):
         except OSError as error:
             imgui.text_wrapped(f"The lessons cannot be read: {error}")
             return
-        wide = imgui.get_content_region_avail().x >= scaled(WIDE)
-        imgui.set_next_item_width(scaled(250.0) if wide else -1.0)
+        room = imgui.get_content_region_avail().x
+        wide = room >= scaled(WIDE)
+        title_width = min((room - scaled(STEPS_WIDTH)) / 2, scaled(WIDEST_CHOICE)) if wide else -1.0
+        imgui.set_next_item_width(title_width)
         chosen = choice("lessons.which", "", titles[LESSONS.index(place.lesson)], titles, "Which lesson.")
         if chosen != titles[LESSONS.index(place.lesson)]:
             place.lesson, place.section = LESSONS[titles.index(chosen)], 0
@@ -61,17 +66,13 @@ class LessonsPanel(Panel):
         if wide:
             imgui.same_line()
         place.section = min(place.section, len(sections) - 1)
-        self._draw_steps(sections, wide)
+        self._draw_steps(sections, title_width)
         section = sections[place.section]
         for number, showing in enumerate(section.showings):
             self._draw_showing(workspace, showing, number)
-            if wide:
-                imgui.same_line()
-        if wide and section.showings:
-            imgui.new_line()
         draw_words(section, f"{place.lesson} {place.section}", workspace)
 
-    def _draw_steps(self, sections: tuple[Section, ...], wide: bool) -> None:
+    def _draw_steps(self, sections: tuple[Section, ...], title_width: float) -> None:
         at, last = self.bookmark.section, len(sections) - 1
         if button("lessons.back", icons.ICON_FA_ARROW_LEFT, "The section before", enabled=at > 0):
             self.bookmark.section = at - 1
@@ -79,15 +80,20 @@ class LessonsPanel(Panel):
         if button("lessons.next", icons.ICON_FA_ARROW_RIGHT, "The next section", enabled=at < last):
             self.bookmark.section = at + 1
         imgui.same_line()
-        imgui.set_next_item_width(scaled(220.0) if wide else -1.0)
+        imgui.set_next_item_width(title_width)
         titles = [section.title for section in sections]
         chosen = choice("lessons.section", "", titles[at], titles, "Which section.")
         if chosen != titles[at]:
             self.bookmark.section = titles.index(chosen)
 
     def _draw_showing(self, workspace: Workspace, showing: Showing, number: int) -> None:
-        tip = "Opens the scene, and what the section speaks of in it."
-        if button(f"lessons.show.{number}", f"{icons.ICON_FA_PLAY}  {showing.label}", tip):
+        tip, words = "Opens the scene, and what the section speaks of in it.", f"{icons.ICON_FA_PLAY}  {showing.label}"
+        if number:  # beside the one before, if it has room there
+            style, window = imgui.get_style(), imgui.get_window_pos().x
+            end = imgui.get_item_rect_max().x + style.item_spacing.x + 2 * style.frame_padding.x
+            if end + imgui.calc_text_size(words).x < window + imgui.get_window_width() - style.window_padding.x:
+                imgui.same_line()
+        if button(f"lessons.show.{number}", words, tip):
             self.bookmark.wanted = showing
             if _name(workspace) != showing.scene:
                 workspace.wish = Wish("open", find_scene(scenes_dir() / showing.scene))

@@ -40,7 +40,7 @@ class SatPanel(Panel):
 
     name = "sat"
     title = "SAT"
-    icon = icons.ICON_FA_CODE_COMPARE
+    icon = icons.ICON_FA_OBJECT_UNGROUP
     help = "The separating-axis test of two bodies, axis by axis."
     key = "F4"
     exact = True
@@ -67,7 +67,10 @@ class SatPanel(Panel):
         return self._tour[1]
 
     def draw(self, workspace: Workspace) -> None:
-        """Pair, verdict, steps, table, free axis."""
+        """Pair, verdict, steps, table, free axis. Where there are only two bodies, they are the pair."""
+        names = workspace.session.world.names
+        if workspace.selection.pair is None and len(names) == 2:
+            workspace.selection.pair = names[0], names[1]
         seen = self.look(workspace)
         self._pairs.draw(workspace, seen)
         if seen is None:

@@ -135,7 +135,8 @@ class Pen:
         self, pixel: Vec, text: str, color: Color, anchor: Anchor = "middle", bold: bool = False, size: float = SMALL
     ) -> None:
         """A word at a pixel, on a plate so that it can be read over anything."""
-        wide, size = self.overlay.width(text, size, bold), scaled(size)
+        size = scaled(size)
+        wide = self.overlay.width(text, size, bold)
         left = pixel[0] - {"left": 0.0, "middle": wide / 2, "right": wide}[anchor]
         top = pixel[1] - size / 2
         self.overlay.panel((left - 4, top - 1, left + wide + 4, top + size + 2), self.theme.background, 0.78, 4.0)
@@ -148,7 +149,7 @@ class Pen:
 
     def fits(self, pixel: Vec, text: str, anchor: Anchor) -> bool:
         """Whether a bold label would lie in the viewport."""
-        wide, (left, top, width, height) = self.overlay.width(text, SMALL, True), self.rect
+        wide, (left, top, width, height) = self.overlay.width(text, scaled(SMALL), True), self.rect
         start = pixel[0] - {"left": 0.0, "middle": wide / 2, "right": wide}[anchor]
         return left <= start and start + wide <= left + width and top + 8 <= pixel[1] <= top + height - 8
 

@@ -21,7 +21,8 @@ ROW, MOST_ROWS = 36.0, 9
 """Height of a row in pixels, and how many are shown before the table scrolls."""
 WIDE, NARROW = 430.0, 300.0
 """Pixels from which the axis is written out as well, and below which all is written smaller."""
-TEXT = 13.0
+TEXT, UNTESTED = 13.0, 0.55
+"""Size of what is written, and the opacity of rows that the test did not need."""
 
 
 class TableView:
@@ -82,9 +83,9 @@ class TableView:
             self.focus.free = self.focus.step = None
         untested = row.number > seen.tested
         self._plate(row, corner, columns)
-        self._words(row, corner, columns, 0.42 if untested else 1.0)
-        self._bars(row, corner, columns, 0.3 if untested else 1.0)
-        self._arrow(row, corner, columns, 0.42 if untested else 1.0)
+        self._words(row, corner, columns, UNTESTED if untested else 1.0)
+        self._bars(row, corner, columns, 0.7 * UNTESTED if untested else 1.0)
+        self._arrow(row, corner, columns, UNTESTED if untested else 1.0)
         if row.stopped:
             self._exit_line(corner, columns)
 

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from imgui_bundle import icons_fontawesome_6 as icons
 from imgui_bundle import imgui
 
+from sandbox.render.number_text import counted
 from sandbox.window.sat.focus import Focus
 from sandbox.window.sat.tour import Step
 from sandbox.window.widgets import button, mark
@@ -25,7 +26,7 @@ def draw_tour(steps: Sequence[Step], focus: Focus, workspace: Workspace) -> None
             focus.step, focus.free, focus.chosen = 0, None, None
             workspace.session.clock.paused = True
         imgui.same_line()
-        imgui.text_disabled(f"{len(steps)} steps")
+        imgui.text_disabled(counted(len(steps), "step"))
         return
     at = focus.step = min(at, len(steps) - 1)
     if button("sat.tour.back", icons.ICON_FA_ARROW_LEFT, "The step before", enabled=at > 0):

@@ -10,14 +10,15 @@ from imgui_bundle import icons_fontawesome_6 as icons
 from sandbox.engine.commands.delete import Delete, DeleteJoint, DeleteRegion
 from sandbox.engine.commands.explode import Explode
 from sandbox.errors import SandboxError
+from sandbox.render.camera import Vec
 from sandbox.render.line import Line
 from sandbox.window.tools.joint_pick import joint_under
 from sandbox.window.tools.region_pick import region_at
 from sandbox.window.tools.tool import Pointer, Tool, body_under, outline
 from sandbox.window.workspace import Workspace
 
-BLAST_SHARE = 0.2
-"""Radius of a blast as a share of the height that is seen."""
+BLAST_SHARE, MAGNET_SHARE = 0.2, 0.3
+"""Radius of a blast, and reach of a magnet, as shares of the height that is seen."""
 BLAST_IMPULSE = 10.0
 """N s for each metre of a shape's width and each metre of the blast's radius, per kg/m^2 of usual density."""
 MAGNET_IMPULSE = 0.6
@@ -103,14 +104,11 @@ class BlastTool(Tool):
         """A ring."""
         if self._from is None:
             return ()
-        (x, y), turns = self._from.point, [2.0 * math.pi * k / 64 for k in range(64)]
-        ring = [(x + self._radius * math.cos(t), y + self._radius * math.sin(t)) for t in turns]
-        return outline(workspace, ring, closed=True)
+        return _ring(workspace, self._from.point, self._radius)
 
     @staticmethod
     def _usual(workspace: Workspace) -> float:
-        camera = workspace.viewport.camera
-        return BLAST_SHARE * camera.size[1] / camera.scale
+        return BLAST_SHARE * _height(workspace)
 
 
 class MagnetTool(Tool):
@@ -151,8 +149,7 @@ class MagnetTool(Tool):
         if self._at is None or step == self._step:
             return
         self._step = step
-        camera = workspace.viewport.camera
-        radius = 1.5 * BLAST_SHARE * camera.size[1] / camera.scale
+        radius = MAGNET_SHARE * _height(workspace)
         impulse = MAGNET_IMPULSE * radius * (1.0 if self._at.more else -1.0)
         try:
             workspace.session.apply(Explode(self._at.point, radius, impulse))
@@ -164,8 +161,18 @@ class MagnetTool(Tool):
         """Two rings."""
         if self._at is None:
             return ()
-        camera = workspace.viewport.camera
-        radius, turns = 1.5 * BLAST_SHARE * camera.size[1] / camera.scale, [2.0 * math.pi * k / 64 for k in range(64)]
-        x, y = self._at.point
-        rings = [[(x + r * math.cos(t), y + r * math.sin(t)) for t in turns] for r in (radius, 0.6 * radius)]
-        return [line for ring in rings for line in outline(workspace, ring, closed=True, width=1.2)]
+        reach = MAGNET_SHARE * _height(workspace)
+        return [line for share in (1.0, 0.6) for line in _ring(workspace, self._at.point, share * reach, width=1.2)]
+
+
+def _height(workspace: Workspace) -> float:
+    """How much is seen from top to bottom, m."""
+    camera = workspace.viewport.camera
+    return camera.size[1] / camera.scale
+
+
+def _ring(workspace: Workspace, center: Vec, radius: float, width: float = 2.0) -> list[Line]:
+    """A circle of the plane (m)."""
+    turns = [2.0 * math.pi * k / 64 for k in range(64)]
+    ring = [(center[0] + radius * math.cos(turn), center[1] + radius * math.sin(turn)) for turn in turns]
+    return outline(workspace, ring, closed=True, width=width)

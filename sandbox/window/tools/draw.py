@@ -67,7 +67,7 @@ class BoxTool(DragShape):
 class WallTool(BoxTool):
     """A box that does not move."""
 
-    name, title, icon, key = "wall", "Wall", icons.ICON_FA_SQUARE_FULL, "W"
+    name, title, icon, key = "wall", "Wall", icons.ICON_FA_TROWEL_BRICKS, "W"
     help = "Drag a box that never moves."
     body_type = "static"
 

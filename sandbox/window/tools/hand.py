@@ -11,8 +11,9 @@ from sandbox.engine.commands.motion import SetPose
 from sandbox.errors import SandboxError
 from sandbox.render.camera import Vec
 from sandbox.render.line import Line
-from sandbox.replay.timeline import Mark
+from sandbox.replay.moment import Mark
 from sandbox.window.tools.joint_pick import joint_under
+from sandbox.window.tools.region_handles import RegionDrag
 from sandbox.window.tools.region_pick import region_at
 from sandbox.window.tools.tool import GRAB_PIXELS, Pointer, Tool, body_under
 from sandbox.window.workspace import Workspace
@@ -28,7 +29,10 @@ class Hand(Tool):
     title = "Hand"
     icon = icons.ICON_FA_HAND
     key = "V"
-    help = "Drag a body to throw it; while paused, to move it. Click selects it, a joint or a region; Shift adds."
+    help = (
+        "Drag a body to throw it; while paused, to move it. Click selects it, a joint or a region, which has handles; "
+        "Shift adds."
+    )
 
     def __init__(self) -> None:
         self._start: Pointer | None = None
@@ -36,10 +40,13 @@ class Hand(Tool):
         self._mark: Mark | None = None
         self._moved = False
         self._joint: str | None = None
+        self._region = RegionDrag()
 
     def press(self, workspace: Workspace, pointer: Pointer) -> bool:
         """Take hold of what is under the pointer."""
         self._start, self._moved = pointer, False
+        if self._region.press(workspace, pointer):
+            return True
         name = body_under(workspace, pointer)
         self._joint = joint_under(workspace, pointer, lines=name is None)
         if name is None:
@@ -57,7 +64,8 @@ class Hand(Tool):
 
     def move(self, workspace: Workspace, pointer: Pointer) -> None:
         """Pull, or put elsewhere."""
-        workspace.session.drag(pointer.point)
+        self._region.move(workspace, pointer)
+        workspace.session.grip.pull(pointer.point)
         start = self._start
         if start is None:
             return
@@ -67,25 +75,27 @@ class Hand(Tool):
 
     def release(self, workspace: Workspace, pointer: Pointer) -> None:
         """Let go. A click on the anchor of a joint means the joint."""
-        workspace.session.release()
-        workspace.session.timeline.end_act()
+        workspace.session.grip.let_go()
+        if not self._region.release(workspace):
+            workspace.session.timeline.end_act()
         if self._joint is not None and not self._moved:
             workspace.selection.pick_joint(self._joint)
         self._forget()
 
     def cancel(self, workspace: Workspace) -> bool:
         """Let go."""
-        busy = bool(self._moving) or workspace.session.grabbed is not None
-        workspace.session.release()
+        busy = bool(self._moving) or workspace.session.grip.body is not None
+        busy = self._region.release(workspace) or busy
+        workspace.session.grip.let_go()
         self._forget()
         return busy
 
     def strokes(self, workspace: Workspace) -> Sequence[Line]:
-        """The line from the grabbed point to the hand."""
+        """The line from the grabbed point to the hand, or the handles of the region that is selected."""
         session, camera = workspace.session, workspace.viewport.camera
-        if session.grabbed is None:
-            return ()
-        start, end = camera.to_screen([session.grip(session.frame()), session.target])
+        if session.grip.body is None:
+            return self._region.strokes(workspace)
+        start, end = camera.to_screen([session.grip.place(session.frame()), session.grip.target])
         grip, hand = (float(start[0]), float(start[1])), (float(end[0]), float(end[1]))
         color = workspace.theme.drag
         return Line(grip, hand, 1.6, color, 0.75), Line(grip, grip, 6.0, color), Line(hand, hand, 8.0, color)

@@ -17,7 +17,7 @@ PANEL = "sat"
 class PairTool(Tool):
     """A click on one body, another on the second one: the inspector opens on them."""
 
-    name, title, icon, key = "pair", "Pair", icons.ICON_FA_CODE_COMPARE, "K"
+    name, title, icon, key = "pair", "Pair", icons.ICON_FA_OBJECT_UNGROUP, "K"
     help = "Click two bodies to see their separating-axis test."
 
     def __init__(self) -> None:

@@ -11,9 +11,10 @@ from sandbox.world.state import State
 
 
 def region_at(state: State, point: Vec) -> str | None:
-    """The id of the smallest region with an area and an id that holds a point (m); None if none does."""
-    found = [row for row in range(len(state.regions)) if state.census.regions.names[row] and _holds(state, row, point)]
-    return min((state.census.regions.names[row] for row in found), key=lambda name: _extent(state, name), default=None)
+    """What commands call the smallest region with an area that holds a point (m); None if none does."""
+    found = [row for row in range(len(state.regions)) if _holds(state, row, point)]
+    row = min(found, key=lambda row: _extent(state, row), default=None)
+    return None if row is None else state.census.regions.called(row)
 
 
 def _holds(state: State, row: int, point: Vec) -> bool:
@@ -26,9 +27,9 @@ def _holds(state: State, row: int, point: Vec) -> bool:
     return bool((beyond <= 0.0).all() and (near or not region.disc_radius))
 
 
-def _extent(state: State, name: str) -> float:
+def _extent(state: State, number: int) -> float:
     """How wide a region is at least: twice the radius of its disc, or between two edges that face each other, m."""
-    row: Any = state.regions[state.census.regions.names.index(name)]
+    row: Any = state.regions[number]
     if row.disc_radius:
         return 2.0 * float(row.disc_radius)
     edges: Any = state.edges[row.first_edge : row.first_edge + row.edge_count]

@@ -11,7 +11,7 @@ from sandbox.engine.commands.motion import SetPose
 from sandbox.errors import SandboxError
 from sandbox.render.camera import Vec
 from sandbox.render.line import Line
-from sandbox.replay.timeline import Mark
+from sandbox.replay.moment import Mark
 from sandbox.window.tools.tool import Pointer, Tool, body_under, outline
 from sandbox.window.workspace import Workspace
 

@@ -25,8 +25,11 @@ LABELS = {
     "velocity_y": "speed y",
     "angular_velocity": "spin",
 }
-COLUMNS = {"energy": "J", "contacts": "touching", "awake": "bodies", "deepest": "overlap, m"}
-"""Figures of a checkpoint, and in what they are."""
+COLUMNS = {
+    "energy": ("energy", "J", 1.0), "contacts": ("contacts", "touching", 1.0), "awake": ("awake", "bodies", 1.0),
+    "deepest": ("mm deep", "mm of overlap", 1000.0),
+}  # fmt: skip
+"""Figures of a checkpoint: the heading, in what they are, and how many of that one is."""
 LOOK = imgui.TableFlags_.borders_inner_h | imgui.TableFlags_.row_bg
 TABLE = LOOK | imgui.TableFlags_.sizing_stretch_prop
 SCROLLED = LOOK | imgui.TableFlags_.sizing_stretch_same | imgui.TableFlags_.scroll_y
@@ -96,7 +99,7 @@ def draw_checkpoints(workspace: Workspace, comparer: Comparer) -> None:
     if not imgui.begin_table("##checkpoints", 5, SCROLLED, imgui.ImVec2(0.0, 150.0)):
         return
     imgui.table_setup_scroll_freeze(0, 1)
-    _head("step", *COLUMNS)
+    _head("step", *(heading for heading, _, _ in COLUMNS.values()))
     for row in comparer.against.checkpoints:
         _checkpoint(workspace, row, here.get(row.step))
     imgui.end_table()
@@ -108,13 +111,12 @@ def _checkpoint(workspace: Workspace, recorded: Checkpoint, here: Checkpoint | N
     if imgui.selectable(f"{recorded.step:,}##checkpoint", False, imgui.SelectableFlags_.span_all_columns)[0]:
         workspace.session.clock.paused = True
         workspace.session.seek(recorded.step)
-    for name in COLUMNS:
-        old, new = getattr(recorded, name), getattr(here, name, None)
+    for name, (_, unit, times) in COLUMNS.items():
+        old, new = (times * getattr(one, name) if one is not None else None for one in (recorded, here))
         differs = new is not None and new != old
-        digits = ".3g" if name == "deepest" else ".4g"
-        _cell(f"{new if differs else old:{digits}}", workspace if differs else None)
+        _cell(f"{new if differs else old:{'.3g' if times > 1.0 else '.4g'}}", workspace if differs else None)
         if differs and imgui.is_item_hovered():
-            imgui.set_tooltip(f"recorded {old:.6g}, here {new:.6g} ({COLUMNS[name]})")
+            imgui.set_tooltip(f"recorded {old:.6g}, here {new:.6g} ({unit})")
 
 
 def _difference(row: FieldRow) -> str:

@@ -17,8 +17,15 @@ from sandbox.world.build_joints import KINDS as JOINT_KINDS
 if TYPE_CHECKING:
     from sandbox.engine.world import World
 
-ICONS = {"body": icons.ICON_FA_SQUARE, "joint": icons.ICON_FA_LINK, "region": icons.ICON_FA_WIND}
-_HINT = "Click a body in the scene to see all of it here; Shift adds another. Click on an anchor for its joint."
+ICONS = {"body": icons.ICON_FA_SQUARE, "joint": icons.ICON_FA_LINK}
+_REGION_ICONS = {
+    "water": icons.ICON_FA_DROPLET, "wind": icons.ICON_FA_WIND, "gravity": icons.ICON_FA_ARROW_DOWN,
+    "gravity_scale": icons.ICON_FA_FEATHER, "attraction": icons.ICON_FA_SUN,
+}  # fmt: skip
+_HINT = (
+    "Click a body in the scene to see all of it here; Shift adds another. Click on an anchor for its joint, or into "
+    "water, wind or another field for that."
+)
 _JOINTS = {number: name for name, number in JOINT_KINDS.items()}
 _REGIONS = {number: name for name, number in REGION_KINDS.items()}
 _FLAGS = imgui.TableFlags_.row_bg | imgui.TableFlags_.scroll_y | imgui.TableFlags_.sizing_stretch_prop
@@ -66,19 +73,21 @@ class Finder:
                 one = self._found[number]
                 imgui.table_next_row()
                 imgui.table_set_column_index(0)
-                shown = f"{ICONS[one.sort]}  {one.name}##{one.sort} {one.row}"
+                kind = kind_of(workspace.session.world, one)
+                shown = f"{ICONS.get(one.sort) or _REGION_ICONS[kind]}  {one.name}##{one.sort} {one.row}"
                 clicked, _ = imgui.selectable(shown, False, imgui.SelectableFlags_.span_all_columns)
                 mark(f"inspector.find.{one.name}")
                 imgui.table_set_column_index(1)
-                imgui.text_disabled(kind_of(workspace.session.world, one))
+                imgui.text_disabled(kind.replace("_", " "))
                 if clicked:
                     select(workspace, one)
 
 
 def everything(world: World) -> list[Found]:
-    """All bodies, joints and regions that have a name, in that order."""
+    """All bodies, all joints that have a name, and all regions, in that order."""
+    regions = world.state.census.regions
     rows = (("body", world.names), ("joint", world.joint_names),
-            ("region", world.state.census.regions.ids))  # fmt: skip
+            ("region", [regions.called(row) for row in range(len(regions))]))  # fmt: skip
     return [Found(sort, name, row) for sort, names in rows for row, name in enumerate(names) if name]
 
 
@@ -89,12 +98,12 @@ def matching(found: list[Found], words: str) -> list[Found]:
 
 
 def kind_of(world: World, one: Found) -> str:
-    """What kind of body, joint or region it is."""
+    """What kind of body, joint or region it is, as scene files say it."""
     if one.sort == "body":
         return TYPES[int(world.state.bodies.type[one.row])]
     if one.sort == "joint":
         return _JOINTS[int(world.state.joints.kind[one.row])]
-    return _REGIONS[int(world.state.regions.kind[one.row])].replace("_", " ")
+    return _REGIONS[int(world.state.regions.kind[one.row])]
 
 
 def select(workspace: Workspace, one: Found) -> None:

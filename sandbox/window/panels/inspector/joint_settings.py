@@ -48,8 +48,10 @@ def draw_settings(workspace: Workspace, editor: Editor, joint: JointView, record
 
         if name in _PAIRS:
             editor.pair(workspace, entry, [_pair(record, name)], change)
-        else:
+        elif name in SetJoint.UNLIMITED and JOINTS[joint.type].model_fields[name].default is None:
             editor.ceiling(workspace, entry, setting_of(joint, record, name), USUAL_FORCE, change)
+        else:
+            editor.number(workspace, entry, [setting_of(joint, record, name)], change)
 
 
 def settings_of(kind: str, number: int) -> list[str]:

@@ -19,6 +19,7 @@ from sandbox.window.panels.inspector.region import draw_region
 from sandbox.window.panels.inspector.surfaces import Surfaces
 from sandbox.window.panels.inspector.thrusters import draw_thrusters, thrusters_of
 from sandbox.window.panels.panel import Panel
+from sandbox.window.tools.region_handles import middle_of
 from sandbox.window.widgets import button, section
 from sandbox.window.workspace import Workspace
 
@@ -51,8 +52,8 @@ class InspectorPanel(Panel):
             joint = world.joint(selection.joint)
             _draw_head(workspace, joint.id, joint.type, joint.anchors[1] if joint.type != "gear" else None)
             draw_joint(workspace, self._editor, joint)
-        elif selection.region in world.state.census.regions.names and selection.region:
-            _draw_head(workspace, selection.region, "region", None)
+        elif selection.region is not None and world.directory.find_region(selection.region) is not None:
+            _draw_head(workspace, selection.region_title, "", middle_of(world, selection.region))
             draw_region(workspace, self._editor, selection.region)
         else:
             self._finder.draw(workspace)

@@ -54,7 +54,7 @@ class ProfilePanel(Panel):
         beside = imgui.get_content_region_avail().x > BESIDE_EMS * imgui.get_font_size()
         imgui.begin_child("table", imgui.ImVec2(TABLE_EMS * imgui.get_font_size() if beside else 0.0, 0.0), _AUTO)
         self._draw_table(workspace)
-        wrapped(f"{len(self.table)} steps, timed where the compiled parts of a step are called.")
+        wrapped(f"Mean and strip are of the last {len(self.table)} steps.")
         imgui.end_child()
         if beside:
             imgui.same_line()

@@ -1,0 +1,49 @@
+"""Futures that were left for another one, and the way back to them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from sandbox.render.theme import DARK
+from sandbox.window.gl_painter import GlPainter
+from sandbox.window.gui import Gui
+from sandbox.window.play import PlayScreen
+from sandbox.window.screen import Canvas
+from sandbox.window.widgets import places
+from tests.window.hands import play
+from tests.window.test_session import SCENE
+
+
+@pytest.fixture
+def canvas(display: Any) -> Iterator[Canvas]:
+    gui = Gui(display.driver)
+    yield Canvas(display, GlPainter(display.context), gui, DARK)
+    gui.close()
+
+
+def test_a_future_is_chosen_from_the_list_and_by_its_key_and_all_is_undone(canvas: Canvas, tmp_path: Path) -> None:
+    seen: list[tuple[int, int, int]] = []
+
+    def look(screen: PlayScreen) -> None:
+        timeline = screen.session.timeline
+        seen.append((timeline.step_count, timeline.length, len(screen.session.world.names)))
+
+    def none(screen: PlayScreen) -> None:
+        assert "time.branches" not in places
+
+    screen = play(
+        canvas, SCENE, tmp_path, "key Ctrl+A\n" + "key .\n" * 6, none,
+        "key ,\n" * 4 + "key Delete\nkey .\nwait 2\n", look,
+        "click time.branches\nwait 3\nclick branch.0\nwait 2\n", look, "key End\nwait 2\n", look,
+        "key Ctrl+B\nwait 2\n", look, "key Ctrl+Z\nkey Ctrl+Z\nwait 2\n", look,
+        size=(720, 450),
+    )  # fmt: skip
+    before = len(SCENE.bodies)
+    after = seen[0][2]
+    assert after < before
+    assert seen == [(4, 4, after), (3, 7, before), (7, 7, before), (3, 4, before), (4, 4, after)]
+    assert [branch.label for branch in screen.session.timeline.branches] == [""]

@@ -1,0 +1,83 @@
+"""A small window with large text: the scene keeps most of it, and all that can be done is still at hand."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import sandbox
+from sandbox.render.theme import DARK
+from sandbox.window.gl_painter import GlPainter
+from sandbox.window.gui import Gui
+from sandbox.window.play import PlayScreen
+from sandbox.window.screen import Canvas
+from sandbox.window.widgets import places
+from tests.window.hands import play
+
+SIZE = 640, 400
+SCENE = sandbox.Scene(
+    bodies=[{"id": "ground", "type": "static", "shapes": [{"box": [40, 1]}], "position": [0, -0.5]}],
+    counters={"score": 0, "bricks-left": 50, "balls": 3},
+    view={"center": [0, 3], "height": 12},
+)
+
+
+@pytest.fixture
+def canvas(display: Any) -> Iterator[Canvas]:
+    gui = Gui(display.driver)
+    yield Canvas(display, GlPainter(display.context), gui, DARK)
+    gui.close()
+
+
+def test_panels_grow_and_shrink_with_their_text(canvas: Canvas, tmp_path: Path) -> None:
+    widths: list[float] = []
+
+    def look(screen: PlayScreen) -> None:
+        left, _, width, _ = screen.workspace.viewport.rect
+        widths.append(1280 - left - width)
+
+    larger = "key Ctrl++\n" * 3 + "wait 3\n"
+    play(canvas, SCENE, tmp_path, "wait 4\n", look, larger, look, larger.replace("++", "+-"), look)
+    assert widths[1] / widths[0] == pytest.approx(1.1**3, rel=0.02)
+    assert widths[2] == pytest.approx(widths[0], abs=3)
+
+
+def test_a_long_list_of_mistakes_can_be_closed(canvas: Canvas, tmp_path: Path) -> None:
+    def wrong(screen: PlayScreen) -> None:
+        assert screen._reloader is not None
+        screen._reloader.problem = "\n".join(30 * ["a.scene.json:1:1: something is wrong", '  1 | {"a": 1}', "    | ^"])
+
+    def look(screen: PlayScreen) -> None:
+        left, top, width, height = screen.workspace.viewport.rect
+        _, above, right, below = places["problem.close"]
+        assert right < left + width
+        assert top < above < below < top + height
+
+    screen = play(
+        canvas, SCENE, tmp_path, wrong, "wait 4\n", look, "click problem.close\nwait 2\n", size=SIZE
+    )  # fmt: skip
+    assert screen._reloader is not None
+    assert screen._reloader.problem == ""
+
+
+@pytest.mark.parametrize("larger", [0, 7])
+def test_the_scene_keeps_most_of_it_and_nothing_is_out_of_reach(larger: int, canvas: Canvas, tmp_path: Path) -> None:
+    def look(screen: PlayScreen) -> None:
+        _, top, width, height = screen.workspace.viewport.rect
+        assert width * height > 0.45 * SIZE[0] * SIZE[1]
+        assert width > 0.8 * SIZE[0]
+        assert top > places["menu.file"][3] + 16  # below the counters, which cover nothing
+        assert {"time.pause", "time.undo", "time.redo", "hint", "tools.join"} <= places.keys()
+        assert all(right <= SIZE[0] and bottom <= SIZE[1] for _, _, right, bottom in places.values())
+
+    screen = play(
+        canvas, SCENE, tmp_path, "key Ctrl++\n" * larger + "wait 3\n", look,
+        "click tools.draw\nwait 3\nclick tool.wall\nwait 2\n",
+        "click menu.view\nwait 3\nmove menu.fit\nwait 2\nwheel -30\nwait 3\nclick menu.panel.lessons\nwait 3\n",
+        size=SIZE,
+    )  # fmt: skip
+    assert screen.tool_box.tool.name == "wall"
+    assert "lessons" in screen.workspace.panels
