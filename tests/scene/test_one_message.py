@@ -160,7 +160,13 @@ LIST, OBJECT = ["x"], {"x": 1}
         ("expect.0.touches", "ball",
          '/expect/0/touches an expectation has one kind, and this one has "stands" and "touches"'),
         ("joints.0.bodies", "pad", '/joints/0/bodies bodies must be a list ["id", "id"]; null is the world, not text'),
+        ("generate.1", {"id": "car", "row": "cart", "count": 2},
+         '/generate/1/row "step" is needed: neighbours just touch only where all are the same single body'),
         # one wrong word is one mistake
+        ("rules.1.if", {"countre": "score", "least": 0},
+         '/rules/1/if/countre unknown field "countre": did you mean "counter"?'),
+        ("bodies.2.path", {"to": [[0, 2]], "times": [1, 1]},
+         "/bodies/2/path/times needs a time for each of the 1 places, and has 2"),
         ("rules.1.if", {"counter": "score", ">": 0},
          '/rules/1/if/> unknown field ">": there are counter, equals, least, most, touches'),
         # names of the event without their sign

@@ -29,7 +29,7 @@ class Origin:
 class Output:
     """What is made of the `main` document; `origins` by the path in the scene made, where it is another one.
 
-    It `is_whole` unless a generator in a prefab could not be read, so that nobody knows what it would make.
+    It `is_whole` unless there is a generator of which nobody knows what it would make.
     """
 
     main: Document
