@@ -138,6 +138,9 @@ LIST, OBJECT = ["x"], {"x": 1}
          '/prefabs/cart/bodies/1/id the id "bed" is taken by bodies[0] of the prefab'),
         # of two that are alike, one may have the name that is missed then
         ("bodies.1.id", "ball", '/bodies/1/id the id "ball" is taken by bodies[0]'),
+        ("prefabs.cart.bodies.0.id", True, "/prefabs/cart/bodies/0/id id must be text, not true or false"),
+        ("prefabs.cart.bodies.0.id", "my bed",
+         '/prefabs/cart/bodies/0/id the name "my bed" must be 1 to 100 letters, digits or any of _ - . :'),
         # generators that are wrong, in the scene and in a prefab
         ("generate.3", {"id": "ring", "place": "brick", "coutn": 9, "at": ["=i", 60]},
          '/generate/3/coutn unknown field "coutn": did you mean "count"?'),
