@@ -15,6 +15,7 @@ from sandbox.scene.finding import COPIES, TAKEN, Finding
 from sandbox.scene.near_names import nearest
 from sandbox.scene.plain import children, is_several
 from sandbox.scene.prefab import Prefab
+from sandbox.scene.quantities import is_name
 from sandbox.scene.scene_fields import SceneFields
 from sandbox.scene.union import UNIONS
 
@@ -96,7 +97,8 @@ def _is_each_once(entries: Any) -> bool:
 def _is_named(entry: dict[str, Any], field: str) -> bool:
     if "id" not in entry and field in _UNNAMED:
         return not is_misspelt("id", entry, _REGION_FIELDS)
-    return isinstance(entry.get("id"), str)
+    name = entry.get("id")
+    return isinstance(name, str) and is_name(name)
 
 
 def is_misspelt(field: str, home: dict[str, Any], known: Collection[str], left: Effort | None = None) -> bool:

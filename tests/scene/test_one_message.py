@@ -138,6 +138,9 @@ LIST, OBJECT = ["x"], {"x": 1}
          '/prefabs/cart/bodies/1/id the id "bed" is taken by bodies[0] of the prefab'),
         # of two that are alike, one may have the name that is missed then
         ("bodies.1.id", "ball", '/bodies/1/id the id "ball" is taken by bodies[0]'),
+        ("prefabs.cart.bodies.0.id", True, "/prefabs/cart/bodies/0/id id must be text, not true or false"),
+        ("prefabs.cart.bodies.0.id", "my bed",
+         '/prefabs/cart/bodies/0/id the name "my bed" must be 1 to 100 letters, digits or any of _ - . :'),
         # generators that are wrong, in the scene and in a prefab
         ("generate.3", {"id": "ring", "place": "brick", "coutn": 9, "at": ["=i", 60]},
          '/generate/3/coutn unknown field "coutn": did you mean "count"?'),
@@ -160,7 +163,13 @@ LIST, OBJECT = ["x"], {"x": 1}
         ("expect.0.touches", "ball",
          '/expect/0/touches an expectation has one kind, and this one has "stands" and "touches"'),
         ("joints.0.bodies", "pad", '/joints/0/bodies bodies must be a list ["id", "id"]; null is the world, not text'),
+        ("generate.1", {"id": "car", "row": "cart", "count": 2},
+         '/generate/1/row "step" is needed: neighbours just touch only where all are the same single body'),
         # one wrong word is one mistake
+        ("rules.1.if", {"countre": "score", "least": 0},
+         '/rules/1/if/countre unknown field "countre": did you mean "counter"?'),
+        ("bodies.2.path", {"to": [[0, 2]], "times": [1, 1]},
+         "/bodies/2/path/times needs a time for each of the 1 places, and has 2"),
         ("rules.1.if", {"counter": "score", ">": 0},
          '/rules/1/if/> unknown field ">": there are counter, equals, least, most, touches'),
         # names of the event without their sign

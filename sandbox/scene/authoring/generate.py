@@ -86,9 +86,9 @@ class Generators:
         """Whether prefabs end somewhere."""
         if name in setting.nesting:
             told = way_round(setting.nesting[setting.nesting.index(name) :])
-            self.prefabs.output.faults.append(named.fault(f"these prefabs contain each other: {told}"))
+            self._refuse(named, f"these prefabs contain each other: {told}")
         elif len(setting.nesting) >= MAX_NESTING:
-            self.prefabs.output.faults.append(named.fault(f"prefabs in prefabs, deeper than {MAX_NESTING} levels"))
+            self._refuse(named, f"prefabs in prefabs, deeper than {MAX_NESTING} levels")
         else:
             return True
         return False
@@ -122,11 +122,11 @@ class Generators:
         field = spacing_field(model)
         if is_several(self.prefabs.written[name].value) and isinstance(model, Chain):
             text = f"a chain links bodies, and the prefab {quoted(name)} has several"
-            self.prefabs.output.faults.append(written.at(kind).fault(text))
+            self._refuse(written.at(kind), text)
             return
         if getattr(model, field) is None:
             text = f'"{field}" is needed: neighbours just touch only where all are the same single body'
-            self.prefabs.output.faults.append(written.at(kind).fault(text))
+            self._refuse(written.at(kind), text)
             return
         fill = self._filling(name, written, setting)
         self._ask_room(name, body_count(model), setting)
@@ -136,6 +136,11 @@ class Generators:
             self._put(Copy(name, fill(counted), copy, frame, degrees is None), setting)
         if isinstance(model, Chain):
             put_hinges(self.prefabs, model, written, setting)
+
+    def _refuse(self, named: Written, text: str) -> None:
+        """Make nothing, so that nobody knows what there would be."""
+        self.prefabs.output.faults.append(named.fault(text))
+        self.prefabs.output.is_whole = False
 
     def _filling(self, name: str, written: Written, setting: Setting) -> Callable[[Numbers], Parameters]:
         """The parameters of each copy, by the numbers that count it."""

@@ -29,7 +29,7 @@ class Origin:
 class Output:
     """What is made of the `main` document; `origins` by the path in the scene made, where it is another one.
 
-    It `is_whole` unless a generator in a prefab could not be read, so that nobody knows what it would make.
+    It `is_whole` unless there is a generator of which nobody knows what it would make.
     """
 
     main: Document
@@ -60,7 +60,7 @@ class Output:
         self._check(len(self.bodies), MAX_BODIES, "bodies", asked)
         path = ("bodies", len(self.bodies))
         self.origins[path] = Origin(part.document, part.path, asked.path)
-        self.origins[(*path, "id")] = Origin(asked.document, (*asked.path, "id"), asked.path)
+        self._note_id(path, part, asked)
         self.bodies.append(body)
 
     def add_joint(self, joint: Mapping[str, Any], part: Written, asked: Written) -> None:
@@ -68,8 +68,14 @@ class Output:
         self._check(len(self.joints), MAX_JOINTS, "joints", asked)
         path = ("joints", len(self.joints))
         self.origins[path] = Origin(part.document, part.path, asked.path)
-        self.origins[(*path, "id")] = Origin(asked.document, (*asked.path, "id"), asked.path)
+        self._note_id(path, part, asked)
         self.joints.append(joint)
+
+    def _note_id(self, path: Path, part: Written, asked: Written) -> None:
+        """An id is that of the copy and its own; where its own is no name, that is what is wrong with it."""
+        own = part.at("id").value
+        if isinstance(own, str) and is_name(own):
+            self.origins[(*path, "id")] = Origin(asked.document, (*asked.path, "id"), asked.path)
 
     def add_prefab(self, name: str, prefab: Any, part: Written) -> None:
         """A prefab under a name that none has."""

@@ -73,9 +73,9 @@ def _range(test: dict[str, Any], path: Path) -> Iterator[Finding]:
     given = [name for name in _TESTS if test.get(name) is not None]
     least, most = test.get("least"), test.get("most")
     if "counter" not in test:
-        if given:
+        if given and not is_misspelt("counter", test, Condition.model_fields):
             yield Finding((*path, given[0]), f'"{given[0]}" of which counter? name one', on_key=True)
-        elif "touches" not in test and not _near(("counter", "touches"), test, Condition):
+        elif not given and "touches" not in test and not _near(("counter", "touches"), test, Condition):
             yield Finding(path, 'a condition needs a "counter", or "touches"')
     elif not given and not _near(_TESTS, test, CounterIs):
         yield Finding(path, 'a counter needs "equals", or "least" and "most" or one of them')
@@ -113,6 +113,7 @@ def _path_times(path: dict[str, Any], times: Any, home: Path) -> Iterator[Findin
         back = ", and one for when it is back" if path.get("mode") == "loop" else ""
         text = f"needs a time for each of the {len(path['to'])} places{back}, and has {len(times)}"
         yield Finding((*home, "times"), text)
+        return
     for k, (before, after) in enumerate(pairwise((0.0, *times))):
         if not after > before:
             yield Finding((*home, "times", k), f"each time must be later than the one before ({before:g} s)")
