@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 import pytest
 
@@ -24,6 +25,19 @@ def display() -> Iterator[object]:
         pytest.skip(f"no window can be opened here: {error}")
     with opened:
         yield opened
+
+
+@pytest.fixture
+def canvas(display: Any) -> Iterator[object]:
+    """What a screen is drawn on: that window, dark, with panels of its own."""
+    from sandbox.render.theme import DARK
+    from sandbox.window.gl_painter import GlPainter
+    from sandbox.window.gui import Gui
+    from sandbox.window.screen import Canvas
+
+    gui = Gui(display.driver)
+    yield Canvas(display, GlPainter(display.context), gui, DARK)
+    gui.close()
 
 
 @pytest.fixture(autouse=True)

@@ -2,27 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
-import pytest
-
-from sandbox.render.theme import DARK
-from sandbox.window.gl_painter import GlPainter
-from sandbox.window.gui import Gui
 from sandbox.window.play import PlayScreen
 from sandbox.window.screen import Canvas
 from sandbox.window.widgets import places
 from tests.window.hands import play
 from tests.window.test_session import SCENE
-
-
-@pytest.fixture
-def canvas(display: Any) -> Iterator[Canvas]:
-    gui = Gui(display.driver)
-    yield Canvas(display, GlPainter(display.context), gui, DARK)
-    gui.close()
 
 
 def test_a_future_is_chosen_from_the_list_and_by_its_key_and_all_is_undone(canvas: Canvas, tmp_path: Path) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -15,8 +14,6 @@ from sandbox.replay.comparison import Comparison
 from sandbox.replay.recording.recorder import record
 from sandbox.window.app import App
 from sandbox.window.comparer import Comparer
-from sandbox.window.gl_painter import GlPainter
-from sandbox.window.gui import Gui
 from sandbox.window.options import Options
 from sandbox.window.play import PlayScreen
 from sandbox.window.screen import Canvas, Screen
@@ -65,13 +62,6 @@ class Watched(App):
                 if self.comparer.comparison is not None:
                     self.comparison = self.comparer.comparison
             self.seen.append((screen.session.timeline.step_count, workspace.selection.bodies, marks))
-
-
-@pytest.fixture
-def canvas(display: Any) -> Iterator[Canvas]:
-    gui = Gui(display.driver)
-    yield Canvas(display, GlPainter(display.context), gui, DARK)
-    gui.close()
 
 
 @pytest.fixture

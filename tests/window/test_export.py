@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -19,8 +18,6 @@ from sandbox.replay.golden.run import Run
 from sandbox.replay.recording.recorder import record
 from sandbox.window.app import App
 from sandbox.window.export import Wanted, even, write_export
-from sandbox.window.gl_painter import GlPainter
-from sandbox.window.gui import Gui
 from sandbox.window.job import Cancelled, Job, Progress
 from sandbox.window.options import Options
 from sandbox.window.play import PlayScreen
@@ -124,13 +121,6 @@ class Exporting(App):
                 self.notes.append(screen.note)
             if screen.export_box.busy:
                 self.steps_meanwhile.append(screen.session.timeline.step_count)
-
-
-@pytest.fixture
-def canvas(display: Any) -> Iterator[Canvas]:
-    gui = Gui(display.driver)
-    yield Canvas(display, GlPainter(display.context), gui, DARK)
-    gui.close()
 
 
 @pytest.fixture

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -14,11 +13,8 @@ import pytest
 import sandbox
 from sandbox.render.camera import Camera
 from sandbox.render.frame import capture
-from sandbox.render.theme import DARK
 from sandbox.resources import find_scene
 from sandbox.window.editor import kept, plain_number
-from sandbox.window.gl_painter import GlPainter
-from sandbox.window.gui import Gui
 from sandbox.window.highlight import RING, highlight_joint
 from sandbox.window.panels.inspector.finder import Found, everything, kind_of, matching
 from sandbox.window.panels.inspector.surfaces import filter_text, size_text
@@ -43,13 +39,6 @@ SCENE = sandbox.Scene(
 
 
 SELECT_TWO = "click @0,0.5\nhold Shift\nclick @-4,3\nlet Shift\nwait 2\n"
-
-
-@pytest.fixture
-def canvas(display: Any) -> Iterator[Canvas]:
-    gui = Gui(display.driver)
-    yield Canvas(display, GlPainter(display.context), gui, DARK)
-    gui.close()
 
 
 def commands(screen: PlayScreen) -> list[Any]:

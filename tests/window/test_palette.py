@@ -2,18 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import pytest
-
 import sandbox
 from sandbox.render.overlays.registry import OVERLAYS
-from sandbox.render.theme import DARK
 from sandbox.window.actions.registry import ACTIONS
-from sandbox.window.gl_painter import GlPainter
-from sandbox.window.gui import Gui
 from sandbox.window.palette import MOST, Offer, Palette, matching
 from sandbox.window.play import PlayScreen
 from sandbox.window.screen import Canvas
@@ -26,13 +20,6 @@ SCENE = sandbox.Scene(
     ],
     view={"center": [0, 3], "height": 12},
 )
-
-
-@pytest.fixture
-def canvas(display: Any) -> Iterator[Canvas]:
-    gui = Gui(display.driver)
-    yield Canvas(display, GlPainter(display.context), gui, DARK)
-    gui.close()
 
 
 def test_words_and_enter_do_what_is_meant_and_nothing_else_hears_the_keys(canvas: Canvas, tmp_path: Path) -> None:

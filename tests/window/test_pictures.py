@@ -8,7 +8,6 @@ a pixel beside ours.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -17,9 +16,6 @@ import pytest
 from PIL import Image
 
 import sandbox
-from sandbox.render.theme import DARK
-from sandbox.window.gl_painter import GlPainter
-from sandbox.window.gui import Gui
 from sandbox.window.screen import Canvas
 from tests.window.hands import SIZE, play
 
@@ -47,13 +43,6 @@ SHOTS = {
     "help": "key F1\n",
 }
 BLOCK = 5
-
-
-@pytest.fixture
-def canvas(display: Any) -> Iterator[Canvas]:
-    gui = Gui(display.driver)
-    yield Canvas(display, GlPainter(display.context), gui, DARK)
-    gui.close()
 
 
 def blocks(picture: Any) -> Any:

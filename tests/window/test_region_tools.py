@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 import sandbox
-from sandbox.render.theme import DARK
-from sandbox.window.gl_painter import GlPainter
-from sandbox.window.gui import Gui
 from sandbox.window.play import PlayScreen
 from sandbox.window.screen import Canvas
 from sandbox.window.tools.region_pick import region_at
@@ -27,13 +23,6 @@ SCENE = sandbox.Scene(
     view={"center": [0, 3], "height": 12},
 )
 POOL = "key I\ndrag @-5,3 to @-1,0.25\nwait 2\n"
-
-
-@pytest.fixture
-def canvas(display: Any) -> Iterator[Canvas]:
-    gui = Gui(display.driver)
-    yield Canvas(display, GlPainter(display.context), gui, DARK)
-    gui.close()
 
 
 def regions(screen: PlayScreen) -> tuple[str, ...]:

@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 import sandbox
-from sandbox.render.theme import DARK
-from sandbox.window.gl_painter import GlPainter
-from sandbox.window.gui import Gui
 from sandbox.window.play import PlayScreen
 from sandbox.window.screen import Canvas
 from sandbox.window.widgets import places
@@ -23,13 +18,6 @@ SCENE = sandbox.Scene(
     counters={"score": 0, "bricks-left": 50, "balls": 3},
     view={"center": [0, 3], "height": 12},
 )
-
-
-@pytest.fixture
-def canvas(display: Any) -> Iterator[Canvas]:
-    gui = Gui(display.driver)
-    yield Canvas(display, GlPainter(display.context), gui, DARK)
-    gui.close()
 
 
 def test_panels_grow_and_shrink_with_their_text(canvas: Canvas, tmp_path: Path) -> None:
