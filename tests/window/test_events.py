@@ -20,7 +20,6 @@ from sandbox.window.play import PlayScreen
 from sandbox.window.screen import Canvas
 from sandbox.window.session import Session
 from tests.window.hands import play
-from tests.window.test_inspector import canvas as canvas
 from tests.window.test_session import SCENE
 
 

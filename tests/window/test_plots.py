@@ -16,7 +16,6 @@ from sandbox.window.panels.plots.panel import PlotsPanel
 from sandbox.window.play import PlayScreen
 from sandbox.window.screen import Canvas
 from tests.window.hands import play
-from tests.window.test_inspector import canvas as canvas
 from tests.window.test_session import SCENE
 
 
