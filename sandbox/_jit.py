@@ -14,6 +14,7 @@ import functools
 import os
 import threading
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import Any, TypeVar, cast
 
 import numpy as np
@@ -23,10 +24,13 @@ from sandbox._kernel_cache import is_filled, kept_file
 from sandbox._kernel_cache import read as read_kept
 from sandbox._kernel_cache import write as write_kept
 from sandbox._machine_code import Block, Version, is_usable
+from sandbox._plain_rows import plain_rows
 
 F = TypeVar("F", bound=Callable[..., Any])
 
 _DISABLED = os.environ.get("NUMBA_DISABLE_JIT", "0").strip() not in ("", "0")
+further: list[Callable[[Any, tuple[Any, ...], Path | None], None]] = []
+"""Called with the dispatcher, the arguments and the file of what has just been compiled, which is kept there."""
 _base_of: Callable[[Any], Any] = np.ndarray.base.__get__
 # Record arrays look through their columns for every attribute first.
 
@@ -99,6 +103,8 @@ class EntryPoint(Kernel):
             with compiling(self, arguments):
                 found = machine_code(self.dispatcher, arguments)
                 write_kept(file, *found)
+                for each in further:
+                    each(self.dispatcher, arguments, file)
         returns, code = found
         return Version(code, returns)
 
@@ -208,10 +214,10 @@ def interpreted(function: F) -> F:
 def kernel_argument(value: Any) -> Any:
     """What to pass to an entry point for an array, or for a tuple, plain or named, of arrays and such tuples.
 
-    Kernels take plain arrays. Without the compiler, they need the recarray, for `row.field`.
+    Compiled kernels take plain arrays. In Python they need `row.field`.
     """
     if isinstance(value, np.recarray):
-        return value if _DISABLED else _base_of(value)
+        return plain_rows(value) if _DISABLED else _base_of(value)
     if isinstance(value, tuple):
         return getattr(type(value), "_make", tuple)([kernel_argument(each) for each in value])
     return value

@@ -9,6 +9,7 @@ import pytest
 
 from sandbox import _jit
 from sandbox._jit import entry_point, kernel
+from sandbox._machine_code import Version
 
 pytestmark = pytest.mark.skipif(not _jit.jit_enabled(), reason="there is no machine code without the compiler")
 
@@ -51,6 +52,22 @@ def test_only_the_entry_point_becomes_machine_code(
     monkeypatch.setattr(_linking._Whole, "_finalize_final_module", noted)
     assert functions[0](4) == 18
     assert made == ["top"]
+
+
+def test_for_another_processor_numba_does_nothing_again(
+    functions: tuple[Any, Any, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from sandbox import _linking, _shipped_code
+
+    lines: list[str] = []
+    monkeypatch.setattr(_linking, "tell", lines.append)
+    lowest = list(_shipped_code.levels() or pytest.skip("no level is known"))[-1]
+    codes = [_linking.machine_code(functions[0].dispatcher, (4,), level) for level in ("", lowest)]
+    assert len(lines) == len(functions)
+    for returns, code in codes:
+        version = Version(code, returns)
+        block = version.block((4,))
+        assert block.result(version.enter(block.address)) == 18
 
 
 def test_numba_is_asked_once_what_an_operator_gives(

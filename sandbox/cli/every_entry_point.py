@@ -1,4 +1,4 @@
-"""Calls every entry point once, for the sake of compiling it: `python -m sandbox.cli.every_entry_point`."""
+"""Calls every entry point once, for the sake of compiling it."""
 
 from __future__ import annotations
 
@@ -69,7 +69,3 @@ def _look_at_a_pair() -> None:
     pair.nearest()
     pair.manifold_on(Axis(0, 1, 0, 1, 0, 0))
     our_answer(Pair(Core(((0.0, 0.0),)), Core(((1.0, 0.0),))))
-
-
-if __name__ == "__main__":
-    call_every_entry_point()
