@@ -39,3 +39,8 @@ def pytest_sessionstart(session: pytest.Session) -> None:
 
         terminal = session.config.pluginmanager.getplugin("terminalreporter")
         compile_all(terminal.write_line)
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """The longest first: one that begins last is waited for by workers that have nothing left to do."""
+    items.sort(key=lambda item: -max((mark.kwargs.get("seconds", 0) for mark in item.iter_markers("slow")), default=0))

@@ -101,7 +101,7 @@ def test_every_entry_point_is_called() -> None:
 
 
 @compiled
-@pytest.mark.slow
+@pytest.mark.slow(seconds=150)
 @pytest.mark.parametrize("level", ["", "x86-64"])
 def test_nothing_is_compiled_where_the_code_is_there(made: Path, tmp_path: Path, level: str) -> None:
     """The package as it is installed, an empty cache, and no numba at all."""

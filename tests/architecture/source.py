@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Collection, Iterable, Iterator
 from pathlib import Path
 
 import sandbox
@@ -17,25 +17,32 @@ def module_name(path: Path) -> str:
     return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
 
 
-def trees() -> dict[str, ast.Module]:
-    """Every module of the package by its name."""
-    paths = sorted((ROOT / "sandbox").rglob("*.py"))
-    return {module_name(path): ast.parse(path.read_text(encoding="utf-8")) for path in paths}
+def files() -> dict[str, Path]:
+    """The file of every module of the package by its name."""
+    return {module_name(path): path for path in sorted((ROOT / "sandbox").rglob("*.py"))}
 
 
-def imports(modules: dict[str, ast.Module]) -> dict[str, set[str]]:
-    """The modules that each module names: at its top, in functions, for the type checker, and to `import_module`."""
-    return {name: set(_imported(tree, modules)) - {name} for name, tree in modules.items()}
+def trees() -> Iterator[tuple[str, ast.Module]]:
+    """Every module of the package and its tree. One at a time: all at once, they are gone through for garbage."""
+    for name, path in files().items():
+        yield name, ast.parse(path.read_text(encoding="utf-8"))
 
 
-def _imported(tree: ast.Module, modules: dict[str, ast.Module]) -> Iterator[str]:
+def imports(modules: Iterable[tuple[str, ast.Module]], known: Collection[str]) -> dict[str, set[str]]:
+    """The `known` modules that each module names: at its top, in functions, for the type checker, and to
+    `import_module`.
+    """
+    return {name: set(_imported(tree, known)) - {name} for name, tree in modules}
+
+
+def _imported(tree: ast.Module, modules: Collection[str]) -> Iterator[str]:
     for node in ast.walk(tree):
         match node:
             case ast.Import(names=names):
                 yield from (alias.name for alias in names if alias.name in modules)
             case ast.ImportFrom(module=str(home), names=names):
                 whole = [f"{home}.{alias.name}" for alias in names]
-                yield from (name if name in modules else home for name in whole if {name, home} & modules.keys())
+                yield from (name if name in modules else home for name in whole if name in modules or home in modules)
             case ast.Call(func=ast.Attribute(attr="import_module"), args=[ast.Constant(value=str(name)), *_]):
                 if name in modules:
                     yield name

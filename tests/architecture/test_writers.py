@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 
-from tests.architecture.source import trees
+from tests.architecture.source import files, trees
 
 WRITER = "sandbox._atomic_write"
 SCRATCH = {
@@ -31,6 +31,6 @@ def writes(tree: ast.Module) -> Iterator[int]:
 
 
 def test_only_one_module_writes_files() -> None:
-    found = {name: lines for name, tree in trees().items() if (lines := list(writes(tree)))}
+    found = {name: lines for name, tree in trees() if (lines := list(writes(tree)))}
     assert found.keys() == SCRATCH.keys()
-    assert WRITER in trees()
+    assert WRITER in files()

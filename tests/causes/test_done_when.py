@@ -114,7 +114,7 @@ class Engine:
         return Views(text.stdout, entry, junit_text(self.root / "out.xml"), page_text(self.root / "out.html"))
 
 
-@pytest.mark.slow
+@pytest.mark.slow(seconds=15)
 @needs_git
 def test_one_line_of_the_solver(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("SANDBOX_CACHE_DIR", str(tmp_path / "cache"))

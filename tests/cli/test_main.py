@@ -130,13 +130,3 @@ def test_check_runs_in_a_process_of_its_own(write_scene: Callable, tmp_path: Pat
     done = run_process("check", str(path))
     assert done.returncode == 0, done.stderr
     assert "1 scene: 1 hold" in done.stdout
-
-
-@pytest.mark.slow
-def test_a_cold_cache_is_announced_and_a_warm_one_is_not(write_scene: Callable, tmp_path: Path) -> None:
-    path = str(write_scene("a.scene.json", {"at": 2, "rests": "crate"}, settings={"steps": 2}))
-    cold = run_process("check", path, SANDBOX_CACHE_DIR=str(tmp_path / "cache"))
-    warm = run_process("check", path, SANDBOX_CACHE_DIR=str(tmp_path / "cache"))
-    assert "compiling" in cold.stderr
-    assert warm.stderr == ""
-    assert cold.stdout.splitlines()[1].split()[3] == warm.stdout.splitlines()[1].split()[3]

@@ -32,7 +32,7 @@ def test_a_fresh_process(expected):
     assert other_process("tests.determinism.jointed", PYTHONHASHSEED="77") == expected
 
 
-@pytest.mark.slow
+@pytest.mark.slow(seconds=20)
 def test_without_the_compiler(expected):
     assert other_process("tests.determinism.jointed", NUMBA_DISABLE_JIT="1") == expected
 

@@ -79,7 +79,7 @@ def test_restoring_at_every_step_changes_nothing() -> None:
         assert world.digest() == fresh.digest() == digest
 
 
-@pytest.mark.slow
+@pytest.mark.slow(seconds=10)
 def test_another_process_without_the_compiler_has_the_same_bits() -> None:
     assert other_process("tests.replay.test_rows_that_move", NUMBA_DISABLE_JIT="1", PYTHONHASHSEED="5") == digests()
 

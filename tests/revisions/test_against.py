@@ -22,7 +22,7 @@ def test_the_same_code_does_the_same(cli: Callable, history: History, golden: Pa
     assert history.worktrees() == 1
 
 
-@pytest.mark.slow
+@pytest.mark.slow(seconds=10)
 def test_one_line_of_the_solver_is_named_by_step_body_and_number(cli: Callable, history: History, golden: Path) -> None:
     done = cli("replay", golden, "--against", "HEAD", "--engine", history.root, "--no-jit", "--json")
     assert done.code == 1, done.err
@@ -39,7 +39,7 @@ def test_one_line_of_the_solver_is_named_by_step_body_and_number(cli: Callable, 
     assert growth[-1] > 0.0
 
 
-@pytest.mark.slow
+@pytest.mark.slow(seconds=10)
 def test_what_is_expected_is_what_that_revision_does(cli: Callable, history: History, golden: Path) -> None:
     """The two numbers are those of the two runs, as a run with that code by itself gives them."""
     done = cli("replay", golden, "--against", "HEAD", "--engine", history.root, "--no-jit", "--json")

@@ -11,7 +11,7 @@ import pytest
 from tests.revisions.conftest import SOFTER, History
 
 
-@pytest.mark.slow
+@pytest.mark.slow(seconds=10)
 def test_it_finds_the_line_of_the_solver(cli: Callable, history: History, golden: Path) -> None:
     first, last = history.commits[0], history.commits[-1]
     done = cli("bisect", golden, "--good", first, "--bad", last, "--engine", history.root, "--no-jit")
@@ -22,7 +22,7 @@ def test_it_finds_the_line_of_the_solver(cli: Callable, history: History, golden
     assert history.worktrees() == 1
 
 
-@pytest.mark.slow
+@pytest.mark.slow(seconds=10)
 def test_a_revision_that_cannot_run_is_skipped_and_named(cli: Callable, history: History, golden: Path) -> None:
     first, broken, bad = history.commits[0], history.commits[2], history.commits[4]
     done = cli("bisect", golden, "--good", first, "--bad", bad, "--engine", history.root, "--no-jit", "--json")
@@ -34,7 +34,7 @@ def test_a_revision_that_cannot_run_is_skipped_and_named(cli: Callable, history:
     assert found["divergence"]["detail"]["body"] == "crate"
 
 
-@pytest.mark.slow
+@pytest.mark.slow(seconds=10)
 def test_where_some_cannot_run_it_is_one_of_several(cli: Callable, history: History, golden: Path) -> None:
     history.git("checkout", "--quiet", "-b", "side", history.commits[2])
     history.commit("pushes softer, but nothing runs", *SOFTER)
@@ -58,7 +58,7 @@ def call(cli: Callable, history: History, golden: Path) -> Callable[[str, str], 
     return between
 
 
-@pytest.mark.slow
+@pytest.mark.slow(seconds=10)
 def test_of_two_neighbours_the_later_is_the_first_that_differs(call: Callable, history: History) -> None:
     code, text = call(*history.commits[3:5])
     assert (code, f"  {history.commits[4][:12]} pushes softer\n" in text) == (0, True)
@@ -71,7 +71,7 @@ def test_ends_that_cannot_be(call: Callable, history: History) -> None:
     assert (code, "there is no revision" in text) == (2, True)
 
 
-@pytest.mark.slow
+@pytest.mark.slow(seconds=10)
 def test_ends_that_cannot_run_or_do_not_differ(call: Callable, history: History) -> None:
     commits = history.commits
     code, text = call(commits[0], commits[2])
@@ -83,7 +83,7 @@ def test_ends_that_cannot_run_or_do_not_differ(call: Callable, history: History)
     assert (code, f"the good commit {commits[2][:12]} broken cannot run it: SyntaxError" in text) == (2, True)
 
 
-@pytest.mark.slow
+@pytest.mark.slow(seconds=10)
 def test_a_good_revision_that_does_not_do_what_was_recorded(cli: Callable, history: History, golden: Path) -> None:
     lines = golden.read_text(encoding="utf-8").split("\n")
     lines[lines.index('  "digests": [') + 3] = '    "0000 0000 0000 0000",'
