@@ -44,7 +44,8 @@ def _check_order(pair: tuple[Any, Any]) -> tuple[Any, Any]:
 def _check_bounce(restitution: float | None, info: ValidationInfo) -> float | None:
     """What comes back faster than it came is no mistake only where the author says so: `bumper` comes before."""
     if restitution is not None and restitution > 1.0 and not info.data.get("bumper", True):  # not there if it is wrong
-        raise PydanticCustomError("limit", f'must not be above 1, or {MAX_BOUNCE:g} beside "bumper": true')
+        told = f'must not be above 1, or {MAX_BOUNCE:g} beside "bumper": true'
+        raise PydanticCustomError("limit", told, {"without": "bumper"})
     return restitution
 
 

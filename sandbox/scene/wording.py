@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from itertools import islice
 from typing import Any
 
 from pydantic import BaseModel, ValidationError
@@ -33,10 +32,25 @@ _AND_SO = "and so must those after it"
 
 def findings(error: ValidationError, root: type[BaseModel]) -> list[Finding]:
     """The findings of a validation of `root`, in pydantic's order."""
+    items = error.errors(include_url=False)[:MAX_FINDINGS]
+    meant = _meant(items, root)
     found: list[Finding] = []
-    for item in error.errors(include_url=False)[:MAX_FINDINGS]:
-        found += _reworded(item, root)
+    for item in items:
+        if _lacking(item) not in meant:
+            found += _reworded(item, root)
     return _runs_as_one(found)
+
+
+def _meant(items: Sequence[Mapping[str, Any]], root: type[BaseModel]) -> set[tuple[Any, ...]]:
+    """Where the fields would be that unknown ones are told to be meant for."""
+    unknown = [item["loc"] for item in items if item["type"] == "extra_forbidden"]
+    return {(*loc[:-1], nearest(str(loc[-1]), names(model_at(loc[:-1], root)))) for loc in unknown}
+
+
+def _lacking(item: Mapping[str, Any]) -> tuple[Any, ...]:
+    """Where the field would be that is missing, or without which a value is wrong (`without`); () if there is none."""
+    without = item.get("ctx", {}).get("without")
+    return item["loc"] if item["type"] == "missing" else (*item["loc"][:-1], without) if without else ()
 
 
 def _runs_as_one(found: list[Finding]) -> list[Finding]:
@@ -68,7 +82,7 @@ def _reworded(item: Mapping[str, Any], root: type[BaseModel]) -> list[Finding]:
         place = tuple(part for part in loc[:-1] if part not in TAGS)
         return [unknown_field((*place, loc[-1]), names(model_at(loc[:-1], root)))]
     if kind == "missing":
-        return [] if _is_misspelt(item, root) else [Finding(path[:-1], f'"{path[-1]}" is missing')]
+        return [Finding(path[:-1], f'"{path[-1]}" is missing')]
     if kind == "kind":
         return no_kind(path, item)
     if kind == "kind_value":
@@ -83,15 +97,6 @@ def _reworded(item: Mapping[str, Any], root: type[BaseModel]) -> list[Finding]:
     if kind in ("polygon", "ends"):
         return [Finding((*path, *item["ctx"]["place"]), message)]
     return [Finding(path, f"{_label(path)}{message}", hint)]
-
-
-def _is_misspelt(item: Mapping[str, Any], root: type[BaseModel]) -> bool:
-    """Whether a missing field is there under an unknown name that is told to be meant for it."""
-    given, missing = item["input"], item["loc"][-1]
-    known = names(model_at(item["loc"][:-1], root))
-    if not isinstance(given, Mapping) or missing not in known:
-        return False
-    return any(nearest(key, known) == missing for key in islice(given, MAX_FINDINGS) if key not in known)
 
 
 def _message(item: Mapping[str, Any]) -> tuple[str, str]:

@@ -125,6 +125,8 @@ LIST, OBJECT = ["x"], {"x": 1}
         ("rules.0.when", "begin", '/rules/0/when a trigger must be an object such as {"hit": ...}, not text'),
         ("rules.0.when", {"begn": ["ball", "brick-*"]},
          '/rules/0/when/begn unknown field "begn": did you mean "begin"?'),
+        ("materials.lively", {"restitution": 1.5, "bmper": True},
+         '/materials/lively/bmper unknown field "bmper": did you mean "bumper"?'),
         # numbers that cannot be worked out
         ("vars.w", "=2 *", "/vars/w the expression ends too early"),
         ("generate.0.columns", "=n", '/generate/0/columns no number is named "n": give it in "vars"'),

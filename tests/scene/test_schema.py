@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Iterator
 from typing import Any
 
 import jsonschema
@@ -23,16 +24,36 @@ def mistakes(**fields: Any) -> list[str]:
     return [error.message for error in VALIDATOR.iter_errors(fields)]
 
 
-def filled(snippet: Any) -> Any:
-    """A snippet with its defaults filled in, as an editor would insert it."""
-    if isinstance(snippet, list):
-        return [filled(entry) for entry in snippet]
-    if isinstance(snippet, dict):
-        return {key: filled(value) for key, value in snippet.items()}
-    if not isinstance(snippet, str):
-        return snippet
-    text = re.sub(r"\$\{\d+[:|]([^}|,]*)[^}]*\}", r"\1", snippet)
-    return json.loads(text[1:]) if text.startswith("^") else text
+STOP = re.compile(r"\$\{(\d+)(?::([^${}|]*)|\|([^${}|]+)\|)\}")
+"""A place to fill in: `${1:default}` or `${1|one,other|}`. Neither may hold what an editor would take for more."""
+
+
+def inserted(body: Any) -> str:
+    """The text that an editor makes of the body of a snippet: JSON, but what begins with ^ is put in as it is."""
+    if isinstance(body, list):
+        return f"[{', '.join(map(inserted, body))}]"
+    if isinstance(body, dict):
+        return "{" + ", ".join(f"{json.dumps(key)}: {inserted(value)}" for key, value in body.items()) + "}"
+    return body[1:] if isinstance(body, str) and body.startswith("^") else json.dumps(body)
+
+
+def filled(body: Any, choice: int = 0) -> Any:
+    """What is there when nothing but a choice is made in the places to fill in."""
+
+    def chosen(found: re.Match[str]) -> str:
+        _, default, choices = found.groups()
+        return default if choices is None else choices.split(",")[choice % len(choices.split(","))]
+
+    return json.loads(STOP.sub(chosen, inserted(body)))
+
+
+def lists_of_snippets(node: Any) -> Iterator[list[Any]]:
+    """All `defaultSnippets` of a schema."""
+    for key, value in node.items() if isinstance(node, dict) else enumerate(node) if isinstance(node, list) else ():
+        if key == "defaultSnippets":
+            yield value
+        else:
+            yield from lists_of_snippets(value)
 
 
 def test_a_mistake_in_a_joint_is_told_for_its_type() -> None:
@@ -78,9 +99,25 @@ def test_any_object_may_have_a_comment_which_nobody_reads() -> None:
 @pytest.mark.parametrize("what", KINDS)
 def test_snippets_are_entries_of_their_kind(what: str) -> None:
     for kind, snippet in KINDS[what].items():
-        UNIONS[what][kind].model_validate_json(json.dumps(filled(snippet)))
-        if what in PLACES:
-            assert mistakes(**{PLACES[what]: [filled(snippet)]}) == []
+        for entry in (filled(snippet, choice) for choice in range(4)):
+            UNIONS[what][kind].model_validate_json(json.dumps(entry))
+            if what in PLACES:
+                assert mistakes(**{PLACES[what]: [entry]}) == []
+
+
+def test_an_editor_reads_snippets_as_they_are_meant() -> None:
+    """What VS Code takes from a schema: https://code.visualstudio.com/docs/languages/json#_define-snippets-in-json-schemas"""
+    found = list(lists_of_snippets(SCHEMA))
+    assert len(found) == 1 + len(KINDS)
+    for each in found:
+        assert len({snippet["label"] for snippet in each}) == len(each)
+        for snippet in each:
+            assert snippet.keys() == {"label", "body"}
+            text = inserted(snippet["body"])
+            assert "$" not in STOP.sub("", text)
+            stops = [(int(number), default or choices) for number, default, choices in STOP.findall(text)]
+            assert {number for number, _ in stops} == set(range(1, len(dict(stops)) + 1))  # from the first one on
+            assert len(set(stops)) == len(dict(stops))  # equal numbers are filled in together: they begin equal
 
 
 def test_there_is_a_snippet_for_every_kind_that_a_scene_begins_with() -> None:
