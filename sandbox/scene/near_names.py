@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from itertools import islice
 
 from sandbox.scene.effort import Effort, effort
 from sandbox.scene.limits import MAX_NAME
 
 _WORDS = re.compile(r"[^-._:]+")
+_FEW = 8
+"""So many names are listed where none is meant."""
 _CONSIDERED = 2000
 """So many names are looked at for one that is wrong."""
 
@@ -46,6 +48,13 @@ def near_pattern(name: str, known: Iterable[str]) -> str:
     texts, end = islice(known, _CONSIDERED), head[-1]
     near = nearest(head, {text[: k + 1]: None for text in texts for k, letter in enumerate(text) if letter == end})
     return f'did you mean "{near}*"?' if near else ""
+
+
+def near_or_all(name: str, known: Collection[str]) -> str:
+    """The hint with the nearest of the `known` names; where none is near, and these are few, with all of them."""
+    listed = ", ".join(f'"{other}"' for other in islice(known, _FEW))
+    there = f"there {'is' if len(known) == 1 else 'are'} {listed}" if 1 <= len(known) <= _FEW else ""
+    return did_you_mean(name, known) or there
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:

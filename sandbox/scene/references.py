@@ -15,7 +15,7 @@ from sandbox.scene.joint_references import joint_references
 from sandbox.scene.known import Known
 from sandbox.scene.limits import MAX_EXPECTATIONS
 from sandbox.scene.names import BodyNames
-from sandbox.scene.near_names import did_you_mean
+from sandbox.scene.near_names import did_you_mean, near_or_all
 from sandbox.scene.play.references import play_references
 
 MOVING = "moving"
@@ -36,11 +36,14 @@ def unknown_names(data: dict[str, Any], ids: BodyNames, known: Known) -> Iterato
     yield from play_references(data, ids)
 
 
-def _unknown(node: dict[str, Any], path: Path, field: str, known: Collection[str], lacks: str) -> Iterator[Finding]:
+def _unknown(
+    node: dict[str, Any], path: Path, field: str, known: Collection[str], lacks: str, mend: str = ""
+) -> Iterator[Finding]:
     what = _ONE_OF[lacks]
     for place, name in plain.texts(node.get(field), (*path, field)):
         if name not in known:
-            yield Finding(place, f"no {what} is named {quoted(name)}", did_you_mean(name, known), lacks=(lacks,))
+            hint = did_you_mean(name, known) or mend if mend else near_or_all(name, known)
+            yield Finding(place, f"no {what} is named {quoted(name)}", hint, lacks=(lacks,))
 
 
 def _prefabs(data: dict[str, Any]) -> Iterator[Finding]:
@@ -57,7 +60,7 @@ def _categories(data: dict[str, Any]) -> Iterator[Finding]:
     known = ["default", *(name for _, name in plain.texts(data.get("categories"), ()))]
     for path, shape in plain.shapes(data):
         for field in ("category", "mask"):
-            yield from _unknown(shape, path, field, known, "categories")
+            yield from _unknown(shape, path, field, known, "categories", 'list it in "categories"')
 
 
 def _bodies(data: dict[str, Any], ids: BodyNames) -> Iterator[Finding]:

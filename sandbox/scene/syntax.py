@@ -12,6 +12,7 @@ from sandbox.scene.locate import Span
 from sandbox.scene.report import syntax_error
 
 _OPEN_TEXT = "text must end on the line it begins"
+_CURLY = "“”„‘’‚«»"
 _WORD = re.compile(r"[A-Za-z_$][\w$]*")
 
 
@@ -43,8 +44,12 @@ def _explain(text: str, pos: int, msg: str) -> tuple[str, str]:
         return "JSON has no comments", 'an object may have one as a field, "$comment": "..."'
     if here == "'":
         return "text stands in double quotes", ""
+    if here and here in _CURLY:
+        return "text stands in straight double quotes", ""
     if "property name" in msg and here in CLOSING:
         return "a field's name is due here", f"{_unclosed(text, pos)[1]}, or objects are to stand in a list [...]"
+    if "property name" in msg and before == "," and text[:pos].rstrip()[-2:-1].isdigit() and here.isdigit():
+        return "a field's name is due here", "if this is a decimal, it has a point, as in 1.5"
     if "property name" in msg:
         return "a field's name is due here", "in double quotes" if word else ""
     return _explain_value(text, pos, msg, word.group() if word else "")

@@ -21,13 +21,18 @@ _FEW = 8
 """So many fields are listed where none is meant."""
 
 
-def unknown_field(path: Path, known: list[str]) -> Finding:
-    """The finding about a field that is none of those `known`."""
+def unknown_field(path: Path, known: list[str], instead: str = "") -> Finding:
+    """The finding about a field that is none of those `known`. It may be there `instead` of one."""
     name = str(path[-1])
-    return Finding(path, f"unknown field {quoted(name)}", _meant(name, known), on_key=True)
+    return Finding(path, f"unknown field {quoted(name)}", _meant(name, known, instead), on_key=True)
 
 
-def _meant(name: str, known: list[str]) -> str:
+def belongs_elsewhere(name: str) -> bool:
+    """Whether another object has a field of this name."""
+    return any(name in model.model_fields for model in OBJECTS.values())
+
+
+def _meant(name: str, known: list[str], instead: str) -> str:
     """The hint: the same word in the plural, an object in this one that has it, a name it is part of, or a near one."""
     near = nearest(name, known)
     homes = [home for home, model in OBJECTS.items() if name in model.model_fields]
@@ -39,8 +44,8 @@ def _meant(name: str, known: list[str]) -> str:
         return f"did you mean {' or '.join(map(quoted, longer))}?"
     if homes:
         return f"it belongs in {' or '.join(inside or homes)}"
-    if near is not None:
-        return f'did you mean "{near}"?'
+    if near is not None or instead:
+        return f'did you mean "{near or instead}"?'
     return f"there are {', '.join(known)}" if len(known) <= _FEW else ""
 
 
@@ -63,6 +68,9 @@ def no_kind(path: Path, item: Mapping[str, Any]) -> list[Finding]:
             )
         ]
     given = [key for key in kinds if key in value]
+    if not given and value.get("type") in kinds and "type" not in fields:
+        hint = f'as in {{"{value["type"]}": ...}}'
+        return [Finding((*path, "type"), f"the kind of {article} {what} is a key", hint, on_key=True)]
     if given:
         listed = " and ".join(f'"{key}"' for key in given)
         return [Finding((*path, given[-1]), f"{article} {what} has one kind, and this one has {listed}", on_key=True)]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
@@ -16,7 +17,7 @@ from sandbox.scene.near_names import did_you_mean, nearest
 from sandbox.scene.number_mend import number_mend
 from sandbox.scene.report import sort_of
 from sandbox.scene.union import TAGS
-from sandbox.scene.unknown import model_at, names, no_kind, no_type, unknown_field
+from sandbox.scene.unknown import belongs_elsewhere, model_at, names, no_kind, no_type, unknown_field
 
 _WANTED = {
     "float_type": "must be a number",
@@ -36,15 +37,28 @@ def findings(error: ValidationError, root: type[BaseModel]) -> list[Finding]:
     meant = _meant(items, root)
     found: list[Finding] = []
     for item in items:
-        if _lacking(item) not in meant:
-            found += _reworded(item, root)
+        if _lacking(item) not in meant.values():
+            found += _reworded(item, root, meant)
     return _runs_as_one(found)
 
 
-def _meant(items: Sequence[Mapping[str, Any]], root: type[BaseModel]) -> set[tuple[Any, ...]]:
-    """Where the fields would be that unknown ones are told to be meant for."""
+def _meant(items: Sequence[Mapping[str, Any]], root: type[BaseModel]) -> dict[Any, Any]:
+    """Where the fields would be that unknown ones are told to be meant for, by where these are.
+
+    That is a field with a name like it; or else, of one that is known nowhere, the only one that its object lacks.
+    """
     unknown = [item["loc"] for item in items if item["type"] == "extra_forbidden"]
-    return {(*loc[:-1], nearest(str(loc[-1]), names(model_at(loc[:-1], root)))) for loc in unknown}
+    missing = [item["loc"] for item in items if item["type"] == "missing"]
+    strays, gaps = (Counter(loc[:-1] for loc in places) for places in (unknown, missing))
+    only = {loc[:-1]: loc for loc in missing if gaps[loc[:-1]] == strays[loc[:-1]] == 1}
+    meant = {}
+    for loc in unknown:
+        near = nearest(str(loc[-1]), names(model_at(loc[:-1], root)))
+        if near is not None:
+            meant[loc] = (*loc[:-1], near)
+        elif loc[:-1] in only and not belongs_elsewhere(str(loc[-1])):
+            meant[loc] = only[loc[:-1]]
+    return meant
 
 
 def _lacking(item: Mapping[str, Any]) -> tuple[Any, ...]:
@@ -74,13 +88,13 @@ def _is_next(path: Path, before: Path) -> bool:
     return isinstance(path[-1], int) and isinstance(before[-1], int) and path[-1] == before[-1] + 1
 
 
-def _reworded(item: Mapping[str, Any], root: type[BaseModel]) -> list[Finding]:
+def _reworded(item: Mapping[str, Any], root: type[BaseModel], meant: Mapping[Any, Any]) -> list[Finding]:
     loc = item["loc"]
     path: Path = tuple(part for part in loc if part not in TAGS)
     kind = item["type"]
     if kind == "extra_forbidden":
         place = tuple(part for part in loc[:-1] if part not in TAGS)
-        return [unknown_field((*place, loc[-1]), names(model_at(loc[:-1], root)))]
+        return [unknown_field((*place, loc[-1]), names(model_at(loc[:-1], root)), meant.get(loc, ("",))[-1])]
     if kind == "missing":
         return [Finding(path[:-1], f'"{path[-1]}" is missing')]
     if kind == "kind":

@@ -191,7 +191,7 @@ A = '{"id": "a", "shapes": [{"circle": 1}]}'
          'a prefab of several bodies has no "color" of its own: give it to its bodies'),
         ('"params": {"r": 1}, "bodies": []', '"place": "p", "params": {@"q": 1}',
          'the prefab "p" has no parameter "q": it has r'),
-        (f'"bodies": [{A}]', '"place": @"q"', 'no prefab is named "q"'),
+        (f'"bodies": [{A}]', '"place": @"q"', 'no prefab is named "q": there is "p"'),
         (f'"bodies": [{A}]', '"row": @"p", "count": 2',
          '"step" is needed: neighbours just touch only where all are the same single body'),
         (f'"bodies": [{A}]', '"chain": @"p", "count": 2', 'a chain links bodies, and the prefab "p" has several'),

@@ -127,6 +127,16 @@ LIST, OBJECT = ["x"], {"x": 1}
          '/rules/0/when/begn unknown field "begn": did you mean "begin"?'),
         ("materials.lively", {"restitution": 1.5, "bmper": True},
          '/materials/lively/bmper unknown field "bmper": did you mean "bumper"?'),
+        # a word that is known nowhere stands for the only one that is missing
+        ("rules.0", {"on": {"begin": ["ball", "brick-*"]}, "do": [{"delete": "@second"}]},
+         '/rules/0/on unknown field "on": did you mean "when"?'),
+        ("rules.3.when", {"count": "score", "past": 8},
+         '/rules/3/when/past unknown field "past": did you mean "reaches"?'),
+        ("rules.0.if", "score > 8", "/rules/0/if if must be an object {...}, not text"),
+        ("bodies.1.shapes.0", {"type": "circle", "radius": 1},
+         '/bodies/1/shapes/0/type the kind of a shape is a key: as in {"circle": ...}'),
+        ("joints.0.min", "=w", '/joints/0/min unknown field "min"'),
+        ("rules.0.do.1.counter", "points", '/rules/0/do/1/counter no counter is named "points": there is "score"'),
         # numbers that cannot be worked out
         ("vars.w", "=2 *", "/vars/w the expression ends too early"),
         ("generate.0.columns", "=n", '/generate/0/columns no number is named "n": give it in "vars"'),

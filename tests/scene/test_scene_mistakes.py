@@ -119,7 +119,7 @@ def generate(fields: str) -> str:
          "2:58: the hole intersects itself"),
         (shape('"polygon": [[0, 0], [4, 0], [4, 4], [0, 4]], "holes": [[[1, 1], [2, 2]]]'),
          "2:57: holes[0] needs at least 3 entries and has 2"),
-        (shape('"circle": 1, "category": "payer"'), '2:27: no category is named "payer"'),
+        (shape('"circle": 1, "category": "payer"'), '2:27: no category is named "payer": list it in "categories"'),
         (shape('"circle": 1, "mask": 1.5'),
          "2:23: mask must be a category name, a list of names, or a whole number used as bits, not 1.5"),
         (shape('"circle": 1, "mask": -1'), "2:23: mask must not be negative"),

@@ -24,6 +24,8 @@ from tests.scene.scene_helpers import one
         ('{title: "a"}', "1:2: a field's name is due here: in double quotes"),
         ("{'title': 1}", "1:2: text stands in double quotes"),
         ('{"title": \'a\'}', "1:11: text stands in double quotes"),
+        ('{"title": “a”}', "1:11: text stands in straight double quotes"),
+        ('{"a": 1,5}', "1:9: a field's name is due here: if this is a decimal, it has a point, as in 1.5"),
         ('{\n  // hello\n}', '2:3: JSON has no comments: an object may have one as a field, "$comment": "..."'),
         ('{"title": "a}\n}', '1:11: text must end on the line it begins: close it with " (a line break inside is \\n)'),
         ('{"title": "a\tb"}', "1:13: a control character within text: write it with a backslash: a tab is \\t"),

@@ -95,7 +95,7 @@ class Expansion:
         path = origin.path + rest if origin else finding.path
         text = document.value(path)
         value = Document("", self.data).value(finding.path)
-        if is_expression(text) and isinstance(value, (int, float)) and not finding.hint:
+        if is_expression(text) and isinstance(value, (int, float)) and not (finding.hint or finding.on_key):
             finding = replace(finding, hint=f"{quoted(text)} is {value:.6g}")
         return Fault(document, replace(finding, path=path, message=_TAKEN.sub(self._taken, finding.message)))
 

@@ -30,7 +30,8 @@ def play_rules(data: dict[str, Any]) -> Iterator[Finding]:
     for path, action in plain.actions(data):
         if "counter" in action and ("add" in action) == ("set" in action) and not _near(("add", "set"), action, Count):
             yield Finding(path, 'a counter action needs one of "add" and "set"')
-    tested = [((*path, "if"), plain.mapping(rule.get("if"))) for path, rule in _children(data, "rules") if "if" in rule]
+    conditions = [((*path, "if"), rule.get("if")) for path, rule in _children(data, "rules")]
+    tested = [(path, test) for path, test in conditions if isinstance(test, dict)]
     expected = islice(_children(data, "expect"), MAX_EXPECTATIONS)
     for path, test in (*tested, *((path, wanted) for path, wanted in expected if "counter" in wanted)):
         yield from _range(test, path)

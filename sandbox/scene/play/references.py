@@ -15,7 +15,7 @@ from sandbox.scene.flat_rules import FIRST, MOTION, POINTER, SECOND, SELF
 from sandbox.scene.joint_references import joint_ids
 from sandbox.scene.limits import MAX_EXPECTATIONS, MAX_NAME, MAX_RULES
 from sandbox.scene.names import BodyNames
-from sandbox.scene.near_names import did_you_mean, near_pattern
+from sandbox.scene.near_names import did_you_mean, near_or_all, near_pattern
 from sandbox.scene.play.triggers import TRIGGERS
 
 PAIRS = ("hit", "begin", "end", "enter", "leave")
@@ -104,7 +104,7 @@ class _LookUp:
                 return
             told = f"no {what} is named {quoted(name)}" if what == "counter" else f"no {what} has the id {quoted(name)}"
             known = self._named[what]
-            hint = did_you_mean(name, known)
+            hint = near_or_all(name, known)
             if what == "counter" and not known:
                 hint = f'declare it: "counters": {{{quoted(name)}: 0}}'
             yield Finding(path, told, hint, lacks=_DECLARING[what])
