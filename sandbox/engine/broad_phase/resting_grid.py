@@ -115,7 +115,8 @@ def _pairs_with_resting(
                 count = propose(filters, box.shape_index, still[k].shape_index, pairs, count)
         return count
     for k in range(info.used):
-        count = pairs_on_level(box, still, filters, info.cell, levels[k], heads, pairs, count)
+        inverse = cells_per_metre(info.cell, levels[k])
+        count = pairs_on_level(box, still, filters, inverse, levels[k], heads, pairs, count)
     for k in range(info.sparse):
         if boxes_overlap(box, still[sparse[k]]):
             count = propose(filters, box.shape_index, still[sparse[k]].shape_index, pairs, count)
