@@ -62,7 +62,8 @@ def octave(size: float) -> int:
 
 @kernel
 def base_cell(boxes: Records, levels: Integers) -> float:
-    """Width of the cells of level 0 in metres: it just fits all boxes of the octave in which most boxes lie."""
+    """Width of the cells of level 0 in metres: it just fits all boxes of the octave in which most boxes lie, and those
+    of the next one if there are many."""
     population = levels[LEVELS : 2 * LEVELS]
     for k in range(LEVELS):
         population[k] = 0
@@ -79,6 +80,8 @@ def base_cell(boxes: Records, levels: Integers) -> float:
     most = 0
     for k in range(LEVELS):
         most = k if population[k] > population[most] else most
+    if most + 1 < LEVELS and population[most + 1] > SPARSE:
+        most += 1
     base = 0.0
     for i in range(boxes.shape[0]):
         size = _box_size(boxes[i])
@@ -89,9 +92,10 @@ def base_cell(boxes: Records, levels: Integers) -> float:
 
 @inlined_kernel
 def box_level(box: Records, base: float) -> int:
-    """Lowest level whose cells are wider than a box."""
+    """Lowest level whose cells are wider than a box. Level 0 has those of the level below as well: to look into a few
+    fuller cells is cheaper than to ask one more level."""
     ratio = _box_size(box) / base
-    return 0 if 0.5 < ratio <= 1.0 else octave(ratio)
+    return 0 if 0.25 < ratio <= 1.0 else octave(ratio)
 
 
 @kernel
