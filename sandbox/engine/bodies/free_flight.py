@@ -1,6 +1,7 @@
 """Stage: bodies that nothing touches or holds take all substeps one after the other, while they are in the cache.
 
-Nobody asks for their velocities and places meanwhile, so the bits are those of going through all bodies in each substep.
+Nobody asks for their velocities and places meanwhile, so the bits are those of going through all bodies in each
+substep.
 """
 
 from __future__ import annotations

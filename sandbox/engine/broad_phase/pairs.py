@@ -167,10 +167,10 @@ def may_collide(category_a: int, mask_a: int, group_a: int, category_b: int, mas
 def sort_pairs(pairs: Records, count: int, buffer: Records, heads: Integers, shapes: int) -> None:
     """Sort `pairs[:count]` by (shape_a, shape_b): two stable counting passes. `heads` needs `shapes + 1` items.
 
-    A few pairs among many shapes are inserted one by one.
+    A few pairs among many shapes are inserted one by one: counting goes through all shapes four times.
     """
-    if count * count < shapes:
-        _insert_in_order(pairs, count)
+    if count * count < 4 * shapes:
+        insert_in_order(pairs, count)
         return
     for turn in range(2):
         if turn == 0:
@@ -180,7 +180,8 @@ def sort_pairs(pairs: Records, count: int, buffer: Records, heads: Integers, sha
 
 
 @kernel
-def _insert_in_order(pairs: Records, count: int) -> None:
+def insert_in_order(pairs: Records, count: int) -> None:
+    """Sort a few pairs by (shape_a, shape_b)."""
     for n in range(1, count):
         a = pairs[n].shape_a
         b = pairs[n].shape_b
