@@ -40,11 +40,11 @@ class _Boxes:
     @classmethod
     def of(cls, outlines: Outlines) -> _Boxes:
         starts = outlines.starts
-        lower = (np.minimum.reduceat(each, starts) - _NEAR for each in (outlines.x, outlines.y))
-        upper = (np.maximum.reduceat(each, starts) + _NEAR for each in (outlines.x, outlines.y))
+        left, low = (np.minimum.reduceat(each, starts) - _NEAR for each in (outlines.x, outlines.y))
+        right, high = (np.maximum.reduceat(each, starts) + _NEAR for each in (outlines.x, outlines.y))
         ways = (x * outlines.x + y * outlines.y for x, y in _ASLANT)
         reaches = [(np.minimum.reduceat(way, starts), np.maximum.reduceat(way, starts) + _APART) for way in ways]
-        return cls(*lower, *upper, reaches)
+        return cls(left, low, right, high, reaches)
 
 
 class _Level:

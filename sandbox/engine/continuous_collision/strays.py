@@ -93,7 +93,8 @@ def _list_near(
         heads = grid.resting_heads[: bucket_count(shapes) + 1]
         count = pairs_with_resting(box, still, filters, info, heads, grid.resting_levels, pairs, count)
     if count <= pairs.shape[0]:
-        insert_in_order(pairs[first:count], count - first)
+        found: Any = pairs[first:count]
+        insert_in_order(found, count - first)
     return count
 
 
