@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 from sandbox._atomics import atomic_add
 from sandbox._jit import kernel
+from sandbox.engine.active.free_bodies import put_free_last
 from sandbox.engine.active.island_batches import form_batches, sort_impacts, worth_batches
 from sandbox.engine.contact_solver.blocks import BLOCK_SIZE, GATHER_SIZE
 from sandbox.engine.contact_solver.fill_blocks import fill_blocks, sort_contacts
@@ -42,11 +43,13 @@ class Level(NamedTuple):
 
 class Share(NamedTuple):
     """What all batches of a level have in common: whether some contact may have an impact, and the bits of `unsettled`
-    that some body of the level has."""
+    that some body of the level has. `colors` says how many colours there are, and is 0 to those who do not solve batch
+    0: only that has contacts without one."""
 
     level: int
     impacts: bool
     unsettled: int
+    colors: int
 
 
 @kernel
@@ -71,7 +74,7 @@ def solve_level(
     sort_contacts(contacts, solver.batches, blocks, count)
     impacts = _list_impacts(state, solver, contacts, blocks, level, count)
     bits = unsettled_bits(state.bodies, rows, solver.free_motions, ccd.bodies, number)
-    share = Share(number, impacts > 0, bits)
+    share = Share(number, impacts > 0, bits, colors)
     _tell(workers, share)
     first = 0
     end = 1
@@ -122,7 +125,7 @@ def _tell(workers: Workers, share: Share) -> None:
 def told_share(workers: Workers) -> Share:
     """What those who solve islands were told."""
     n = workers.numbers
-    return Share(int(n[LEVEL]), n[IMPACTS] > 0.0, int(n[UNSETTLED]))
+    return Share(int(n[LEVEL]), n[IMPACTS] > 0.0, int(n[UNSETTLED]), 0)
 
 
 @kernel
@@ -148,13 +151,14 @@ def solve_batches(
     frozen = 0
     for batch in range(first, end):
         members = batches.bodies[batches.first_body[batch] : batches.first_body[batch + 1]]
+        held = put_free_last(members, solver, state.drags, joints, share.colors)
         start = batches.first_impact[batch]
         stop = batches.first_impact[batch + 1]
         slots: Any = batches.impacts[start:stop]
         impacts = ImpactList(slots, stop - start, threshold)
         block_count, unsettled_count = fill_blocks(solver.colors, own, batch)
         prepare_contacts(bodies, contacts.now, own, block_count, team, level, share.impacts)
-        todo = Pass(level, batch, block_count, unsettled_count, share.unsettled, share.impacts)
+        todo = Pass(level, batch, held, block_count, unsettled_count, share.unsettled, share.impacts)
         frozen += run_substeps(state, active, solver, contacts.now, own, impacts, joints, team, members, todo)
         store_impulses(bodies, solver.flags, contacts, own, block_count, team, level)
     if frozen > 0:

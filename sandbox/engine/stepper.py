@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
+import numpy as np
+
 from sandbox._jit import Call, jit_enabled, kernel_argument
 from sandbox.engine.compile_step import compile_continuous, compile_step
 from sandbox.engine.continuous_collision.solve_continuous import solve_continuous
@@ -93,7 +95,7 @@ class Stepper:
                 pass
         except CapacityError:
             for table, copy in before:
-                table[:] = copy
+                table[:] = np.frombuffer(copy, table.dtype)
             self.forget()
             raise
         # A step reads the contacts of the last one while it writes the new ones.
@@ -181,10 +183,10 @@ class Stepper:
         """How many joints have broken, and bodies been frozen: what hangs together has changed where there are more."""
         return int(self.counters["broken_count"][0]) + int(self.counters["frozen_count"][0])
 
-    def _copies(self) -> Sequence[tuple[Records, Records]]:
+    def _copies(self) -> Sequence[tuple[Records, bytes]]:
         """What a step has changed by the time that it may be refused, with copies."""
         tables = (self._state.counters, *((self._state.bodies,) if self._fields[0] else ()))
-        return [(table, table.copy()) for table in tables]
+        return [(table, table.tobytes()) for table in tables]
 
     def _advance(self) -> bool:
         """Take a step; False if it lacked scratch memory, which it has now: then nothing else has changed."""

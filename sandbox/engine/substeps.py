@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.bodies.flags import is_active
+from sandbox.engine.bodies.free_flight import Flight, fly
 from sandbox.engine.bodies.integrate import integrate_positions, integrate_velocities, prepare_forces
 from sandbox.engine.bodies.quarantine import guard_velocities
 from sandbox.engine.contact_solver.mouse_joint import solve_mouse_joints
@@ -38,7 +39,8 @@ RELAX_BLOW = 12
 
 
 class Pass(NamedTuple):
-    """What is solved: the islands of a substep level, in so many blocks of contacts.
+    """What is solved: the islands of a substep level, in so many blocks of contacts. The first `held_count` of their
+    bodies are touched or held by something, the others fly freely.
 
     The first `unsettled_count` of them are of unsettled bodies, whose bits `unsettled` has: these take a rigid pass
     first, once, if some are `NEW` to each other, and more relax passes than the others if some overlap deeply or are
@@ -47,6 +49,7 @@ class Pass(NamedTuple):
 
     level: int
     batch: int
+    held_count: int
     block_count: int
     unsettled_count: int
     unsettled: int
@@ -115,13 +118,16 @@ def run_substeps(
     if joints is not None and rest:
         select_parts(joints, free_motions, level)
     prepare_forces(bodies, rows, solver, level, setting, seconds)
-    frozen = 0
+    flight = Flight(substeps, seconds, gravity, todo.impacts)
+    now = state.counters[0].step_count
+    frozen = fly(bodies, rows[todo.held_count :], solver, active.info, now, flight)
+    rows = rows[: todo.held_count]
     for substep in range(substeps):
         integrate_velocities(rows, solver, workers)
         resolve_impacts(bodies, solver, contacts, impacts, seconds)
         if rest:
             solve_mouse_joints(state, solver, level, seconds)
-        frozen += guard_velocities(bodies, rows, motions, solver.forces, active.info, state.counters[0].step_count)
+        frozen += guard_velocities(bodies, rows, motions, solver.forces, active.info, now)
         if warm:
             warm_start(motions, blocks, count, workers)
         else:

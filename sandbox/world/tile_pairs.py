@@ -1,4 +1,4 @@
-"""Which tiles lie side by side: pairs whose boxes meet.
+"""Which tiles lie side by side: pairs whose boxes meet, and that no line aslant parts.
 
 Tiles of alike size form a level, whose plane is cut into strips as high as its tiles are at most; along a strip they
 are sorted. A tile asks each level for what lies near it, so the cost grows with the tiles and the pairs, whatever the
@@ -22,6 +22,10 @@ _AT_ONCE = 60_000
 """So many pairs at a time keep the memory small."""
 _MARGIN = 1.001
 """Levels allow for what differences of coordinates round."""
+_ASLANT = ((1.0, 1.0), (1.0, -1.0), (2.0, 1.0), (2.0, -1.0), (1.0, 2.0), (1.0, -2.0))
+"""Directions along which tiles whose boxes meet may still lie apart: of what is long and aslant, boxes say little."""
+_APART = 5e-4
+"""Gap along such a direction past which nothing of two tiles meets: well over 1e-4 m, however long the direction is."""
 
 
 @dataclass(frozen=True)
@@ -30,13 +34,17 @@ class _Boxes:
     low: Floats
     right: Floats
     high: Floats
+    aslant: list[tuple[Floats, Floats]]
+    """From where to where tiles reach along each of `_ASLANT`."""
 
     @classmethod
     def of(cls, outlines: Outlines) -> _Boxes:
         starts = outlines.starts
-        lower = (np.minimum.reduceat(each, starts) - _NEAR for each in (outlines.x, outlines.y))
-        upper = (np.maximum.reduceat(each, starts) + _NEAR for each in (outlines.x, outlines.y))
-        return cls(*lower, *upper)
+        left, low = (np.minimum.reduceat(each, starts) - _NEAR for each in (outlines.x, outlines.y))
+        right, high = (np.maximum.reduceat(each, starts) + _NEAR for each in (outlines.x, outlines.y))
+        ways = (x * outlines.x + y * outlines.y for x, y in _ASLANT)
+        reaches = [(np.minimum.reduceat(way, starts), np.maximum.reduceat(way, starts) + _APART) for way in ways]
+        return cls(left, low, right, high, reaches)
 
 
 class _Level:
@@ -97,7 +105,7 @@ def _meeting(
 ) -> tuple[Tiles, Tiles]:
     counts = ends - starts
     one, two = asking[np.repeat(whose, counts)], level.tiles[runs(starts, counts)]
-    for below, above in ((boxes.low, boxes.high), (boxes.left, boxes.right)):
+    for below, above in ((boxes.low, boxes.high), (boxes.left, boxes.right), *boxes.aslant):
         one, two = kept((below[one] <= above[two]) & (below[two] <= above[one]), one, two)
     one, two = kept(one != two, one, two)
     return one, two

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
@@ -106,19 +106,22 @@ def integrate_some_velocities(rows: Integers, solver: SolverBodies) -> None:
     """The same for some bodies."""
     for i in rows:
         force = solver.forces[i]
-        if force.moves != SOLVED:
-            continue
-        free_motion = solver.free_motions[i]
-        motion = solver.motions[i]
-        free_motion.start_x = motion.velocity_x
-        free_motion.start_y = motion.velocity_y
-        free_motion.start_w = motion.angular_velocity
-        motion.velocity_x = (motion.velocity_x + force.change_x) * force.linear_decay
-        motion.velocity_y = (motion.velocity_y + force.change_y) * force.linear_decay
-        motion.angular_velocity = (motion.angular_velocity + force.change_w) * force.angular_decay
-        free_motion.free_x = motion.velocity_x
-        free_motion.free_y = motion.velocity_y
-        free_motion.free_w = motion.angular_velocity
+        if force.moves == SOLVED:
+            integrate_velocity(force, solver.free_motions[i], solver.motions[i])
+
+
+@inlined_kernel
+def integrate_velocity(force: Records, free_motion: Records, motion: Records) -> None:
+    """The same for one body, which the solver moves."""
+    free_motion.start_x = motion.velocity_x
+    free_motion.start_y = motion.velocity_y
+    free_motion.start_w = motion.angular_velocity
+    motion.velocity_x = (motion.velocity_x + force.change_x) * force.linear_decay
+    motion.velocity_y = (motion.velocity_y + force.change_y) * force.linear_decay
+    motion.angular_velocity = (motion.angular_velocity + force.change_w) * force.angular_decay
+    free_motion.free_x = motion.velocity_x
+    free_motion.free_y = motion.velocity_y
+    free_motion.free_w = motion.angular_velocity
 
 
 @kernel
@@ -148,32 +151,38 @@ def integrate_some_positions(rows: Integers, solver: SolverBodies, gravity: floa
     contact keeps the direction of its end velocity, which is what the solver made safe, but where it is only slowed
     or sped up, by no more than forces do (`gravity` in m/s^2 is the measure), it moves by the mean velocity along it.
     """
-    gentle = 4.0 * seconds * gravity
     for i in rows:
         force = solver.forces[i]
         if force.moves == 0:
             continue
-        free_motion = solver.free_motions[i]
         motion = solver.motions[i]
-        vx = motion.velocity_x
-        vy = motion.velocity_y
-        w = motion.angular_velocity
-        if force.moves == SOLVED and vx == free_motion.free_x and vy == free_motion.free_y and w == free_motion.free_w:
-            vx = 0.5 * (free_motion.start_x + vx)
-            vy = 0.5 * (free_motion.start_y + vy)
-            w = 0.5 * (free_motion.start_w + w)
-        elif force.moves == SOLVED:
-            share = _mean_share(free_motion.start_x - vx, free_motion.start_y - vy, vx, vy, gentle)
-            vx = vx * share
-            vy = vy * share
-            change = free_motion.start_w - w
-            if abs(change) * force.extent <= gentle and abs(change) <= 0.5 * abs(w):
-                w = w + 0.5 * change
-        motion.delta_x += seconds * vx
-        motion.delta_y += seconds * vy
-        if w != 0.0:
-            motion.delta_angle += seconds * w
+        angle = motion.delta_angle
+        integrate_position(force, solver.free_motions[i], motion, gravity, seconds)
+        if motion.delta_angle != angle:
             motion.delta_cos, motion.delta_sin = cos_sin(motion.delta_angle)
+
+
+@inlined_kernel
+def integrate_position(force: Records, free_motion: Records, motion: Records, gravity: float, seconds: float) -> None:
+    """The same for one body, but for the cosine and sine of what it has turned by."""
+    gentle = 4.0 * seconds * gravity
+    vx = motion.velocity_x
+    vy = motion.velocity_y
+    w = motion.angular_velocity
+    if force.moves == SOLVED and vx == free_motion.free_x and vy == free_motion.free_y and w == free_motion.free_w:
+        vx = 0.5 * (free_motion.start_x + vx)
+        vy = 0.5 * (free_motion.start_y + vy)
+        w = 0.5 * (free_motion.start_w + w)
+    elif force.moves == SOLVED:
+        share = _mean_share(free_motion.start_x - vx, free_motion.start_y - vy, vx, vy, gentle)
+        vx = vx * share
+        vy = vy * share
+        change = free_motion.start_w - w
+        if abs(change) * force.extent <= gentle and abs(change) <= 0.5 * abs(w):
+            w = w + 0.5 * change
+    motion.delta_x += seconds * vx
+    motion.delta_y += seconds * vy
+    motion.delta_angle += seconds * w
 
 
 @kernel

@@ -55,15 +55,19 @@ def guard_velocities(
     """
     frozen = 0
     for i in active_bodies:
-        if forces[i].moves == 0:
-            continue
-        if not _slowed(motions[i]):
-            active_info[0].stale = 1
-            _freeze(bodies[i], step_count)
-            _stop(motions[i])
-            forces[i].moves = 0
+        if forces[i].moves != 0 and not slowed(motions[i]):
+            freeze_in_step(bodies[i], motions[i], forces[i], active_info, step_count)
             frozen += 1
     return frozen
+
+
+@kernel
+def freeze_in_step(body: Records, motion: Records, force: Records, active_info: Records, step_count: int) -> None:
+    """Freeze a body whose velocity is not a number, at the pose it had when the step began."""
+    active_info[0].stale = 1
+    _freeze(body, step_count)
+    _stop(motion)
+    force.moves = 0
 
 
 @kernel
@@ -80,15 +84,15 @@ def guard_positions(
         y = abs(body.center_y + motion.delta_y)
         turned = abs(body.angle + motion.delta_angle)
         inside = x <= MAX_COORDINATE and y <= MAX_COORDINATE and turned <= MAX_COORDINATE
-        if not (_slowed(motion) and inside):
+        if not (slowed(motion) and inside):
             active_info[0].stale = 1
             _freeze(body, counters[0].step_count)
             counters[0].frozen_count += 1
             _stop(motion)
 
 
-@kernel
-def _slowed(motion: Records) -> bool:
+@inlined_kernel
+def slowed(motion: Records) -> bool:
     """Keep velocities within `MAX_SPEED`; whether they are numbers."""
     motion.velocity_x = _within(motion.velocity_x)
     motion.velocity_y = _within(motion.velocity_y)

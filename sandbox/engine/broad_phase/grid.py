@@ -62,15 +62,26 @@ def octave(size: float) -> int:
 
 @kernel
 def base_cell(boxes: Records, levels: Integers) -> float:
-    """Width of the cells of level 0 in metres: it just fits all boxes of the octave in which most boxes lie."""
+    """Width of the cells of level 0 in metres: it just fits all boxes of the octave in which most boxes lie, and those
+    of the next one if there are many."""
     population = levels[LEVELS : 2 * LEVELS]
     for k in range(LEVELS):
         population[k] = 0
+    low = 0.0
+    high = 0.0
+    n = LOWEST
     for i in range(boxes.shape[0]):
-        population[octave(_box_size(boxes[i])) - LOWEST] += 1
+        size = _box_size(boxes[i])
+        if not low <= size < high:  # most are in the octave of the one before
+            n = octave(size)
+            low = math.ldexp(0.5, n)
+            high = 2.0 * low if LOWEST < n < LOWEST + LEVELS - 1 else 0.0
+        population[n - LOWEST] += 1
     most = 0
     for k in range(LEVELS):
         most = k if population[k] > population[most] else most
+    if most + 1 < LEVELS and population[most + 1] > SPARSE:
+        most += 1
     base = 0.0
     for i in range(boxes.shape[0]):
         size = _box_size(boxes[i])
@@ -81,9 +92,10 @@ def base_cell(boxes: Records, levels: Integers) -> float:
 
 @inlined_kernel
 def box_level(box: Records, base: float) -> int:
-    """Lowest level whose cells are wider than a box."""
+    """Lowest level whose cells are wider than a box. Level 0 has those of the level below as well: to look into a few
+    fuller cells is cheaper than to ask one more level."""
     ratio = _box_size(box) / base
-    return 0 if 0.5 < ratio <= 1.0 else octave(ratio)
+    return 0 if 0.25 < ratio <= 1.0 else octave(ratio)
 
 
 @kernel
@@ -91,11 +103,15 @@ def _assign_cells(boxes: Records, base: float, finest: int, population: Integers
     """Give every box its level and cell; list in `levels` those with many boxes, ascending, and return how many."""
     for k in range(LEVELS):
         population[k] = 0
+    inverse = 0.0
+    known = LOWEST - 1
     for i in range(boxes.shape[0]):
         box = boxes[i]
         level = box_level(box, base)
         level = level if level > finest else finest
-        inverse = cells_per_metre(base, level)
+        if level != known:
+            known = level
+            inverse = cells_per_metre(base, level)
         box.level = level
         box.cell_x = math.floor(0.5 * (box.lower_x + box.upper_x) * inverse)
         box.cell_y = math.floor(0.5 * (box.lower_y + box.upper_y) * inverse)

@@ -3,11 +3,21 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.broad_phase.grid import LEVELS, LOWEST, base_cell, boxes_overlap, bucket, cells_per_metre, fill_grid
 from sandbox.engine.broad_phase.proxies import ACTIVE, DRIVEN, SLEEPS
 from sandbox.tables import Integers, Records
+
+
+class Cells(NamedTuple):
+    """Cells of a level that lie side by side in a row, from `first` to `last`."""
+
+    first: int
+    last: int
+    row: int
+    level: int
 
 
 @kernel
@@ -26,9 +36,11 @@ def find_pairs(
     for i in range(ordered.shape[0]):
         count = _pairs_on_own_level(ordered, filters, i, heads, pairs, count)
         count = _pairs_on_sparse_levels(ordered, filters, i, sparse, sparse_count, pairs, count)
-        for k in range(used):
+    for k in range(used):
+        inverse = cells_per_metre(base, levels[k])
+        for i in range(ordered.shape[0]):
             if levels[k] > ordered[i].level:
-                count = pairs_on_level(ordered[i], ordered, filters, base, levels[k], heads, pairs, count)
+                count = pairs_on_level(ordered[i], ordered, filters, inverse, levels[k], heads, pairs, count)
     return count
 
 
@@ -38,13 +50,10 @@ def _pairs_on_own_level(ordered: Records, filters: Records, i: int, heads: Integ
     box = ordered[i]
     x = box.cell_x
     y = box.cell_y
-    level = box.level
-    own = bucket(x, y, level, heads)
-    count = _pairs_in_cell(box, ordered, filters, i + 1, heads[own + 1], x, y, level, pairs, count)
-    for dx, dy in ((1, 0), (-1, 1), (0, 1), (1, 1)):
-        k = bucket(x + dx, y + dy, level, heads)
-        count = _pairs_in_cell(box, ordered, filters, heads[k], heads[k + 1], x + dx, y + dy, level, pairs, count)
-    return count
+    beside = Cells(x, x + 1, y, box.level)
+    count = _pairs_in_cells(box, ordered, filters, beside, heads, i + 1, pairs, count)
+    above = Cells(x - 1, x + 1, y + 1, box.level)
+    return _pairs_in_cells(box, ordered, filters, above, heads, 0, pairs, count)
 
 
 @kernel
@@ -65,46 +74,63 @@ def pairs_on_level(
     box: Records,
     ordered: Records,
     filters: Records,
-    base: float,
+    inverse: float,
     level: int,
     heads: Integers,
     pairs: Records,
     count: int,
 ) -> int:
-    """Pairs of a box with the boxes of another level: their middles are at most half a cell outside of it."""
-    inverse = cells_per_metre(base, level)
+    """Pairs of a box with the boxes of another level, which has `inverse` cells a metre: their middles are at most half
+    a cell outside of it."""
     first_x = math.floor(box.lower_x * inverse - 0.5)
     first_y = math.floor(box.lower_y * inverse - 0.5)
     last_x = math.floor(box.upper_x * inverse + 0.5)
     last_y = math.floor(box.upper_y * inverse + 0.5)
     for y in range(first_y, last_y + 1):
-        for x in range(first_x, last_x + 1):
-            k = bucket(x, y, level, heads)
-            count = _pairs_in_cell(box, ordered, filters, heads[k], heads[k + 1], x, y, level, pairs, count)
+        count = _pairs_in_cells(box, ordered, filters, Cells(first_x, last_x, y, level), heads, 0, pairs, count)
     return count
 
 
 @inlined_kernel
-def _pairs_in_cell(
+def _pairs_in_cells(
     box: Records,
     ordered: Records,
     filters: Records,
-    first: int,
-    end: int,
-    x: int,
-    y: int,
-    level: int,
+    cells: Cells,
+    heads: Integers,
+    start: int,
     pairs: Records,
     count: int,
 ) -> int:
-    """Pairs of a box with the boxes of one cell within `ordered[first:end]`; other cells may share the bucket."""
-    for j in range(first, end):
-        other = ordered[j]
-        if not boxes_overlap(box, other):
-            continue
-        if other.cell_x == x and other.cell_y == y and other.level == level:
-            count = propose(filters, box.shape_index, other.shape_index, pairs, count)
-    return count
+    """Pairs of a box with the boxes of cells in a row, in the first one only with those from `ordered[start]` on.
+
+    Their buckets lie side by side as well, but that the first one of all follows the last one. Other cells may share
+    them.
+    """
+    buckets = heads.shape[0] - 1
+    first = bucket(cells.first, cells.row, cells.level, heads)
+    end = first + cells.last - cells.first + 1
+    if end - first >= buckets:
+        first = 0
+        end = buckets
+    i = heads[first]
+    i = i if i > start else start
+    stop = heads[end if end < buckets else buckets]
+    while True:
+        for j in range(i, stop):
+            other = ordered[j]
+            if (
+                boxes_overlap(box, other)
+                and other.cell_y == cells.row
+                and other.level == cells.level
+                and cells.first <= other.cell_x <= cells.last
+            ):
+                count = propose(filters, box.shape_index, other.shape_index, pairs, count)
+        if end <= buckets:
+            return count
+        end -= buckets
+        i = 0
+        stop = heads[end]
 
 
 @kernel
@@ -141,10 +167,10 @@ def may_collide(category_a: int, mask_a: int, group_a: int, category_b: int, mas
 def sort_pairs(pairs: Records, count: int, buffer: Records, heads: Integers, shapes: int) -> None:
     """Sort `pairs[:count]` by (shape_a, shape_b): two stable counting passes. `heads` needs `shapes + 1` items.
 
-    A few pairs among many shapes are inserted one by one.
+    A few pairs among many shapes are inserted one by one: counting goes through all shapes four times.
     """
-    if count * count < shapes:
-        _insert_in_order(pairs, count)
+    if count * count < 4 * shapes:
+        insert_in_order(pairs, count)
         return
     for turn in range(2):
         if turn == 0:
@@ -154,7 +180,8 @@ def sort_pairs(pairs: Records, count: int, buffer: Records, heads: Integers, sha
 
 
 @kernel
-def _insert_in_order(pairs: Records, count: int) -> None:
+def insert_in_order(pairs: Records, count: int) -> None:
+    """Sort a few pairs by (shape_a, shape_b)."""
     for n in range(1, count):
         a = pairs[n].shape_a
         b = pairs[n].shape_b

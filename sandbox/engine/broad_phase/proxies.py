@@ -26,6 +26,10 @@ BULLET = 64
 """Its body does not pass through moving bodies either."""
 CONFINED = 128
 """Something immovable may stop its body during the step."""
+SLANTING = 256
+"""It is static and slender and lies aslant, so that its box says little of where it is."""
+_LOOSE = 4.0
+"""The sides of the box of what lies aslant are more than so many times half its width."""
 
 
 @kernel
@@ -84,6 +88,8 @@ def bound_shapes(state: StateTables, rows: Integers, colliders: Colliders) -> No
         box.upper_x = body.center_x + upper_x + grow + (travel_x if travel_x > 0.0 else 0.0)
         box.upper_y = body.center_y + upper_y + grow + (travel_y if travel_y > 0.0 else 0.0)
         box.shape_index = i
+        loose = _LOOSE * shape.thin
+        slants = upper_x - lower_x > loose and upper_y - lower_y > loose and body.type == STATIC
         moves = _how_it_moves(body)
         filter = colliders.filters[i]
         filter.body = shape.body
@@ -93,7 +99,9 @@ def bound_shapes(state: StateTables, rows: Integers, colliders: Colliders) -> No
         filter.category = shape.category if shape.sensor == 0 else 0
         filter.mask = shape.mask
         filter.group = shape.group if shape.sensor == 0 else 0
-        _fill_proxy(body, shape, moves, spin, colliders.proxies[i])
+        proxy = colliders.proxies[i]
+        _fill_proxy(body, shape, moves, spin, proxy)
+        proxy.traits |= SLANTING if slants else 0
 
 
 @inlined_kernel

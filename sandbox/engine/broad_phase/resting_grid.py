@@ -63,8 +63,8 @@ def find_all_pairs(colliders: Colliders, active: ActiveSet, shapes: int, changed
     still: Any = grid.ordered[:rested]
     lively: Any = grid.ordered[rested:shapes]
     some: Any = colliders.boxes[:shapes]
-    heads = grid.heads[: _bucket_count(shapes) + 1]
-    resting_heads = grid.resting_heads[: _bucket_count(shapes) + 1]
+    heads = grid.heads[: bucket_count(shapes) + 1]
+    resting_heads = grid.resting_heads[: bucket_count(shapes) + 1]
     if split:
         if changed:
             _gather(colliders.boxes, resting, grid.spare_boxes)
@@ -75,16 +75,25 @@ def find_all_pairs(colliders: Colliders, active: ActiveSet, shapes: int, changed
             info.sparse = sparse
         _gather(colliders.boxes, moving, grid.spare_boxes)
         some = grid.spare_boxes[: moving.shape[0]]
-        heads = grid.heads[: _bucket_count(moving.shape[0]) + 1]
+        heads = grid.heads[: bucket_count(moving.shape[0]) + 1]
     count = find_pairs(some, colliders.filters, lively, heads, grid.levels, grid.pairs)
     if split:
         for i in moving:
-            count = _pairs_with_resting(colliders.boxes[i], still, colliders.filters, info, resting_heads, grid, count)
+            count = pairs_with_resting(
+                colliders.boxes[i],
+                still,
+                colliders.filters,
+                info,
+                resting_heads,
+                grid.resting_levels,
+                grid.pairs,
+                count,
+            )
     return count
 
 
 @kernel
-def _bucket_count(shapes: int) -> int:
+def bucket_count(shapes: int) -> int:
     buckets = 128
     while buckets < 2 * shapes:
         buckets *= 2
@@ -98,12 +107,17 @@ def _gather(boxes: Records, rows: Integers, spare: Records) -> None:
 
 
 @kernel
-def _pairs_with_resting(
-    box: Records, still: Records, filters: Records, info: Records, heads: Integers, grid: Grid, count: int
+def pairs_with_resting(
+    box: Records,
+    still: Records,
+    filters: Records,
+    info: Records,
+    heads: Integers,
+    levels: Integers,
+    pairs: Records,
+    count: int,
 ) -> int:
     """Pairs of a moving box with resting ones: cell by cell, or with all of them if it covers more cells than that."""
-    levels = grid.resting_levels
-    pairs = grid.pairs
     sparse = levels[2 * LEVELS :]
     cells = 0.0
     for k in range(info.used):
@@ -115,7 +129,8 @@ def _pairs_with_resting(
                 count = propose(filters, box.shape_index, still[k].shape_index, pairs, count)
         return count
     for k in range(info.used):
-        count = pairs_on_level(box, still, filters, info.cell, levels[k], heads, pairs, count)
+        inverse = cells_per_metre(info.cell, levels[k])
+        count = pairs_on_level(box, still, filters, inverse, levels[k], heads, pairs, count)
     for k in range(info.sparse):
         if boxes_overlap(box, still[sparse[k]]):
             count = propose(filters, box.shape_index, still[sparse[k]].shape_index, pairs, count)

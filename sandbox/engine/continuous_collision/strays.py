@@ -1,14 +1,18 @@
 """Strays: fast shapes that have left the box which the grid knew. Their pairs lack some of what may hold them.
 
-Only static shapes hold them: their boxes are laid side by side once a step, if there is a stray, and gone through.
+Only static shapes hold them: those that rest are asked of their grid, where there is one; the boxes of all others are
+laid side by side once a step, if there is a stray, and gone through.
 """
 
 from __future__ import annotations
 
+from typing import Any
+
 from sandbox._jit import kernel
 from sandbox.engine.broad_phase.grid import boxes_overlap
-from sandbox.engine.broad_phase.pairs import propose
+from sandbox.engine.broad_phase.pairs import insert_in_order, propose
 from sandbox.engine.broad_phase.proxies import ACTIVE, SLEEPS
+from sandbox.engine.broad_phase.resting_grid import bucket_count, pairs_with_resting
 from sandbox.engine.continuous_collision.relative_sweep import SweepTables
 from sandbox.engine.continuous_collision.static_impact import stop_at_static
 from sandbox.engine.joints.pair_filter import JointFilter, are_joined
@@ -16,7 +20,7 @@ from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.colliders import Colliders, Grid
 from sandbox.geometry.bounds import core_bounds
 from sandbox.geometry.core import core_of
-from sandbox.tables import Records
+from sandbox.tables import Integers, Records
 from sandbox.world.records import STATIC
 
 
@@ -30,16 +34,17 @@ def stop_strays(
     joint_filter: JointFilter,
     static_count: int,
 ) -> int:
-    """Stop the strays at what is not among their pairs. `grid.sorted_pairs[count]` is scratch.
+    """Stop the strays at what is not among their pairs. `grid.sorted_pairs` is scratch from row `count` on.
 
-    Return how many static shapes there are, if they had to be gathered, else -1. With that as `static_count` the strays
-    that slide are held against them again: their boxes hold their displacements by now.
+    Return how many static shapes the grid of the resting ones lacks, if they had to be gathered, else -1. With that as
+    `static_count` the strays that slide are held against them again: their boxes hold their displacements by now.
     """
     filters = colliders.filters
     info = active.info[0]
+    shapes = tables.shapes.shape[0]
     known = info.shapes_generation == info.generation  # otherwise somebody has woken in this step
     again = static_count >= 0
-    for k in range(info.moving if known else tables.shapes.shape[0]):
+    for k in range(info.moving if known else shapes):
         i = active.shapes[k]
         body = filters[i].body
         if tables.ccd.bodies[body].fast == 0 or tables.ccd.impacts[body].swept == 1:
@@ -51,20 +56,45 @@ def stop_strays(
         if strays:
             impact.stray = 1
             if static_count < 0:
-                static_count = _gather_static(tables, colliders.boxes, grid.spare_boxes)
-            if static_count > 0:
-                _stop_stray(tables, colliders, grid, count, joint_filter, static_count, i)
+                rows = active.shapes[: info.moving if info.split == 1 else shapes]
+                static_count = _gather_static(tables, colliders.boxes, rows, grid.spare_boxes)
+            near = _list_near(active, colliders, grid, static_count, shapes, count, i)
+            _stop_stray(tables, colliders, grid, joint_filter, count, near, i)
     return static_count
 
 
 @kernel
-def _gather_static(tables: SweepTables, boxes: Records, static_boxes: Records) -> int:
-    """Copy the boxes of all static shapes, in their order; return how many."""
+def _gather_static(tables: SweepTables, boxes: Records, rows: Integers, static_boxes: Records) -> int:
+    """Copy the boxes of the static shapes among some; return how many."""
     count = 0
-    for j in range(tables.shapes.shape[0]):
+    for j in rows:
         if tables.bodies[tables.shapes[j].body].type == STATIC:
             static_boxes[count] = boxes[j]
             count += 1
+    return count
+
+
+@kernel
+def _list_near(
+    active: ActiveSet, colliders: Colliders, grid: Grid, static_count: int, shapes: int, count: int, i: int
+) -> int:
+    """Write the pairs of a stray with what may hold it behind the first `count` of `grid.sorted_pairs`, sorted; return
+    how many there are then, also those for which there is no room."""
+    info = active.info[0]
+    filters = colliders.filters
+    pairs = grid.sorted_pairs
+    box = colliders.boxes[i]
+    first = count
+    for k in range(static_count):
+        if boxes_overlap(box, grid.spare_boxes[k]):
+            count = propose(filters, i, grid.spare_boxes[k].shape_index, pairs, count)
+    if info.split == 1:
+        still: Any = grid.ordered[: shapes - info.moving]
+        heads = grid.resting_heads[: bucket_count(shapes) + 1]
+        count = pairs_with_resting(box, still, filters, info, heads, grid.resting_levels, pairs, count)
+    if count <= pairs.shape[0]:
+        found: Any = pairs[first:count]
+        insert_in_order(found, count - first)
     return count
 
 
@@ -73,22 +103,24 @@ def _stop_stray(
     tables: SweepTables,
     colliders: Colliders,
     grid: Grid,
-    count: int,
     joint_filter: JointFilter,
-    static_count: int,
+    count: int,
+    near: int,
     i: int,
 ) -> None:
     """Stop a stray at the static shapes near it, in their order: of those it touches at once, the first holds it."""
     fast = grid.sorted_pairs
     filters = colliders.filters
-    for k in range(static_count):
-        box = grid.spare_boxes[k]
-        if not boxes_overlap(colliders.boxes[i], box):
+    listed = near <= fast.shape[0]
+    for k in range(near - count if listed else tables.shapes.shape[0]):
+        j = k
+        if listed:
+            j = fast[count + k].shape_a + fast[count + k].shape_b - i
+        elif not boxes_overlap(colliders.boxes[i], colliders.boxes[j]) or propose(filters, i, j, fast, count) == count:
             continue
-        j = box.shape_index
-        joined = are_joined(joint_filter, filters[i].body, filters[j].body)
-        if not joined and propose(filters, i, j, fast, count) > count:
-            stop_at_static(tables, fast[count])
+        static = tables.bodies[filters[j].body].type == STATIC
+        if static and not are_joined(joint_filter, filters[i].body, filters[j].body):
+            stop_at_static(tables, fast[count + k if listed else count])
 
 
 @kernel

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.broad_phase.margins import allowed_depth
-from sandbox.engine.broad_phase.proxies import FIXED
+from sandbox.engine.broad_phase.proxies import FIXED, SLANTING
 from sandbox.engine.contact_solver.closing_speed import HARD
 from sandbox.engine.narrow_phase.internal_edges import PlacedPair, fix_internal_edge
 from sandbox.engine.narrow_phase.one_way import holds, leads_on
@@ -82,6 +82,8 @@ def decide_pairs(
         made.bits = 0
         a = proxies[i]
         b = proxies[j]
+        if (a.traits | b.traits) & SLANTING and _lie_apart(colliders, i, j, fall + TOUCHING, seconds):
+            continue
         margin = 2.0 * (a.margin if a.margin < b.margin else b.margin)
         t = 0.0
         vx = b.velocity_x - a.velocity_x
@@ -115,6 +117,31 @@ def decide_pairs(
         made.old = k if known else -1
         made.shift_x = vx * t
         made.shift_y = vy * t
+
+
+@inlined_kernel
+def _lie_apart(colliders: Colliders, i: int, j: int, slack: float, seconds: float) -> bool:
+    """Whether a shape that lies aslant has the other one's box beyond one of its faces: nothing of the pair touches.
+
+    Boxes cover margins and ways; `slack` is what else pairs may be apart (m).
+    """
+    aslant = colliders.proxies[i]
+    k = j
+    if aslant.traits & SLANTING == 0:
+        aslant = colliders.proxies[j]
+        k = i
+    box = colliders.boxes[k]
+    x = 0.5 * (box.lower_x + box.upper_x) - aslant.center_x
+    y = 0.5 * (box.lower_y + box.upper_y) - aslant.center_y
+    half_x = 0.5 * (box.upper_x - box.lower_x)
+    half_y = 0.5 * (box.upper_y - box.lower_y)
+    reach = aslant.radius + aslant.margin + slack + seconds * colliders.proxies[k].swing
+    apart = False
+    for n in range(aslant.vertex_start, aslant.vertex_start + aslant.vertex_count):
+        face = colliders.cores[n]
+        gap = face.normal_x * (x - face.x) + face.normal_y * (y - face.y)
+        apart = apart or gap - abs(face.normal_x) * half_x - abs(face.normal_y) * half_y > reach
+    return apart
 
 
 @kernel

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from sandbox.engine.broad_phase.grid import LOWEST
+from sandbox.engine.broad_phase.grid import LEVELS, LOWEST, SPARSE
 from sandbox.render.camera import Floats
 from sandbox.render.geometry import Ints
 from sandbox.render.overlays.look import Look
@@ -79,7 +79,9 @@ def base_cell(boxes: NDArray[np.void]) -> float:
     width, height = boxes["upper_x"] - boxes["lower_x"], boxes["upper_y"] - boxes["lower_y"]
     reach = sum(np.abs(boxes[name]) for name in ("lower_x", "upper_x", "lower_y", "upper_y"))
     size = np.maximum(width, height) * 1.01 + 1e-14 * reach
-    octaves = np.clip(np.frexp(size)[1], LOWEST, LOWEST + 95)
-    kinds, count = np.unique(octaves, return_counts=True)
-    largest = float(size[octaves == kinds[count.argmax()]].max())
+    octaves = np.clip(np.frexp(size)[1], LOWEST, LOWEST + LEVELS - 1)
+    count = np.bincount(octaves - LOWEST, minlength=LEVELS + 1)
+    most = int(count.argmax())
+    most += count[most + 1] > SPARSE
+    largest = float(size[octaves == most + LOWEST].max())
     return largest if largest > 0.0 else 1.0
