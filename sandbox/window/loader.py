@@ -9,7 +9,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from sandbox.errors import SandboxError
-from sandbox.window.journal import Leftover
+from sandbox.window.leftover import Leftover
 from sandbox.window.session import Session
 
 if TYPE_CHECKING:
@@ -85,6 +85,8 @@ class Loader:
         if self.start_step:
             self.message = f"Simulating the first {self.start_step:,} steps"
             session.skip(self.start_step)
+        if self._leftover is not None:
+            session.recall(self._leftover.script, self._leftover.past, self._leftover.at)
         return session
 
     def _recording(self) -> Recording | None:
