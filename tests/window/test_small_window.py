@@ -96,3 +96,9 @@ def test_a_number_has_as_many_digits_as_find_room(canvas: Canvas, width: float, 
     canvas.gui.end()
     assert text == shown
     assert (flags == 0) == (shown == "%.5g m")  # a drag does not round to fewer digits than a number has
+
+
+def test_the_help_takes_the_whole_window_where_the_scene_is_small(canvas: Canvas, tmp_path: Path) -> None:
+    play(canvas, CRATES, tmp_path, "key F2\nwait 4\nkey F1\nwait 3\n", size=(400, 300))
+    left, _, right, _ = places["help"]
+    assert right - left > 300.0
