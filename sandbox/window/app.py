@@ -50,6 +50,8 @@ class App:
         self._offered = leftovers(self._folder)[:1] if self._folder is not None else []
         self._accepted = False
         self._remembered = canvas.remembered
+        self._front = ""
+        """The panel that was in front in the scene before."""
 
     @property
     def _counting(self) -> bool:
@@ -183,6 +185,7 @@ class App:
         workspace.text_scale, workspace.less_motion = kept.text_scale or 1.0, kept.less_motion
         if kept.panels is not None:
             workspace.panels = set(kept.panels)
+        workspace.front = self._front
 
     def _memorise(self, workspace: Workspace) -> None:
         """Note how the user likes it."""
@@ -190,6 +193,7 @@ class App:
         kept.light, kept.panels = workspace.theme is LIGHT, sorted(workspace.panels - {OWNER})
         kept.text_scale, kept.less_motion = workspace.text_scale, workspace.less_motion
         self.canvas.theme = workspace.theme
+        self._front = next((name for name in kept.panels if name not in workspace.behind), "")
 
     def _load(self, path: Path) -> Screen:
         if self._folder is not None and path.is_file():
