@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 SUFFIX, ENDED = ".session.jsonl", ".ended.jsonl"
 EVERY = 60
-"""Steps between two lines that say how far the run has come."""
+"""Steps between two lines that say how far the run has come, while time runs."""
 MOST_ENDED = 20
 """Sessions that ended as they should and are kept: the oldest go."""
 
@@ -36,7 +36,7 @@ class Journal:
         self._file: Any = None
         self._words = Words()
         self._scene: Scene | None = None
-        self._steps, self._at, self._stood = 0, -1, -1
+        self._steps, self._length, self._at, self._stood = 0, 0, -1, -1
 
     def sync(self, session: Session) -> None:
         """Write down what is new. Nothing is written until something has been done: a scene by itself is no loss."""
@@ -65,7 +65,8 @@ class Journal:
         """How far the run is known, and where in it the user stands: now and then, and where he stays."""
         if any("keep" in line for line in self._words.lines if isinstance(line, dict)):
             self._steps = length
-        if length >= self._steps + EVERY:
+        rests, self._length = length == self._length, length
+        if length >= self._steps + EVERY or (rests and length != self._steps):
             self._steps = length
             self._words.lines.append({"steps": length})
         at = step if step < length else -1  # -1: at the end, which goes on

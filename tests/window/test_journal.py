@@ -46,6 +46,9 @@ def test_what_was_done_is_found_again_also_after_a_goodbye(tmp_path: Path) -> No
     assert found.scene == SCENE
     assert found.commands == ((1, ApplyImpulse("crate", (1.0, 2.0))),)
     assert 131 - 60 < found.steps <= 131
+    found = written(tmp_path, session, journal)  # time stands still
+    assert found is not None
+    assert found.steps == 131
     again = Session(found.scene, found.commands, found.steps)
     again.skip(131)
     assert again.world.digest() == session.world.digest()
