@@ -50,11 +50,9 @@ def run(options: RunOptions) -> None:
     pixels = parse_size(options.size) if options.size is not None else None
     if options.screenshot is not None:
         writable_picture(options.screenshot, {".png"})
-    from sandbox.scene.read import check_readable
-
     paths = [find_scene(path) for path in options.scene or ()]
     for path in paths:
-        check_readable(path)  # before there is a window, which would close again at once
+        _check_readable(path)  # before there is a window, which would close again at once
     if len(paths) > 1:
         _check_two_recordings(paths)
     values = values_set(options.set)
@@ -72,15 +70,31 @@ def run(options: RunOptions) -> None:
     run_window(seen)
 
 
+def _check_readable(path: Path) -> None:
+    """Raises `SceneError` where no file can be read. The models of scenes, which know what to say then, take longer
+    to be imported than a window takes to open.
+    """
+    from sandbox._bounded_read import read_bytes
+
+    try:
+        read_bytes(path, 0)
+    except (OSError, ValueError):
+        from sandbox.scene.read import check_readable
+
+        check_readable(path)
+
+
 def _check_values(paths: list[Path], values: dict[str, Any]) -> None:
     """Values are for one scene, and wrong ones are told here rather than in a window."""
-    from sandbox.cli.opening import open_or_replay
     from sandbox.errors import SandboxError
 
     if values and not paths:
         raise SandboxError("--set is for a scene: name one")
-    for path in paths if values else ():
-        open_or_replay(path, values)
+    if values:
+        from sandbox.cli.opening import open_or_replay
+
+        for path in paths:
+            open_or_replay(path, values)
 
 
 def _check_two_recordings(paths: list[Path]) -> None:

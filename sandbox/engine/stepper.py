@@ -151,7 +151,7 @@ class Stepper:
         self._prepare_calls()
 
     def follow_regions(self) -> None:
-        """Regions have gone."""
+        """Regions have gone, or have other sides."""
         self.scratch.follow_fields(self._state)
         self._exchange_state()
 
@@ -176,6 +176,8 @@ class Stepper:
             self.renew()
         elif wiring != self.wiring():
             self.assemble_joints()
+        if self.scratch.fields.edges is not self._state.edges:
+            self.follow_regions()
         self._lost = self._count_lost()
         self.forget()
 

@@ -15,10 +15,15 @@ RECORDED = "the recording"
 class Deeds:
     """The last command of every act, in the order of the user's time."""
 
-    def __init__(self) -> None:
+    def __init__(self, last: Sequence[tuple[str, TimedCommand]] = ()) -> None:
         self._label = RECORDED
-        self._last: list[tuple[str, TimedCommand]] = []
+        self._last = list(last)
         self._fresh = True
+
+    @property
+    def last(self) -> Sequence[tuple[str, TimedCommand]]:
+        """What acts are called, and their last commands: look at it only."""
+        return self._last
 
     def begin(self, label: str) -> None:
         """What is done from now on is of another act."""

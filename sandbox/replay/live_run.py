@@ -195,5 +195,17 @@ class LiveRun(FixedAttributes):
             self._cuts.append(parted)
             self._head.part(parted)
         past = parted is not None and self.step_count > parted
-        stepper.commands, self._tape, self._length = theirs, future.tape.up_to(future.length), future.length
+        stepper.commands, self._tape, self._length = theirs, self._tape_of(future, parted), future.length
         self._place(step, applied, anew=stepper.applied > common or past)
+
+    def _tape_of(self, future: Future, parted: int | None) -> Tape:
+        """What was noted of a future; of one that was read from a file, as far as it is the same run as this.
+
+        What is noted next follows on that, so no keyframe may lie beyond it.
+        """
+        if len(future.tape) >= future.length:
+            return future.tape.up_to(future.length)
+        same = future.length if parted is None else min(parted, future.length)
+        tape = max(self._tape.up_to(same), future.tape, key=len)
+        self._head.part(len(tape) + 1)
+        return tape

@@ -42,6 +42,18 @@ class Moment:
 
 
 @dataclass(frozen=True)
+class Past:
+    """What a timeline knows besides its run: what can be undone and redone (the next one last), the other futures, and
+    the last command of each act. Entries that two of them have in common are the same objects.
+    """
+
+    undo: Sequence[Moment] = ()
+    redo: Sequence[Moment] = ()
+    branches: Sequence[Future] = ()
+    deeds: Sequence[tuple[str, TimedCommand]] = ()
+
+
+@dataclass(frozen=True)
 class Mark:
     """A place in a run to which commands can be taken back; `held` are drags of a future that they will replace."""
 

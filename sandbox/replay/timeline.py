@@ -8,7 +8,7 @@ from sandbox.engine.commands.base import Command
 from sandbox.errors import ArgumentError
 from sandbox.replay.deeds import Deeds
 from sandbox.replay.live_run import BUDGET, LiveRun
-from sandbox.replay.moment import Future, Moment, common_prefix, parting
+from sandbox.replay.moment import Future, Moment, Past, common_prefix, parting
 from sandbox.replay.recording.command_words import TimedCommand
 from sandbox.replay.recording.tape import Tape
 from sandbox.scene import Scene
@@ -47,6 +47,16 @@ class Timeline(LiveRun):
     def branches(self) -> Sequence[Future]:
         """The other futures, the latest one last. Undo brings back those of its time."""
         return self._branches
+
+    @property
+    def past(self) -> Past:
+        """What it knows besides its run: for `recall`."""
+        return Past(self._undo, self._redo, self._branches, self._deeds.last)
+
+    def recall(self, past: Past) -> None:
+        """Know what another timeline knew; of its commands those are the same run's that are the same objects."""
+        self._undo, self._redo = list(past.undo), list(past.redo)
+        self._branches, self._deeds = tuple(past.branches), Deeds(past.deeds)
 
     def parts_from(self, branch: Future) -> int | None:
         """The step after which another future goes its own way; None if it only is longer or shorter."""

@@ -11,9 +11,11 @@ from imgui_bundle import imgui
 from sandbox.errors import SandboxError
 from sandbox.render.camera import Vec
 from sandbox.render.theme import LIGHT
+from sandbox.window.actions.registry import BY_NAME
 from sandbox.window.compare import OWNER, begin_comparison, open_panel
 from sandbox.window.gallery import Gallery
-from sandbox.window.journal import Journal, Leftover, leftovers
+from sandbox.window.journal import Journal, ended_sessions
+from sandbox.window.leftover import Leftover, leftovers, read_session
 from sandbox.window.loader import Loader
 from sandbox.window.loading import LoadingScreen
 from sandbox.window.offer_box import draw_offer
@@ -48,6 +50,8 @@ class App:
         self._offered = leftovers(self._folder)[:1] if self._folder is not None else []
         self._accepted = False
         self._remembered = canvas.remembered
+        self._front = ""
+        """The panel that was in front in the scene before."""
 
     @property
     def _counting(self) -> bool:
@@ -151,7 +155,16 @@ class App:
         """The screen of the session that was offered, if the user wants it."""
         if not self._accepted:
             return None
-        leftover, self._accepted = self._offered.pop(), False
+        self._accepted = False
+        return self._go_on(self._offered.pop())
+
+    def _last_session(self, session: Session) -> Path | None:
+        """What was done in a scene the last time."""
+        found = ended_sessions(self._folder, session.scene) if self._folder is not None else []
+        return found[0] if found else None
+
+    def _go_on(self, leftover: Leftover) -> Screen:
+        """With a session that is on disk."""
         loader = Loader(Path(leftover.scene.source), leftover.steps, self.options.workers, leftover)
         return LoadingScreen(loader, lambda session: self._play(session, leftover), self._failed)
 
@@ -172,6 +185,7 @@ class App:
         workspace.text_scale, workspace.less_motion = kept.text_scale or 1.0, kept.less_motion
         if kept.panels is not None:
             workspace.panels = set(kept.panels)
+        workspace.front = self._front
 
     def _memorise(self, workspace: Workspace) -> None:
         """Note how the user likes it."""
@@ -179,6 +193,7 @@ class App:
         kept.light, kept.panels = workspace.theme is LIGHT, sorted(workspace.panels - {OWNER})
         kept.text_scale, kept.less_motion = workspace.text_scale, workspace.less_motion
         self.canvas.theme = workspace.theme
+        self._front = next((name for name in kept.panels if name not in workspace.behind), "")
 
     def _load(self, path: Path) -> Screen:
         if self._folder is not None and path.is_file():
@@ -207,6 +222,9 @@ class App:
             leftover.discard()
             session.clock.paused = True
             screen.workspace.say("here you were; Space goes on")
+        screen.workspace.last_session = self._last_session(session)
+        if screen.workspace.last_session is not None and not (lockstep or screen.note):
+            screen.workspace.say(f"{BY_NAME['resume'].keys[0]} goes on with what you did here the last time")
         return screen
 
     def _lead(self, wish: Wish, screen: PlayScreen) -> Screen | None:
@@ -219,6 +237,13 @@ class App:
             case "play" if wish.session is not None:
                 following = self._play(wish.session)
                 following.take_over(screen)
+                return following
+            case "resume" if wish.path is not None:
+                leftover = read_session(wish.path)
+                if leftover is not None:
+                    return self._go_on(leftover)
+                following = self._play(screen.session)
+                following.workspace.say("what was done the last time cannot be read any more")
                 return following
             case "gallery":
                 return self._open_gallery()

@@ -19,6 +19,8 @@ MOUSE = (
     ("Wheel", "zoom about the pointer"),
 )
 WIDEST, HIGHEST, MARGIN = 980.0, 760.0, 24.0
+WIDE_EMS, HIGH_EMS = 30.0, 20.0
+"""What it needs to be read, in heights of the text."""
 KEYS_EMS = 7.0
 """Widest column of keys, in heights of the text."""
 Rows: TypeAlias = Sequence[tuple[str, str]]
@@ -26,7 +28,7 @@ Rows: TypeAlias = Sequence[tuple[str, str]]
 
 def draw_help(workspace: Workspace, tools: dict[str, Tool], panels: dict[str, Panel]) -> None:
     """A window in the middle; Esc or F1 closes it."""
-    left, top, width, height = workspace.viewport.rect
+    left, top, width, height = _room(workspace)
     wide, high = min(WIDEST, width - 2 * MARGIN), min(HIGHEST, height - 2 * MARGIN)
     middle = imgui.ImVec2(left + width / 2, top + height / 2)
     imgui.set_next_window_pos(middle, imgui.Cond_.always, imgui.ImVec2(0.5, 0.5))
@@ -46,6 +48,15 @@ def draw_help(workspace: Workspace, tools: dict[str, Tool], panels: dict[str, Pa
     imgui.end()
     if not still_open:
         workspace.help_shown = False
+
+
+def _room(workspace: Workspace) -> tuple[float, float, float, float]:
+    """Left, top, width and height (pixels) of the scene, or of the whole window where the scene is small."""
+    _, _, width, height = workspace.viewport.rect
+    if min(width / WIDE_EMS, height / HIGH_EMS) >= imgui.get_font_size():
+        return workspace.viewport.rect
+    size = imgui.get_io().display_size
+    return 0.0, 0.0, size.x, size.y
 
 
 def _blocks(tools: dict[str, Tool], panels: dict[str, Panel]) -> list[tuple[str, Rows]]:

@@ -1,7 +1,8 @@
-"""What is written over a running scene: the line of figures, the state of time, and notes."""
+"""What is written about a running scene where panels are hidden, above it, and notes over it."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from sandbox.window.gui import TEXT_SIZE
@@ -11,11 +12,13 @@ from sandbox.window.viewport import Rect
 
 PANEL_OPACITY = 0.9
 MARGIN, PAD_X, PAD_Y, GAP = 14.0, 14.0, 8.0, 22.0
+LEAST_ABOUT = 160.0
+"""Pixels from which on what is to be watched for says something."""
 
 
 @dataclass(frozen=True)
 class Figures:
-    """The numbers of the HUD line; `step_cost` in seconds."""
+    """The numbers of the line; `step_cost` in seconds."""
 
     fps: float
     step_cost: float
@@ -28,45 +31,69 @@ class Figures:
     def items(self) -> list[tuple[str, str, str]]:
         """(label, value, widest value expected), so that the columns do not jump while numbers change."""
         rows = [
-            ("fps", f"{self.fps:.0f}", "000"),
-            ("ms/step", f"{1000 * self.step_cost:.2f}", "00.00"),
-            ("bodies", f"{self.bodies:,}", ""),
-            ("contacts", f"{self.contacts:,}", "000"),
-            ("step", f"{self.step:,}", "0,000"),
             ("time", f"{self.time:.2f} s", "00.00 s"),
+            ("step", f"{self.step:,}", "0,000"),
+            ("contacts", f"{self.contacts:,}", "000"),
+            ("bodies", f"{self.bodies:,}", ""),
+            ("ms/step", f"{1000 * self.step_cost:.2f}", "00.00"),
+            ("fps", f"{self.fps:.0f}", "000"),
         ]
-        return [*rows, ("frozen", f"{self.frozen}", "")] if self.frozen else rows
+        return [("frozen", f"{self.frozen}", ""), *rows] if self.frozen else rows
 
 
-def draw_figures(overlay: Overlay, rect: Rect, colors: Palette, figures: Figures) -> None:
-    """The line of figures in the top left corner, as many as there is room for."""
-    columns = [
-        (label, value, overlay.width(label), max(overlay.width(value), overlay.width(widest)))
-        for label, value, widest in figures.items()
-    ]
-    room = rect[2] - 2 * (MARGIN + PAD_X)
-    while columns and (width := sum(a + 6.0 + b + GAP for _, _, a, b in columns) - GAP) > room:
-        columns.pop()
-    if not columns:
-        return
-    x, y = rect[0] + MARGIN, rect[1] + MARGIN
-    _panel(overlay, colors, x, y, width)
-    x += PAD_X
-    for label, value, label_width, value_width in columns:
-        overlay.text(x, y + PAD_Y, label, colors.faint)
-        overlay.text(x + label_width + 6.0, y + PAD_Y, value, colors.accent if label == "frozen" else colors.text)
-        x += label_width + 6.0 + value_width + GAP
+def below_line(overlay: Overlay, rect: Rect, there: bool = True) -> Rect:
+    """What is left of a rectangle for the scene where a line, if it is there, stands above it."""
+    high = _line_height(overlay) if there else 0
+    return rect[0], rect[1] + high, rect[2], max(rect[3] - high, 1)
 
 
-def draw_time_state(overlay: Overlay, rect: Rect, colors: Palette, paused: bool, speed: float) -> None:
-    """A badge in the top right corner while time does not run as usual."""
-    words = [*(["paused"] if paused else []), *([] if speed == 1.0 else [f"speed {speed_text(speed)}"])]
-    if words:
-        text = "  ·  ".join(words)
-        width = overlay.width(text)
-        x, y = rect[0] + rect[2] - MARGIN - 2 * PAD_X - width, rect[1] + MARGIN
-        _panel(overlay, colors, x, y, width)
-        overlay.text(x + PAD_X, y + PAD_Y, text, colors.accent)
+def draw_line(overlay: Overlay, rect: Rect, colors: Palette, text: str = "") -> float:
+    """A line above a rectangle, with or without a text; gives where its text has its upper edge."""
+    left, bottom, width, _ = rect
+    overlay.panel((left, bottom - _line_height(overlay), left + width, bottom), colors.panel, 1.0, 0.0)
+    overlay.panel((left, bottom - 1.0, left + width, bottom), colors.line, 1.0, 0.0)
+    y = bottom - PAD_Y - overlay.scale * TEXT_SIZE - 1.0
+    overlay.text(left + MARGIN, y, shorten(overlay, text, width - 2 * MARGIN), colors.faint)
+    return y
+
+
+def _line_height(overlay: Overlay) -> int:
+    return round(overlay.scale * TEXT_SIZE + 2 * PAD_Y)
+
+
+def draw_caption(overlay: Overlay, rect: Rect, colors: Palette, words: tuple[str, str, str], figures: Figures) -> None:
+    """Above a rectangle: title, what to watch for and the state of time, all in `words`, at the left, and as many
+    figures as there is room for at the right.
+    """
+    title, about, state = words
+    y = draw_line(overlay, rect, colors)
+    x, right = rect[0] + MARGIN, rect[0] + rect[2] - MARGIN
+    for text, color in ((state, colors.accent), (title, colors.text)):
+        shown = shorten(overlay, text, right - x)
+        overlay.text(x, y, shown, color)
+        x += overlay.width(shown) + GAP if text else 0.0
+    for label, value, wide in _columns(overlay, figures, right - x):
+        overlay.text(right - wide, y, label, colors.faint)
+        color = colors.accent if label == "frozen" else colors.text
+        overlay.text(right - wide + overlay.width(label) + 6.0, y, value, color)
+        right -= wide + GAP
+    if right - x > LEAST_ABOUT * overlay.scale:
+        overlay.text(x, y, shorten(overlay, about, right - x), colors.faint)
+
+
+def _columns(overlay: Overlay, figures: Figures, room: float) -> Iterator[tuple[str, str, float]]:
+    """Label, value and width of the figures that have room, from the right."""
+    for label, value, widest in figures.items():
+        wide = overlay.width(label) + 6.0 + max(overlay.width(value), overlay.width(widest))
+        room -= wide + GAP
+        if room < 0.0:
+            return
+        yield label, value, wide
+
+
+def time_state(paused: bool, speed: float) -> str:
+    """What is to be said while time does not run as usual; empty while it does."""
+    return "  ·  ".join([*(["paused"] if paused else []), *([] if speed == 1.0 else [f"speed {speed_text(speed)}"])])
 
 
 def speed_text(speed: float) -> str:
@@ -82,29 +109,3 @@ def draw_note(overlay: Overlay, rect: Rect, colors: Palette, text: str, opacity:
     box = x - PAD_X, y - PAD_Y, x + width + PAD_X, y + overlay.scale * TEXT_SIZE + PAD_Y + 2.0
     overlay.panel(box, colors.panel, PANEL_OPACITY * opacity, 10.0)
     overlay.text(x, y, shown, colors.accent, opacity)
-
-
-def draw_title(overlay: Overlay, rect: Rect, colors: Palette, words: tuple[str, str], opacity: float) -> None:
-    """The scene's title and what to watch for, both in `words`, below the figures."""
-    title, about = words
-    left, top = rect[0] + MARGIN, rect[1] + MARGIN + 2 * PAD_Y + overlay.scale * TEXT_SIZE + 10.0
-    room = rect[2] - 2 * (MARGIN + PAD_X)
-    lines = [
-        (shorten(overlay, title, room, 22.0), colors.text, 22.0, 30.0),
-        (shorten(overlay, about, room), colors.faint, TEXT_SIZE, 20.0),
-    ]
-    shown = [line for line in lines if line[0]]
-    if not shown:
-        return
-    width = max(overlay.width(text, points) for text, _, points, _ in shown)
-    height = overlay.scale * sum(down for *_, down in shown) + 2 * PAD_Y
-    overlay.panel((left, top, left + width + 2 * PAD_X, top + height), colors.panel, PANEL_OPACITY * opacity, 10.0)
-    y = top + PAD_Y
-    for text, color, points, down in shown:
-        overlay.text(left + PAD_X, y, text, color, opacity, points)
-        y += overlay.scale * down
-
-
-def _panel(overlay: Overlay, colors: Palette, x: float, y: float, width: float) -> None:
-    box = (x, y, x + width + 2 * PAD_X, y + overlay.scale * TEXT_SIZE + 2 * PAD_Y + 2.0)
-    overlay.panel(box, colors.panel, PANEL_OPACITY, 10.0)

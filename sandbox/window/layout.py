@@ -21,6 +21,8 @@ WIDE_SHARE, LOW_SHARE = 0.18, 0.34
 """Of a large window, what they take at least."""
 NARROW = 900
 """Below this width of the window, in pixels, no panel is open at first."""
+SETTLING = 2
+"""Pictures until panels that come are docked."""
 FIXED = (
     imgui.WindowFlags_.no_decoration
     | imgui.WindowFlags_.no_docking
@@ -39,7 +41,7 @@ class Layout:
         self.tool_box = tool_box
         self._shown: set[str] | None = None
         self._fresh: set[str] = set()
-        self._settling = 0
+        self._settling = SETTLING
         self._scale: float | None = None
         """How large text was in the picture before."""
         self._scrubber = Scrubber()
@@ -126,7 +128,7 @@ class Layout:
 
     def _arrange(self, dock: int, width: float, height: float, panel_width: float) -> None:
         """Where panels are docked at first."""
-        self._settling = 2
+        self._settling = SETTLING
         builder = imgui.internal
         builder.dock_builder_remove_node(dock)
         builder.dock_builder_add_node(dock, imgui.internal.DockNodeFlagsPrivate_.dock_space)

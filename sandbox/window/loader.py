@@ -9,7 +9,8 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from sandbox.errors import SandboxError
-from sandbox.window.journal import Leftover
+from sandbox.resources import SCENE_SUFFIX
+from sandbox.window.leftover import Leftover
 from sandbox.window.session import Session
 
 if TYPE_CHECKING:
@@ -85,6 +86,8 @@ class Loader:
         if self.start_step:
             self.message = f"Simulating the first {self.start_step:,} steps"
             session.skip(self.start_step)
+        if self._leftover is not None:
+            session.recall(self._leftover.script, self._leftover.past, self._leftover.at)
         return session
 
     def _recording(self) -> Recording | None:
@@ -97,11 +100,15 @@ class Loader:
 
     def _read(self, recording: Recording | None) -> tuple[Scene, tuple[TimedCommand, ...], int]:
         """A scene, what a recording did to it, and in how many steps."""
-        from sandbox.formats import open_scene
-
         if self._leftover is not None:
             return self._leftover.scene, self._leftover.commands, self._leftover.steps
+        if recording is None and self.path.name.endswith(SCENE_SUFFIX):
+            from sandbox.scene import load_scene
+
+            return load_scene(self.path, self._values), (), 0
         if recording is None:
+            from sandbox.formats import open_scene  # which knows all formats, and takes its time to be imported
+
             imported = open_scene(self.path, self._values)
             self._left_out = len(imported.remarks)
             return imported.scene, (), 0

@@ -6,7 +6,7 @@ from imgui_bundle import imgui
 
 from sandbox.render.camera import Size
 from sandbox.render.number_text import counted
-from sandbox.window.journal import Leftover
+from sandbox.window.leftover import Leftover
 from sandbox.window.widgets import button
 
 FLAGS = (

@@ -27,18 +27,18 @@ from sandbox.window.problem_box import draw_problem
 from sandbox.window.reload import Reloader
 from sandbox.window.scale_bar import draw_scale_bar
 from sandbox.window.scene_picture import ScenePicture
-from sandbox.window.scoreboard import below_counters, draw_scoreboard
+from sandbox.window.scoreboard import draw_ending
 from sandbox.window.screen import Canvas, Screen
 from sandbox.window.session import Session
+from sandbox.window.strips import Strips, Told
 from sandbox.window.tools.act import MagnetTool
 from sandbox.window.tools.play import PlayTool
 from sandbox.window.tools.tool_box import ToolBox
-from sandbox.window.viewport import Rect, Viewport
+from sandbox.window.viewport import Viewport
 from sandbox.window.widgets import begin_picture
 from sandbox.window.workspace import Wish, Workspace
 
-TITLE_SECONDS, FADE_SECONDS = 5.0, 0.8
-FOOT_PIXELS = 90
+FADE_SECONDS = 0.8
 TAKEN_OVER = (
     "theme", "panels", "overlays", "color_by", "depth", "interface", "text_scale", "less_motion", "keep_time",
     "selection", "clipboard", "age",
@@ -71,13 +71,12 @@ class PlayScreen:
         self.player = Player(self.workspace)
         if self.player.controls:
             self.tool_box.choose("play")
-            if size[0] < NARROW:  # where the line of the tool has no room
-                self.workspace.say(self.tool_box.tool.hint(self.workspace))
         self.mouse = Mouse(self.workspace, self.tool_box)
         self._keyboard = Keyboard(self.workspace, self.tool_box, self.panels)
         self._picture = ScenePicture(self.workspace, self.mouse.strokes)
         self._palette = Palette(self.workspace, self.tool_box, self.panels)
         self._layout = Layout(self.panels, self.tool_box)
+        self._strips = Strips()
         self._reloader = Reloader(session) if session.scene.text is not None else None
         self.export_box = ExportBox()
         self._lead = lead
@@ -181,8 +180,8 @@ class PlayScreen:
         apply_style(workspace.theme, workspace.text_scale)
         begin_picture()
         overlay = Overlay(canvas.gui, scale=workspace.text_scale)
-        whole = self._layout.draw(workspace, canvas.display.size)
-        workspace.viewport.place(below_counters(overlay, self.session.world, whole), self.session)
+        told, rect = self._told(canvas.display.size), self._layout.draw(workspace, canvas.display.size)
+        workspace.viewport.place(self._strips.place(overlay, workspace, rect, told), self.session)
         frame = self.session.frame()
         if any(panel.exact and panel.name in workspace.panels for panel in self.panels.values()):
             frame = self.session.current
@@ -195,7 +194,15 @@ class PlayScreen:
         with plain.within(workspace.viewport.rect):
             plain.labels(picture.labels, workspace.viewport.rect)
         self._draw_over(plain)
-        self._draw_hud(overlay)
+        self._draw_hud(overlay, told)
+
+    def _told(self, size: Size) -> Told:
+        """What is to be said around the scene; the keys of a game where the line of the tool has no room for them."""
+        workspace, clock = self.workspace, self.session.clock
+        state = hud.time_state(clock.paused, clock.speed)
+        plays = isinstance(self.tool_box.tool, PlayTool) and bool(self.player.controls)
+        keys = self.tool_box.tool.hint(workspace) if plays and size[0] < NARROW else ""
+        return Told(None if workspace.interface else (self._figures(), state), keys, self._picture.legend)
 
     def _reread(self, elapsed: float) -> Session | None:
         """The session of the file as it is now, if it has changed on disk."""
@@ -221,21 +228,16 @@ class PlayScreen:
             if name in self.workspace.panels:
                 panel.note_step(self.workspace)
 
-    def _draw_hud(self, overlay: Overlay) -> None:
-        workspace, clock, scene = self.workspace, self.session.clock, self.session.scene
+    def _draw_hud(self, overlay: Overlay, told: Told) -> None:
+        workspace = self.workspace
         rect, colors = workspace.viewport.rect, palette_of(workspace.theme)
-        if not workspace.interface:
-            hud.draw_figures(overlay, rect, colors, self._figures())
-            hud.draw_time_state(overlay, rect, colors, clock.paused, clock.speed)
-            title = self._fade(TITLE_SECONDS - workspace.age)
-            if title > 0.0:
-                hud.draw_title(overlay, rect, colors, (scene.title, scene.about), title)
-        else:
+        self._strips.draw(overlay, workspace, told)
+        if workspace.interface:
             draw_scale_bar(overlay, workspace, self.mouse.at)
-        draw_scoreboard(overlay, workspace)
+        draw_ending(overlay, workspace)
         noted = self._fade(workspace.note_until - workspace.age)
         if noted > 0.0:
-            hud.draw_note(overlay, rect if workspace.interface else _foot(rect), colors, workspace.note, noted)
+            hud.draw_note(overlay, rect, colors, workspace.note, noted)
         reloader = self._reloader
         if reloader and reloader.problem and draw_problem(workspace, reloader.problem, overlay.gui.mono):
             reloader.problem = ""
@@ -259,10 +261,3 @@ class PlayScreen:
             time=world.time,
             frozen=int(world.state.counters[0].frozen_count),
         )
-
-
-def _foot(rect: Rect) -> Rect:
-    """The lower end of a rectangle: its upper one has figures and the title where panels are hidden."""
-    left, top, width, height = rect
-    high = min(FOOT_PIXELS, height)
-    return left, top + height - high, width, high

@@ -10,7 +10,7 @@ from sandbox.render.coloring.registry import shown_coloring
 from sandbox.render.draw_list import DrawList, build_draw_list
 from sandbox.render.frame import Frame
 from sandbox.render.line import Line
-from sandbox.render.marks import Marks
+from sandbox.render.marks import LegendEntry, Marks
 from sandbox.render.overlays import trails
 from sandbox.render.overlays.look import Look
 from sandbox.render.overlays.registry import OVERLAYS, draw_overlays
@@ -31,6 +31,8 @@ class ScenePicture:
         self.workspace = workspace
         self._strokes = strokes
         self._colors = body_colors_of(workspace.session.world.state, workspace.theme)
+        self.legend: list[LegendEntry] = []
+        """What the colours of the overlays in the last picture mean."""
         self._last: tuple[Frame, BodyColors, Seen, DrawList] | None = None
         """The last picture and what it was made of."""
 
@@ -58,8 +60,10 @@ class ScenePicture:
         if selection.region is not None:
             lit = highlight_region(world.state, camera, world.directory.find_region(selection.region), theme.drag)
         shown = [*shown_coloring(workspace.color_by), *(OVERLAYS[name] for name in workspace.overlays)]
-        look = Look(world, frame, camera, theme, self._trails())
-        return *draw_overlays(shown, look), ghost_over(workspace, frame), lit
+        look = Look(world, frame, camera, theme, self._trails(), workspace.text_scale)
+        layers = draw_overlays(shown, look, corner=None)
+        self.legend = [entry for layer in layers for entry in layer.legend]
+        return *layers, ghost_over(workspace, frame), lit
 
     def _trails(self) -> Trails | None:
         """What is kept of where bodies were: nothing while trails are off."""

@@ -22,17 +22,19 @@ def below_counters(overlay: Overlay, world: World, rect: Rect) -> Rect:
     return rect[0], rect[1] + high, rect[2], max(rect[3] - high, 1)
 
 
-def draw_scoreboard(overlay: Overlay, workspace: Workspace) -> None:
-    """Counters above the viewport; a banner in its middle once the game is won or lost."""
-    world = workspace.session.world
-    if world.counters:
-        _draw_counters(overlay, workspace, world.counters)
-    if world.outcome is not None:
-        _draw_ending(overlay, workspace, world.outcome.result, world.outcome.text)
+def draw_ending(overlay: Overlay, workspace: Workspace) -> None:
+    """A banner in the middle of the viewport once the game is won or lost."""
+    outcome = workspace.session.world.outcome
+    if outcome is not None:
+        _draw_ending(overlay, workspace, outcome.result, outcome.text)
 
 
-def _draw_counters(overlay: Overlay, workspace: Workspace, counters: Mapping[str, float]) -> None:
-    colors, (left, bottom, width, _) = palette_of(workspace.theme), workspace.viewport.rect
+def draw_counters(overlay: Overlay, workspace: Workspace, rect: Rect) -> None:
+    """The counters, if there are any, above a rectangle."""
+    counters = workspace.session.world.counters
+    if not counters:
+        return
+    colors, (left, bottom, width, _) = palette_of(workspace.theme), rect
     lines, high = list(_lines(overlay, counters, width)), _line_height(overlay)
     top = bottom - round(len(lines) * high)
     overlay.panel((left, top, left + width, bottom), colors.panel, 1.0, 0.0)

@@ -12,7 +12,7 @@ from sandbox.errors import SandboxError
 from sandbox.render.camera import Bounds, Vec
 from sandbox.render.frame import Frame, blend, capture, interesting_bounds
 from sandbox.render.trails import Trails
-from sandbox.replay.moment import Mark
+from sandbox.replay.moment import Mark, Past
 from sandbox.replay.recording.limits import SUFFIX
 from sandbox.replay.timeline import Timeline
 from sandbox.window.clock import StepClock
@@ -36,7 +36,8 @@ class Session:
         self.scene = scene
         self.timeline = Timeline(scene, script, length, workers)
         self.grip = Grip(self.timeline)
-        self._script = tuple(script)
+        self.script = tuple(script)
+        """What it began with, and begins with again."""
         self.recording: Recording | None = None
         """What it plays, if it plays a recording."""
         self.other: Recording | None = None
@@ -61,6 +62,21 @@ class Session:
         """The world as it is now; change it through `do` or `apply`."""
         return self.timeline.world
 
+    @property
+    def touched(self) -> bool:
+        """Whether anything has been done in it."""
+        past = self.timeline.past
+        known = bool(past.undo or past.redo or past.branches)
+        return known or len(self.timeline.commands) != len(self.script)
+
+    def recall(self, script: Sequence[TimedCommand], past: Past, step: int) -> None:
+        """Be at the step where a session stood that did all that this one has done, began with `script` and knew
+        that much.
+        """
+        self.script = tuple(script)
+        self.timeline.recall(past)
+        self.seek(step)
+
     def update(self, elapsed: float) -> int:
         """Let `elapsed` seconds of real time pass; gives the number of steps taken."""
         most = MOST_STEPS if self.step_cost == 0.0 else int(FRAME_BUDGET / self.step_cost)
@@ -77,7 +93,7 @@ class Session:
     def skip(self, steps: int) -> None:
         """Take many steps unseen."""
         for _ in range(steps):
-            self.timeline.step()
+            self._take()
         self._look_anew()
 
     def seek(self, step: int) -> None:
@@ -89,7 +105,7 @@ class Session:
     def restart(self) -> None:
         """Begin again from the scene as it was written."""
         self.grip.let_go()
-        self.timeline.begin_again(self._script)
+        self.timeline.begin_again(self.script)
         self._look_anew()
 
     def undo(self) -> str | None:
@@ -178,12 +194,16 @@ class Session:
         """Time has jumped, or something was put elsewhere: show the world as it is, without a blend."""
         self.previous = self.current = capture(self.world.state, self.current.mesh)
 
-    def _step(self) -> None:
+    def _take(self) -> None:
+        """Take a step, whatever has to be left out for it."""
         try:
             self.timeline.step()
         except SandboxError as error:
             self.trouble = str(error)
             self.timeline.step()
+
+    def _step(self) -> None:
+        self._take()
         cost = self.timeline.cost
         if self.trails is not None:
             self.trails.note(self.world.state)

@@ -11,7 +11,7 @@ from sandbox.window.tools.tool import Tool
 from sandbox.window.tools.tool_box import ToolBox
 from sandbox.window.widgets import button, mark
 
-GAP, PAD = 4.0, 6.0
+GAP, PAD = 2.0, 6.0
 BUTTON_WIDTH = 2.0
 """In heights of the text."""
 MOST_COLUMNS = 2

@@ -12,6 +12,10 @@ Box = tuple[float, float, float, float]
 
 LABEL_EMS = 8.0
 """Width of the left column of rows, in heights of the text."""
+NARROW_EMS = 14.0
+"""Where there is less room than that, names stand above what they name instead of left of it."""
+LEAST_DIGITS = 2
+EXACT = imgui.SliderFlags_.no_round_to_format
 
 places: dict[str, Box] = {}
 """Where each widget of the last picture lies, by name."""
@@ -70,10 +74,18 @@ class Scale:
     digits: int = 4
     mixed: bool = False
 
-    @property
-    def format(self) -> str:
-        """As ImGui takes it."""
-        return "mixed" if self.mixed else f"%.{self.digits}g {self.unit}".rstrip()
+    def format(self, values: Sequence[float], width: float) -> tuple[str, int]:
+        """As ImGui takes it, with as many digits, and then the unit, as find room in `width` pixels, and whether drags
+        round to that: only to all digits.
+        """
+        if self.mixed:
+            return "mixed", 0
+        for unit in (self.unit, ""):
+            for digits in range(self.digits, LEAST_DIGITS - 1, -1):
+                texts = [f"{value:.{digits}g} {unit}".rstrip() for value in values]
+                if max(imgui.calc_text_size(text).x for text in texts) <= width - 4.0:
+                    return f"%.{digits}g {unit}".rstrip(), 0 if digits == self.digits else EXACT
+        return f"%.{LEAST_DIGITS}g", EXACT
 
 
 PLAIN = Scale()
@@ -81,7 +93,8 @@ PLAIN = Scale()
 
 def drag(name: str, label: str, value: float, tip: str = "", scale: Scale = PLAIN) -> tuple[bool, float]:
     """A number that is dragged or typed, with its unit. (changed, number)."""
-    changed, value = imgui.drag_float(f"{label}##{name}", value, scale.speed, scale.low, scale.high, scale.format)
+    shown, flags = scale.format([value], imgui.calc_item_width())
+    changed, value = imgui.drag_float(f"{label}##{name}", value, scale.speed, scale.low, scale.high, shown, flags)
     mark(name, tip)
     return bool(changed), float(value)
 
@@ -91,7 +104,9 @@ def drag2(
 ) -> tuple[bool, tuple[float, float]]:
     """Two numbers beside each other, NAME.x and NAME.y. (changed, numbers)."""
     wide = f"{label}##{name}"
-    changed, got = imgui.drag_float2(wide, list(value), scale.speed, scale.low, scale.high, scale.format)
+    each = 0.5 * (imgui.calc_item_width() - imgui.get_style().item_inner_spacing.x)
+    shown, flags = scale.format(value, each)
+    changed, got = imgui.drag_float2(wide, list(value), scale.speed, scale.low, scale.high, shown, flags)
     mark(name, tip)
     left, top, right, bottom = places[name]
     middle = 0.5 * (left + right)
@@ -136,13 +151,28 @@ def section(label: str) -> bool:
     return bool(imgui.collapsing_header(label, imgui.TreeNodeFlags_.default_open))
 
 
+def is_narrow() -> bool:
+    """Whether the panel that is drawn has no room for two columns."""
+    return bool(imgui.get_window_width() < NARROW_EMS * imgui.get_font_size())
+
+
+def same_line_if_fits(label: str) -> None:
+    """What comes next is a button with a label; it stands beside the last one if there is room."""
+    style = imgui.get_style()
+    wide = imgui.calc_text_size(label).x + 2 * style.frame_padding.x
+    right = imgui.get_window_pos().x + imgui.get_window_width() - style.window_padding.x
+    if imgui.get_item_rect_max().x + style.item_spacing.x + wide <= right:
+        imgui.same_line()
+
+
 def label(words: str, tip: str = "") -> None:
     """The name of the widget that comes next, which fills the rest of the line."""
     imgui.align_text_to_frame_padding()
     imgui.text_disabled(words)
     if tip and imgui.is_item_hovered():
         imgui.set_tooltip(tip)
-    imgui.same_line(imgui.get_font_size() * LABEL_EMS)
+    if not is_narrow():
+        imgui.same_line(imgui.get_font_size() * LABEL_EMS)
     imgui.set_next_item_width(-1.0)
 
 
@@ -157,7 +187,10 @@ def progress_bar(name: str, share: float, tip: str = "", width: float = -1.0) ->
 def row(label: str, value: str, tip: str = "") -> None:
     """A name and what it is, in two columns."""
     imgui.text_disabled(label)
-    imgui.same_line(imgui.get_font_size() * LABEL_EMS)
+    if is_narrow():
+        imgui.same_line()
+    else:
+        imgui.same_line(imgui.get_font_size() * LABEL_EMS)
     imgui.push_text_wrap_pos(0.0)
     imgui.text_unformatted(value)
     imgui.pop_text_wrap_pos()

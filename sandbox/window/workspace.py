@@ -26,8 +26,8 @@ NOTE_SECONDS = 5.0
 
 @dataclass(frozen=True)
 class Wish:
-    """What the user wants that leads away from this session: "leave", "quit", "gallery", "open" `path`, or to go on
-    with another `session` of the same file."""
+    """What the user wants that leads away from this session: "leave", "quit", "gallery", "open" `path`, "resume" what
+    was done the last time and is at `path`, or to go on with another `session` of the same file."""
 
     kind: str
     path: Path | None = None
@@ -75,6 +75,8 @@ class Workspace:
     wish: Wish | None = None
     interrupt: Callable[[], bool] = _nothing
     """Gives up what the tool in hand is in the middle of; False if there is nothing."""
+    last_session: Path | None = None
+    """What was done in this scene the last time, if it is on disk."""
     reread: bool = False
     """Whether the file is to be read again now."""
     keep_time: bool = False

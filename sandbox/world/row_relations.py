@@ -42,6 +42,13 @@ def _cores_side_by_side(rows: Rows) -> Flags:
     return fits
 
 
+def _sides_side_by_side(rows: Rows) -> Flags:
+    regions = rows["region"]
+    fits: Flags = regions["first_edge"] == run_starts(regions["edge_count"])
+    fits[-1] &= regions["first_edge"][-1] + regions["edge_count"][-1] == len(rows["edge"])
+    return fits
+
+
 def _seams_inside(rows: Rows) -> Flags:
     shapes = rows["shape"]
     fits: Flags = (shapes["traits"] & SEAMED == 0) | (
@@ -113,6 +120,7 @@ _RELATIONS: tuple[tuple[str, tuple[str, ...], str, Callable[[Rows], Flags], str]
     ("shape", (), "body", _owners_in_order, "shapes are in the order of their bodies"),
     ("shape", ("vertex",), "vertex_start", _cores_side_by_side, "cores lie one after the other"),
     ("shape", ("seam",), "seam_start", _seams_inside, "the seam table has too few rows"),
+    ("region", ("edge",), "first_edge", _sides_side_by_side, "the half-planes of regions lie one after the other"),
     ("contact", ("shape",), "shape_b", _pairs_in_order, "contacts are in the order of their shapes"),
     ("contact", ("shape",), "body_a", _body_of_shape("a"), "shape_a is of another one"),
     ("contact", ("shape",), "body_b", _body_of_shape("b"), "shape_b is of another one"),

@@ -29,7 +29,7 @@ def layout_hash() -> bytes:
 
 
 _LAYOUT = layout_hash()
-_VARYING = ("contact", "sensing")
+_VARYING = ("contact", "sensing", "edge")
 """Tables that have more or fewer rows whoever is there."""
 
 

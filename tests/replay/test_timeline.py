@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 import sandbox
 from sandbox import ApplyImpulse, ArgumentError, Delete, EndDrag, MoveDrag, SetGravity, Spawn, StartDrag
+from sandbox.replay.moment import Future, Moment, Past
+from sandbox.replay.recording.tape import Tape
 from sandbox.replay.timeline import Timeline
 from tests.examples import examples
 
@@ -253,9 +258,23 @@ ACTS = st.lists(
         st.tuples(st.just("again"), st.just(0)),
         st.tuples(st.just("switch"), st.integers(0, 3)),
         st.tuples(st.just("recording"), st.just(0)),
+        st.tuples(st.just("recall"), st.just(0)),
     ),
     max_size=14,
 )
+
+
+def unnoted(past: Past) -> Past:
+    """What a timeline knows, as it comes from a file: nothing of what was noted of the steps."""
+    known: dict[int, Future] = {}
+
+    def future(one: Future) -> Future:
+        return known.setdefault(id(one), replace(one, tape=Tape()))
+
+    def moments(stack: Sequence[Moment]) -> list[Moment]:
+        return [replace(one, future=future(one.future), branches=tuple(map(future, one.branches))) for one in stack]
+
+    return Past(moments(past.undo), moments(past.redo), tuple(map(future, past.branches)), list(past.deeds))
 
 
 def act(timeline: Timeline, what: str, value: float | str) -> None:
@@ -274,6 +293,8 @@ def act(timeline: Timeline, what: str, value: float | str) -> None:
             assert (list(timeline.commands), timeline.length) == (wanted.script(), wanted.length)
         case "again":
             timeline.begin_again()
+        case "recall":
+            timeline.recall(unnoted(timeline.past))
         case "recording" if timeline.length:
             assert sandbox.rerun(timeline.recording()).passed
         case "push":
@@ -294,7 +315,9 @@ def test_whatever_is_done_the_world_is_that_of_a_straight_run(acts: list[tuple[s
     for what, value in acts:
         act(timeline, what, value)
         assert timeline.world.digest() == straight(timeline)
-        assert len(timeline._tape) == timeline.length
+        assert timeline.step_count <= len(timeline._tape) <= timeline.length
+    timeline.seek(timeline.length)
+    assert len(timeline._tape) == timeline.length
 
 
 def test_cuts_say_what_is_no_longer_so() -> None:

@@ -30,26 +30,27 @@ class Hands(App):
         empty.write_text("")
         super().__init__(canvas, Options(folder / "played.scene.json", script=empty))
         self.screen: PlayScreen | None = None
-        self._folder, self._acts = folder, acts
+        self._at, self._acts = folder, acts
         self._doing: Iterator[None] | None = None
 
     def _act(self, screen: Screen) -> bool:
         if not isinstance(screen, PlayScreen):
             return True
-        if self._doing is None:
+        if screen is not self.screen:
             self.screen = self._shown = screen
-            screen.workspace.folder = self._folder
+            screen.workspace.folder = self._at
             screen.session.clock.paused = True
-            self._doing = self._do(screen)
+        self._doing = self._doing or self._do()
         return next(self._doing, self) is None
 
-    def _do(self, screen: PlayScreen) -> Iterator[None]:
+    def _do(self) -> Iterator[None]:
         for act in self._acts:
             if callable(act):
-                act(screen)
+                assert self.screen is not None
+                act(self.screen)
                 continue
-            (self._folder / "part.txt").write_text(act)
-            yield from Script(self._folder / "part.txt").hands(self._locate)
+            (self._at / "part.txt").write_text(act)
+            yield from Script(self._at / "part.txt").hands(self._locate)
 
 
 def play(canvas: Canvas, scene: Scene, folder: Path, *acts: Act, size: tuple[int, int] = SIZE) -> PlayScreen:

@@ -22,6 +22,7 @@ from sandbox.window.loading import LoadingScreen
 from sandbox.window.options import Options
 from sandbox.window.play import PlayScreen
 from sandbox.window.screen import Canvas, Screen
+from tests.window.hands import play
 from tests.window.test_session import SCENE
 
 Condition = Callable[[Any], bool]
@@ -156,3 +157,15 @@ def test_closing_the_window_ends_the_program(canvas: Canvas, scenes: list[Entry]
     hands = Hands(canvas, Options(), [(shows(Gallery), pygame.event.Event(pygame.QUIT))])
     hands.run()
     assert hands.seen == ["Gallery"]
+
+
+def test_the_panel_in_front_stays_there_in_the_next_scene(canvas: Canvas, tmp_path: Path) -> None:
+    SCENE.save(tmp_path / "second.scene.json")
+    seen: list[tuple[str, set[str]]] = []
+
+    def look(screen: PlayScreen) -> None:
+        seen.append((Path(screen.session.scene.source).name, set(screen.workspace.behind)))
+
+    play(canvas, SCENE, tmp_path, "click panel.world\nwait 4\n", look, "key PageDown\nwait 20\n", look)
+    behind = {"inspector", "overlays"}
+    assert seen == [("played.scene.json", behind), ("second.scene.json", behind)]

@@ -13,8 +13,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sandbox import ApplyImpulse, Delete, SetGravity
-from sandbox.window.journal import SUFFIX, Journal, Leftover, leftovers
+from sandbox import ApplyImpulse, Delete, SetGravity, rerun
+from sandbox.replay.moment import Future, Moment
+from sandbox.window.journal import MOST_ENDED, SUFFIX, Journal, ended_sessions
+from sandbox.window.leftover import Leftover, leftovers, read_session
 from sandbox.window.session import Session
 from tests.examples import examples
 from tests.window.test_session import SCENE
@@ -31,7 +33,7 @@ def written(folder: Path, session: Session, journal: Journal) -> Leftover | None
     return found[0] if found else None
 
 
-def test_what_was_done_is_found_again_and_a_goodbye_leaves_nothing(tmp_path: Path) -> None:
+def test_what_was_done_is_found_again_also_after_a_goodbye(tmp_path: Path) -> None:
     session, journal = Session(SCENE), Journal(tmp_path)
     assert written(tmp_path, session, journal) is None
     session.step_once()
@@ -44,11 +46,28 @@ def test_what_was_done_is_found_again_and_a_goodbye_leaves_nothing(tmp_path: Pat
     assert found.scene == SCENE
     assert found.commands == ((1, ApplyImpulse("crate", (1.0, 2.0))),)
     assert 131 - 60 < found.steps <= 131
+    found = written(tmp_path, session, journal)  # time stands still
+    assert found is not None
+    assert found.steps == 131
     again = Session(found.scene, found.commands, found.steps)
     again.skip(131)
     assert again.world.digest() == session.world.digest()
     journal.close()
-    assert list(tmp_path.iterdir()) == []
+    (ended,) = tmp_path.iterdir()
+    assert ended_sessions(tmp_path, SCENE) == [ended]
+    kept = read_session(ended)
+    assert kept is not None
+    assert kept.commands == found.commands
+    assert leftovers(tmp_path) == []
+
+
+def test_of_sessions_that_ended_the_latest_are_kept(tmp_path: Path) -> None:
+    for _ in range(MOST_ENDED + 2):
+        session, journal = Session(SCENE), Journal(tmp_path)
+        session.do("Push", ApplyImpulse("crate", (1.0, 2.0)))
+        journal.sync(session)
+        journal.close()
+    assert len(list(tmp_path.iterdir())) == len(ended_sessions(tmp_path, SCENE)) == MOST_ENDED
 
 
 def test_a_journal_of_a_running_program_is_left_alone(tmp_path: Path) -> None:
@@ -66,6 +85,7 @@ def test_a_last_line_that_was_cut_off_is_left_out(tmp_path: Path, cut: int) -> N
     session.do("Gravity", SetGravity((0.0, 1.0)))
     journal.sync(session)
     data = journal.path.read_bytes()
+    data = data[: data.index(b"\n", data.index(b"SetGravity")) + 1]
     (tmp_path / ("99999999-gone" + SUFFIX)).write_bytes(data[:-cut])
     journal.close()
     (found,) = leftovers(tmp_path)
@@ -86,13 +106,30 @@ def test_a_damaged_journal_is_no_offer(tmp_path: Path, text: str) -> None:
     assert leftovers(tmp_path) == []
 
 
-ACTS = st.lists(st.tuples(st.sampled_from(["step", "push", "delete", "seek", "undo", "redo", "restart", "sync"]),
-                          st.integers(0, 40)), max_size=25)  # fmt: skip
+def futures(session: Session) -> list[Any]:
+    """All that is known beside the run, without what was noted on the way."""
+    past = session.timeline.past
+
+    def plain(one: Moment | Future) -> tuple[Any, ...]:
+        if isinstance(one, Future):
+            return one.label, one.script(), one.length
+        return one.label, plain(one.future), one.step, one.applied, list(map(plain, one.branches))
+
+    return [*(list(map(plain, stack)) for stack in (past.undo, past.redo, past.branches)), list(past.deeds)]
+
+
+ACTS = st.lists(
+    st.tuples(
+        st.sampled_from(["step", "push", "delete", "seek", "undo", "redo", "restart", "switch", "sync"]),
+        st.integers(0, 40),
+    ),
+    max_size=25,
+)
 
 
 @examples(300)
 @given(acts=ACTS)
-def test_whatever_is_done_the_journal_has_the_commands_of_the_session(
+def test_whatever_is_done_a_session_is_gone_on_with_as_if_it_had_never_ended(
     acts: list[tuple[str, int]], tmp_path_factory: Any
 ) -> None:
     folder = tmp_path_factory.mktemp("journal")
@@ -114,11 +151,30 @@ def test_whatever_is_done_the_journal_has_the_commands_of_the_session(
                 session.redo()
             case "restart":
                 session.restart()
+            case "switch" if session.timeline.branches:
+                session.switch(number % len(session.timeline.branches))
             case "sync":
                 journal.sync(session)
     found = written(folder, session, journal)
-    assert (found.commands if found else ()) == tuple(session.timeline.commands)
     journal.close()
+    assert (found.commands if found else ()) == tuple(session.timeline.commands)
+    if found is None:
+        return
+    again = Session(found.scene, found.commands, found.steps)
+    again.skip(session.timeline.length)
+    again.recall(found.script, found.past, found.at)
+    assert futures(again) == futures(session)
+    for each in (session, again):
+        each.seek(each.timeline.length)
+    for go in (Session.undo, Session.redo):
+        while go(session) is not None:
+            assert go(again) is not None
+            assert again.world.digest() == session.world.digest()
+            assert again.timeline.length == session.timeline.length
+    if again.timeline.branches:
+        again.switch(0)
+        again.seek(again.timeline.length)
+    assert not again.timeline.length or rerun(again.timeline.recording()).passed
 
 
 def test_a_killed_window_offers_its_session_at_the_next_start(display: Any, tmp_path: Path) -> None:

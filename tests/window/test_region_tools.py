@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +13,7 @@ from sandbox.window.play import PlayScreen
 from sandbox.window.screen import Canvas
 from sandbox.window.tools.region_pick import region_at
 from sandbox.world.export.scene_now import scene_of
-from sandbox.world.region_area import box_of, disc_of, level_of
+from sandbox.world.region_area import box_of, corners_of, disc_of, level_of
 from tests.window.hands import play
 
 SCENE = sandbox.Scene(
@@ -123,3 +124,57 @@ def test_the_smallest_region_under_the_pointer_is_meant(point: tuple[float, floa
         {"id": "triangle", "gravity_scale": 0, "outline": [[5, 4], [6, 4], [5.5, 5]]},
     ]))  # fmt: skip
     assert region_at(world.state, point) == found
+
+
+def test_corners_of_a_region_come_go_and_are_put_elsewhere_by_hand(canvas: Canvas, tmp_path: Path) -> None:
+    scene = sandbox.Scene(bodies=SCENE.bodies, view=SCENE.view, regions=[
+        {"id": "pool", "water": 1, "inside": [-8, 1, -4, 5]},
+        {"id": "zone", "gravity": [0, 1], "outline": [[2, 1], [8, 1], [8, 5]]},
+    ])  # fmt: skip
+    seen: list[Any] = []
+
+    def look(screen: PlayScreen) -> None:
+        state, row = screen.session.world.state, 1 if screen.workspace.selection.region == "zone" else 0
+        seen.append([(round(x, 1), round(y, 1)) for x, y in corners_of(state, row)])
+
+    screen = play(
+        canvas, scene, tmp_path, "click @7,2\nwait 2\n", look, "drag @8,3 to @9,3 in 3\nwait 2\n", look,
+        "drag @9,3 to @6,3 in 4\nwait 2\n", look,  # which would be concave: it stays where it still could be
+        "hold Ctrl\nclick @8,5\nlet Ctrl\nwait 2\n", look,
+        "click @-7,2\nhold Ctrl\ndrag @-4,5 to @-3,6 in 3\nlet Ctrl\nwait 2\n", look,
+        "key Ctrl+Z\nkey Ctrl+Z\nkey Ctrl+Z\nkey Ctrl+Z\nwait 2\n", look, "click @7,2\nwait 2\n", look,
+        size=(960, 600),
+    )  # fmt: skip
+    triangle, more, pulled, less, kite, box, again = (set(one) for one in seen)
+    assert triangle == again == {(2, 1), (8, 1), (8, 5)}
+    assert more == {(2, 1), (8, 1), (9, 3), (8, 5)}
+    assert len(pulled) == 4
+    assert less == pulled - {(8, 5)}
+    assert kite == {(-8, 1), (-4, 1), (-3, 6), (-8, 5)}
+    assert box == {(-8, 1), (-4, 1), (-4, 5), (-8, 5)}
+    assert screen.session.timeline.undo_label is None
+
+
+def test_regions_of_any_outline_are_drawn_and_a_concave_one_is_divided(canvas: Canvas, tmp_path: Path) -> None:
+    shape = [(-8, 1), (-2, 1), (-2, 5), (-4, 5), (-4, 3), (-8, 3), (-8, 1)]  # an L
+    stroke = "".join(
+        f"move @{ax + k * (bx - ax) / 6:.2f},{ay + k * (by - ay) / 6:.2f}\n"
+        for (ax, ay), (bx, by) in itertools.pairwise(shape) for k in range(1, 7)
+    )  # fmt: skip
+
+    def divided(screen: PlayScreen) -> None:
+        assert regions(screen) == ("water-1", "water-2")
+        assert screen.workspace.selection.region == "water-1"
+
+    screen = play(
+        canvas, SCENE, tmp_path, f"key I\nmove @-8,1\nhold Shift\npress left\n{stroke}let left\nlet Shift\nwait 2\n",
+        divided, "key Ctrl+Z\nkey O\nclick @-4,0.2\nclick @-2,0.2\nclick @-3,4\nkey Enter\nwait 2\n"
+        "key A\ndrag @4,2 to @8,6\nwait 2\n", size=(960, 600),
+    )  # fmt: skip
+    saved = scene_of(screen.session.world).scene
+    assert [type(region).__name__ for region in saved.regions] == ["Gravity", "Attraction"]
+    assert len(saved.regions[0].outline or ()) == 3
+    assert getattr(saved.regions[1], "at", None) == pytest.approx((6, 4), abs=0.05)
+    before = screen.session.world.body("crate").position[1]
+    screen.session.skip(30)
+    assert screen.session.world.body("crate").position[1] > before + 0.1

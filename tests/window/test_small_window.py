@@ -9,8 +9,9 @@ import pytest
 import sandbox
 from sandbox.window.play import PlayScreen
 from sandbox.window.screen import Canvas
-from sandbox.window.widgets import places
+from sandbox.window.widgets import Scale, places
 from tests.window.hands import play
+from tests.window.test_session import SCENE as CRATES
 
 SIZE = 640, 400
 SCENE = sandbox.Scene(
@@ -69,3 +70,35 @@ def test_the_scene_keeps_most_of_it_and_nothing_is_out_of_reach(larger: int, can
     )  # fmt: skip
     assert screen.tool_box.tool.name == "wall"
     assert "lessons" in screen.workspace.panels
+
+
+def test_numbers_of_a_narrow_panel_can_be_read(canvas: Canvas, tmp_path: Path) -> None:
+    seen: list[float] = []
+
+    def look(screen: PlayScreen) -> None:
+        for name in ("inspector.position.x", "world.gravity.y"):
+            if name in places:
+                left, _, right, _ = places[name]
+                seen.append(right - left)
+
+    play(
+        canvas, CRATES, tmp_path, "key F2\nkey Ctrl+A\nwait 6\n", look, "key F2\nkey F3\nwait 6\n", look,
+        size=(400, 300),
+    )  # fmt: skip
+    assert len(seen) == 2
+    assert min(seen) > 60.0  # six or seven digits
+
+
+@pytest.mark.parametrize(("width", "shown"), [(200.0, "%.5g m"), (70.0, "%.4g m"), (52.0, "%.2g m"), (36.0, "%.2g")])
+def test_a_number_has_as_many_digits_as_find_room(canvas: Canvas, width: float, shown: str) -> None:
+    canvas.gui.begin((400, 300))
+    text, flags = Scale("m", digits=5).format([-0.959133, 3.6], width)
+    canvas.gui.end()
+    assert text == shown
+    assert (flags == 0) == (shown == "%.5g m")  # a drag does not round to fewer digits than a number has
+
+
+def test_the_help_takes_the_whole_window_where_the_scene_is_small(canvas: Canvas, tmp_path: Path) -> None:
+    play(canvas, CRATES, tmp_path, "key F2\nwait 4\nkey F1\nwait 3\n", size=(400, 300))
+    left, _, right, _ = places["help"]
+    assert right - left > 300.0

@@ -96,6 +96,7 @@ CASES = [
     ("gears-and-pulley", "joint", 0, "upper", float("nan"), "upper is nan in row 0 of its joint table"),
     ("harbour", "region", 0, "first_edge", 4, "but there are 5 edge rows"),
     ("harbour", "region", 0, "edge_count", -1, "edge_count is -1"),
+    ("harbour", "region", 0, "edge_count", 3, "the half-planes of regions lie one after the other"),
     ("rolling-hills", "shape", 5, "seam_start", 1 << 40, "seam_start is 1099511627776 in row 5"),
     ("rolling-hills", "drag", 0, "body", 4, "body is 4 in row 0 of its drag table, not -1 to 3"),
 ]

@@ -17,6 +17,7 @@ from sandbox.errors import CommandError, SceneError
 from sandbox.scene.flat import FlatRegion
 from sandbox.world.region_area import disc_of, side_count
 from sandbox.world.region_columns import columns_of
+from sandbox.world.region_rows import put_sides
 
 
 @dataclass(frozen=True)
@@ -27,7 +28,7 @@ class SetRegion(Command):
     `surface`, `drag`, `angular_drag`, `flow`; `gravity`; `gravity_scale`; `attraction`, `at`, `falloff`, `core`,
     `range`, infinite for none; `wind`, `density`, `drag`. `enabled` switches the region on or off from now on, whatever
     its schedule was. `inside`, `outline` and `disc` (m) put its area elsewhere or make it larger, as far as it has such
-    a one, with as many sides as before. What sleeps in its area wakes, where it was and where it is.
+    a one. What sleeps in its area wakes, where it was and where it is.
     """
 
     UNLIMITED: ClassVar[frozenset[str]] = frozenset({"range"})
@@ -55,28 +56,26 @@ class SetRegion(Command):
         """Change the region and wake what sleeps in it, where it was and where it is."""
         index = target.directory.region(self.region)
         state, flat = target.state, target.state.census.regions.items[index]
-        row = state.regions[index]
+        row, edges = state.regions[index], state.edges
         given = {item.name: value for item in fields(self)[2:] if (value := getattr(self, item.name)) is not None}
         wanted = _checked(row, given, self)
         if "surface" in given and not flat.surfaced:
             raise CommandError(f"{title(self)}: this water has no surface; give it one in the scene")
-        sides = side_count(state, index)
-        _check_area(sides, disc_of(state, index) is not None, wanted, self)
+        _check_area(side_count(state, index), disc_of(state, index) is not None, self)
         inside = sleepers_in(state, row)
         for field, columns in columns_of(row).items():
             if field in given and columns:
                 for column, value in zip(columns, given[field] if len(columns) > 1 else (given[field],), strict=True):
                     row[column] = value
         if self.inside is not None or self.outline is not None:
-            for edge, side in zip(state.edges[row.first_edge :], wanted.edges[:sides], strict=False):
-                edge.normal_x, edge.normal_y, edge.offset = side
+            put_sides(state, index, wanted.edges[: len(wanted.edges) - wanted.surfaced])
         if wanted.disc is not None:
             row.disc_x, row.disc_y, row.disc_radius = wanted.disc
         if "surface" in given:
             state.edges[row.first_edge + row.edge_count - 1].offset = given["surface"]
         switch(row, self.enabled, state)
         wake_bodies(state, np.concatenate([inside, sleepers_in(state, row)]))
-        return Touched(schedules=True)
+        return Touched(schedules=True, regions=state.edges is not edges)
 
 
 def _checked(row: Any, given: Mapping[str, Any], command: SetRegion) -> FlatRegion:
@@ -96,13 +95,9 @@ def _checked(row: Any, given: Mapping[str, Any], command: SetRegion) -> FlatRegi
         raise CommandError(f"{title(command)}: {error.problems[0].message}") from None
 
 
-def _check_area(sides: int, round_: bool, wanted: FlatRegion, command: SetRegion) -> None:
-    """A region keeps the kind of its area, and as many sides as it has."""
-    if command.inside is not None or command.outline is not None:
-        if sides == 0:
-            raise CommandError(f"{title(command)}: its area has no sides that could be elsewhere")
-        found = len(wanted.edges) - wanted.surfaced
-        if found != sides:
-            raise CommandError(f"{title(command)}: its area has {sides} sides and keeps them, not {found}")
+def _check_area(sides: int, round_: bool, command: SetRegion) -> None:
+    """A region keeps the kind of its area."""
+    if (command.inside is not None or command.outline is not None) and sides == 0:
+        raise CommandError(f"{title(command)}: its area has no sides that could be elsewhere")
     if command.disc is not None and not round_:
         raise CommandError(f"{title(command)}: its area is no disc")

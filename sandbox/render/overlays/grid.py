@@ -35,10 +35,10 @@ def _draw(look: Look) -> Marks:
 
 def _number(look: Look, pen: Pen, cells: GridCells, seen: np.ndarray[tuple[int], np.dtype[np.bool_]]) -> None:
     """The number of boxes, in the upper left corner of each cell that has room for it."""
-    wide = seen & ((cells.high[:, 0] - cells.low[:, 0]) * look.camera.scale >= _NUMBER_PIXELS)
+    wide = seen & ((cells.high[:, 0] - cells.low[:, 0]) * look.camera.scale >= _NUMBER_PIXELS * look.scale)
     corner = look.camera.to_screen(np.column_stack([cells.low[wide, 0], cells.high[wide, 1]]))
     # A cell that begins outside shows its number at the edge of the picture.
-    corner = np.maximum(corner, 2.0) + np.array([9.0, 9.0])
+    corner = np.maximum(corner, 2.0) + look.scale * np.array([9.0, 9.0])
     for at, count in zip(corner.tolist(), cells.count[wide].tolist(), strict=True):
         pen.words(str(count), at, look.palette.text, rank=count)
 

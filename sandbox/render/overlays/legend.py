@@ -40,28 +40,31 @@ def quiet_corner(look: Look) -> Corner:
 def legend_card(entries: Sequence[LegendEntry], look: Look, corner: Corner) -> tuple[Marks, Sequence[Box]]:
     """A card with a line for each entry, as many as the picture has room for, and the room that it takes."""
     width, height = look.camera.size
-    fitting = entries[: max(int((0.6 * height - 2 * EDGE) / LINE), 0)]
+    scale = look.scale
+    line, swatch, text = LINE * scale, _SWATCH * scale, TEXT * scale
+    fitting = entries[: max(int((0.6 * height - 2 * EDGE) / line), 0)]
     if not fitting:
         return Marks(), ()
     pen = Pen(look)
-    wide = max(max(entry.length, _SWATCH) for entry in fitting)
-    words = max(len(entry.text) for entry in fitting) * LETTER * TEXT
+    wide = max(max(entry.length, swatch) for entry in fitting)
+    words = max(len(entry.text) for entry in fitting) * LETTER * text
     left = EDGE if corner.endswith("left") else width - EDGE - wide - words - 8.0
-    top = EDGE if corner.startswith("upper") else height - EDGE - LINE * len(fitting)
-    box = left - 8.0, top - 6.0, left + wide + words + 16.0, top + LINE * len(fitting) + 6.0
+    top = EDGE if corner.startswith("upper") else height - EDGE - line * len(fitting)
+    box = left - 8.0, top - 6.0, left + wide + words + 16.0, top + line * len(fitting) + 6.0
     pen.fill(box_corners(np.array([box[:2]]), np.array([box[2:]])), look.palette.halo, 0.78)
     labels = []
     for k, entry in enumerate(fitting):
-        y = top + LINE * (k + 0.5)
+        y = top + line * (k + 0.5)
         _swatch(pen, entry, left, y)
-        labels.append(Label(entry.text, (left + wide + 8.0, y), look.palette.text, TEXT))
+        labels.append(Label(entry.text, (left + wide + 8.0, y), look.palette.text, text))
     return replace(pen.marks(calm=False), labels=labels), (box,)
 
 
 def _swatch(pen: Pen, entry: LegendEntry, left: float, y: float) -> None:
-    start, way = np.array([[left, y]]), np.array([[entry.length or _SWATCH, 0.0]])
+    scale = pen.look.scale
+    start, way = np.array([[left, y]]), np.array([[entry.length or _SWATCH * scale, 0.0]])
     if entry.length:
         pen.arrows(start, way, 2.0, entry.color)
     else:
-        pad = np.array([4.0, 0.0])
+        pad = np.array([4.0 * scale, 0.0])
         pen.lines(start + pad, start + way - pad, 8.0, entry.color)

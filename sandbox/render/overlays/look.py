@@ -32,6 +32,8 @@ class Look:
     theme: Theme
     trails: Trails | None = None
     """Where bodies were, if somebody keeps it."""
+    scale: float = 1.0
+    """How many times as large as usual words are, and lines and marks that have their size in pixels."""
 
     @cached_property
     def colors(self) -> Floats:

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sandbox.render.camera import Floats
+from sandbox.render.camera import Floats, Vec
 from sandbox.render.label import Label
 from sandbox.render.marks import LegendEntry, Marks, Tint
 from sandbox.render.overlays.look import Look
@@ -18,12 +18,17 @@ HALO = 1.8
 """Pixels by which a halo is wider than what it is around."""
 HEAD = 7.0
 """Pixels of an arrow's head; shorter arrows have smaller ones."""
+LABEL = 12.0
+"""Pixels of the height of words."""
 _TURN = np.linspace(0.0, 2.0 * np.pi, 17)
 _CIRCLE = np.column_stack([np.cos(_TURN), np.sin(_TURN)])
 
 
 class Pen:
-    """Collects the marks of one overlay. Everything is in pixels; `color` is one sRGB colour or one for each row."""
+    """Collects the marks of one overlay. Everything is in pixels; `color` is one sRGB colour or one for each row.
+
+    Widths, dots, heads, words and their gaps are `look.scale` times as large as asked for.
+    """
 
     def __init__(self, look: Look) -> None:
         self.look = look
@@ -47,8 +52,9 @@ class Pen:
         """Straight lines from `start` to `end` (n, 2)."""
         if len(start) == 0:
             return
+        width = self.look.scale * np.asarray(width, np.float64)
         if halo:
-            wide = np.asarray(width, np.float64) + HALO
+            wide = np.asarray(width, np.float64) + HALO * self.look.scale
             self._halo.append(strokes(start, end, wide, self.palette.halo, 0.75 * np.asarray(opacity)))
         self._strokes.append(strokes(start, end, width, color, opacity))
 
@@ -66,7 +72,7 @@ class Pen:
         start, way, length = start[long], way[long], length[long]
         colors = np.broadcast_to(np.asarray(color, np.float64), (len(long), 3))[long]
         unit = way / length[:, None]
-        end, head = start + way, np.minimum(HEAD, 0.5 * length)[:, None]
+        end, head = start + way, np.minimum(HEAD * self.look.scale, 0.5 * length)[:, None]
         side = 0.5 * head * np.column_stack([-unit[:, 1], unit[:, 0]])
         self.lines(start, end, width, colors, halo=True)
         for sign in (1.0, -1.0):
@@ -97,7 +103,7 @@ class Pen:
     def label(self, text: str, at: ArrayLike, color: Color, gap: float = 6.0, rank: float = 0.0) -> None:
         """Words beside a point."""
         x, y = np.asarray(at, np.float64).tolist()
-        self._labels.append(Label(text, (x, y), color, gap=gap, rank=rank))
+        self._label(text, (x, y), color, gap, rank)
 
     def labels(
         self, texts: Iterable[str], at: Floats, color: Color, gap: float = 6.0, ranks: Floats | None = None
@@ -105,12 +111,16 @@ class Pen:
         """Words beside points (n, 2); those of higher rank come first where there is not room for all."""
         order = ranks.tolist() if ranks is not None else [0.0] * len(at)
         for text, place, rank in zip(texts, at.tolist(), order, strict=True):
-            self._labels.append(Label(text, (place[0], place[1]), color, gap=gap, rank=rank))
+            self._label(text, (place[0], place[1]), color, gap, rank)
+
+    def _label(self, text: str, at: Vec, color: Color, gap: float, rank: float) -> None:
+        scale = self.look.scale
+        self._labels.append(Label(text, at, color, LABEL * scale, gap=gap * scale, rank=rank))
 
     def words(self, text: str, at: ArrayLike, color: Color, rank: float = 0.0) -> None:
         """Words centred on a point."""
         x, y = np.asarray(at, np.float64).tolist()
-        self._labels.append(Label(text, (x, y), color, anchor="middle", rank=rank))
+        self._labels.append(Label(text, (x, y), color, LABEL * self.look.scale, "middle", rank=rank))
 
     def tint(self, color: Floats, amount: Floats) -> None:
         """Colour the bodies themselves: a row each."""

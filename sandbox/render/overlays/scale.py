@@ -32,9 +32,9 @@ def reach(look: Look) -> float:
     """How many pixels an arrow has that is as long as the scale says: more where bodies are seen from near by."""
     rows = look.visible_bodies()
     if len(rows) == 0:
-        return REACH
+        return REACH * look.scale
     extent = float(np.median(plain(look.world.state.bodies)["extent"][rows]))
-    return float(np.clip(SHARE * extent * look.camera.scale, REACH, FARTHEST))
+    return float(np.clip(SHARE * extent * look.camera.scale, REACH * look.scale, FARTHEST * look.scale))
 
 
 def lengths(values: Floats, scale: float, pixels: float) -> Floats:

@@ -12,10 +12,11 @@ from sandbox.window.adjustment import Adjustment
 from sandbox.window.gui_style import palette_of
 from sandbox.window.panels.panel import Panel
 from sandbox.window.panels.solver_switches import SolverSwitches
-from sandbox.window.widgets import Scale, button, drag2, mark, row, section
+from sandbox.window.widgets import Scale, button, drag2, is_narrow, mark, row, same_line_if_fits, section
 from sandbox.window.workspace import Workspace
 
-DIAL_PIXELS = 92.0
+DIAL_EMS = 5.75
+"""Across, in heights of the text."""
 DIAL_GRAVITY = 20.0
 """m/s^2 at the dial's rim."""
 PRESETS = (("Earth", 9.81), ("Moon", 1.62), ("Mars", 3.71), ("Jupiter", 24.8), ("None", 0.0))
@@ -48,14 +49,15 @@ class WorldPanel(Panel):
         gravity = workspace.session.world.gravity
         changed, dialled = _dial("world.gravity.dial", gravity, workspace)
         self._gravity.follow(workspace, changed, SetGravity(dialled))
-        imgui.same_line()
+        if not is_narrow():
+            imgui.same_line()
         imgui.begin_group()
         imgui.set_next_item_width(-1.0)
         changed, typed = drag2("world.gravity", "", gravity, "Gravity, x and y", Scale("m/s²", 0.05))
         self._gravity.follow(workspace, changed, SetGravity(typed))
         for number, (label, strength) in enumerate(PRESETS):
             if number % 3:
-                imgui.same_line()
+                same_line_if_fits(label)
             if button(f"world.gravity.{label.lower()}", label, f"{strength:g} m/s² downwards"):
                 workspace.do(f"Gravity of {label}", SetGravity((0.0, -strength)))
         imgui.end_group()
@@ -72,8 +74,8 @@ class WorldPanel(Panel):
 
 def _dial(name: str, gravity: tuple[float, float], workspace: Workspace) -> tuple[bool, tuple[float, float]]:
     """A round field in which one points where gravity pulls. (changed, gravity)."""
-    corner, radius = imgui.get_cursor_screen_pos(), DIAL_PIXELS / 2
-    imgui.invisible_button(name, imgui.ImVec2(DIAL_PIXELS, DIAL_PIXELS))
+    corner, radius = imgui.get_cursor_screen_pos(), 0.5 * DIAL_EMS * imgui.get_font_size()
+    imgui.invisible_button(name, imgui.ImVec2(2.0 * radius, 2.0 * radius))
     mark(name, "Drag to where things are to fall; the farther out, the stronger.")
     active, mouse = imgui.is_item_active(), imgui.get_io().mouse_pos
     middle = corner.x + radius, corner.y + radius

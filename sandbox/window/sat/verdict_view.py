@@ -17,15 +17,20 @@ from sandbox.window.sat.measure import scaled
 from sandbox.window.widgets import mark, row
 
 CARD, ROUNDING = 62.0, 6.0
+NARROWEST = 108.0
+"""Width of a card, in pixels at the usual size of text, below which the two stand above each other."""
 
 
 def draw_verdict(seen: Inspection, palette: Palette, colors: SatColors) -> None:
-    """Two cards beside each other, and below them how the shapes get apart."""
+    """Two cards beside each other, or above, and below them how the shapes get apart."""
     table, opinion = seen.table, seen.opinion
     contact = table.contact
     wide = imgui.get_content_region_avail().x
     spacing = imgui.get_style().item_spacing.x
     half = (wide - spacing) / 2
+    across, down = half + spacing, 0.0
+    if half < scaled(NARROWEST):
+        half, across, down = wide, 0.0, scaled(CARD) + spacing
     corner = imgui.get_cursor_screen_pos()
     ours = None if contact is None else (contact.depth, contact.normal)
     _card(corner.x, corner.y, half, "sandbox", _said(ours, seen), _color(ours is not None, seen, colors), palette)
@@ -35,9 +40,10 @@ def draw_verdict(seen: Inspection, palette: Palette, colors: SatColors) -> None:
         color = _color(theirs is not None, seen, colors)
     else:
         words, color = ("not asked", ""), palette.faint
-    _card(corner.x + half + spacing, corner.y, half, "pymunk", words, color, palette)
-    _sign(corner.x + half + spacing / 2, corner.y + 15.0, opinion.same and opinion.asked, palette, colors)
-    imgui.dummy(imgui.ImVec2(wide, scaled(CARD)))
+    _card(corner.x + across, corner.y + down, half, "pymunk", words, color, palette)
+    sign = (corner.x + across - spacing / 2, corner.y + 15.0) if across else (corner.x + wide - 15.0, corner.y + down)
+    _sign(*sign, opinion.same and opinion.asked, palette, colors)
+    imgui.dummy(imgui.ImVec2(wide, scaled(CARD) + down))
     mark("sat.verdict", headline(table, seen.names))
     if opinion.remark:
         _wrapped(opinion.remark, colors.out if not opinion.same else palette.faint)

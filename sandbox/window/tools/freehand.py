@@ -33,25 +33,35 @@ class Freehand(Tool, ABC):
 
     def __init__(self) -> None:
         self._corners: list[Vec] = []
-        self._stroke: list[Vec] = []
+        self.stroke: list[Vec] = []
+        """The way of the pointer while the button is down (m)."""
         self._pressed: Pointer | None = None
         self._cursor: Pointer | None = None
 
+    @property
+    def dragged(self) -> Pointer | None:
+        """Where the button went down for what may be a stroke; None if it did not."""
+        return self._pressed if not self._corners else None
+
     @abstractmethod
-    def words(self, corners: Sequence[Vec], middle: Vec) -> dict[str, Any]:
-        """The body with these corners, as a scene file has it, with its origin at `middle`; without its id."""
+    def bring(self, workspace: Workspace, corners: Sequence[Vec]) -> None:
+        """Bring what has these corners into the world, and select it."""
+
+    def stroke_corners(self, stroke: Sequence[Vec], start: Pointer, tolerance: float) -> list[Vec]:
+        """The corners of what was drawn in one stroke (m)."""
+        return simplified(stroke, tolerance, self.closes)
 
     def press(self, workspace: Workspace, pointer: Pointer) -> bool:
         """A corner, or the beginning of a stroke."""
         self._pressed = self._cursor = pointer
-        self._stroke = [pointer.point]
+        self.stroke = [pointer.point]
         return True
 
     def move(self, workspace: Workspace, pointer: Pointer) -> None:
         """Follow the hand."""
         self._cursor = pointer
-        if self._pressed is not None and pointer.point != self._stroke[-1]:
-            self._stroke.append(pointer.point)
+        if self._pressed is not None and pointer.point != self.stroke[-1]:
+            self.stroke.append(pointer.point)
 
     def release(self, workspace: Workspace, pointer: Pointer) -> None:
         """A corner more, the end of the outline, or the end of a stroke."""
@@ -59,8 +69,8 @@ class Freehand(Tool, ABC):
         if start is None:
             return
         scale = workspace.viewport.camera.scale
-        if not self._corners and _spread(self._stroke) * scale > STROKE_PIXELS:
-            self._finish(workspace, simplified(self._stroke, TOLERANCE_PIXELS / scale, self.closes))
+        if not self._corners and _spread(self.stroke) * scale > STROKE_PIXELS:
+            self._finish(workspace, self.stroke_corners(self.stroke, start, TOLERANCE_PIXELS / scale))
             return
         near = self._corners and math.dist(self._corners[0], start.point) * scale < CLOSE_PIXELS
         if near and len(self._corners) >= self.least:
@@ -78,13 +88,13 @@ class Freehand(Tool, ABC):
     def cancel(self, workspace: Workspace) -> bool:
         """Forget the corners."""
         busy = bool(self._corners) or self._pressed is not None
-        self._corners, self._stroke, self._pressed = [], [], None
+        self._corners, self.stroke, self._pressed = [], [], None
         return busy
 
     def strokes(self, workspace: Workspace) -> Sequence[Line]:
         """What there is of the outline, a line to the cursor, and a dot on the first corner."""
         if self._pressed is not None and not self._corners:
-            return outline(workspace, self._stroke, closed=False)
+            return outline(workspace, self.stroke, closed=False)
         if not self._corners or self._cursor is None:
             return ()
         lines = outline(workspace, [*self._corners, self._cursor.point], closed=False)
@@ -105,6 +115,18 @@ class Freehand(Tool, ABC):
         if len(corners) < self.least:
             workspace.say(f"not drawn: that takes {self.least} corners or more, these are {len(corners)}")
             return
+        self.bring(workspace, corners)
+
+
+class DrawnBody(Freehand):
+    """A body about the middle of its corners."""
+
+    @abstractmethod
+    def words(self, corners: Sequence[Vec], middle: Vec) -> dict[str, Any]:
+        """The body with these corners, as a scene file has it, with its origin at `middle`; without its id."""
+
+    def bring(self, workspace: Workspace, corners: Sequence[Vec]) -> None:
+        """Bring it into the world, and select it."""
         name = fresh_id(workspace, self.name)
         xs, ys = [x for x, _ in corners], [y for _, y in corners]
         middle = (min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2
@@ -112,7 +134,7 @@ class Freehand(Tool, ABC):
             workspace.selection.pick(name)
 
 
-class PolygonTool(Freehand):
+class PolygonTool(DrawnBody):
     """Convex or concave; a concave one is divided into convex parts by the engine."""
 
     name, title, icon, key = "polygon", "Polygon", icons.ICON_FA_DRAW_POLYGON, "P"
@@ -124,7 +146,7 @@ class PolygonTool(Freehand):
         return {"shapes": [{"polygon": _about(corners, middle)}], "position": list(middle)}
 
 
-class ChainTool(Freehand):
+class ChainTool(DrawnBody):
     """Ground: lines from point to point that do not move."""
 
     name, title, icon, key = "chain", "Chain", icons.ICON_FA_BEZIER_CURVE, "L"

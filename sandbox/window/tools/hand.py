@@ -13,7 +13,8 @@ from sandbox.render.camera import Vec
 from sandbox.render.line import Line
 from sandbox.replay.moment import Mark
 from sandbox.window.tools.joint_pick import joint_under
-from sandbox.window.tools.region_handles import RegionDrag
+from sandbox.window.tools.region_drag import SHAPING, RegionDrag
+from sandbox.window.tools.region_handles import middle_of
 from sandbox.window.tools.region_pick import region_at
 from sandbox.window.tools.tool import GRAB_PIXELS, Pointer, Tool, body_under
 from sandbox.window.workspace import Workspace
@@ -89,6 +90,11 @@ class Hand(Tool):
         workspace.session.grip.let_go()
         self._forget()
         return busy
+
+    def hint(self, workspace: Workspace) -> str:
+        """How a region that is selected is shaped."""
+        area = middle_of(workspace.session.world, workspace.selection.region or "")
+        return self.help if area is None else SHAPING
 
     def strokes(self, workspace: Workspace) -> Sequence[Line]:
         """The line from the grabbed point to the hand, or the handles of the region that is selected."""

@@ -10,28 +10,28 @@ from typing import Any
 
 from sandbox.engine.commands.set_region import SetRegion
 from sandbox.engine.world import World
-from sandbox.errors import SandboxError
 from sandbox.render.camera import Vec
-from sandbox.render.line import Line
-from sandbox.replay.moment import Mark
-from sandbox.window.tools.tool import Pointer, outline
-from sandbox.window.workspace import Workspace
 from sandbox.world.region_area import Box, box_of, corners_of, disc_of, level_of
 from sandbox.world.state import State
 
-HANDLE_PIXELS = 10.0
-"""How far beside a handle a press still takes it."""
 Area = dict[str, Any]
 """Fields of `SetRegion` that say where a region is."""
 
 
 @dataclass(frozen=True)
 class Handle:
-    """Something to drag, at a `place` (m): `moves` the whole or a part, and tells the `area` for another place."""
+    """Something to drag, at a `place` (m): `moves` the whole or a part, and tells the `area` for another place.
+
+    `alone` is what it does with Ctrl, if that is something else: one corner goes by itself. `gone` is the area without
+    the corner. One that is `new` is no corner yet.
+    """
 
     place: Vec
     moves: bool
     area: Callable[[Vec], Area]
+    alone: Callable[[Vec], Area] | None = None
+    gone: Area | None = None
+    new: bool = False
 
 
 def handles_of(world: World, name: str | None) -> list[Handle]:
@@ -45,9 +45,10 @@ def middle_of(world: World, name: str) -> Vec | None:
     return next((one.place for one in handles_of(world, name) if one.moves), None)
 
 
-def command_of(name: str, handle: Handle, place: Vec) -> SetRegion:
-    """What dragging a handle to a place does."""
-    return SetRegion(name, **handle.area(place))
+def command_of(name: str, handle: Handle, place: Vec, alone: bool = False) -> SetRegion:
+    """What dragging a handle to a place does; `alone` as with Ctrl."""
+    area = handle.alone if alone and handle.alone is not None else handle.area
+    return SetRegion(name, **area(place))
 
 
 def _grip(state: State, row: int) -> Iterator[Handle]:
@@ -74,19 +75,23 @@ def _grip(state: State, row: int) -> Iterator[Handle]:
 def _rim(state: State, row: int) -> Iterator[Handle]:
     box, corners, disc = box_of(state, row), corners_of(state, row), disc_of(state, row)
     if box:
-        yield from _box_handles(box)
+        yield from _box_handles(box, corners)
         if state.census.regions.items[row].surfaced:
             yield Handle((0.25 * box[0] + 0.75 * box[2], level_of(state, row)), False, lambda to: {"surface": to[1]})
     else:
-        for number in range(len(corners)):
-            yield _corner_handle(corners, number)
+        for number, corner in enumerate(corners):
+            yield Handle(corner, False, partial(_pulled, corners, number), gone=_without(corners, number))
+            yield Handle(_halfway(corners, number), False, partial(_inserted, corners, number), new=True)
     if disc:
         x, y, _ = disc
         yield Handle((x + disc[2], y), False, lambda to: {"disc": (x, y, math.dist((x, y), to))})
 
 
-def _box_handles(box: Box) -> Iterator[Handle]:
-    """Four corners and four sides; what is dragged past the opposite side comes out on its other side."""
+def _box_handles(box: Box, corners: list[Vec]) -> Iterator[Handle]:
+    """Four corners and four sides; what is dragged past the opposite side comes out on its other side.
+
+    A corner that goes by itself, is new or goes away makes it a polygon.
+    """
     across = ((box[0], (0,)), (0.5 * (box[0] + box[2]), ()), (box[2], (2,)))
     upward = ((box[1], (1,)), (0.5 * (box[1] + box[3]), ()), (box[3], (3,)))
 
@@ -97,72 +102,35 @@ def _box_handles(box: Box) -> Iterator[Handle]:
     for x, x_sides in across:
         for y, y_sides in upward:
             if x_sides or y_sides:
-                yield Handle((x, y), False, partial(stretched, (*x_sides, *y_sides)))
+                area, number = partial(stretched, (*x_sides, *y_sides)), _nearest(corners, (x, y))
+                if x_sides and y_sides:
+                    alone, gone = partial(_pulled, corners, number), _without(corners, number)
+                    yield Handle((x, y), False, area, alone, gone)
+                else:
+                    halves = [_halfway(corners, number) for number in range(len(corners))]
+                    yield Handle((x, y), False, area, partial(_inserted, corners, _nearest(halves, (x, y))))
 
 
-def _corner_handle(corners: list[Vec], number: int) -> Handle:
-    def pulled(to: Vec) -> Area:
-        return {"outline": (*corners[:number], to, *corners[number + 1 :])}
-
-    return Handle(corners[number], False, pulled)
+def _pulled(corners: list[Vec], number: int, to: Vec) -> Area:
+    """One corner elsewhere."""
+    return {"outline": (*corners[:number], to, *corners[number + 1 :])}
 
 
-class RegionDrag:
-    """The handle that the hand holds, and what it has done to the region up to now: one act."""
-
-    def __init__(self) -> None:
-        self._held: tuple[str, Handle] | None = None
-        self._mark: Mark | None = None
-
-    @property
-    def busy(self) -> bool:
-        """Whether a handle is held."""
-        return self._held is not None
-
-    def press(self, workspace: Workspace, pointer: Pointer) -> bool:
-        """Take the handle of the selected region that is nearest, if one is under the pointer."""
-        name, timeline = workspace.selection.region, workspace.session.timeline
-        near = [(math.dist(workspace.viewport.pixel(one.place), pointer.pixel), one) for one in _handles(workspace)]
-        away, handle = min(near, key=lambda row: row[0], default=(math.inf, None))
-        if handle is None or name is None or away > HANDLE_PIXELS:
-            return False
-        timeline.begin_act(f"{'Move' if handle.moves else 'Resize'} {workspace.selection.region_title}")
-        self._held, self._mark = (name, handle), timeline.mark()
-        return True
-
-    def move(self, workspace: Workspace, pointer: Pointer) -> None:
-        """Put it where the pointer is."""
-        if self._held is None or self._mark is None:
-            return
-        name, handle = self._held
-        try:
-            workspace.session.adjust(self._mark, command_of(name, handle, pointer.point))
-        except SandboxError as error:
-            workspace.say(str(error))
-
-    def release(self, workspace: Workspace) -> bool:
-        """Let go; False if nothing was held."""
-        busy = self.busy
-        if busy:
-            workspace.session.timeline.end_act()
-        self._held = self._mark = None
-        return busy
-
-    def strokes(self, workspace: Workspace) -> list[Line]:
-        """Dots at the edge, a cross in the middle, and the edge where water does not fill it."""
-        name, world = workspace.selection.region, workspace.session.world
-        row = world.directory.find_region(name)
-        lines: list[Line] = []
-        if row is not None and world.state.census.regions.items[row].surfaced:
-            lines += outline(workspace, corners_of(world.state, row), closed=True, width=1.0)
-        for handle in _handles(workspace):
-            x, y = (float(part) for part in workspace.viewport.camera.to_screen(handle.place))
-            arm = 8.0 if handle.moves else 0.0
-            ends = [((x - arm, y), (x + arm, y)), ((x, y - arm), (x, y + arm))]
-            width = 3.0 if handle.moves else 9.0
-            lines += [Line(start, end, width, workspace.theme.drag, 0.95) for start, end in ends]
-        return lines
+def _inserted(corners: list[Vec], number: int, to: Vec) -> Area:
+    """One corner more, after that of a number."""
+    return {"outline": (*corners[: number + 1], to, *corners[number + 1 :])}
 
 
-def _handles(workspace: Workspace) -> list[Handle]:
-    return handles_of(workspace.session.world, workspace.selection.region)
+def _without(corners: list[Vec], number: int) -> Area | None:
+    """One corner less, if enough are left."""
+    return {"outline": (*corners[:number], *corners[number + 1 :])} if len(corners) > 3 else None
+
+
+def _halfway(corners: list[Vec], number: int) -> Vec:
+    """The middle of the side after a corner."""
+    (ax, ay), (bx, by) = corners[number], corners[(number + 1) % len(corners)]
+    return 0.5 * (ax + bx), 0.5 * (ay + by)
+
+
+def _nearest(points: list[Vec], place: Vec) -> int:
+    return min(range(len(points)), key=lambda number: math.dist(points[number], place))

@@ -19,13 +19,27 @@ from sandbox.window.tools.join import (
 )  # fmt: skip
 from sandbox.window.tools.pair import PairTool
 from sandbox.window.tools.play import PlayTool
-from sandbox.window.tools.regions import WaterTool, WindTool
+from sandbox.window.tools.regions import AttractorTool, WaterTool, WindTool, ZoneTool
 from sandbox.window.tools.tool import Tool
 from sandbox.window.tools.turn import TurnTool
 
 GROUPS: tuple[tuple[str, tuple[type[Tool], ...]], ...] = (
     ("Move", (Hand, TurnTool, PlayTool)),
-    ("Draw", (CircleTool, BoxTool, CapsuleTool, PolygonTool, WallTool, ChainTool, WaterTool, WindTool)),
+    (
+        "Draw",
+        (
+            CircleTool,
+            BoxTool,
+            CapsuleTool,
+            PolygonTool,
+            WallTool,
+            ChainTool,
+            WaterTool,
+            WindTool,
+            ZoneTool,
+            AttractorTool,
+        ),
+    ),
     ("Join", (HingeTool, WeldTool, RodTool, SpringTool, RopeTool, SliderTool, WheelTool, MotorTool, PinTool)),
     ("Act", (EraseTool, BlastTool, MagnetTool)),
     ("Look", (PairTool,)),

@@ -77,10 +77,10 @@ def body_under(workspace: Workspace, pointer: Pointer, types: Sequence[int] = AN
     return None if row is None else frame.roster.names[row]
 
 
-def fresh_id(workspace: Workspace, stem: str) -> str:
-    """STEM-1, STEM-2, ...: the first that no body, joint or region has."""
+def fresh_id(workspace: Workspace, stem: str, others: Sequence[str] = ()) -> str:
+    """STEM-1, STEM-2, ...: the first that no body, joint or region has, and that is none of the `others`."""
     world = workspace.session.world
-    taken = {*world.names, *world.joint_names, *world.state.census.regions.names}
+    taken = {*world.names, *world.joint_names, *world.state.census.regions.names, *others}
     return next(name for number in range(1, len(taken) + 2) if (name := f"{stem}-{number}") not in taken)
 
 

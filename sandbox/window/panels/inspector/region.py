@@ -26,6 +26,7 @@ _SCALES = {
 USUAL_RANGE = 10.0
 LEAST_SIZE = 0.01
 """Metres to which a drag of a number makes an area at least."""
+SHAPED = "Its corners are dragged in the scene; a small dot becomes a corner; Ctrl and a click takes one away."
 _CORNER = Entry("inspector.region.corner", "lower left", _LENGTH, "The lower left corner of its box.")
 _SIZE = Entry("inspector.region.size", "size", _LENGTH, "Width and height of its box.")
 _CENTER = Entry("inspector.region.center", "centre", _LENGTH, "The centre of its disc.")
@@ -91,7 +92,7 @@ def _draw_area(workspace: Workspace, editor: Editor, name: str, number: int) -> 
         editor.pair(workspace, _CORNER, [corner], lambda corner: put(corner, size))
         editor.pair(workspace, _SIZE, [size], lambda size: put(corner, size))
     elif sides:
-        row("area", f"convex, {sides} sides", "Its corners and the cross in its middle can be dragged in the scene.")
+        row("area", f"convex, {sides} sides", SHAPED)
     if disc is not None:
         x, y, radius = disc
         editor.pair(workspace, _CENTER, [(x, y)], lambda center: [SetRegion(name, disc=(*center, radius))])
