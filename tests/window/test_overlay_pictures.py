@@ -36,5 +36,6 @@ def test_opengl_draws_the_overlays_of_the_surface_painter(name: str, theme: Any,
     without = build_draw_list(look.frame, look.camera, body_colors_of(look.world.state, theme))
     plain = np.asarray(SurfacePainter().paint(without)).astype(int)
     difference = np.abs(drawn - expected).max(axis=2)
-    assert difference.mean() < 2.7
+    difference[difference <= 1] = 0  # of 255: how a driver rounds where colours are blended
+    assert difference.mean() < 2.5
     assert difference.mean() < 0.4 * np.abs(plain - expected).max(axis=2).mean()
