@@ -11,8 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.formats.reading import MisreadError, Node
-from sandbox.formats.tiled.zstd import decompress
-from sandbox.formats.tiled.zstd_bits import ZstdError
+from sandbox.formats.tiled.zstd import ZstdError, decompress
 
 MAX_CELLS = 4_000_000
 """Cells of a layer, empty ones included."""
@@ -80,7 +79,7 @@ def _unpacked(text: str, packing: str, size: int, path: tuple[str | int, ...]) -
             raise MisreadError(path, f"cannot be unpacked: {error}") from None
     elif packing == "zstd":
         try:
-            raw = decompress(raw, size)
+            raw = decompress(raw, size + 1)
         except ZstdError as error:
             raise MisreadError(path, f"cannot be unpacked: {error}") from None
     elif packing:
