@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from sandbox._jit import kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.bodies.integrate import SOLVED, integrate_position, integrate_velocity
-from sandbox.engine.bodies.quarantine import freeze_in_step, slowed
+from sandbox.engine.bodies.quarantine import MAX_SPEED, freeze_in_step, slowed
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.geometry.trig import cos_sin
 from sandbox.tables import Integers, Records
@@ -39,15 +39,7 @@ def fly(
         motion = solver.motions[i]
         free_motion = solver.free_motions[i]
         angle = motion.delta_angle
-        sound = True
-        substep = 0
-        while sound and substep < flight.substeps:
-            integrate_velocity(force, free_motion, motion)
-            sound = slowed(motion)
-            if sound:
-                integrate_position(force, free_motion, motion, flight.gravity, flight.seconds)
-            substep += 1
-        if not sound:
+        if not (_coast(force, motion, free_motion, flight) or _slow_down(force, motion, free_motion, flight)):
             freeze_in_step(bodies[i], motion, force, active_info, step_count)
             frozen += 1
             continue
@@ -58,3 +50,62 @@ def fly(
             free_motion.start_y = free_motion.free_y = motion.velocity_y
             free_motion.start_w = free_motion.free_w = motion.angular_velocity
     return frozen
+
+
+@inlined_kernel
+def _coast(force: Records, motion: Records, free_motion: Records, flight: Flight) -> bool:
+    """Move a body that never gets faster than `MAX_SPEED`, in registers. False, with nothing done, for any other."""
+    seconds = flight.seconds
+    vx = start_x = motion.velocity_x
+    vy = start_y = motion.velocity_y
+    w = start_w = motion.angular_velocity
+    x = motion.delta_x
+    y = motion.delta_y
+    angle = motion.delta_angle
+    change_x = force.change_x
+    change_y = force.change_y
+    change_w = force.change_w
+    linear = force.linear_decay
+    angular = force.angular_decay
+    for _substep in range(flight.substeps):
+        start_x = vx
+        start_y = vy
+        start_w = w
+        vx = (vx + change_x) * linear
+        vy = (vy + change_y) * linear
+        w = (w + change_w) * angular
+        x += seconds * (0.5 * (start_x + vx))
+        y += seconds * (0.5 * (start_y + vy))
+        angle += seconds * (0.5 * (start_w + w))
+    # A substep leaves the faster of two velocities the faster one, so all lie between the first and the last.
+    if not (_is_slow(motion.velocity_x, motion.velocity_y, motion.angular_velocity) and _is_slow(vx, vy, w)):
+        return False
+    motion.velocity_x = vx
+    motion.velocity_y = vy
+    motion.angular_velocity = w
+    motion.delta_x = x
+    motion.delta_y = y
+    motion.delta_angle = angle
+    free_motion.start_x = start_x
+    free_motion.start_y = start_y
+    free_motion.start_w = start_w
+    free_motion.free_x = vx
+    free_motion.free_y = vy
+    free_motion.free_w = w
+    return True
+
+
+@inlined_kernel
+def _is_slow(vx: float, vy: float, w: float) -> bool:
+    return bool((abs(vx) <= MAX_SPEED) & (abs(vy) <= MAX_SPEED) & (abs(w) <= MAX_SPEED))
+
+
+@kernel
+def _slow_down(force: Records, motion: Records, free_motion: Records, flight: Flight) -> bool:
+    """Move a body that is slowed down on its way; False for one whose velocity is not a number."""
+    for _substep in range(flight.substeps):
+        integrate_velocity(force, free_motion, motion)
+        if not slowed(motion):
+            return False
+        integrate_position(force, free_motion, motion, flight.gravity, flight.seconds)
+    return True
