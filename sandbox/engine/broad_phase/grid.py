@@ -38,7 +38,7 @@ def fill_grid(
     with many boxes, ascending; from `2 * LEVELS` on, the rows in `ordered` of the boxes on levels with few.
     """
     population = levels[LEVELS : 2 * LEVELS]
-    used = _assign_cells(boxes, base, finest, population, levels)
+    used = _assign_cells(boxes, base, finest, population, levels, heads)
     _order_by_bucket(boxes, ordered, heads)
     return used, _list_sparse_levels(ordered, population, levels[2 * LEVELS :])
 
@@ -65,28 +65,31 @@ def base_cell(boxes: Records, levels: Integers) -> float:
     """Width of the cells of level 0 in metres: it just fits all boxes of the octave in which most boxes lie, and those
     of the next one if there are many."""
     population = levels[LEVELS : 2 * LEVELS]
+    largest = levels[2 * LEVELS : 3 * LEVELS]
     for k in range(LEVELS):
         population[k] = 0
     low = 0.0
     high = 0.0
-    n = LOWEST
+    top = 0.0
+    k = 0
     for i in range(boxes.shape[0]):
         size = _box_size(boxes[i])
         if not low <= size < high:  # most are in the octave of the one before
             n = octave(size)
             low = math.ldexp(0.5, n)
             high = 2.0 * low if LOWEST < n < LOWEST + LEVELS - 1 else 0.0
-        population[n - LOWEST] += 1
+            k = n - LOWEST
+            top = _box_size(boxes[largest[k]]) if population[k] > 0 else 0.0
+        if population[k] == 0 or size > top:
+            top = size
+            largest[k] = i
+        population[k] += 1
     most = 0
     for k in range(LEVELS):
         most = k if population[k] > population[most] else most
     if most + 1 < LEVELS and population[most + 1] > SPARSE:
         most += 1
-    base = 0.0
-    for i in range(boxes.shape[0]):
-        size = _box_size(boxes[i])
-        if size > base and octave(size) - LOWEST == most:
-            base = size
+    base = _box_size(boxes[largest[most]]) if population[most] > 0 else 0.0
     return base if base > 0.0 else 1.0
 
 
@@ -99,10 +102,15 @@ def box_level(box: Records, base: float) -> int:
 
 
 @kernel
-def _assign_cells(boxes: Records, base: float, finest: int, population: Integers, levels: Integers) -> int:
-    """Give every box its level and cell; list in `levels` those with many boxes, ascending, and return how many."""
+def _assign_cells(
+    boxes: Records, base: float, finest: int, population: Integers, levels: Integers, heads: Integers
+) -> int:
+    """Give every box its level and cell, and count those of each bucket in `heads`; list in `levels` the levels with
+    many boxes, ascending, and return how many."""
     for k in range(LEVELS):
         population[k] = 0
+    for k in range(heads.shape[0]):
+        heads[k] = 0
     inverse = 0.0
     known = LOWEST - 1
     for i in range(boxes.shape[0]):
@@ -116,6 +124,7 @@ def _assign_cells(boxes: Records, base: float, finest: int, population: Integers
         box.cell_x = math.floor(0.5 * (box.lower_x + box.upper_x) * inverse)
         box.cell_y = math.floor(0.5 * (box.lower_y + box.upper_y) * inverse)
         population[level - LOWEST] += 1
+        heads[bucket(box.cell_x, box.cell_y, level, heads)] += 1
     used = 0
     for k in range(LEVELS):
         if population[k] > SPARSE:
@@ -149,12 +158,7 @@ def bucket(cell_x: int, cell_y: int, level: int, heads: Integers) -> int:
 
 @kernel
 def _order_by_bucket(boxes: Records, ordered: Records, heads: Integers) -> None:
-    """Counting sort: bucket k is `ordered[heads[k]:heads[k + 1]]`, in the order of the shapes."""
-    for k in range(heads.shape[0]):
-        heads[k] = 0
-    for i in range(boxes.shape[0]):
-        box = boxes[i]
-        heads[bucket(box.cell_x, box.cell_y, box.level, heads)] += 1
+    """Counting sort: bucket k is `ordered[heads[k]:heads[k + 1]]`, in the order of the shapes. `heads` has counts."""
     total = 0
     for k in range(heads.shape[0]):
         total += heads[k]
@@ -168,10 +172,16 @@ def _order_by_bucket(boxes: Records, ordered: Records, heads: Integers) -> None:
 
 @inlined_kernel
 def boxes_overlap(a: Records, b: Records) -> bool:
-    """Whether two boxes share a point. One branch for all bounds: each alone would be a coin toss to the processor."""
-    apart_x = (a.lower_x > b.upper_x) | (b.lower_x > a.upper_x)
-    apart_y = (a.lower_y > b.upper_y) | (b.lower_y > a.upper_y)
-    return bool(not (apart_x | apart_y))
+    """Whether two boxes share a point: the widest gap between them is none. One branch for all bounds: each alone
+    would be a coin toss to the processor."""
+    gap_x = _larger(a.lower_x - b.upper_x, b.lower_x - a.upper_x)
+    gap_y = _larger(a.lower_y - b.upper_y, b.lower_y - a.upper_y)
+    return bool(_larger(gap_x, gap_y) <= 0.0)
+
+
+@inlined_kernel
+def _larger(one: float, other: float) -> float:
+    return one if one > other else other
 
 
 def head_count(shapes: int) -> int:
