@@ -23,7 +23,7 @@ from sandbox.engine.step import collide, solve
 from sandbox.engine.workers.serve import serve
 from sandbox.engine.workers.threads import WorkerThreads
 from sandbox.errors import CapacityError
-from sandbox.tables import Records, close_up, plain
+from sandbox.tables import Records, close_up, copy_rows, plain
 from sandbox.world.records import CONTACT
 from sandbox.world.rows import Added, Moved
 from sandbox.world.state import State
@@ -216,13 +216,12 @@ class Stepper:
 
     def _make_room(self, pairs: int) -> None:
         """Grow scratch memory to that many pairs, and half as many more if there is room for that."""
-        old, contacts = self.scratch, self._state.contacts
+        room, contacts = room_for(pairs), self._state.contacts
         count = int(self.counters["contact_count"][0])
-        self._state.contacts = CONTACT.zeros(room_for(pairs))
-        self._state.contacts[:count] = contacts[:count]
-        self.renew()
-        # The fields of this step have been applied.
-        self.scratch.solver.free_motions.buoyed = old.solver.free_motions.buoyed
+        self._state.contacts = CONTACT.zeros(room)
+        copy_rows(plain(self._state.contacts), plain(contacts)[:count])
+        self.scratch.make_room_for_pairs(self._state, room, self.workers)
+        self._prepare_calls()
 
     def _prepare_calls(self) -> None:
         """The calls of a step: some for even and some for odd steps, as the contact tables swap places."""

@@ -8,6 +8,7 @@ import sandbox
 from sandbox import CapacityError, Delete
 from sandbox.engine.memory import limit
 from sandbox.engine.world import World
+from sandbox.world.records import CONTACT
 from tests.flat import body, circle, scene, world
 
 
@@ -52,3 +53,19 @@ def test_room_that_would_be_too_much_is_what_is_needed():
     most = next(k for k in range(10**6, 10**8, 10**4) if limit.step_bytes(k) > limit.MAX_STEP_BYTES) - 10**4
     assert limit.room_for(most) == most
     assert limit.room_for(1000) == 1500
+
+
+def test_more_pairs_take_memory_for_pairs_alone():
+    """What is known of bodies and joints stays, and the bits are those of a world that had room from the start."""
+    discs = [{"id": f"{k}", "position": [0.03 * k, 0.06 * k], "shapes": [{"circle": 0.5}]} for k in range(20)]
+    pin = {"id": "pin", "type": "revolute", "bodies": [None, "3"], "anchor": [0.09, 0.18]}
+    w, same = (World(sandbox.Scene(bodies=discs, joints=[pin])) for _ in range(2))
+    same.state.contacts = CONTACT.zeros(1000)
+    same._stepper.renew()
+    joints, solver, room = w.scratch.joints, w.scratch.solver, len(w.scratch.grid.pairs)
+    w.step(3)
+    same.step(3)
+    assert len(w.scratch.grid.pairs) > room
+    assert w.scratch.joints is joints
+    assert w.scratch.solver is solver
+    assert w.digest() == same.digest()

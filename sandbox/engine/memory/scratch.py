@@ -113,6 +113,12 @@ class Scratch:
         lacks_pieces = len(state.regions) > 0 and len(fields.pieces) == 0
         self.fields = Fields.for_state(state, self.room.bodies) if lacks_bodies or lacks_pieces else fields
 
+    def make_room_for_pairs(self, state: State, pairs: int, workers: int) -> None:
+        """Take memory for so many pairs; what is known of bodies, shapes and joints is kept."""
+        self.grid = self.grid._replace(pairs=PAIR.zeros(pairs), sorted_pairs=PAIR.zeros(pairs + 1))
+        self.contacts = _contacts(state, pairs)
+        self.blocks = _blocks(pairs, _batches(self.room.bodies, pairs, workers))
+
     def make_room_for_joints(self) -> None:
         """Let the joint solver know as many bodies as there is room for."""
         lacking = self.room.bodies - len(self.joint_filter.joined)
