@@ -94,28 +94,30 @@ def bearable(slight: float, gravity: float, omega: float) -> float:
 def measure_bodies(
     bodies: Records, rows: Integers, islands: Integers, piles: Records, joints: JointWork | None, load: Load
 ) -> None:
-    """Weight and height of every pile; of its width, foot, bearing body and ratio what is worst for it."""
+    """Weight and height of piles of two or more; of width, foot, bearing body and ratio what is worst for each."""
     down_x = load.down_x
     down_y = load.down_y
     for i in rows:
-        pile = piles[i]
-        pile.bodies = 0
-        pile.weight = pile.moment = pile.second_moment = pile.heaviest = 0.0
-        pile.bottom = pile.left = pile.bearer = pile.slight = _NONE
-        pile.right = -_NONE
+        piles[i].bodies = 1
     for i in rows:
-        body = bodies[i]
-        if not is_active(body):
-            continue
+        if islands[i] != i:
+            piles[islands[i]].bodies += 1
+    for i in rows:
         root = islands[i]
         pile = piles[root]
+        if pile.bodies < 2:
+            continue
+        if root == i:  # the first of its pile
+            pile.weight = pile.moment = pile.second_moment = pile.heaviest = 0.0
+            pile.bottom = pile.left = pile.bearer = pile.slight = _NONE
+            pile.right = -_NONE
+        body = bodies[i]
         x = body.center_x - bodies[root].center_x
         y = body.center_y - bodies[root].center_y
         height = -(x * down_x + y * down_y)
         weight = body.mass * load.gravity * (body.gravity_scale if body.gravity_scale > 0.0 else 0.0)
         if joints is not None and hangs_by_one_hinge(joints, i):
             weight = weight * share_not_hung(joints, bodies, i, down_x, down_y)
-        pile.bodies += 1
         pile.weight += weight
         pile.moment += weight * height
         pile.second_moment += weight * height * height
