@@ -31,6 +31,8 @@ LARGE = (1280, 1000)
 PICK = "key Space\nkey F3\nkey K\nclick @7,6\nclick @12,13\n"
 """Pause, close the panel of the world, and click square and triangle with the tool of pairs."""
 
+DRAW_AND_PICK = "key F3\nkey B\ndrag @9,4 to @10,5\nkey F4\nkey K\nclick @9.5,4.5\nclick @7,6\nwait 2\n"
+
 
 @pytest.fixture
 def canvas(display: Any) -> Iterator[Canvas]:
@@ -108,6 +110,18 @@ def test_a_gap_ends_the_test_and_a_rewound_pair_is_that_of_its_step(canvas: Canv
         found.append((seen.table.colliding, seen.tested))
     assert found[0] == (False, 2)
     assert found[-1] == (False, 6)  # only now does a later axis part them: they all but touch
+
+
+def test_a_pair_that_is_taken_back_leaves_the_hint_how_to_pick_one_and_comes_again(
+    canvas: Canvas, tmp_path: Path
+) -> None:
+    app = run(canvas, tmp_path, "test-two", f"{DRAW_AND_PICK}key Ctrl+Z\nwait 2\n", "key Space\nwait 2\n")
+    assert app.screen.workspace.selection.pair == ("box-1", "square")
+    assert app.panel.look(app.screen.workspace) is None
+    assert app.panel.inspector.trouble == ""
+    assert "sat.verdict" not in app.places
+    app.screen.session.redo()
+    assert app.panel.look(app.screen.workspace) is not None
 
 
 def test_the_axis_is_turned_in_the_scene_and_clicks_into_place_at_edges(canvas: Canvas, tmp_path: Path) -> None:
