@@ -68,7 +68,7 @@ def _draw_group(tool_box: ToolBox, title: str, kinds: Kinds) -> None:
     if imgui.begin_popup(title):
         for kind in kinds:
             chosen, _ = imgui.menu_item(f"{kind.icon}  {kind.title}  ", kind.key, tool_box.tool.name == kind.name)
-            mark(f"tool.{kind.name}", kind.help)
+            mark(f"tool.{kind.name}", kind.told())
             if chosen:
                 tool_box.choose(kind.name)
         imgui.end_popup()
@@ -81,7 +81,7 @@ def _button(name: str, kind: type[Tool], tip: str, tool_box: ToolBox) -> bool:
 
 def _told(kind: type[Tool]) -> str:
     keys = f"   [{kind.key}]" if kind.key else ""
-    return f"{kind.title}{keys}\n{kind.help}"
+    return f"{kind.title}{keys}\n{kind.told()}"
 
 
 def _columns(height: float) -> int:

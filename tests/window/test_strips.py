@@ -51,7 +51,7 @@ def test_without_panels_the_title_stands_above_the_scene(canvas: Canvas, tmp_pat
     assert play(canvas, SCENE, tmp_path, "key Tab\nwait 400\n").workspace.viewport.rect[1] == 32  # and stays
 
 
-@pytest.mark.parametrize(("size", "line"), [((480, 400), 32), ((1280, 400), 0)])
+@pytest.mark.parametrize(("size", "line"), [((480, 400), 34), ((1280, 400), 0)])
 def test_keys_of_a_game_stand_above_it_where_the_line_of_the_tool_is_too_short(
     canvas: Canvas, tmp_path: Path, size: tuple[int, int], line: int
 ) -> None:
