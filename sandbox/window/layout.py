@@ -21,6 +21,8 @@ WIDE_SHARE, LOW_SHARE = 0.18, 0.34
 """Of a large window, what they take at least."""
 NARROW = 900
 """Below this width of the window, in pixels, no panel is open at first."""
+TAB_PAD = 4.0
+"""Pixels beside the title of a tab, so that four of them are read in the usual width."""
 SETTLING = 2
 """Pictures until panels that come are docked."""
 FIXED = (
@@ -83,6 +85,7 @@ class Layout:
         imgui.set_next_window_size(imgui.ImVec2(PANEL_WIDTH, 480.0), imgui.Cond_.first_use_ever)
         if panel.name in self._fresh:
             imgui.set_next_window_focus()
+        imgui.set_next_window_class(_without_crosses())
         shown, still_open = imgui.begin(_window_title(panel), True)
         mark(f"panel.{panel.name}")
         (workspace.behind.discard if shown else workspace.behind.add)(panel.name)
@@ -106,7 +109,9 @@ class Layout:
         elif self._scale is not None and workspace.text_scale != self._scale:
             self._stretch(workspace.text_scale / self._scale, (0.5 * width, 0.5 * height))
         self._scale = workspace.text_scale
+        imgui.push_style_var(imgui.StyleVar_.frame_padding, imgui.ImVec2(TAB_PAD, imgui.get_style().frame_padding.y))
         imgui.dock_space(dock, imgui.ImVec2(0.0, 0.0), imgui.DockNodeFlags_.passthru_central_node)
+        imgui.pop_style_var()
         imgui.end()
         node = imgui.internal.dock_builder_get_central_node(dock)
         if node is None:
@@ -146,6 +151,13 @@ class Layout:
 def first_panels(panels: dict[str, Panel], size: Size) -> set[str]:
     """The panels that are open at first in a window of `size` pixels."""
     return {panel.name for panel in panels.values() if panel.shown_at_first and size[0] >= NARROW}
+
+
+def _without_crosses() -> imgui.WindowClass:
+    """The cross at the end of the tabs closes the one in front; one in each tab would only take from their titles."""
+    kind = imgui.WindowClass()
+    kind.tab_item_flags_override_set = int(imgui.internal.TabItemFlagsPrivate_.no_close_button)
+    return kind
 
 
 def _window_title(panel: Panel) -> str:

@@ -20,10 +20,14 @@ from sandbox.window.app import App
 from sandbox.window.gl_painter import GlPainter
 from sandbox.window.gui import Gui
 from sandbox.window.options import Options
+from sandbox.window.overlay import Overlay
 from sandbox.window.panels.sat import SatPanel
 from sandbox.window.play import PlayScreen
 from sandbox.window.remembered import Remembered
+from sandbox.window.sat.colors import sat_colors
+from sandbox.window.sat.drawing import Drawing
 from sandbox.window.sat.overlap_curve import axis_angle
+from sandbox.window.sat.pen import Pen
 from sandbox.window.screen import Canvas, Screen
 from sandbox.window.widgets import places
 
@@ -122,6 +126,26 @@ def test_a_pair_that_is_taken_back_leaves_the_hint_how_to_pick_one_and_comes_aga
     assert "sat.verdict" not in app.places
     app.screen.session.redo()
     assert app.panel.look(app.screen.workspace) is not None
+
+
+@pytest.mark.parametrize("zoom", [1.0, 0.5, 0.3])
+def test_the_outcome_covers_neither_the_arrow_of_the_edge_nor_other_words(
+    zoom: float, canvas: Canvas, tmp_path: Path
+) -> None:
+    app = run(canvas, tmp_path, "test-two", "wait 2\n")
+    workspace = app.screen.workspace
+    workspace.viewport.zoom(zoom)
+    seen = app.panel.look(workspace)
+    assert seen is not None
+    canvas.gui.begin(LARGE)
+    pen = Pen(workspace, Overlay(canvas.gui))
+    drawing = Drawing(pen, seen, sat_colors(DARK), workspace.viewport.camera)
+    drawing.edge(seen.deciding)
+    drawing.rail(seen.deciding.axis, seen.deciding)
+    canvas.gui.end()
+    *others, (left, top, right, bottom) = pen.taken
+    assert len(others) >= 6
+    assert all(right <= x0 or x1 <= left or bottom <= y0 or y1 <= top for x0, y0, x1, y1 in others)
 
 
 def test_the_axis_is_turned_in_the_scene_and_clicks_into_place_at_edges(canvas: Canvas, tmp_path: Path) -> None:
