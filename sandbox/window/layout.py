@@ -9,7 +9,7 @@ from sandbox.window.menu_bar import draw_menu_bar
 from sandbox.window.panels.panel import Panel
 from sandbox.window.scrubber import Scrubber
 from sandbox.window.time_bar import draw_time_bar, time_bar_height
-from sandbox.window.tool_bar import draw_tool_bar, tool_bar_width
+from sandbox.window.tool_bar import ToolBar
 from sandbox.window.tools.tool_box import ToolBox
 from sandbox.window.viewport import Rect
 from sandbox.window.widgets import mark
@@ -55,9 +55,10 @@ class Layout:
         top = draw_menu_bar(workspace, self.panels)
         bar = time_bar_height()
         bottom = size[1] - bar
-        left = tool_bar_width(bottom - top)
+        tools = ToolBar(bottom - top, size[0])
+        left = tools.width
         _fixed("##tools", 0.0, top, left, bottom - top)
-        draw_tool_bar(self.tool_box, bottom - top)
+        tools.draw(self.tool_box)
         imgui.end()
         _fixed("##time", 0.0, bottom, float(size[0]), bar)
         draw_time_bar(workspace, self._scrubber, self.tool_box.tool.hint(workspace))

@@ -42,15 +42,21 @@ def mark(name: str, tip: str = "") -> None:
 def button(name: str, label: str, tip: str = "", *, on: bool = False, enabled: bool = True, width: float = 0.0) -> bool:
     """A button; `on` shows it lit. True in the picture in which it is clicked."""
     if on:
-        color = imgui.get_style_color_vec4(imgui.Col_.button_active)
-        imgui.push_style_color(imgui.Col_.button, color)
+        imgui.push_style_color(imgui.Col_.button, imgui.get_style_color_vec4(imgui.Col_.button_active))
+        imgui.push_style_color(imgui.Col_.text, lit_ink())
     imgui.begin_disabled(not enabled)
     clicked = imgui.button(f"{label}##{name}", imgui.ImVec2(width, 0.0))
     imgui.end_disabled()
     if on:
-        imgui.pop_style_color()
+        imgui.pop_style_color(2)
     mark(name, tip)
     return bool(clicked)
+
+
+def lit_ink() -> imgui.ImVec4:
+    """What is written on something lit, which is bright in any theme: the darker of text and ground."""
+    colors = [imgui.get_style_color_vec4(one) for one in (imgui.Col_.text, imgui.Col_.window_bg)]
+    return min(colors, key=lambda color: color.x + color.y + color.z)
 
 
 def checkbox(name: str, label: str, value: bool, tip: str = "") -> bool:
