@@ -27,6 +27,8 @@ class Figures:
     step: int
     time: float
     frozen: int = 0
+    asleep: str = ""
+    """As `at_rest.asleep` says it."""
 
     def items(self) -> list[tuple[str, str, str]]:
         """(label, value, widest value expected), so that the columns do not jump while numbers change."""
@@ -38,7 +40,8 @@ class Figures:
             ("ms/step", f"{1000 * self.step_cost:.2f}", "00.00"),
             ("fps", f"{self.fps:.0f}", "000"),
         ]
-        return [("frozen", f"{self.frozen}", ""), *rows] if self.frozen else rows
+        told = (("frozen", f"{self.frozen}" if self.frozen else ""), ("asleep", self.asleep))
+        return [*((name, value, "") for name, value in told if value), *rows]
 
 
 def below_line(overlay: Overlay, rect: Rect, there: bool = True) -> Rect:

@@ -11,6 +11,7 @@ from sandbox.render.camera import Camera, Size
 from sandbox.render.coloring.registry import THEME
 from sandbox.window import hud
 from sandbox.window.actions.registry import BY_NAME
+from sandbox.window.at_rest import asleep
 from sandbox.window.compare import end_comparison, follow_comparison
 from sandbox.window.controls.player import Player
 from sandbox.window.export_box import ExportBox
@@ -260,4 +261,5 @@ class PlayScreen:
             step=world.step_count,
             time=world.time,
             frozen=int(world.state.counters[0].frozen_count),
+            asleep=asleep(world),
         )
