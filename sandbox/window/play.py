@@ -193,7 +193,7 @@ class PlayScreen:
         canvas.paint(picture, workspace.viewport.rect)
         plain = Overlay(canvas.gui)  # what a picture and panels write has its place there
         with plain.within(workspace.viewport.rect):
-            plain.labels(picture.labels, workspace.viewport.rect)
+            plain.labels(picture.labels, workspace.viewport.rect, picture.theme.background)
         self._draw_over(plain)
         self._draw_hud(overlay, told)
 
