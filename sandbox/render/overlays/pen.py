@@ -20,8 +20,6 @@ HEAD = 7.0
 """Pixels of an arrow's head; shorter arrows have smaller ones."""
 SLENDER = 0.2
 """Width of an arrow to its length at most, so that short ones are no blobs."""
-WORDS_SHARE = 0.25
-"""How much words grow with marks: less, or half of them had no room."""
 LABEL = 12.0
 """Pixels of the height of words."""
 _TURN = np.linspace(0.0, 2.0 * np.pi, 17)
@@ -32,13 +30,12 @@ class Pen:
     """Collects the marks of one overlay. Everything is in pixels; `color` is one sRGB colour or one for each row.
 
     Widths, dots and heads are `scale` times as large as asked for, `look.mark_scale` if it is not given; words and
-    their gaps too, but never smaller than `look.scale` says.
+    their gaps `look.scale` times.
     """
 
     def __init__(self, look: Look, scale: float | None = None) -> None:
         self.look = look
         self.scale = look.mark_scale if scale is None else scale
-        self.word_scale = look.scale + WORDS_SHARE * max(self.scale - look.scale, 0.0)
         self.palette = look.palette
         self._halo: list[Strokes] = []
         self._strokes: list[Strokes] = []
@@ -122,13 +119,13 @@ class Pen:
             self._label(text, (place[0], place[1]), color, gap, rank)
 
     def _label(self, text: str, at: Vec, color: Color, gap: float, rank: float) -> None:
-        scale = self.word_scale
+        scale = self.look.scale
         self._labels.append(Label(text, at, color, LABEL * scale, gap=gap * scale, rank=rank))
 
     def words(self, text: str, at: ArrayLike, color: Color, rank: float = 0.0) -> None:
         """Words centred on a point."""
         x, y = np.asarray(at, np.float64).tolist()
-        self._labels.append(Label(text, (x, y), color, LABEL * self.word_scale, "middle", rank=rank))
+        self._labels.append(Label(text, (x, y), color, LABEL * self.look.scale, "middle", rank=rank))
 
     def tint(self, color: Floats, amount: Floats) -> None:
         """Colour the bodies themselves: a row each."""
