@@ -202,7 +202,8 @@ class PlayScreen:
         workspace, clock = self.workspace, self.session.clock
         state = hud.time_state(clock.paused, clock.speed)
         plays = isinstance(self.tool_box.tool, PlayTool) and bool(self.player.controls)
-        keys = self.tool_box.tool.hint(workspace).keys if plays and size[0] < NARROW else ()
+        room = workspace.interface and size[0] >= NARROW
+        keys = self.tool_box.tool.hint(workspace).keys if plays and not room else ()
         return Told(None if workspace.interface else (self._figures(), state), keys, self._picture.legend)
 
     def _reread(self, elapsed: float) -> Session | None:
