@@ -31,9 +31,7 @@ class Hand(Tool):
     title = "Hand"
     icon = icons.ICON_FA_HAND
     key = "V"
-    help = (
-        "Drag a body to throw it; while paused, to move it. Click selects it, a joint or a region, which has handles."
-    )
+    help = "Drag a body to throw it; while paused, to move it. Click selects a body, joint or region."
     keys = (Key(("Shift",), "add"),)
 
     def __init__(self) -> None:
