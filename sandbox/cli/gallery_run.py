@@ -24,7 +24,7 @@ from sandbox.scene.catalog import Entry
 
 SMALL = (192, 108)
 """Pixels of a picture on a sheet."""
-WIDEST = 10
+WIDEST = 8
 """Pictures side by side at most."""
 
 Made = TypeVar("Made")

@@ -1,4 +1,4 @@
-"""Many small pictures on one, each with its title below."""
+"""Many small pictures on one, each with its title below, to be read where the sheet is shown at half its size."""
 
 from __future__ import annotations
 
@@ -8,10 +8,11 @@ from typing import Any
 from sandbox.render.camera import Size
 from sandbox.render.theme import DARK, Color
 
-GAP, EDGE, LINE = 10, 16, 22
+GAP, EDGE, LINE = 10, 16, 54
 """Pixels between pictures, about all of them, and of the title below each."""
-LETTERS = 13
-"""Height of titles, pixels."""
+LETTERS, LEADING = 21, 24
+"""Height of titles, and from one line of them to the next, in pixels."""
+MOST_LINES = 2
 
 
 def contact_sheet(pictures: Sequence[tuple[str, Any]], columns: int) -> Any:
@@ -27,9 +28,23 @@ def contact_sheet(pictures: Sequence[tuple[str, Any]], columns: int) -> Any:
     for number, (title, picture) in enumerate(pictures):
         left, top = EDGE + number % columns * across, EDGE + number // columns * down
         sheet.paste(picture, (left, top))
-        middle = left + size[0] / 2, top + size[1] + LINE / 2 + 1
-        pen.text(middle, _shortened(pen, title, size[0]), _pixel(DARK.joint), _font(), anchor="mm")
+        middle, y = left + size[0] / 2, top + size[1] + LEADING / 2 + 3
+        for line in title_lines(pen, title, size[0]):
+            pen.text((middle, y), line, _pixel(DARK.joint), _font(), anchor="mm")
+            y += LEADING
     return sheet
+
+
+def title_lines(pen: Any, title: str, room: int) -> list[str]:
+    """A title in as few lines as it needs, words whole as far as that goes; the last is cut."""
+    lines: list[str] = []
+    for word in title.split():
+        longer = f"{lines[-1]} {word}" if lines else word
+        if lines and (len(lines) == MOST_LINES or pen.textlength(longer, _font()) <= room):
+            lines[-1] = longer
+        else:
+            lines.append(word)
+    return [_shortened(pen, line, room) for line in lines]
 
 
 def _font() -> Any:

@@ -17,7 +17,6 @@ from sandbox.window.widgets import PLAIN, Scale, button, checkbox, drag, drag2, 
 from sandbox.window.workspace import Workspace
 
 Vec = tuple[float, float]
-NEXT_TO_NOTHING = 5e-6
 
 
 @dataclass(frozen=True)
@@ -42,7 +41,8 @@ class Editor:
     ) -> None:
         """One number. `values` are those of all that is selected; `commands` give all of them another one."""
         label(entry.title, entry.tip)
-        changed, value = drag(entry.name, "", tidy(values[0]), entry.tip, _scale(entry, is_mixed(values)))
+        scale = _scale(entry, is_mixed(values))
+        changed, value = drag(entry.name, "", scale.shown(values[0]), entry.tip, scale)
         given = tuple(commands(plain_number(value))) if changed else ()
         self._adjustment.follow(workspace, changed, *given, label=self._label(entry))
 
@@ -52,8 +52,10 @@ class Editor:
         """Two numbers, x and y; the one that is not touched keeps all its digits."""
         label(entry.title, entry.tip)
         now, mixed = (float(values[0][0]), float(values[0][1])), is_mixed(values)
-        changed, (x, y) = drag2(entry.name, "", (tidy(now[0]), tidy(now[1])), entry.tip, _scale(entry, mixed))
-        given = tuple(commands((kept(now[0], x), kept(now[1], y)))) if changed else ()
+        scale = _scale(entry, mixed)
+        shown = scale.shown(now[0]), scale.shown(now[1])
+        changed, (x, y) = drag2(entry.name, "", shown, entry.tip, scale)
+        given = tuple(commands((kept(now[0], shown[0], x), kept(now[1], shown[1], y)))) if changed else ()
         self._adjustment.follow(workspace, changed, *given, label=self._label(entry))
 
     def switch(
@@ -138,11 +140,6 @@ def plain_number(value: float) -> float:
     return float(f"{value:.7g}")
 
 
-def tidy(value: float) -> float:
-    """A number as it is shown: what is nothing but rounding is 0, so that it does not flicker."""
-    return 0.0 if abs(value) < NEXT_TO_NOTHING else float(value)
-
-
-def kept(before: float, after: float) -> float:
-    """The number after an edit: the one before with all its digits, if a widget shows no other."""
-    return before if np.float32(tidy(before)) == np.float32(after) else plain_number(after)
+def kept(before: float, shown: float, after: float) -> float:
+    """The number after an edit: the one before with all its digits, if a widget shows what it showed before."""
+    return before if np.float32(shown) == np.float32(after) else plain_number(after)

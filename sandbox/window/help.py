@@ -66,7 +66,7 @@ def _blocks(tools: dict[str, Tool], panels: dict[str, Panel]) -> list[tuple[str,
     }
     return [
         ("Time", menus["Time"]),
-        ("Tools", [(one.key, f"{one.title}. {one.help}") for one in tools.values() if one.key]),
+        ("Tools", [(one.key, f"{one.title}. {one.told()}") for one in tools.values() if one.key]),
         ("Mouse", MOUSE),
         ("Panels", [(one.key, f"{one.title}: {one.help}") for one in panels.values() if one.key]),
         ("Edit", menus["Edit"]),

@@ -34,12 +34,17 @@ class History:
         self.columns = tuple(columns)
         self._at = {name: number for number, name in enumerate(self.columns)}
         self._rows: Floats = np.full((_FIRST_ROOM, len(self.columns)), np.nan)
-        self._length = 0
+        self._length, self._first = 0, MOST_STEPS
         self._branches = Branches()
 
     def __len__(self) -> int:
         """One more than the last step that is kept."""
         return self._length
+
+    @property
+    def first(self) -> int:
+        """The first step that is kept."""
+        return min(self._first, self._length)
 
     def follow(self, timeline: Timeline) -> None:
         """Forget what is no longer so."""
@@ -47,6 +52,8 @@ class History:
         if parting is not None and parting + 1 < self._length:
             self._rows[parting + 1 : self._length] = np.nan
             self._length = parting + 1
+            if self._first > parting:
+                self._first = MOST_STEPS
 
     def note(self, step: int, values: Sequence[float]) -> None:
         """Keep the values of a step, in the order of the columns."""
@@ -56,6 +63,7 @@ class History:
             more = np.full((step + 1, len(self.columns)), np.nan)  # at least as many again
             self._rows = np.concatenate([self._rows, more])
         self._rows[step] = values
+        self._first = min(self._first, step)
         self._length = max(self._length, step + 1)
 
     def column(self, name: str) -> Floats:

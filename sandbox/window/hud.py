@@ -27,6 +27,8 @@ class Figures:
     step: int
     time: float
     frozen: int = 0
+    asleep: str = ""
+    """As `at_rest.asleep` says it."""
 
     def items(self) -> list[tuple[str, str, str]]:
         """(label, value, widest value expected), so that the columns do not jump while numbers change."""
@@ -38,7 +40,8 @@ class Figures:
             ("ms/step", f"{1000 * self.step_cost:.2f}", "00.00"),
             ("fps", f"{self.fps:.0f}", "000"),
         ]
-        return [("frozen", f"{self.frozen}", ""), *rows] if self.frozen else rows
+        told = (("frozen", f"{self.frozen}" if self.frozen else ""), ("asleep", self.asleep))
+        return [*((name, value, "") for name, value in told if value), *rows]
 
 
 def below_line(overlay: Overlay, rect: Rect, there: bool = True) -> Rect:
@@ -47,14 +50,12 @@ def below_line(overlay: Overlay, rect: Rect, there: bool = True) -> Rect:
     return rect[0], rect[1] + high, rect[2], max(rect[3] - high, 1)
 
 
-def draw_line(overlay: Overlay, rect: Rect, colors: Palette, text: str = "") -> float:
-    """A line above a rectangle, with or without a text; gives where its text has its upper edge."""
+def _draw_line(overlay: Overlay, rect: Rect, colors: Palette) -> float:
+    """A line above a rectangle; gives where its text has its upper edge."""
     left, bottom, width, _ = rect
     overlay.panel((left, bottom - _line_height(overlay), left + width, bottom), colors.panel, 1.0, 0.0)
     overlay.panel((left, bottom - 1.0, left + width, bottom), colors.line, 1.0, 0.0)
-    y = bottom - PAD_Y - overlay.scale * TEXT_SIZE - 1.0
-    overlay.text(left + MARGIN, y, shorten(overlay, text, width - 2 * MARGIN), colors.faint)
-    return y
+    return bottom - PAD_Y - overlay.scale * TEXT_SIZE - 1.0
 
 
 def _line_height(overlay: Overlay) -> int:
@@ -66,7 +67,7 @@ def draw_caption(overlay: Overlay, rect: Rect, colors: Palette, words: tuple[str
     figures as there is room for at the right.
     """
     title, about, state = words
-    y = draw_line(overlay, rect, colors)
+    y = _draw_line(overlay, rect, colors)
     x, right = rect[0] + MARGIN, rect[0] + rect[2] - MARGIN
     for text, color in ((state, colors.accent), (title, colors.text)):
         shown = shorten(overlay, text, right - x)

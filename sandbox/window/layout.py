@@ -9,7 +9,7 @@ from sandbox.window.menu_bar import draw_menu_bar
 from sandbox.window.panels.panel import Panel
 from sandbox.window.scrubber import Scrubber
 from sandbox.window.time_bar import draw_time_bar, time_bar_height
-from sandbox.window.tool_bar import draw_tool_bar, tool_bar_width
+from sandbox.window.tool_bar import ToolBar
 from sandbox.window.tools.tool_box import ToolBox
 from sandbox.window.viewport import Rect
 from sandbox.window.widgets import mark
@@ -21,6 +21,8 @@ WIDE_SHARE, LOW_SHARE = 0.18, 0.34
 """Of a large window, what they take at least."""
 NARROW = 900
 """Below this width of the window, in pixels, no panel is open at first."""
+TAB_PAD = 4.0
+"""Pixels beside the title of a tab, so that four of them are read in the usual width."""
 SETTLING = 2
 """Pictures until panels that come are docked."""
 FIXED = (
@@ -53,9 +55,10 @@ class Layout:
         top = draw_menu_bar(workspace, self.panels)
         bar = time_bar_height()
         bottom = size[1] - bar
-        left = tool_bar_width(bottom - top)
+        tools = ToolBar(bottom - top, size[0])
+        left = tools.width
         _fixed("##tools", 0.0, top, left, bottom - top)
-        draw_tool_bar(self.tool_box, bottom - top)
+        tools.draw(self.tool_box)
         imgui.end()
         _fixed("##time", 0.0, bottom, float(size[0]), bar)
         draw_time_bar(workspace, self._scrubber, self.tool_box.tool.hint(workspace))
@@ -83,6 +86,7 @@ class Layout:
         imgui.set_next_window_size(imgui.ImVec2(PANEL_WIDTH, 480.0), imgui.Cond_.first_use_ever)
         if panel.name in self._fresh:
             imgui.set_next_window_focus()
+        imgui.set_next_window_class(_without_crosses())
         shown, still_open = imgui.begin(_window_title(panel), True)
         mark(f"panel.{panel.name}")
         (workspace.behind.discard if shown else workspace.behind.add)(panel.name)
@@ -106,7 +110,9 @@ class Layout:
         elif self._scale is not None and workspace.text_scale != self._scale:
             self._stretch(workspace.text_scale / self._scale, (0.5 * width, 0.5 * height))
         self._scale = workspace.text_scale
+        imgui.push_style_var(imgui.StyleVar_.frame_padding, imgui.ImVec2(TAB_PAD, imgui.get_style().frame_padding.y))
         imgui.dock_space(dock, imgui.ImVec2(0.0, 0.0), imgui.DockNodeFlags_.passthru_central_node)
+        imgui.pop_style_var()
         imgui.end()
         node = imgui.internal.dock_builder_get_central_node(dock)
         if node is None:
@@ -146,6 +152,13 @@ class Layout:
 def first_panels(panels: dict[str, Panel], size: Size) -> set[str]:
     """The panels that are open at first in a window of `size` pixels."""
     return {panel.name for panel in panels.values() if panel.shown_at_first and size[0] >= NARROW}
+
+
+def _without_crosses() -> imgui.WindowClass:
+    """The cross at the end of the tabs closes the one in front; one in each tab would only take from their titles."""
+    kind = imgui.WindowClass()
+    kind.tab_item_flags_override_set = int(imgui.internal.TabItemFlagsPrivate_.no_close_button)
+    return kind
 
 
 def _window_title(panel: Panel) -> str:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from imgui_bundle import icons_fontawesome_6 as icons
 from imgui_bundle import imgui
 
 from sandbox.render.number_text import counted
 from sandbox.window.actions.registry import ACTIONS, MENUS
+from sandbox.window.at_rest import asleep
 from sandbox.window.panels.panel import Panel
 from sandbox.window.widgets import mark
 from sandbox.window.workspace import Workspace
@@ -59,14 +61,16 @@ def _draw_title(workspace: Workspace) -> None:
         counted(len(world.names), "body", "bodies"), counted(len(world.contacts), "contact"),
         f"{1000.0 * workspace.session.step_cost:5.2f} ms/step", f"{workspace.fps:3.0f} fps",
     ]  # fmt: skip
-    text = "    ".join([*([f"{frozen} frozen"] if frozen else []), *figures])
+    resting = asleep(world)
+    rest = [f"{icons.ICON_FA_MOON} {resting} asleep"] if resting else []
+    text = "    ".join([*([f"{frozen} frozen"] if frozen else []), *rest, *figures])
     right = width - imgui.calc_text_size(text).x - 14.0
     if right < used + 20.0:
         right = width
     else:
         imgui.set_cursor_pos_x(right)
         imgui.text_disabled(text)
-        mark("figures", "Bodies, contacts, time of a step, pictures a second")
+        mark("figures", "Who sleeps (and is drawn darker), bodies, contacts, time of a step, pictures a second")
     size = imgui.calc_text_size(scene.title).x
     left = max((width - size) / 2, used + 16.0)
     if left + size < right - 16.0:

@@ -12,6 +12,9 @@ from sandbox.render.label import Label
 from sandbox.render.theme import Color
 from sandbox.window.gui import TEXT_SIZE, Gui
 
+HALO = ((-1, -1), (1, -1), (-1, 1), (1, 1), (0, 1), (0, -1), (1, 0), (-1, 0))
+"""Pixels by which words are moved to make their halo."""
+
 
 class Overlay:
     """Draws text and panels at pixel positions over the picture (or into `target`, an ImGui draw list).
@@ -56,15 +59,17 @@ class Overlay:
         imgui.pop_font()
         return width
 
-    def labels(self, labels: Iterable[Label], rect: tuple[int, int, int, int]) -> None:
-        """Write the labels of a picture that fills `rect` (left, top, width, height in pixels)."""
+    def labels(self, labels: Iterable[Label], rect: tuple[int, int, int, int], halo: Color) -> None:
+        """Write the labels of a picture that fills `rect` (left, top, width, height in pixels), each with a halo, so
+        that it is read over marks and bodies.
+        """
         for label in labels:
             width = self.width(label.text, label.size)
             left = label.at[0] - {"left": 0.0, "middle": 0.5, "right": 1.0}[label.anchor] * width
-            self.text(
-                rect[0] + left, rect[1] + label.at[1] - 0.55 * self.scale * label.size, label.text, label.color,
-                size=label.size,
-            )  # fmt: skip
+            x, y = rect[0] + left, rect[1] + label.at[1] - 0.55 * self.scale * label.size
+            for dx, dy in HALO:
+                self.text(x + dx, y + dy, label.text, halo, 0.6, label.size)
+            self.text(x, y, label.text, label.color, 1.0, label.size)
 
     def panel(self, box: tuple[float, float, float, float], color: Color, opacity: float, rounding: float) -> None:
         """Fill a rectangle (left, top, right, bottom) with round corners."""

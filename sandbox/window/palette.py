@@ -117,7 +117,7 @@ class Palette:
                 keys = action.keys[0] if action.keys else ""
                 yield Offer(action.title, action.menu, keys, action.help, partial(action.run, workspace))
         for tool in self._tool_box.tools.values():
-            yield Offer(tool.title, "Tool", tool.key, tool.help, partial(self._tool_box.choose, tool.name))
+            yield Offer(tool.title, "Tool", tool.key, tool.told(), partial(self._tool_box.choose, tool.name))
         for panel in self._panels.values():
             yield Offer(panel.title, "Panel", panel.key, panel.help, partial(workspace.toggle_panel, panel.name))
         for overlay in OVERLAYS.values():

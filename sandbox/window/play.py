@@ -11,6 +11,7 @@ from sandbox.render.camera import Camera, Size
 from sandbox.render.coloring.registry import THEME
 from sandbox.window import hud
 from sandbox.window.actions.registry import BY_NAME
+from sandbox.window.at_rest import asleep
 from sandbox.window.compare import end_comparison, follow_comparison
 from sandbox.window.controls.player import Player
 from sandbox.window.export_box import ExportBox
@@ -192,7 +193,7 @@ class PlayScreen:
         canvas.paint(picture, workspace.viewport.rect)
         plain = Overlay(canvas.gui)  # what a picture and panels write has its place there
         with plain.within(workspace.viewport.rect):
-            plain.labels(picture.labels, workspace.viewport.rect)
+            plain.labels(picture.labels, workspace.viewport.rect, picture.theme.background)
         self._draw_over(plain)
         self._draw_hud(overlay, told)
 
@@ -201,7 +202,8 @@ class PlayScreen:
         workspace, clock = self.workspace, self.session.clock
         state = hud.time_state(clock.paused, clock.speed)
         plays = isinstance(self.tool_box.tool, PlayTool) and bool(self.player.controls)
-        keys = self.tool_box.tool.hint(workspace) if plays and size[0] < NARROW else ""
+        room = workspace.interface and size[0] >= NARROW
+        keys = self.tool_box.tool.hint(workspace).keys if plays and not room else ()
         return Told(None if workspace.interface else (self._figures(), state), keys, self._picture.legend)
 
     def _reread(self, elapsed: float) -> Session | None:
@@ -260,4 +262,5 @@ class PlayScreen:
             step=world.step_count,
             time=world.time,
             frozen=int(world.state.counters[0].frozen_count),
+            asleep=asleep(world),
         )

@@ -10,6 +10,8 @@ from dataclasses import dataclass
 from sandbox.render.marks import LegendEntry
 from sandbox.window import hud
 from sandbox.window.gui_style import palette_of
+from sandbox.window.hint import Key
+from sandbox.window.keys_strip import KeysStrip
 from sandbox.window.legend_strip import LegendStrip
 from sandbox.window.overlay import Overlay
 from sandbox.window.scoreboard import below_counters, draw_counters
@@ -23,7 +25,7 @@ class Told:
 
     caption: tuple[hud.Figures, str] | None
     """With the state of time."""
-    keys: str
+    keys: tuple[Key, ...]
     legend: Sequence[LegendEntry]
 
 
@@ -32,6 +34,7 @@ class Strips:
 
     def __init__(self) -> None:
         self._legend = LegendStrip()
+        self._keys: KeysStrip | None = None
         self._ends: tuple[Rect, Rect, Rect] = ((0, 0, 0, 0),) * 3
         """What lies below the caption, below the counters, and below the keys."""
 
@@ -39,7 +42,8 @@ class Strips:
         """What is left of a rectangle."""
         first = hud.below_line(overlay, rect, told.caption is not None)
         second = below_counters(overlay, workspace.session.world, first)
-        third = hud.below_line(overlay, second, bool(told.keys))
+        self._keys = KeysStrip(overlay, told.keys, palette_of(workspace.theme))
+        third = self._keys.below(second)
         self._ends = first, second, third
         return self._legend.room_above(overlay, workspace, third, told.legend)
 
@@ -50,6 +54,6 @@ class Strips:
             figures, state = told.caption
             hud.draw_caption(overlay, first, colors, (scene.title, scene.about, state), figures)
         draw_counters(overlay, workspace, second)
-        if told.keys:
-            hud.draw_line(overlay, third, colors, told.keys)
+        if self._keys is not None:
+            self._keys.draw(third)
         self._legend.draw(overlay, workspace, told.legend)

@@ -9,9 +9,12 @@ from sandbox.render.number_text import counted
 from sandbox.window import scrubber as track
 from sandbox.window.actions.registry import BY_NAME
 from sandbox.window.branch_list import branch_icon, draw_branches
+from sandbox.window.gui_style import palette_of
+from sandbox.window.hint import Hint
+from sandbox.window.hint_line import HintLine
 from sandbox.window.hud import speed_text
 from sandbox.window.scrubber import Scrubber
-from sandbox.window.widgets import button, mark
+from sandbox.window.widgets import button
 from sandbox.window.workspace import Workspace
 
 BUTTONS = (
@@ -23,8 +26,6 @@ BUTTONS = (
 LEAST_NEEDED = ("start", "end"), ("slower", "faster"), ("step-back", "step"), ("restart",)
 """Left out, in that order, where not all buttons find room: their keys and the menu Time do the same."""
 PAD = 6.0
-READABLE_EMS = 14.0
-"""Width, in heights of the text, from which a shortened hint says something."""
 
 
 def time_bar_height() -> float:
@@ -32,7 +33,7 @@ def time_bar_height() -> float:
     return float(track.HEIGHT + imgui.get_style().item_spacing.y + imgui.get_frame_height() + 2 * PAD + 7.0)
 
 
-def draw_time_bar(workspace: Workspace, scrubber: Scrubber, hint: str) -> None:
+def draw_time_bar(workspace: Workspace, scrubber: Scrubber, hint: Hint) -> None:
     """The scrubber above; the buttons, figures and `hint`, what the tool in hand does, below."""
     scrubber.draw(workspace)
     clock = workspace.session.clock
@@ -51,8 +52,9 @@ def draw_time_bar(workspace: Workspace, scrubber: Scrubber, hint: str) -> None:
         if name == "faster":
             imgui.text_disabled(f"{speed_text(clock.speed):>6} ")
             imgui.same_line()
-    _draw_figures(workspace)
-    _draw_hint(hint)
+    line = HintLine(hint, palette_of(workspace.theme))
+    _draw_figures(workspace, line.least)
+    line.draw()
 
 
 def _fitting(buttons: list[tuple[str, str]], speed: str) -> list[tuple[str, str]]:
@@ -68,28 +70,14 @@ def _fitting(buttons: list[tuple[str, str]], speed: str) -> list[tuple[str, str]
     return buttons
 
 
-def _draw_figures(workspace: Workspace) -> None:
-    """The time, the step and what is known ahead, as far as there is room beside the hint's sign."""
+def _draw_figures(workspace: Workspace, room: float) -> None:
+    """The time, the step and what is known ahead, as far as they leave `room` pixels to the hint."""
     timeline = workspace.session.timeline
     behind = timeline.length - timeline.step_count
     words = [f"{workspace.session.world.time:8.2f} s", f"step {timeline.step_count:,}"]
     words += [f"  {counted(behind, 'step')} known ahead"] if behind else []
     for number, text in enumerate(words):
-        if imgui.calc_text_size(text).x > imgui.get_content_region_avail().x - 2.5 * imgui.get_font_size():
+        if imgui.calc_text_size(text).x > imgui.get_content_region_avail().x - room:
             break
         (imgui.text_disabled if number else imgui.text_unformatted)(text)
         imgui.same_line()
-
-
-def _draw_hint(hint: str) -> None:
-    """At the right edge; what does not fit is said under the pointer, and where nothing would, a sign stands for it."""
-    room = imgui.get_content_region_avail().x - 4.0
-    text = imgui.calc_text_size(hint).x
-    shown = hint if text <= room - 20.0 else icons.ICON_FA_CIRCLE_INFO
-    if shown is not hint and room - 20.0 >= READABLE_EMS * imgui.get_font_size():
-        shown = hint
-        while imgui.calc_text_size(shown).x > room - 20.0 and " " in shown:
-            shown = shown.removesuffix(" …").rpartition(" ")[0] + " …"
-    imgui.set_cursor_pos_x(imgui.get_cursor_pos_x() + max(room - imgui.calc_text_size(shown).x, 0.0))
-    imgui.text_disabled(shown)
-    mark("hint", hint if shown != hint else "")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -15,6 +16,10 @@ LABEL_EMS = 8.0
 NARROW_EMS = 14.0
 """Where there is less room than that, names stand above what they name instead of left of it."""
 LEAST_DIGITS = 2
+BESIDE, PAIR_GAP = 12.0, 7.0
+"""Pixels of a field that its number leaves free, and between two fields of one pair, which are told apart so."""
+DECIMALS = {"m": 4, "m/s": 3, "m/s²": 3, "°": 2, "°/s": 2}
+"""Decimals that a person makes something of, by unit; finer ones are rounding, and flicker."""
 EXACT = imgui.SliderFlags_.no_round_to_format
 
 places: dict[str, Box] = {}
@@ -37,15 +42,21 @@ def mark(name: str, tip: str = "") -> None:
 def button(name: str, label: str, tip: str = "", *, on: bool = False, enabled: bool = True, width: float = 0.0) -> bool:
     """A button; `on` shows it lit. True in the picture in which it is clicked."""
     if on:
-        color = imgui.get_style_color_vec4(imgui.Col_.button_active)
-        imgui.push_style_color(imgui.Col_.button, color)
+        imgui.push_style_color(imgui.Col_.button, imgui.get_style_color_vec4(imgui.Col_.button_active))
+        imgui.push_style_color(imgui.Col_.text, lit_ink())
     imgui.begin_disabled(not enabled)
     clicked = imgui.button(f"{label}##{name}", imgui.ImVec2(width, 0.0))
     imgui.end_disabled()
     if on:
-        imgui.pop_style_color()
+        imgui.pop_style_color(2)
     mark(name, tip)
     return bool(clicked)
+
+
+def lit_ink() -> imgui.ImVec4:
+    """What is written on something lit, which is bright in any theme: the darker of text and ground."""
+    colors = [imgui.get_style_color_vec4(one) for one in (imgui.Col_.text, imgui.Col_.window_bg)]
+    return min(colors, key=lambda color: color.x + color.y + color.z)
 
 
 def checkbox(name: str, label: str, value: bool, tip: str = "") -> bool:
@@ -74,6 +85,10 @@ class Scale:
     digits: int = 4
     mixed: bool = False
 
+    def shown(self, value: float) -> float:
+        """A number as it is shown: to the decimals of its unit."""
+        return round(float(value), DECIMALS.get(self.unit, 5)) + 0.0 if math.isfinite(value) else float(value)
+
     def format(self, values: Sequence[float], width: float) -> tuple[str, int]:
         """As ImGui takes it, with as many digits, and then the unit, as find room in `width` pixels, and whether drags
         round to that: only to all digits.
@@ -83,7 +98,7 @@ class Scale:
         for unit in (self.unit, ""):
             for digits in range(self.digits, LEAST_DIGITS - 1, -1):
                 texts = [f"{value:.{digits}g} {unit}".rstrip() for value in values]
-                if max(imgui.calc_text_size(text).x for text in texts) <= width - 4.0:
+                if max(imgui.calc_text_size(text).x for text in texts) <= width - BESIDE:
                     return f"%.{digits}g {unit}".rstrip(), 0 if digits == self.digits else EXACT
         return f"%.{LEAST_DIGITS}g", EXACT
 
@@ -104,9 +119,11 @@ def drag2(
 ) -> tuple[bool, tuple[float, float]]:
     """Two numbers beside each other, NAME.x and NAME.y. (changed, numbers)."""
     wide = f"{label}##{name}"
+    imgui.push_style_var(imgui.StyleVar_.item_inner_spacing, imgui.ImVec2(PAIR_GAP, 0.0))
     each = 0.5 * (imgui.calc_item_width() - imgui.get_style().item_inner_spacing.x)
     shown, flags = scale.format(value, each)
     changed, got = imgui.drag_float2(wide, list(value), scale.speed, scale.low, scale.high, shown, flags)
+    imgui.pop_style_var()
     mark(name, tip)
     left, top, right, bottom = places[name]
     middle = 0.5 * (left + right)

@@ -16,7 +16,7 @@ import pytest
 from PIL import Image
 
 from sandbox.cli import main
-from sandbox.render.contact_sheet import EDGE, GAP, LINE, contact_sheet
+from sandbox.render.contact_sheet import EDGE, GAP, LETTERS, LINE, contact_sheet, title_lines
 from sandbox.report.gallery_card import PICTURE, GalleryCard, gallery_card, run_beside
 from sandbox.report.gallery_page import gallery_page
 from sandbox.scene.catalog import Entry, entry_of
@@ -80,6 +80,18 @@ def test_a_page_needs_nothing_and_names_are_no_markup(cards: list[GalleryCard]) 
 def test_a_scene_is_played_as_its_recording_does() -> None:
     assert run_beside(FILES["breakout"]).commands
     assert not run_beside(FILES["test-one"]).commands
+
+
+def test_titles_of_a_sheet_are_large_and_in_two_lines_at_most() -> None:
+    from PIL import Image, ImageDraw
+
+    pen = ImageDraw.Draw(Image.new("RGB", (1, 1)))
+    assert LETTERS >= 20
+    assert title_lines(pen, "Pinball", 192) == ["Pinball"]
+    assert title_lines(pen, "A Rube Goldberg machine", 192) == ["A Rube Goldberg", "machine"]
+    first, second = title_lines(pen, "Only the slanted edge parts the two of them, and it comes last", 192)
+    assert first == "Only the slanted"
+    assert second.endswith("…")
 
 
 def test_a_sheet_has_all_pictures_in_rows() -> None:

@@ -21,7 +21,7 @@ from sandbox.window.panels.inspector.surfaces import filter_text, size_text
 from sandbox.window.play import PlayScreen
 from sandbox.window.screen import Canvas
 from sandbox.window.tools.joint_pick import joint_spans
-from sandbox.window.widgets import places
+from sandbox.window.widgets import Scale, places
 from tests.window.hands import play
 
 SCENE = sandbox.Scene(
@@ -186,9 +186,18 @@ def test_shapes_in_words() -> None:
 
 def test_numbers_of_widgets_are_told_apart_from_rounding() -> None:
     assert plain_number(float(np.float32(0.3))) == 0.3
-    assert kept(0.1234567890123, float(np.float32(0.1234567890123))) == 0.1234567890123
-    assert kept(1e-12, 0.0) == 1e-12
-    assert kept(2.0, float(np.float32(2.1))) == 2.1
+    assert kept(0.1234567890123, 0.1235, float(np.float32(0.1235))) == 0.1234567890123
+    assert kept(1e-12, 0.0, 0.0) == 1e-12
+    assert kept(2.0, 2.0, float(np.float32(2.1))) == 2.1
+
+
+@pytest.mark.parametrize(
+    ("unit", "value", "shown"),
+    [("°", -0.000561524, 0.0), ("°", -230.1291, -230.13), ("m/s", -0.00393, -0.004), ("m", 0.5823461, 0.5823),
+     ("kg/m²", 0.00012, 0.00012), ("N", math.inf, math.inf)],
+)  # fmt: skip
+def test_numbers_have_the_decimals_that_a_person_makes_something_of(unit: str, value: float, shown: float) -> None:
+    assert str(Scale(unit).shown(value)) == str(shown)  # no -0 either
 
 
 def test_spans_of_joints_are_where_their_anchors_are() -> None:

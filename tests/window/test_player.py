@@ -9,8 +9,9 @@ import pytest
 
 import sandbox
 from sandbox.render.camera import Camera
+from sandbox.window.controls.control_keys import control_keys
 from sandbox.window.controls.inputs import axis_value, read
-from sandbox.window.controls.player import Player, hint
+from sandbox.window.controls.player import Player
 from sandbox.window.session import Session
 from sandbox.window.viewport import Viewport
 from sandbox.window.workspace import Workspace
@@ -111,7 +112,7 @@ def test_all_that_was_played_is_one_act(player: Player) -> None:
 
 
 def test_the_hint_names_keys_and_titles(player: Player) -> None:
-    assert hint(player.controls) == "left / right: Go    space: fire"
+    assert [key.text for key in control_keys(player.controls)] == ["Left / Right: Go", "Space: fire"]
 
 
 @pytest.mark.parametrize(

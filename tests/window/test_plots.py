@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from sandbox.window.panels.plots.chart import value_range
+from sandbox.window.panels.plots.chart import DASH_PIXELS, gaps, value_range
 from sandbox.window.panels.plots.panel import PlotsPanel
 from sandbox.window.play import PlayScreen
 from sandbox.window.screen import Canvas
@@ -34,6 +34,34 @@ def test_what_happens_while_the_panel_is_closed_is_not_kept(canvas: Canvas, tmp_
     gaps = [int(b - a) for a, b in pairwise(known)]
     assert max(gaps) > 18
     assert screen.session.world.step_count > 70
+
+
+def test_a_plot_begins_where_there_is_something_to_plot(canvas: Canvas, tmp_path: Path) -> None:
+    seen: list[tuple[float, float]] = []
+
+    def look(screen: PlayScreen) -> None:
+        panel = plots_of(screen)
+        for panel._span in ("all", "10 s", "1 s"):
+            seen.append(panel._limits(screen.workspace))
+        screen.session.seek(5)
+        seen.append(panel._limits(screen.workspace))
+
+    play(canvas, SCENE, tmp_path, "key Space\nwait 40\nkey F6\nwait 100\nkey Space\nwait 2", look)
+    (first, last), ten, one, back = seen
+    assert first > 38
+    assert ten == (first, last)
+    assert one == pytest.approx((last - 60, last))
+    assert back[0] == 5
+
+
+def test_lines_that_cover_each_other_take_turns_to_be_seen() -> None:
+    x = np.arange(0.0, 10 * DASH_PIXELS)
+    low, high, across = (np.column_stack([x, y]) for y in (0.0 * x, 0.0 * x + 50.0, x))
+    assert not gaps(low, []).any()
+    assert not gaps(high, [low]).any()
+    assert gaps(low, [low]).mean() == 0.5
+    assert gaps(low, [low, low]).mean() == pytest.approx(0.7)  # three lines, three turns
+    assert not gaps(across, [low])[3:].any()  # only where they meet
 
 
 @pytest.mark.slow
@@ -83,6 +111,8 @@ def test_a_plot_shows_all_of_its_lines() -> None:
     assert low < -2.0
     assert high > 3.0
     assert value_range([]) == (0.0, 1.0)
+    bottom, top = value_range([np.array([0.0, 1.0])], 100.0)
+    assert (top - 1.0) / (top - bottom) * 52.0 > 24.0  # the legend covers no line in a low plot
     low, high = value_range([np.full(5, 1e6)])
     assert low < 1e6 < high
 

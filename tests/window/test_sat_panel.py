@@ -20,16 +20,22 @@ from sandbox.window.app import App
 from sandbox.window.gl_painter import GlPainter
 from sandbox.window.gui import Gui
 from sandbox.window.options import Options
+from sandbox.window.overlay import Overlay
 from sandbox.window.panels.sat import SatPanel
 from sandbox.window.play import PlayScreen
 from sandbox.window.remembered import Remembered
+from sandbox.window.sat.colors import sat_colors
+from sandbox.window.sat.drawing import Drawing
 from sandbox.window.sat.overlap_curve import axis_angle
+from sandbox.window.sat.pen import Pen
 from sandbox.window.screen import Canvas, Screen
 from sandbox.window.widgets import places
 
 LARGE = (1280, 1000)
 PICK = "key Space\nkey F3\nkey K\nclick @7,6\nclick @12,13\n"
 """Pause, close the panel of the world, and click square and triangle with the tool of pairs."""
+
+DRAW_AND_PICK = "key F3\nkey B\ndrag @9,4 to @10,5\nkey F4\nkey K\nclick @9.5,4.5\nclick @7,6\nwait 2\n"
 
 
 @pytest.fixture
@@ -108,6 +114,38 @@ def test_a_gap_ends_the_test_and_a_rewound_pair_is_that_of_its_step(canvas: Canv
         found.append((seen.table.colliding, seen.tested))
     assert found[0] == (False, 2)
     assert found[-1] == (False, 6)  # only now does a later axis part them: they all but touch
+
+
+def test_a_pair_that_is_taken_back_leaves_the_hint_how_to_pick_one_and_comes_again(
+    canvas: Canvas, tmp_path: Path
+) -> None:
+    app = run(canvas, tmp_path, "test-two", f"{DRAW_AND_PICK}key Ctrl+Z\nwait 2\n", "key Space\nwait 2\n")
+    assert app.screen.workspace.selection.pair == ("box-1", "square")
+    assert app.panel.look(app.screen.workspace) is None
+    assert app.panel.inspector.trouble == ""
+    assert "sat.verdict" not in app.places
+    app.screen.session.redo()
+    assert app.panel.look(app.screen.workspace) is not None
+
+
+@pytest.mark.parametrize("zoom", [1.0, 0.5, 0.3])
+def test_the_outcome_covers_neither_the_arrow_of_the_edge_nor_other_words(
+    zoom: float, canvas: Canvas, tmp_path: Path
+) -> None:
+    app = run(canvas, tmp_path, "test-two", "wait 2\n")
+    workspace = app.screen.workspace
+    workspace.viewport.zoom(zoom)
+    seen = app.panel.look(workspace)
+    assert seen is not None
+    canvas.gui.begin(LARGE)
+    pen = Pen(workspace, Overlay(canvas.gui))
+    drawing = Drawing(pen, seen, sat_colors(DARK), workspace.viewport.camera)
+    drawing.edge(seen.deciding)
+    drawing.rail(seen.deciding.axis, seen.deciding)
+    canvas.gui.end()
+    *others, (left, top, right, bottom) = pen.taken
+    assert len(others) >= 6
+    assert all(right <= x0 or x1 <= left or bottom <= y0 or y1 <= top for x0, y0, x1, y1 in others)
 
 
 def test_the_axis_is_turned_in_the_scene_and_clicks_into_place_at_edges(canvas: Canvas, tmp_path: Path) -> None:

@@ -89,7 +89,7 @@ def test_numbers_of_a_narrow_panel_can_be_read(canvas: Canvas, tmp_path: Path) -
     assert min(seen) > 60.0  # six or seven digits
 
 
-@pytest.mark.parametrize(("width", "shown"), [(200.0, "%.5g m"), (70.0, "%.4g m"), (52.0, "%.2g m"), (36.0, "%.2g")])
+@pytest.mark.parametrize(("width", "shown"), [(200.0, "%.5g m"), (78.0, "%.4g m"), (60.0, "%.2g m"), (44.0, "%.2g")])
 def test_a_number_has_as_many_digits_as_find_room(canvas: Canvas, width: float, shown: str) -> None:
     canvas.gui.begin((400, 300))
     text, flags = Scale("m", digits=5).format([-0.959133, 3.6], width)

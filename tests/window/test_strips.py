@@ -18,6 +18,7 @@ GAME = Scene(
     counters={"score": 0},
     controls=[{"id": "push", "title": "Push the crate", "keys": ["right"], "minus": ["left"]}],
 )  # fmt: skip
+TAB = "key Tab\n"
 KEYS = {"contacts": "contact points", "impulses": "impulses", "grid": "uniform grid"}
 
 
@@ -51,16 +52,18 @@ def test_without_panels_the_title_stands_above_the_scene(canvas: Canvas, tmp_pat
     assert play(canvas, SCENE, tmp_path, "key Tab\nwait 400\n").workspace.viewport.rect[1] == 32  # and stays
 
 
-@pytest.mark.parametrize(("size", "line"), [((480, 400), 32), ((1280, 400), 0)])
+@pytest.mark.parametrize(
+    ("size", "before", "line"), [((480, 400), "", 34), ((1280, 400), "", 0), ((1280, 400), TAB, 34)]
+)
 def test_keys_of_a_game_stand_above_it_where_the_line_of_the_tool_is_too_short(
-    canvas: Canvas, tmp_path: Path, size: tuple[int, int], line: int
+    canvas: Canvas, tmp_path: Path, size: tuple[int, int], before: str, line: int
 ) -> None:
     seen: list[int] = []
 
     def look(screen: PlayScreen) -> None:
         seen.append(screen.workspace.viewport.rect[1])
 
-    screen = play(canvas, GAME, tmp_path, "wait 2\n", look, "key V\nwait 2\n", look, size=size)
+    screen = play(canvas, GAME, tmp_path, f"{before}wait 2\n", look, "key V\nwait 2\n", look, size=size)
     assert seen[0] - seen[1] == line
     assert screen.note == ""
 

@@ -21,7 +21,7 @@ def _draw(look: Look) -> Marks:
         pen.dots(at, 1.6, color.yellow)
     else:
         extent = plain(look.world.state.bodies)["extent"][rows]
-        least, most = (look.scale * pixels for pixels in ARM_PIXELS)
+        least, most = (look.mark_scale * pixels for pixels in ARM_PIXELS)
         length = np.clip(ARM * extent * look.camera.scale, least, most)[:, None]
         turn = look.frame.rotation[rows] * (1.0, -1.0)
         for axis, ink in ((turn, color.red), (np.column_stack([turn[:, 1], -turn[:, 0]]), color.green)):

@@ -12,7 +12,7 @@ NORMAL_PIXELS = 20.0
 
 def _draw(look: Look) -> Marks:
     pen, color, points = Pen(look), look.palette, look.points
-    long = NORMAL_PIXELS * look.scale
+    long = NORMAL_PIXELS * look.mark_scale
     crowded = len(points) > 3000
     on, off = points.touching, ~points.touching
     pen.dots(points.pixel[off], 2.0, color.blue, 0.9)

@@ -44,7 +44,7 @@ def _draw(look: Look) -> Marks:
 
 def _frames(look: Look, pen: Pen, at: Floats, body: Any) -> None:
     """The axes of the body that an anchor is on; those of the world where it is on the world."""
-    least, most = (look.scale * pixels for pixels in AXIS_PIXELS)
+    least, most = (look.mark_scale * pixels for pixels in AXIS_PIXELS)
     length = float(np.clip(AXIS_METRES * look.camera.scale, least, most))
     turn = np.vstack([look.frame.rotation, [[1.0, 0.0]]])[body] * (1.0, -1.0)
     for axis, ink in ((turn, pen.palette.red), (np.column_stack([turn[:, 1], -turn[:, 0]]), pen.palette.green)):

@@ -45,7 +45,7 @@ def legend_card(entries: Sequence[LegendEntry], look: Look, corner: Corner) -> t
     fitting = entries[: max(int((0.6 * height - 2 * EDGE) / line), 0)]
     if not fitting:
         return Marks(), ()
-    pen = Pen(look)
+    pen = Pen(look, look.scale)
     wide = max(max(entry.length, swatch) for entry in fitting)
     words = max(len(entry.text) for entry in fitting) * LETTER * text
     left = EDGE if corner.endswith("left") else width - EDGE - wide - words - 8.0

@@ -21,6 +21,10 @@ from sandbox.render.theme import Theme
 from sandbox.render.trails import Trails
 from sandbox.tables import plain
 
+USUAL_PIXELS = 16.0, 44.0
+"""Extents of bodies between which marks have their usual size."""
+MARK_SCALES = 0.4, 1.6
+
 
 @dataclass(frozen=True)
 class Look:
@@ -64,6 +68,18 @@ class Look:
         radius = shapes["radius"][:, None]
         low, high = np.minimum.reduceat(corners, first), np.maximum.reduceat(corners, first)
         return np.hstack([low - radius, high + radius])
+
+    @cached_property
+    def mark_scale(self) -> float:
+        """`scale`, less where bodies are small on the picture, so that marks do not hide them, more where they are
+        large.
+        """
+        rows = self.visible_bodies()
+        if len(rows) == 0:
+            return self.scale
+        pixels = float(np.median(plain(self.world.state.bodies)["extent"][rows])) * self.camera.scale
+        small, large = (bound * self.scale for bound in USUAL_PIXELS)
+        return self.scale * float(np.clip(pixels / np.clip(pixels, small, large), *MARK_SCALES))
 
     def visible(self, points: Floats, margin: float = 60.0) -> NDArray[np.bool_]:
         """Which of the pixels (n, 2) are in the picture, or at most `margin` pixels beside it."""

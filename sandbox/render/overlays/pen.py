@@ -18,6 +18,8 @@ HALO = 1.8
 """Pixels by which a halo is wider than what it is around."""
 HEAD = 7.0
 """Pixels of an arrow's head; shorter arrows have smaller ones."""
+SLENDER = 0.2
+"""Width of an arrow to its length at most, so that short ones are no blobs."""
 LABEL = 12.0
 """Pixels of the height of words."""
 _TURN = np.linspace(0.0, 2.0 * np.pi, 17)
@@ -27,11 +29,13 @@ _CIRCLE = np.column_stack([np.cos(_TURN), np.sin(_TURN)])
 class Pen:
     """Collects the marks of one overlay. Everything is in pixels; `color` is one sRGB colour or one for each row.
 
-    Widths, dots, heads, words and their gaps are `look.scale` times as large as asked for.
+    Widths, dots and heads are `scale` times as large as asked for, `look.mark_scale` if it is not given; words and
+    their gaps `look.scale` times.
     """
 
-    def __init__(self, look: Look) -> None:
+    def __init__(self, look: Look, scale: float | None = None) -> None:
         self.look = look
+        self.scale = look.mark_scale if scale is None else scale
         self.palette = look.palette
         self._halo: list[Strokes] = []
         self._strokes: list[Strokes] = []
@@ -52,9 +56,9 @@ class Pen:
         """Straight lines from `start` to `end` (n, 2)."""
         if len(start) == 0:
             return
-        width = self.look.scale * np.asarray(width, np.float64)
+        width = self.scale * np.asarray(width, np.float64)
         if halo:
-            wide = np.asarray(width, np.float64) + HALO * self.look.scale
+            wide = np.asarray(width, np.float64) + HALO * self.scale
             self._halo.append(strokes(start, end, wide, self.palette.halo, 0.75 * np.asarray(opacity)))
         self._strokes.append(strokes(start, end, width, color, opacity))
 
@@ -72,11 +76,12 @@ class Pen:
         start, way, length = start[long], way[long], length[long]
         colors = np.broadcast_to(np.asarray(color, np.float64), (len(long), 3))[long]
         unit = way / length[:, None]
-        end, head = start + way, np.minimum(HEAD * self.look.scale, 0.5 * length)[:, None]
+        end, head = start + way, np.minimum(HEAD * self.scale, 0.5 * length)[:, None]
         side = 0.5 * head * np.column_stack([-unit[:, 1], unit[:, 0]])
-        self.lines(start, end, width, colors, halo=True)
+        slender = np.clip(SLENDER * length / self.scale, min(width, 0.8), width)
+        self.lines(start, end, slender, colors, halo=True)
         for sign in (1.0, -1.0):
-            self.lines(end, end - head * unit + sign * side, width, colors, halo=True)
+            self.lines(end, end - head * unit + sign * side, slender, colors, halo=True)
 
     def dots(self, at: Floats, radius: ArrayLike, color: ArrayLike, opacity: ArrayLike = 1.0) -> None:
         """Discs with a halo."""

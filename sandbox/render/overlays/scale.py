@@ -34,7 +34,8 @@ def reach(look: Look) -> float:
     if len(rows) == 0:
         return REACH * look.scale
     extent = float(np.median(plain(look.world.state.bodies)["extent"][rows]))
-    return float(np.clip(SHARE * extent * look.camera.scale, REACH * look.scale, FARTHEST * look.scale))
+    least, most = REACH * min(look.mark_scale, look.scale), FARTHEST * look.scale
+    return float(np.clip(SHARE * extent * look.camera.scale, least, most))
 
 
 def lengths(values: Floats, scale: float, pixels: float) -> Floats:

@@ -38,7 +38,7 @@ def _draw(look: Look) -> Marks:
     arm = np.column_stack([impacts["arm_x"], impacts["arm_y"]])
     hit = look.camera.to_screen(now + arm)[stopped]
     normal = np.column_stack([impacts["normal_x"], -impacts["normal_y"]])[stopped]
-    pen.arrows(hit, NORMAL_PIXELS * look.scale * normal, 1.8, color.red)
+    pen.arrows(hit, NORMAL_PIXELS * look.mark_scale * normal, 1.8, color.red)
     pen.dots(hit, 3.0, color.red)
     shares = [f"{100 * time:.0f} %" for time in impacts["time"][stopped].tolist()]
     pen.labels(shares, hit, color.red, gap=8.0)

@@ -107,13 +107,3 @@ def inputs(control: ControlState) -> tuple[Input, ...]:
         *(("pad", name) for name in control.pad),
         *(("mouse", name) for name in control.mouse if name != "move"),
     )
-
-
-def hint(controls: tuple[ControlState, ...]) -> str:
-    """What the controls are and what they do, in a line."""
-    words = []
-    for control in controls:
-        keys = [*control.minus[:1], *control.keys[:1]] or [f"{name} button" for name in control.mouse[:1]]
-        keys = keys or [f"pad {name}" for name in control.pad[:1]]
-        words.append(f"{' / '.join(keys)}: {control.title or control.id}")
-    return "    ".join(words)

@@ -96,7 +96,7 @@ class Inspector:
         self._shapes: dict[str, tuple[object, tuple[Shape, ...]]] = {}
 
     def look(self, world: World, names: tuple[str, str] | None) -> Inspection | None:
-        """The pair as it is now; None if no pair is picked or it cannot be looked at."""
+        """The pair as it is now; None if no pair is picked, it is not there at this step, or cannot be looked at."""
         if names != self._names:
             self._names, self.numbers = names, None
             self._shapes.clear()
@@ -104,7 +104,7 @@ class Inspector:
         if key != self._key:
             self._key = key
             self._kept, self.trouble = None, ""
-            if names is not None:
+            if names is not None and all(map(world.directory.has_body, names)):
                 try:
                     self._kept = self._inspect(world, names)
                 except SandboxError as error:
@@ -112,7 +112,7 @@ class Inspector:
         return self._kept
 
     def _inspect(self, world: World, names: tuple[str, str]) -> Inspection:
-        """Raises `SandboxError` for a pair that is none, or is not there at this step."""
+        """Raises `SandboxError` for a pair that is none."""
         if names[0] == names[1]:
             raise SandboxError(f"{names[0]} with itself is no pair: pick two bodies")
         first, second = self._shapes_of(world, names[0]), self._shapes_of(world, names[1])

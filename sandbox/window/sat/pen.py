@@ -18,6 +18,8 @@ from sandbox.window.sat.measure import scaled
 from sandbox.window.workspace import Workspace
 
 Anchor = Literal["left", "middle", "right"]
+Box = tuple[float, float, float, float]
+"""Left, top, right, bottom in pixels of the window."""
 SMALL = 14.0
 """Size of labels in pixels."""
 MOST_DASHES = 400
@@ -34,6 +36,8 @@ class Pen:
         self._middle = rect[0] + camera.size[0] / 2, rect[1] + camera.size[1] / 2
         self._center = camera.center
         self._list: Any = overlay.pen
+        self.taken: list[Box] = []
+        """Where arrows and words are."""
 
     def pixel(self, point: Vec) -> Vec:
         """The pixel of the window over a point."""
@@ -110,6 +114,7 @@ class Pen:
         long = math.hypot(qx - px, qy - py)
         if long < 0.5:
             return
+        self.taken.append((min(px, qx) - 4, min(py, qy) - 4, max(px, qx) + 4, max(py, qy) + 4))
         ux, uy = (qx - px) / long, (qy - py) / long
         head = min(head, long)
         bx, by = qx - ux * head, qy - uy * head
@@ -135,17 +140,28 @@ class Pen:
         self, pixel: Vec, text: str, color: Color, anchor: Anchor = "middle", bold: bool = False, size: float = SMALL
     ) -> None:
         """A word at a pixel, on a plate so that it can be read over anything."""
-        size = scaled(size)
-        wide = self.overlay.width(text, size, bold)
-        left = pixel[0] - {"left": 0.0, "middle": wide / 2, "right": wide}[anchor]
-        top = pixel[1] - size / 2
-        self.overlay.panel((left - 4, top - 1, left + wide + 4, top + size + 2), self.theme.background, 0.78, 4.0)
-        self.overlay.text(left, top, text, color, 1.0, size, bold)
+        box = self._plate(pixel, text, anchor, bold, size)
+        self.taken.append(box)
+        self.overlay.panel(box, self.theme.background, 0.78, 4.0)
+        self.overlay.text(box[0] + 4, box[1] + 1, text, color, 1.0, scaled(size), bold)
 
     def sees(self, pixel: Vec) -> bool:
         """Whether a pixel of the window lies in the viewport."""
         left, top, width, height = self.rect
         return left <= pixel[0] <= left + width and top <= pixel[1] <= top + height
+
+    def is_free(self, pixel: Vec, text: str, anchor: Anchor) -> bool:
+        """Whether a bold label would lie on no arrow and no other label."""
+        left, top, right, bottom = self._plate(pixel, text, anchor, True, SMALL)
+        return all(left >= x1 or right <= x0 or top >= y1 or bottom <= y0 for x0, y0, x1, y1 in self.taken)
+
+    def _plate(self, pixel: Vec, text: str, anchor: Anchor, bold: bool, size: float) -> Box:
+        """What lies under a label."""
+        high = scaled(size)
+        wide = self.overlay.width(text, high, bold)
+        left = pixel[0] - {"left": 0.0, "middle": wide / 2, "right": wide}[anchor]
+        top = pixel[1] - high / 2
+        return left - 4, top - 1, left + wide + 4, top + high + 2
 
     def fits(self, pixel: Vec, text: str, anchor: Anchor) -> bool:
         """Whether a bold label would lie in the viewport."""

@@ -11,6 +11,8 @@ from sandbox.window.sat.sheet import Sheet
 
 BAND, LANE, BAR = 15.0, 7.0, 6.0
 """Pixels: half the width of the band on a rail, how far the bars lie from its middle, their thickness."""
+SHIFTS = (0.0, 22.0, -22.0, 44.0, -44.0, 66.0, -66.0)
+"""Pixels along a rail by which the outcome gives way to what stands beside it, the best first."""
 
 
 class RailDrawing(Sheet):
@@ -74,12 +76,16 @@ class RailDrawing(Sheet):
             off = -offs[lane] if near else offs[lane]
             at = self.pen.pixel(rail.at(along, off / self.pen.scale))
             self.pen.label(at, words, (self.colors.a, self.colors.b)[lane], back if near else anchor, size=13.0)
-        middle = sum(rail.shared) / 2
         words = f"gap {metres(rail.separation)}" if gap else f"overlap {metres(-rail.separation)}"
-        off = -offs[2] if near else offs[2] if self._fits(rail, middle, offs[2], words, anchor) else -offs[0]
-        at = self.pen.pixel(rail.at(middle, off / self.pen.scale))
-        color = self.colors.gap if gap else self.colors.out
-        self.pen.label(at, words, color, anchor if off > 0.0 else back, bold=True)
+        sign, scale = -1.0 if near else 1.0, self.pen.scale
+        places = [
+            (self.pen.pixel(rail.at(sum(rail.shared) / 2 + shift / scale, off / scale)), anchor if off > 0.0 else back)
+            for shift in SHIFTS
+            for off in (sign * offs[2], -sign * offs[2], -sign * offs[0], sign * offs[0])
+        ]
+        fitting = [place for place in places if self.pen.fits(place[0], words, place[1])] or places
+        at, side = next((place for place in fitting if self.pen.is_free(place[0], words, place[1])), fitting[0])
+        self.pen.label(at, words, self.colors.gap if gap else self.colors.out, side, bold=True)
 
     def _fits(self, rail: Rail, along: float, off: float, words: str, anchor: Anchor) -> bool:
         return self.pen.fits(self.pen.pixel(rail.at(along, off / self.pen.scale)), words, anchor)

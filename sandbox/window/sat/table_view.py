@@ -21,7 +21,7 @@ ROW, MOST_ROWS = 36.0, 9
 """Height of a row in pixels, and how many are shown before the table scrolls."""
 WIDE, NARROW = 430.0, 300.0
 """Pixels from which the axis is written out as well, and below which all is written smaller."""
-TEXT, UNTESTED = 13.0, 0.55
+TEXT, UNTESTED = 13.0, 0.78
 """Size of what is written, and the opacity of rows that the test did not need."""
 
 

@@ -12,6 +12,7 @@ from sandbox.engine.commands.explode import Explode
 from sandbox.errors import SandboxError
 from sandbox.render.camera import Vec
 from sandbox.render.line import Line
+from sandbox.window.hint import Key
 from sandbox.window.tools.joint_pick import joint_under
 from sandbox.window.tools.region_pick import region_at
 from sandbox.window.tools.tool import Pointer, Tool, body_under, outline
@@ -115,7 +116,8 @@ class MagnetTool(Tool):
     """Pulls towards the pointer while the button is down, or with Shift pushes away."""
 
     name, title, icon, key = "magnet", "Magnet", icons.ICON_FA_MAGNET, "M"
-    help = "Hold to pull everything near to the pointer; with Shift it is pushed away."
+    help = "Hold to pull everything near to the pointer."
+    keys = (Key(("Shift",), "push it away"),)
 
     def __init__(self) -> None:
         self._at: Pointer | None = None

@@ -12,6 +12,8 @@ from imgui_bundle import icons_fontawesome_6 as icons
 from sandbox.engine.commands.spawn import Spawn
 from sandbox.render.camera import Vec
 from sandbox.render.line import Line
+from sandbox.render.number_text import counted
+from sandbox.window.hint import GIVE_UP, Hint, Key
 from sandbox.window.tools.simplify import simplified
 from sandbox.window.tools.tool import Pointer, Tool, fresh_id, outline
 from sandbox.window.workspace import Workspace
@@ -22,6 +24,8 @@ STROKE_PIXELS = 8.0
 """A press that is dragged farther is a freehand stroke."""
 TOLERANCE_PIXELS = 2.5
 """How far a simplified stroke may be from what was drawn."""
+
+FINISH = Key(("Enter",), "finish")
 
 
 class Freehand(Tool, ABC):
@@ -102,12 +106,14 @@ class Freehand(Tool, ABC):
         at = float(first[0]), float(first[1])
         return [*lines, Line(at, at, CLOSE_PIXELS, workspace.theme.drag, 0.9)]
 
-    def hint(self, workspace: Workspace) -> str:
-        """How to go on."""
-        if not self._corners:
-            return self.help
-        ending = "click the first corner or press Enter" if self.closes else "press Enter"
-        return f"{len(self._corners)} corners; {ending} to finish, Esc to give up."
+    def hint(self, workspace: Workspace) -> Hint:
+        """How to go on, and from the least number of corners on how to end."""
+        count = len(self._corners)
+        if not count:
+            return super().hint(workspace)
+        ends = count >= self.least
+        way = "; the first one ends it" if ends and self.closes else ""
+        return Hint(f"{counted(count, 'corner')}: click the next{way}.", (*((FINISH,) * ends), GIVE_UP))
 
     def _finish(self, workspace: Workspace, corners: Sequence[Vec]) -> None:
         corners = list(corners)
@@ -150,7 +156,7 @@ class ChainTool(DrawnBody):
     """Ground: lines from point to point that do not move."""
 
     name, title, icon, key = "chain", "Chain", icons.ICON_FA_BEZIER_CURVE, "L"
-    help = "Draw a line that bodies stand on: click by click, Enter ends it, or in one stroke."
+    help = "Draw a line that bodies stand on: click by click, or in one stroke."
     least, closes = 2, False
 
     def words(self, corners: Sequence[Vec], middle: Vec) -> dict[str, Any]:

@@ -12,6 +12,7 @@ from sandbox.errors import SandboxError
 from sandbox.render.camera import Vec
 from sandbox.render.line import Line
 from sandbox.replay.moment import Mark
+from sandbox.window.hint import Hint, Key
 from sandbox.window.tools.joint_pick import joint_under
 from sandbox.window.tools.region_drag import SHAPING, RegionDrag
 from sandbox.window.tools.region_handles import middle_of
@@ -30,10 +31,8 @@ class Hand(Tool):
     title = "Hand"
     icon = icons.ICON_FA_HAND
     key = "V"
-    help = (
-        "Drag a body to throw it; while paused, to move it. Click selects it, a joint or a region, which has handles; "
-        "Shift adds."
-    )
+    help = "Drag a body to throw it; while paused, to move it. Click selects a body, joint or region."
+    keys = (Key(("Shift",), "add"),)
 
     def __init__(self) -> None:
         self._start: Pointer | None = None
@@ -91,10 +90,10 @@ class Hand(Tool):
         self._forget()
         return busy
 
-    def hint(self, workspace: Workspace) -> str:
+    def hint(self, workspace: Workspace) -> Hint:
         """How a region that is selected is shaped."""
         area = middle_of(workspace.session.world, workspace.selection.region or "")
-        return self.help if area is None else SHAPING
+        return super().hint(workspace) if area is None else SHAPING
 
     def strokes(self, workspace: Workspace) -> Sequence[Line]:
         """The line from the grabbed point to the hand, or the handles of the region that is selected."""

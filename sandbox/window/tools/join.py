@@ -12,6 +12,7 @@ from imgui_bundle import icons_fontawesome_6 as icons
 from sandbox.engine.commands.spawn import Spawn
 from sandbox.render.camera import Vec
 from sandbox.render.line import Line
+from sandbox.window.hint import GIVE_UP, Hint, Key
 from sandbox.window.tools.tool import Pointer, Tool, body_under, fresh_id, outline
 from sandbox.window.workspace import Workspace
 
@@ -65,11 +66,12 @@ class JoinTool(Tool, ABC):
             return ()
         return outline(workspace, [self._first[1], self._cursor.point], closed=False)
 
-    def hint(self, workspace: Workspace) -> str:
+    def hint(self, workspace: Workspace) -> Hint:
         """Which body is asked for."""
         if self._first is None:
-            return self.help
-        return f"Now click what {self._first[0] or 'the world'} is joined to; empty space is the world. Esc gives up."
+            return super().hint(workspace)
+        whose = self._first[0] or "the world"
+        return Hint(f"Now click what {whose} is joined to; empty space is the world.", (GIVE_UP,))
 
     def _join(self, workspace: Workspace, first: Held, second: Held) -> None:
         if first[0] == second[0]:
@@ -178,7 +180,8 @@ class PinTool(Tool):
     """Fixes a body to the world with a hinge; with Shift, with a weld."""
 
     name, title, icon, key = "pin", "Pin", icons.ICON_FA_THUMBTACK, "N"
-    help = "Click a body to pin it to the world with a hinge; with Shift it cannot turn either."
+    help = "Click a body to pin it to the world with a hinge."
+    keys = (Key(("Shift",), "with a weld"),)
 
     def press(self, workspace: Workspace, pointer: Pointer) -> bool:
         """Pin it."""

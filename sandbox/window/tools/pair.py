@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from imgui_bundle import icons_fontawesome_6 as icons
 
 from sandbox.render.line import Line
+from sandbox.window.hint import GIVE_UP, Hint
 from sandbox.window.tools.tool import Pointer, Tool, body_under, outline
 from sandbox.window.workspace import Workspace
 
@@ -57,8 +58,8 @@ class PairTool(Tool):
             return ()
         return outline(workspace, [self._first[1].point, self._cursor.point], closed=False)
 
-    def hint(self, workspace: Workspace) -> str:
+    def hint(self, workspace: Workspace) -> Hint:
         """Which body is asked for."""
         if self._first is None:
-            return self.help
-        return f"Now click the body whose test with {self._first[0]} you want to see. Esc gives up."
+            return super().hint(workspace)
+        return Hint(f"Now click the body whose test with {self._first[0]} you want to see.", (GIVE_UP,))

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from imgui_bundle import icons_fontawesome_6 as icons
 
-from sandbox.window.controls.player import hint
+from sandbox.window.controls.control_keys import control_keys
+from sandbox.window.hint import Hint
 from sandbox.window.tools.tool import Pointer, Tool
 from sandbox.window.workspace import Workspace
 
@@ -19,7 +20,7 @@ class PlayTool(Tool):
         """The button is the scene's if a control has it; else the drag pans."""
         return any("left" in control.mouse for control in workspace.session.world.controls)
 
-    def hint(self, workspace: Workspace) -> str:
+    def hint(self, workspace: Workspace) -> Hint:
         """The controls."""
         controls = workspace.session.world.controls
-        return hint(controls) if controls else "This scene has no controls."
+        return Hint("", control_keys(controls)) if controls else Hint("This scene has no controls.")

@@ -8,6 +8,7 @@ from sandbox.engine.commands.set_region import SetRegion
 from sandbox.errors import SandboxError
 from sandbox.render.line import Line
 from sandbox.replay.moment import Mark
+from sandbox.window.hint import Hint, Key
 from sandbox.window.tools.region_handles import Handle, command_of, handles_of
 from sandbox.window.tools.tool import Pointer, outline
 from sandbox.window.workspace import Workspace
@@ -17,7 +18,9 @@ HANDLE_PIXELS = 10.0
 """How far beside a handle a press still takes it."""
 SLIP_PIXELS = 3.0
 """A drag that goes no farther is a click."""
-SHAPING = "Drag the cross to move it, dots to shape it. Ctrl: one corner by itself; a click takes it away."
+SHAPING = Hint(
+    "Drag the cross to move it, dots to shape it; a click on a corner takes it away.", (Key(("Ctrl",), "one corner"),)
+)
 
 
 class RegionDrag:

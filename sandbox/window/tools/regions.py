@@ -12,11 +12,12 @@ from sandbox.geometry.decompose import decompose
 from sandbox.geometry.polygon import PolygonError
 from sandbox.render.camera import Vec
 from sandbox.render.line import Line
+from sandbox.window.hint import Key
 from sandbox.window.tools.freehand import Freehand
 from sandbox.window.tools.tool import Pointer, fresh_id, outline
 from sandbox.window.workspace import Workspace
 
-HOW = "Drag a box, or click corner by corner; with Shift, in one stroke."
+HOW = "Drag a box, or click corner by corner."
 
 
 class RegionTool(Freehand):
@@ -25,6 +26,7 @@ class RegionTool(Freehand):
     field: ClassVar[dict[str, Any]]
     """What it does there, in the words of a scene file."""
     least, closes = 3, True
+    keys = (Key(("Shift",), "in one stroke"),)
 
     def stroke_corners(self, stroke: Sequence[Vec], start: Pointer, tolerance: float) -> list[Vec]:
         """Those of a box from the beginning to the end, or with Shift of what was drawn."""

@@ -9,6 +9,7 @@ from typing import ClassVar
 from sandbox.render.camera import Vec
 from sandbox.render.line import Line
 from sandbox.render.pick import pick
+from sandbox.window.hint import Hint, Key
 from sandbox.window.workspace import Workspace
 from sandbox.world.records import DYNAMIC, KINEMATIC, STATIC
 
@@ -38,6 +39,8 @@ class Tool:
     icon: ClassVar[str]
     key: ClassVar[str] = ""
     help: ClassVar[str]
+    keys: ClassVar[tuple[Key, ...]] = ()
+    """What is held or pressed with it."""
 
     def press(self, workspace: Workspace, pointer: Pointer) -> bool:
         """The left button goes down."""
@@ -61,9 +64,14 @@ class Tool:
         """What it draws over the scene, in pixels of the viewport."""
         return ()
 
-    def hint(self, workspace: Workspace) -> str:
+    def hint(self, workspace: Workspace) -> Hint:
         """What the next click or key will do, for the status line."""
-        return self.help
+        return Hint(self.help, self.keys)
+
+    @classmethod
+    def told(cls) -> str:
+        """What it does, and its keys, in words."""
+        return Hint(cls.help, cls.keys).text
 
 
 def body_under(workspace: Workspace, pointer: Pointer, types: Sequence[int] = ANY_TYPE) -> str | None:

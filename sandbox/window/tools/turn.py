@@ -12,6 +12,7 @@ from sandbox.errors import SandboxError
 from sandbox.render.camera import Vec
 from sandbox.render.line import Line
 from sandbox.replay.moment import Mark
+from sandbox.window.hint import Key
 from sandbox.window.tools.tool import Pointer, Tool, body_under, outline
 from sandbox.window.workspace import Workspace
 
@@ -23,7 +24,8 @@ class TurnTool(Tool):
     """Turns the body under the pointer, or all that are selected, about their common middle."""
 
     name, title, icon, key = "turn", "Turn", icons.ICON_FA_ARROWS_ROTATE, "T"
-    help = "Drag a body around its middle to turn it; Ctrl turns by 15 degrees. What is selected turns as one."
+    help = "Drag a body around its middle to turn it. What is selected turns as one."
+    keys = (Key(("Ctrl",), "by 15 degrees"),)
 
     def __init__(self) -> None:
         self._poses: dict[str, tuple[Vec, float]] = {}

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -9,6 +11,7 @@ from hypothesis import strategies as st
 
 from sandbox.render.camera import Camera
 from sandbox.render.overlays.islands import islands_of, lowest_row
+from sandbox.render.overlays.pen import LABEL, Pen
 from tests.examples import examples
 from tests.naive.islands import islands
 from tests.render.overlays.looks import GROUND, SIZE, crate, look_at, own_marks, shipped_world, words, world_of
@@ -115,3 +118,13 @@ def test_centres_of_mass_lie_where_they_are() -> None:
     strokes = own_marks("centers", look).strokes
     dot = (strokes.color == look.palette.yellow).all(axis=1)
     assert strokes.start[dot] == pytest.approx(CAMERA.to_screen([[1.0, 0.0]]))
+
+
+@pytest.mark.parametrize(("pixels_a_metre", "factor"), [(10.0, 0.44), (40.0, 1.0), (90.0, 1.45), (500.0, 1.6)])
+def test_marks_are_small_on_small_bodies_and_large_on_large_ones(pixels_a_metre: float, factor: float) -> None:
+    look = look_at(world_of(GROUND, crate("crate", 0, 0.5), steps=1), Camera((0.0, 0.5), pixels_a_metre, SIZE))
+    assert look.mark_scale == pytest.approx(factor, abs=0.02)
+    assert replace(look, scale=2.0).mark_scale >= 0.8
+    pen = Pen(look)
+    pen.label("words", (100.0, 100.0), look.palette.text)
+    assert pen.marks().labels[0].size == LABEL  # can be read on any

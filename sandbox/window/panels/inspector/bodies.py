@@ -79,15 +79,15 @@ def draw_mass(workspace: Workspace, rows: Any) -> None:
     if len(rows) == 1:
         body = table[rows[0]]
         if body["type"] == DYNAMIC:
-            row("mass", f"{body['mass']:.6g} kg", "Follows from densities and sizes.")
-            row("inertia", f"{body['inertia']:.6g} kg m²", "About the centre of mass; 0 where it cannot turn.")
-        row("centre of mass", f"{body['center_x']:.5g}, {body['center_y']:.5g} m")
+            row("mass", f"{body['mass']:.5g} kg", "Follows from densities and sizes.")
+            row("inertia", f"{body['inertia']:.4g} kg m²", "About the centre of mass; 0 where it cannot turn.")
+        row("centre of mass", _place(body["center_x"], body["center_y"]))
         row("state", _state(body))
         return
     center = [float((mass * table[name][rows]).sum() / mass.sum()) if mass.sum() else 0.0 for name in _CENTER]
-    row("mass", f"{mass.sum():.6g} kg", "Of all together.")
+    row("mass", f"{mass.sum():.5g} kg", "Of all together.")
     if mass.sum():
-        row("centre of mass", f"{center[0]:.5g}, {center[1]:.5g} m", "Of all together.")
+        row("centre of mass", _place(*center), "Of all together.")
     moving = table["type"][rows] == DYNAMIC
     row("state", f"{int((moving & (table['awake'][rows] == 1)).sum()):,} of {int(moving.sum()):,} dynamic ones awake")
 
@@ -100,6 +100,11 @@ def describe(workspace: Workspace, rows: Any) -> str:
     types = plain(workspace.session.world.state.bodies)["type"][rows]
     counts = [(int((types == kind).sum()), TYPES[kind]) for kind in (2, 1, 0)]
     return TYPES[int(types[0])] if len(rows) == 1 else ", ".join(f"{n:,} {kind}" for n, kind in counts if n)
+
+
+def _place(x: float, y: float) -> str:
+    scale = _POSITION.scale
+    return f"{scale.shown(x):g}, {scale.shown(y):g} m"
 
 
 def _state(body: Any) -> str:

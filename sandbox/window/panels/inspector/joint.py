@@ -11,14 +11,15 @@ from sandbox.engine.commands.delete import DeleteJoint
 from sandbox.engine.commands.joint_parts import BreakJoint
 from sandbox.engine.commands.set_joint import SetJoint
 from sandbox.engine.views.joint import JointView
-from sandbox.window.editor import Editor, Entry, tidy
+from sandbox.window.editor import Editor, Entry
 from sandbox.window.panels.inspector.joint_parts import draw_limits, draw_motor, draw_spring
 from sandbox.window.panels.inspector.joint_settings import draw_settings
-from sandbox.window.widgets import button, label, row, section
+from sandbox.window.widgets import PLAIN, Scale, button, label, row, section
 from sandbox.window.workspace import Workspace
 from sandbox.world import joint_records as kinds
 
 _SLIDING = (kinds.DISTANCE, kinds.PRISMATIC, kinds.WHEEL, kinds.TARGET)
+_TURN, _METRES = Scale("°"), Scale("m")
 _ENABLED = Entry("inspector.joint.enabled", "on", tip="Off: it has no effect.")
 _COLLIDE = Entry("inspector.joint.collide", "bodies collide", tip="Whether the two bodies collide with each other.")
 
@@ -56,20 +57,26 @@ def _draw_figures(joint: JointView, record: Any) -> None:
     force = joint.force
     if joint.type != "gear":
         for which, (x, y) in zip(("first anchor", "second anchor"), joint.anchors, strict=True):
-            row(which, f"{x:.5g}, {y:.5g} m")
+            row(which, f"{_METRES.shown(x):g}, {_METRES.shown(y):g} m")
         row(
             "angle",
-            f"{tidy(math.degrees(joint.angle)):.4g} °",
+            f"{_TURN.shown(math.degrees(joint.angle)):.4g} °",
             "Of the second body against the first, since the start.",
         )
     if int(record.kind) in _SLIDING:
-        row("length", f"{joint.translation:.5g} m", "The slide along its axis, or the distance of its anchors.")
+        row(
+            "length",
+            f"{_METRES.shown(joint.translation):g} m",
+            "The slide along its axis, or the distance of its anchors.",
+        )
     row(
         "force",
-        f"{tidy(math.hypot(*force)):.5g} N   ({tidy(force[0]):.4g}, {tidy(force[1]):.4g})",
+        f"{PLAIN.shown(math.hypot(*force)):.5g} N   ({PLAIN.shown(force[0]):.4g}, {PLAIN.shown(force[1]):.4g})",
         "On the second body, in the last step.",
     )
-    row("torque", f"{tidy(joint.torque):.5g} N m", "On the second body, about its anchor, mean of the last step.")
+    row(
+        "torque", f"{PLAIN.shown(joint.torque):.5g} N m", "On the second body, about its anchor, mean of the last step."
+    )
     if joint.broken:
         row("broken", f"at step {joint.broken_step:,}")
 

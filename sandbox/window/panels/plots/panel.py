@@ -128,23 +128,24 @@ class PlotsPanel(Panel):
         rows = -(-len(charts) // columns)
         columns = -(-len(charts) // rows)
         gap = imgui.get_style().item_spacing
-        width = (room.x - (columns - 1) * gap.x) / columns
         height = max((room.y - (rows - 1) * gap.y) / rows, LEAST_HEIGHT)
         known = self.values(workspace)
         plot_style(workspace.theme)
         for number, chart in enumerate(charts):
             if number % columns:
                 imgui.same_line()
+            beside = min(len(charts) - number // columns * columns, columns)  # the last row is as wide as the others
+            width = (room.x - (beside - 1) * gap.x) / beside
             draw_chart(workspace, chart, known, self._limits(workspace), (width, height))
 
     def _limits(self, workspace: Workspace) -> tuple[float, float]:
-        """First and last step that are shown."""
+        """First and last step that are shown: none before there was anything to keep, unless time stands there."""
         timeline, span = workspace.session.timeline, SPANS[self._span]
+        now = timeline.step_count
+        first = float(min(self._world.first, now))
         if not span:
-            return 0.0, float(max(timeline.length, 1))
-        steps = span / workspace.session.clock.step_seconds
-        end = max(float(timeline.step_count), steps)
-        return end - steps, end
+            return first, max(float(timeline.length), first + 1.0)
+        return max(first, now - span / workspace.session.clock.step_seconds), max(float(now), first + 1.0)
 
 
 _FIRST_OF_BODY = next(number for number, chart in enumerate(CHARTS) if chart.of_body)

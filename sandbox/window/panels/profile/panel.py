@@ -8,7 +8,7 @@ from imgui_bundle import imgui, implot
 
 from sandbox.window.gui_style import palette_of
 from sandbox.window.panels.panel import Panel
-from sandbox.window.panels.profile.table import KEPT, PARTS, REST, StageTable
+from sandbox.window.panels.profile.table import PARTS, REST, StageTable
 from sandbox.window.plot_style import line_color, line_look, plot_style
 from sandbox.window.stage_times import STAGES, StageTimes
 from sandbox.window.widgets import mark, wrapped
@@ -107,10 +107,10 @@ class ProfilePanel(Panel):
         sums = np.concatenate([np.zeros((len(rows), 1)), rows.cumsum(axis=1)], axis=1)
         top = max(float(np.percentile(sums[:, -1], 95.0)) * 1.3, 1e-3)
         implot.setup_axes("", "", _LOCKED | implot.AxisFlags_.no_tick_labels, _LOCKED)
-        implot.setup_axis_limits(implot.ImAxis_.x1, 0.0, KEPT - 1.0, implot.Cond_.always)
+        implot.setup_axis_limits(implot.ImAxis_.x1, 0.0, max(len(rows) - 1.0, 1.0), implot.Cond_.always)
         implot.setup_axis_limits(implot.ImAxis_.y1, 0.0, top, implot.Cond_.always)
         implot.setup_axis_format(implot.ImAxis_.y1, "%g ms")
-        places = np.arange(len(rows), dtype=float) + (KEPT - len(rows))
+        places = np.arange(len(rows), dtype=float)
         for number, name in enumerate(PARTS):
             if rows[:, number].any():
                 low, high = np.ascontiguousarray(sums[:, number]), np.ascontiguousarray(sums[:, number + 1])
