@@ -73,7 +73,7 @@ def _solve() -> None:
     stages.lay_out()
     stages.begin()
     stages.warm()
-    stages.solve(0.0, 1.0, 0.0, 0.0)
+    stages.solve(0.0, 0.0, 0.0)
     stages.move()
     stages.store()
     stages.strike()

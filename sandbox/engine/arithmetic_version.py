@@ -24,6 +24,10 @@ NOTES: dict[int, str] = {
     "friction on something immovable acts at the surface of what moves, no longer in the middle of the overlap; only "
     "the body whose own velocity or forces are too large is frozen, before anything is solved with them",
     13: "a contact without rolling resistance no longer gets the sign of a zero from others with whom it is solved",
+    14: "both points of a contact get the mean of what either order of solving them gives, with one friction for both, "
+    "so that what is mirrored falls mirrored; all that a hard blow without restitution reaches stops together; the "
+    "relax pass is over-relaxed; what is moved out of an overlap or drawn together by a joint does not fall asleep "
+    "meanwhile; contacts are of 57 Hz unless a scene says otherwise, no longer of 55",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

@@ -21,7 +21,7 @@ from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.batches import BLOCKS
 from sandbox.engine.records.bodies import SolverBodies
-from sandbox.engine.records.ccd import Ccd
+from sandbox.engine.records.ccd import STRUCK, Ccd
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.state import StateTables
@@ -74,7 +74,7 @@ def solve_level(
     sort_contacts(contacts, solver.batches, blocks, count)
     impacts = _list_impacts(state, solver, contacts, blocks, level, count)
     bits = unsettled_bits(state.bodies, rows, solver.free_motions, ccd.bodies, number)
-    share = Share(number, impacts > 0, bits, colors)
+    share = Share(number, impacts > 0 or bits & STRUCK != 0, bits, colors)
     _tell(workers, share)
     first = 0
     end = 1
@@ -156,9 +156,9 @@ def solve_batches(
         stop = batches.first_impact[batch + 1]
         slots: Any = batches.impacts[start:stop]
         impacts = ImpactList(slots, stop - start, threshold)
-        block_count, unsettled_count = fill_blocks(solver.colors, own, batch)
+        block_count, unsettled_count, struck_count = fill_blocks(solver.colors, own, batch)
         prepare_contacts(bodies, contacts.now, own, block_count, team, level, share.impacts)
-        todo = Pass(level, batch, held, block_count, unsettled_count, share.unsettled, share.impacts)
+        todo = Pass(level, batch, held, block_count, unsettled_count, struck_count, share.unsettled, share.impacts)
         frozen += run_substeps(state, active, solver, contacts.now, own, impacts, joints, team, members, todo)
         store_impulses(bodies, solver.flags, contacts, own, block_count, team, level)
     if frozen > 0:

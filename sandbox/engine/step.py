@@ -35,6 +35,7 @@ from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.decisions import Decisions
 from sandbox.engine.records.state import StateTables
 from sandbox.engine.records.workers import Workers
+from sandbox.engine.restitution.struck import flag_struck
 from sandbox.engine.solve_islands import Level, solve_level
 from sandbox.tables import Integers, Records
 
@@ -103,9 +104,10 @@ def solve(
         update_active_set(bodies, active, solver, ccd.bodies)
         list_active_contacts(bodies, contacts, count)
     rows = active.bodies[1 : 1 + active.bodies[0]]
-    levels = assign_substep_levels(state, active, solver, piles, contacts, joints, ccd.bodies)
+    levels = assign_substep_levels(state, active, solver, piles, contacts, joints)
 
     fastest = _begin(state, rows, solver, ccd.bodies)
+    flag_struck(bodies, contacts, ccd.bodies, fastest)
     if joints is not None:
         begin_joints(joints, bodies, solver.free_motions, contacts)
     clear_reports(contacts.reports, count)

@@ -116,7 +116,7 @@ class FlatSettings:
 
     step_rate: float = 60.0
     substeps: int = 4
-    contact_hertz: float = 55.0
+    contact_hertz: float = 57.0
     contact_damping_ratio: float = 1.5
     push_out_speed: float = 3.0
     restitution_threshold: float = 0.2

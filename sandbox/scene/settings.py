@@ -19,7 +19,7 @@ class Settings(Model):
 
     step_rate: Hertz = Field(default=60.0, description="Steps per second.")
     substeps: Annotated[int, Range(1, MAX_SUBSTEPS)] = Field(default=4, description="Solver substeps in a step.")
-    contact_hertz: Hertz = Field(default=55.0, description="Stiffness of contacts, Hz.")
+    contact_hertz: Hertz = Field(default=57.0, description="Stiffness of contacts, Hz.")
     contact_damping_ratio: Ratio = Field(default=1.5, description="Damping of contacts; 1 is critical.")
     push_out_speed: Speed = Field(default=3.0, description="Fastest recovery of an overlap, m/s.")
     restitution_threshold: Speed = Field(default=0.2, description="Slower impacts do not bounce, m/s.")

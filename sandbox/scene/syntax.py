@@ -58,7 +58,9 @@ def _explain(text: str, pos: int, msg: str) -> tuple[str, str]:
 def _explain_value(text: str, pos: int, msg: str, word: str) -> tuple[str, str]:
     if "control character" in msg and text[pos] not in "\r\n":
         return "a control character within text", "write it with a backslash: a tab is \\t"
-    if "Unterminated" in msg or "control character" in msg:
+    if "Unterminated" in msg:
+        return "the file ends too early", 'the text that begins here has no closing "'
+    if "control character" in msg:
         return _OPEN_TEXT, 'close it with " (a line break inside is \\n)'
     if "escape" in msg:
         return "not a valid \\ escape", "a backslash itself is \\\\"

@@ -33,22 +33,22 @@ def test_one_friction_of_a_shipped_scene(views: Callable[..., Views]) -> None:
         shutil.copy(scenes_dir() / "friction" / f"ramp.{kind}.json", ".")
     scene, golden = Path("ramp.scene.json"), Path("ramp.replay.json")
     text = scene.read_text(encoding="utf-8")
-    old = '"rubber": {"friction": 0.25}'
+    old = '"pine": {"friction": 0.09}'
     assert old in text
-    scene.write_text(text.replace(old, old.replace("0.25", "0.26")), encoding="utf-8")
-    body = place(scene, '{"id": "rubber"')
+    scene.write_text(text.replace(old, old.replace("0.09", "0.1")), encoding="utf-8")
+    body = place(scene, '{"id": "pine"')
     step = first_parting(golden, sandbox.record(scene))
     seen = views(golden)
     detail = seen.divergence["detail"]
-    assert (seen.entry["verdict"], seen.divergence["step"], detail["body"]) == ("stale", step, "rubber")
+    assert (seen.entry["verdict"], seen.divergence["step"], detail["body"]) == ("stale", step, "pine")
     # Of two surfaces the friction is the geometric mean, and the slope has 1.
-    assert (detail["field"], detail["expected"], detail["got"]) == ("friction", math.sqrt(0.25), math.sqrt(0.26))
+    assert (detail["field"], detail["expected"], detail["got"]) == ("friction", math.sqrt(0.09), math.sqrt(0.1))
     assert seen.divergence["cause"]["kind"] == "scene"
     for words in (
         f"step {step} ({step / 60:.3f} s): ",
-        f"friction expected 0.5, got {math.sqrt(0.26)!r} ({detail['ulps']:,} ulps off)",
-        f"cause: the scene was edited: {place(scene, '0.26')}: materials.rubber.friction was 0.25 and is 0.26",
-        f"body rubber: {body}",
+        f"friction expected 0.3, got {math.sqrt(0.1)!r} ({detail['ulps']:,} ulps off)",
+        f"cause: the scene was edited: {place(scene, '0.1')}: materials.pine.friction was 0.09 and is 0.1",
+        f"body pine: {body}",
         "farthest off: ",
     ):
         assert seen.all_say(words), words

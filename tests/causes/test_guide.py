@@ -35,8 +35,8 @@ def test_every_line_is_printed_in_this_order(cli: Callable, command: str, printe
     commit()
     scene = Path("ramp.scene.json")
     text = scene.read_text(encoding="utf-8")
-    assert text.count('"rubber": {"friction": 0.25}') == 1
-    scene.write_text(text.replace('"rubber": {"friction": 0.25}', '"rubber": {"friction": 0.26}'), encoding="utf-8")
+    assert text.count('"pine": {"friction": 0.09}') == 1
+    scene.write_text(text.replace('"pine": {"friction": 0.09}', '"pine": {"friction": 0.1}'), encoding="utf-8")
     done = cli(*shlex.split(command))
     assert done.code == 1
     left = iter([words(line) for line in done.out.splitlines()])

@@ -170,7 +170,7 @@ class Paused:
         s, m = self.state, self.scratch
         self.colors = color_contacts(s.bodies, m.active, m.solver, m.ccd.bodies, m.contacts, 0, False, False, m.blocks)
         sort_contacts(m.contacts, m.solver.batches, m.blocks, 1)
-        self.blocks, _ = fill_blocks(m.solver.colors, m.blocks, 0)
+        self.blocks, _, _ = fill_blocks(m.solver.colors, m.blocks, 0)
         assert self.blocks <= len(m.blocks.blocks)
         self.prepare()
 
@@ -202,10 +202,10 @@ class Paused:
         """Warm start."""
         warm_start(self.scratch.solver.motions, self.scratch.blocks, self.blocks, self.scratch.workers)
 
-    def solve(self, bias: float, mass: float, impulse: float, slowest: float, allowance: float = 0.0) -> None:
+    def solve(self, bias: float, softness: float, slowest: float, allowance: float = 0.0, beyond: float = 0.0) -> None:
         """One pass."""
         m = self.scratch
-        soft = SoftContact(1.0 / self.substep, bias, mass, impulse, slowest, allowance)
+        soft = SoftContact(1.0 / self.substep, bias, softness, slowest, allowance, beyond)
         solve_contacts(m.solver.motions, m.blocks, self.blocks, m.workers, soft)
 
     def strike(self) -> None:

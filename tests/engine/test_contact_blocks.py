@@ -11,9 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox.engine.bodies.flags import IMMOVABLE
-from sandbox.engine.contact_solver.blocks import LANES, MAX_COLORS, SETTLED
+from sandbox.engine.contact_solver.blocks import ALL_COLORS, LANES, MAX_COLORS, SETTLED, UNSETTLED
 from sandbox.engine.contact_solver.further_colors import MOST_WORDS
-from sandbox.engine.contact_solver.graph_coloring import FREE, UNSETTLED, lowest_free
+from sandbox.engine.contact_solver.graph_coloring import FREE, IS_UNSETTLED, lowest_free
 from sandbox.engine.memory.scratch import Scratch
 from sandbox.engine.records.contact_blocks import BLOCK
 from sandbox.world.build import build_state
@@ -38,13 +38,14 @@ def laid(pairs: list[naive.Pair], colors: list[int], movable: list[bool], room: 
     blocks.sets[:] = blocks.further[:] = blocks.further_heads[:] = 12345
     taken = np.where(movable, 7, IMMOVABLE)
     sort_contacts(contacts, memory.solver.batches, blocks, 1)
-    used, unsettled = fill_blocks(taken, blocks, 0)
+    used, unsettled, struck = fill_blocks(taken, blocks, 0)
     found = []
     for block in blocks.blocks[:used]:
         slots = blocks.slots[block.first : block.first + block.count]
         assert [(s.body_a, s.body_b) for s in slots] == [pairs[s.contact] for s in slots]
         found.append(naive.Block(bool(block.serial), tuple(int(s.contact) for s in slots)))
     assert unsettled == sum(colors[block.contacts[0]] < SETTLED for block in found)
+    assert struck == sum(colors[block.contacts[0]] < UNSETTLED for block in found)
     return found
 
 
@@ -78,7 +79,7 @@ def crowds(draw: Any) -> tuple[list[naive.Pair], list[bool], set[int]]:
 def test_blocks_are_those_of_the_slow_twin(crowd, spare):
     pairs, movable, unsettled = crowd
     colors = colored(pairs, movable, unsettled)
-    room = sum(naive.blocks_of(colors.count(c)) for c in range(2 * SETTLED)) + spare
+    room = sum(naive.blocks_of(colors.count(c)) for c in range(ALL_COLORS)) + spare
     assert laid(pairs, colors, movable, room) == naive.fill_blocks(pairs, colors, movable, room)
 
 
@@ -102,7 +103,7 @@ def test_a_hub_leaves_its_contacts_to_be_solved_one_by_one():
     assert sum(len(block.contacts) for block in found if block.serial) == 300 - MAX_COLORS
 
 
-@pytest.mark.parametrize("flags", [0, UNSETTLED])
+@pytest.mark.parametrize("flags", [0, IS_UNSETTLED])
 def test_the_lowest_free_colour(flags):
     random = np.random.default_rng(3)
     sets = [(1 << k) - 1 for k in range(MAX_COLORS + 1)]

@@ -1,4 +1,4 @@
-"""The block solver against the simple one, and blocks of 64 against blocks of one, bit for bit."""
+"""The block solver against a naive one, and blocks of 64 against blocks of one, bit for bit."""
 
 from __future__ import annotations
 
@@ -9,11 +9,12 @@ import numpy as np
 import pytest
 
 from sandbox.engine.contact_solver import soft_constraint
-from sandbox.engine.contact_solver.blocks import LANES, MAX_COLORS, SETTLED
+from sandbox.engine.contact_solver.blocks import KIND, LANES, MAX_COLORS
+from sandbox.engine.substeps import OVER_RELAXATION
 from sandbox.engine.world import World
 from sandbox.reference.simple.bodies import Body
 from sandbox.reference.simple.contacts import Contact, Point
-from sandbox.reference.simple.solver import Pass, solve, warm_start
+from sandbox.reference.simple.solver import Pass
 from sandbox.tables import plain
 from tests.determinism import busy
 from tests.determinism.test_scratch import laden_plank
@@ -22,6 +23,7 @@ from tests.flat import body as flat_body
 from tests.flat import box, circle, ground
 from tests.flat import world as put
 from tests.kernels import called_from_python
+from tests.naive.point_pairs import solve, warm_start
 from tests.physics.test_momentum import crowd as drifting
 from tests.physics.test_stacks import falling_pile
 
@@ -159,16 +161,16 @@ def test_a_substep_of_the_solver(paused, bouncy):
     for _ in range(2):
         paused.warm()
         warm_start(contacts)
-        paused.solve(*soft, -3.0)
-        solve(contacts, Pass(rate, *soft, 3.0))
+        paused.solve(soft[0], soft[2], -3.0)
+        solve(contacts, Pass(rate, *soft, 3.0), 0.0)
         assert_same(paused, bodies, contacts)
         paused.move()
         for body, motion in zip(bodies, paused.scratch.solver.motions, strict=True):
             body.moved, body.turned = vector(motion, "delta_x", "delta_y"), vector(motion, "delta_cos", "delta_sin")
-        paused.solve(0.0, 1.0, 0.0, 0.0, 1e30)
+        paused.solve(0.0, 0.0, 0.0, 1e30, OVER_RELAXATION)
         for contact in contacts:
             contact.allowance = 1e30
-        solve(contacts, Pass(rate))
+        solve(contacts, Pass(rate), OVER_RELAXATION)
         for contact in contacts:
             contact.allowance = 0.0
         assert_same(paused, bodies, contacts)
@@ -179,9 +181,9 @@ def run(p: Paused) -> tuple[list[list[float]], list[list[float]]]:
     soft = soft_coefficients(55.0, 1.5, p.substep)
     for _ in range(2):
         p.warm()
-        p.solve(*soft, -3.0)
+        p.solve(soft[0], soft[2], -3.0)
         p.move()
-        p.solve(0.0, 1.0, 0.0, 0.0)
+        p.solve(0.0, 0.0, 0.0)
     p.store()
     return p.scratch.solver.motions.tolist(), p.scratch.contacts.now[: p.count].tolist()
 
@@ -198,7 +200,7 @@ def test_lanes_are_independent_to_the_bit(make):
 
 
 def test_colours_share_no_moving_body(paused):
-    bodies, contacts, colors = paused.state.bodies, paused.scratch.contacts.now, paused.scratch.blocks.colors % SETTLED
+    bodies, contacts, colors = paused.state.bodies, paused.scratch.contacts.now, paused.scratch.blocks.colors % KIND
     seen: dict[int, set[int]] = {}
     for i in range(paused.count):
         touched = {int(b) for b in (contacts[i].body_a, contacts[i].body_b) if bodies[b].inverse_mass > 0.0}
@@ -223,7 +225,7 @@ def test_every_contact_has_one_slot_and_every_block_one_colour(paused):
         (color,) = colors
         assert color >= last
         assert members == sorted(members)
-        serial = color % SETTLED == MAX_COLORS
+        serial = color % KIND == MAX_COLORS
         assert block.serial == (1 if serial else 0)
         assert 1 <= block.count <= LANES
         assert block.rolling == (paused.scratch.contacts.now.rolling_resistance[members] > 0.0).any()
@@ -239,15 +241,16 @@ def test_the_plank_has_serial_contacts():
     p = Paused(WORLDS["plank"]())
     p.detect()
     p.lay_out()
-    assert (p.scratch.blocks.colors[: p.count] % SETTLED == MAX_COLORS).sum() >= 10
+    assert (p.scratch.blocks.colors[: p.count] % KIND == MAX_COLORS).sum() >= 10
 
 
 def test_contacts_of_unsettled_bodies_come_first(paused):
     scratch, bodies = paused.scratch, paused.state.bodies
     unsettled = (scratch.ccd.bodies.unsettled != 0) & (bodies.inverse_mass > 0.0)
-    blocks, first = fill_blocks(scratch.solver.colors, scratch.blocks, 0)
+    blocks, first, struck = fill_blocks(scratch.solver.colors, scratch.blocks, 0)
     count = int(scratch.blocks.blocks.count[:first].sum())
     touch = [unsettled[slot.body_a] or unsettled[slot.body_b] for slot in scratch.blocks.slots[: paused.count]]
+    assert struck == 0
     assert blocks == paused.blocks
     assert touch == [True] * count + [False] * (paused.count - count)
 

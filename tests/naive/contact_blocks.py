@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from sandbox.engine.contact_solver.blocks import LANES, MAX_COLORS, SETTLED, VECTOR
+from sandbox.engine.contact_solver.blocks import ALL_COLORS, KIND, LANES, MAX_COLORS, VECTOR
 
 ENOUGH = VECTOR // 4
 Pair = tuple[int, int]
@@ -36,12 +36,12 @@ def lowest_colors(pairs: Sequence[Pair], contacts: Sequence[int], movable: Seque
 def fill_blocks(pairs: Sequence[Pair], colors: Sequence[int], movable: Sequence[bool], room: int) -> list[Block]:
     """The blocks, of which there is room for so many. `colors` are those of all contacts, -1 for none to be solved."""
     found: list[Block] = []
-    for color in range(2 * SETTLED):
+    for color in range(ALL_COLORS):
         left = [k for k, own in enumerate(colors) if own == color]
-        if color % SETTLED < MAX_COLORS:
+        if color % KIND < MAX_COLORS:
             found += cut(left, False)
             continue
-        later = sum(blocks_of(sum(own == c for own in colors)) for c in range(color + 1, 2 * SETTLED))
+        later = sum(blocks_of(sum(own == c for own in colors)) for c in range(color + 1, ALL_COLORS))
         while len(left) >= ENOUGH:
             further = lowest_colors(pairs, left, movable)
             by_color: list[list[int]] = [[] for _ in range(MAX_COLORS + 1)]

@@ -52,7 +52,7 @@ def unexplained(w: World) -> float:
     """How much deeper (m) the worst point of a contact lies than the spring of the contact would under its impulse."""
     setting, bodies = w.state.settings[0], w.state.bodies
     seconds = float(setting.step_seconds) / int(setting.substeps)
-    rate, scale, impulse_scale = coefficients(setting, min(float(setting.contact_hertz), 0.25 / seconds), seconds)
+    rate, softness = coefficients(setting, min(float(setting.contact_hertz), 0.25 / seconds), seconds)
     worst = 0.0
     for c in w.contacts:
         a, b = bodies[c.body_a], bodies[c.body_b]
@@ -61,7 +61,7 @@ def unexplained(w: World) -> float:
             turn_b = c[f"anchor_bx{k}"] * c.normal_y - c[f"anchor_by{k}"] * c.normal_x
             inverse = a.inverse_mass + b.inverse_mass
             inverse += a.inverse_inertia * turn_a**2 + b.inverse_inertia * turn_b**2
-            explained = c[f"normal_impulse{k}"] * inverse * impulse_scale / (scale * rate)
+            explained = c[f"normal_impulse{k}"] * inverse * softness / ((1.0 - softness) * rate)
             worst = max(worst, float(-c[f"separation{k}"] - explained))
     return worst
 

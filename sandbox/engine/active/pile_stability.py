@@ -13,7 +13,6 @@ from typing import NamedTuple
 from sandbox._jit import kernel
 from sandbox.engine.active.hinged_weight import hangs_by_one_hinge, hinged_mass, share_not_hung
 from sandbox.engine.bodies.flags import is_active
-from sandbox.engine.contact_solver.closing_speed import closing_speed
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.contacts import Contacts
 from sandbox.tables import Field, Integers, Records, Table
@@ -27,8 +26,6 @@ SAFE = 0.35
 """Largest share of the buckling load that an island bears at its level."""
 RATIO = 30.0
 """Largest ratio of what weighs on a body to its mass at level 0; four times as much at each level more."""
-UNLOADED = 10.0
-"""Largest such ratio at which one relax pass a substep takes back what a blow has left too much of the impulses."""
 SINK = 0.02
 """Largest depth, as a share of the lower body's extent, to which a body may sink into that."""
 UPRIGHT = 0.5
@@ -51,7 +48,6 @@ PILE = Table(
         Field("bearer", "kg", "lightest body that another one lies on"),
         Field("slight", "m", "smallest extent of such a body"),
         Field("ratio", "1", "largest mass that weighs on a body at one contact, by its own"),
-        Field("blow", "N s", "largest normal impulse at a contact of two of its bodies in a substep, given or to come"),
     ),
 )
 """What a pile is made of; in the row of its island's root."""
@@ -69,7 +65,7 @@ class Load(NamedTuple):
 
 @kernel
 def masses_differ(bodies: Records, gravity: float, omega: float) -> bool:
-    """Whether some dynamic body would be too heavy for some other one at level 0, or at one relax pass."""
+    """Whether some dynamic body would be too heavy for some other one at level 0."""
     heaviest = 0.0
     lightest = slight = _NONE
     for i in range(bodies.shape[0]):
@@ -79,7 +75,7 @@ def masses_differ(bodies: Records, gravity: float, omega: float) -> bool:
             lightest = body.mass if body.mass < lightest else lightest
             slight = body.extent if body.extent < slight else slight
     bears = bearable(slight, gravity, omega)
-    return heaviest > lightest * (bears if bears < UNLOADED else UNLOADED)
+    return heaviest > lightest * bears
 
 
 @kernel
@@ -141,7 +137,7 @@ def some_pile_may_fall(rows: Integers, islands: Integers, piles: Records, omega:
     for i in rows:
         if islands[i] == i and piles[i].bodies > 1:
             piles[i].ratio = piles[i].heaviest / piles[i].bearer
-            if level_for(piles[i], omega, gravity) > 0 or may_be_overloaded(piles[i]):
+            if level_for(piles[i], omega, gravity) > 0:
                 return True
     return False
 
@@ -161,7 +157,7 @@ def measure_contacts(
     down_y = load.down_y
     for i in rows:
         pile = piles[i]
-        pile.ratio = pile.blow = 0.0
+        pile.ratio = 0.0
         pile.bottom = pile.left = pile.bearer = pile.slight = _NONE
         pile.right = -_NONE
     for i in contacts.active[1 : 1 + contacts.active[0]]:
@@ -187,28 +183,12 @@ def measure_contacts(
                 if hangs_by_one_hinge(joints, hung):
                     weighs = hinged_mass(joints, bodies, contact, hung, down_x, down_y)
             _add_bearer(pile, lower, upper, weighs)
-            closing = closing_speed(a, b, contact, 1)
-            blow = contact.normal_impulse1 + contact.normal_impulse2 + weighs * (closing if closing > 0.0 else 0.0)
-            pile.blow = blow if blow > pile.blow else pile.blow
 
 
 @kernel
 def is_stacked(pile: Records) -> bool:
     """Whether, by `measure_contacts`, some body of a pile is on top of another."""
     return bool(pile.bearer < _NONE)
-
-
-@kernel
-def may_be_overloaded(pile: Records) -> bool:
-    """Whether something in a pile is so heavy for what bears it that its blow would take more relax passes."""
-    return bool(pile.ratio > UNLOADED)
-
-
-@kernel
-def is_overloaded(pile: Records, seconds: float) -> bool:
-    """Whether, by `measure_contacts`, something that heavy has just landed: some contact gives more than the whole
-    weight of the pile would in a substep, of so many seconds."""
-    return may_be_overloaded(pile) and bool(pile.blow > seconds * pile.weight)
 
 
 @kernel

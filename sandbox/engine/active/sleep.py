@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import math
 
-from sandbox._jit import kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.active.islands import find_islands
 from sandbox.engine.bodies.flags import ISLAND_AWAKE, KEPT_AWAKE, SUPPORTED, disturbs, is_active
 from sandbox.engine.joints.records import JointWork
-from sandbox.engine.joints.sleep import flag_supported, keep_awake_at_kinematic, keep_awake_while_corrected
+from sandbox.engine.joints.sleep import flag_supported, keep_awake_at_kinematic
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contacts import Contacts
@@ -24,6 +24,9 @@ STILL_SPEED = 0.001
 """A body that has become faster while it was slow is about to slide or tip, unless it is slower than this, in m/s."""
 SLEEP_SECONDS = 0.5
 """How long all bodies of an island have to be slow."""
+CORRECTED = 0.5
+"""What counts of the pace at which a body is moved: overlaps and torn joints are taken back without a velocity that
+lasts. The factor is Box2D's."""
 
 
 @kernel
@@ -36,8 +39,7 @@ def fall_asleep(
     if joints is not None:
         flag_supported(solver.flags, joints)
         keep_awake_at_kinematic(solver.flags, joints)
-        keep_awake_while_corrected(solver.flags, joints)
-    ready = _count_slow_time(bodies, rows, solver.flags, state.settings[0].step_seconds)
+    ready = _count_slow_time(bodies, rows, solver, state.settings[0].step_seconds)
     if ready and state.settings[0].sleeping == 1:
         touched = contacts.active[1 : 1 + contacts.active[0]]
         find_islands(bodies, rows, solver.islands, contacts.now, touched, joints)
@@ -69,26 +71,33 @@ def _count_sleepers(bodies: Records, rows: Integers, active_info: Records, count
 
 
 @kernel
-def _count_slow_time(bodies: Records, rows: Integers, flags: Integers, seconds: float) -> bool:
+def _count_slow_time(bodies: Records, rows: Integers, solver: SolverBodies, seconds: float) -> bool:
     """Count how long bodies have been slow; whether one of them long enough to sleep."""
     ready = False
     for i in rows:
         body = bodies[i]
         if not is_active(body):
             continue
-        rim = body.angular_velocity * body.extent
-        speed = math.sqrt(body.velocity_x * body.velocity_x + body.velocity_y * body.velocity_y + rim * rim)
-        if speed >= body.sleep_speed or (flags[i] & SUPPORTED == 0 and speed > 0.0):
+        moved = solver.motions[i]
+        speed = _speed(body.velocity_x, body.velocity_y, body.angular_velocity * body.extent)
+        pace = _speed(moved.delta_x, moved.delta_y, moved.delta_angle * body.extent) * CORRECTED / seconds
+        speed = pace if pace > speed else speed
+        if speed >= body.sleep_speed or (solver.flags[i] & SUPPORTED == 0 and speed > 0.0):
             body.sleep_time = 0.0
             continue
         if body.sleep_time == 0.0:
             body.slow_speed = speed
         body.sleep_time += seconds
         nudged = body.sleep_time >= SLEEP_SECONDS and speed > STILL_SPEED and speed > body.slow_speed
-        if nudged or flags[i] & KEPT_AWAKE != 0:
+        if nudged or solver.flags[i] & KEPT_AWAKE != 0:
             body.sleep_time = 0.0
         ready = ready or body.sleep_time >= SLEEP_SECONDS
     return ready
+
+
+@inlined_kernel
+def _speed(x: float, y: float, rim: float) -> float:
+    return math.sqrt(x * x + y * y + rim * rim)
 
 
 @kernel

@@ -11,7 +11,6 @@ from sandbox._jit import kernel
 from sandbox.engine.active.islands import find_islands
 from sandbox.engine.active.pile_stability import (
     Load,
-    is_overloaded,
     is_stacked,
     level_for,
     masses_differ,
@@ -24,7 +23,6 @@ from sandbox.engine.joints.fine_substeps import refine_small_parts
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
-from sandbox.engine.records.ccd import OVERLOADED
 from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.state import StateTables
 from sandbox.geometry.trig import PI
@@ -46,15 +44,13 @@ def assign_substep_levels(
     piles: Records,
     contacts: Contacts,
     joints: JointWork | None,
-    ccd_bodies: Records,
 ) -> int:
     """Write every body's `free_motion.substep_level`: that of an island which needs one, or 0.
 
     Returns the levels in use, as bits. Piles need one that might fall, small jointed parts that swing freely get one
-    for the sake of truth. Bodies of a pile in which something heavy lands on something light get the bit `OVERLOADED`
-    of `ccd_bodies.unsettled`.
+    for the sake of truth.
     """
-    used = _assign_to_piles(state, active, solver, piles, contacts, joints, ccd_bodies)
+    used = _assign_to_piles(state, active, solver, piles, contacts, joints)
     if joints is not None:
         used |= refine_small_parts(
             joints, state.bodies, solver.free_motions, contacts.now, contacts.active[1 : 1 + contacts.active[0]]
@@ -70,7 +66,6 @@ def _assign_to_piles(
     piles: Records,
     contacts: Contacts,
     joints: JointWork | None,
-    ccd_bodies: Records,
 ) -> int:
     """The levels that piles need.
 
@@ -93,9 +88,8 @@ def _assign_to_piles(
         find_islands(
             state.bodies, rows, solver.islands, contacts.now, contacts.active[1 : 1 + contacts.active[0]], joints
         )
-        seconds = setting.step_seconds / setting.substeps
         load = Load(gravity_x / gravity, gravity_y / gravity, gravity, omega)
-        used = _look(state.bodies, rows, solver, piles, contacts, joints, load, seconds, ccd_bodies)
+        used = _look(state.bodies, rows, solver, piles, contacts, joints, load)
     counter.substep_watch = ALWAYS if used > 1 or masses_differ(state.bodies, gravity, omega) else SELDOM
     return used
 
@@ -109,8 +103,6 @@ def _look(
     contacts: Contacts,
     joints: JointWork | None,
     load: Load,
-    seconds: float,
-    ccd_bodies: Records,
 ) -> int:
     """Bodies alone show that most islands are safe; only if one may not be, contacts are looked at too."""
     measure_bodies(bodies, rows, solver.islands, piles, joints, load)
@@ -122,8 +114,6 @@ def _look(
         pile = piles[solver.islands[i]]
         if is_active(bodies[i]) and is_stacked(pile):
             solver.free_motions[i].substep_level = level_for(pile, load.omega, load.gravity)
-            if is_overloaded(pile, seconds):
-                ccd_bodies[i].unsettled |= OVERLOADED
             used |= 1 << solver.free_motions[i].substep_level
     return used
 

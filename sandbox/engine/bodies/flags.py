@@ -17,8 +17,6 @@ MOVING_KINEMATIC = 4
 """It is kinematic and moves, so that whatever touches it stays awake."""
 ISLAND_AWAKE = 8
 """At the root of an island: some body of that is too lively for the island to sleep."""
-HARD_IMPACT = 16
-"""Something without restitution strikes it faster than `HARD`: all its contacts take part in the impact."""
 IMMOVABLE = -1
 """In the place of the colours of a body that the solver does not move. No set of colours is that: there are 62."""
 

@@ -15,6 +15,8 @@ SOLVED = 1
 """`forces.moves` of a body that the solver moves."""
 LED = 2
 """`forces.moves` of a body that follows a velocity of its own: kinematic."""
+UNTOUCHED = 1e-9
+"""Velocity (m/s) up to which what contacts have given and taken back again counts as nothing: it is rounding."""
 
 
 @kernel
@@ -169,7 +171,8 @@ def integrate_position(force: Records, free_motion: Records, motion: Records, gr
     vx = motion.velocity_x
     vy = motion.velocity_y
     w = motion.angular_velocity
-    if force.moves == SOLVED and vx == free_motion.free_x and vy == free_motion.free_y and w == free_motion.free_w:
+    touched = abs(vx - free_motion.free_x) + abs(vy - free_motion.free_y) + force.extent * abs(w - free_motion.free_w)
+    if force.moves == SOLVED and touched <= UNTOUCHED:
         vx = 0.5 * (free_motion.start_x + vx)
         vy = 0.5 * (free_motion.start_y + vy)
         w = 0.5 * (free_motion.start_w + w)

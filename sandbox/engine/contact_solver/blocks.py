@@ -12,8 +12,11 @@ VECTOR = 16
 """Lanes that one turn of the arithmetic covers. Constant, or LLVM would not vectorise it."""
 MAX_COLORS = 62
 """Contacts that find no colour below this go into serial blocks, whose lanes are solved one by one."""
-SETTLED = MAX_COLORS + 1
-"""What is added to the colour of a contact between bodies that are not unsettled."""
+KIND = MAX_COLORS + 1
+"""Colours of one kind of contacts. Those of struck bodies come first, then those of other unsettled ones."""
+UNSETTLED = 1 * KIND
+SETTLED = 2 * KIND
+ALL_COLORS = 3 * KIND
 
 NORMAL_X = 0 * LANES
 NORMAL_Y = 1 * LANES
@@ -31,11 +34,16 @@ MAY_IMPACT = 11 * LANES
 
 RADIUS_A = 12 * LANES
 RADIUS_B = 13 * LANES
+TANGENT_IMPULSE = 14 * LANES
+"""Friction of both points: they lie on one line along the tangent, so it is one force."""
+TANGENT_MASS = 15 * LANES
+COUPLING = 16 * LANES
+"""What a normal impulse of 1 N s at one point changes of the normal velocity at the other, 1/kg."""
 
-POINT_1 = 14 * LANES
+POINT_1 = 17 * LANES
 """First field of point 1; the fields below count from it."""
-POINT_2 = 23 * LANES
-"""First field of point 2. A contact of one point leaves its masses zero, so that it never pushes."""
+POINT_2 = 24 * LANES
+"""First field of point 2. A contact of one point has it there again, but without mass, so that it never pushes."""
 
 ANCHOR_AX = 0 * LANES
 ANCHOR_AY = 1 * LANES
@@ -43,14 +51,19 @@ ANCHOR_BX = 2 * LANES
 ANCHOR_BY = 3 * LANES
 SEPARATION = 4 * LANES
 NORMAL_MASS = 5 * LANES
-TANGENT_MASS = 6 * LANES
-NORMAL_IMPULSE = 7 * LANES
-TANGENT_IMPULSE = 8 * LANES
+NORMAL_IMPULSE = 6 * LANES
 
-TOTAL_IMPULSE = 32 * LANES
+TOTAL_IMPULSE = 31 * LANES
 """Normal impulses of both points, summed over the substeps so far."""
 
-BLOCK_SIZE = 33 * LANES
+# What is kept while an inelastic impact is solved: normal impulses of points 1 and 2, and the tangent impulse.
+RESTING_IMPULSES = 32 * LANES
+"""Those that the contact solver had accumulated."""
+LAST_IMPULSES = 35 * LANES
+"""Those before the last pass."""
+SEARCH_DIRECTION = 38 * LANES
+
+BLOCK_SIZE = 41 * LANES
 
 # Bodies of a block, gathered before the arithmetic and scattered after it.
 VELOCITY_AX = 0 * LANES

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
-from sandbox.engine.contact_solver.law import anchors_of, pair_velocity, relative_velocity
-from sandbox.tables import Records
+from sandbox._jit import inlined_kernel, kernel
+from sandbox.engine.contact_solver import blocks as cb
+from sandbox.engine.contact_solver.lanes import lane_anchors
+from sandbox.engine.contact_solver.law import anchors_of, pair_velocity, relative_velocity, start_velocity
+from sandbox.engine.records.bodies import SolverBodies
+from sandbox.tables import Floats, Records
 
 HARD = 2.0
 """Speed (m/s) past which a contact of two points that closes in has an impact, whatever its restitution."""
@@ -19,13 +22,37 @@ def closing_speed(a: Records, b: Records, contact: Records, point: int) -> float
 
 
 @kernel
-def closes_hard(bodies: Records, contact: Records) -> bool:
-    """Whether two points of a contact meet, one of them faster than `HARD` as the step begins.
+def closes_hard(a: Records, b: Records, contact: Records) -> bool:
+    """Whether two points of a contact of bodies a and b meet, one of them faster than `HARD` as the step begins.
 
     A single point the solver stops exactly.
     """
     if contact.point_count < 2:
         return False
-    a = bodies[contact.body_a]
-    b = bodies[contact.body_b]
     return bool(closing_speed(a, b, contact, 1) > HARD or closing_speed(a, b, contact, 2) > HARD)
+
+
+@inlined_kernel
+def gap_of(a: Records, b: Records, v: Floats, point: int) -> float:
+    """The gap (m) of now at `POINT_1` or `POINT_2` of the contact with lane `v`, by the motions of its bodies."""
+    r = lane_anchors(v, point, 0)
+    x = b.delta_x - a.delta_x + (b.delta_cos * r.bx - b.delta_sin * r.by) - (a.delta_cos * r.ax - a.delta_sin * r.ay)
+    y = b.delta_y - a.delta_y + (b.delta_sin * r.bx + b.delta_cos * r.by) - (a.delta_sin * r.ax + a.delta_cos * r.ay)
+    rounding = v[cb.RADIUS_A] * a.delta_cos + v[cb.RADIUS_B] * b.delta_cos
+    return float(x * v[cb.NORMAL_X] + y * v[cb.NORMAL_Y] + rounding + v[point + cb.SEPARATION])
+
+
+@kernel
+def closing_beyond_gap(solver: SolverBodies, slot: Records, v: Floats, rate: float) -> float:
+    """How much faster (m/s) than its gap would close in 1 / `rate` seconds a contact closes at its faster point.
+
+    `v` is its lane; velocities are those with which the substep began.
+    """
+    velocity = start_velocity(solver.free_motions, slot)
+    fastest = 0.0
+    for point in (cb.POINT_1, cb.POINT_2):
+        gap = gap_of(solver.motions[slot.body_a], solver.motions[slot.body_b], v, point)
+        x, y = relative_velocity(velocity, lane_anchors(v, point, 0))
+        closing = -(x * v[cb.NORMAL_X] + y * v[cb.NORMAL_Y]) - (gap * rate if gap > 0.0 else 0.0)
+        fastest = closing if closing > fastest else fastest
+    return fastest

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.active.island_batches import batch_of
-from sandbox.engine.contact_solver.blocks import LANES, MAX_COLORS, SETTLED
+from sandbox.engine.contact_solver.blocks import ALL_COLORS, KIND, LANES, MAX_COLORS, SETTLED, UNSETTLED
 from sandbox.engine.contact_solver.further_colors import color_further
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.contacts import Contacts
@@ -12,24 +12,26 @@ from sandbox.tables import Integers, Records
 
 
 @kernel
-def fill_blocks(taken: Integers, blocks: ContactBlocks, batch: int) -> tuple[int, int]:
+def fill_blocks(taken: Integers, blocks: ContactBlocks, batch: int) -> tuple[int, int, int]:
     """Cut every colour of a batch into blocks, after `sort_contacts`; `blocks.starts` tells where each begins.
 
-    Returns how many blocks that takes, and how many of them, the first ones, are of unsettled bodies. `taken` is
-    `solver.colors`, as `color_contacts` has left it. Only batch 0 may have contacts that found no colour.
+    Returns how many blocks that takes, how many of them, the first ones, are of unsettled bodies, and how many of these
+    of struck ones. `taken` is `solver.colors`, as `color_contacts` has left it. Only batch 0 may have contacts that
+    found no colour.
     """
-    heads = blocks.heads[2 * SETTLED * batch :]
-    used = unsettled = 0
+    heads = blocks.heads[ALL_COLORS * batch :]
+    used = unsettled = struck = 0
     blocks.starts[0] = 0
-    for c in range(2 * SETTLED):
+    for c in range(ALL_COLORS):
         first = heads[c]
         end = heads[c + 1]
-        serial = c % SETTLED == MAX_COLORS
+        serial = c % KIND == MAX_COLORS
         if serial:
             used, first = _color_what_is_left(taken, blocks, used, first, end)
         used = _cut(blocks, used, first, end, serial)
+        struck = used if c < UNSETTLED else struck
         unsettled = used if c < SETTLED else unsettled
-    return used, unsettled
+    return used, unsettled, struck
 
 
 @kernel
@@ -41,13 +43,13 @@ def sort_contacts(contacts: Contacts, of_body: Integers, blocks: ContactBlocks, 
     rows = contacts.active[1 : 1 + contacts.active[0]]
     colors = blocks.colors
     heads = blocks.heads
-    for c in range(2 * SETTLED * batch_count + 1):
+    for c in range(ALL_COLORS * batch_count + 1):
         heads[c] = 0
     for k in range(rows.shape[0]):
         if colors[k] >= 0:
             heads[_key(contacts.now[rows[k]], of_body, colors[k], batch_count)] += 1
     total = 0
-    for c in range(2 * SETTLED * batch_count + 1):
+    for c in range(ALL_COLORS * batch_count + 1):
         total += heads[c]
         heads[c] = total
     for k in range(rows.shape[0] - 1, -1, -1):
@@ -63,7 +65,7 @@ def sort_contacts(contacts: Contacts, of_body: Integers, blocks: ContactBlocks, 
 
 @inlined_kernel
 def _key(contact: Records, of_body: Integers, color: int, batch_count: int) -> int:
-    return color if batch_count == 1 else 2 * SETTLED * batch_of(contact, of_body) + color
+    return color if batch_count == 1 else ALL_COLORS * batch_of(contact, of_body) + color
 
 
 @kernel

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.bodies.flags import IMMOVABLE
-from sandbox.engine.contact_solver.blocks import LANES, MAX_COLORS, SETTLED, VECTOR
+from sandbox.engine.contact_solver.blocks import ALL_COLORS, LANES, MAX_COLORS, VECTOR
 from sandbox.engine.contact_solver.graph_coloring import lowest_free
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.tables import Integers, Records
@@ -129,7 +129,7 @@ def _words_worth_it(blocks: ContactBlocks, used: int, first: int, end: int, word
 def _there_are_blocks(blocks: ContactBlocks, used: int, left: int, end: int) -> bool:
     """Whether there are blocks for those that are `left` without a colour as well, and for the slots from `end` on."""
     needed = used + (left + LANES - 1) // LANES
-    for c in range(2 * SETTLED):
+    for c in range(ALL_COLORS):
         if blocks.heads[c] >= end:
             needed += (blocks.heads[c + 1] - blocks.heads[c] + LANES - 1) // LANES
     enough: bool = needed <= blocks.blocks.shape[0]

@@ -5,9 +5,10 @@ from __future__ import annotations
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.active.islands import unite
 from sandbox.engine.bodies.flags import IMMOVABLE, MOVING_KINEMATIC, is_active
-from sandbox.engine.contact_solver.blocks import MAX_COLORS, SETTLED
+from sandbox.engine.contact_solver.blocks import MAX_COLORS, SETTLED, UNSETTLED
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
+from sandbox.engine.records.ccd import STRUCK
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.contacts import Contacts
 from sandbox.tables import Records
@@ -16,7 +17,7 @@ FREE = tuple(next(k for k in range(9) if not (bits >> k) & 1) for bits in range(
 """For every set of the first eight colours the lowest that is not in it; 8 if all are."""
 TOO_MANY = 1 << 40
 """Counts as so many contacts: an island with such a one fits into no batch (`active.island_batches`)."""
-UNSETTLED = 1 << MAX_COLORS
+IS_UNSETTLED = 1 << MAX_COLORS
 """In the set of a body's colours: its contacts come before those of all others."""
 
 
@@ -38,8 +39,8 @@ def color_contacts(
     scratch: the colours that each body's contacts have. Only active bodies count: others are read by the solver but
     not changed. A contact that finds no free colour gets `MAX_COLORS`, the colour of those that are solved one by one;
     one among sleeping bodies or of another substep level gets -1 and is not solved. Contacts of unsettled bodies have
-    colours of their own below `SETTLED`, which is added to those of all others. Contacts that find no colour get
-    further ones in `fill_blocks`, if there are enough of them.
+    colours of their own below `SETTLED`, which is added to those of all others; struck ones below `UNSETTLED`. Contacts
+    that find no colour get further ones in `fill_blocks`, if there are enough of them.
 
     With `islands_too` what contacts join is united in `solver.islands`, and `solver.batches` counts each body and its
     contacts, each of these at one of its two: as `TOO_MANY` where they fit into no batch.
@@ -47,7 +48,7 @@ def color_contacts(
     taken = solver.colors
     rows = contacts.active[1 : 1 + contacts.active[0]]
     for i in active.bodies[1 : 1 + active.bodies[0]]:
-        free = UNSETTLED if ccd_bodies[i].unsettled != 0 else 0
+        free = IS_UNSETTLED if ccd_bodies[i].unsettled != 0 else 0
         taken[i] = free if is_active(bodies[i]) else IMMOVABLE
         if islands_too:
             solver.islands[i] = i
@@ -64,7 +65,11 @@ def color_contacts(
             continue
         both = (taken[a] if moves_a else 0) | (taken[b] if moves_b else 0)
         color = lowest_free(both)
-        blocks.colors[k] = color if both & UNSETTLED else color + SETTLED
+        kind = SETTLED
+        if both & IS_UNSETTLED:
+            bits = (ccd_bodies[a].unsettled if moves_a else 0) | (ccd_bodies[b].unsettled if moves_b else 0)
+            kind = 0 if bits & STRUCK else UNSETTLED
+        blocks.colors[k] = color + kind
         highest = color if color > highest else highest
         if color < MAX_COLORS:
             if moves_a:

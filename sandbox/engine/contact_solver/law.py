@@ -40,6 +40,13 @@ class Anchors(NamedTuple):
     by: float
 
 
+class PointImpulses(NamedTuple):
+    """Normal impulses (N s) at the two points of a contact."""
+
+    first: float
+    second: float
+
+
 @inlined_kernel
 def relative_velocity(v: PairVelocity, r: Anchors) -> tuple[float, float]:
     """Velocity (m/s) of b's point against that of a."""
@@ -71,12 +78,60 @@ def apply_impulse(v: PairVelocity, m: PairMass, r: Anchors, px: float, py: float
 
 
 @inlined_kernel
+def push_both(
+    v: PairVelocity, m: PairMass, r1: Anchors, r2: Anchors, normal: PointImpulses, nx: float, ny: float
+) -> PairVelocity:
+    """The velocities after normal impulses at both points of a contact, the same whichever is called the first."""
+    px = (normal.first + normal.second) * nx
+    py = (normal.first + normal.second) * ny
+    spin_a = normal.first * (r1.ax * ny - r1.ay * nx) + normal.second * (r2.ax * ny - r2.ay * nx)
+    spin_b = normal.first * (r1.bx * ny - r1.by * nx) + normal.second * (r2.bx * ny - r2.by * nx)
+    return PairVelocity(
+        v.ax - m.mass_a * px,
+        v.ay - m.mass_a * py,
+        v.aw - m.inertia_a * spin_a,
+        v.bx + m.mass_b * px,
+        v.by + m.mass_b * py,
+        v.bw + m.inertia_b * spin_b,
+    )
+
+
+@inlined_kernel
 def effective_mass(m: PairMass, r: Anchors, x: float, y: float) -> float:
     """Effective mass (kg) of two bodies along the unit axis (x, y) at a point; 0 if neither moves."""
     turn_a = r.ax * y - r.ay * x
     turn_b = r.bx * y - r.by * x
     inverse = m.mass_a + m.mass_b + m.inertia_a * turn_a * turn_a + m.inertia_b * turn_b * turn_b
     return 1.0 / inverse if inverse > 0.0 else 0.0
+
+
+@inlined_kernel
+def coupling(contact: Records, m: PairMass) -> float:
+    """Change of normal velocity at one point of a contact for a normal impulse at the other, 1/kg."""
+    nx = contact.normal_x
+    ny = contact.normal_y
+    r1 = anchors_of(contact, 1)
+    r2 = anchors_of(contact, 2)
+    turn_a = (r1.ax * ny - r1.ay * nx) * (r2.ax * ny - r2.ay * nx)
+    turn_b = (r1.bx * ny - r1.by * nx) * (r2.bx * ny - r2.by * nx)
+    return float(m.mass_a + m.mass_b + m.inertia_a * turn_a + m.inertia_b * turn_b)
+
+
+@inlined_kernel
+def bearing_anchors(r1: Anchors, r2: Anchors, load1: float, load2: float) -> Anchors:
+    """Where the friction of two points acts, that bear so much (N s): in the middle of what they bear.
+
+    Their tangents are on one line, or nearly so; where along it makes no difference.
+    """
+    load = load1 + load2
+    share1 = load1 / load if load > 0.0 else 0.5
+    share2 = load2 / load if load > 0.0 else 0.5
+    return Anchors(
+        share1 * r1.ax + share2 * r2.ax,
+        share1 * r1.ay + share2 * r2.ay,
+        share1 * r1.bx + share2 * r2.bx,
+        share1 * r1.by + share2 * r2.by,
+    )
 
 
 @inlined_kernel
@@ -96,6 +151,14 @@ def pair_mass(a: Records, b: Records) -> PairMass:
 def pair_velocity(a: Records, b: Records) -> PairVelocity:
     """The velocities of two rows of the body table, or of the motion table."""
     return PairVelocity(a.velocity_x, a.velocity_y, a.angular_velocity, b.velocity_x, b.velocity_y, b.angular_velocity)
+
+
+@inlined_kernel
+def start_velocity(free_motions: Records, contact: Records) -> PairVelocity:
+    """The velocities of a contact's bodies at the start of the substep, impacts so far included."""
+    a = free_motions[contact.body_a]
+    b = free_motions[contact.body_b]
+    return PairVelocity(a.start_x, a.start_y, a.start_w, b.start_x, b.start_y, b.start_w)
 
 
 @inlined_kernel

@@ -5,7 +5,15 @@ from __future__ import annotations
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.closing_speed import closes_hard
-from sandbox.engine.contact_solver.law import PairMass, anchors_of, effective_mass, pair_mass, separation_of
+from sandbox.engine.contact_solver.law import (
+    PairMass,
+    anchors_of,
+    bearing_anchors,
+    coupling,
+    effective_mass,
+    pair_mass,
+    separation_of,
+)
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
@@ -62,8 +70,10 @@ def prepare_blocks(
             slot = blocks.slots[block.first + k]
             contact = contacts[slot.contact]
             at = base + k
-            _prepare_lane(bodies[slot.body_a], bodies[slot.body_b], contact, share, lanes[at:])
-            strikes = impacts and (contact.restitution > 0.0 or closes_hard(bodies, contact))
+            a = bodies[slot.body_a]
+            b = bodies[slot.body_b]
+            _prepare_lane(a, b, contact, share, lanes[at:])
+            strikes = impacts and (contact.restitution > 0.0 or closes_hard(a, b, contact))
             lanes[at + cb.MAY_IMPACT] = 1.0 if strikes else 0.0
             if contact.rolling_resistance > 0.0:
                 block.rolling = 1
@@ -98,15 +108,19 @@ def _prepare_lane(a: Records, b: Records, contact: Records, share: float, v: Flo
     v[cb.ROLLING_IMPULSE] = share * contact.rolling_impulse
     # The first warm start applies what the last step accumulated; that belongs to no substep of this one.
     v[cb.TOTAL_IMPULSE] = -share * (contact.normal_impulse1 + contact.normal_impulse2)
+    one = contact.point_count == 1
+    second = 1 if one else 2  # a second point at the place of the first, without mass, never pushes
+    v[cb.TANGENT_IMPULSE] = share * (contact.tangent_impulse1 + contact.tangent_impulse2)
+    middle = bearing_anchors(anchors_of(contact, 1), anchors_of(contact, second), 1.0, 1.0)
+    v[cb.TANGENT_MASS] = effective_mass(mass, middle, contact.normal_y, -contact.normal_x)
     _prepare_point(mass, contact, 1, v[cb.POINT_1 :])
-    v[cb.POINT_1 + cb.NORMAL_IMPULSE] = share * contact.normal_impulse1
-    v[cb.POINT_1 + cb.TANGENT_IMPULSE] = share * contact.tangent_impulse1
-    _prepare_point(mass, contact, 2, v[cb.POINT_2 :])
-    v[cb.POINT_2 + cb.NORMAL_IMPULSE] = share * contact.normal_impulse2
-    v[cb.POINT_2 + cb.TANGENT_IMPULSE] = share * contact.tangent_impulse2
-    if contact.point_count == 1:
+    _prepare_point(mass, contact, second, v[cb.POINT_2 :])
+    v[cb.COUPLING] = coupling(contact, mass)
+    if one:
+        v[cb.COUPLING] = 0.0
         v[cb.POINT_2 + cb.NORMAL_MASS] = 0.0
-        v[cb.POINT_2 + cb.TANGENT_MASS] = 0.0
+    v[cb.POINT_1 + cb.NORMAL_IMPULSE] = share * contact.normal_impulse1
+    v[cb.POINT_2 + cb.NORMAL_IMPULSE] = share * contact.normal_impulse2
 
 
 @inlined_kernel
@@ -123,4 +137,3 @@ def _prepare_point(mass: PairMass, contact: Records, point: int, v: Floats) -> N
     cores = (r.bx - r.ax) * nx + (r.by - r.ay) * ny + contact.radius_a + contact.radius_b
     v[cb.SEPARATION] = separation_of(contact, point) - cores
     v[cb.NORMAL_MASS] = effective_mass(mass, r, nx, ny)
-    v[cb.TANGENT_MASS] = effective_mass(mass, r, ny, -nx)

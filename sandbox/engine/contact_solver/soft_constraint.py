@@ -30,12 +30,13 @@ def soft_coefficients(hertz: float, damping_ratio: float, seconds: float) -> tup
 
 
 @kernel
-def contact_coefficients(setting: Records, hertz: float, seconds: float) -> tuple[float, float, float]:
-    """`soft_coefficients` of contacts; where `setting` wants them rigid, those of a correction by Baumgarte.
+def contact_coefficients(setting: Records, hertz: float, seconds: float) -> tuple[float, float]:
+    """(bias rate 1/s, softness) of contacts; where `setting` wants them rigid, those of a correction by Baumgarte.
 
-    That one turns a fifth of the overlap into a speed that would take it back in `seconds` (J. W. Baumgarte, 1972).
+    The softness is the impulse scale of `soft_coefficients`; the mass scale is what is left of 1. Baumgarte's
+    correction turns a fifth of the overlap into a speed that would take it back in `seconds` (J. W. Baumgarte, 1972).
     """
     if setting.soft == 0:
-        return BAUMGARTE / seconds, 1.0, 0.0
-    bias, mass_scale, impulse_scale = soft_coefficients(hertz, setting.contact_damping_ratio, seconds)
-    return bias, mass_scale, impulse_scale
+        return BAUMGARTE / seconds, 0.0
+    bias, _, impulse_scale = soft_coefficients(hertz, setting.contact_damping_ratio, seconds)
+    return bias, impulse_scale

@@ -11,7 +11,16 @@ from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.gather import gather_deltas, gather_velocities, scatter_velocities
 from sandbox.engine.contact_solver.lanes import lane_anchors, lane_mass, lane_velocity, set_lane_velocity
-from sandbox.engine.contact_solver.law import apply_impulse, clamp_to_cone, relative_velocity
+from sandbox.engine.contact_solver.law import (
+    PairVelocity,
+    PointImpulses,
+    apply_impulse,
+    bearing_anchors,
+    clamp_to_cone,
+    push_both,
+    relative_velocity,
+)
+from sandbox.engine.contact_solver.normal_pair import NormalRow, solve_pair
 from sandbox.engine.records.contact_blocks import ContactBlocks, SoftContact
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import color_count, first_part_of_color, next_part
@@ -72,43 +81,55 @@ def _solve_lane(v: Floats, g: Floats, k: int, soft: SoftContact) -> None:
     mass = lane_mass(v, k)
     nx = v[cb.NORMAL_X + k]
     ny = v[cb.NORMAL_Y + k]
-    rounding = v[cb.RADIUS_A + k] * g[cb.COS_A + k] + v[cb.RADIUS_B + k] * g[cb.COS_B + k]
-    for point in (cb.POINT_1, cb.POINT_2):
-        r = lane_anchors(v, point, k)
-        gap_x = g[cb.DELTA_X + k] + (g[cb.COS_B + k] * r.bx - g[cb.SIN_B + k] * r.by)
-        gap_x = gap_x - (g[cb.COS_A + k] * r.ax - g[cb.SIN_A + k] * r.ay)
-        gap_y = g[cb.DELTA_Y + k] + (g[cb.SIN_B + k] * r.bx + g[cb.COS_B + k] * r.by)
-        gap_y = gap_y - (g[cb.SIN_A + k] * r.ax + g[cb.COS_A + k] * r.ay)
-        separation = gap_x * nx + gap_y * ny + rounding + v[point + cb.SEPARATION + k]
-        overlaps = separation <= 0.0
-        wanted = soft.bias_rate * separation
-        saturated = wanted < soft.slowest_bias
-        push = soft.slowest_bias if saturated else wanted
-        ahead = separation * soft.inverse_seconds + v[cb.MAY_IMPACT + k] * soft.impact_allowance
-        bias = push if overlaps else ahead
-        scale = soft.mass_scale if overlaps else 1.0
-        # Where the push is saturated the contact grows stiffer, so that it sinks no deeper than the same spring would.
-        softness = soft.impulse_scale * (push / wanted if saturated else 1.0)
-        softness = softness if overlaps else 0.0
-        vx, vy = relative_velocity(velocity, r)
-        speed = vx * nx + vy * ny
-        before = v[point + cb.NORMAL_IMPULSE + k]
-        after = before - v[point + cb.NORMAL_MASS + k] * scale * (speed + bias) - softness * before
-        after = after if after > 0.0 else 0.0
-        v[point + cb.NORMAL_IMPULSE + k] = after
-        impulse = after - before
-        velocity = apply_impulse(velocity, mass, r, impulse * nx, impulse * ny)
-    for point in (cb.POINT_1, cb.POINT_2):
-        r = lane_anchors(v, point, k)
-        vx, vy = relative_velocity(velocity, r)
-        speed = vx * ny - vy * nx - v[cb.SURFACE_SPEED + k]
-        before = v[point + cb.TANGENT_IMPULSE + k]
-        limit = v[cb.FRICTION + k] * v[point + cb.NORMAL_IMPULSE + k]
-        after = clamp_to_cone(before - v[point + cb.TANGENT_MASS + k] * speed, limit)
-        v[point + cb.TANGENT_IMPULSE + k] = after
-        impulse = after - before
-        velocity = apply_impulse(velocity, mass, r, impulse * ny, -impulse * nx)
+    r1 = lane_anchors(v, cb.POINT_1, k)
+    r2 = lane_anchors(v, cb.POINT_2, k)
+    before = PointImpulses(v[cb.POINT_1 + cb.NORMAL_IMPULSE + k], v[cb.POINT_2 + cb.NORMAL_IMPULSE + k])
+    row1 = _normal_row(v, g, k, cb.POINT_1, velocity, soft)
+    row2 = _normal_row(v, g, k, cb.POINT_2, velocity, soft)
+    normal = solve_pair(row1, row2, v[cb.COUPLING + k], before, soft.over_relaxation)
+    v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] = normal.first
+    v[cb.POINT_2 + cb.NORMAL_IMPULSE + k] = normal.second
+    change = PointImpulses(normal.first - before.first, normal.second - before.second)
+    velocity = push_both(velocity, mass, r1, r2, change, nx, ny)
+    r = bearing_anchors(r1, r2, normal.first, normal.second)
+    vx, vy = relative_velocity(velocity, r)
+    speed = vx * ny - vy * nx - v[cb.SURFACE_SPEED + k]
+    rubbed = v[cb.TANGENT_IMPULSE + k]
+    limit = v[cb.FRICTION + k] * (normal.first + normal.second)
+    after = clamp_to_cone(rubbed - v[cb.TANGENT_MASS + k] * speed, limit)
+    v[cb.TANGENT_IMPULSE + k] = after
+    impulse = after - rubbed
+    velocity = apply_impulse(velocity, mass, r, impulse * ny, -impulse * nx)
     set_lane_velocity(g, k, velocity)
+
+
+@inlined_kernel
+def _normal_row(v: Floats, g: Floats, k: int, point: int, velocity: PairVelocity, soft: SoftContact) -> NormalRow:
+    """What point `POINT_1` or `POINT_2` of lane k asks for along the normal."""
+    nx = v[cb.NORMAL_X + k]
+    ny = v[cb.NORMAL_Y + k]
+    r = lane_anchors(v, point, k)
+    gap_x = g[cb.DELTA_X + k] + (g[cb.COS_B + k] * r.bx - g[cb.SIN_B + k] * r.by)
+    gap_x = gap_x - (g[cb.COS_A + k] * r.ax - g[cb.SIN_A + k] * r.ay)
+    gap_y = g[cb.DELTA_Y + k] + (g[cb.SIN_B + k] * r.bx + g[cb.COS_B + k] * r.by)
+    gap_y = gap_y - (g[cb.SIN_A + k] * r.ax + g[cb.COS_A + k] * r.ay)
+    rounding = v[cb.RADIUS_A + k] * g[cb.COS_A + k] + v[cb.RADIUS_B + k] * g[cb.COS_B + k]
+    separation = gap_x * nx + gap_y * ny + rounding + v[point + cb.SEPARATION + k]
+    overlaps = separation <= 0.0
+    wanted = soft.bias_rate * separation
+    saturated = wanted < soft.slowest_bias
+    push = soft.slowest_bias if saturated else wanted
+    ahead = separation * soft.inverse_seconds + v[cb.MAY_IMPACT + k] * soft.impact_allowance
+    bias = push if overlaps else ahead
+    scale = 1.0 - soft.softness if overlaps else 1.0
+    # Where the push is saturated the contact grows stiffer, so that it sinks no deeper than the same spring would.
+    softness = soft.softness * (push / wanted if saturated else 1.0)
+    softness = softness if overlaps else 0.0
+    vx, vy = relative_velocity(velocity, r)
+    speed = vx * nx + vy * ny
+    mass = v[point + cb.NORMAL_MASS + k] * scale
+    before = v[point + cb.NORMAL_IMPULSE + k]
+    return NormalRow(mass, before - mass * (speed + bias) - softness * before)
 
 
 @kernel

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.bodies.flags import flag_contact
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.closing_speed import closing_speed
@@ -80,12 +80,19 @@ def store_blocks(
                 contact.touching = 1
             contact.rolling_impulse = substeps * lanes[at + cb.ROLLING_IMPULSE]
             contact.normal_impulse1 = substeps * normal1
-            contact.tangent_impulse1 = substeps * lanes[at + cb.POINT_1 + cb.TANGENT_IMPULSE]
-            if contact.point_count == 2:
-                contact.normal_impulse2 = substeps * normal2
-                contact.tangent_impulse2 = substeps * lanes[at + cb.POINT_2 + cb.TANGENT_IMPULSE]
+            contact.normal_impulse2 = substeps * normal2
+            _share_friction(contact, substeps * lanes[at + cb.TANGENT_IMPULSE])
             pushes = normal1 > 0.0 or normal2 > 0.0
             flag_contact(flags, slot.body_a, slot.body_b, pushes, contact.surface_speed)
+
+
+@inlined_kernel
+def _share_friction(contact: Records, tangent: float) -> None:
+    """Report the friction of both points (N s) at each, by what it bears."""
+    load = contact.normal_impulse1 + contact.normal_impulse2
+    both = contact.point_count == 2
+    contact.tangent_impulse1 = tangent * (contact.normal_impulse1 / load if load > 0.0 else (0.5 if both else 1.0))
+    contact.tangent_impulse2 = tangent * (contact.normal_impulse2 / load if load > 0.0 else (0.5 if both else 0.0))
 
 
 @kernel

@@ -9,7 +9,7 @@ from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.gather import gather_velocities, scatter_velocities
 from sandbox.engine.contact_solver.lanes import lane_anchors, lane_mass, lane_velocity, set_lane_velocity
-from sandbox.engine.contact_solver.law import PairVelocity, apply_impulse
+from sandbox.engine.contact_solver.law import PairVelocity, PointImpulses, apply_impulse, bearing_anchors, push_both
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import color_count, first_part_of_color, next_part
@@ -66,12 +66,13 @@ def _warm_start_lane(v: Floats, g: Floats, k: int) -> None:
     bw = before.bw + mass.inertia_b * v[cb.ROLLING_IMPULSE + k]
     velocity = PairVelocity(before.ax, before.ay, aw, before.bx, before.by, bw)
     v[cb.TOTAL_IMPULSE + k] += v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] + v[cb.POINT_2 + cb.NORMAL_IMPULSE + k]
-    for point in (cb.POINT_1, cb.POINT_2):
-        normal = v[point + cb.NORMAL_IMPULSE + k]
-        tangent = v[point + cb.TANGENT_IMPULSE + k]
-        px = normal * nx + tangent * ny
-        py = normal * ny - tangent * nx
-        velocity = apply_impulse(velocity, mass, lane_anchors(v, point, k), px, py)
+    normal1 = v[cb.POINT_1 + cb.NORMAL_IMPULSE + k]
+    normal2 = v[cb.POINT_2 + cb.NORMAL_IMPULSE + k]
+    tangent = v[cb.TANGENT_IMPULSE + k]
+    r1 = lane_anchors(v, cb.POINT_1, k)
+    r2 = lane_anchors(v, cb.POINT_2, k)
+    velocity = push_both(velocity, mass, r1, r2, PointImpulses(normal1, normal2), nx, ny)
+    velocity = apply_impulse(velocity, mass, bearing_anchors(r1, r2, normal1, normal2), tangent * ny, -tangent * nx)
     set_lane_velocity(g, k, velocity)
 
 
@@ -84,6 +85,6 @@ def forget_impulses(blocks: ContactBlocks, block_count: int) -> None:
             v = blocks.lanes[n * BLOCK_SIZE + k : (n + 1) * BLOCK_SIZE]
             v[cb.TOTAL_IMPULSE] += v[cb.POINT_1 + cb.NORMAL_IMPULSE] + v[cb.POINT_2 + cb.NORMAL_IMPULSE]
             v[cb.ROLLING_IMPULSE] = 0.0
-            for point in (cb.POINT_1, cb.POINT_2):
-                v[point + cb.NORMAL_IMPULSE] = 0.0
-                v[point + cb.TANGENT_IMPULSE] = 0.0
+            v[cb.TANGENT_IMPULSE] = 0.0
+            v[cb.POINT_1 + cb.NORMAL_IMPULSE] = 0.0
+            v[cb.POINT_2 + cb.NORMAL_IMPULSE] = 0.0

@@ -5,7 +5,7 @@ Bodies in one place make as many pairs as the square of their number: asked for 
 
 from __future__ import annotations
 
-from sandbox.engine.contact_solver.blocks import BLOCK_SIZE, LANES, SETTLED
+from sandbox.engine.contact_solver.blocks import ALL_COLORS, BLOCK_SIZE, LANES
 from sandbox.engine.records.batches import SIZE
 from sandbox.engine.records.colliders import PAIR
 from sandbox.engine.records.contact_blocks import BLOCK, SLOT
@@ -25,7 +25,7 @@ _BLOCK_BYTES = BLOCK.dtype.itemsize + _WORD * BLOCK_SIZE
 
 def most_blocks(pairs: int) -> int:
     """Most solver blocks that so many contacts fill: every colour has one that is not full, settled or not."""
-    return pairs // LANES + 2 * SETTLED
+    return pairs // LANES + ALL_COLORS
 
 
 def most_batches(pairs: int) -> int:

@@ -10,7 +10,7 @@ import numpy as np
 from sandbox.engine.active.active_set import new_active_set
 from sandbox.engine.active.pile_stability import PILE
 from sandbox.engine.broad_phase.grid import LEVEL_SPACE, head_count
-from sandbox.engine.contact_solver.blocks import BLOCK_SIZE, MAX_COLORS, SETTLED
+from sandbox.engine.contact_solver.blocks import ALL_COLORS, BLOCK_SIZE, MAX_COLORS
 from sandbox.engine.contact_solver.further_colors import MOST_WORDS
 from sandbox.engine.fields.records import Fields, has_fields
 from sandbox.engine.joints.assembly import assemble
@@ -219,7 +219,7 @@ def _blocks(pairs: int, batches: Batches) -> ContactBlocks:
         blocks=BLOCK.zeros(blocks),
         colors=np.zeros(pairs, np.int64),
         lanes=aligned_zeros(blocks * BLOCK_SIZE, np.float64),
-        heads=np.zeros(2 * SETTLED * most_batches(pairs) + 1, np.int64),
+        heads=np.zeros(ALL_COLORS * most_batches(pairs) + 1, np.int64),
         further=np.zeros(MOST_WORDS * MAX_COLORS + 1, np.int64),
         further_heads=np.zeros(MOST_WORDS * MAX_COLORS + 1, np.int64),
         sets=np.zeros(pairs, np.int64),

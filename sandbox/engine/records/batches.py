@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from sandbox.engine.contact_solver.blocks import LANES, SETTLED
+from sandbox.engine.contact_solver.blocks import ALL_COLORS, LANES
 from sandbox.tables import Floats, Integers, Records
 
 SIZE = 2048
 """Bodies and contacts of a batch: these take 264 bytes each, so that a batch takes half of a megabyte."""
-BLOCKS = SIZE // LANES + 2 * SETTLED
+BLOCKS = SIZE // LANES + ALL_COLORS
 """That many contacts fill no more blocks: every colour has one that is not full, settled or not."""
 
 

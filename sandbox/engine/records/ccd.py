@@ -9,15 +9,18 @@ from sandbox.tables import Field, Records, Table
 OVERLAPS = 1
 NEW = 2
 """It touches something that it was not even near to a step before."""
-OVERLOADED = 4
-"""Something heavy has landed on light bodies of its pile."""
+STRUCK = 4
+"""A hard impact without restitution reaches it."""
 
 CCD_BODY = Table(
     "ccd_body",
     (
         Field("thin", "m", "half the smallest width of its thinnest shape"),
         Field("deep", "-", "1 when it overlaps something immovable more than a little", "i8"),
-        Field("unsettled", "-", "bits: `OVERLAPS` something deeply, touches a `NEW` body, pile `OVERLOADED`", "i8"),
+        Field("unsettled", "-", "bits: `OVERLAPS` something deeply, touches a `NEW` body, is `STRUCK`", "i8"),
+        Field("struck_x", "m/s", "of the velocity that the impact gives it, if it is `STRUCK`"),
+        Field("struck_y", "m/s", "of that velocity"),
+        Field("struck_mass", "kg", "of it and what comes along with it"),
         Field("fast", "-", "1 when it has to be swept along its displacement", "i8"),
         Field("confined", "-", "1 when something immovable may stop it during the step", "i8"),
     ),

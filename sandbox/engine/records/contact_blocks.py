@@ -51,16 +51,18 @@ class ContactBlocks(NamedTuple):
 
 
 class SoftContact(NamedTuple):
-    """How a pass treats contacts, from `soft_coefficients`.
+    """How a pass treats contacts, from `contact_coefficients`.
 
+    `softness` is the share of an impulse by which the springs of overlaps give way in a pass, 0 for rigid ones.
     `slowest_bias` (m/s, negative or zero) bounds the velocity that pushes overlapping bodies apart; zero makes the pass
     a relax pass, which removes the velocity that the push has added. `impact_allowance` (m/s) is added to the speed at
-    which contacts that may have an impact may close while they are apart.
+    which contacts that may have an impact may close while they are apart. `over_relaxation` is the share by which
+    the normal impulses of two points go beyond what is asked of them.
     """
 
     inverse_seconds: float
     bias_rate: float
-    mass_scale: float
-    impulse_scale: float
+    softness: float
     slowest_bias: float
     impact_allowance: float
+    over_relaxation: float

@@ -1,7 +1,6 @@
 """Stage: impacts. Those that fall into a substep are resolved before the solver makes them inelastic.
 
-Hard ones without restitution come here, too (`inelastic.py`): the solver takes the points of a manifold in turn, from
-which a flat box would rebound.
+Those without restitution are stopped all at once, afterwards (`inelastic.py`).
 Contacts strike one after the other until none closes faster than the threshold, so that an impact runs through a row
 of balls as it does through Newton's cradle. The two points of a manifold strike together, so that a flat box
 leaves flat. The rebound speed comes from the energy at the surface, not at the place where the step happens to
@@ -13,16 +12,13 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from sandbox._jit import inlined_kernel, kernel
+from sandbox._jit import kernel
 from sandbox.engine.active.substep_level import contact_substep_level
-from sandbox.engine.bodies.flags import HARD_IMPACT
-from sandbox.engine.contact_solver.closing_speed import HARD, closes_hard
-from sandbox.engine.contact_solver.law import anchors_of, relative_velocity, separation_of
+from sandbox.engine.contact_solver.law import anchors_of, relative_velocity, separation_of, start_velocity
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.restitution.elastic import strike_elastic
-from sandbox.engine.restitution.impulses import free_velocity, start_velocity
-from sandbox.engine.restitution.inelastic import speed_to_lose, stop_inelastic
+from sandbox.engine.restitution.impulses import free_velocity
 from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC
 
@@ -49,52 +45,23 @@ def list_impact_contacts(
 ) -> int:
     """List the contacts of a substep level that may strike, or none when no body is fast enough for any to matter.
 
-    Those are the `impact_candidates` (see `decide_pairs`) with restitution, and all contacts of what is struck hard
-    without. `fastest` is the square of the highest speed (m/s) of a point. Returns how many `slots` are used.
+    Those are the `impact_candidates` (see `decide_pairs`) with restitution. `fastest` is the square of the highest
+    speed (m/s) of a point. Returns how many `slots` are used.
     """
     used = 0
     candidates = contacts.impact_candidates
-    free_motions = solver.free_motions
-    bounces = fastest > 0.25 * threshold * threshold
-    if fastest > 0.25 * HARD * HARD and _flag_struck(bodies, solver.flags, contacts):
-        for k in range(1, contacts.active[0] + 1):
-            contact = contacts.now[contacts.active[k]]
-            struck = (solver.flags[contact.body_a] | solver.flags[contact.body_b]) & HARD_IMPACT != 0
-            strikes = bounces if contact.restitution > 0.0 else struck
-            if strikes and contact_substep_level(bodies, free_motions, contact) == substep_level:
-                _list(contact, contacts.active[k], slots[used])
-                used += 1
-    elif bounces:
-        for k in range(1, candidates[0] + 1):
-            contact = contacts.now[candidates[k]]
-            level = contact_substep_level(bodies, free_motions, contact)
-            if contact.restitution > 0.0 and level == substep_level:
-                _list(contact, candidates[k], slots[used])
-                used += 1
+    if fastest <= 0.25 * threshold * threshold:
+        return 0
+    for k in range(1, candidates[0] + 1):
+        contact = contacts.now[candidates[k]]
+        level = contact_substep_level(bodies, solver.free_motions, contact)
+        if contact.restitution > 0.0 and level == substep_level:
+            slot = slots[used]
+            slot.contact = candidates[k]
+            slot.body_a = contact.body_a
+            slot.body_b = contact.body_b
+            used += 1
     return used
-
-
-@inlined_kernel
-def _list(contact: Records, row: int, slot: Records) -> None:
-    slot.contact = row
-    slot.body_a = contact.body_a
-    slot.body_b = contact.body_b
-
-
-@kernel
-def _flag_struck(bodies: Records, flags: Integers, contacts: Contacts) -> bool:
-    """Flag the dynamic bodies of contacts that close in hard without restitution; return whether there are any.
-
-    All their contacts take part in the impact: what they lie on must not yield to it.
-    """
-    found = False
-    for k in range(1, contacts.impact_candidates[0] + 1):
-        contact = contacts.now[contacts.impact_candidates[k]]
-        if contact.restitution == 0.0 and closes_hard(bodies, contact):
-            found = True
-            flags[contact.body_a] |= HARD_IMPACT if bodies[contact.body_a].type == DYNAMIC else 0
-            flags[contact.body_b] |= HARD_IMPACT if bodies[contact.body_b].type == DYNAMIC else 0
-    return found
 
 
 @kernel
@@ -169,9 +136,6 @@ def _strike(bodies: Records, solver: SolverBodies, contact: Records, threshold: 
         change2 = _wanted_change(solver, contact, 2, threshold, seconds)
     if change1 <= 0.0 and change2 <= 0.0:
         return False
-    if contact.restitution == 0.0:
-        stop_inelastic(bodies, solver, contact, change1, change2)
-        return True
     strike_elastic(bodies, solver, contact, change1, change2)
     return True
 
@@ -181,7 +145,7 @@ def _wanted_change(solver: SolverBodies, contact: Records, point: int, threshold
     """Change of normal velocity (m/s) that the impact at one point asks for; 0 when there is no impact.
 
     With the speed v at a gap s and the relative acceleration a along the normal, v^2 - 2 a s is the same at the
-    surface: that is where restitution applies. Without restitution a point goes on until it touches, and stops there.
+    surface: that is where restitution applies.
     """
     r = anchors_of(contact, point)
     nx = contact.normal_x
@@ -194,8 +158,6 @@ def _wanted_change(solver: SolverBodies, contact: Records, point: int, threshold
     free = free_x * nx + free_y * ny
     gap = _gap(solver.motions[contact.body_a], solver.motions[contact.body_b], contact, point)
     other_end = gap + seconds * free
-    if contact.restitution == 0.0:
-        return speed_to_lose(gap, start, other_end, seconds)
     if seconds > 0.0 and other_end > 0.0:  # it does not close within the substep
         return 0.0
     if seconds < 0.0 and (gap > 0.0 or other_end <= 0.0):  # it is not closed, or was so when the substep began

@@ -12,13 +12,17 @@ from sandbox.engine.contact_solver.law import (
     Anchors,
     PairMass,
     PairVelocity,
+    PointImpulses,
     anchors_of,
     apply_impulse,
+    bearing_anchors,
     clamp_to_cone,
     effective_mass,
     pair_mass,
+    push_both,
     relative_velocity,
     separation_of,
+    start_velocity,
 )
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.tables import Records
@@ -33,7 +37,7 @@ class Struck(NamedTuple):
 
 
 class Rub(NamedTuple):
-    """Where and how a point rubs: its anchors on both surfaces (m), the effective mass (kg) along the tangent."""
+    """Where and how a contact rubs: the anchors on both surfaces (m), the effective mass (kg) along the tangent."""
 
     anchors: Anchors
     tangent_x: float
@@ -63,9 +67,22 @@ def push(struck: Struck, mass: PairMass, r: Anchors, px: float, py: float) -> St
 
 
 @inlined_kernel
-def rub_of(a: Records, b: Records, contact: Records, point: int) -> Rub:
-    """Where point 1 or 2 of a contact between bodies a and b rubs."""
-    r = _touching_anchors(a, b, contact, point)
+def push_points(struck: Struck, contact: Records, mass: PairMass, load1: float, load2: float) -> Struck:
+    """The velocities after normal impulses (N s) at both points of a contact."""
+    r1 = anchors_of(contact, 1)
+    r2 = anchors_of(contact, 2)
+    loads = PointImpulses(load1, load2)
+    nx = contact.normal_x
+    ny = contact.normal_y
+    return Struck(
+        push_both(struck.start, mass, r1, r2, loads, nx, ny), push_both(struck.free, mass, r1, r2, loads, nx, ny)
+    )
+
+
+@inlined_kernel
+def rub_of(a: Records, b: Records, contact: Records, load1: float, load2: float) -> Rub:
+    """Where a contact between bodies a and b rubs, whose points bear so much (N s)."""
+    r = bearing_anchors(_touching_anchors(a, b, contact, 1), _touching_anchors(a, b, contact, 2), load1, load2)
     tx = contact.normal_y
     ty = -contact.normal_x
     return Rub(r, tx, ty, effective_mass(pair_mass(a, b), r, tx, ty))
@@ -80,14 +97,6 @@ def friction_impulse(struck: Struck, rub: Rub, surface_speed: float, limit: floa
     vx, vy = relative_velocity(struck.start, rub.anchors)
     speed = vx * rub.tangent_x + vy * rub.tangent_y - surface_speed
     return float(clamp_to_cone(before - rub.mass * speed, limit))
-
-
-@inlined_kernel
-def start_velocity(free_motions: Records, contact: Records) -> PairVelocity:
-    """The velocities of a contact's bodies at the start of the substep, impacts so far included."""
-    a = free_motions[contact.body_a]
-    b = free_motions[contact.body_b]
-    return PairVelocity(a.start_x, a.start_y, a.start_w, b.start_x, b.start_y, b.start_w)
 
 
 @inlined_kernel

@@ -1,90 +1,138 @@
-"""Hard impacts without restitution: both points of a contact stop at once, while friction brakes what slides.
+"""Hard impacts without restitution: all contacts of what is struck, and of what that is pressed on, stop together.
 
-Friction turns the bodies, which changes the speeds along the normal again; so both are found in rounds, with impulses
-that accumulate and never pull. A normal round is the last, so that nothing leaves that should stay.
+Their impulses are found before the contact solver's, from none, and are not what the next substep begins with: the
+solver would have to take a blow back that it began with, and what bears it would fly apart meanwhile. What is solved
+is Newton's law with the restitution 0 for all contacts at once, with Coulomb friction: a gap may close and no more.
 """
 
 from __future__ import annotations
 
-from sandbox._jit import inlined_kernel, kernel
-from sandbox.engine.contact_solver.law import Anchors, anchors_of, pair_mass, relative_velocity
+from sandbox._jit import kernel
+from sandbox.engine.bodies.integrate import SOLVED
+from sandbox.engine.contact_solver import blocks as cb
+from sandbox.engine.contact_solver.closing_speed import closing_beyond_gap, gap_of
 from sandbox.engine.records.bodies import SolverBodies
-from sandbox.engine.restitution.impulses import Struck, friction_impulse, push, put_back, rub_of, take
-from sandbox.engine.restitution.two_point_block import one_point, pair_impulses, two_points
-from sandbox.tables import Records
+from sandbox.engine.records.contact_blocks import ContactBlocks, SoftContact
+from sandbox.engine.records.workers import Workers
+from sandbox.engine.restitution.conjugate_gradient import solve_until_agreed
 
-_ROUNDS = 16
-_SLOW = 0.2
-"""Speed (m/s) below which a point is left to the solver."""
-
-
-@kernel
-def speed_to_lose(gap: float, start: float, other_end: float, seconds: float) -> float:
-    """Change of normal velocity (m/s) that brings a point to the touch and no farther; 0 if the solver may do it.
-
-    Within the coming substep it may close its `gap` (m); `other_end` is what would be left of that. When `seconds` are
-    negative it has gone, and stops where it is near the touch.
-    """
-    near = gap <= _SLOW * abs(seconds)
-    if other_end > 0.0 if seconds > 0.0 else not near:
-        return 0.0
-    speed = -gap / seconds if seconds > 0.0 and gap > 0.0 else 0.0
-    return float(speed - start) if speed - start > _SLOW else 0.0
+BLOCK_SIZE = cb.BLOCK_SIZE
+LANES = cb.LANES
+SLOW = 0.2
+"""Speed (m/s) below which a contact that closes in is left to the contact solver."""
+TAKES_PART = -2
+"""`solver.struck` of a body, while an impact is solved in which it takes part."""
 
 
 @kernel
-def stop_inelastic(bodies: Records, solver: SolverBodies, contact: Records, change1: float, change2: float) -> None:
-    """Apply the normal impulses that give the wanted changes, and the friction that belongs to them.
+def stop_struck(
+    solver: SolverBodies, blocks: ContactBlocks, block_count: int, workers: Workers, rigid: SoftContact
+) -> None:
+    """Solve the inelastic impacts of a substep, if there are any in the first blocks of contacts.
 
-    A round that changes no impulse is the last: the next ones would not either.
+    It works on the velocities with which the substep began, and changes those after its forces, in `solver.motions`, by
+    as much: what forces do in a substep is what contacts at rest bear.
     """
-    a = bodies[contact.body_a]
-    b = bodies[contact.body_b]
-    mass = pair_mass(a, b)
-    nx = contact.normal_x
-    ny = contact.normal_y
-    r1 = anchors_of(contact, 1)
-    r2 = anchors_of(contact, 2)
-    block = two_points(contact, mass, r1, r2) if contact.point_count == 2 else one_point(contact, mass, r1)
-    rub1 = rub_of(a, b, contact, 1)
-    rub2 = rub_of(a, b, contact, 2)
-    friction = contact.friction
-    surface_speed = contact.surface_speed
-    struck = take(solver.free_motions, contact)
-    load1 = load2 = drag1 = drag2 = 0.0
-    for turn in range(_ROUNDS):
-        new1, new2 = pair_impulses(block, change1, change2)
-        same = new1 == load1 and new2 == load2
-        impulse = new1 - load1
-        struck = push(struck, mass, rub1.anchors, impulse * nx, impulse * ny)
-        impulse = new2 - load2
-        struck = push(struck, mass, rub2.anchors, impulse * nx, impulse * ny)
-        load1 = new1
-        load2 = new2
-        if friction <= 0.0 or turn == _ROUNDS - 1:
-            break
-        before1 = _normal_speed(struck, r1, nx, ny)
-        before2 = _normal_speed(struck, r2, nx, ny)
-        new1 = friction_impulse(struck, rub1, surface_speed, friction * load1, drag1)
-        impulse = new1 - drag1
-        struck = push(struck, mass, rub1.anchors, impulse * rub1.tangent_x, impulse * rub1.tangent_y)
-        new2 = friction_impulse(struck, rub2, surface_speed, friction * load2, drag2)
-        impulse = new2 - drag2
-        struck = push(struck, mass, rub2.anchors, impulse * rub2.tangent_x, impulse * rub2.tangent_y)
-        if same and new1 == drag1 and new2 == drag2:
-            break
-        drag1 = new1
-        drag2 = new2
-        if change1 > 0.0:
-            change1 += before1 - _normal_speed(struck, r1, nx, ny)
-        if change2 > 0.0:
-            change2 += before2 - _normal_speed(struck, r2, nx, ny)
-    put_back(solver, contact, struck)
-    contact.impact_impulse += load1 + load2
+    if not _is_struck(solver, blocks, block_count, rigid):
+        return
+    for n in range(block_count):
+        for slot in blocks.slots[blocks.blocks[n].first : blocks.blocks[n].first + blocks.blocks[n].count]:
+            _take_start(solver, slot.body_a)
+            _take_start(solver, slot.body_b)
+    _put_aside(blocks, block_count)
+    solve_until_agreed(solver.motions, blocks, block_count, workers, rigid)
+    _bring_back(blocks, block_count)
+    for n in range(block_count):
+        for slot in blocks.slots[blocks.blocks[n].first : blocks.blocks[n].first + blocks.blocks[n].count]:
+            _add_impact(solver, slot.body_a)
+            _add_impact(solver, slot.body_b)
 
 
-@inlined_kernel
-def _normal_speed(struck: Struck, r: Anchors, nx: float, ny: float) -> float:
-    """Speed (m/s) at which a point of b leaves that of a."""
-    x, y = relative_velocity(struck.start, r)
-    return float(x * nx + y * ny)
+@kernel
+def stop_late(
+    solver: SolverBodies, blocks: ContactBlocks, block_count: int, workers: Workers, rigid: SoftContact
+) -> None:
+    """The same for what has come to touch in the substep that is over.
+
+    Small gaps, which come of positions that follow a mean velocity, count as closed for the rest of the step.
+    """
+    near = SLOW / rigid.inverse_seconds
+    for n in range(block_count):
+        block = blocks.blocks[n]
+        for k in range(block.count):
+            v = blocks.lanes[n * BLOCK_SIZE + k : (n + 1) * BLOCK_SIZE]
+            slot = blocks.slots[block.first + k]
+            for point in (cb.POINT_1, cb.POINT_2):
+                gap = gap_of(solver.motions[slot.body_a], solver.motions[slot.body_b], v, point)
+                v[point + cb.SEPARATION] -= gap if 0.0 < gap < near else 0.0
+    stop_struck(solver, blocks, block_count, workers, rigid)
+
+
+@kernel
+def _take_start(solver: SolverBodies, i: int) -> None:
+    """Let a body have the velocity with which the substep began, and mark it as one that takes part."""
+    if solver.forces[i].moves == SOLVED:
+        solver.struck[i] = TAKES_PART
+        motion = solver.motions[i]
+        free_motion = solver.free_motions[i]
+        motion.velocity_x = free_motion.start_x
+        motion.velocity_y = free_motion.start_y
+        motion.angular_velocity = free_motion.start_w
+
+
+@kernel
+def _add_impact(solver: SolverBodies, i: int) -> None:
+    """Add what the impact has changed to the velocities at the start of the substep and after its forces, once."""
+    if solver.forces[i].moves != SOLVED or solver.struck[i] != TAKES_PART:
+        return
+    solver.struck[i] = 0
+    motion = solver.motions[i]
+    free_motion = solver.free_motions[i]
+    free_motion.free_x += motion.velocity_x - free_motion.start_x
+    free_motion.free_y += motion.velocity_y - free_motion.start_y
+    free_motion.free_w += motion.angular_velocity - free_motion.start_w
+    free_motion.start_x = motion.velocity_x
+    free_motion.start_y = motion.velocity_y
+    free_motion.start_w = motion.angular_velocity
+    motion.velocity_x = free_motion.free_x
+    motion.velocity_y = free_motion.free_y
+    motion.angular_velocity = free_motion.free_w
+
+
+@kernel
+def _is_struck(solver: SolverBodies, blocks: ContactBlocks, block_count: int, rigid: SoftContact) -> bool:
+    """Whether some contact closes in by more than its gap within the substep; those with restitution have rebounded."""
+    for n in range(block_count):
+        block = blocks.blocks[n]
+        for k in range(block.count):
+            v = blocks.lanes[n * BLOCK_SIZE + k : (n + 1) * BLOCK_SIZE]
+            slot = blocks.slots[block.first + k]
+            if closing_beyond_gap(solver, slot, v, rigid.inverse_seconds) > SLOW:
+                return True
+    return False
+
+
+@kernel
+def _put_aside(blocks: ContactBlocks, block_count: int) -> None:
+    """Begin with no impulses; those accumulated are kept."""
+    for n in range(block_count):
+        v = blocks.lanes[n * BLOCK_SIZE : (n + 1) * BLOCK_SIZE]
+        for k in range(blocks.blocks[n].count):
+            v[cb.RESTING_IMPULSES + k] = v[cb.POINT_1 + cb.NORMAL_IMPULSE + k]
+            v[cb.RESTING_IMPULSES + LANES + k] = v[cb.POINT_2 + cb.NORMAL_IMPULSE + k]
+            v[cb.RESTING_IMPULSES + 2 * LANES + k] = v[cb.TANGENT_IMPULSE + k]
+            v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] = 0.0
+            v[cb.POINT_2 + cb.NORMAL_IMPULSE + k] = 0.0
+            v[cb.TANGENT_IMPULSE + k] = 0.0
+
+
+@kernel
+def _bring_back(blocks: ContactBlocks, block_count: int) -> None:
+    """Report the impulses of the impact, and go on with those accumulated before."""
+    for n in range(block_count):
+        v = blocks.lanes[n * BLOCK_SIZE : (n + 1) * BLOCK_SIZE]
+        for k in range(blocks.blocks[n].count):
+            v[cb.TOTAL_IMPULSE + k] += v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] + v[cb.POINT_2 + cb.NORMAL_IMPULSE + k]
+            v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] = v[cb.RESTING_IMPULSES + k]
+            v[cb.POINT_2 + cb.NORMAL_IMPULSE + k] = v[cb.RESTING_IMPULSES + LANES + k]
+            v[cb.TANGENT_IMPULSE + k] = v[cb.RESTING_IMPULSES + 2 * LANES + k]

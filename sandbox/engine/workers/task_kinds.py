@@ -37,10 +37,10 @@ def tell_soft(numbers: Floats, soft: SoftContact) -> None:
     """Tell who solves contacts how to treat them."""
     numbers[0] = soft.inverse_seconds
     numbers[1] = soft.bias_rate
-    numbers[2] = soft.mass_scale
-    numbers[3] = soft.impulse_scale
-    numbers[4] = soft.slowest_bias
-    numbers[5] = soft.impact_allowance
+    numbers[2] = soft.softness
+    numbers[3] = soft.slowest_bias
+    numbers[4] = soft.impact_allowance
+    numbers[5] = soft.over_relaxation
 
 
 @kernel

@@ -28,7 +28,7 @@ class Numbers:
 
     seconds: float = 1 / 60
     gravity: complex = -9.81j
-    hertz: float = 55.0
+    hertz: float = 57.0
     damping_ratio: float = 1.5
     push_out_speed: float = 3.0
     restitution_threshold: float = 0.2

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from sandbox.engine.contact_solver.blocks import MAX_COLORS, SETTLED
+from sandbox.engine.contact_solver.blocks import KIND, MAX_COLORS
 from sandbox.render.geometry import Ints
 from sandbox.render.marks import Marks
 from sandbox.render.number_text import counted
@@ -43,7 +43,7 @@ def contact_colors(look: Look) -> Ints:
     rows = np.asarray(active[1 : 1 + int(active[0])])
     solved: Any = np.asarray(world.scratch.blocks.colors[: len(rows)])
     sound = (rows < len(color)) & (rows >= 0)
-    color[rows[sound]] = np.where(solved >= SETTLED, solved - SETTLED, solved)[sound]
+    color[rows[sound]] = (solved % KIND)[sound]
     return color
 
 

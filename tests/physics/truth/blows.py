@@ -51,7 +51,7 @@ def _drops(start: Engine) -> list[tuple[float, float]]:
 
 
 @experiment(
-    "heavy box lands on a pyramid", "rebound to landing speed, 20 to 300 times the mass of its boxes", bound=0.2
+    "heavy box lands on a pyramid", "rebound to landing speed, 20 to 300 times the mass of its boxes", bound=0.03
 )
 def rebound_from_pyramid(start: Engine) -> float:
     """The mean over drops; without restitution it is nothing."""

@@ -1,0 +1,49 @@
+"""The normal impulses of a contact's two points: the mean of what they get in either order, over-relaxed.
+
+Points that are solved in turn turn a flat box a little, always towards the first. The mean of both orders has the same
+solution and does not depend on which point is called the first: what is mirrored falls mirrored. In the measure
+in which both push, a pass goes beyond it, as in successive over-relaxation (D. M. Young, 1954): it carries loads
+through large heaps in fewer passes. A single point that pushes is solved exactly.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from sandbox._jit import inlined_kernel
+from sandbox.engine.contact_solver.law import PointImpulses
+
+
+class NormalRow(NamedTuple):
+    """One point: the impulse (N s) that it would have if the other kept its own, pulling if negative, and the mass
+    (kg) by which that impulse grows as the velocity (m/s) along the normal falls; 0 for a point that is not there.
+    """
+
+    mass: float
+    alone: float
+
+
+@inlined_kernel
+def solve_pair(
+    row1: NormalRow, row2: NormalRow, coupling: float, before: PointImpulses, over_relaxation: float
+) -> PointImpulses:
+    """The impulses of both points, none of them pulling, which had those `before`.
+
+    `coupling` (1/kg) is what one impulse adds to the velocity at the other point. Where both push evenly, they change
+    by the share `over_relaxation` more than is asked of them.
+    """
+    share1 = coupling * row1.mass
+    share2 = coupling * row2.mass
+    first1 = row1.alone if row1.alone > 0.0 else 0.0
+    first2 = row2.alone if row2.alone > 0.0 else 0.0
+    then1 = row1.alone - share1 * (first2 - before.second)
+    then2 = row2.alone - share2 * (first1 - before.first)
+    then1 = then1 if then1 > 0.0 else 0.0
+    then2 = then2 if then2 > 0.0 else 0.0
+    mean1 = 0.5 * (first1 + then1)
+    mean2 = 0.5 * (first2 + then2)
+    load = mean1 + mean2
+    evenly = 4.0 * (mean1 / load) * (mean2 / load) if load > 0.0 else 0.0
+    after1 = mean1 + over_relaxation * evenly * (mean1 - before.first)
+    after2 = mean2 + over_relaxation * evenly * (mean2 - before.second)
+    return PointImpulses(after1 if after1 > 0.0 else 0.0, after2 if after2 > 0.0 else 0.0)
