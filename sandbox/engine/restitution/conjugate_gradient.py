@@ -27,8 +27,8 @@ MOST_PASSES = 256
 MOST_WORK = 15_000
 """Passes times contacts: in large heaps impacts are not solved as far, which only what is heavy on light would need."""
 LEAST_PASSES = 4
-FEW_PASSES = 8
-"""So many are made wherever there is work enough: where little is struck they find all to rounding."""
+LEAST_WORK = 1_000
+"""So much is done in any case: where little is struck all is found to rounding."""
 AGREED = 0.01
 """Change of velocity (m/s) by the impulses that a pass adds at one contact, below which the next would add little."""
 
@@ -38,13 +38,14 @@ def solve_until_agreed(
     motions: Records, blocks: ContactBlocks, block_count: int, workers: Workers, rigid: SoftContact
 ) -> None:
     """Solve the first blocks of contacts together, from the impulses that they have."""
-    passes = _passes(blocks, block_count)
+    contacts = _count(blocks, block_count)
+    passes = _passes(contacts)
     last_square = 0.0
     for turn in range(passes):
         _keep_last(blocks, block_count)
         solve_contacts(motions, blocks, block_count, workers, rigid)
         square, change = _measure(blocks, block_count)
-        agreed = change == 0.0 or (change < AGREED and turn >= FEW_PASSES)
+        agreed = change == 0.0 or (change < AGREED and turn * contacts >= LEAST_WORK)
         if agreed or turn == passes - 1:  # the last is a pass, so that no contact pulls
             return
         beta = square / last_square if square < last_square else 0.0  # 0 begins anew
@@ -53,10 +54,15 @@ def solve_until_agreed(
 
 
 @kernel
-def _passes(blocks: ContactBlocks, block_count: int) -> int:
-    contacts = 1
+def _count(blocks: ContactBlocks, block_count: int) -> int:
+    contacts = 0
     for n in range(block_count):
         contacts += blocks.blocks[n].count
+    return contacts
+
+
+@kernel
+def _passes(contacts: int) -> int:
     passes = MOST_WORK // contacts
     passes = passes if passes < MOST_PASSES else MOST_PASSES
     return passes if passes > LEAST_PASSES else LEAST_PASSES
