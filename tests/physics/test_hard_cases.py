@@ -117,8 +117,8 @@ def test_what_is_carried_by_a_moving_platform_keeps_its_pace() -> None:
 def test_two_bodies_in_one_place_part(name: str) -> None:
     pair = world(body("a", SHAPES[name]), body("b", SHAPES[name]), gravity=(0.0, 0.0))
     assert top_speed(pair, 240) < FASTEST
-    assert math.dist(*(pair.body(each).position for each in "ab")) > 0.4
-    assert all(contact.separation1 > -5e-3 for contact in pair.contacts)
+    a, b = pair.state.bodies
+    assert math.hypot(a.center_x - b.center_x, a.center_y - b.center_y) > 0.99 * (1.0 if name != "capsule" else 0.6)
 
 
 @pytest.mark.parametrize("seed", range(4))
