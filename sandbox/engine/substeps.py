@@ -34,7 +34,7 @@ AT_ONCE = 1e30
 
 OVER_RELAXATION = 0.2
 """Of the relax pass, which finds the loads that the next substep begins with: the top of a pyramid of 110 rows that is
-put down at rest jumps by 6 cm, without it by 14. In the soft pass as well it would be 1 cm, but then some heaps never
+put down at rest jumps by 6 cm, without it by 14. In the soft pass as well it would be 2 cm, but then some heaps never
 come to rest, as springs are too lively."""
 
 RELAX_DEEP = 8
