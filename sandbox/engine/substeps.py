@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.bodies.flags import is_active
@@ -123,13 +123,14 @@ def run_substeps(
     prepare_forces(bodies, rows, solver, level, setting, seconds)
     flight = Flight(substeps, seconds, gravity, todo.impacts)
     now = state.counters[0].step_count
+    struck: Any = blocks.batches.struck[blocks.batches.first_body[todo.batch] :]
     frozen = fly(bodies, rows[todo.held_count :], solver, active.info, now, flight)
     rows = rows[: todo.held_count]
     for substep in range(substeps):
         integrate_velocities(rows, solver, workers)
         resolve_impacts(bodies, solver, contacts, impacts, seconds)
         if todo.struck_count > 0:
-            stop_struck(solver, blocks, todo.struck_count, workers, rigid)
+            stop_struck(solver, struck, blocks, todo.struck_count, workers, rigid)
         if rest:
             solve_mouse_joints(state, solver, level, seconds)
         frozen += guard_velocities(bodies, rows, motions, solver.forces, active.info, now)
@@ -151,7 +152,7 @@ def run_substeps(
         if todo.impacts:
             resolve_late_impacts(bodies, rows, solver, contacts, impacts, level, seconds)
         if todo.struck_count > 0:  # the relax pass would stop what now touches, a contact at a time
-            stop_late(solver, blocks, todo.struck_count, workers, rigid)
+            stop_late(solver, struck, blocks, todo.struck_count, workers, rigid)
         if joints is not None and rest:
             relax_joints(joints, motions, free_motions, seconds, workers)
         for turn in range(relax_passes):

@@ -19,7 +19,7 @@ from sandbox.engine.joints.part_layout import PartLayouts
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.memory.limit import most_batches, most_blocks
 from sandbox.engine.records.active_set import ActiveSet
-from sandbox.engine.records.batches import BLOCKS, SIZE, Batches
+from sandbox.engine.records.batches import BLOCKS, SIZE, STRUCK_BODY, Batches
 from sandbox.engine.records.bodies import BODY_FORCES, FREE_MOTION, MOTION, SolverBodies
 from sandbox.engine.records.ccd import CCD_BODY, CCD_IMPACT, Ccd
 from sandbox.engine.records.colliders import BOX, FILTER, PAIR, PROXY, Colliders, Grid
@@ -134,7 +134,8 @@ class Scratch:
         self.active = _active_set(state, room)._replace(info=self.active.info)
         self.solver = _solver_bodies(room.bodies)
         self.piles = PILE.zeros(room.bodies)
-        batches = self.blocks.batches._replace(bodies=np.zeros(room.bodies, np.int64))
+        more = STRUCK_BODY.zeros(room.bodies)
+        batches = self.blocks.batches._replace(bodies=np.zeros(room.bodies, np.int64), struck=more)
         self.blocks = self.blocks._replace(batches=batches)
         self.colliders = _colliders(room)
         shapes = _grid(room.shapes, 0)
@@ -235,6 +236,7 @@ def _batches(bodies: int, pairs: int, workers: int) -> Batches:
     return Batches(
         size=np.full(1, SIZE),
         bodies=np.zeros(bodies, np.int64),
+        struck=STRUCK_BODY.zeros(bodies),
         first_body=np.zeros(batches + 1, np.int64),
         impacts=SLOT.zeros(pairs),
         first_impact=np.zeros(batches + 1, np.int64),

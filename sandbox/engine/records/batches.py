@@ -5,24 +5,41 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from sandbox.engine.contact_solver.blocks import ALL_COLORS, LANES
-from sandbox.tables import Floats, Integers, Records
+from sandbox.tables import Field, Floats, Integers, Records, Table
 
 SIZE = 2048
 """Bodies and contacts of a batch: these take 264 bytes each, so that a batch takes half of a megabyte."""
 BLOCKS = SIZE // LANES + ALL_COLORS
 """That many contacts fill no more blocks: every colour has one that is not full, settled or not."""
 
+STRUCK_BODY = Table(
+    "struck_body",
+    (
+        Field("body", "-", "its row", "i8"),
+        Field("last_x", "m/s", "velocity before the last pass"),
+        Field("last_y", "m/s", "velocity before the last pass"),
+        Field("last_w", "rad/s", "velocity before the last pass"),
+        Field("search_x", "m/s", "change of velocity along the direction searched"),
+        Field("search_y", "m/s", "change of velocity along the direction searched"),
+        Field("search_w", "rad/s", "change of velocity along the direction searched"),
+        Field("spare", "-", "fills the cache line", "i8"),
+    ),
+)
+"""One row a body that takes part in an inelastic impact, one cache line."""
+
 
 class Batches(NamedTuple):
     """The batches that the islands of a substep level fall into, see `active.island_batches`.
 
     `size[0]` is how many bodies and contacts one has at most. `bodies` has the bodies of batch n from `first_body[n]`
-    to before `first_body[n + 1]`; so has `impacts` the contacts that may have an impact, by `first_impact`. `blocks`,
-    `lanes` and `starts` are what `ContactBlocks` has, for each worker but the first.
+    to before `first_body[n + 1]`; `struck` has as many rows for each, filled by those that take part in an inelastic
+    impact. `impacts` has the contacts that may have an impact, by `first_impact`. `blocks`, `lanes` and `starts` are
+    what `ContactBlocks` has, for each worker but the first.
     """
 
     size: Integers
     bodies: Integers
+    struck: Records
     first_body: Integers
     impacts: Records
     first_impact: Integers

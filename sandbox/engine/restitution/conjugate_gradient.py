@@ -12,9 +12,6 @@ from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.contact_solver import blocks as cb
-from sandbox.engine.contact_solver.gather import gather_velocities, scatter_velocities
-from sandbox.engine.contact_solver.lanes import lane_anchors, lane_mass, lane_velocity, set_lane_velocity
-from sandbox.engine.contact_solver.law import PointImpulses, apply_impulse, bearing_anchors, push_both
 from sandbox.engine.contact_solver.solve import solve_contacts
 from sandbox.engine.records.contact_blocks import ContactBlocks, SoftContact
 from sandbox.engine.records.workers import Workers
@@ -26,30 +23,33 @@ VECTOR = cb.VECTOR
 MOST_PASSES = 256
 MOST_WORK = 15_000
 """Passes times contacts: in large heaps impacts are not solved as far, which only what is heavy on light would need."""
-LEAST_PASSES = 4
-LEAST_WORK = 1_000
+LEAST_WORK = 2_000
 """So much is done in any case: where little is struck all is found to rounding."""
-AGREED = 0.01
-"""Change of velocity (m/s) by the impulses that a pass adds at one contact, below which the next would add little."""
+AGREED = 1e-3
+"""Share of the energy that all passes have taken; after a pass that took less, the next would take little."""
+ROUNDING = 1e-28
+"""The same where nothing is left but rounding."""
 
 
 @kernel
 def solve_until_agreed(
-    motions: Records, blocks: ContactBlocks, block_count: int, workers: Workers, rigid: SoftContact
+    motions: Records, struck: Records, blocks: ContactBlocks, block_count: int, workers: Workers, rigid: SoftContact
 ) -> None:
-    """Solve the first blocks of contacts together, from the impulses that they have."""
+    """Solve the first blocks of contacts together, from no impulses. `struck` lists the bodies that they move."""
     contacts = _count(blocks, block_count)
     passes = _passes(contacts)
     last_square = 0.0
+    energy = 0.0
     for turn in range(passes):
-        _keep_last(blocks, block_count)
         solve_contacts(motions, blocks, block_count, workers, rigid)
-        square, change = _measure(blocks, block_count)
-        agreed = change == 0.0 or (change < AGREED and turn * contacts >= LEAST_WORK)
+        square, taken = _measure(blocks, block_count)
+        energy += taken
+        agreed = taken <= ROUNDING * energy or (taken < AGREED * energy and turn * contacts >= LEAST_WORK)
         if agreed or turn == passes - 1:  # the last is a pass, so that no contact pulls
             return
         beta = square / last_square if square < last_square else 0.0  # 0 begins anew
-        _search(motions, blocks, block_count, beta, workers.gathered)
+        _search(blocks, block_count, beta)
+        _move(motions, struck, beta)
         last_square = square
 
 
@@ -65,17 +65,22 @@ def _count(blocks: ContactBlocks, block_count: int) -> int:
 def _passes(contacts: int) -> int:
     passes = MOST_WORK // contacts
     passes = passes if passes < MOST_PASSES else MOST_PASSES
-    return passes if passes > LEAST_PASSES else LEAST_PASSES
+    return passes if passes > 1 else 1
 
 
 @kernel
-def _keep_last(blocks: ContactBlocks, block_count: int) -> None:
+def _measure(blocks: ContactBlocks, block_count: int) -> tuple[float, float]:
+    """The square of what the last pass has added (N^2 s^2), and twice the energy (J) that it took, about."""
+    square = 0.0
+    taken = 0.0
     for n in range(block_count):
         v = blocks.lanes[n * BLOCK_SIZE : (n + 1) * BLOCK_SIZE]
         for k in range(blocks.blocks[n].count):
-            v[cb.LAST_IMPULSES + k] = v[cb.POINT_1 + cb.NORMAL_IMPULSE + k]
-            v[cb.LAST_IMPULSES + LANES + k] = v[cb.POINT_2 + cb.NORMAL_IMPULSE + k]
-            v[cb.LAST_IMPULSES + 2 * LANES + k] = v[cb.TANGENT_IMPULSE + k]
+            first, second, tangent = _added(v, k)
+            each = first * first + second * second + tangent * tangent
+            square += each
+            taken += each * (v[cb.INVERSE_MASS_A + k] + v[cb.INVERSE_MASS_B + k])
+    return square, taken
 
 
 @inlined_kernel
@@ -89,72 +94,46 @@ def _added(v: Floats, k: int) -> tuple[float, float, float]:
 
 
 @kernel
-def _measure(blocks: ContactBlocks, block_count: int) -> tuple[float, float]:
-    """The square of what the last pass has added (N^2 s^2), and the largest change of velocity (m/s) that it made."""
-    square = 0.0
-    largest = 0.0
+def _search(blocks: ContactBlocks, block_count: int, beta: float) -> None:
+    """Go on by `beta` along the direction searched so far, and turn it by what the last pass has added.
+
+    Impulses may pull until the next pass.
+    """
     for n in range(block_count):
         v = blocks.lanes[n * BLOCK_SIZE : (n + 1) * BLOCK_SIZE]
-        for k in range(blocks.blocks[n].count):
-            first, second, tangent = _added(v, k)
-            square += first * first + second * second + tangent * tangent
-            change = (abs(first) + abs(second)) * (v[cb.INVERSE_MASS_A + k] + v[cb.INVERSE_MASS_B + k])
-            largest = change if change > largest else largest
-    return square, largest
+        for lane in range(0, blocks.blocks[n].count, VECTOR):
+            _search_lanes(v[lane:], beta)
 
 
 @kernel
-def _search(motions: Records, blocks: ContactBlocks, block_count: int, beta: float, gathered: Floats) -> None:
-    """Go on by `beta` along the direction searched so far, and turn it by what the last pass has added."""
-    slots = blocks.slots
-    for n in range(block_count):
-        block = blocks.blocks[n]
-        turns = block.count if block.serial == 1 else 1
-        width = 1 if block.serial == 1 else block.count
-        for turn in range(turns):
-            v = blocks.lanes[n * BLOCK_SIZE + turn : (n + 1) * BLOCK_SIZE]
-            slot = block.first + turn
-            if beta > 0.0:
-                gather_velocities(motions, slots, slot, width, gathered)
-            if block.serial == 1:
-                _search_lane(v, gathered, 0, beta)
-            else:
-                for lane in range(0, width, VECTOR):
-                    _search_lanes(v[lane:], gathered[lane:], beta)
-            if beta > 0.0:
-                scatter_velocities(motions, slots, slot, width, gathered)
-
-
-@kernel
-def _search_lanes(v: Floats, g: Floats, beta: float) -> None:
+def _search_lanes(v: Floats, beta: float) -> None:
     for k in range(VECTOR):
-        _search_lane(v, g, k, beta)
+        first, second, tangent = _added(v, k)
+        more1 = beta * v[cb.SEARCH_DIRECTION + k]
+        more2 = beta * v[cb.SEARCH_DIRECTION + LANES + k]
+        rub = beta * v[cb.SEARCH_DIRECTION + 2 * LANES + k]
+        v[cb.SEARCH_DIRECTION + k] = more1 + first
+        v[cb.SEARCH_DIRECTION + LANES + k] = more2 + second
+        v[cb.SEARCH_DIRECTION + 2 * LANES + k] = rub + tangent
+        load1 = v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] + more1
+        load2 = v[cb.POINT_2 + cb.NORMAL_IMPULSE + k] + more2
+        rubbed = v[cb.TANGENT_IMPULSE + k] + rub
+        v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] = v[cb.LAST_IMPULSES + k] = load1
+        v[cb.POINT_2 + cb.NORMAL_IMPULSE + k] = v[cb.LAST_IMPULSES + LANES + k] = load2
+        v[cb.TANGENT_IMPULSE + k] = v[cb.LAST_IMPULSES + 2 * LANES + k] = rubbed
 
 
-@inlined_kernel
-def _search_lane(v: Floats, g: Floats, k: int, beta: float) -> None:
-    first, second, tangent = _added(v, k)
-    more = PointImpulses(
-        beta * v[cb.SEARCH_DIRECTION + k] if beta > 0.0 else 0.0,
-        beta * v[cb.SEARCH_DIRECTION + LANES + k] if beta > 0.0 else 0.0,
-    )
-    rub = beta * v[cb.SEARCH_DIRECTION + 2 * LANES + k] if beta > 0.0 else 0.0
-    v[cb.SEARCH_DIRECTION + k] = more.first + first
-    v[cb.SEARCH_DIRECTION + LANES + k] = more.second + second
-    v[cb.SEARCH_DIRECTION + 2 * LANES + k] = rub + tangent
-    load1 = v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] + more.first
-    load2 = v[cb.POINT_2 + cb.NORMAL_IMPULSE + k] + more.second
-    v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] = load1
-    v[cb.POINT_2 + cb.NORMAL_IMPULSE + k] = load2
-    v[cb.TANGENT_IMPULSE + k] += rub
-    mass = lane_mass(v, k)
-    nx = v[cb.NORMAL_X + k]
-    ny = v[cb.NORMAL_Y + k]
-    r1 = lane_anchors(v, cb.POINT_1, k)
-    r2 = lane_anchors(v, cb.POINT_2, k)
-    velocity = push_both(lane_velocity(g, k), mass, r1, r2, more, nx, ny)
-    # Impulses along the direction may pull until the next pass: then nothing says where between the points they act.
-    load1 = load1 if load1 > 0.0 else 0.0
-    load2 = load2 if load2 > 0.0 else 0.0
-    r = bearing_anchors(r1, r2, load1, load2)
-    set_lane_velocity(g, k, apply_impulse(velocity, mass, r, rub * ny, -rub * nx))
+@kernel
+def _move(motions: Records, struck: Records, beta: float) -> None:
+    """The same for the velocities, which follow from the impulses: what a pass changes of them is their gradient."""
+    for here in struck:
+        motion = motions[here.body]
+        more_x = beta * here.search_x
+        more_y = beta * here.search_y
+        more_w = beta * here.search_w
+        here.search_x = more_x + (motion.velocity_x - here.last_x)
+        here.search_y = more_y + (motion.velocity_y - here.last_y)
+        here.search_w = more_w + (motion.angular_velocity - here.last_w)
+        motion.velocity_x = here.last_x = motion.velocity_x + more_x
+        motion.velocity_y = here.last_y = motion.velocity_y + more_y
+        motion.angular_velocity = here.last_w = motion.angular_velocity + more_w

@@ -7,7 +7,9 @@ is Newton's law with the restitution 0 for all contacts at once, with Coulomb fr
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
+from typing import Any
+
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.bodies.integrate import SOLVED
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.closing_speed import closing_beyond_gap, gap_of
@@ -15,6 +17,7 @@ from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contact_blocks import ContactBlocks, SoftContact
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.restitution.conjugate_gradient import solve_until_agreed
+from sandbox.tables import Records
 
 BLOCK_SIZE = cb.BLOCK_SIZE
 LANES = cb.LANES
@@ -26,31 +29,37 @@ TAKES_PART = -2
 
 @kernel
 def stop_struck(
-    solver: SolverBodies, blocks: ContactBlocks, block_count: int, workers: Workers, rigid: SoftContact
+    solver: SolverBodies,
+    struck: Records,
+    blocks: ContactBlocks,
+    block_count: int,
+    workers: Workers,
+    rigid: SoftContact,
 ) -> None:
-    """Solve the inelastic impacts of a substep, if there are any in the first blocks of contacts.
+    """Solve the inelastic impacts of a substep, if there are any in the first blocks of contacts; `struck` is scratch.
 
     It works on the velocities with which the substep began, and changes those after its forces, in `solver.motions`, by
     as much: what forces do in a substep is what contacts at rest bear.
     """
     if not _is_struck(solver, blocks, block_count, rigid):
         return
-    for n in range(block_count):
-        for slot in blocks.slots[blocks.blocks[n].first : blocks.blocks[n].first + blocks.blocks[n].count]:
-            _take_start(solver, slot.body_a)
-            _take_start(solver, slot.body_b)
+    count = _take_starts(solver, struck, blocks, block_count)
+    moved: Any = struck[:count]
     _put_aside(blocks, block_count)
-    solve_until_agreed(solver.motions, blocks, block_count, workers, rigid)
+    solve_until_agreed(solver.motions, moved, blocks, block_count, workers, rigid)
     _bring_back(blocks, block_count)
-    for n in range(block_count):
-        for slot in blocks.slots[blocks.blocks[n].first : blocks.blocks[n].first + blocks.blocks[n].count]:
-            _add_impact(solver, slot.body_a)
-            _add_impact(solver, slot.body_b)
+    for here in moved:
+        _add_impact(solver, here.body)
 
 
 @kernel
 def stop_late(
-    solver: SolverBodies, blocks: ContactBlocks, block_count: int, workers: Workers, rigid: SoftContact
+    solver: SolverBodies,
+    struck: Records,
+    blocks: ContactBlocks,
+    block_count: int,
+    workers: Workers,
+    rigid: SoftContact,
 ) -> None:
     """The same for what has come to touch in the substep that is over.
 
@@ -65,26 +74,40 @@ def stop_late(
             for point in (cb.POINT_1, cb.POINT_2):
                 gap = gap_of(solver.motions[slot.body_a], solver.motions[slot.body_b], v, point)
                 v[point + cb.SEPARATION] -= gap if 0.0 < gap < near else 0.0
-    stop_struck(solver, blocks, block_count, workers, rigid)
+    stop_struck(solver, struck, blocks, block_count, workers, rigid)
 
 
 @kernel
-def _take_start(solver: SolverBodies, i: int) -> None:
-    """Let a body have the velocity with which the substep began, and mark it as one that takes part."""
-    if solver.forces[i].moves == SOLVED:
-        solver.struck[i] = TAKES_PART
-        motion = solver.motions[i]
-        free_motion = solver.free_motions[i]
-        motion.velocity_x = free_motion.start_x
-        motion.velocity_y = free_motion.start_y
-        motion.angular_velocity = free_motion.start_w
+def _take_starts(solver: SolverBodies, struck: Records, blocks: ContactBlocks, block_count: int) -> int:
+    """List the bodies that take part, each with the velocity with which the substep began; returns how many."""
+    count = 0
+    for n in range(block_count):
+        for slot in blocks.slots[blocks.blocks[n].first : blocks.blocks[n].first + blocks.blocks[n].count]:
+            count += _take_start(solver, struck, count, slot.body_a)
+            count += _take_start(solver, struck, count, slot.body_b)
+    return count
+
+
+@inlined_kernel
+def _take_start(solver: SolverBodies, struck: Records, count: int, i: int) -> int:
+    """Go on with a list of so many bodies with body i, unless it is listed already; returns how many that adds."""
+    if solver.forces[i].moves != SOLVED or solver.struck[i] == TAKES_PART:
+        return 0
+    solver.struck[i] = TAKES_PART
+    here = struck[count]
+    here.body = i
+    motion = solver.motions[i]
+    free_motion = solver.free_motions[i]
+    motion.velocity_x = here.last_x = free_motion.start_x
+    motion.velocity_y = here.last_y = free_motion.start_y
+    motion.angular_velocity = here.last_w = free_motion.start_w
+    here.search_x = here.search_y = here.search_w = 0.0
+    return 1
 
 
 @kernel
 def _add_impact(solver: SolverBodies, i: int) -> None:
-    """Add what the impact has changed to the velocities at the start of the substep and after its forces, once."""
-    if solver.forces[i].moves != SOLVED or solver.struck[i] != TAKES_PART:
-        return
+    """Add what the impact has changed to the velocities at the start of the substep and after its forces."""
     solver.struck[i] = 0
     motion = solver.motions[i]
     free_motion = solver.free_motions[i]
@@ -114,16 +137,18 @@ def _is_struck(solver: SolverBodies, blocks: ContactBlocks, block_count: int, ri
 
 @kernel
 def _put_aside(blocks: ContactBlocks, block_count: int) -> None:
-    """Begin with no impulses; those accumulated are kept."""
+    """Begin with no impulses and no direction; the impulses accumulated are kept."""
     for n in range(block_count):
         v = blocks.lanes[n * BLOCK_SIZE : (n + 1) * BLOCK_SIZE]
         for k in range(blocks.blocks[n].count):
             v[cb.RESTING_IMPULSES + k] = v[cb.POINT_1 + cb.NORMAL_IMPULSE + k]
             v[cb.RESTING_IMPULSES + LANES + k] = v[cb.POINT_2 + cb.NORMAL_IMPULSE + k]
             v[cb.RESTING_IMPULSES + 2 * LANES + k] = v[cb.TANGENT_IMPULSE + k]
-            v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] = 0.0
-            v[cb.POINT_2 + cb.NORMAL_IMPULSE + k] = 0.0
-            v[cb.TANGENT_IMPULSE + k] = 0.0
+            v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] = v[cb.LAST_IMPULSES + k] = 0.0
+            v[cb.POINT_2 + cb.NORMAL_IMPULSE + k] = v[cb.LAST_IMPULSES + LANES + k] = 0.0
+            v[cb.TANGENT_IMPULSE + k] = v[cb.LAST_IMPULSES + 2 * LANES + k] = 0.0
+            for direction in range(3):
+                v[cb.SEARCH_DIRECTION + direction * LANES + k] = 0.0
 
 
 @kernel
