@@ -16,7 +16,7 @@ from sandbox.engine.bodies.integrate import begin_motions, finish_motions, rewin
 from sandbox.engine.bodies.quarantine import guard_forces, guard_positions
 from sandbox.engine.broad_phase.pairs import sort_pairs
 from sandbox.engine.broad_phase.proxies import bound_shapes
-from sandbox.engine.broad_phase.resting_grid import find_all_pairs, order_shapes
+from sandbox.engine.broad_phase.resting_grid import find_all_pairs, order_shapes, outdated_shapes
 from sandbox.engine.contact_solver.store import clear_reports
 from sandbox.engine.continuous_collision.candidates import mark_fast, mark_fast_at_start
 from sandbox.engine.joints.pair_filter import JointFilter, filter_joined_pairs
@@ -61,8 +61,7 @@ def collide(
     update_active_set(state.bodies, active, solver, ccd.bodies)
     info = active.info[0]
     changed = order_shapes(state.shapes, active)
-    only_moving = info.split == 1 and not changed
-    bound_shapes(state, active.shapes[: info.moving if only_moving else state.shapes.shape[0]], colliders)
+    bound_shapes(state, active.shapes[: outdated_shapes(info, changed, state.shapes.shape[0])], colliders)
     pair_count = find_all_pairs(colliders, active, state.shapes.shape[0], changed, grid)
     kept = counter.contact_count if counter.asleep_count > 0 else 0
     if pair_count + kept > grid.pairs.shape[0]:
@@ -100,7 +99,7 @@ def solve(
     count = counter.found_count
     awake = active.bodies[1 : 1 + active.bodies[0]]
     froze = guard_forces(bodies, awake, setting, active.info, state.counters)
-    if wake_touched(bodies, contacts, joints, active.info, state.counters) or froze:
+    if wake_touched(bodies, contacts, joints, active, state.counters) or froze:
         update_active_set(bodies, active, solver, ccd.bodies)
         list_active_contacts(bodies, contacts, count)
     rows = active.bodies[1 : 1 + active.bodies[0]]

@@ -23,7 +23,7 @@ def town(sleeping: bool = True) -> FlatScene:
     """Stacks that will sleep, on tiles, with a pusher, a spinner in the air and a ball in free_motion."""
     tiles = [
         body(f"tile{i}", box(2.0, 1.0), type="static", position=(2.0 * i - 40.0, -0.5 - 0.5 * (i % 3 == 0)))
-        for i in range(40)
+        for i in range(70)
     ]
     stacks = [
         body(f"crate{i}.{k}", box(0.8, 0.8, restitution=0.1 * (i % 3)), position=(2.0 * i - 13.0, 0.41 + 0.81 * k))
@@ -95,6 +95,8 @@ def test_most_of_the_town_sleeps_and_its_grid_is_split():
     assert w.awake_count == 1  # the spinner
     assert active_set.split == 1
     assert active_set.moving == 1
+    assert active_set.apart == 72  # tiles, ground and the pusher, which rests
+    assert active_set.generation > active_set.fixed_generation == 1  # who fell asleep changed nothing for those
     assert w.scratch.contacts.active[0] == 0
     assert counts.contact_count > STACKS
     cursor = w.scratch.contacts.cursor[0]

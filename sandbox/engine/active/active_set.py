@@ -28,15 +28,20 @@ def new_active_set() -> Records:
 def update_active_set(bodies: Records, active: ActiveSet, solver: SolverBodies, ccd_bodies: Records) -> bool:
     """List the bodies that a step may move; lay the others to rest in the scratch memory, as no stage looks after them.
 
-    Nothing is done as long as nobody has woken, fallen asleep, or been changed by a command: returns whether.
+    Nothing is done as long as nobody has woken, fallen asleep, or been changed by a command: returns whether. Only a
+    change from outside is a reason to look at bodies that stay where they are.
     """
     info = active.info[0]
-    if info.stale == 0:
+    if info.stale == 0 and info.shifted == 0:
         return False
+    info.generation += 1
+    if info.stale == 1:
+        _list_loose(bodies, active, solver, ccd_bodies)
+        info.fixed_generation = info.generation
     count = 0
     asleep = 0
     posed = 0
-    for i in range(bodies.shape[0]):
+    for i in active.loose[1 : 1 + active.loose[0]]:
         body = bodies[i]
         posed |= body.posed
         active.activity[i] = AWAKE if disturbs(body) else 0
@@ -49,22 +54,41 @@ def update_active_set(bodies: Records, active: ActiveSet, solver: SolverBodies, 
             asleep += 1
             body.stirred = body.was_asleep - 1
             body.was_asleep = 1
-        _lay_to_rest(body, solver.motions[i], solver.free_motions[i])
-        solver.forces[i].moves = 0
-        solver.flags[i] = 0
-        solver.colors[i] = IMMOVABLE
-        solver.batches[i] = 0
-        ccd_body = ccd_bodies[i]
-        ccd_body.deep = ccd_body.unsettled = ccd_body.fast = ccd_body.confined = 0
+        _lay_to_rest(bodies, i, solver, ccd_bodies)
     active.bodies[0] = count
     info.asleep = asleep
-    info.generation += 1
+    info.shifted = 0
     info.stale = posed  # who was put somewhere is active for one step
     return True
 
 
 @kernel
-def _lay_to_rest(body: Records, motion: Records, free_motion: Records) -> None:
+def _list_loose(bodies: Records, active: ActiveSet, solver: SolverBodies, ccd_bodies: Records) -> None:
+    """List the bodies that may move or sleep; lay the others to rest."""
+    count = 0
+    for i in range(bodies.shape[0]):
+        if bodies[i].type == DYNAMIC or disturbs(bodies[i]):
+            count += 1
+            active.loose[count] = i
+        else:
+            active.activity[i] = 0
+            _lay_to_rest(bodies, i, solver, ccd_bodies)
+    active.loose[0] = count
+
+
+@kernel
+def _lay_to_rest(bodies: Records, i: int, solver: SolverBodies, ccd_bodies: Records) -> None:
+    _rest(bodies[i], solver.motions[i], solver.free_motions[i])
+    solver.forces[i].moves = 0
+    solver.flags[i] = 0
+    solver.colors[i] = IMMOVABLE
+    solver.batches[i] = 0
+    ccd_body = ccd_bodies[i]
+    ccd_body.deep = ccd_body.unsettled = ccd_body.fast = ccd_body.confined = 0
+
+
+@kernel
+def _rest(body: Records, motion: Records, free_motion: Records) -> None:
     motion.velocity_x = free_motion.start_x = free_motion.free_x = body.velocity_x
     motion.velocity_y = free_motion.start_y = free_motion.free_y = body.velocity_y
     motion.angular_velocity = free_motion.start_w = free_motion.free_w = body.angular_velocity

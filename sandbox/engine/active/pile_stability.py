@@ -64,11 +64,11 @@ class Load(NamedTuple):
 
 
 @kernel
-def masses_differ(bodies: Records, gravity: float, omega: float) -> bool:
-    """Whether some dynamic body would be too heavy for some other one at level 0."""
+def masses_differ(bodies: Records, rows: Integers, gravity: float, omega: float) -> bool:
+    """Whether some dynamic body of `rows` would be too heavy for some other one at level 0."""
     heaviest = 0.0
     lightest = slight = _NONE
-    for i in range(bodies.shape[0]):
+    for i in rows:
         body = bodies[i]
         if body.type == DYNAMIC:
             heaviest = body.mass if body.mass > heaviest else heaviest

@@ -109,7 +109,7 @@ def _sleep_islands(bodies: Records, rows: Integers, islands: Integers, flags: In
     for i in rows:
         body = bodies[i]
         if is_active(body) and flags[islands[i]] & ISLAND_AWAKE == 0:
-            active_info[0].stale = 1
+            active_info[0].shifted = 1
             body.awake = 0
             body.island = islands[i] + 1
             body.velocity_x = 0.0

@@ -90,7 +90,8 @@ def _assign_to_piles(
         )
         load = Load(gravity_x / gravity, gravity_y / gravity, gravity, omega)
         used = _look(state.bodies, rows, solver, piles, contacts, joints, load)
-    counter.substep_watch = ALWAYS if used > 1 or masses_differ(state.bodies, gravity, omega) else SELDOM
+    loose = active.loose[1 : 1 + active.loose[0]]
+    counter.substep_watch = ALWAYS if used > 1 or masses_differ(state.bodies, loose, gravity, omega) else SELDOM
     return used
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from sandbox._jit import kernel
 from sandbox.engine.bodies.flags import disturbs
 from sandbox.engine.joints.records import JointWork
+from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.contacts import Contacts
 from sandbox.tables import Integers, Records
 
@@ -14,7 +15,7 @@ def wake_touched(
     bodies: Records,
     contacts: Contacts,
     joints: JointWork | None,
-    active_info: Records,
+    active: ActiveSet,
     counters: Records,
 ) -> bool:
     """Wake every island that has a contact or a joint with an active or a driven body.
@@ -31,7 +32,7 @@ def wake_touched(
     if joints is not None:
         for i in range(joints.ties.shape[0]):
             _wake_either(bodies[joints.ties[i].low], bodies[joints.ties[i].high])
-    wake_marked_islands(bodies, active_info)
+    wake_marked_islands(bodies, active)
     return True
 
 
@@ -68,22 +69,25 @@ def _wake_either(a: Records, b: Records) -> None:
 
 
 @kernel
-def wake_marked_islands(bodies: Records, active_info: Records) -> None:
+def wake_marked_islands(bodies: Records, active: ActiveSet) -> None:
     """Wake all bodies of every island in which one body is awake already; that one still carries the island's root.
 
     `island` is the row of the island's first body plus one, 0 for a body that has not been asleep.
     """
-    active_info[0].stale = 1
-    for i in range(bodies.shape[0]):
-        body = bodies[i]
+    info = active.info[0]
+    info.shifted = 1
+    listed = info.stale == 0
+    count = active.loose[0] if listed else bodies.shape[0]
+    for k in range(count):
+        body = bodies[active.loose[1 + k] if listed else k]
         if body.island > 0 and body.awake == 1:
             bodies[body.island - 1].sleep_time = -1.0
-    for i in range(bodies.shape[0]):
-        body = bodies[i]
+    for k in range(count):
+        body = bodies[active.loose[1 + k] if listed else k]
         if body.island > 0 and bodies[body.island - 1].sleep_time < 0.0:
             body.awake = 1
-    for i in range(bodies.shape[0]):
-        body = bodies[i]
+    for k in range(count):
+        body = bodies[active.loose[1 + k] if listed else k]
         if body.island > 0 and body.awake == 1:
             body.sleep_time = 0.0
             body.island = 0

@@ -21,11 +21,34 @@ _SAME = 0.999
 
 
 @kernel
-def stop_bullet(tables: SweepTables, pair: Records, turn: int) -> bool:
+def stop_bullets(tables: SweepTables, pairs: Records) -> None:
+    """Stop bullets at other dynamic bodies, and those at them.
+
+    Stopping one changes what others meet, so this is repeated until nothing changes. A pair is looked at again only if
+    one of its bodies has been stopped since: otherwise it would give the same answer.
+    """
+    impacts = tables.ccd.impacts
+    count = pairs.shape[0]
+    look = 0
+    changed = True
+    while changed:
+        changed = False
+        for k in range(count):
+            a = tables.shapes[pairs[k].shape_a].body
+            b = tables.shapes[pairs[k].shape_b].body
+            before = look - count  # when this pair was looked at in the turn before
+            again = impacts[a].stopped >= before or impacts[b].stopped >= before
+            if again and _stop_bullet(tables, pairs[k], look // count):
+                changed = True
+                impacts[a].stopped = impacts[b].stopped = look
+            look += 1
+
+
+@kernel
+def _stop_bullet(tables: SweepTables, pair: Records, turn: int) -> bool:
     """Stop a bullet at another dynamic body, and then that body at the bullet; whether anything changed.
 
-    Stopping one changes what others meet, so this is repeated until nothing changes. After `_ROUNDS` turns both
-    stay where they were, which ends it for certain.
+    After `_ROUNDS` turns both stay where they were, which ends it for certain.
     """
     a = tables.shapes[pair.shape_a].body
     b = tables.shapes[pair.shape_b].body

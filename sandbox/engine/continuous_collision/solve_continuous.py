@@ -10,8 +10,10 @@ Static bodies hold all dynamic ones, moving bodies hold only those marked as bul
 
 from __future__ import annotations
 
+from typing import Any
+
 from sandbox._jit import entry_point, kernel
-from sandbox.engine.continuous_collision.bullets import carry_bullet, stop_bullet
+from sandbox.engine.continuous_collision.bullets import carry_bullet, stop_bullets
 from sandbox.engine.continuous_collision.contact_impulse import apply_contact_impulse
 from sandbox.engine.continuous_collision.relative_sweep import SweepTables
 from sandbox.engine.continuous_collision.roll_back import roll_back, roll_back_energy
@@ -48,22 +50,18 @@ def solve_continuous(
     _forget_impacts(colliders.filters, rows, ccd.impacts, fast, count)
     for k in range(count):
         carry_bullet(tables, fast[k])
-    changed = False
+    bullets = False
     static_count = -1
     threshold = state.settings[0].restitution_threshold
     for slides in range(SLIDES + 1):
         for k in range(count):
-            changed |= stop_at_static(tables, fast[k])
+            bullets |= stop_at_static(tables, fast[k])
         static_count = stop_strays(tables, active, colliders, grid, count, joint_filter, static_count)
         if slides == SLIDES or not slide_all(state.bodies, rows, solver.motions, ccd.impacts, threshold):
             break
-    turn = 0
-    while changed:
-        changed = False
-        for k in range(count):
-            if stop_bullet(tables, fast[k], turn):
-                changed = True
-        turn += 1
+    if bullets:
+        found: Any = fast[:count]
+        stop_bullets(tables, found)
     _roll_back_all(state, rows, solver.motions, ccd.impacts)
 
 
@@ -95,6 +93,7 @@ def _forget_impacts(filters: Records, rows: Integers, impacts: Records, fast: Re
 @kernel
 def _forget_impact(impact: Records) -> None:
     impact.time = 1.0
+    impact.stopped = -1
     impact.bounces = impact.touched = impact.swept = impact.stray = 0
 
 

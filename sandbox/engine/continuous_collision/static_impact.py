@@ -19,7 +19,7 @@ from sandbox.world.records import ONE_WAY, SEAMED, STATIC
 
 @kernel
 def stop_at_static(tables: SweepTables, pair: Records) -> bool:
-    """Stop the fast body of a pair at the other one, if that is immovable; whether the pair is for `stop_bullet`."""
+    """Stop the fast body of a pair at the other one, if that is immovable; whether the pair is for `stop_bullets`."""
     sweep = tables.ccd.sweep[0]
     a = tables.shapes[pair.shape_a].body
     b = tables.shapes[pair.shape_b].body

@@ -12,7 +12,7 @@ from sandbox._jit import kernel
 from sandbox.engine.broad_phase.grid import boxes_overlap
 from sandbox.engine.broad_phase.pairs import insert_in_order, propose
 from sandbox.engine.broad_phase.proxies import ACTIVE, SLEEPS
-from sandbox.engine.broad_phase.resting_grid import bucket_count, pairs_with_resting
+from sandbox.engine.broad_phase.resting_grid import pairs_with_resting
 from sandbox.engine.continuous_collision.relative_sweep import SweepTables
 from sandbox.engine.continuous_collision.static_impact import stop_at_static
 from sandbox.engine.joints.pair_filter import JointFilter, are_joined
@@ -89,9 +89,7 @@ def _list_near(
         if boxes_overlap(box, grid.spare_boxes[k]):
             count = propose(filters, i, grid.spare_boxes[k].shape_index, pairs, count)
     if info.split == 1:
-        still: Any = grid.ordered[: shapes - info.moving]
-        heads = grid.resting_heads[: bucket_count(shapes) + 1]
-        count = pairs_with_resting(box, still, filters, info, heads, grid.resting_levels, pairs, count)
+        count = pairs_with_resting(box, filters, info, grid, shapes, pairs, count)
     if count <= pairs.shape[0]:
         found: Any = pairs[first:count]
         insert_in_order(found, count - first)

@@ -17,6 +17,7 @@ from sandbox.engine.fields.thrust import thrust
 from sandbox.engine.fields.wake import wake_switched
 from sandbox.engine.fields.water import float_bodies
 from sandbox.engine.fields.wind import blow
+from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.state import StateTables
 from sandbox.geometry.trig import cos_sin
 from sandbox.tables import Records
@@ -32,7 +33,7 @@ def apply_fields(
     state: StateTables,
     old_contacts: Records,
     joint_table: Records,
-    active_info: Records,
+    active: ActiveSet,
     free_motions: Records,
     fields: Fields,
 ) -> None:
@@ -43,7 +44,7 @@ def apply_fields(
     step = counter.step_count
     regions = fields.regions
     pushes = fields.pushes
-    wake_switched(bodies, fields, active_info, step)
+    wake_switched(bodies, fields, active, step)
     _begin(bodies, pushes, setting)
     _mark_held(pushes, old_contacts, counter.contact_count, joint_table)
     for k in range(regions.shape[0]):

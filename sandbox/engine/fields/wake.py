@@ -6,12 +6,13 @@ from sandbox._jit import kernel
 from sandbox.engine.active.wake_islands import wake_marked_islands
 from sandbox.engine.fields.area import OUTSIDE, place
 from sandbox.engine.fields.records import Fields
+from sandbox.engine.records.active_set import ActiveSet
 from sandbox.tables import Records
 from sandbox.world.records import DYNAMIC
 
 
 @kernel
-def wake_switched(bodies: Records, fields: Fields, active_info: Records, step: int) -> None:
+def wake_switched(bodies: Records, fields: Fields, active: ActiveSet, step: int) -> None:
     """Wake the islands of all bodies that a region or a thruster begins or ceases to push in this step."""
     regions = fields.regions
     thrusters = fields.thrusters
@@ -32,7 +33,7 @@ def wake_switched(bodies: Records, fields: Fields, active_info: Records, step: i
                 body.awake = 1
                 found = True
     if found:
-        wake_marked_islands(bodies, active_info)
+        wake_marked_islands(bodies, active)
 
 
 @kernel

@@ -39,7 +39,7 @@ def contact_arguments(contacts: Contacts) -> dict[str, Any]:
 
 def scratch_arguments(scratch: Scratch) -> dict[str, Any]:
     """What is bound of scratch memory."""
-    named = vars(scratch) | {"active_info": scratch.active.info, "free_motions": scratch.solver.free_motions}
+    named = vars(scratch) | {"free_motions": scratch.solver.free_motions}
     return {name: kernel_argument(value) for name, value in named.items()}
 
 

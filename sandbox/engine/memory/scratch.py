@@ -22,7 +22,7 @@ from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.batches import BLOCKS, SIZE, STRUCK_BODY, Batches
 from sandbox.engine.records.bodies import BODY_FORCES, FREE_MOTION, MOTION, SolverBodies
 from sandbox.engine.records.ccd import CCD_BODY, CCD_IMPACT, Ccd
-from sandbox.engine.records.colliders import BOX, FILTER, PAIR, PROXY, Colliders, Grid
+from sandbox.engine.records.colliders import BOX, FILTER, PAIR, PROXY, RESTING_GRID, Colliders, Grid, RestingGrid
 from sandbox.engine.records.contact_blocks import BLOCK, SLOT, ContactBlocks
 from sandbox.engine.records.contacts import REPORT, SLEEPING_CURSOR, SLEEPING_RUN, Contacts
 from sandbox.engine.records.decisions import Decisions, decisions_memory
@@ -162,8 +162,14 @@ class Room(NamedTuple):
 
 
 def _active_set(state: State, room: Room) -> ActiveSet:
-    lists = np.zeros(room.bodies + 1, np.int64), np.zeros(room.bodies, np.int64)
-    return ActiveSet(new_active_set(), *lists, np.arange(room.shapes))
+    return ActiveSet(
+        info=new_active_set(),
+        bodies=np.zeros(room.bodies + 1, np.int64),
+        loose=np.zeros(room.bodies + 1, np.int64),
+        activity=np.zeros(room.bodies, np.int64),
+        shapes=np.arange(room.shapes),
+        loose_shapes=np.zeros(room.shapes, np.int64),
+    )
 
 
 def _solver_bodies(bodies: int) -> SolverBodies:
@@ -194,11 +200,16 @@ def _grid(shapes: int, pairs: int) -> Grid:
         ordered=BOX.zeros(shapes),
         heads=np.zeros(head_count(shapes), np.int64),
         levels=np.zeros(LEVEL_SPACE, np.int64),
-        resting_heads=np.zeros(head_count(shapes), np.int64),
-        resting_levels=np.zeros(LEVEL_SPACE, np.int64),
+        resting=_resting_grid(shapes),
+        apart=_resting_grid(shapes),
         pairs=PAIR.zeros(pairs),
         sorted_pairs=PAIR.zeros(pairs + 1),  # continuous collision keeps one pair apart
     )
+
+
+def _resting_grid(shapes: int) -> RestingGrid:
+    heads, levels = np.zeros(head_count(shapes), np.int64), np.zeros(LEVEL_SPACE, np.int64)
+    return RestingGrid(RESTING_GRID.zeros(1), heads, levels)
 
 
 def _contacts(state: State, pairs: int) -> Contacts:

@@ -9,15 +9,17 @@ from sandbox.tables import Field, Integers, Records, Table
 ACTIVE_SET = Table(
     "active_set",
     (
-        Field("stale", "-", "1 when somebody may have woken, slept, come or changed since the lists were made", "i8"),
+        Field("stale", "-", "1 when somebody may have come, gone or changed since the lists were made", "i8"),
+        Field("shifted", "-", "1 when somebody has woken or fallen asleep since", "i8"),
         Field("asleep", "-", "dynamic bodies that slept when they were made", "i8"),
         Field("generation", "-", "counts how often they were made", "i8"),
+        Field("fixed_generation", "-", "its value when it was last asked who stays where it is", "i8"),
         Field("shapes_generation", "-", "its value when the shapes were put in order", "i8"),
         Field("moving", "-", "shapes of bodies that may move", "i8"),
+        Field("loose", "-", "shapes of bodies that may move or sleep", "i8"),
         Field("split", "-", "1 when resting shapes have a grid of their own, see `resting_grid`", "i8"),
-        Field("cell", "m", "width of the cells of its level 0"),
-        Field("used", "-", "its levels with many boxes", "i8"),
-        Field("sparse", "-", "its boxes on other levels", "i8"),
+        Field("apart", "-", "shapes that stay where they are and have a grid apart from that of the sleepers", "i8"),
+        Field("apart_generation", "-", "`fixed_generation` when that one was laid; 0 when there is none", "i8"),
     ),
 )
 """One row: what is known of the lists."""
@@ -27,11 +29,15 @@ class ActiveSet(NamedTuple):
     """The lists: `info` is one row of `ACTIVE_SET`.
 
     `bodies[1:]` are the rows of the bodies that a step may move, ascending; `bodies[0]` is how many those are.
-    `activity` tells for every body whether it is `AWAKE`, `ASLEEP` or stays where it is (0). `shapes` are the rows of
-    all shapes, those that may move first.
+    `loose[1:]`, `loose[0]` of them, are the same with those that sleep: all but those that stay where they are until
+    something is changed from outside. `activity` tells for every body whether it is `AWAKE`, `ASLEEP` or stays where it
+    is (0). `shapes` are the rows of all shapes: those that may move, the other loose ones, the others. `loose_shapes`
+    are the first two of these in one.
     """
 
     info: Records
     bodies: Integers
+    loose: Integers
     activity: Integers
     shapes: Integers
+    loose_shapes: Integers

@@ -31,6 +31,7 @@ CCD_IMPACT = Table(
     "ccd_impact",
     (
         Field("time", "1", "time of impact, as a share of the step; 1 is none"),
+        Field("stopped", "-", "look at a bullet's pair that stopped one of the two; -1 is none", "i8"),
         Field("bounces", "-", "1 when what stops it bounces it", "i8"),
         Field("touched", "-", "1 when it has touched what stops it from the start of the step on", "i8"),
         Field("stray", "-", "1 when a shape of it has left the box that the grid knew", "i8"),

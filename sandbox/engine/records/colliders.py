@@ -57,6 +57,16 @@ PROXY = Table(
 )
 """One row a shape, two cache lines: all that the narrow phase asks of the shapes of a slow pair and their bodies."""
 
+RESTING_GRID = Table(
+    "resting_grid",
+    (
+        Field("cell", "m", "width of the cells of its level 0"),
+        Field("used", "-", "its levels with many boxes", "i8"),
+        Field("sparse", "-", "its boxes on other levels", "i8"),
+    ),
+)
+"""One row: what is known of a grid that is kept."""
+
 PAIR = Table("pair", (Field("shape_a", "-", "", "i8"), Field("shape_b", "-", "", "i8")))
 
 
@@ -69,18 +79,26 @@ class Colliders(NamedTuple):
     proxies: Records
 
 
+class RestingGrid(NamedTuple):
+    """A grid that is kept as long as its shapes rest: `info` is one row, the others are as those of a `Grid`."""
+
+    info: Records
+    heads: Integers
+    levels: Integers
+
+
 class Grid(NamedTuple):
     """The uniform grid and the pairs that it proposes.
 
-    `ordered` has boxes bucket by bucket, `heads` where each bucket begins, `levels` the levels in use; `resting_heads`
-    and `resting_levels` are those of the grid of resting shapes. `spare_boxes` and `sorted_pairs` are scratch.
+    `ordered` has boxes bucket by bucket, `heads` where each bucket begins, `levels` the levels in use. Where it is
+    split, those of `apart` come first, then those of `resting`. `spare_boxes` and `sorted_pairs` are scratch.
     """
 
     spare_boxes: Records
     ordered: Records
     heads: Integers
     levels: Integers
-    resting_heads: Integers
-    resting_levels: Integers
+    resting: RestingGrid
+    apart: RestingGrid
     pairs: Records
     sorted_pairs: Records
