@@ -101,14 +101,9 @@ def _list_impacts(
 ) -> int:
     """List the contacts that may have an impact, by batch; returns how many there are."""
     batches = blocks.batches
-    slots = batches.impacts if count == 1 else blocks.spare
     threshold = state.settings[0].restitution_threshold
-    found = list_impact_contacts(state.bodies, solver, contacts, level.number, level.fastest, threshold, slots)
-    if count > 1:
-        sort_impacts(slots, found, solver.batches, batches, count)
-    else:
-        batches.first_impact[0] = 0
-        batches.first_impact[1] = found
+    found = list_impact_contacts(state.bodies, solver, contacts, level.number, level.fastest, threshold, blocks.spare)
+    sort_impacts(blocks.spare, found, solver.batches, batches, count)
     return int(found)
 
 

@@ -177,3 +177,61 @@ def test_impacts_in_a_row_of_boxes_keep_momentum_and_never_gain_energy(seed, e, 
         assert np.sum(bodies.mass * motions[way]) == pytest.approx(np.sum(bodies.mass * bodies[way]), abs=1e-11)
     before = sum(energy(b, b) for b in bodies)
     assert sum(energy(b, m) for b, m in zip(bodies, motions, strict=True)) <= before * (1 + 1e-9)
+
+
+def heavy_on_light(ratio: float, e: float, flip: float = 1.0):
+    """A heavy box comes down on light bodies that lie on the ground and touch it; `flip` -1 mirrors it."""
+    surface = {"restitution": e, "friction": 0.0}
+    light = [body(f"ball-{x}", circle(0.5, **surface), position=(flip * x, 0.5), mass=1.0) for x in (-1.5, 1.2)]
+    light.append(body("box", box(1.0, 1.0, **surface), position=(flip * 0.1, 0.5), mass=1.0))
+    heavy = body("heavy", box(4.0, 1.0, **surface), position=(flip * 0.2, 1.5), velocity=(0.0, -5.0), mass=ratio)
+    return world(ground(**surface), *light, heavy, gravity=(0.0, 0.0))
+
+
+def light_between(ratio: float, e: float, flip: float = 1.0):
+    """Two heavy balls meet with a light one between them."""
+    surface = {"restitution": e, "friction": 0.0}
+    return world(
+        body("left", circle(0.5, **surface), position=(-flip, 0.0), velocity=(5.0 * flip, 0.0), mass=ratio),
+        body("light", circle(0.5, **surface), mass=1.0),
+        body("right", circle(0.5, **surface), position=(flip, 0.0), velocity=(-5.0 * flip, 0.0), mass=ratio),
+        gravity=(0.0, 0.0),
+    )
+
+
+def highest_closing_speed(p) -> float:
+    """Over all points of contacts."""
+    motions, worst = p.scratch.solver.motions, 0.0
+    for contact in p.scratch.contacts.now[: p.count]:
+        a, b = motions[contact.body_a], motions[contact.body_b]
+        va, vb = (np.array([m.velocity_x, m.velocity_y]) for m in (a, b))
+        for k in range(1, contact.point_count + 1):
+            ra, rb = points(contact, k)
+            speed = speed_at(va, a.angular_velocity, ra, vb, b.angular_velocity, rb)
+            worst = max(worst, -float(speed @ [contact.normal_x, contact.normal_y]))
+    return worst
+
+
+@pytest.mark.parametrize("e", [0.3, 0.5, 0.8, 1.0])
+@pytest.mark.parametrize("ratio", [1.0, 10.0, 100.0, 1e3, 1e4])
+@pytest.mark.parametrize("meet", [heavy_on_light, light_between])
+def test_impacts_end_whatever_the_masses(meet, ratio, e):
+    """No contact closes faster than the threshold; energy does not rise; what is mirrored has the mirrored outcome."""
+    p, mirrored = struck(meet(ratio, e)), struck(meet(ratio, e, -1.0))
+    bodies, motions = p.state.bodies, p.scratch.solver.motions
+    assert highest_closing_speed(p) <= 0.2 + 1e-9
+    before = sum(energy(b, b) for b in bodies if b.mass > 0.0)
+    after = sum(energy(b, m) for b, m in zip(bodies, motions, strict=True) if b.mass > 0.0)
+    assert after <= before * (1.0 + 1e-9)
+    other = mirrored.scratch.solver.motions
+    assert other.velocity_y == pytest.approx(motions.velocity_y, abs=1e-6)
+    assert other.velocity_x == pytest.approx(-motions.velocity_x, abs=1e-6)
+    assert other.angular_velocity == pytest.approx(-motions.angular_velocity, abs=1e-6)
+
+
+@pytest.mark.parametrize("e", [0.3, 0.8, 1.0])
+@pytest.mark.parametrize("ratio", [1e3, 1e4])
+def test_what_is_heavy_rebounds_from_light_ones_with_the_restitution(ratio, e):
+    for meet, row, way in ((heavy_on_light, -1, "velocity_y"), (light_between, 2, "velocity_x")):
+        w = meet(ratio, e)
+        assert struck(w).scratch.solver.motions[row][way] == pytest.approx(5.0 * e, abs=0.05)

@@ -106,20 +106,24 @@ def _sort_bodies(rows: Integers, of_body: Integers, batches: Batches, count: int
 
 @kernel
 def sort_impacts(slots: Records, length: int, of_body: Integers, batches: Batches, count: int) -> None:
-    """Order the contacts that may have an impact by batch; they keep their order within each."""
+    """Write `batches.impacts`: the contacts that may have an impact by batch, in the order of `slots` within each."""
     first = batches.first_impact
     for n in range(count + 1):
         first[n] = 0
     for k in range(length):
-        first[batch_of(slots[k], of_body)] += 1
+        first[batch_of(slots[k], of_body) if count > 1 else 0] += 1
     total = 0
     for n in range(count + 1):
         total += first[n]
         first[n] = total
     for k in range(length - 1, -1, -1):
-        n = batch_of(slots[k], of_body)
+        slot = slots[k]
+        n = batch_of(slot, of_body) if count > 1 else 0
         first[n] -= 1
-        batches.impacts[first[n]] = slots[k]
+        impact = batches.impacts[first[n]]
+        impact.contact = slot.contact
+        impact.body_a = slot.body_a
+        impact.body_b = slot.body_b
 
 
 @kernel

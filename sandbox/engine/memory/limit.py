@@ -6,7 +6,7 @@ Bodies in one place make as many pairs as the square of their number: asked for 
 from __future__ import annotations
 
 from sandbox.engine.contact_solver.blocks import ALL_COLORS, BLOCK_SIZE, LANES
-from sandbox.engine.records.batches import SIZE
+from sandbox.engine.records.batches import IMPACT, SIZE
 from sandbox.engine.records.colliders import PAIR
 from sandbox.engine.records.contact_blocks import BLOCK, SLOT
 from sandbox.engine.records.contacts import REPORT, SLEEPING_RUN
@@ -18,7 +18,7 @@ MAX_STEP_BYTES = 4 * 1024**3
 _WORD = 8
 _PAIR_BYTES = 4 * _WORD + sum(
     table.dtype.itemsize
-    for table in (CONTACT, CONTACT, PAIR, PAIR, SLEEPING_RUN, SLEEPING_RUN, SLEEPING_RUN, REPORT, SLOT, SLOT)
+    for table in (CONTACT, CONTACT, PAIR, PAIR, SLEEPING_RUN, SLEEPING_RUN, SLEEPING_RUN, REPORT, SLOT, SLOT, IMPACT)
 )
 _BLOCK_BYTES = BLOCK.dtype.itemsize + _WORD * BLOCK_SIZE
 

@@ -19,8 +19,8 @@ from sandbox.engine.joints.part_layout import PartLayouts
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.memory.limit import most_batches, most_blocks
 from sandbox.engine.records.active_set import ActiveSet
-from sandbox.engine.records.batches import BLOCKS, SIZE, STRUCK_BODY, Batches
-from sandbox.engine.records.bodies import BODY_FORCES, FREE_MOTION, MOTION, SolverBodies
+from sandbox.engine.records.batches import BLOCKS, IMPACT, SIZE, STRUCK_BODY, Batches
+from sandbox.engine.records.bodies import BEFORE_IMPACTS, BODY_FORCES, FREE_MOTION, MOTION, SolverBodies
 from sandbox.engine.records.ccd import CCD_BODY, CCD_IMPACT, Ccd
 from sandbox.engine.records.colliders import BOX, FILTER, PAIR, PROXY, RESTING_GRID, Colliders, Grid, RestingGrid
 from sandbox.engine.records.contact_blocks import BLOCK, SLOT, ContactBlocks
@@ -177,6 +177,7 @@ def _solver_bodies(bodies: int) -> SolverBodies:
         motions=MOTION.zeros(bodies),
         free_motions=FREE_MOTION.zeros(bodies),
         forces=BODY_FORCES.zeros(bodies),
+        before_impacts=BEFORE_IMPACTS.zeros(bodies),
         flags=np.zeros(bodies, np.int64),
         colors=np.zeros(bodies, np.int64),
         struck=np.zeros(bodies, np.int64),
@@ -249,7 +250,7 @@ def _batches(bodies: int, pairs: int, workers: int) -> Batches:
         bodies=np.zeros(bodies, np.int64),
         struck=STRUCK_BODY.zeros(bodies),
         first_body=np.zeros(batches + 1, np.int64),
-        impacts=SLOT.zeros(pairs),
+        impacts=IMPACT.zeros(pairs),
         first_impact=np.zeros(batches + 1, np.int64),
         blocks=BLOCK.zeros(blocks),
         lanes=aligned_zeros(blocks * BLOCK_SIZE, np.float64),

@@ -27,6 +27,25 @@ STRUCK_BODY = Table(
 )
 """One row a body that takes part in an inelastic impact, one cache line."""
 
+IMPACT = Table(
+    "impact",
+    (
+        Field("contact", "-", "row in the contact table", "i8"),
+        Field("body_a", "-", "", "i8"),
+        Field("body_b", "-", "", "i8"),
+        Field("group", "-", "the lowest body of those with which it strikes together; -1 before it has struck", "i8"),
+        Field("further", "-", "how many further on the next one of its group is, or 0", "i8"),
+        Field("impulse", "N s", "of the contact before the impacts of the substep"),
+        Field("load1", "N s", "normal impulse at point 1, of the group's impact"),
+        Field("load2", "N s", "the same at point 2"),
+        Field("added1", "N s", "what the last pass has added to it"),
+        Field("added2", "N s", "the same at point 2"),
+        Field("search1", "N s", "the direction searched so far"),
+        Field("search2", "N s", "the same at point 2"),
+    ),
+)
+"""Contacts with restitution that may have an impact, as they come, and what those have that strike together."""
+
 
 class Batches(NamedTuple):
     """The batches that the islands of a substep level fall into, see `active.island_batches`.

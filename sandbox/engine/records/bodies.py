@@ -52,6 +52,20 @@ BODY_FORCES = Table(
 """One row a body, one cache line: all that the substeps ask of the body itself."""
 
 
+BEFORE_IMPACTS = Table(
+    "before_impacts",
+    (
+        Field("start_x", "m/s", "what the free motion had before the impacts of the substep"),
+        Field("start_y", "m/s", "the same"),
+        Field("start_w", "rad/s", "the same"),
+        Field("free_x", "m/s", "the same"),
+        Field("free_y", "m/s", "the same"),
+        Field("free_w", "rad/s", "the same"),
+    ),
+)
+"""One row a body, of those that have struck: impacts that do not end one by one are taken back."""
+
+
 class SolverBodies(NamedTuple):
     """Scratch memory with a row for each body, beside the body table of the state.
 
@@ -63,6 +77,7 @@ class SolverBodies(NamedTuple):
     motions: Records
     free_motions: Records
     forces: Records
+    before_impacts: Records
     flags: Integers
     colors: Integers
     struck: Integers

@@ -15,7 +15,7 @@ SLOT = Table(
         Field("body_b", "-", "", "i8"),
     ),
 )
-"""Contacts in the order they are solved in: colour by colour, and those that may have an impact as they come."""
+"""Contacts in the order they are solved in, colour by colour."""
 
 BLOCK = Table(
     "block",

@@ -22,10 +22,19 @@ def strike_elastic(bodies: Records, solver: SolverBodies, contact: Records, chan
     load1, load2 = pair_impulses(block, change1, change2)
     if load1 <= 0.0 and load2 <= 0.0:
         return
-    struck = push_points(take(solver.free_motions, contact), contact, mass, load1, load2)
-    if contact.friction > 0.0:
-        rub = rub_of(a, b, contact, load1, load2)
-        drag = friction_impulse(struck, rub, contact.surface_speed, contact.friction * (load1 + load2), 0.0)
-        struck = push(struck, mass, rub.anchors, drag * rub.tangent_x, drag * rub.tangent_y)
-    put_back(solver, contact, struck)
+    put_back(solver, contact, push_points(take(solver.free_motions, contact), contact, mass, load1, load2))
     contact.impact_impulse += load1 + load2
+    rub_struck(bodies, solver, contact, load1, load2)
+
+
+@kernel
+def rub_struck(bodies: Records, solver: SolverBodies, contact: Records, load1: float, load2: float) -> None:
+    """Apply the friction that normal impulses (N s) at the points of a contact allow, after they have acted."""
+    if contact.friction <= 0.0 or load1 + load2 <= 0.0:
+        return
+    a = bodies[contact.body_a]
+    b = bodies[contact.body_b]
+    rub = rub_of(a, b, contact, load1, load2)
+    struck = take(solver.free_motions, contact)
+    drag = friction_impulse(struck, rub, contact.surface_speed, contact.friction * (load1 + load2), 0.0)
+    put_back(solver, contact, push(struck, pair_mass(a, b), rub.anchors, drag * rub.tangent_x, drag * rub.tangent_y))

@@ -2,15 +2,16 @@
 
 Those without restitution are stopped all at once, afterwards (`inelastic.py`).
 Contacts strike one after the other until none closes faster than the threshold, so that an impact runs through a row
-of balls as it does through Newton's cradle. The two points of a manifold strike together, so that a flat box
-leaves flat. The rebound speed comes from the energy at the surface, not at the place where the step happens to
+of balls as it does through Newton's cradle. Where that does not end, as a light body rattles between heavy ones, those
+that have struck strike together instead (`simultaneous.py`). The two points of a manifold always do, so that a flat
+box leaves flat. The rebound speed comes from the energy at the surface, not at the place where the step happens to
 catch the body, so that a bounce neither gains nor loses height.
 """
 
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from sandbox._jit import kernel
 from sandbox.engine.active.substep_level import contact_substep_level
@@ -18,11 +19,16 @@ from sandbox.engine.contact_solver.law import anchors_of, relative_velocity, sep
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.restitution.elastic import strike_elastic
+from sandbox.engine.restitution.groups import ALONE, form_groups, note_first_strike, starts_group
 from sandbox.engine.restitution.impulses import free_velocity
+from sandbox.engine.restitution.simultaneous import strike_group
 from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC
 
 _SWEEPS = 32
+"""In which contacts strike one by one: what goes on longer rattles between heavy bodies, and strikes together."""
+_ROUNDS = 32
+"""In which groups strike together: most end with the first few."""
 
 
 class ImpactList(NamedTuple):
@@ -70,13 +76,35 @@ def resolve_impacts(
 ) -> None:
     """Strike every listed contact that closes within the substep, again and again until none is left.
 
-    Negative `seconds` look back: contacts that have closed within a substep that is over. A contact is looked at again
-    only if one of its bodies has been struck since: otherwise it would give the same answer.
+    Negative `seconds` look back: contacts that have closed within a substep that is over. Groups that do not come to
+    an end one by one are taken back, and strike together.
+    """
+    if _strike_singly(bodies, solver, contacts, impacts, seconds):
+        return
+    slots: Any = impacts.slots[: impacts.length]
+    for turn in range(_ROUNDS):
+        if not _add_closing(bodies, solver, contacts, slots, impacts.threshold, seconds):
+            return
+        form_groups(bodies, slots, solver.struck)
+        for k in range(impacts.length):
+            if starts_group(slots, k, solver.struck):
+                strike_group(bodies, solver, contacts, slots[k:], impacts.threshold, turn == 0)
+
+
+@kernel
+def _strike_singly(
+    bodies: Records, solver: SolverBodies, contacts: Records, impacts: ImpactList, seconds: float
+) -> bool:
+    """Strike contacts one after the other; return whether that came to an end.
+
+    A contact is looked at again only if one of its bodies has been struck since: otherwise it would give the same
+    answer. Those that have struck have a `group` afterwards.
     """
     slots = impacts.slots
     length = impacts.length
     struck_at = solver.struck
     for k in range(length):
+        slots[k].group = ALONE
         struck_at[slots[k].body_a] = struck_at[slots[k].body_b] = -1
     look = 0
     for _sweep in range(_SWEEPS):
@@ -86,12 +114,29 @@ def resolve_impacts(
             b = slots[k].body_b
             before = look - length  # when this contact was looked at in the sweep before
             again = struck_at[a] >= before or struck_at[b] >= before
-            if again and _strike(bodies, solver, contacts[slots[k].contact], impacts.threshold, seconds):
+            if again and _strike(bodies, solver, contacts[slots[k].contact], slots[k], impacts.threshold, seconds):
                 _note_strike(bodies[a], bodies[b], slots[k], look, struck_at)
                 struck = True
             look += 1
         if not struck:
-            return
+            return True
+    return False
+
+
+@kernel
+def _add_closing(
+    bodies: Records, solver: SolverBodies, contacts: Records, slots: Records, threshold: float, seconds: float
+) -> bool:
+    """Let contacts that close strike too, and return whether there are any."""
+    found = False
+    for slot in slots:
+        contact = contacts[slot.contact]
+        closes = _wanted_change(solver, contact, 1, threshold, seconds) > 0.0
+        closes |= contact.point_count == 2 and _wanted_change(solver, contact, 2, threshold, seconds) > 0.0
+        if closes:
+            note_first_strike(bodies, solver, contact, slot)
+            found = True
+    return found
 
 
 @kernel
@@ -128,7 +173,9 @@ def resolve_late_impacts(
 
 
 @kernel
-def _strike(bodies: Records, solver: SolverBodies, contact: Records, threshold: float, seconds: float) -> bool:
+def _strike(
+    bodies: Records, solver: SolverBodies, contact: Records, slot: Records, threshold: float, seconds: float
+) -> bool:
     """Resolve the impact of one contact, if there is one; both its points at once."""
     change1 = _wanted_change(solver, contact, 1, threshold, seconds)
     change2 = 0.0
@@ -136,6 +183,7 @@ def _strike(bodies: Records, solver: SolverBodies, contact: Records, threshold: 
         change2 = _wanted_change(solver, contact, 2, threshold, seconds)
     if change1 <= 0.0 and change2 <= 0.0:
         return False
+    note_first_strike(bodies, solver, contact, slot)
     strike_elastic(bodies, solver, contact, change1, change2)
     return True
 

@@ -68,3 +68,23 @@ def pair_impulses(block: Block, change1: float, change2: float) -> tuple[float, 
     if change1 >= change2:
         return block.mass1 * change1, 0.0
     return 0.0, block.mass2 * change2
+
+
+@inlined_kernel
+def bearing_impulses(block: Block, ask1: float, ask2: float) -> tuple[float, float]:
+    """Normal impulses (N s) of which none pulls, that change each velocity (m/s) by what is asked or more, and by no
+    more where they push: the complementarity problem of two points, by trying who pushes."""
+    if ask1 <= 0.0 and ask2 <= 0.0:
+        return 0.0, 0.0
+    if block.determinant > _SINGULAR * block.k11 * block.k22:
+        impulse1 = (block.k22 * ask1 - block.k12 * ask2) / block.determinant
+        impulse2 = (block.k11 * ask2 - block.k12 * ask1) / block.determinant
+        if impulse1 >= 0.0 and impulse2 >= 0.0:
+            return impulse1, impulse2
+        if impulse1 >= 0.0 and ask1 > 0.0:
+            return block.mass1 * ask1, 0.0
+        if ask2 > 0.0:
+            return 0.0, block.mass2 * ask2
+    if ask1 >= ask2:
+        return block.mass1 * ask1, 0.0
+    return 0.0, block.mass2 * ask2
