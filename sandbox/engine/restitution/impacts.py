@@ -21,7 +21,7 @@ from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.restitution.elastic import strike_elastic
 from sandbox.engine.restitution.groups import ALONE, form_groups, note_first_strike, starts_group
 from sandbox.engine.restitution.impulses import free_velocity
-from sandbox.engine.restitution.simultaneous import strike_group
+from sandbox.engine.restitution.simultaneous import MOST_WORK, strike_group
 from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC
 
@@ -82,13 +82,15 @@ def resolve_impacts(
     if _strike_singly(bodies, solver, contacts, impacts, seconds):
         return
     slots: Any = impacts.slots[: impacts.length]
+    work = 0
     for turn in range(_ROUNDS):
-        if not _add_closing(bodies, solver, contacts, slots, impacts.threshold, seconds):
+        if work >= MOST_WORK or not _add_closing(bodies, solver, contacts, slots, impacts.threshold, seconds):
             return
         form_groups(bodies, slots, solver.struck)
         for k in range(impacts.length):
             if starts_group(slots, k, solver.struck):
-                strike_group(bodies, solver, contacts, slots[k:], impacts.threshold, turn == 0)
+                left = MOST_WORK - work
+                work += strike_group(bodies, solver, contacts, slots[k:], impacts.threshold, turn == 0, left)
 
 
 @kernel

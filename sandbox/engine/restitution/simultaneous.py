@@ -31,28 +31,34 @@ from sandbox.engine.restitution.two_point_block import Block, bearing_impulses, 
 from sandbox.tables import Records
 
 MOST_PASSES = 256
-MOST_WORK = 15_000
-"""Passes times contacts of a round: in large groups impulses are not as exact, so that it takes more rounds."""
 LEAST_PASSES = 16
+MOST_WORK = 15_000
+"""Passes times contacts of all groups and rounds of a substep: what is left then is the contact solver's."""
 AGREED = 1e-3
 """Change of velocity by a pass at any contact, as a share of the highest closing speed, below which it was the last."""
 
 
 @kernel
 def strike_group(
-    bodies: Records, solver: SolverBodies, contacts: Records, group: Records, threshold: float, anew: bool
-) -> None:
+    bodies: Records, solver: SolverBodies, contacts: Records, group: Records, threshold: float, anew: bool, most: int
+) -> int:
     """Strike the group of impacts that begins with `group[0]`, if one closes faster than the threshold (m/s).
 
-    `anew` takes back what they have done in the substep so far.
+    `anew` takes back what they have done in the substep so far. Returns how much work that was, passes times contacts,
+    of `most`; a group for which that is too little is left as it is, and it was the last one.
     """
+    count = _count(group)
+    if LEAST_PASSES * count > most:
+        return most
     if _fastest(solver, contacts, group) <= threshold:
-        return
+        return count
+    passes = most // count if most < MOST_PASSES * count else MOST_PASSES
     if anew:
         take_back(bodies, solver, contacts, group)
     _begin(solver, contacts, group)
-    _stop(bodies, solver, contacts, group, AGREED * _fastest(solver, contacts, group))
+    passes = _stop(bodies, solver, contacts, group, AGREED * _fastest(solver, contacts, group), passes)
     _rebound(bodies, solver, contacts, group)
+    return passes * count
 
 
 @kernel
@@ -83,10 +89,12 @@ def _begin(solver: SolverBodies, contacts: Records, group: Records) -> None:
 
 
 @kernel
-def _stop(bodies: Records, solver: SolverBodies, contacts: Records, group: Records, agreed: float) -> None:
-    """Find the impulses of the inelastic impact: passes until they change no velocity by more than `agreed` (m/s)."""
+def _stop(bodies: Records, solver: SolverBodies, contacts: Records, group: Records, agreed: float, passes: int) -> int:
+    """Find the impulses of the inelastic impact: passes until they change no velocity by more than `agreed` (m/s).
+
+    Returns how many passes that took, of so many.
+    """
     last_square = 0.0
-    passes = _passes(group)
     for turn in range(passes):
         square = 0.0
         largest = 0.0
@@ -99,26 +107,25 @@ def _stop(bodies: Records, solver: SolverBodies, contacts: Records, group: Recor
             largest = change if change > largest else largest
             k = next_of(group, k)
         if largest <= agreed or turn == passes - 1:  # the last is a pass, so that no contact pulls
-            return
+            return turn + 1
         beta = square / last_square if square < last_square else 0.0  # 0 begins anew
         k = 0
         while k >= 0:
             _search(bodies, solver, contacts[group[k].contact], group[k], beta)
             k = next_of(group, k)
         last_square = square
+    return passes
 
 
 @kernel
-def _passes(group: Records) -> int:
-    """How many passes a group may take."""
+def _count(group: Records) -> int:
+    """How many impacts a group has."""
     count = 0
     k = 0
     while k >= 0:
         count += 1
         k = next_of(group, k)
-    passes = MOST_WORK // count
-    passes = passes if passes < MOST_PASSES else MOST_PASSES
-    return passes if passes > LEAST_PASSES else LEAST_PASSES
+    return count
 
 
 @kernel
