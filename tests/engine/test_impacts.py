@@ -235,3 +235,23 @@ def test_what_is_heavy_rebounds_from_light_ones_with_the_restitution(ratio, e):
     for meet, row, way in ((heavy_on_light, -1, "velocity_y"), (light_between, 2, "velocity_x")):
         w = meet(ratio, e)
         assert struck(w).scratch.solver.motions[row][way] == pytest.approx(5.0 * e, abs=0.05)
+
+
+@pytest.mark.parametrize("ratio", [1.0, 300.0])
+def test_what_is_pressed_into_a_nook_is_not_shot_out(ratio):
+    """A lift takes discs up into a wedge in which they have no room: no law of impacts may make energy of that."""
+    lift = body("lift", box(4.0, 1.0, restitution=0.3), type="kinematic", position=(0.0, 0.0), velocity=(0.0, 2.0))
+    roof = [
+        body(f"roof{s}", box(6.0, 0.2, restitution=0.3), type="static", position=(1.5 * s, 2.2), angle=-0.6 * s)
+        for s in (-1, 1)
+    ]
+    discs = [
+        body(
+            f"disc{k}", circle(0.3, restitution=0.3, density=ratio if k == 1 else 1.0), position=(0.62 * k - 0.62, 0.81)
+        )
+        for k in range(3)
+    ]
+    w = world(lift, *roof, *discs)
+    for _ in range(60):
+        w.step()
+        assert max(math.hypot(*w.body(f"disc{k}").velocity) for k in range(3)) < 12.0

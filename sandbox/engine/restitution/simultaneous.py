@@ -29,6 +29,7 @@ from sandbox.engine.restitution.groups import next_of, take_back
 from sandbox.engine.restitution.impulses import push_points, put_back, take
 from sandbox.engine.restitution.two_point_block import Block, bearing_impulses, one_point, two_points
 from sandbox.tables import Records
+from sandbox.world.records import KINEMATIC
 
 MOST_PASSES = 256
 LEAST_PASSES = 16
@@ -45,12 +46,13 @@ def strike_group(
     """Strike the group of impacts that begins with `group[0]`, if one closes faster than the threshold (m/s).
 
     `anew` takes back what they have done in the substep so far. Returns how much work that was, passes times contacts,
-    of `most`; a group for which that is too little is left as it is, and it was the last one.
+    of `most`; a group for which that is too little is left as it is, and was the last one. So is one that a kinematic
+    body drives, which may press it against something immovable: nothing bounds its energy.
     """
     count = _count(group)
     if LEAST_PASSES * count > most:
         return most
-    if _fastest(solver, contacts, group) <= threshold:
+    if _is_driven(bodies, group) or _fastest(solver, contacts, group) <= threshold:
         return count
     passes = most // count if most < MOST_PASSES * count else MOST_PASSES
     if anew:
@@ -59,6 +61,20 @@ def strike_group(
     passes = _stop(bodies, solver, contacts, group, AGREED * _fastest(solver, contacts, group), passes)
     _rebound(bodies, solver, contacts, group)
     return passes * count
+
+
+@kernel
+def _is_driven(bodies: Records, group: Records) -> bool:
+    """Whether something without mass that moves strikes too."""
+    k = 0
+    while k >= 0:
+        for i in (group[k].body_a, group[k].body_b):
+            body = bodies[i]
+            moves = body.velocity_x != 0.0 or body.velocity_y != 0.0 or body.angular_velocity != 0.0
+            if body.type == KINEMATIC and moves:
+                return True
+        k = next_of(group, k)
+    return False
 
 
 @kernel
