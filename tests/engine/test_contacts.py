@@ -39,7 +39,7 @@ def gaps(p: Paused) -> dict[tuple[int, int], float]:
 
 
 @pytest.mark.parametrize("name", WORLDS)
-@pytest.mark.parametrize("steps", [20, 90])
+@pytest.mark.parametrize("steps", [20, 80])
 def test_every_pair_that_touches_has_a_contact(name, steps):
     w = WORLDS[name]()
     w.step(steps)

@@ -57,12 +57,15 @@ def proposed_pairs(look: Look) -> Ints:
 
 
 def grid_cells(look: Look) -> GridCells:
-    """The cells of the uniform grid that hold boxes; where most shapes rest there are two grids, in one list here."""
+    """The cells of the uniform grid that hold boxes; where most shapes rest there are up to three, in one list here."""
     _, trusted = fat_boxes(look)
     info = plain(look.world.scratch.active.info)[0]
-    ordered = plain(look.world.scratch.grid.ordered)[: len(trusted)]
+    grid = look.world.scratch.grid
+    ordered = plain(grid.ordered)[: len(trusted)]
+    apart = int(info["apart"]) if info["split"] else 0
     resting = len(trusted) - int(info["moving"]) if info["split"] else 0
-    base = np.full(len(ordered), float(info["cell"]))
+    base = np.full(len(ordered), float(plain(grid.apart.info)["cell"][0]))
+    base[apart:resting] = plain(grid.resting.info)["cell"][0]
     base[resting:] = base_cell(ordered[resting:])
     sound = trusted[np.clip(ordered["shape_index"], 0, max(len(trusted) - 1, 0))] if len(trusted) else np.zeros(0, bool)
     ordered, base = ordered[sound], base[sound]
