@@ -28,7 +28,7 @@ NOTES: dict[int, str] = {
     "so that what is mirrored falls mirrored; all that a hard blow without restitution reaches stops together; the "
     "relax pass is over-relaxed; what is moved out of an overlap or drawn together by a joint does not fall asleep "
     "meanwhile; contacts are of 57 Hz unless a scene says otherwise, no longer of 55",
-    15: "impacts with restitution that do not end one by one in 32 sweeps, as where masses differ by more than 100 to 1, "
+    15: "impacts with restitution that do not end one by one in 32 sweeps, as where masses differ by over 100 to 1, "
     "are taken back and strike together; hard blows without restitution are solved until a pass takes a thousandth of "
     "the energy that all have taken; at finer substep levels, where contacts are stiffer, what overlaps is pushed "
     "apart as much slower",
