@@ -30,8 +30,7 @@ NOTES: dict[int, str] = {
     "meanwhile; contacts are of 57 Hz unless a scene says otherwise, no longer of 55",
     15: "impacts with restitution that do not end one by one in 32 sweeps, as where masses differ by over 100 to 1, "
     "are taken back and strike together; hard blows without restitution are solved until a pass takes a thousandth of "
-    "the energy that all have taken; at finer substep levels, where contacts are stiffer, what overlaps is pushed "
-    "apart as much slower",
+    "the energy that all have taken",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

@@ -110,9 +110,7 @@ def run_substeps(
     hertz = hertz if hertz < 0.25 * rate else 0.25 * rate
     closing = rate if setting.speculative == 1 else AT_ONCE
     bias, softness = contact_coefficients(setting, hertz, seconds)
-    # Springs are four times as stiff at each level: what overlaps on softer ones must not throw a heap up.
-    push_out = setting.push_out_speed / (1 << (2 * level))
-    soft = SoftContact(closing, bias, softness, -push_out, 0.0, 0.0)
+    soft = SoftContact(closing, bias, softness, -setting.push_out_speed, 0.0, 0.0)
     rigid = SoftContact(closing, 0.0, 0.0, 0.0, 0.0, 0.0)
     relax = SoftContact(closing, 0.0, 0.0, 0.0, WAIT, OVER_RELAXATION)
     accumulate = setting.accumulate == 1
