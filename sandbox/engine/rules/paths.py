@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from bisect import bisect_right
 from collections.abc import Callable
-from typing import Any
+from typing import NamedTuple
 
 from sandbox._jit import interpreted
 from sandbox.engine.active.wake import wake_body
@@ -40,6 +40,36 @@ def pose_at(path: FlatPath, seconds: float) -> Pose:
     return x + share * (u - x), y + share * (v - y), angle + share * (turned - angle)
 
 
+class _Gone(NamedTuple):
+    """How far a path has gone, as its row in the table tells."""
+
+    body: int
+    enabled: int
+    steps: int
+    origin_x: float
+    origin_y: float
+    origin_angle: float
+
+
+class _Led(NamedTuple):
+    """What is read of a body before a step."""
+
+    velocity_x: float
+    velocity_y: float
+    angular_velocity: float
+    center_x: float
+    center_y: float
+    angle: float
+    local_center_x: float
+    local_center_y: float
+
+
+_GONE, _LED = list(_Gone._fields), list(_Led._fields)
+_VELOCITY = _LED[:3]
+_POSE = ["position_x", "position_y", "angle", "rotation_cos", "rotation_sin", "center_x", "center_y"]
+"""What is written of it afterwards."""
+
+
 class Paths:
     """The paths of a world; `on_switch` hears when a driven body begins to move, or stops."""
 
@@ -55,55 +85,59 @@ class Paths:
             return
         seconds = float(self._state.settings[0].step_seconds)
         table = plain(self._state.paths)
-        for row in range(len(table)):
-            path = self._path(table[row])
-            if path is None:
+        driven = table["body"].tolist()
+        bodies = plain(self._state.bodies)[_LED][driven].tolist()
+        speeds = []
+        for row, (path, body) in enumerate(zip(table[_GONE].tolist(), bodies, strict=True)):
+            speeds.append(self._speed(row, _Gone(*path), _Led(*body), seconds))
+        self._drive(driven, bodies, speeds)
+
+    def _speed(self, row: int, path: _Gone, body: _Led, seconds: float) -> Pose | None:
+        """The velocity (m/s, rad/s) of the body of a path, which is noted if it goes on; None if there is no path."""
+        way = self._state.census.bodies.items[path.body].path
+        if way is None:
+            return None
+        if not path.enabled or (not way.loops and path.steps * seconds >= way.times[-1]):
+            return 0.0, 0.0, 0.0
+        x, y, angle = pose_at(way, (path.steps + 1) * seconds)
+        x, y, angle = path.origin_x + x, path.origin_y + y, path.origin_angle + angle
+        self._due.append((row, (x, y, angle)))
+        cx, cy = _center(body.local_center_x, body.local_center_y, x, y, *_cos_sin(angle))
+        return (cx - body.center_x) / seconds, (cy - body.center_y) / seconds, (angle - body.angle) / seconds
+
+    def _drive(self, driven: list[int], bodies: list[tuple[float, ...]], speeds: list[Pose | None]) -> None:
+        """Write the velocities, and let those hear of it who begin to move or stop."""
+        velocities = plain(self._state.bodies)[_VELOCITY]
+        for row, body, speed in zip(driven, bodies, speeds, strict=True):
+            before = body[: len(_VELOCITY)]
+            if speed is None:
                 continue
-            body = plain(self._state.bodies)[table[row]["body"]]
-            if not table[row]["enabled"] or (not path.loops and table[row]["steps"] * seconds >= path.times[-1]):
-                self._drive(int(table[row]["body"]), 0.0, 0.0, 0.0)
-                continue
-            x, y, angle = self._pose(table[row], path, (int(table[row]["steps"]) + 1) * seconds)
-            self._due.append((row, (x, y, angle)))
-            cx, cy = _center(body, x, y, *_cos_sin(angle))
-            self._drive(
-                int(table[row]["body"]),
-                (cx - float(body["center_x"])) / seconds,
-                (cy - float(body["center_y"])) / seconds,
-                (angle - float(body["angle"])) / seconds,
-            )
+            velocities[row] = speed
+            if any(before) != any(speed):
+                wake_body(self._state, row)
+                self._on_switch()
 
     def arrive(self) -> None:
         """Write the poses that were led to: exactly, whatever substeps rounded."""
+        if not self._due:
+            return
         table, bodies = plain(self._state.paths), plain(self._state.bodies)
-        for row, (x, y, angle) in self._due:
-            body = bodies[table[row]["body"]]
-            table[row]["steps"] += 1
-            if body["frozen_step"] >= 0:
-                continue
-            cosine, sine = _cos_sin(angle)
-            body["position_x"], body["position_y"], body["angle"] = x, y, angle
-            body["rotation_cos"], body["rotation_sin"] = cosine, sine
-            body["center_x"], body["center_y"] = _center(body, x, y, cosine, sine)
-
-    def _path(self, row: Any) -> FlatPath | None:
-        body = self._state.census.bodies.items[int(row["body"])]
-        return body.path
-
-    def _pose(self, row: Any, path: FlatPath, seconds: float) -> Pose:
-        x, y, angle = pose_at(path, seconds)
-        return float(row["origin_x"]) + x, float(row["origin_y"]) + y, float(row["origin_angle"]) + angle
-
-    def _drive(self, row: int, x: float, y: float, turning: float) -> None:
-        body = plain(self._state.bodies)[row]
-        moved = bool(body["velocity_x"] or body["velocity_y"] or body["angular_velocity"])
-        body["velocity_x"], body["velocity_y"], body["angular_velocity"] = x, y, turning
-        if moved != bool(x or y or turning):
-            wake_body(self._state, row)
-            self._on_switch()
+        rows = [row for row, _ in self._due]
+        table["steps"][rows] += 1
+        driven = table["body"][rows]
+        poses = bodies[_POSE]
+        for i, frozen, (u, v), (_, (x, y, angle)) in zip(
+            driven.tolist(),
+            bodies["frozen_step"][driven].tolist(),
+            bodies[["local_center_x", "local_center_y"]][driven].tolist(),
+            self._due,
+            strict=True,
+        ):
+            if frozen < 0:
+                cosine, sine = _cos_sin(angle)
+                poses[i] = (x, y, angle, cosine, sine, *_center(u, v, x, y, cosine, sine))
 
 
-def _center(body: Any, x: float, y: float, cosine: float, sine: float) -> tuple[float, float]:
-    """Where the centre of mass is if the origin is at (x, y)."""
-    u, v = float(body["local_center_x"]), float(body["local_center_y"])
+def _center(u: float, v: float, x: float, y: float, cosine: float, sine: float) -> tuple[float, float]:
+    """Where the centre of mass is, (u, v) in the body, if the origin is at (x, y)."""
     return x + (cosine * u - sine * v), y + (sine * u + cosine * v)
