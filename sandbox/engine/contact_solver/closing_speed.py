@@ -1,11 +1,17 @@
-"""How fast the points of a contact close in."""
+"""How fast the points of a contact close in, or open."""
 
 from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.lanes import lane_anchors
-from sandbox.engine.contact_solver.law import anchors_of, pair_velocity, relative_velocity, start_velocity
+from sandbox.engine.contact_solver.law import (
+    PairVelocity,
+    anchors_of,
+    pair_velocity,
+    relative_velocity,
+    start_velocity,
+)
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.tables import Floats, Records
 
@@ -13,12 +19,17 @@ HARD = 2.0
 """Speed (m/s) past which a contact of two points that closes in has an impact, whatever its restitution."""
 
 
+@inlined_kernel
+def opening_speed(v: PairVelocity, contact: Records, point: int) -> float:
+    """Speed (m/s) along the normal at which point 1 or 2 of a contact opens, with these velocities of its bodies."""
+    x, y = relative_velocity(v, anchors_of(contact, point))
+    return float(x * contact.normal_x + y * contact.normal_y)
+
+
 @kernel
 def closing_speed(a: Records, b: Records, contact: Records, point: int) -> float:
     """Speed (m/s) at which point 1 or 2 of two bodies approaches along the normal."""
-    x, y = relative_velocity(pair_velocity(a, b), anchors_of(contact, point))
-    closing: float = -(x * contact.normal_x + y * contact.normal_y)
-    return closing
+    return -opening_speed(pair_velocity(a, b), contact, point)
 
 
 @kernel

@@ -21,15 +21,20 @@ MOTION = Table(
 )
 """One row a body, one cache line: all that the solver gathers and scatters."""
 
+IMPACT_VELOCITIES = (
+    Field("start_x", "m/s", "velocity when the substep began"),
+    Field("start_y", "m/s", "velocity when the substep began"),
+    Field("start_w", "rad/s", "velocity when the substep began"),
+    Field("free_x", "m/s", "velocity at its end if nothing touches the body"),
+    Field("free_y", "m/s", "velocity at its end if nothing touches the body"),
+    Field("free_w", "rad/s", "velocity at its end if nothing touches the body"),
+)
+"""What an impact changes of a body."""
+
 FREE_MOTION = Table(
     "free_motion",
     (
-        Field("start_x", "m/s", "velocity when the substep began"),
-        Field("start_y", "m/s", "velocity when the substep began"),
-        Field("start_w", "rad/s", "velocity when the substep began"),
-        Field("free_x", "m/s", "velocity at its end if nothing touches the body"),
-        Field("free_y", "m/s", "velocity at its end if nothing touches the body"),
-        Field("free_w", "rad/s", "velocity at its end if nothing touches the body"),
+        *IMPACT_VELOCITIES,
         Field("substep_level", "-", "its island takes 2**substep_level times the substeps of the scene", "i8"),
         Field("buoyed", "-", "1 when it floats at rest", "i8"),
     ),
@@ -52,18 +57,11 @@ BODY_FORCES = Table(
 """One row a body, one cache line: all that the substeps ask of the body itself."""
 
 
-BEFORE_IMPACTS = Table(
-    "before_impacts",
-    (
-        Field("start_x", "m/s", "what the free motion had before the impacts of the substep"),
-        Field("start_y", "m/s", "the same"),
-        Field("start_w", "rad/s", "the same"),
-        Field("free_x", "m/s", "the same"),
-        Field("free_y", "m/s", "the same"),
-        Field("free_w", "rad/s", "the same"),
-    ),
-)
-"""One row a body, of those that have struck: impacts that do not end one by one are taken back."""
+BEFORE_IMPACTS = Table("before_impacts", IMPACT_VELOCITIES)
+"""One row a body: what one that has struck had before the impacts of the substep.
+
+Impacts that do not end one by one are taken back.
+"""
 
 
 class SolverBodies(NamedTuple):

@@ -6,7 +6,7 @@ impacts in their order, linked by `next`, so that no group's result depends on a
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.active.islands import root_of, unite
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.tables import Integers, Records
@@ -29,14 +29,7 @@ def note_first_strike(bodies: Records, solver: SolverBodies, contact: Records, s
     slot.impulse = contact.impact_impulse
     for i in (contact.body_a, contact.body_b):
         if bodies[i].type == DYNAMIC and solver.struck[i] == NOT_STRUCK:
-            kept = solver.before_impacts[i]
-            free_motion = solver.free_motions[i]
-            kept.start_x = free_motion.start_x
-            kept.start_y = free_motion.start_y
-            kept.start_w = free_motion.start_w
-            kept.free_x = free_motion.free_x
-            kept.free_y = free_motion.free_y
-            kept.free_w = free_motion.free_w
+            _copy_velocities(solver.free_motions[i], solver.before_impacts[i])
 
 
 @kernel
@@ -49,15 +42,19 @@ def take_back(bodies: Records, solver: SolverBodies, contacts: Records, group: R
         contact.impact_impulse = slot.impulse
         for i in (contact.body_a, contact.body_b):
             if bodies[i].type == DYNAMIC:
-                kept = solver.before_impacts[i]
-                free_motion = solver.free_motions[i]
-                free_motion.start_x = kept.start_x
-                free_motion.start_y = kept.start_y
-                free_motion.start_w = kept.start_w
-                free_motion.free_x = kept.free_x
-                free_motion.free_y = kept.free_y
-                free_motion.free_w = kept.free_w
+                _copy_velocities(solver.before_impacts[i], solver.free_motions[i])
         k = next_of(group, k)
+
+
+@inlined_kernel
+def _copy_velocities(source: Records, target: Records) -> None:
+    """Copy what `IMPACT_VELOCITIES` lists from one row of a table that has it to a row of another."""
+    target.start_x = source.start_x
+    target.start_y = source.start_y
+    target.start_w = source.start_w
+    target.free_x = source.free_x
+    target.free_y = source.free_y
+    target.free_w = source.free_w
 
 
 @kernel
@@ -89,6 +86,17 @@ def next_of(group: Records, k: int) -> int:
     """The number of the next impact of a group, counted from its first; -1 after the last."""
     further = group[k].further
     return int(k + further if further > 0 else -1)
+
+
+@kernel
+def size_of(group: Records) -> int:
+    """How many impacts a group has."""
+    count = 0
+    k = 0
+    while k >= 0:
+        count += 1
+        k = next_of(group, k)
+    return count
 
 
 @kernel

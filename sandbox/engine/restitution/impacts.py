@@ -15,13 +15,15 @@ from typing import Any, NamedTuple
 
 from sandbox._jit import kernel
 from sandbox.engine.active.substep_level import contact_substep_level
-from sandbox.engine.contact_solver.law import anchors_of, relative_velocity, separation_of, start_velocity
+from sandbox.engine.contact_solver.closing_speed import opening_speed
+from sandbox.engine.contact_solver.law import anchors_of, separation_of, start_velocity
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contacts import Contacts
+from sandbox.engine.restitution.conjugate_gradient import MOST_WORK
 from sandbox.engine.restitution.elastic import strike_elastic
 from sandbox.engine.restitution.groups import ALONE, form_groups, note_first_strike, starts_group
 from sandbox.engine.restitution.impulses import free_velocity
-from sandbox.engine.restitution.simultaneous import MOST_WORK, strike_group
+from sandbox.engine.restitution.simultaneous import strike_group
 from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC
 
@@ -197,15 +199,10 @@ def _wanted_change(solver: SolverBodies, contact: Records, point: int, threshold
     With the speed v at a gap s and the relative acceleration a along the normal, v^2 - 2 a s is the same at the
     surface: that is where restitution applies.
     """
-    r = anchors_of(contact, point)
-    nx = contact.normal_x
-    ny = contact.normal_y
-    start_x, start_y = relative_velocity(start_velocity(solver.free_motions, contact), r)
-    start = start_x * nx + start_y * ny
+    start = opening_speed(start_velocity(solver.free_motions, contact), contact, point)
     if -start <= threshold:
         return 0.0
-    free_x, free_y = relative_velocity(free_velocity(solver.free_motions, contact), r)
-    free = free_x * nx + free_y * ny
+    free = opening_speed(free_velocity(solver.free_motions, contact), contact, point)
     gap = _gap(solver.motions[contact.body_a], solver.motions[contact.body_b], contact, point)
     other_end = gap + seconds * free
     if seconds > 0.0 and other_end > 0.0:  # it does not close within the substep

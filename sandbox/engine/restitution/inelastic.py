@@ -16,7 +16,7 @@ from sandbox.engine.contact_solver.closing_speed import closing_beyond_gap, gap_
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contact_blocks import ContactBlocks, SoftContact
 from sandbox.engine.records.workers import Workers
-from sandbox.engine.restitution.conjugate_gradient import solve_until_agreed
+from sandbox.engine.restitution.conjugate_blocks import solve_until_agreed
 from sandbox.tables import Records
 
 BLOCK_SIZE = cb.BLOCK_SIZE
