@@ -8,6 +8,7 @@ What one that comes or goes costs does not depend on how many there are, but for
 from __future__ import annotations
 
 from bisect import bisect_left
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from itertools import compress
 from typing import Any, Generic
@@ -26,7 +27,7 @@ class Ledger(Generic[T]):
     """One table's part of a census: what is behind each row, its id and its serial number, and the words of what was
     spawned."""
 
-    __slots__ = ("_ids", "_register", "items", "names", "next", "serials", "words")
+    __slots__ = ("_families", "_ids", "_register", "items", "names", "next", "serials", "words")
 
     def __init__(self, register: Register[T]) -> None:
         self.items: list[T] = list(register.items)
@@ -36,6 +37,8 @@ class Ledger(Generic[T]):
         self.next = register.next
         self._ids: tuple[str, ...] | None = register.names
         self._register: Register[T] | None = register
+        self._families: Counter[str] | None = None
+        """How many are called alike but for a number at the end, since somebody asked."""
 
     def __len__(self) -> int:
         return len(self.items)
@@ -46,10 +49,13 @@ class Ledger(Generic[T]):
             return
         fresh = range(self.next, self.next + len(items))
         self.items += items
-        self.names += [item.id for item in items]
+        names = [item.id for item in items]
+        self.names += names
         self.serials += fresh
         self.words.update(zip(fresh, words, strict=True))
         self.next += len(items)
+        if self._families is not None:
+            self._families.update(map(_family, names))
         self._register = self._ids = None
 
     def remove(self, left: NDArray[np.bool_]) -> list[str]:
@@ -71,7 +77,15 @@ class Ledger(Generic[T]):
                     del column[first:end]
         if rows:
             self._register = self._ids = None
+        if self._families is not None:
+            self._families.subtract(map(_family, names))
         return names
+
+    def numbered(self, name: str) -> int:
+        """How many are called so, with a number: NAME-1, NAME-2. Costs nothing once it was asked."""
+        if self._families is None:
+            self._families = Counter(map(_family, self.names))
+        return self._families[name]
 
     def called(self, row: int) -> str:
         """What commands call a row: its id, or if it has none #1 for the first of the scene. No id begins so."""
@@ -96,6 +110,12 @@ class Ledger(Generic[T]):
             self._register = Register(tuple(self.items), tuple(self.serials), dict(self.words), self.next)
             vars(self._register)["names"] = self.ids  # instead of asking everybody again
         return self._register
+
+
+def _family(name: str) -> str:
+    """What comes before the number at the end of a name; an empty text if there is none."""
+    head, _, number = name.rpartition("-")
+    return head if number.isdigit() else ""
 
 
 class Census:

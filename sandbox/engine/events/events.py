@@ -7,12 +7,12 @@ from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from sandbox.engine.events.happening import HAPPENINGS, Happening
+from sandbox.engine.events.pair_keys import among, pair_keys
 from sandbox.engine.events.pending import DeletedPair, PendingEvents, RowLookup
 from sandbox.engine.events.records import CONTACT_EVENT, SENSOR_EVENT
-from sandbox.tables import Integers, Records, Table, plain
+from sandbox.tables import Integers, Records, Table, as_table, plain
 from sandbox.world.state import State
 
 _NO_CONTACTS, _NO_SENSORS, _NO_BODIES = CONTACT_EVENT.zeros(0), SENSOR_EVENT.zeros(0), np.zeros(0, np.int64)
@@ -116,13 +116,13 @@ def find_events(
     old_keys, keys = _keys(old, touched), _keys(now, touches)
     did: Any = plain(reports)[: len(now)]
     struck = np.flatnonzero(did["hit_speed"] >= HIT_SPEED)
-    fresh, ended = touches[~_among(keys, old_keys)], touched[~_among(old_keys, keys)]
+    fresh, ended = touches[~among(keys, old_keys)], touched[~among(old_keys, keys)]
     return Events(
         int(counter.step_count),
         lookup.names,
-        _contact_rows(now[fresh], did[fresh], centers),
-        _followed_by(_contact_rows(old[ended], None, centers), ends),
-        _contact_rows(now[struck], did[struck], centers),
+        _contact_rows(now.take(fresh), did.take(fresh), centers),
+        _followed_by(_contact_rows(old.take(ended), None, centers), ends),
+        _contact_rows(now.take(struck), did.take(struck), centers),
         enter,
         _followed_by(leave, leaves),
         np.flatnonzero(bodies["stirred"] == -1),
@@ -136,7 +136,8 @@ def find_events(
 def _entered_and_left(before: Any, after: Any) -> tuple[Records, Records]:
     """`SENSOR_EVENT` rows that are new, and those that are gone."""
     old, new = _pair_keys(before), _pair_keys(after)
-    return after[~_among(new, old)], before[~_among(old, new)]
+    entered, left = np.flatnonzero(~among(new, old)), np.flatnonzero(~among(old, new))
+    return as_table(plain(after).take(entered)), as_table(plain(before).take(left))
 
 
 def _centers(bodies: Any, pending: PendingEvents) -> dict[str, Any]:
@@ -151,12 +152,12 @@ def _centers(bodies: Any, pending: PendingEvents) -> dict[str, Any]:
 
 
 def _deleted(table: Table, pairs: list[DeletedPair], lookup: RowLookup) -> Records:
+    """Both tables begin with two bodies and two shapes; a contact goes on with its place and normal."""
     rows = table.zeros(len(pairs))
-    for row, pair in zip(rows, pairs, strict=True):
-        # Both tables begin with two bodies and two shapes; a contact goes on with its place and normal.
-        figures = (*lookup.rows(pair), *pair.figures)
-        for name, value in zip(table.dtype.names or (), figures, strict=False):
-            row[name] = value
+    if pairs:
+        figures = zip(*(pair.figures for pair in pairs), strict=True)
+        for name, column in zip(table.dtype.names or (), (*lookup.rows(pairs), *figures), strict=False):
+            plain(rows)[name] = column
     return rows
 
 
@@ -165,7 +166,10 @@ def _followed_by(rows: Records, more: Records) -> Records:
 
 
 def _contact_rows(contacts: Any, did: Any, centers: dict[str, Any]) -> Records:
-    rows: Any = CONTACT_EVENT.zeros(len(contacts))
+    table = CONTACT_EVENT.zeros(len(contacts))
+    if not len(table):
+        return table
+    rows = plain(table)
     for name in ("body_a", "body_b", "shape_a", "shape_b", "normal_x", "normal_y"):
         rows[name] = contacts[name]
     two = contacts["point_count"] == 2
@@ -174,26 +178,12 @@ def _contact_rows(contacts: Any, did: Any, centers: dict[str, Any]) -> Records:
         rows[axis] = centers[axis][contacts["body_a"]] + np.where(two, 0.5 * (first + second), first)
     if did is not None:
         rows["impulse"], rows["speed"] = did["total_impulse"], did["hit_speed"]
-    return rows  # type: ignore[no-any-return]
+    return table
 
 
 def _keys(contacts: Any, rows: Integers) -> Integers:
-    return _joined(contacts["shape_a"][rows], contacts["shape_b"][rows])
+    return pair_keys(contacts["shape_a"][rows], contacts["shape_b"][rows])
 
 
 def _pair_keys(rows: Records) -> Integers:
-    return _joined(rows["sensor"], rows["shape_index"])
-
-
-def _joined(first: Any, second: Any) -> Integers:
-    """One number for a pair of shape rows, in the order of the pairs."""
-    return np.asarray((first << 32) | second, np.int64)
-
-
-def _among(keys: Integers, others: Integers) -> NDArray[np.bool_]:
-    """Which of the sorted keys are also in `others`, sorted as well."""
-    place = np.searchsorted(others, keys)
-    found: NDArray[np.bool_] = np.zeros(len(keys), np.bool_)
-    inside = place < len(others)
-    found[inside] = others[place[inside]] == keys[inside]
-    return found
+    return pair_keys(plain(rows)["sensor"], plain(rows)["shape_index"])

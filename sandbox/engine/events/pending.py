@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from bisect import bisect_left
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
@@ -72,51 +72,74 @@ class PendingEvents:
     def note_going(self, state: State, gone: NDArray[np.bool_], sensed: Records | None) -> None:
         """Bodies will be deleted: what touches them, or is `sensed` with them, will do so no more."""
         contacts = plain(state.contacts)[: int(state.counters[0].contact_count)]
-        going = contacts[gone[contacts["body_a"]] | gone[contacts["body_b"]]]
-        self._next[0].extend(_contact(state, row) for row in going[going["touching"] == 1])
+        touching = contacts["touching"] == 1
+        touched = contacts.take(np.flatnonzero((gone[contacts["body_a"]] | gone[contacts["body_b"]]) & touching))
+        if len(touched):
+            self._next[0].extend(_contacts(state, touched))
         if sensed is not None:
-            rows = sensed[gone[sensed.sensor_body] | gone[sensed.body]]
-            keys = ((_key(state, r.sensor_body, r.sensor), _key(state, r.body, r.shape_index)) for r in rows)
-            self._next[1].extend(DeletedPair(*pair) for pair in keys)
+            rows = plain(sensed)
+            left = rows.take(np.flatnonzero(gone[rows["sensor_body"]] | gone[rows["body"]]))
+            keys = _keys(state, left["sensor_body"], left["sensor"]), _keys(state, left["body"], left["shape_index"])
+            self._next[1].extend(map(DeletedPair, *keys))
 
     def note_rows(self) -> None:
         """Rows have moved; the events of the last step are known."""
         self.places = {}
 
 
-def _key(state: State, body: int, shape: int) -> ShapeKey:
+def _keys(state: State, bodies: Integers, shapes: Integers) -> list[ShapeKey]:
+    """The keys of shapes, given by their rows and those of their bodies."""
     ledger = state.census.bodies
-    first = bisect_left(plain(state.shapes)["body"], body)
-    return ShapeKey(ledger.serials[body], ledger.names[body], int(shape) - first)
+    numbers = (shapes - _first_shapes(state, bodies)).tolist()
+    return [
+        ShapeKey(ledger.serials[body], ledger.names[body], number)
+        for body, number in zip(bodies.tolist(), numbers, strict=True)
+    ]
 
 
-def _contact(state: State, row: Any) -> DeletedPair:
-    center, two = plain(state.bodies)[row["body_a"]], row["point_count"] == 2
-    x, y = (0.5 * (row[f"anchor_a{k}1"] + row[f"anchor_a{k}2"]) if two else row[f"anchor_a{k}1"] for k in "xy")
-    figures = (center["center_x"] + x, center["center_y"] + y, row["normal_x"], row["normal_y"])
-    keys = _key(state, row["body_a"], row["shape_a"]), _key(state, row["body_b"], row["shape_b"])
-    return DeletedPair(*keys, tuple(map(float, figures)))
+def _first_shapes(state: State, bodies: Integers) -> Integers:
+    """The rows of the first shapes of bodies: shapes lie in the order of these."""
+    return np.searchsorted(plain(state.shapes)["body"], bodies)
+
+
+def _contacts(state: State, rows: Any) -> Iterator[DeletedPair]:
+    """What to tell of rows of contacts."""
+    centers, two = plain(state.bodies).take(rows["body_a"]), rows["point_count"] == 2
+    figures = []
+    for k in "xy":
+        first, second = rows[f"anchor_a{k}1"], rows[f"anchor_a{k}2"]
+        figures.append(centers[f"center_{k}"] + np.where(two, 0.5 * (first + second), first))
+    figures += [rows["normal_x"], rows["normal_y"]]
+    keys = (_keys(state, rows[f"body_{side}"], rows[f"shape_{side}"]) for side in "ab")
+    return map(DeletedPair, *keys, zip(*(column.tolist() for column in figures), strict=True))
 
 
 class RowLookup:
     """Finds the rows of shapes now, and gives deleted bodies places after all others in `names`."""
 
     def __init__(self, state: State, names: tuple[str, ...]) -> None:
-        self._ledger = state.census.bodies
-        self._owners: Integers = plain(state.shapes)["body"]
-        self.names = names
+        self._state, self._names = state, names
         self._gone: dict[int, int] = {}
+        self._more: list[str] = []
 
-    def rows(self, pair: DeletedPair) -> tuple[int, int, int, int]:
-        """The bodies' indices into `names`, and the rows of the shapes; -1 for one that is gone."""
-        (a, shape_a), (b, shape_b) = self._find(pair.first), self._find(pair.second)
-        return a, b, shape_a, shape_b
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The ids of bodies, and after them those of deleted ones that were looked up."""
+        return (*self._names, *self._more) if self._more else self._names
 
-    def _find(self, key: ShapeKey) -> tuple[int, int]:
-        row = self._ledger.row_of(key.serial)
+    def rows(self, pairs: Sequence[DeletedPair]) -> tuple[Integers, ...]:
+        """For each pair the bodies' indices into `names`, and the rows of the shapes; -1 for one that is gone."""
+        keys = [key for pair in pairs for key in (pair.first, pair.second)]
+        found = np.array([self._body(key) for key in keys], np.int64)
+        shapes = _first_shapes(self._state, found) + np.array([key.shape for key in keys], np.int64)
+        shapes[found >= len(self._names)] = -1
+        return found[::2], found[1::2], shapes[::2], shapes[1::2]
+
+    def _body(self, key: ShapeKey) -> int:
+        row = self._state.census.bodies.row_of(key.serial)
         if row is not None:
-            return row, bisect_left(self._owners, row) + key.shape
+            return row
         if key.serial not in self._gone:
-            self._gone[key.serial] = len(self.names)
-            self.names = (*self.names, key.name)
-        return self._gone[key.serial], -1
+            self._gone[key.serial] = len(self._names) + len(self._more)
+            self._more.append(key.name)
+        return self._gone[key.serial]

@@ -8,13 +8,14 @@ import numpy as np
 
 from sandbox._jit import Call, Door, entry_point, kernel, kernel_argument
 from sandbox.engine.broad_phase.pairs import may_collide
+from sandbox.engine.events.pair_keys import pair_keys
 from sandbox.engine.events.records import SENSOR_EVENT
 from sandbox.engine.queries.index import lay_out
 from sandbox.engine.queries.records import Memory, QueryTables
 from sandbox.engine.queries.walk import begin_walk, next_box
 from sandbox.geometry.core import core_of
 from sandbox.geometry.manifold import MANIFOLD, collide_cores
-from sandbox.tables import Integers, Records, plain, taken
+from sandbox.tables import Integers, Records, as_table, plain, taken
 from sandbox.world.records import STATIC
 from sandbox.world.rows import Moved
 from sandbox.world.state import State
@@ -52,7 +53,8 @@ class SensorOverlaps:
             self._found = kernel_argument(SENSOR_EVENT.zeros(count + count // 2))
             self._sense(*self._asking, self._sensors, self._manifold, self._found)
         found = np.asarray(self._found)[:count]
-        self.before, self.now = self.now, found[np.lexsort((found["shape_index"], found["sensor"]))].view(np.recarray)
+        order = np.argsort(pair_keys(found["sensor"], found["shape_index"]), kind="stable")  # sensors are in order
+        self.before, self.now = self.now, as_table(found.take(order))
 
     def move_rows(self, moved: Moved) -> None:
         """Rows have gone: keep what is left of what sensors overlapped."""

@@ -8,10 +8,11 @@ from typing import Any
 
 import numpy as np
 
+from sandbox.engine.events.pair_keys import among, pair_keys, pairs_of
 from sandbox.engine.rules.base import RuledWorld
 from sandbox.engine.rules.selectors import Selector
 from sandbox.scene.flat_rules import FlatRule
-from sandbox.tables import Records, plain
+from sandbox.tables import Integers, Records, plain
 from sandbox.world.build_fields import step_at
 from sandbox.world.rule_records import SENSING
 
@@ -57,9 +58,8 @@ class Happened:
 
     def _found(self, kind: str) -> Iterator[tuple[str, str, float, float]]:
         if kind in ("enter", "leave"):
-            before, now = (set(zip(*_columns(rows, "sensor_body", "body"), strict=True)) for rows in self._sensed)
             names = self._world.state.census.bodies.names
-            for a, b in sorted(now - before if kind == "enter" else before - now):
+            for a, b in zip(*self._passed(kind == "enter"), strict=True):
                 yield names[a], names[b], 0.0, 0.0
             return
         events = self._world.events
@@ -68,6 +68,13 @@ class Happened:
         for a, b, shape_a, shape_b, speed, impulse in zip(*columns, strict=True):
             if shape_a >= 0 and shape_b >= 0:  # a body that was deleted comes apart from nothing
                 yield events.names[a], events.names[b], speed, impulse
+
+    def _passed(self, entered: bool) -> tuple[list[int], list[int]]:
+        """The bodies of sensors that others have entered, or left, and those others."""
+        before, now = (np.sort(_sensing_keys(rows), kind="stable") for rows in self._sensed)
+        keys = now[~among(now, before)] if entered else before[~among(before, now)]
+        sensors, others = pairs_of(keys)
+        return sensors.tolist(), others.tolist()
 
     def _hits(self) -> Iterator[tuple[str, str, float, float]]:
         found: dict[tuple[str, str], tuple[float, float]] = {}
@@ -120,7 +127,13 @@ def sensing_rows(sensed: Records | None) -> Records:
     """Each pair of bodies of which one senses the other, once, in order: `SENSING` rows."""
     if sensed is None or not len(sensed):
         return SENSING.zeros(0)
-    pairs = np.unique(np.column_stack([sensed["sensor_body"], sensed["body"]]), axis=0)
-    table = SENSING.zeros(len(pairs))
-    table["sensor_body"], table["body"] = pairs[:, 0], pairs[:, 1]
+    keys = np.sort(_sensing_keys(sensed), kind="stable")  # in order already, but for bodies with several sensors
+    keys = keys[np.flatnonzero(np.diff(keys, prepend=-1))]
+    table = SENSING.zeros(len(keys))
+    rows = plain(table)
+    rows["sensor_body"], rows["body"] = pairs_of(keys)
     return table
+
+
+def _sensing_keys(rows: Records) -> Integers:
+    return pair_keys(plain(rows)["sensor_body"], plain(rows)["body"])

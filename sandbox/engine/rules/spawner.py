@@ -21,9 +21,6 @@ class Spawner:
     def __init__(self, world: RuledWorld) -> None:
         self._world = world
         self._rows = {name: row for row, name in enumerate(spawned_names(world.state.census.scene))}
-        self._alive: dict[str, int] = {}
-        self._layout = -1
-        """That of the state for which `_alive` holds."""
 
     def command(self, action: FlatSpawn, at: str | None) -> tuple[int, Spawn] | None:
         """The number and the command for a new body, in the frame of the body `at`; None if none may come now."""
@@ -31,7 +28,9 @@ class Spawner:
         state, name = self._world.state, action.body.id
         row = plain(state.spawners)[self._rows[name]]
         step, pause = int(state.counters[0].step_count), step_at(action.every, state.census.scene.settings.step_rate)
-        if (row["last_step"] >= 0 and step - row["last_step"] < pause) or self._count(name) >= action.limit:
+        if (row["last_step"] >= 0 and step - row["last_step"] < pause) or state.census.bodies.numbered(
+            name
+        ) >= action.limit:
             return None
         number = int(row["count"]) + 1
         while self._world.directory.has_body(f"{name}-{number}"):
@@ -45,21 +44,7 @@ class Spawner:
         state, name = self._world.state, action.body.id
         row = plain(state.spawners)[self._rows[name]]
         row["count"], row["last_step"] = number, int(state.counters[0].step_count)
-        if self._layout == state.layout - 1:  # nobody else has come or gone
-            self._layout = state.layout
-            self._alive[name] += 1
         return f"{name}-{number}"
-
-    def _count(self, name: str) -> int:
-        """How many bodies are called like those that it has brought."""
-        state = self._world.state
-        if self._layout != state.layout:
-            self._layout, self._alive = state.layout, {}
-        if name not in self._alive:
-            head = f"{name}-"
-            names = (each for each in state.census.bodies.names if each.startswith(head))
-            self._alive[name] = sum(each[len(head) :].isdigit() for each in names)
-        return self._alive[name]
 
     def _framed(self, action: FlatSpawn, at: str) -> Words:
         """Where a body is and how it moves, whose entry counts from another body."""
