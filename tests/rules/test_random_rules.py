@@ -130,3 +130,33 @@ def test_any_game_runs(data: dict[str, Any], pointer: tuple[float, float], value
         two.step()
         assert one.digest() == two.digest()
         assert list(one.events.happenings) == list(two.events.happenings)
+
+
+coming = [{"spawn": {"id": name, "prefab": prefab, "position": [0, 3]}, "limit": 6}
+          for name in ("new", "more") for prefab in ("dot", "lift")]  # fmt: skip
+refused = {"spawn": {"id": "far", "prefab": "dot", "position": [1e9, 0]}, "at": "wheel"}
+follower = record({"spawn": record({"id": st.just("new"), "prefab": st.just("dot")}, {"position": pairs})},
+                  {"at": st.sampled_from(["new-*", "more-1", "@first"]), "every": seconds})  # fmt: skip
+goings = record({"delete": st.sampled_from(["new-*", "*-1", "more-2", "dot-a", "wheel", "@first", "@second"])})
+between = st.sampled_from([{"counter": "n", "add": 1}, {"put": "new-*", "at": [0, 5]}, refused])
+crowded = st.lists(st.one_of(st.sampled_from(coming), follower, goings, between), min_size=1, max_size=6)
+crowds = st.lists(
+    record({"when": st.sampled_from([{"begin": ["*", "*"]}, {"enter": ["gate", "*"]}]), "do": crowded},
+           {"if": st.sampled_from([{"touches": ["dot-*", "*"]}, {"counter": "n", "most": 20}])}),
+    min_size=1, max_size=4,
+)  # fmt: skip
+
+
+@given(crowds)
+@examples(30)
+def test_what_comes_and_goes_at_once_comes_out_as_one_by_one(crowd: list[dict[str, Any]]):
+    scene = Scene(**{**BASE, "rules": [{"when": {"every": 0.05}, "do": [*coming, refused]}, *crowd]})
+    at_once, singly = World(scene), World(scene)
+    wait = singly._game._actor._gathering.add
+    singly._game._actor._gathering.add = lambda *command: (wait(*command), singly._game._actor.finish())
+    for _ in range(24):
+        at_once.step()
+        singly.step()
+        assert (at_once.digest(), at_once.names) == (singly.digest(), singly.names)
+        assert at_once.events.happenings == singly.events.happenings
+        assert sorted(map(str, at_once.events)) == sorted(map(str, singly.events))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Sequence
 from typing import Any, Protocol
 
 from sandbox.engine.commands.base import Command, Vec
@@ -13,19 +13,22 @@ from sandbox.engine.commands.joint_parts import BreakJoint
 from sandbox.engine.commands.motion import SetPose, SetVelocity
 from sandbox.engine.commands.pushes import ApplyForce, ApplyImpulse
 from sandbox.engine.commands.set_gravity import SetGravity
+from sandbox.engine.commands.spawn import Spawn
 from sandbox.engine.events.happening import Happening
 from sandbox.engine.rules.base import RuledWorld
+from sandbox.engine.rules.gathering import Gathering
+from sandbox.engine.rules.meant import Meant
 from sandbox.engine.rules.occasions import Occasion
-from sandbox.engine.rules.selectors import Selector
 from sandbox.engine.rules.settings import setting_commands
 from sandbox.engine.rules.spawner import Spawner
 from sandbox.errors import CommandError, UnknownBodyError, UnknownJointError, UnknownRegionError
 from sandbox.scene import flat_rules as flat
-from sandbox.scene.flat_rules import FIRST, MOTION, POINTER, SECOND, SELF, FlatAction, Names
+from sandbox.scene.flat_rules import MOTION, POINTER, SELF, FlatAction, Names
 from sandbox.tables import plain
 
 MOST_IN_A_STEP = 10_000
 """Actions, and commands that they become, in one step."""
+_GATHERED = (flat.FlatSpawn, flat.FlatDelete)
 _REFUSALS = (CommandError, UnknownBodyError, UnknownJointError, UnknownRegionError)
 
 
@@ -46,11 +49,9 @@ class Actor:
         self._world, self._book = world, book
         self.happenings: list[Happening] = []
         self._left = MOST_IN_A_STEP
-        self._selectors: dict[Names, Selector] = {}
-        self._found: dict[Selector, list[str]] = {}
-        self._layout = -1
-        """That of the state for which `_found` holds."""
+        self._meant = Meant(world)
         self._spawner = Spawner(world)
+        self._gathering = Gathering(self._refused)
         self._kinds: dict[type[FlatAction], Callable[[Any, Occasion], None]] = {
             flat.FlatDelete: self._delete, flat.FlatSpawn: self._spawn, flat.FlatPush: self._push,
             flat.FlatPut: self._put, flat.FlatSetting: self._set, flat.FlatBreak: self._break,
@@ -63,14 +64,24 @@ class Actor:
         self._left = MOST_IN_A_STEP
 
     def do(self, actions: tuple[FlatAction, ...], occasion: Occasion) -> None:
-        """Do some actions one after another, as long as not too much was done in this step."""
+        """Do some actions one after another, as long as not too much was done in this step.
+
+        The last ones may wait until it is `finish`ed.
+        """
         for action in actions:
             if self._may_do(occasion):
+                if type(action) not in _GATHERED:
+                    self.finish()
                 self._kinds[type(action)](action, occasion)
+
+    def finish(self) -> None:
+        """Do what waits: before anybody looks at what actions have come to."""
+        self._gathering.finish()
 
     def _may_do(self, occasion: Occasion) -> bool:
         self._left -= 1
         if self._left == 0:
+            self.finish()
             text = f"rules and controls want more than {MOST_IN_A_STEP:,} things done in one step; the rest is left out"
             self.tell("refused", occasion.source, text=text)
         return self._left > 0
@@ -82,73 +93,65 @@ class Actor:
     def _apply(self, command: Command, occasion: Occasion) -> bool:
         if not self._may_do(occasion):
             return False
+        refused = self._refused(command)
+        if refused is not None:
+            self.tell("refused", occasion.source, text=refused)
+        return refused is None
+
+    def _refused(self, command: Command) -> str | None:
+        """Apply a command; why it is refused, if it is."""
         try:
             self._world.apply(command)
         except _REFUSALS as error:
-            self.tell("refused", occasion.source, text=str(error))
-            return False
-        return True
-
-    def _bodies(self, names: Names, occasion: Occasion) -> list[str]:
-        """The ids that are meant and there, each once."""
-        found: dict[str, None] = {}
-        for name in names:
-            found.update(dict.fromkeys(self._meant(name, occasion)))
-        return [name for name in found if self._world.directory.has_body(name)]
-
-    def _meant(self, name: str, occasion: Occasion) -> Iterator[str]:
-        if name in (FIRST, SECOND):
-            body = occasion.first if name == FIRST else occasion.second
-            yield from () if body is None else (body,)
-            return
-        selector = self._selector((name,))
-        yield from self._matching(selector) if selector.is_several else (name,)
-
-    def _matching(self, selector: Selector) -> list[str]:
-        """The ids of the bodies that are there and meant by a pattern; looked for anew when some came or went."""
-        state = self._world.state
-        if self._layout != state.layout:
-            self._layout, self._found = state.layout, {}
-        if selector not in self._found:
-            self._found[selector] = selector.among(state.census.bodies.names)
-        return self._found[selector]
-
-    def _selector(self, names: Names) -> Selector:
-        if names not in self._selectors:
-            self._selectors[names] = Selector(names)
-        return self._selectors[names]
-
-    def _joints(self, names: Names) -> list[str]:
-        return self._selector(names).among([name for name in self._world.state.census.joints.names if name])
-
-    def _place(self, place: Vec | str, occasion: Occasion) -> Vec | None:
-        """A place in the world; None if nobody is there any more."""
-        if not isinstance(place, str):
-            return place
-        if place == POINTER:
-            return occasion.pointer
-        for name in self._bodies((place,), occasion):
-            body = plain(self._world.state.bodies)[self._world.directory.body(name)]
-            return float(body["position_x"]), float(body["position_y"])
+            return str(error)
         return None
 
     def _delete(self, action: FlatAction, occasion: Occasion) -> None:
-        names = self._bodies(action.of, occasion)
-        if names and self._apply(Delete(tuple(names)), occasion):
-            for name in names:
-                self.tell("delete", occasion.source, body=name)
+        if not self._gathering.waits(Delete):
+            self.finish()  # what comes can go at once
+        going = self._gathering.names
+        names = [name for name in self._meant.bodies(action.of, occasion) if name not in going]
+        if names and self._may_do(occasion):
+            self._gathering.add(Delete(tuple(names)), names, lambda refused: self._gone(names, refused, occasion))
+
+    def _gone(self, names: Sequence[str], refused: str | None, occasion: Occasion) -> None:
+        if refused is not None:
+            self.tell("refused", occasion.source, text=refused)
+            return
+        for name in names:
+            self.tell("delete", occasion.source, body=name)
 
     def _spawn(self, action: flat.FlatSpawn, occasion: Occasion) -> None:
-        if action.at is None:
-            found = self._spawner.command(action, None)
+        assert action.body is not None
+        if not self._gathering.waits(Spawn) or action.body.id in self._gathering.names:
+            self.finish()  # how many there are is known again
+        at = None
+        if action.at is not None:
+            at = self._first((action.at,), occasion)
+            if at is None:
+                return
+        found = self._spawner.command(action, at)
+        if found is not None and self._may_do(occasion):
+            number, command = found
+            name = action.body.id
+            self._gathering.add(command, (name,), lambda refused: self._come(action, number, refused, occasion))
+
+    def _first(self, names: Names, occasion: Occasion) -> str | None:
+        """The first of some bodies; one that is to come now if there is no other."""
+        found = self._meant.bodies(names, occasion)
+        if not found:
+            self.finish()
+            found = self._meant.bodies(names, occasion)
+        return found[0] if found else None
+
+    def _come(self, action: flat.FlatSpawn, number: int, refused: str | None, occasion: Occasion) -> None:
+        if refused is not None:
+            self.tell("refused", occasion.source, text=refused)
         else:
-            at = self._bodies((action.at,), occasion)
-            found = self._spawner.command(action, at[0]) if at else None
-        if found is not None and self._apply(found[1], occasion):
-            self.tell("spawn", occasion.source, body=self._spawner.note(action, found[0]))
+            self.tell("spawn", occasion.source, body=self._spawner.note(action, number))
 
     def _push(self, action: flat.FlatPush, occasion: Occasion) -> None:
-        for name in self._bodies(action.of, occasion):
+        for name in self._meant.bodies(action.of, occasion):
             body = plain(self._world.state.bodies)[self._world.directory.body(name)]
             frame = self._frame(action, body, occasion)
             if frame is None:
@@ -182,13 +185,13 @@ class Actor:
         place = occasion.pointer
         if along != POINTER:
             rows = plain(self._world.state.bodies)
-            found = [rows[self._world.directory.body(name)] for name in self._bodies((along,), occasion)]
+            found = [rows[self._world.directory.body(name)] for name in self._meant.bodies((along,), occasion)]
             place = (float(found[0]["center_x"]), float(found[0]["center_y"])) if found else None
         return None if place is None else (place[0] - float(body["center_x"]), place[1] - float(body["center_y"]))
 
     def _put(self, action: flat.FlatPut, occasion: Occasion) -> None:
-        for name in self._bodies(action.of, occasion):
-            place = self._place(action.at, occasion)
+        for name in self._meant.bodies(action.of, occasion):
+            place = self._meant.place(action.at, occasion)
             if place is not None:
                 angle = plain(self._world.state.bodies)["angle"][self._world.directory.body(name)]
                 self._apply(SetPose(name, place, float(angle) if action.angle is None else action.angle), occasion)
@@ -196,24 +199,24 @@ class Actor:
     def _set(self, action: flat.FlatSetting, occasion: Occasion) -> None:
         values = {}
         for name, value in action.values:
-            values[name] = self._place(value, occasion) if name == "target" else value
+            values[name] = self._meant.place(value, occasion) if name == "target" else value
             if values[name] is None:
                 return
         if action.what == "joint":
-            names = self._joints(action.of)
+            names = self._meant.joints(action.of)
         elif action.what == "region":
-            names = self._selector(action.of).among([name for name in self._world.state.census.regions.names if name])
+            names = self._meant.regions(action.of)
         else:
-            names = self._bodies(action.of, occasion)
+            names = self._meant.bodies(action.of, occasion)
         for command in setting_commands(action.what, names, values, occasion.scale):
             self._apply(command, occasion)
 
     def _break(self, action: FlatAction, occasion: Occasion) -> None:
-        for name in self._joints(action.of):
+        for name in self._meant.joints(action.of):
             self._apply(BreakJoint(name), occasion)
 
     def _explode(self, action: flat.FlatExplode, occasion: Occasion) -> None:
-        place = self._place(action.at, occasion)
+        place = self._meant.place(action.at, occasion)
         if place is not None:
             self._apply(Explode(place, action.radius, action.impulse), occasion)
 

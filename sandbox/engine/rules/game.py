@@ -126,6 +126,7 @@ class Game:
             if number not in followed:
                 followed.add(number)
                 self._follow(number, Occasion(self._rules[number].id))
+        self._actor.finish()
 
     def _follow(self, number: int, occasion: Occasion) -> None:
         rule, row = self._rules[number], plain(self._world.state.rules)[number]
@@ -145,7 +146,10 @@ class Game:
             value = float(plain(self._world.state.tallies)[self._tallies[condition.counter]]["value"])
             if not condition.low <= value <= condition.high:
                 return False
-        return not condition.touches or any(self._pairs_touching(condition.touches))
+        if not condition.touches:
+            return True
+        self._actor.finish()
+        return any(self._pairs_touching(condition.touches))
 
     def _pairs_touching(self, pair: Any) -> Iterator[bool]:
         """Whether each pair of bodies that touch now is one that is meant."""
