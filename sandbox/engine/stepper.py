@@ -17,8 +17,9 @@ from sandbox.engine.joints.fewer_parts import going_parts, without_parts
 from sandbox.engine.joints.part_layout import PartLayouts
 from sandbox.engine.joints.wiring import wiring
 from sandbox.engine.memory.binding import contact_arguments, parameters, scratch_arguments, state_arguments
+from sandbox.engine.memory.bundles import Room
 from sandbox.engine.memory.limit import room_for
-from sandbox.engine.memory.scratch import Room, Scratch
+from sandbox.engine.memory.scratch import Scratch
 from sandbox.engine.step import collide, solve
 from sandbox.engine.workers.serve import serve
 from sandbox.engine.workers.threads import WorkerThreads

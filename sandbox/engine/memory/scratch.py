@@ -3,34 +3,37 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
 
-from sandbox.engine.active.active_set import new_active_set
 from sandbox.engine.active.pile_stability import PILE
-from sandbox.engine.broad_phase.grid import LEVEL_SPACE, head_count
-from sandbox.engine.contact_solver.blocks import ALL_COLORS, BLOCK_SIZE, MAX_COLORS
-from sandbox.engine.contact_solver.further_colors import MOST_WORDS
 from sandbox.engine.fields.records import Fields, has_fields
 from sandbox.engine.joints.assembly import assemble
 from sandbox.engine.joints.pair_filter import JointFilter
 from sandbox.engine.joints.part_layout import PartLayouts
 from sandbox.engine.joints.records import JointWork
-from sandbox.engine.memory.limit import most_batches, most_blocks
+from sandbox.engine.memory.bundles import (
+    Room,
+    active_memory,
+    batch_memory,
+    block_memory,
+    ccd_memory,
+    collider_memory,
+    contact_memory,
+    grid_memory,
+    measure_thin,
+    solver_memory,
+)
 from sandbox.engine.records.active_set import ActiveSet
-from sandbox.engine.records.batches import BLOCKS, IMPACT, SIZE, STRUCK_BODY, Batches
-from sandbox.engine.records.bodies import BEFORE_IMPACTS, BODY_FORCES, FREE_MOTION, MOTION, SolverBodies
-from sandbox.engine.records.ccd import CCD_BODY, CCD_IMPACT, Ccd
-from sandbox.engine.records.colliders import BOX, FILTER, PAIR, PROXY, RESTING_GRID, Colliders, Grid, RestingGrid
-from sandbox.engine.records.contact_blocks import BLOCK, SLOT, ContactBlocks
-from sandbox.engine.records.contacts import REPORT, SLEEPING_CURSOR, SLEEPING_RUN, Contacts
+from sandbox.engine.records.batches import STRUCK_BODY
+from sandbox.engine.records.bodies import SolverBodies
+from sandbox.engine.records.ccd import Ccd
+from sandbox.engine.records.colliders import PAIR, Colliders, Grid
+from sandbox.engine.records.contact_blocks import ContactBlocks
+from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.decisions import Decisions, decisions_memory
 from sandbox.engine.records.workers import Workers, workers_memory
-from sandbox.geometry.manifold import MANIFOLD
-from sandbox.geometry.time_of_impact import POSED_ROWS, SWEEP
-from sandbox.tables import Records, aligned_zeros, plain
-from sandbox.world.records import CONTACT, VERTEX
+from sandbox.tables import Records, plain
 from sandbox.world.state import State
 
 
@@ -76,14 +79,14 @@ class Scratch:
         joint_filter, joints = assemble(state.joints, state.bodies, layouts or PartLayouts(), room.bodies)
         return cls(
             room=room,
-            active=_active_set(state, room),
-            solver=_solver_bodies(room.bodies),
+            active=active_memory(room),
+            solver=solver_memory(room.bodies),
             piles=PILE.zeros(room.bodies),
-            colliders=_colliders(room),
-            grid=_grid(room.shapes, pair_capacity),
-            contacts=_contacts(state, pair_capacity),
-            blocks=_blocks(pair_capacity, _batches(room.bodies, pair_capacity, workers)),
-            ccd=_ccd(state, room),
+            colliders=collider_memory(room),
+            grid=grid_memory(room.shapes, pair_capacity),
+            contacts=contact_memory(state, pair_capacity),
+            blocks=block_memory(pair_capacity, batch_memory(room.bodies, pair_capacity, workers)),
+            ccd=ccd_memory(state, room),
             joint_filter=joint_filter,
             joints=joints,
             fields=Fields.for_state(state, room.bodies),
@@ -101,7 +104,7 @@ class Scratch:
         if not fits:
             self._grow(state)
         else:
-            _fill_thin(self.ccd.bodies, state, bodies, shapes)
+            measure_thin(self.ccd.bodies, state, bodies, shapes)
         self.follow_fields(state)
         plain(self.active.info)["stale"] = 1
         return not fits
@@ -116,8 +119,8 @@ class Scratch:
     def make_room_for_pairs(self, state: State, pairs: int, workers: int) -> None:
         """Take memory for so many pairs; what is known of bodies, shapes and joints is kept."""
         self.grid = self.grid._replace(pairs=PAIR.zeros(pairs), sorted_pairs=PAIR.zeros(pairs + 1))
-        self.contacts = _contacts(state, pairs)
-        self.blocks = _blocks(pairs, _batches(self.room.bodies, pairs, workers))
+        self.contacts = contact_memory(state, pairs)
+        self.blocks = block_memory(pairs, batch_memory(self.room.bodies, pairs, workers))
 
     def make_room_for_joints(self) -> None:
         """Let the joint solver know as many bodies as there is room for."""
@@ -131,144 +134,14 @@ class Scratch:
     def _grow(self, state: State) -> None:
         """Take memory for twice as many bodies and shapes as there are; pairs and contacts keep theirs."""
         room = self.room = Room(*(2 * count for count in Room.of(state)))
-        self.active = _active_set(state, room)._replace(info=self.active.info)
-        self.solver = _solver_bodies(room.bodies)
+        self.active = active_memory(room)._replace(info=self.active.info)
+        self.solver = solver_memory(room.bodies)
         self.piles = PILE.zeros(room.bodies)
         more = STRUCK_BODY.zeros(room.bodies)
         batches = self.blocks.batches._replace(bodies=np.zeros(room.bodies, np.int64), struck=more)
         self.blocks = self.blocks._replace(batches=batches)
-        self.colliders = _colliders(room)
-        shapes = _grid(room.shapes, 0)
+        self.colliders = collider_memory(room)
+        shapes = grid_memory(room.shapes, 0)
         self.grid = shapes._replace(pairs=self.grid.pairs, sorted_pairs=self.grid.sorted_pairs)
-        self.ccd = _ccd(state, room)
+        self.ccd = ccd_memory(state, room)
         self.fields = Fields.for_state(state, room.bodies)
-
-
-class Room(NamedTuple):
-    """For how many bodies, shapes and core vertices there is memory."""
-
-    bodies: int
-    shapes: int
-    vertices: int
-
-    @classmethod
-    def of(cls, state: State) -> Room:
-        """As many as a state has."""
-        return cls(len(state.bodies), len(state.shapes), len(state.vertices))
-
-    def holds(self, other: Room) -> bool:
-        """Whether it is as large, in everything."""
-        return self.bodies >= other.bodies and self.shapes >= other.shapes and self.vertices >= other.vertices
-
-
-def _active_set(state: State, room: Room) -> ActiveSet:
-    return ActiveSet(
-        info=new_active_set(),
-        bodies=np.zeros(room.bodies + 1, np.int64),
-        loose=np.zeros(room.bodies + 1, np.int64),
-        activity=np.zeros(room.bodies, np.int64),
-        shapes=np.arange(room.shapes),
-        loose_shapes=np.zeros(room.shapes, np.int64),
-    )
-
-
-def _solver_bodies(bodies: int) -> SolverBodies:
-    return SolverBodies(
-        motions=MOTION.zeros(bodies),
-        free_motions=FREE_MOTION.zeros(bodies),
-        forces=BODY_FORCES.zeros(bodies),
-        before_impacts=BEFORE_IMPACTS.zeros(bodies),
-        flags=np.zeros(bodies, np.int64),
-        colors=np.zeros(bodies, np.int64),
-        struck=np.zeros(bodies, np.int64),
-        islands=np.zeros(bodies, np.int64),
-        batches=np.zeros(bodies, np.int64),
-    )
-
-
-def _colliders(room: Room) -> Colliders:
-    return Colliders(
-        cores=VERTEX.zeros(room.vertices),
-        boxes=BOX.zeros(room.shapes),
-        filters=FILTER.zeros(room.shapes),
-        proxies=PROXY.zeros(room.shapes),
-    )
-
-
-def _grid(shapes: int, pairs: int) -> Grid:
-    return Grid(
-        spare_boxes=BOX.zeros(shapes),
-        ordered=BOX.zeros(shapes),
-        heads=np.zeros(head_count(shapes), np.int64),
-        levels=np.zeros(LEVEL_SPACE, np.int64),
-        resting=_resting_grid(shapes),
-        apart=_resting_grid(shapes),
-        pairs=PAIR.zeros(pairs),
-        sorted_pairs=PAIR.zeros(pairs + 1),  # continuous collision keeps one pair apart
-    )
-
-
-def _resting_grid(shapes: int) -> RestingGrid:
-    heads, levels = np.zeros(head_count(shapes), np.int64), np.zeros(LEVEL_SPACE, np.int64)
-    return RestingGrid(RESTING_GRID.zeros(1), heads, levels)
-
-
-def _contacts(state: State, pairs: int) -> Contacts:
-    return Contacts(
-        now=CONTACT.zeros(pairs),
-        before=state.contacts,
-        active=np.zeros(pairs + 1, np.int64),
-        impact_candidates=np.zeros(pairs + 1, np.int64),
-        cursor=SLEEPING_CURSOR.zeros(1),
-        runs=SLEEPING_RUN.zeros(3 * (pairs + 1)),
-        reports=REPORT.zeros(pairs),
-    )
-
-
-def _blocks(pairs: int, batches: Batches) -> ContactBlocks:
-    blocks = most_blocks(pairs)
-    return ContactBlocks(
-        slots=SLOT.zeros(pairs),
-        blocks=BLOCK.zeros(blocks),
-        colors=np.zeros(pairs, np.int64),
-        lanes=aligned_zeros(blocks * BLOCK_SIZE, np.float64),
-        heads=np.zeros(ALL_COLORS * most_batches(pairs) + 1, np.int64),
-        further=np.zeros(MOST_WORDS * MAX_COLORS + 1, np.int64),
-        further_heads=np.zeros(MOST_WORDS * MAX_COLORS + 1, np.int64),
-        sets=np.zeros(pairs, np.int64),
-        starts=np.zeros(blocks + 2, np.int64),
-        spare=SLOT.zeros(pairs),
-        batches=batches,
-    )
-
-
-def _batches(bodies: int, pairs: int, workers: int) -> Batches:
-    batches = most_batches(pairs)
-    blocks = (workers - 1) * BLOCKS if batches > 1 else 0
-    return Batches(
-        size=np.full(1, SIZE),
-        bodies=np.zeros(bodies, np.int64),
-        struck=STRUCK_BODY.zeros(bodies),
-        first_body=np.zeros(batches + 1, np.int64),
-        impacts=IMPACT.zeros(pairs),
-        first_impact=np.zeros(batches + 1, np.int64),
-        blocks=BLOCK.zeros(blocks),
-        lanes=aligned_zeros(blocks * BLOCK_SIZE, np.float64),
-        starts=np.zeros(blocks + 2 * workers, np.int64),
-    )
-
-
-def _ccd(state: State, room: Room) -> Ccd:
-    bodies = CCD_BODY.zeros(room.bodies)
-    _fill_thin(bodies, state, 0, 0)
-    impacts = CCD_IMPACT.zeros(room.bodies)
-    impacts.time = 1.0
-    return Ccd(bodies, impacts, SWEEP.zeros(1), VERTEX.zeros(POSED_ROWS), MANIFOLD.zeros(2))
-
-
-def _fill_thin(bodies: Records, state: State, first: int, first_shape: int) -> None:
-    """Measure the thinnest shapes of the bodies from row `first` on, whose shapes begin at `first_shape`."""
-    shapes = plain(state.shapes)[first_shape:]
-    thin = np.full(len(state.bodies) - first, np.inf)
-    np.minimum.at(thin, shapes["body"] - first, shapes["thin"])
-    plain(bodies)["thin"][first : len(state.bodies)] = np.where(thin < np.inf, thin, 0.0)

@@ -1,0 +1,163 @@
+"""The bundles of tables that a step works in, as memory for so many bodies, shapes and pairs."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.engine.active.active_set import new_active_set
+from sandbox.engine.broad_phase.grid import LEVEL_SPACE, head_count
+from sandbox.engine.contact_solver.blocks import ALL_COLORS, BLOCK_SIZE, MAX_COLORS
+from sandbox.engine.contact_solver.further_colors import MOST_WORDS
+from sandbox.engine.memory.limit import most_batches, most_blocks
+from sandbox.engine.records.active_set import ActiveSet
+from sandbox.engine.records.batches import BLOCKS, IMPACT, SIZE, STRUCK_BODY, Batches
+from sandbox.engine.records.bodies import BEFORE_IMPACTS, BODY_FORCES, FREE_MOTION, MOTION, SolverBodies
+from sandbox.engine.records.ccd import CCD_BODY, CCD_IMPACT, Ccd
+from sandbox.engine.records.colliders import BOX, FILTER, PAIR, PROXY, RESTING_GRID, Colliders, Grid, RestingGrid
+from sandbox.engine.records.contact_blocks import BLOCK, SLOT, ContactBlocks
+from sandbox.engine.records.contacts import REPORT, SLEEPING_CURSOR, SLEEPING_RUN, Contacts
+from sandbox.geometry.manifold import MANIFOLD
+from sandbox.geometry.time_of_impact import POSED_ROWS, SWEEP
+from sandbox.tables import Records, aligned_zeros, plain
+from sandbox.world.records import CONTACT, VERTEX
+from sandbox.world.state import State
+
+
+class Room(NamedTuple):
+    """For how many bodies, shapes and core vertices there is memory."""
+
+    bodies: int
+    shapes: int
+    vertices: int
+
+    @classmethod
+    def of(cls, state: State) -> Room:
+        """As many as a state has."""
+        return cls(len(state.bodies), len(state.shapes), len(state.vertices))
+
+    def holds(self, other: Room) -> bool:
+        """Whether it is as large, in everything."""
+        return self.bodies >= other.bodies and self.shapes >= other.shapes and self.vertices >= other.vertices
+
+
+def active_memory(room: Room) -> ActiveSet:
+    """Who may move: so far everybody is to be looked at."""
+    return ActiveSet(
+        info=new_active_set(),
+        bodies=np.zeros(room.bodies + 1, np.int64),
+        loose=np.zeros(room.bodies + 1, np.int64),
+        activity=np.zeros(room.bodies, np.int64),
+        shapes=np.arange(room.shapes),
+        loose_shapes=np.zeros(room.shapes, np.int64),
+    )
+
+
+def solver_memory(bodies: int) -> SolverBodies:
+    """What the solver has beside the body table."""
+    return SolverBodies(
+        motions=MOTION.zeros(bodies),
+        free_motions=FREE_MOTION.zeros(bodies),
+        forces=BODY_FORCES.zeros(bodies),
+        before_impacts=BEFORE_IMPACTS.zeros(bodies),
+        flags=np.zeros(bodies, np.int64),
+        colors=np.zeros(bodies, np.int64),
+        struck=np.zeros(bodies, np.int64),
+        islands=np.zeros(bodies, np.int64),
+        batches=np.zeros(bodies, np.int64),
+    )
+
+
+def collider_memory(room: Room) -> Colliders:
+    """Cores, boxes and proxies."""
+    return Colliders(
+        cores=VERTEX.zeros(room.vertices),
+        boxes=BOX.zeros(room.shapes),
+        filters=FILTER.zeros(room.shapes),
+        proxies=PROXY.zeros(room.shapes),
+    )
+
+
+def grid_memory(shapes: int, pairs: int) -> Grid:
+    """The grids of boxes, and the pairs that they find."""
+    return Grid(
+        spare_boxes=BOX.zeros(shapes),
+        ordered=BOX.zeros(shapes),
+        heads=np.zeros(head_count(shapes), np.int64),
+        levels=np.zeros(LEVEL_SPACE, np.int64),
+        resting=_resting_memory(shapes),
+        apart=_resting_memory(shapes),
+        pairs=PAIR.zeros(pairs),
+        sorted_pairs=PAIR.zeros(pairs + 1),  # continuous collision keeps one pair apart
+    )
+
+
+def _resting_memory(shapes: int) -> RestingGrid:
+    heads, levels = np.zeros(head_count(shapes), np.int64), np.zeros(LEVEL_SPACE, np.int64)
+    return RestingGrid(RESTING_GRID.zeros(1), heads, levels)
+
+
+def contact_memory(state: State, pairs: int) -> Contacts:
+    """Contacts of this step and of the one before, which the state holds."""
+    return Contacts(
+        now=CONTACT.zeros(pairs),
+        before=state.contacts,
+        active=np.zeros(pairs + 1, np.int64),
+        impact_candidates=np.zeros(pairs + 1, np.int64),
+        cursor=SLEEPING_CURSOR.zeros(1),
+        runs=SLEEPING_RUN.zeros(3 * (pairs + 1)),
+        reports=REPORT.zeros(pairs),
+    )
+
+
+def block_memory(pairs: int, batches: Batches) -> ContactBlocks:
+    """Blocks and lanes of contacts, and what they are coloured with."""
+    blocks = most_blocks(pairs)
+    return ContactBlocks(
+        slots=SLOT.zeros(pairs),
+        blocks=BLOCK.zeros(blocks),
+        colors=np.zeros(pairs, np.int64),
+        lanes=aligned_zeros(blocks * BLOCK_SIZE, np.float64),
+        heads=np.zeros(ALL_COLORS * most_batches(pairs) + 1, np.int64),
+        further=np.zeros(MOST_WORDS * MAX_COLORS + 1, np.int64),
+        further_heads=np.zeros(MOST_WORDS * MAX_COLORS + 1, np.int64),
+        sets=np.zeros(pairs, np.int64),
+        starts=np.zeros(blocks + 2, np.int64),
+        spare=SLOT.zeros(pairs),
+        batches=batches,
+    )
+
+
+def batch_memory(bodies: int, pairs: int, workers: int) -> Batches:
+    """Batches of islands, with memory for the blocks of further workers if there can be several."""
+    batches = most_batches(pairs)
+    blocks = (workers - 1) * BLOCKS if batches > 1 else 0
+    return Batches(
+        size=np.full(1, SIZE),
+        bodies=np.zeros(bodies, np.int64),
+        struck=STRUCK_BODY.zeros(bodies),
+        first_body=np.zeros(batches + 1, np.int64),
+        impacts=IMPACT.zeros(pairs),
+        first_impact=np.zeros(batches + 1, np.int64),
+        blocks=BLOCK.zeros(blocks),
+        lanes=aligned_zeros(blocks * BLOCK_SIZE, np.float64),
+        starts=np.zeros(blocks + 2 * workers, np.int64),
+    )
+
+
+def ccd_memory(state: State, room: Room) -> Ccd:
+    """Sweeps and times of impact."""
+    bodies = CCD_BODY.zeros(room.bodies)
+    measure_thin(bodies, state, 0, 0)
+    impacts = CCD_IMPACT.zeros(room.bodies)
+    impacts.time = 1.0
+    return Ccd(bodies, impacts, SWEEP.zeros(1), VERTEX.zeros(POSED_ROWS), MANIFOLD.zeros(2))
+
+
+def measure_thin(bodies: Records, state: State, first: int, first_shape: int) -> None:
+    """Measure the thinnest shapes of the bodies from row `first` on, whose shapes begin at `first_shape`."""
+    shapes = plain(state.shapes)[first_shape:]
+    thin = np.full(len(state.bodies) - first, np.inf)
+    np.minimum.at(thin, shapes["body"] - first, shapes["thin"])
+    plain(bodies)["thin"][first : len(state.bodies)] = np.where(thin < np.inf, thin, 0.0)
