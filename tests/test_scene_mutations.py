@@ -136,7 +136,6 @@ MUTATIONS: dict[str, tuple[Change, tuple[str, ...]]] = {
             "rolling-race",
             "polygon-slope",
             "projectiles",
-            "stack-20",
         ),
     ),
     "friction-up-2-percent": (scaled("friction", 1.02), ("ramp",)),

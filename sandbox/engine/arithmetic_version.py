@@ -31,6 +31,10 @@ NOTES: dict[int, str] = {
     15: "impacts with restitution that do not end one by one in 32 sweeps, as where masses differ by over 100 to 1, "
     "are taken back and strike together; hard blows without restitution are solved until a pass takes a thousandth of "
     "the energy that all have taken",
+    16: "what a scene puts down at rest has springs as long as its load asks for and does not sink; islands that begin "
+    "to take shorter substeps keep the loads of their contacts, and go back one level a step; what hard blows reach is "
+    "solved by Nesterov's method, further than before; the mean velocity also holds for what starts and stops in a "
+    "straight line",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

@@ -16,6 +16,7 @@ from sandbox.engine.contact_solver.blocks import BLOCK_SIZE, GATHER_SIZE
 from sandbox.engine.contact_solver.fill_blocks import fill_blocks, sort_contacts
 from sandbox.engine.contact_solver.graph_coloring import color_contacts
 from sandbox.engine.contact_solver.prepare import prepare_contacts
+from sandbox.engine.contact_solver.soft_constraint import contact_spring
 from sandbox.engine.contact_solver.store import store_impulses
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.active_set import ActiveSet
@@ -143,6 +144,7 @@ def solve_batches(
     bodies = state.bodies
     level = share.level
     threshold = state.settings[0].restitution_threshold
+    spring = contact_spring(state.settings[0], level)
     frozen = 0
     for batch in range(first, end):
         members = batches.bodies[batches.first_body[batch] : batches.first_body[batch + 1]]
@@ -152,10 +154,10 @@ def solve_batches(
         slots: Any = batches.impacts[start:stop]
         impacts = ImpactList(slots, stop - start, threshold)
         block_count, unsettled_count, struck_count = fill_blocks(solver.colors, own, batch)
-        prepare_contacts(bodies, contacts.now, own, block_count, team, level, share.impacts)
+        prepare_contacts(bodies, contacts.now, own, block_count, team, spring, share.impacts)
         todo = Pass(level, batch, held, block_count, unsettled_count, struck_count, share.unsettled, share.impacts)
         frozen += run_substeps(state, active, solver, contacts.now, own, impacts, joints, team, members, todo)
-        store_impulses(bodies, solver.flags, contacts, own, block_count, team, level)
+        store_impulses(bodies, solver.flags, contacts, own, block_count, team, spring)
     if frozen > 0:
         atomic_add(workers.words, FROZEN, frozen)
 

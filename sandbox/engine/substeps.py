@@ -11,7 +11,8 @@ from sandbox.engine.bodies.free_flight import Flight, fly
 from sandbox.engine.bodies.integrate import integrate_positions, integrate_velocities, prepare_forces
 from sandbox.engine.bodies.quarantine import guard_velocities
 from sandbox.engine.contact_solver.mouse_joint import solve_mouse_joints
-from sandbox.engine.contact_solver.soft_constraint import contact_coefficients
+from sandbox.engine.contact_solver.put_down import put_down
+from sandbox.engine.contact_solver.soft_constraint import contact_spring
 from sandbox.engine.contact_solver.solve import solve_contacts
 from sandbox.engine.contact_solver.warm_start import forget_impulses, warm_start
 from sandbox.engine.joints.records import JointWork
@@ -105,12 +106,9 @@ def run_substeps(
     unsettled = todo.unsettled_count
     substeps = setting.substeps << level
     seconds = setting.step_seconds / substeps
-    rate = 1.0 / seconds
-    hertz = setting.contact_hertz * (1 << level)
-    hertz = hertz if hertz < 0.25 * rate else 0.25 * rate
-    closing = rate if setting.speculative == 1 else AT_ONCE
-    bias, softness = contact_coefficients(setting, hertz, seconds)
-    soft = SoftContact(closing, bias, softness, -setting.push_out_speed, 0.0, 0.0)
+    closing = 1.0 / seconds if setting.speculative == 1 else AT_ONCE
+    spring = contact_spring(setting, level)
+    soft = SoftContact(closing, spring.bias, spring.softness, -setting.push_out_speed, 0.0, 0.0)
     rigid = SoftContact(closing, 0.0, 0.0, 0.0, 0.0, 0.0)
     relax = SoftContact(closing, 0.0, 0.0, 0.0, WAIT, OVER_RELAXATION)
     accumulate = setting.accumulate == 1
@@ -130,7 +128,7 @@ def run_substeps(
         integrate_velocities(rows, solver, workers)
         resolve_impacts(bodies, solver, contacts, impacts, seconds)
         if todo.struck_count > 0:
-            stop_struck(solver, struck, blocks, todo.struck_count, workers, rigid)
+            stop_struck(bodies, solver, struck, blocks, todo.struck_count, workers, rigid)
         if rest:
             solve_mouse_joints(state, solver, level, seconds)
         frozen += guard_velocities(bodies, rows, motions, solver.forces, active.info, now)
@@ -142,7 +140,10 @@ def run_substeps(
             solve_joints(joints, motions, free_motions, seconds, workers)
         if todo.unsettled & NEW and substep == 0:
             # What was just put there has no impulses yet, and soft contacts alone would let it slip until it has.
-            solve_contacts(motions, blocks, unsettled, workers, rigid)
+            if now == 0 and spring.yields > 0.0:
+                put_down(bodies, solver, struck, contacts, blocks, unsettled, workers, rigid, spring, gravity)
+            else:
+                solve_contacts(motions, blocks, unsettled, workers, rigid)
             if not accumulate:
                 forget_impulses(blocks, unsettled)
         solve_contacts(motions, blocks, count, workers, soft)
@@ -152,7 +153,7 @@ def run_substeps(
         if todo.impacts:
             resolve_late_impacts(bodies, rows, solver, contacts, impacts, level, seconds)
         if todo.struck_count > 0:  # the relax pass would stop what now touches, a contact at a time
-            stop_late(solver, struck, blocks, todo.struck_count, workers, rigid)
+            stop_late(bodies, solver, struck, blocks, todo.struck_count, workers, rigid)
         if joints is not None and rest:
             relax_joints(joints, motions, free_motions, seconds, workers)
         for turn in range(relax_passes):

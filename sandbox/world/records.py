@@ -157,6 +157,7 @@ def _point_fields() -> tuple[Field, ...]:
             whole(f"feature{k}", f"feature id of point {k}: 64 * vertex of a + vertex of b", _FEATURE),
             Field(f"normal_impulse{k}", "N s", f"at point {k}, accumulated over the last of the scene's substeps"),
             Field(f"tangent_impulse{k}", "N s", f"at point {k}, accumulated over the last of the scene's substeps"),
+            Field(f"rest_length{k}", "m", f"gap at which the spring of point {k} does not push"),
         ]
     return tuple(fields)
 
@@ -180,6 +181,7 @@ CONTACT = Table(
         Field("impact_impulse", "N s", "normal impulse of the impacts during the step, both points"),
         whole("touching", "1 once the shapes have pushed or overlapped, until they are well apart", FLAG),
         whole("point_count", "1 or 2", Values(1, 2)),
+        whole("substep_level", "of the island when the contact was last solved", Values(0, 4)),
         *_point_fields(),
     ),
 )
@@ -236,6 +238,9 @@ COUNTERS = Table(
             "substep_watch",
             "how often piles are looked at: 0 unknown, 1 every eighth step, 2 at every step",
             Values(0, 2),
+        ),
+        whole(
+            "substep_levels", "substep levels that piles took in the last step, as bits; 1 is level 0", Values(0, 31)
         ),
         whole("broken_count", "joints broken so far", COUNT, hashed=False),
         whole("frozen_count", "bodies frozen so far", COUNT),

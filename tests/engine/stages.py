@@ -15,7 +15,7 @@ from sandbox.engine.active import active_set, islands
 from sandbox.engine.bodies import integrate
 from sandbox.engine.broad_phase import grid, pairs, proxies
 from sandbox.engine.contact_solver import fill_blocks as filling
-from sandbox.engine.contact_solver import graph_coloring, mouse_joint, prepare, solve, store
+from sandbox.engine.contact_solver import graph_coloring, mouse_joint, prepare, soft_constraint, solve, store
 from sandbox.engine.contact_solver import warm_start as warm_starting
 from sandbox.engine.contact_solver.blocks import LANES
 from sandbox.engine.memory.scratch import Scratch
@@ -68,6 +68,7 @@ color_contacts = stage(graph_coloring.color_contacts)
 sort_contacts = stage(filling.sort_contacts)
 fill_blocks = stage(filling.fill_blocks)
 prepare_contacts = stage(prepare.prepare_contacts)
+contact_spring = called_from_python(soft_constraint.contact_spring)
 store_impulses = stage(store.store_impulses)
 warm_start = stage(warm_starting.warm_start)
 solve_contacts = stage(solve.solve_contacts)
@@ -174,10 +175,13 @@ class Paused:
         assert self.blocks <= len(m.blocks.blocks)
         self.prepare()
 
+    def _spring(self) -> soft_constraint.Spring:
+        return soft_constraint.Spring(*contact_spring(self.state.settings[0], 0))
+
     def prepare(self, impacts: bool = False) -> None:
         """Fill the lanes of the blocks there are."""
         m = self.scratch
-        prepare_contacts(self.state.bodies, m.contacts.now, m.blocks, self.blocks, m.workers, 0, impacts)
+        prepare_contacts(self.state.bodies, m.contacts.now, m.blocks, self.blocks, m.workers, self._spring(), impacts)
 
     def one_contact_a_block(self) -> None:
         """The same slots, but every contact alone in its block."""
@@ -223,7 +227,7 @@ class Paused:
     def store(self) -> None:
         """Impulses back into the contacts."""
         m = self.scratch
-        store_impulses(self.state.bodies, m.solver.flags, m.contacts, m.blocks, self.blocks, m.workers, 0)
+        store_impulses(self.state.bodies, m.solver.flags, m.contacts, m.blocks, self.blocks, m.workers, self._spring())
 
 
 def island_roots(count: int, links: Sequence[tuple[int, int]], active: Sequence[bool]) -> list[int]:

@@ -94,7 +94,8 @@ def twin(p: Paused, bouncy: bool = False) -> tuple[list[Body], list[Waiting]]:
         c = p.scratch.contacts.now[slot]
         points = [
             Point(vector(c, f"anchor_ax{k}", f"anchor_ay{k}"), vector(c, f"anchor_bx{k}", f"anchor_by{k}"),
-                  float(c[f"separation{k}"]), float(c[f"normal_impulse{k}"]), float(c[f"tangent_impulse{k}"]))
+                  float(c[f"separation{k}"] - c[f"rest_length{k}"]), float(c[f"normal_impulse{k}"]),
+                  float(c[f"tangent_impulse{k}"]))
             for k in range(1, int(c.point_count) + 1)
         ]  # fmt: skip
         waits = bouncy and (c.restitution > 0.0 or closes_hard(p, c))

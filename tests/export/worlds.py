@@ -24,10 +24,10 @@ def saved(world: World, folder: Path) -> tuple[SceneNow, World]:
 
 
 def forgetful(world: World) -> World:
-    """The same world, awake and without a memory of contacts, joints and hands: what a scene cannot hold either."""
+    """The same world, awake, without a memory of steps, contacts, joints and hands: what a scene cannot hold either."""
     twin = copy.copy(world)
     state = twin.state
-    for counter in ("contact_count", "substep_watch", "still"):
+    for counter in ("step_count", "contact_count", "substep_watch", "substep_levels", "still"):
         state.counters[counter] = 0
     for k in range(5):
         state.joints[f"impulse_{k}"] = 0.0

@@ -13,6 +13,9 @@ from sandbox.scene.flat import FlatShape
 from tests.flat import AWAKE, body, box, circle, world
 from tests.kernels import called_from_python
 
+DEPTH = 2e-3
+"""Most (m) that something at rest may lie deeper than its load explains."""
+
 coefficients = called_from_python(contact_coefficients)
 
 
@@ -67,7 +70,8 @@ def unexplained(w: World) -> float:
 
 
 def is_at_rest(w: World) -> bool:
-    return float(np.abs(w.bodies.velocity).max()) < 0.01
+    """Slower than what would take a body past the depth that is asked about in the second that is waited."""
+    return float(np.abs(w.bodies.velocity).max()) < DEPTH
 
 
 @pytest.mark.parametrize("spacing", [1.3, 0.9])
@@ -81,7 +85,7 @@ def test_nothing_lies_deeper_than_its_load_explains(kind, spacing):
         if rested >= 60:
             break
     assert rested >= 60
-    assert unexplained(w) < 2e-3
+    assert unexplained(w) < DEPTH
 
 
 def test_what_begins_in_one_place_does_not_stay_there():

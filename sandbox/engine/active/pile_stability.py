@@ -48,6 +48,7 @@ PILE = Table(
         Field("bearer", "kg", "lightest body that another one lies on"),
         Field("slight", "m", "smallest extent of such a body"),
         Field("ratio", "1", "largest mass that weighs on a body at one contact, by its own"),
+        Field("level", "-", "finest substep level that a contact of it was solved at in the last step", "i8"),
     ),
 )
 """What a pile is made of; in the row of its island's root."""
@@ -158,6 +159,7 @@ def measure_contacts(
     for i in rows:
         pile = piles[i]
         pile.ratio = 0.0
+        pile.level = 0
         pile.bottom = pile.left = pile.bearer = pile.slight = _NONE
         pile.right = -_NONE
     for i in contacts.active[1 : 1 + contacts.active[0]]:
@@ -168,6 +170,7 @@ def measure_contacts(
             continue
         root = islands[contact.body_a] if is_active(a) else islands[contact.body_b]
         pile = piles[root]
+        pile.level = contact.substep_level if contact.substep_level > pile.level else pile.level
         x = a.center_x - bodies[root].center_x
         y = a.center_y - bodies[root].center_y
         _add_point(pile, x + contact.anchor_ax1, y + contact.anchor_ay1, down_x, down_y)
@@ -209,14 +212,21 @@ def _add_bearer(pile: Records, lower: Records, upper: Records, weighs: float) ->
 
 @kernel
 def level_for(pile: Records, omega: float, gravity: float) -> int:
-    """How many times the substeps have to be doubled for this pile."""
+    """How many times the substeps have to be doubled for this pile.
+
+    By one time less than in the last step at least: springs that bear a heavy load of now would throw up what is left
+    when it goes, if they became much softer at once.
+    """
     width = pile.right - pile.left
     width = width if width > 0.5 * pile.slight else 0.5 * pile.slight
     foot = pile.bottom
     load = pile.second_moment - 2.0 * foot * pile.moment + foot * foot * pile.weight
     bears = SAFE * STIFFNESS * pile.bearer * omega * omega * width * width * width
     ratio = bearable(pile.slight, gravity, omega)
-    level = 0
+    level = pile.level - 1 if pile.level > 1 else 0
+    for _ in range(level):
+        bears = 4.0 * bears
+        ratio = 4.0 * ratio
     while level < MAX_LEVEL and (load > bears or pile.ratio > ratio):
         bears = 4.0 * bears
         ratio = 4.0 * ratio

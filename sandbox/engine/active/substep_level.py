@@ -89,7 +89,8 @@ def _assign_to_piles(
             state.bodies, rows, solver.islands, contacts.now, contacts.active[1 : 1 + contacts.active[0]], joints
         )
         load = Load(gravity_x / gravity, gravity_y / gravity, gravity, omega)
-        used = _look(state.bodies, rows, solver, piles, contacts, joints, load)
+        used = _look(state.bodies, rows, solver, piles, contacts, joints, load, counter.substep_levels)
+    counter.substep_levels = used
     loose = active.loose[1 : 1 + active.loose[0]]
     counter.substep_watch = ALWAYS if used > 1 or masses_differ(state.bodies, loose, gravity, omega) else SELDOM
     return used
@@ -104,10 +105,14 @@ def _look(
     contacts: Contacts,
     joints: JointWork | None,
     load: Load,
+    had_levels: int,
 ) -> int:
-    """Bodies alone show that most islands are safe; only if one may not be, contacts are looked at too."""
+    """Bodies alone show that most islands are safe; only if one may not be, contacts are looked at too.
+
+    Or if one was not in the last step, in which piles had the levels `had_levels`, as bits.
+    """
     measure_bodies(bodies, rows, solver.islands, piles, joints, load)
-    if not some_pile_may_fall(rows, solver.islands, piles, load.omega, load.gravity):
+    if had_levels <= 1 and not some_pile_may_fall(rows, solver.islands, piles, load.omega, load.gravity):
         return 1
     measure_contacts(bodies, rows, solver.islands, piles, contacts, joints, load)
     used = 1

@@ -15,6 +15,9 @@ SOLVED = 1
 """`forces.moves` of a body that the solver moves."""
 LED = 2
 """`forces.moves` of a body that follows a velocity of its own: kinematic."""
+STRAIGHT = 0.01
+"""Sine of the angle between change and velocity up to which a body starts or stops in a straight line: then the mean
+velocity holds also where all of the velocity is new."""
 UNTOUCHED = 1e-9
 """Velocity (m/s) up to which what contacts have given and taken back again counts as nothing: it is rounding."""
 
@@ -193,7 +196,10 @@ def _mean_share(change_x: float, change_y: float, vx: float, vy: float, gentle: 
     """Factor that turns the end velocity into the mean velocity along it; 1 after a change that is not gentle."""
     change = change_x * change_x + change_y * change_y
     square = vx * vx + vy * vy
-    if change > gentle * gentle or change > 0.25 * square or square == 0.0:
+    if change > gentle * gentle or change > square or square == 0.0:
+        return 1.0
+    turns = change_x * vy - change_y * vx
+    if change > 0.25 * square and turns * turns > STRAIGHT * STRAIGHT * change * square:
         return 1.0
     return 1.0 + 0.5 * (change_x * vx + change_y * vy) / square
 

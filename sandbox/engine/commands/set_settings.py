@@ -12,7 +12,8 @@ from sandbox.errors import CommandError, SceneError
 from sandbox.world.state import State
 
 _CONTACT = (
-    "normal_impulse1", "tangent_impulse1", "normal_impulse2", "tangent_impulse2", "rolling_impulse",
+    "normal_impulse1", "tangent_impulse1", "rest_length1", "normal_impulse2", "tangent_impulse2", "rest_length2",
+    "rolling_impulse",
 )  # fmt: skip
 _JOINT = tuple(f"impulse_{k}" for k in range(5))
 _DRAG = ("impulse_x", "impulse_y")

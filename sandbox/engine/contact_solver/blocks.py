@@ -56,14 +56,13 @@ NORMAL_IMPULSE = 6 * LANES
 TOTAL_IMPULSE = 31 * LANES
 """Normal impulses of both points, summed over the substeps so far."""
 
-# What is kept while an inelastic impact is solved: normal impulses of points 1 and 2, and the tangent impulse.
+# What is kept while contacts are solved together: normal impulses of points 1 and 2, and the tangent impulse.
 RESTING_IMPULSES = 32 * LANES
 """Those that the contact solver had accumulated."""
 LAST_IMPULSES = 35 * LANES
-"""Those before the last pass."""
-SEARCH_DIRECTION = 38 * LANES
+"""Those after the pass before."""
 
-BLOCK_SIZE = 41 * LANES
+BLOCK_SIZE = 38 * LANES
 
 # Bodies of a block, gathered before the arithmetic and scattered after it.
 VELOCITY_AX = 0 * LANES

@@ -14,6 +14,8 @@ from sandbox.engine.contact_solver.law import (
     pair_mass,
     separation_of,
 )
+from sandbox.engine.contact_solver.rest_length import change_level, rest_length_of
+from sandbox.engine.contact_solver.soft_constraint import Spring
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
@@ -32,15 +34,15 @@ def prepare_contacts(
     blocks: ContactBlocks,
     block_count: int,
     workers: Workers,
-    substep_level: int,
+    spring: Spring,
     impacts: bool,
 ) -> None:
     """Fill the lanes of all blocks, with all workers, as `prepare_blocks` does."""
-    workers.numbers[LEVEL] = substep_level
+    workers.numbers[LEVEL] = spring.level
     workers.numbers[IMPACTS] = 1.0 if impacts else 0.0
     first, end = first_part(workers, PREPARE_CONTACTS, 0, block_count)
     while first < end:
-        prepare_blocks(bodies, contacts, blocks, first, end, substep_level, impacts)
+        prepare_blocks(bodies, contacts, blocks, first, end, spring, impacts)
         first, end = next_part(workers, first, end)
 
 
@@ -51,16 +53,15 @@ def prepare_blocks(
     blocks: ContactBlocks,
     first: int,
     end: int,
-    substep_level: int,
+    spring: Spring,
     impacts: bool,
 ) -> None:
     """Fill the lanes of the blocks first..end-1: axes, anchors, effective masses and the impulses to start from.
 
-    Those are what a substep of this level gives, while contacts keep what one of level 0 would. `impacts` says that
+    Those are what a substep of the level gives, while contacts keep what one of level 0 would. `impacts` says that
     some contact may have one in this step.
     """
     lanes = blocks.lanes
-    share = 1.0 / (1 << substep_level)
     for n in range(first, end):
         block = blocks.blocks[n]
         base = n * BLOCK_SIZE
@@ -72,7 +73,9 @@ def prepare_blocks(
             at = base + k
             a = bodies[slot.body_a]
             b = bodies[slot.body_b]
-            _prepare_lane(a, b, contact, share, lanes[at:])
+            _prepare_lane(a, b, contact, spring.share, lanes[at:])
+            if contact.substep_level != spring.level:
+                change_level(contact, spring, lanes[at:])
             strikes = impacts and (contact.restitution > 0.0 or closes_hard(a, b, contact))
             lanes[at + cb.MAY_IMPACT] = 1.0 if strikes else 0.0
             if contact.rolling_resistance > 0.0:
@@ -135,5 +138,5 @@ def _prepare_point(mass: PairMass, contact: Records, point: int, v: Floats) -> N
     # During the substeps the gap is this plus the displacement of two points of the cores along the normal. The core
     # turns with the body; the rounding around it does not: wherever a disc has turned to, it touches below its middle.
     cores = (r.bx - r.ax) * nx + (r.by - r.ay) * ny + contact.radius_a + contact.radius_b
-    v[cb.SEPARATION] = separation_of(contact, point) - cores
+    v[cb.SEPARATION] = separation_of(contact, point) - cores - rest_length_of(contact, point)
     v[cb.NORMAL_MASS] = effective_mass(mass, r, nx, ny)

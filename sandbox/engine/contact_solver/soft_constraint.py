@@ -5,6 +5,8 @@ Source: E. Catto, "Soft Constraints", GDC 2011, and the implicit form of Box2D v
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from sandbox._jit import kernel
 from sandbox.geometry.trig import PI
 from sandbox.tables import Records
@@ -27,6 +29,35 @@ def soft_coefficients(hertz: float, damping_ratio: float, seconds: float) -> tup
     a2 = seconds * omega * a1
     a3 = 1.0 / (1.0 + a2)
     return omega / a1, a2 * a3, a3
+
+
+class Spring(NamedTuple):
+    """The springs of contacts at a substep level.
+
+    The bias rate (1/s) and softness are those of `contact_coefficients`; a substep takes so many seconds and is a
+    `share` of one of level 0. An effective mass of 1 kg sinks by `yields` (m) under a load of 1 N s in each substep of
+    level 0, a fourth at each finer level; by 0 where impulses are not kept.
+    """
+
+    level: int
+    bias: float
+    softness: float
+    seconds: float
+    share: float
+    yields: float
+
+
+@kernel
+def contact_spring(setting: Records, level: int) -> Spring:
+    """The springs that contacts of islands of a substep level have: stiffer where substeps are shorter."""
+    rate = (setting.substeps << level) / setting.step_seconds
+    hertz = setting.contact_hertz * (1 << level)
+    hertz = hertz if hertz < 0.25 * rate else 0.25 * rate
+    bias, softness = contact_coefficients(setting, hertz, 1.0 / rate)
+    share = 1.0 / (1 << level)
+    keeps = setting.accumulate == 1 and setting.warm_starting == 1 and bias > 0.0
+    yields = share * softness / ((1.0 - softness) * bias) if keeps else 0.0
+    return Spring(level, bias, softness, 1.0 / rate, share, yields)
 
 
 @kernel

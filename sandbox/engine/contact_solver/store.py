@@ -6,6 +6,8 @@ from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.bodies.flags import flag_contact
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.closing_speed import closing_speed
+from sandbox.engine.contact_solver.rest_length import keep_length
+from sandbox.engine.contact_solver.soft_constraint import Spring
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.workers import Workers
@@ -32,14 +34,14 @@ def store_impulses(
     blocks: ContactBlocks,
     block_count: int,
     workers: Workers,
-    substep_level: int,
+    spring: Spring,
 ) -> None:
     """Copy the accumulated impulses back into the contacts, with all workers, as `store_blocks` does."""
-    workers.numbers[LEVEL] = substep_level
+    workers.numbers[LEVEL] = spring.level
     for color in range(color_count(workers, blocks)):  # whose contacts share no flags
         first, end = first_part_of_color(workers, STORE_IMPULSES, blocks, color, block_count)
         while first < end:
-            store_blocks(bodies, flags, contacts, blocks, first, end, substep_level)
+            store_blocks(bodies, flags, contacts, blocks, first, end, spring)
             first, end = next_part(workers, first, end)
 
 
@@ -51,7 +53,7 @@ def store_blocks(
     blocks: ContactBlocks,
     first: int,
     end: int,
-    substep_level: int,
+    spring: Spring,
 ) -> None:
     """Copy the impulses of the blocks first..end-1 back into the contacts, to warm start the next step, and report.
 
@@ -61,7 +63,7 @@ def store_blocks(
     What they bear is flagged as supported.
     """
     lanes = blocks.lanes
-    substeps = float(1 << substep_level)
+    substeps = 1.0 / spring.share
     for n in range(first, end):
         for k in range(blocks.blocks[n].count):
             slot = blocks.slots[blocks.blocks[n].first + k]
@@ -81,6 +83,7 @@ def store_blocks(
             contact.rolling_impulse = substeps * lanes[at + cb.ROLLING_IMPULSE]
             contact.normal_impulse1 = substeps * normal1
             contact.normal_impulse2 = substeps * normal2
+            keep_length(contact, spring, lanes[at:])
             _share_friction(contact, substeps * lanes[at + cb.TANGENT_IMPULSE])
             pushes = normal1 > 0.0 or normal2 > 0.0
             flag_contact(flags, slot.body_a, slot.body_b, pushes, contact.surface_speed)

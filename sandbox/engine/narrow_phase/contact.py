@@ -42,6 +42,7 @@ def fill_contact(
     contact.impact_impulse = 0.0
     contact.touching = 0
     contact.point_count = m.point_count
+    contact.substep_level = 0
     off = (0.5 if a.traits & FIXED else 0.0) - (0.5 if b.traits & FIXED else 0.0)
     x = m.x1 + off * m.separation1 * m.normal_x
     y = m.y1 + off * m.separation1 * m.normal_y
@@ -53,6 +54,7 @@ def fill_contact(
     contact.feature1 = m.feature1
     contact.normal_impulse1 = 0.0
     contact.tangent_impulse1 = 0.0
+    contact.rest_length1 = 0.0
     two = m.point_count == 2
     x = m.x2 + off * m.separation2 * m.normal_x
     y = m.y2 + off * m.separation2 * m.normal_y
@@ -64,23 +66,29 @@ def fill_contact(
     contact.feature2 = m.feature2 if two else -1
     contact.normal_impulse2 = 0.0
     contact.tangent_impulse2 = 0.0
+    contact.rest_length2 = 0.0
 
 
 @inlined_kernel
 def match_contact(old: Records, contact: Records) -> None:
-    """Carry impulses over from the points of the last step with the same feature ids: warm starting."""
+    """Carry impulses and rest lengths over from points of the last step with the same feature ids: warm starting."""
     contact.touching = old.touching
     contact.rolling_impulse = old.rolling_impulse
+    contact.substep_level = old.substep_level
     if contact.feature1 == old.feature1:
         contact.normal_impulse1 = old.normal_impulse1
         contact.tangent_impulse1 = old.tangent_impulse1
+        contact.rest_length1 = old.rest_length1
     elif contact.feature1 == old.feature2 and old.point_count == 2:
         contact.normal_impulse1 = old.normal_impulse2
         contact.tangent_impulse1 = old.tangent_impulse2
+        contact.rest_length1 = old.rest_length2
     if contact.point_count == 2:
         if contact.feature2 == old.feature2 and old.point_count == 2:
             contact.normal_impulse2 = old.normal_impulse2
             contact.tangent_impulse2 = old.tangent_impulse2
+            contact.rest_length2 = old.rest_length2
         elif contact.feature2 == old.feature1:
             contact.normal_impulse2 = old.normal_impulse1
             contact.tangent_impulse2 = old.tangent_impulse1
+            contact.rest_length2 = old.rest_length1

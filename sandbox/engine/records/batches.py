@@ -16,16 +16,16 @@ STRUCK_BODY = Table(
     "struck_body",
     (
         Field("body", "-", "its row", "i8"),
-        Field("last_x", "m/s", "velocity before the last pass"),
-        Field("last_y", "m/s", "velocity before the last pass"),
-        Field("last_w", "rad/s", "velocity before the last pass"),
-        Field("search_x", "m/s", "change of velocity along the direction searched"),
-        Field("search_y", "m/s", "change of velocity along the direction searched"),
-        Field("search_w", "rad/s", "change of velocity along the direction searched"),
+        Field("last_x", "m/s", "velocity after the pass before"),
+        Field("last_y", "m/s", "velocity after the pass before"),
+        Field("last_w", "rad/s", "velocity after the pass before"),
+        Field("began_x", "m/s", "velocity with which the last pass began"),
+        Field("began_y", "m/s", "velocity with which the last pass began"),
+        Field("began_w", "rad/s", "velocity with which the last pass began"),
         Field("spare", "-", "fills the cache line", "i8"),
     ),
 )
-"""One row a body that takes part in an inelastic impact, one cache line."""
+"""One row a body whose contacts are solved together, one cache line."""
 
 IMPACT = Table(
     "impact",
@@ -40,8 +40,8 @@ IMPACT = Table(
         Field("load2", "N s", "the same at point 2"),
         Field("added1", "N s", "what the last pass has added to it"),
         Field("added2", "N s", "the same at point 2"),
-        Field("search1", "N s", "the direction searched so far"),
-        Field("search2", "N s", "the same at point 2"),
+        Field("last1", "N s", "normal impulse at point 1 after the pass before"),
+        Field("last2", "N s", "the same at point 2"),
     ),
 )
 """Contacts with restitution that may have an impact, as they come, and what those have that strike together."""

@@ -19,7 +19,6 @@ from sandbox.engine.contact_solver.closing_speed import opening_speed
 from sandbox.engine.contact_solver.law import anchors_of, separation_of, start_velocity
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contacts import Contacts
-from sandbox.engine.restitution.conjugate_gradient import MOST_WORK
 from sandbox.engine.restitution.elastic import strike_elastic
 from sandbox.engine.restitution.groups import ALONE, form_groups, note_first_strike, starts_group
 from sandbox.engine.restitution.impulses import free_velocity
@@ -27,6 +26,8 @@ from sandbox.engine.restitution.simultaneous import strike_group
 from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC
 
+_MOST_WORK = 15_000
+"""Passes times contacts of those that strike together in a substep: what is left goes to the contact solver."""
 _SWEEPS = 32
 """In which contacts strike one by one: what goes on longer rattles between heavy bodies, and strikes together."""
 _ROUNDS = 32
@@ -86,12 +87,12 @@ def resolve_impacts(
     slots: Any = impacts.slots[: impacts.length]
     work = 0
     for turn in range(_ROUNDS):
-        if work >= MOST_WORK or not _add_closing(bodies, solver, contacts, slots, impacts.threshold, seconds):
+        if work >= _MOST_WORK or not _add_closing(bodies, solver, contacts, slots, impacts.threshold, seconds):
             return
         form_groups(bodies, slots, solver.struck)
         for k in range(impacts.length):
             if starts_group(slots, k, solver.struck):
-                left = MOST_WORK - work
+                left = _MOST_WORK - work
                 work += strike_group(bodies, solver, contacts, slots[k:], impacts.threshold, turn == 0, left)
 
 

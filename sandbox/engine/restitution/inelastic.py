@@ -9,26 +9,29 @@ from __future__ import annotations
 
 from typing import Any
 
-from sandbox._jit import inlined_kernel, kernel
-from sandbox.engine.bodies.integrate import SOLVED
+from sandbox._jit import kernel
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.closing_speed import closing_beyond_gap, gap_of
+from sandbox.engine.contact_solver.nesterov import Effort, list_bodies, solve_until_agreed
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contact_blocks import ContactBlocks, SoftContact
 from sandbox.engine.records.workers import Workers
-from sandbox.engine.restitution.conjugate_blocks import solve_until_agreed
 from sandbox.tables import Records
 
 BLOCK_SIZE = cb.BLOCK_SIZE
 LANES = cb.LANES
 SLOW = 0.2
 """Speed (m/s) below which a contact that closes in is left to the contact solver."""
-TAKES_PART = -2
-"""`solver.struck` of a body, while an impact is solved in which it takes part."""
+MOST_PASSES = 1024
+MOST_WORK = 24_000
+"""Passes times contacts: in large heaps impacts are not solved as far, which only what is heavy on light would need."""
+AGREED = 1e-5
+"""Share of the energy of all changes up to which a pass changes little."""
 
 
 @kernel
 def stop_struck(
+    bodies: Records,
     solver: SolverBodies,
     struck: Records,
     blocks: ContactBlocks,
@@ -43,10 +46,13 @@ def stop_struck(
     """
     if not _is_struck(solver, blocks, block_count, rigid):
         return
-    count = _take_starts(solver, struck, blocks, block_count)
+    count = list_bodies(solver, struck, blocks, block_count)
     moved: Any = struck[:count]
+    for here in moved:
+        _take_start(solver, here.body)
     _put_aside(blocks, block_count)
-    solve_until_agreed(solver.motions, moved, blocks, block_count, workers, rigid)
+    effort = Effort(MOST_PASSES, MOST_WORK, AGREED)
+    solve_until_agreed(bodies, solver.motions, moved, blocks, block_count, workers, rigid, effort)
     _bring_back(blocks, block_count)
     for here in moved:
         _add_impact(solver, here.body)
@@ -54,6 +60,7 @@ def stop_struck(
 
 @kernel
 def stop_late(
+    bodies: Records,
     solver: SolverBodies,
     struck: Records,
     blocks: ContactBlocks,
@@ -74,41 +81,22 @@ def stop_late(
             for point in (cb.POINT_1, cb.POINT_2):
                 gap = gap_of(solver.motions[slot.body_a], solver.motions[slot.body_b], v, point)
                 v[point + cb.SEPARATION] -= gap if 0.0 < gap < near else 0.0
-    stop_struck(solver, struck, blocks, block_count, workers, rigid)
+    stop_struck(bodies, solver, struck, blocks, block_count, workers, rigid)
 
 
 @kernel
-def _take_starts(solver: SolverBodies, struck: Records, blocks: ContactBlocks, block_count: int) -> int:
-    """List the bodies that take part, each with the velocity with which the substep began; returns how many."""
-    count = 0
-    for n in range(block_count):
-        for slot in blocks.slots[blocks.blocks[n].first : blocks.blocks[n].first + blocks.blocks[n].count]:
-            count += _take_start(solver, struck, count, slot.body_a)
-            count += _take_start(solver, struck, count, slot.body_b)
-    return count
-
-
-@inlined_kernel
-def _take_start(solver: SolverBodies, struck: Records, count: int, i: int) -> int:
-    """Go on with a list of so many bodies with body i, unless it is listed already; returns how many that adds."""
-    if solver.forces[i].moves != SOLVED or solver.struck[i] == TAKES_PART:
-        return 0
-    solver.struck[i] = TAKES_PART
-    here = struck[count]
-    here.body = i
+def _take_start(solver: SolverBodies, i: int) -> None:
+    """Let a body have the velocity with which the substep began."""
     motion = solver.motions[i]
     free_motion = solver.free_motions[i]
-    motion.velocity_x = here.last_x = free_motion.start_x
-    motion.velocity_y = here.last_y = free_motion.start_y
-    motion.angular_velocity = here.last_w = free_motion.start_w
-    here.search_x = here.search_y = here.search_w = 0.0
-    return 1
+    motion.velocity_x = free_motion.start_x
+    motion.velocity_y = free_motion.start_y
+    motion.angular_velocity = free_motion.start_w
 
 
 @kernel
 def _add_impact(solver: SolverBodies, i: int) -> None:
     """Add what the impact has changed to the velocities at the start of the substep and after its forces."""
-    solver.struck[i] = 0
     motion = solver.motions[i]
     free_motion = solver.free_motions[i]
     free_motion.free_x += motion.velocity_x - free_motion.start_x
@@ -137,18 +125,16 @@ def _is_struck(solver: SolverBodies, blocks: ContactBlocks, block_count: int, ri
 
 @kernel
 def _put_aside(blocks: ContactBlocks, block_count: int) -> None:
-    """Begin with no impulses and no direction; the impulses accumulated are kept."""
+    """Begin with no impulses; those accumulated are kept."""
     for n in range(block_count):
         v = blocks.lanes[n * BLOCK_SIZE : (n + 1) * BLOCK_SIZE]
         for k in range(blocks.blocks[n].count):
             v[cb.RESTING_IMPULSES + k] = v[cb.POINT_1 + cb.NORMAL_IMPULSE + k]
             v[cb.RESTING_IMPULSES + LANES + k] = v[cb.POINT_2 + cb.NORMAL_IMPULSE + k]
             v[cb.RESTING_IMPULSES + 2 * LANES + k] = v[cb.TANGENT_IMPULSE + k]
-            v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] = v[cb.LAST_IMPULSES + k] = 0.0
-            v[cb.POINT_2 + cb.NORMAL_IMPULSE + k] = v[cb.LAST_IMPULSES + LANES + k] = 0.0
-            v[cb.TANGENT_IMPULSE + k] = v[cb.LAST_IMPULSES + 2 * LANES + k] = 0.0
-            for direction in range(3):
-                v[cb.SEARCH_DIRECTION + direction * LANES + k] = 0.0
+            v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] = 0.0
+            v[cb.POINT_2 + cb.NORMAL_IMPULSE + k] = 0.0
+            v[cb.TANGENT_IMPULSE + k] = 0.0
 
 
 @kernel

@@ -1,6 +1,6 @@
 """Impacts that strike together: where one by one does not end, as a light body rattles between heavy ones.
 
-The impulses that would stop the group (`conjugate_group.py`) come with as much more as restitution gives back, scaled
+The impulses that would stop the group (`stop_group.py`) come with as much more as restitution gives back, scaled
 so that none gains energy (`rebound.py`). As impulses only push and energy is bounded, what closes ends.
 
 Source: J. J. Moreau 1985 (restitution of all contacts at once); B. Smith, D. Kaufman, E. Vouga, R. Tamstorf and E.
@@ -12,14 +12,15 @@ from __future__ import annotations
 from sandbox._jit import kernel
 from sandbox.engine.contact_solver.closing_speed import opening_speed
 from sandbox.engine.contact_solver.law import start_velocity
+from sandbox.engine.contact_solver.nesterov import passes_within
 from sandbox.engine.records.bodies import SolverBodies
-from sandbox.engine.restitution.conjugate_gradient import passes_within
-from sandbox.engine.restitution.conjugate_group import stop_group
 from sandbox.engine.restitution.groups import next_of, size_of, take_back
 from sandbox.engine.restitution.rebound import rebound
+from sandbox.engine.restitution.stop_group import stop_group
 from sandbox.tables import Records
 from sandbox.world.records import KINEMATIC
 
+MOST_PASSES = 256
 LEAST_PASSES = 16
 """What a group is given at least, or it is left to the contact solver."""
 AGREED = 1e-3
@@ -44,7 +45,7 @@ def strike_group(
     if anew:
         take_back(bodies, solver, contacts, group)
     agreed = AGREED * _fastest(solver, contacts, group)
-    passes = stop_group(bodies, solver, contacts, group, agreed, passes_within(most, count))
+    passes = stop_group(bodies, solver, contacts, group, agreed, passes_within(most, count, MOST_PASSES))
     rebound(bodies, solver, contacts, group)
     return passes * count
 

@@ -9,6 +9,7 @@ from sandbox._jit import entry_point, kernel
 from sandbox.engine.bodies.integrate import integrate_some_positions, integrate_some_velocities
 from sandbox.engine.contact_solver.blocks import GATHER_SIZE
 from sandbox.engine.contact_solver.prepare import prepare_blocks
+from sandbox.engine.contact_solver.soft_constraint import contact_spring
 from sandbox.engine.contact_solver.solve import solve_blocks
 from sandbox.engine.contact_solver.store import store_blocks
 from sandbox.engine.contact_solver.warm_start import warm_start_blocks
@@ -148,6 +149,8 @@ def _do_bodies(
     elif task == INTEGRATE_POSITIONS:
         integrate_some_positions(blocks.batches.bodies[first:end], solver, n[GRAVITY], n[SECONDS])
     elif task == PREPARE_CONTACTS:
-        prepare_blocks(state.bodies, contacts.now, blocks, first, end, int(n[LEVEL]), n[IMPACTS] > 0.0)
+        spring = contact_spring(state.settings[0], int(n[LEVEL]))
+        prepare_blocks(state.bodies, contacts.now, blocks, first, end, spring, n[IMPACTS] > 0.0)
     elif task == STORE_IMPULSES:
-        store_blocks(state.bodies, solver.flags, contacts, blocks, first, end, int(n[LEVEL]))
+        spring = contact_spring(state.settings[0], int(n[LEVEL]))
+        store_blocks(state.bodies, solver.flags, contacts, blocks, first, end, spring)

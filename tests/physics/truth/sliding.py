@@ -12,7 +12,7 @@ from tests.physics.truth.slopes import rider, slope, way_up
 def _incline(mu: float, degrees: float) -> Experiment:
     angle = math.radians(degrees)
 
-    @experiment(f"incline of {degrees:g}°, friction {mu:g}", "way after 2 s", bound=3e-5)
+    @experiment(f"incline of {degrees:g}°, friction {mu:g}", "way after 2 s", bound=1e-12)
     def slide(start: Engine) -> float:
         run = start(scene(slope(angle, friction=mu), rider(angle, box(1.0, 0.2, friction=mu), 0.1)))
         run.step(2 * RATE)
@@ -37,7 +37,7 @@ def _way_on_steep_slopes(start: Engine, since: int, until: int) -> float:
     return worst
 
 
-@experiment("box put on a slope: slip until it holds", "lengths of the box, 1° below the friction angle", bound=4.5e-5)
+@experiment("box put on a slope: slip until it holds", "lengths of the box, 1° below the friction angle", bound=1e-12)
 def settling(start: Engine) -> float:
     return _way_on_steep_slopes(start, 0, RATE)
 
@@ -58,7 +58,7 @@ def up_and_stay(start: Engine) -> float:
     return max(first, off(way_up(run, angle), truth))
 
 
-@experiment("stopping", "distance, frictions 0.1 to 0.7, 2 to 8 m/s", bound=2e-5)
+@experiment("stopping", "distance, frictions 0.1 to 0.7, 2 to 8 m/s", bound=6e-6)
 def stopping(start: Engine) -> float:
     worst = 0.0
     for mu, speed in ((0.1, 2.0), (0.3, 5.0), (0.3, 8.0), (0.7, 8.0)):
@@ -68,7 +68,7 @@ def stopping(start: Engine) -> float:
     return worst
 
 
-@experiment("conveyor", "way of a crate in 3 s", bound=1e-5)
+@experiment("conveyor", "way of a crate in 3 s", bound=1e-6)
 def conveyor(start: Engine) -> float:
     """The belt drags the crate at mu g until it moves as fast as the belt."""
     worst = 0.0

@@ -87,7 +87,7 @@ def test_the_base_cell_is_that_of_the_kernel() -> None:
 
 
 def test_before_the_first_step_and_after_a_restore_no_box_is_trusted_that_is_elsewhere() -> None:
-    world = world_of(GROUND, crate("a", 0, 30), crate("b", 4, 0.5))
+    world = world_of(GROUND, crate("a", 0, 30), crate("b", 4, 0.6))
     assert not fat_boxes(look_at(world))[1].any()
     start = world.snapshot()
     world.step(60)

@@ -1,6 +1,8 @@
-"""Impacts with restitution that strike together: the impulses that would stop a group, by conjugate gradients.
+"""Impacts with restitution that strike together: the impulses that would stop a group.
 
 A pass goes through the contacts of the group, a block of two points each (`two_point_block.py`), along their normals.
+Passes are accelerated by Nesterov's method, as those of the contact solver's blocks are (`contact_solver/nesterov.py`).
+These impacts are few, in a list, without friction until they have rebounded, and agree to a velocity.
 """
 
 from __future__ import annotations
@@ -16,8 +18,8 @@ from sandbox.engine.contact_solver.law import (
     push_both,
     start_velocity,
 )
+from sandbox.engine.contact_solver.nesterov import momentum
 from sandbox.engine.records.bodies import SolverBodies
-from sandbox.engine.restitution.conjugate_gradient import conjugate_share, search_on
 from sandbox.engine.restitution.groups import next_of
 from sandbox.engine.restitution.two_point_block import Block, bearing_impulses, one_point, two_points
 from sandbox.tables import Records
@@ -33,25 +35,24 @@ def stop_group(
     Returns how many passes that took, of so many.
     """
     _begin(solver, contacts, group)
-    last_square = 0.0
+    agree = 0
     for turn in range(passes):
-        square = 0.0
         largest = 0.0
+        along = 0.0
         k = 0
         while k >= 0:
             slot = group[k]
             change = _stop_contact(bodies, solver, contacts[slot.contact], slot)
-            square += slot.added1 * slot.added1 + slot.added2 * slot.added2
             largest = change if change > largest else largest
+            along += slot.added1 * (slot.load1 - slot.last1) + slot.added2 * (slot.load2 - slot.last2)
             k = next_of(group, k)
         if largest <= agreed or turn == passes - 1:  # the last is a pass, so that no contact pulls
             return turn + 1
-        share = conjugate_share(square, last_square)
+        agree = agree + 1 if along >= 0.0 else 0
         k = 0
         while k >= 0:
-            _search(bodies, solver, contacts[group[k].contact], group[k], share)
+            _go_further(bodies, solver, contacts[group[k].contact], group[k], momentum(agree))
             k = next_of(group, k)
-        last_square = square
     return passes
 
 
@@ -61,7 +62,7 @@ def _begin(solver: SolverBodies, contacts: Records, group: Records) -> None:
     k = 0
     while k >= 0:
         slot = group[k]
-        slot.load1 = slot.load2 = slot.search1 = slot.search2 = slot.added1 = slot.added2 = 0.0
+        slot.load1 = slot.load2 = slot.last1 = slot.last2 = slot.added1 = slot.added2 = 0.0
         contact = contacts[slot.contact]
         _set_velocity(solver.motions, contact, start_velocity(solver.free_motions, contact))
         k = next_of(group, k)
@@ -100,11 +101,13 @@ def _alone(block: Block, load1: float, load2: float) -> float:
 
 
 @kernel
-def _search(bodies: Records, solver: SolverBodies, contact: Records, slot: Records, share: float) -> None:
-    """Go on along the direction searched so far, and turn it. Impulses may pull until the next pass."""
-    more1, slot.search1 = search_on(slot.search1, slot.added1, share)
-    more2, slot.search2 = search_on(slot.search2, slot.added2, share)
-    if share > 0.0:
+def _go_further(bodies: Records, solver: SolverBodies, contact: Records, slot: Records, share: float) -> None:
+    """Go on by a share of what the impulses have changed since the pass before; until the next one they may pull."""
+    more1 = share * (slot.load1 - slot.last1)
+    more2 = share * (slot.load2 - slot.last2)
+    slot.last1 = slot.load1
+    slot.last2 = slot.load2
+    if more1 != 0.0 or more2 != 0.0:
         slot.load1 += more1
         slot.load2 += more2
         _push(bodies, solver, contact, more1, more2)

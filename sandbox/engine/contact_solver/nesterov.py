@@ -1,0 +1,193 @@
+"""Contacts solved together until they agree: rigid passes, accelerated by Nesterov's method with adaptive restarts.
+
+A pass carries an impulse one contact further, and through a light body that a heavy one presses on only as much as the
+light one can give: plain passes would take some thousand where one of 1,000 times the mass lands on a pyramid. So every
+pass begins further along what the last one has changed, the longer passes agree on it the further. What all of them
+lower is the kinetic energy of the bodies; where it rises they have gone too far, and begin anew from where they are.
+
+Source: Yu. Nesterov, "A method of solving a convex programming problem with convergence rate O(1/k^2)" (1983), on
+contacts H. Mazhar, T. Heyn, D. Negrut and A. Tasora, ACM Transactions on Graphics 34 (2015); the restarts are those of
+B. O'Donoghue and E. Candes, Foundations of Computational Mathematics 15 (2015).
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from sandbox._jit import inlined_kernel, kernel
+from sandbox.engine.bodies.integrate import SOLVED
+from sandbox.engine.contact_solver import blocks as cb
+from sandbox.engine.contact_solver.solve import solve_contacts
+from sandbox.engine.records.bodies import SolverBodies
+from sandbox.engine.records.contact_blocks import ContactBlocks, SoftContact
+from sandbox.engine.records.workers import Workers
+from sandbox.tables import Floats, Records
+
+BLOCK_SIZE = cb.BLOCK_SIZE
+LANES = cb.LANES
+VECTOR = cb.VECTOR
+LEAST_WORK = 2_000
+"""So much is done in any case: where there are few contacts all is found to rounding."""
+ROUNDING = 1e-28
+"""Share of the energy where nothing is left but rounding."""
+TAKES_PART = -2
+"""`solver.struck` of a body, while it is listed as one that takes part."""
+
+
+class Effort(NamedTuple):
+    """When to stop: after so many passes, after so many passes times contacts, or after a pass that changed velocities
+    by a smaller share of the energy of all changes than `agreed`: the next would change little."""
+
+    most_passes: int
+    most_work: int
+    agreed: float
+
+
+@kernel
+def list_bodies(solver: SolverBodies, moved: Records, blocks: ContactBlocks, block_count: int) -> int:
+    """List the bodies that the first blocks of contacts move, each once; returns how many."""
+    count = 0
+    for n in range(block_count):
+        for slot in blocks.slots[blocks.blocks[n].first : blocks.blocks[n].first + blocks.blocks[n].count]:
+            count += _list_body(solver, moved, count, slot.body_a)
+            count += _list_body(solver, moved, count, slot.body_b)
+    for here in moved[:count]:
+        solver.struck[here.body] = 0
+    return count
+
+
+@inlined_kernel
+def _list_body(solver: SolverBodies, moved: Records, count: int, i: int) -> int:
+    if solver.forces[i].moves != SOLVED or solver.struck[i] == TAKES_PART:
+        return 0
+    solver.struck[i] = TAKES_PART
+    moved[count].body = i
+    return 1
+
+
+@kernel
+def solve_until_agreed(
+    bodies: Records,
+    motions: Records,
+    moved: Records,
+    blocks: ContactBlocks,
+    block_count: int,
+    workers: Workers,
+    rigid: SoftContact,
+    effort: Effort,
+) -> None:
+    """Solve the first blocks of contacts together, from the impulses that they have; `moved` lists their bodies."""
+    contacts = _count(blocks, block_count)
+    passes = passes_within(effort.most_work, contacts, effort.most_passes)
+    _begin(motions, moved, blocks, block_count)
+    last_energy, _ = _measure(bodies, motions, moved)
+    changes = 0.0
+    agree = 0
+    for turn in range(passes):
+        solve_contacts(motions, blocks, block_count, workers, rigid)
+        energy, change = _measure(bodies, motions, moved)
+        changes += change
+        agreed = change <= ROUNDING * changes or (change < effort.agreed * changes and turn * contacts >= LEAST_WORK)
+        if agreed or turn == passes - 1:  # the last is a pass, so that no contact pulls
+            return
+        agree = agree + 1 if energy <= last_energy else 0
+        last_energy = energy
+        _go_further(blocks, block_count, momentum(agree))
+        _move_further(motions, moved, momentum(agree))
+
+
+@inlined_kernel
+def momentum(agree: int) -> float:
+    """The share of what the last pass has changed by which the next begins further on, after so many that agree."""
+    return agree / (agree + 3.0)
+
+
+@kernel
+def _count(blocks: ContactBlocks, block_count: int) -> int:
+    contacts = 0
+    for n in range(block_count):
+        contacts += blocks.blocks[n].count
+    return contacts
+
+
+@inlined_kernel
+def passes_within(work: int, contacts: int, most: int) -> int:
+    """How many passes so many contacts may take for so much work, passes times contacts; one in any case."""
+    passes = work // contacts
+    passes = passes if passes < most else most
+    return passes if passes > 1 else 1
+
+
+@kernel
+def _begin(motions: Records, moved: Records, blocks: ContactBlocks, block_count: int) -> None:
+    """Note where the first pass begins."""
+    for n in range(block_count):
+        v = blocks.lanes[n * BLOCK_SIZE : (n + 1) * BLOCK_SIZE]
+        for k in range(LANES):
+            v[cb.LAST_IMPULSES + k] = v[cb.POINT_1 + cb.NORMAL_IMPULSE + k]
+            v[cb.LAST_IMPULSES + LANES + k] = v[cb.POINT_2 + cb.NORMAL_IMPULSE + k]
+            v[cb.LAST_IMPULSES + 2 * LANES + k] = v[cb.TANGENT_IMPULSE + k]
+    for here in moved:
+        motion = motions[here.body]
+        here.began_x = here.last_x = motion.velocity_x
+        here.began_y = here.last_y = motion.velocity_y
+        here.began_w = here.last_w = motion.angular_velocity
+
+
+@kernel
+def _measure(bodies: Records, motions: Records, moved: Records) -> tuple[float, float]:
+    """Twice the kinetic energy (J) of the bodies, and of what the last pass has changed if they moved by that alone."""
+    energy = 0.0
+    change = 0.0
+    for here in moved:
+        motion = motions[here.body]
+        body = bodies[here.body]
+        x = motion.velocity_x - here.began_x
+        y = motion.velocity_y - here.began_y
+        square = motion.velocity_x * motion.velocity_x + motion.velocity_y * motion.velocity_y
+        energy += square / body.inverse_mass
+        change += (x * x + y * y) / body.inverse_mass
+        if body.inverse_inertia > 0.0:
+            w = motion.angular_velocity - here.began_w
+            energy += motion.angular_velocity * motion.angular_velocity / body.inverse_inertia
+            change += w * w / body.inverse_inertia
+    return energy, change
+
+
+@kernel
+def _go_further(blocks: ContactBlocks, block_count: int, further: float) -> None:
+    """Go on by a share of what the impulses have changed since the pass before; until the next one they may pull."""
+    for n in range(block_count):
+        v = blocks.lanes[n * BLOCK_SIZE : (n + 1) * BLOCK_SIZE]
+        for lane in range(0, blocks.blocks[n].count, VECTOR):
+            _go_further_lanes(v[lane:], further)
+
+
+@kernel
+def _go_further_lanes(v: Floats, further: float) -> None:
+    for k in range(VECTOR):
+        load1 = v[cb.POINT_1 + cb.NORMAL_IMPULSE + k]
+        load2 = v[cb.POINT_2 + cb.NORMAL_IMPULSE + k]
+        rub = v[cb.TANGENT_IMPULSE + k]
+        v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] = load1 + further * (load1 - v[cb.LAST_IMPULSES + k])
+        v[cb.POINT_2 + cb.NORMAL_IMPULSE + k] = load2 + further * (load2 - v[cb.LAST_IMPULSES + LANES + k])
+        v[cb.TANGENT_IMPULSE + k] = rub + further * (rub - v[cb.LAST_IMPULSES + 2 * LANES + k])
+        v[cb.LAST_IMPULSES + k] = load1
+        v[cb.LAST_IMPULSES + LANES + k] = load2
+        v[cb.LAST_IMPULSES + 2 * LANES + k] = rub
+
+
+@kernel
+def _move_further(motions: Records, moved: Records, further: float) -> None:
+    """The same for the velocities, which follow from the impulses."""
+    for here in moved:
+        motion = motions[here.body]
+        x = motion.velocity_x
+        y = motion.velocity_y
+        w = motion.angular_velocity
+        here.began_x = motion.velocity_x = x + further * (x - here.last_x)
+        here.began_y = motion.velocity_y = y + further * (y - here.last_y)
+        here.began_w = motion.angular_velocity = w + further * (w - here.last_w)
+        here.last_x = x
+        here.last_y = y
+        here.last_w = w

@@ -1,0 +1,79 @@
+"""The rest length of a contact's spring: the gap at which it does not push.
+
+A spring bears a load by sinking, under the n-th box from the top of a stack by n times what one sinks by. Where bodies
+are put down at rest it is made as long as the load asks for, which is found for all contacts together, so that nothing
+sinks. The length shrinks as the load falls, and does not grow with it: one that followed rising loads would be an
+integral controller, and large piles, which sway slowly, swing themselves up with one.
+
+Springs are stiffer where substeps are shorter. When an island begins to take shorter ones its springs become shorter
+as well, so that its gaps and its loads stay: else all that it has sunk by would push with many times the load that sank
+it. A length below zero, which comes of that, is given back slowly, or when the island takes longer substeps again.
+"""
+
+from __future__ import annotations
+
+from sandbox._jit import inlined_kernel, kernel
+from sandbox.engine.contact_solver import blocks as cb
+from sandbox.engine.contact_solver.soft_constraint import Spring
+from sandbox.tables import Floats, Records
+
+MOST = 2.0
+"""Times what the load of now sinks by: a spring is no longer than that, and what is suddenly free is not thrown up."""
+FORGETS = 0.1
+"""Share of the length that the load of now does not ask for, given up in a step."""
+RETURNS = 0.05
+"""Share of a length below zero that is given back in a step."""
+
+
+@inlined_kernel
+def sink(spring: Spring, impulse: float, mass: float) -> float:
+    """How far (m) a spring of an effective mass (kg) sinks under a load, the impulse (N s) in a substep of level 0."""
+    return spring.yields * impulse / mass if mass > 0.0 else 0.0
+
+
+@inlined_kernel
+def rest_length_of(contact: Records, point: int) -> float:
+    """The rest length (m) of the spring of point 1 or 2."""
+    return float(contact.rest_length1 if point == 1 else contact.rest_length2)
+
+
+@kernel
+def change_level(contact: Records, spring: Spring, v: Floats) -> None:
+    """Let the springs of a contact with lane `v`, which had another substep level, keep their loads where they can.
+
+    Energy is not to be had by it: softer springs do not get longer than they were, nor than 0.
+    """
+    times = 1.0
+    for _ in range(spring.level, contact.substep_level):
+        times *= 0.25
+    for _ in range(contact.substep_level, spring.level):
+        times *= 4.0
+    contact.rest_length1 += _change(contact.rest_length1, contact.normal_impulse1, times, spring, v[cb.POINT_1 :])
+    contact.rest_length2 += _change(contact.rest_length2, contact.normal_impulse2, times, spring, v[cb.POINT_2 :])
+    contact.substep_level = spring.level
+
+
+@kernel
+def _change(length: float, load: float, times: float, spring: Spring, v: Floats) -> float:
+    """Change of a rest length (m), in the lane too, where the spring yielded so many times as much before."""
+    change = (1.0 - times) * sink(spring, load, v[cb.NORMAL_MASS])
+    room = -length if length < 0.0 else 0.0
+    change = change if change < room else room
+    v[cb.SEPARATION] -= change
+    return change
+
+
+@inlined_kernel
+def keep_length(contact: Records, spring: Spring, v: Floats) -> None:
+    """Let the springs of a contact with lane `v` be as long in the next step as the loads that they bear now allow."""
+    contact.rest_length1 = _next_length(contact.rest_length1, contact.normal_impulse1, spring, v[cb.POINT_1 :])
+    contact.rest_length2 = _next_length(contact.rest_length2, contact.normal_impulse2, spring, v[cb.POINT_2 :])
+
+
+@inlined_kernel
+def _next_length(length: float, load: float, spring: Spring, v: Floats) -> float:
+    if length < 0.0:
+        return length - RETURNS * length
+    asked = sink(spring, load, v[cb.NORMAL_MASS])
+    length = length if length < MOST * asked else MOST * asked
+    return length - (FORGETS * (length - asked) if length > asked else 0.0)
