@@ -92,8 +92,9 @@ def solve_until_agreed(
             return
         agree = agree + 1 if energy <= last_energy else 0
         last_energy = energy
-        _go_further(blocks, block_count, momentum(agree))
-        _move_further(motions, moved, momentum(agree))
+        further = momentum(agree)
+        _go_further(blocks, block_count, further)
+        _move_further(motions, moved, further)
 
 
 @inlined_kernel

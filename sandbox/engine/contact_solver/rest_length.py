@@ -18,7 +18,7 @@ from sandbox.engine.contact_solver.soft_constraint import Spring
 from sandbox.tables import Floats, Records
 
 MOST = 2.0
-"""Times what the load of now sinks by: a spring is no longer than that, and what is suddenly free is not thrown up."""
+"""Times what the load of now sinks by: no spring is longer, so that what is suddenly free is not thrown up far."""
 FORGETS = 0.1
 """Share of the length that the load of now does not ask for, given up in a step."""
 RETURNS = 0.05

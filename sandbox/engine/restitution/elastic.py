@@ -3,23 +3,18 @@
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox.engine.contact_solver.law import anchors_of, pair_mass
+from sandbox.engine.contact_solver.law import pair_mass
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.restitution.impulses import friction_impulse, push, push_points, put_back, rub_of, take
-from sandbox.engine.restitution.two_point_block import one_point, pair_impulses, two_points
+from sandbox.engine.restitution.two_point_block import block_of, pair_impulses
 from sandbox.tables import Records
 
 
 @kernel
 def strike_elastic(bodies: Records, solver: SolverBodies, contact: Records, change1: float, change2: float) -> None:
     """Apply the normal impulses that give the wanted changes (m/s), and friction at the points that they push."""
-    a = bodies[contact.body_a]
-    b = bodies[contact.body_b]
-    mass = pair_mass(a, b)
-    r1 = anchors_of(contact, 1)
-    both = contact.point_count == 2
-    block = two_points(contact, mass, r1, anchors_of(contact, 2)) if both else one_point(contact, mass, r1)
-    load1, load2 = pair_impulses(block, change1, change2)
+    mass = pair_mass(bodies[contact.body_a], bodies[contact.body_b])
+    load1, load2 = pair_impulses(block_of(contact, mass), change1, change2)
     if load1 <= 0.0 and load2 <= 0.0:
         return
     put_back(solver, contact, push_points(take(solver.free_motions, contact), contact, mass, load1, load2))

@@ -21,7 +21,7 @@ from sandbox.engine.contact_solver.law import (
 from sandbox.engine.contact_solver.nesterov import momentum
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.restitution.groups import next_of
-from sandbox.engine.restitution.two_point_block import Block, bearing_impulses, one_point, two_points
+from sandbox.engine.restitution.two_point_block import Block, bearing_impulses, block_of
 from sandbox.tables import Records
 
 
@@ -71,12 +71,9 @@ def _begin(solver: SolverBodies, contacts: Records, group: Records) -> None:
 @kernel
 def _stop_contact(bodies: Records, solver: SolverBodies, contact: Records, slot: Records) -> float:
     """Give a contact the impulses that stop it, none of them pulling; return its change of velocity (m/s)."""
-    a = bodies[contact.body_a]
-    b = bodies[contact.body_b]
-    mass = pair_mass(a, b)
-    r1 = anchors_of(contact, 1)
+    mass = pair_mass(bodies[contact.body_a], bodies[contact.body_b])
     both = contact.point_count == 2
-    block = two_points(contact, mass, r1, anchors_of(contact, 2)) if both else one_point(contact, mass, r1)
+    block = block_of(contact, mass)
     now = pair_velocity(solver.motions[contact.body_a], solver.motions[contact.body_b])
     before1 = slot.load1
     before2 = slot.load2

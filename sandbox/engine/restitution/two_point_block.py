@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel
-from sandbox.engine.contact_solver.law import Anchors, PairMass, effective_mass
+from sandbox.engine.contact_solver.law import Anchors, PairMass, anchors_of, effective_mass
 from sandbox.tables import Records
 
 _SINGULAR = 1e-9
@@ -23,6 +23,15 @@ class Block(NamedTuple):
     k12: float
     k22: float
     determinant: float
+
+
+@inlined_kernel
+def block_of(contact: Records, mass: PairMass) -> Block:
+    """The block of a contact of bodies with these masses, of as many points as it has."""
+    r1 = anchors_of(contact, 1)
+    if contact.point_count == 2:
+        return two_points(contact, mass, r1, anchors_of(contact, 2))
+    return one_point(contact, mass, r1)
 
 
 @inlined_kernel

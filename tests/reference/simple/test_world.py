@@ -22,6 +22,7 @@ from tests import flat
 def both(scene: FlatScene, steps: int) -> tuple[np.ndarray, np.ndarray]:
     """Poses (x, y, angle) of all bodies after some steps, in the engine and here."""
     world, simple = World(scene), SimpleWorld(scene)
+    world.state.counters["step_count"] = 1  # past the step that finds how long springs are: simple ones have no length
     world.step(steps)
     simple.step(steps)
     return tuple(
@@ -30,7 +31,7 @@ def both(scene: FlatScene, steps: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 @pytest.mark.parametrize(
-    ("name", "steps", "most"), [("stack-12", 90, 0.015), ("ramp", 60, 0.01), ("rolling-race", 60, 0.01)]
+    ("name", "steps", "most"), [("stack-12", 90, 0.01), ("ramp", 60, 0.01), ("rolling-race", 60, 0.01)]
 )
 def test_scenes_go_as_in_the_engine(name: str, steps: int, most: float) -> None:
     ours, theirs = both(load_scene(find_scene(Path(name))).flatten(), steps)
