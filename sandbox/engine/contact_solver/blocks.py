@@ -10,6 +10,8 @@ from __future__ import annotations
 LANES = 64
 VECTOR = 16
 """Lanes that one turn of the arithmetic covers. Constant, or LLVM would not vectorise it."""
+ENOUGH = VECTOR // 4
+"""Contacts of a colour that are solved sooner side by side than one by one, with the same outcome."""
 MAX_COLORS = 62
 """Contacts that find no colour below this go into serial blocks, whose lanes are solved one by one."""
 KIND = MAX_COLORS + 1

@@ -10,15 +10,13 @@ from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.bodies.flags import IMMOVABLE
-from sandbox.engine.contact_solver.blocks import ALL_COLORS, LANES, MAX_COLORS, VECTOR
+from sandbox.engine.contact_solver.blocks import ALL_COLORS, ENOUGH, LANES, MAX_COLORS
 from sandbox.engine.contact_solver.graph_coloring import lowest_free
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.tables import Integers, Records
 
 MOST_WORDS = 32
 """Of colours that are given at a time."""
-_ENOUGH = VECTOR // 4
-"""Contacts of a colour, in the mean, that are solved sooner side by side than one by one."""
 _ALL = (1 << MAX_COLORS) - 1
 _UNMET = -2
 
@@ -31,7 +29,7 @@ def color_further(taken: Integers, blocks: ContactBlocks, used: int, first: int,
     contacts each got, and the others come last, in their order. 0 if colours are not worth it, or there is no room for
     them. `taken` is `solver.colors`, which is scratch here.
     """
-    if end - first < _ENOUGH:
+    if end - first < ENOUGH:
         return 0
     words = _number_bodies(taken, blocks, first, end)
     if words == 0:
@@ -117,7 +115,7 @@ def _words_worth_it(blocks: ContactBlocks, used: int, first: int, end: int, word
             count += length
             colors += 1 if length > 0 else 0
             full += (length + LANES - 1) // LANES
-        worth_it = left >= _ENOUGH and count > 0 and count >= _ENOUGH * colors
+        worth_it = left >= ENOUGH and count > 0 and count >= ENOUGH * colors
         if not worth_it or not _there_are_blocks(blocks, full, left - count, end):
             return word
         used = full

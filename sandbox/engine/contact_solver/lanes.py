@@ -5,7 +5,16 @@ from __future__ import annotations
 from sandbox._jit import inlined_kernel
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.law import Anchors, PairMass, PairVelocity
-from sandbox.tables import Floats
+from sandbox.tables import Floats, Records
+
+
+@inlined_kernel
+def is_solved_singly(block: Records) -> bool:
+    """Whether the lanes of a block are solved one by one: they may share bodies, or are too few for a vector.
+
+    The outcome of those that share none is the same either way.
+    """
+    return bool(block.serial == 1 or block.count < cb.ENOUGH)
 
 
 @inlined_kernel

@@ -10,7 +10,13 @@ from __future__ import annotations
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.gather import gather_deltas, gather_velocities, scatter_velocities
-from sandbox.engine.contact_solver.lanes import lane_anchors, lane_mass, lane_velocity, set_lane_velocity
+from sandbox.engine.contact_solver.lanes import (
+    is_solved_singly,
+    lane_anchors,
+    lane_mass,
+    lane_velocity,
+    set_lane_velocity,
+)
 from sandbox.engine.contact_solver.law import (
     PairVelocity,
     PointImpulses,
@@ -52,14 +58,15 @@ def solve_blocks(
     slots = blocks.slots
     for n in range(first, end):
         block = blocks.blocks[n]
-        turns = block.count if block.serial == 1 else 1
-        width = 1 if block.serial == 1 else block.count
+        singly = is_solved_singly(block)
+        turns = block.count if singly else 1
+        width = 1 if singly else block.count
         for turn in range(turns):
             v = blocks.lanes[n * BLOCK_SIZE + turn : (n + 1) * BLOCK_SIZE]
             slot = block.first + turn
             gather_velocities(motions, slots, slot, width, gathered)
             gather_deltas(motions, slots, slot, width, gathered)
-            if block.serial == 1:
+            if singly:
                 _solve_lane(v, gathered, 0, soft)
             else:
                 for lane in range(0, width, VECTOR):
