@@ -35,6 +35,7 @@ NOTES: dict[int, str] = {
     "to take shorter substeps keep the loads of their contacts, and go back one level a step; what hard blows reach is "
     "solved by Nesterov's method, further than before; the mean velocity also holds for what starts and stops in a "
     "straight line",
+    17: "a pile takes finer substeps for no more of its weight than what it stands on bears: what falls takes none",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

@@ -8,10 +8,9 @@ top is Euler's case), and contacts with the angular frequency w over a width W h
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from sandbox._jit import kernel
 from sandbox.engine.active.hinged_weight import hangs_by_one_hinge, hinged_mass, share_not_hung
+from sandbox.engine.active.pile_support import ALL, Load, measure_support, share_supported, upward_force
 from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.contacts import Contacts
@@ -38,6 +37,7 @@ PILE = Table(
     "pile",
     (
         Field("weight", "N", "of all bodies"),
+        Field("support", "N", "upward force on it from outside in the last step: of what does not move, of fields"),
         Field("moment", "N m", "weight times height above the root body"),
         Field("second_moment", "N m^2", "weight times height squared"),
         Field("bottom", "m", "lowest contact point, above the root body"),
@@ -52,16 +52,6 @@ PILE = Table(
     ),
 )
 """What a pile is made of; in the row of its island's root."""
-
-
-class Load(NamedTuple):
-    """What bears down on piles: the direction of gravity, its size (m/s^2), and the contacts' angular frequency
-    (rad/s)."""
-
-    down_x: float
-    down_y: float
-    gravity: float
-    omega: float
 
 
 @kernel
@@ -108,6 +98,7 @@ def measure_bodies(
             pile.weight = pile.moment = pile.second_moment = pile.heaviest = 0.0
             pile.bottom = pile.left = pile.bearer = pile.slight = _NONE
             pile.right = -_NONE
+            pile.support = ALL
         body = bodies[i]
         x = body.center_x - bodies[root].center_x
         y = body.center_y - bodies[root].center_y
@@ -162,6 +153,7 @@ def measure_contacts(
         pile.level = 0
         pile.bottom = pile.left = pile.bearer = pile.slight = _NONE
         pile.right = -_NONE
+    measure_support(bodies, rows, islands, piles, joints, load)
     for i in contacts.active[1 : 1 + contacts.active[0]]:
         contact = contacts.now[i]
         a = bodies[contact.body_a]
@@ -176,6 +168,8 @@ def measure_contacts(
         _add_point(pile, x + contact.anchor_ax1, y + contact.anchor_ay1, down_x, down_y)
         if contact.point_count == 2:
             _add_point(pile, x + contact.anchor_ax2, y + contact.anchor_ay2, down_x, down_y)
+        if not (is_active(a) and is_active(b)):
+            pile.support += upward_force(contact, load) * (1.0 if is_active(b) else -1.0)
         upright = contact.normal_x * down_x + contact.normal_y * down_y
         if is_active(a) and is_active(b) and abs(upright) >= UPRIGHT:
             lower = b if upright > 0.0 else a
@@ -221,6 +215,7 @@ def level_for(pile: Records, omega: float, gravity: float) -> int:
     width = width if width > 0.5 * pile.slight else 0.5 * pile.slight
     foot = pile.bottom
     load = pile.second_moment - 2.0 * foot * pile.moment + foot * foot * pile.weight
+    load = load * share_supported(pile)
     bears = SAFE * STIFFNESS * pile.bearer * omega * omega * width * width * width
     ratio = bearable(pile.slight, gravity, omega)
     level = pile.level - 1 if pile.level > 1 else 0

@@ -10,7 +10,6 @@ import math
 from sandbox._jit import kernel
 from sandbox.engine.active.islands import find_islands
 from sandbox.engine.active.pile_stability import (
-    Load,
     is_stacked,
     level_for,
     masses_differ,
@@ -18,6 +17,7 @@ from sandbox.engine.active.pile_stability import (
     measure_contacts,
     some_pile_may_fall,
 )
+from sandbox.engine.active.pile_support import Load
 from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.joints.fine_substeps import refine_small_parts
 from sandbox.engine.joints.records import JointWork
@@ -88,7 +88,8 @@ def _assign_to_piles(
         find_islands(
             state.bodies, rows, solver.islands, contacts.now, contacts.active[1 : 1 + contacts.active[0]], joints
         )
-        load = Load(gravity_x / gravity, gravity_y / gravity, gravity, omega)
+        seconds = setting.step_seconds / setting.substeps if counter.substep_levels > 0 else 0.0
+        load = Load(gravity_x / gravity, gravity_y / gravity, gravity, omega, seconds)
         used = _look(state.bodies, rows, solver, piles, contacts, joints, load, counter.substep_levels)
     counter.substep_levels = used
     loose = active.loose[1 : 1 + active.loose[0]]

@@ -1,0 +1,68 @@
+"""Finer substeps are for piles that stand on something, whatever that is: what falls bears nothing, however high."""
+
+from __future__ import annotations
+
+import pytest
+
+from sandbox.engine.commands.pushes import ApplyForce
+from sandbox.engine.world import World
+from sandbox.scene.flat import FlatBody
+from tests.flat import AWAKE, body, box, ground, scene, world
+from tests.joints.jointed import joint, jointed
+
+
+def tower(bottom: float, count: int = 40, step: float = 1.0) -> list[FlatBody]:
+    return [body(f"b{i}", box(1.0, 1.0), position=(0.0, bottom + 0.5 + step * i)) for i in range(count)]
+
+
+def levels(w: World) -> set[int]:
+    """The substep levels that all but the first body took in the last step."""
+    return {int(level) for level in w.scratch.solver.free_motions.substep_level[1:]}
+
+
+def finer_in(w: World, steps: int) -> int:
+    """In how many of these steps some box took finer substeps."""
+    finer = 0
+    for _ in range(steps):
+        w.step()
+        finer += any(level > 0 for level in levels(w))
+    return finer
+
+
+@pytest.mark.parametrize("step", [1.0, 0.1])
+def test_what_falls_bears_nothing(step: float) -> None:
+    w = world(ground(), *tower(5.0, step=step))
+    w.step(4)  # in the first step nothing is known, and levels go back one a step
+    assert finer_in(w, 50) == 0
+
+
+def test_a_tower_that_has_landed_stands_as_one_that_was_put_down() -> None:
+    w = world(ground(), *tower(0.05))
+    w.step(4)
+    assert finer_in(w, 1) == 0
+    w.step(180)  # meanwhile it sways up and down, and does without where it swings up
+    assert finer_in(w, 60) == 60
+    w.step(360)
+    assert abs(w.body("b39").position[0]) < 0.05
+    assert abs(w.body("b39").position[1] - 39.5) < 0.1
+
+
+def test_a_tower_on_a_beam_that_welds_hold_takes_finer_substeps() -> None:
+    beam = body("beam", box(8.0, 1.0), position=(0.0, -0.5))
+    welds = [joint(f"weld{x}", "weld", None, "beam", (x, -0.5)) for x in (-4.0, 4.0)]
+    w = jointed((beam, *tower(0.0)), welds, settings=AWAKE)
+    w.step(10)
+    assert finer_in(w, 60) == 60
+    assert abs(w.body("b39").position[1] - 39.5) < 0.1
+
+
+def test_a_tower_on_a_raft_that_a_force_carries_takes_finer_substeps() -> None:
+    raft = body("raft", box(12.0, 1.0, density=20.0), position=(0.0, -0.5), fixed_rotation=True)
+    w = World(scene(raft, *tower(0.0)))
+    weight = 9.81 * float(w.state.bodies.mass.sum())
+    finer = 0
+    for k in range(60):
+        w.apply(ApplyForce("raft", (0.0, weight)))
+        w.step()
+        finer += k >= 10 and min(levels(w)) > 0
+    assert finer == 50
