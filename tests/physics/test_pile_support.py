@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from sandbox.engine.commands.drags import StartDrag
 from sandbox.engine.commands.pushes import ApplyForce
 from sandbox.engine.world import World
 from sandbox.scene.flat import FlatBody
@@ -66,3 +67,16 @@ def test_a_tower_on_a_raft_that_a_force_carries_takes_finer_substeps() -> None:
         w.step()
         finer += k >= 10 and min(levels(w)) > 0
     assert finer == 50
+
+
+def test_a_tower_on_a_raft_that_a_hand_holds_takes_finer_substeps() -> None:
+    raft = body("raft", box(12.0, 1.0, density=20.0), position=(0.0, -0.5), fixed_rotation=True)
+    w = World(scene(raft, *tower(0.0)))
+    w.apply(StartDrag("raft", (0.0, -0.5), max_force=1e6))
+    w.step(10)
+    finer = 0
+    for _ in range(50):
+        w.step()
+        finer += min(levels(w)) > 0
+    assert finer == 50
+    assert w.body("raft").position[1] > -2.0

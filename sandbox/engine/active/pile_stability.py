@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from sandbox._jit import kernel
 from sandbox.engine.active.hinged_weight import hangs_by_one_hinge, hinged_mass, share_not_hung
-from sandbox.engine.active.pile_support import ALL, Load, measure_support, share_supported, upward_force
+from sandbox.engine.active.pile_support import ALL, Load, share_supported, upward_force
 from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.contacts import Contacts
@@ -144,7 +144,7 @@ def measure_contacts(
     joints: JointWork | None,
     load: Load,
 ) -> None:
-    """Width, foot, bearing bodies and ratio of every pile, as they are; see `is_stacked`."""
+    """Width, foot, bearing bodies and ratio of every pile as they are, see `is_stacked`, and what contacts support."""
     down_x = load.down_x
     down_y = load.down_y
     for i in rows:
@@ -153,7 +153,6 @@ def measure_contacts(
         pile.level = 0
         pile.bottom = pile.left = pile.bearer = pile.slight = _NONE
         pile.right = -_NONE
-    measure_support(bodies, rows, islands, piles, joints, load)
     for i in contacts.active[1 : 1 + contacts.active[0]]:
         contact = contacts.now[i]
         a = bodies[contact.body_a]

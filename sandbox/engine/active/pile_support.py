@@ -29,9 +29,15 @@ class Load(NamedTuple):
 
 @kernel
 def measure_support(
-    bodies: Records, rows: Integers, islands: Integers, piles: Records, joints: JointWork | None, load: Load
+    bodies: Records,
+    rows: Integers,
+    islands: Integers,
+    piles: Records,
+    joints: JointWork | None,
+    drags: Records,
+    load: Load,
 ) -> None:
-    """Write what holds each pile up but for contacts; `ALL` where nothing is known, or joints hold it."""
+    """Write what holds each pile up but for contacts; `ALL` where nothing is known, or joints or a hand hold it."""
     for i in rows:
         piles[i].support = 0.0
     for i in rows:
@@ -40,6 +46,9 @@ def measure_support(
         if load.seconds == 0.0 or (joints is not None and _is_held(joints, i)):
             pile.support = ALL
         pile.support -= body.force_x * load.down_x + body.force_y * load.down_y
+    for k in range(drags.shape[0]):
+        if drags[k].body >= 0:
+            piles[islands[drags[k].body]].support = ALL
 
 
 @kernel

@@ -17,7 +17,7 @@ from sandbox.engine.active.pile_stability import (
     measure_contacts,
     some_pile_may_fall,
 )
-from sandbox.engine.active.pile_support import Load
+from sandbox.engine.active.pile_support import Load, measure_support
 from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.joints.fine_substeps import refine_small_parts
 from sandbox.engine.joints.records import JointWork
@@ -90,7 +90,7 @@ def _assign_to_piles(
         )
         seconds = setting.step_seconds / setting.substeps if counter.substep_levels > 0 else 0.0
         load = Load(gravity_x / gravity, gravity_y / gravity, gravity, omega, seconds)
-        used = _look(state.bodies, rows, solver, piles, contacts, joints, load, counter.substep_levels)
+        used = _look(state, rows, solver, piles, contacts, joints, load, counter.substep_levels)
     counter.substep_levels = used
     loose = active.loose[1 : 1 + active.loose[0]]
     counter.substep_watch = ALWAYS if used > 1 or masses_differ(state.bodies, loose, gravity, omega) else SELDOM
@@ -99,7 +99,7 @@ def _assign_to_piles(
 
 @kernel
 def _look(
-    bodies: Records,
+    state: StateTables,
     rows: Integers,
     solver: SolverBodies,
     piles: Records,
@@ -112,9 +112,11 @@ def _look(
 
     Or if one was not in the last step, in which piles had the levels `had_levels`, as bits.
     """
+    bodies = state.bodies
     measure_bodies(bodies, rows, solver.islands, piles, joints, load)
     if had_levels <= 1 and not some_pile_may_fall(rows, solver.islands, piles, load.omega, load.gravity):
         return 1
+    measure_support(bodies, rows, solver.islands, piles, joints, state.drags, load)
     measure_contacts(bodies, rows, solver.islands, piles, contacts, joints, load)
     used = 1
     for i in rows:
