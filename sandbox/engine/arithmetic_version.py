@@ -35,7 +35,8 @@ NOTES: dict[int, str] = {
     "to take shorter substeps keep the loads of their contacts, and go back one level a step; what hard blows reach is "
     "solved by Nesterov's method, further than before; the mean velocity also holds for what starts and stops in a "
     "straight line",
-    17: "a pile takes finer substeps for no more of its weight than what it stands on bears: what falls takes none",
+    17: "a pile takes finer substeps for no more of its weight than what it stands on bears: what falls takes none; "
+    "the body at which a group of impacts begins is no longer left out of a hard blow in the same substep",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

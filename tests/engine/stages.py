@@ -15,7 +15,7 @@ from sandbox.engine.active import active_set, islands
 from sandbox.engine.bodies import integrate
 from sandbox.engine.broad_phase import grid, pairs, proxies
 from sandbox.engine.contact_solver import fill_blocks as filling
-from sandbox.engine.contact_solver import graph_coloring, mouse_joint, prepare, soft_constraint, solve, store
+from sandbox.engine.contact_solver import graph_coloring, mouse_joint, nesterov, prepare, soft_constraint, solve, store
 from sandbox.engine.contact_solver import warm_start as warm_starting
 from sandbox.engine.contact_solver.blocks import LANES
 from sandbox.engine.memory.scratch import Scratch
@@ -76,6 +76,7 @@ begin_motions = stage(integrate.begin_motions)
 prepare_setting = stage(prepare_forces)
 integrate_velocities = stage(integrate.integrate_velocities)
 integrate_positions = stage(integrate.integrate_positions)
+list_bodies = stage(nesterov.list_bodies)
 resolve_impacts = stage(impacts.resolve_impacts)
 list_impact_contacts = stage(impacts.list_impact_contacts)
 solve_mouse_joints = stage(mouse_joint.solve_mouse_joints)
@@ -218,6 +219,13 @@ class Paused:
         slots = m.blocks.batches.impacts
         count = list_impact_contacts(self.state.bodies, m.solver, m.contacts, 0, 1e9, 0.2, slots)
         resolve_impacts(self.state.bodies, m.solver, m.contacts.now, ImpactList(slots, count, 0.2), self.substep)
+
+    def moved(self) -> list[int]:
+        """The bodies that take part in an inelastic impact of all contacts."""
+        m = self.scratch
+        rows = m.blocks.batches.struck
+        count = list_bodies(m.solver, rows, m.blocks, self.blocks)
+        return sorted(int(row.body) for row in rows[:count])
 
     def move(self) -> None:
         """Integrate positions over a substep."""

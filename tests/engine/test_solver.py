@@ -323,3 +323,15 @@ def test_contacts_of_one_body_with_hundreds_are_solved_one_by_one():
     p.detect()
     p.lay_out()
     assert sum(int(block.count) for colour in ranges(p.scratch.blocks) for block in colour if block.serial) >= 10
+
+
+@pytest.mark.parametrize("left", [-3, -2, -1, 0, 1, 7])
+def test_who_takes_part_in_a_hard_blow_does_not_depend_on_what_impacts_have_left(left):
+    """Groups of impacts use the same numbers of bodies as scratch, and leave there which impact is their first."""
+    p = Paused(WORLDS["pile"]())
+    p.detect()
+    p.lay_out()
+    p.begin()
+    p.scratch.solver.struck[:] = left
+    touching = {int(body) for slot in p.scratch.blocks.slots[: p.count] for body in (slot.body_a, slot.body_b)}
+    assert p.moved() == sorted(touching & {int(row) for row in p.active_bodies})

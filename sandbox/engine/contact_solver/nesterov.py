@@ -30,8 +30,8 @@ LEAST_WORK = 2_000
 """So much is done in any case: where there are few contacts all is found to rounding."""
 ROUNDING = 1e-28
 """Share of the energy where nothing is left but rounding."""
-TAKES_PART = -2
-"""`solver.struck` of a body, while it is listed as one that takes part."""
+TAKES_PART = 1 << 40
+"""`solver.struck` of a body while it is listed as one that takes part: no value that groups of impacts leave there."""
 
 
 class Effort(NamedTuple):
