@@ -144,7 +144,7 @@ def measure_contacts(
     joints: JointWork | None,
     load: Load,
 ) -> None:
-    """Width, foot, bearing bodies and ratio of every pile as they are, see `is_stacked`, and what contacts support."""
+    """Width, foot, bearing bodies and ratio of piles as they are (see `is_stacked`); contacts add to their support."""
     down_x = load.down_x
     down_y = load.down_y
     for i in rows:

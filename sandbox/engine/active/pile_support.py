@@ -1,7 +1,7 @@
 """What holds piles up: one that falls freely bears nothing, however high it is.
 
 Forces within a pile cancel each other, so what contacts with bodies that do not move and forces of fields put on it
-is all that it stands on, but for joints.
+is all that it stands on, but for joints and the hand that drags a body.
 """
 
 from __future__ import annotations
