@@ -115,6 +115,57 @@ def _store(_typing: Any, values: Any, _at: Any, _vector: Any) -> Any:
     return types.void(values, types.int64, _VECTOR), lower
 
 
+def _fields(context: Any, builder: Any, sig: Any, values: Any) -> Any:
+    """Pointer to the vector of the fields of a row that begin with the one of a number."""
+    words = ir.IntType(64)
+    array = context.make_array(sig.args[0])(context, builder, values[0])
+    word = builder.mul(values[1], ir.Constant(words, sig.args[0].dtype.size // 8))
+    floats = builder.bitcast(array.data, ir.DoubleType().as_pointer())
+    return builder.bitcast(builder.gep(floats, [builder.add(word, values[2])]), _FLOATS.as_pointer())
+
+
+@intrinsic
+def _load_fields(_typing: Any, table: Any, _row: Any, _first: Any) -> Any:
+    def lower(context: Any, builder: Any, sig: Any, values: Any) -> Any:
+        return builder.load(_fields(context, builder, sig, values), align=8)
+
+    return _VECTOR(table, types.int64, types.int64), lower
+
+
+@intrinsic
+def _store_fields(_typing: Any, table: Any, _row: Any, _first: Any, _vector: Any) -> Any:
+    def lower(context: Any, builder: Any, sig: Any, values: Any) -> Any:
+        builder.store(values[3], _fields(context, builder, sig, values), align=8)
+        return context.get_dummy_value()
+
+    return types.void(table, types.int64, types.int64, _VECTOR), lower
+
+
+_NUMBERS_OF_PAIRS = ([0, 4, 2, 6], [1, 5, 3, 7])
+_HALVES = ([0, 1, 4, 5], [2, 3, 6, 7])
+
+
+@intrinsic
+def _transpose(_typing: Any, _a: Any, _b: Any, _c: Any, _d: Any) -> Any:
+    result = types.UniTuple(_VECTOR, WIDTH)
+
+    def lower(context: Any, builder: Any, _sig: Any, values: Any) -> Any:
+        def shuffled(one: Any, other: Any, order: list[int]) -> Any:
+            return builder.shuffle_vector(one, other, ir.Constant(ir.VectorType(_INDEX, WIDTH), order))
+
+        upper = [shuffled(values[0], values[1], order) for order in _NUMBERS_OF_PAIRS]
+        lower = [shuffled(values[2], values[3], order) for order in _NUMBERS_OF_PAIRS]
+        columns = [shuffled(upper[k], lower[k], order) for order in _HALVES for k in range(2)]
+        return context.make_tuple(builder, result, columns)
+
+    return result(_VECTOR, _VECTOR, _VECTOR, _VECTOR), lower
+
+
+@intrinsic
+def _lane_numbers(_typing: Any) -> Any:
+    return _VECTOR(), lambda _context, _builder, _sig, _values: ir.Constant(_FLOATS, [float(k) for k in range(WIDTH)])
+
+
 @intrinsic
 def _spread(_typing: Any, _number: Any) -> Any:
     return _VECTOR(_FLOAT), lambda _context, builder, _sig, values: _spread_over(builder, values[0])
@@ -163,6 +214,10 @@ def _by_name(name: str) -> Any:
 _INSTRUCTIONS: dict[str, Any] = {
     "load": _load,
     "store": _store,
+    "load_fields": _load_fields,
+    "store_fields": _store_fields,
+    "transpose": _transpose,
+    "lane_numbers": _lane_numbers,
     "spread": _spread,
     "select": _select,
     "any_lane": _any_lane,

@@ -29,6 +29,28 @@ def store(values: Any, at: int, vector: Vector) -> None:
     values[at : at + WIDTH] = vector
 
 
+def load_fields(table: Any, row: int, first: int) -> Vector:
+    """Four fields of a row, one after the other from the one with number `first` on; all of them are floats."""
+    return np.array([table[row][name] for name in table.dtype.names[first : first + WIDTH]])
+
+
+def store_fields(table: Any, row: int, first: int, vector: Vector) -> None:
+    """The other way."""
+    for name, number in zip(table.dtype.names[first : first + WIDTH], vector.tolist(), strict=True):
+        table[row][name] = number
+
+
+def transpose(a: Vector, b: Vector, c: Vector, d: Vector) -> tuple[Vector, Vector, Vector, Vector]:
+    """Of four vectors the first numbers, the second ones, the third and the fourth."""
+    one, two, three, four = np.array([a, b, c, d]).T.copy()
+    return one, two, three, four
+
+
+def lane_numbers() -> Vector:
+    """0.0 in the first lane, 1.0 in the second, and so on."""
+    return np.arange(float(WIDTH))
+
+
 def spread(number: float) -> Vector:
     """The same number in every lane."""
     return np.full(WIDTH, float(number))

@@ -12,7 +12,8 @@ from sandbox._instruction import Instruction
 from sandbox._plain_vectors import WIDTH, Mask, Number, Vector
 
 __all__ = [
-    "WIDTH", "Mask", "Number", "Vector", "absolute", "any_lane", "load", "root", "select", "spread", "store",
+    "WIDTH", "Mask", "Number", "Vector", "absolute", "any_lane", "lane_numbers", "load", "load_fields", "root",
+    "select", "spread", "store", "store_fields", "transpose",
 ]  # fmt: skip
 
 _EMITTER = "sandbox._llvm_vectors"
@@ -21,6 +22,14 @@ load = Instruction(plain.load, _EMITTER)
 """The vector that begins at a place of an array."""
 store = Instruction(plain.store, _EMITTER)
 """Write a vector to a place of an array."""
+load_fields = Instruction(plain.load_fields, _EMITTER)
+"""The vector of four fields of a row, from the one with a number on. All of them are floats."""
+store_fields = Instruction(plain.store_fields, _EMITTER)
+"""Write a vector to four fields of a row."""
+transpose = Instruction(plain.transpose, _EMITTER)
+"""Of four vectors those of their first, second, third and fourth numbers: rows of a table become columns, and back."""
+lane_numbers = Instruction(plain.lane_numbers, _EMITTER)
+"""0.0, 1.0, 2.0 and 3.0."""
 spread = Instruction(plain.spread, _EMITTER)
 """The same number in every lane."""
 select = Instruction(plain.select, _EMITTER)

@@ -13,7 +13,22 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox import _jit
-from sandbox._vectors import WIDTH, absolute, any_lane, load, root, select, spread, store
+from sandbox._prefetch import prefetch_row
+from sandbox._vectors import (
+    WIDTH,
+    absolute,
+    any_lane,
+    lane_numbers,
+    load,
+    load_fields,
+    root,
+    select,
+    spread,
+    store,
+    store_fields,
+    transpose,
+)
+from sandbox.tables import Field, Table, plain
 from tests.examples import examples
 
 NUMBERS = st.floats(allow_nan=True, allow_infinity=True) | st.sampled_from([0.0, -0.0, 1.0, -1.0, 5e-324, 1e300])
@@ -112,3 +127,36 @@ def test_plain_functions_do_the_same(a, b, number):
     assert list(map(bits, chosen)) == [bits(x if t else number) for x, t in zip(a, truth.tolist(), strict=True)]
     assert select(True, 1.0, 2.0) == 1.0
     assert list(map(bits, root(abs(one)).tolist())) == [bits(math.sqrt(abs(x))) for x in a]
+
+
+TABLE = Table("row", tuple(Field(name, "-", "") for name in "pqrstu"))
+
+
+def _turn(table: Any, out: Any, first: int) -> None:
+    a, b, c, d = transpose(
+        load_fields(table, 0, first), load_fields(table, 1, first), load_fields(table, 2, first),
+        load_fields(table, 3, first),
+    )  # fmt: skip
+    store(out, 0 * WIDTH, a)
+    store(out, 1 * WIDTH, b)
+    store(out, 2 * WIDTH, c)
+    store(out, 3 * WIDTH, d)
+    store(out, 4 * WIDTH, lane_numbers())
+    prefetch_row(table, 4)
+    store_fields(table, 4, first, c)
+
+
+@pytest.mark.parametrize("first", [0, 1, 2])
+def test_rows_of_a_table_become_columns(first):
+    """Compiled or not: fields of four rows by field, and a column written to a row."""
+    turn = _jit.entry_point(_turn) if _jit.jit_enabled() else _turn
+    table = TABLE.zeros(5)
+    numbers = np.arange(30.0).reshape(5, 6)
+    plain(table).view(np.float64).reshape(5, 6)[:] = numbers
+    out = np.zeros(5 * WIDTH)
+    turn(table, out, first)
+    wanted = numbers[:4, first : first + WIDTH].T
+    assert out[: 4 * WIDTH].reshape(4, WIDTH).tolist() == wanted.tolist()
+    assert out[4 * WIDTH :].tolist() == [0.0, 1.0, 2.0, 3.0]
+    numbers[4, first : first + WIDTH] = wanted[2]
+    assert plain(table).view(np.float64).reshape(5, 6).tolist() == numbers.tolist()

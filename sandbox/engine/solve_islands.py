@@ -12,7 +12,7 @@ from sandbox._atomics import atomic_add
 from sandbox._jit import kernel
 from sandbox.engine.active.free_bodies import put_free_last
 from sandbox.engine.active.island_batches import form_batches, sort_impacts, worth_batches
-from sandbox.engine.contact_solver.blocks import BLOCK_SIZE, GATHER_SIZE
+from sandbox.engine.contact_solver.blocks import BLOCK_SIZE
 from sandbox.engine.contact_solver.fill_blocks import fill_blocks, sort_contacts
 from sandbox.engine.contact_solver.graph_coloring import color_contacts
 from sandbox.engine.contact_solver.prepare import prepare_contacts
@@ -169,7 +169,6 @@ def _team(workers: Workers, alone: bool) -> Workers:
     return Workers(
         workers.alone if alone else workers.words,
         workers.numbers[n * NUMBERS :] if alone else workers.numbers,
-        workers.gathered[n * GATHER_SIZE :] if alone else workers.gathered,
         n,
         workers.alone,
     )

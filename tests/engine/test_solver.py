@@ -278,7 +278,6 @@ def test_only_what_overlaps_deeply_or_touches_something_new_is_unsettled():
 def test_rubbish_of_an_earlier_step_reaches_nobody(make):
     clean, dirty = Paused(make()), Paused(make())
     dirty.scratch.blocks.lanes[:] = 1e3
-    dirty.scratch.workers.gathered[:] = 1e3
     dirty.scratch.blocks.heads[:] = dirty.scratch.blocks.further[:] = dirty.scratch.blocks.starts[:] = 12345
     for table in dirty.scratch.decisions:
         plain(table).view(np.float64)[:] = 1e3

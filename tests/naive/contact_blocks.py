@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from sandbox.engine.contact_solver.blocks import ALL_COLORS, KIND, LANES, MAX_COLORS, VECTOR
+from sandbox.engine.contact_solver.blocks import ALL_COLORS, ENOUGH, KIND, LANES, MAX_COLORS
 
-ENOUGH = VECTOR // 4
 Pair = tuple[int, int]
 
 
@@ -59,7 +58,7 @@ def fill_blocks(pairs: Sequence[Pair], colors: Sequence[int], movable: Sequence[
 
 
 def cut(contacts: Sequence[int], serial: bool) -> list[Block]:
-    """Blocks of 64."""
+    """Blocks of four."""
     return [Block(serial, tuple(contacts[k : k + LANES])) for k in range(0, len(contacts), LANES)]
 
 

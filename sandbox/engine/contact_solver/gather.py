@@ -1,49 +1,110 @@
-"""The bodies of a block of contacts, gathered before the arithmetic and scattered after it."""
+"""Bodies side by side: four rows of a table become vectors, field by field, and vectors become rows again."""
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
-from sandbox.engine.contact_solver import blocks as cb
-from sandbox.tables import Floats, Records
+from typing import NamedTuple, TypeAlias
+
+from sandbox._jit import inlined_kernel
+from sandbox._vectors import Vector, load_fields, store_fields, transpose
+from sandbox.engine.contact_solver.law import PairVelocity
+from sandbox.tables import Records
+
+Rows: TypeAlias = tuple[int, int, int, int]
+"""A row of a table for each lane."""
+_VELOCITY, _POSE = 0, 4
+"""Numbers of the first field of either half of a row of the motion table (`records.bodies.MOTION`)."""
 
 
-@kernel
-def gather_velocities(motions: Records, slots: Records, slot: int, count: int, g: Floats) -> None:
-    """Copy the velocities of the bodies of `slots[slot : slot + count]` into lanes."""
-    for k in range(count):
-        a = motions[slots[slot + k].body_a]
-        b = motions[slots[slot + k].body_b]
-        g[cb.VELOCITY_AX + k] = a.velocity_x
-        g[cb.VELOCITY_AY + k] = a.velocity_y
-        g[cb.ANGULAR_A + k] = a.angular_velocity
-        g[cb.VELOCITY_BX + k] = b.velocity_x
-        g[cb.VELOCITY_BY + k] = b.velocity_y
-        g[cb.ANGULAR_B + k] = b.angular_velocity
+class PairRows(NamedTuple):
+    """The rows of the bodies a and b of four contacts."""
+
+    a: Rows
+    b: Rows
 
 
-@kernel
-def gather_deltas(motions: Records, slots: Records, slot: int, count: int, g: Floats) -> None:
-    """Copy how far the bodies of `slots[slot : slot + count]` have moved and turned since the step began."""
-    for k in range(count):
-        a = motions[slots[slot + k].body_a]
-        b = motions[slots[slot + k].body_b]
-        g[cb.DELTA_X + k] = b.delta_x - a.delta_x
-        g[cb.DELTA_Y + k] = b.delta_y - a.delta_y
-        g[cb.COS_A + k] = a.delta_cos
-        g[cb.SIN_A + k] = a.delta_sin
-        g[cb.COS_B + k] = b.delta_cos
-        g[cb.SIN_B + k] = b.delta_sin
+class PairPose(NamedTuple):
+    """How far b has moved against a since the step began (m), and the rotations of both since then."""
+
+    x: Vector
+    y: Vector
+    cos_a: Vector
+    sin_a: Vector
+    cos_b: Vector
+    sin_b: Vector
 
 
-@kernel
-def scatter_velocities(motions: Records, slots: Records, slot: int, count: int, g: Floats) -> None:
-    """Copy the velocities of lanes back."""
-    for k in range(count):
-        a = motions[slots[slot + k].body_a]
-        b = motions[slots[slot + k].body_b]
-        a.velocity_x = g[cb.VELOCITY_AX + k]
-        a.velocity_y = g[cb.VELOCITY_AY + k]
-        a.angular_velocity = g[cb.ANGULAR_A + k]
-        b.velocity_x = g[cb.VELOCITY_BX + k]
-        b.velocity_y = g[cb.VELOCITY_BY + k]
-        b.angular_velocity = g[cb.ANGULAR_B + k]
+class Gathered(NamedTuple):
+    """The velocities of two bodies, and what lies between them and the poses in the table."""
+
+    velocity: PairVelocity
+    delta_ax: Vector
+    delta_bx: Vector
+
+
+@inlined_kernel
+def rows_of(slots: Records, first: int, count: int) -> PairRows:
+    """The bodies of `count` slots from the first one on; lanes that are not used have those of the first."""
+    k1 = first + 1 if count > 1 else first
+    k2 = first + 2 if count > 2 else first
+    k3 = first + 3 if count > 3 else first
+    return PairRows(
+        (slots[first].body_a, slots[k1].body_a, slots[k2].body_a, slots[k3].body_a),
+        (slots[first].body_b, slots[k1].body_b, slots[k2].body_b, slots[k3].body_b),
+    )
+
+
+@inlined_kernel
+def gather_fields(table: Records, rows: Rows, first: int) -> tuple[Vector, Vector, Vector, Vector]:
+    """Four fields of four rows, from the one with number `first` on: a vector for each field."""
+    return transpose(
+        load_fields(table, rows[0], first),
+        load_fields(table, rows[1], first),
+        load_fields(table, rows[2], first),
+        load_fields(table, rows[3], first),
+    )
+
+
+@inlined_kernel
+def scatter_fields(
+    table: Records,
+    rows: Rows,
+    first: int,
+    fields: tuple[Vector, Vector, Vector, Vector],
+    first_lane: int,
+    end_lane: int,
+) -> None:
+    """The other way, for the lanes first_lane..end_lane-1."""
+    of_row = transpose(fields[0], fields[1], fields[2], fields[3])
+    if first_lane <= 0 < end_lane:
+        store_fields(table, rows[0], first, of_row[0])
+    if first_lane <= 1 < end_lane:
+        store_fields(table, rows[1], first, of_row[1])
+    if first_lane <= 2 < end_lane:
+        store_fields(table, rows[2], first, of_row[2])
+    if first_lane <= 3 < end_lane:
+        store_fields(table, rows[3], first, of_row[3])
+
+
+@inlined_kernel
+def gather_velocities(motions: Records, rows: PairRows) -> Gathered:
+    """The velocities of four pairs of bodies."""
+    ax, ay, aw, delta_ax = gather_fields(motions, rows.a, _VELOCITY)
+    bx, by, bw, delta_bx = gather_fields(motions, rows.b, _VELOCITY)
+    return Gathered(PairVelocity(ax, ay, aw, bx, by, bw), delta_ax, delta_bx)
+
+
+@inlined_kernel
+def gather_poses(motions: Records, rows: PairRows, of: Gathered) -> PairPose:
+    """How far four pairs of bodies have moved and turned since the step began."""
+    ay, cos_a, sin_a, _ = gather_fields(motions, rows.a, _POSE)
+    by, cos_b, sin_b, _ = gather_fields(motions, rows.b, _POSE)
+    return PairPose(of.delta_bx - of.delta_ax, by - ay, cos_a, sin_a, cos_b, sin_b)
+
+
+@inlined_kernel
+def scatter_velocities(
+    motions: Records, rows: PairRows, v: PairVelocity, of: Gathered, first_lane: int, end_lane: int
+) -> None:
+    """Write the velocities of the lanes first_lane..end_lane-1 back to the rows that were gathered."""
+    scatter_fields(motions, rows.a, _VELOCITY, (v.ax, v.ay, v.aw, of.delta_ax), first_lane, end_lane)
+    scatter_fields(motions, rows.b, _VELOCITY, (v.bx, v.by, v.bw, of.delta_bx), first_lane, end_lane)

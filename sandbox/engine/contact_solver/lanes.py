@@ -1,52 +1,12 @@
-"""One lane of a block as the values of `law`: what the loops over lanes read and write."""
+"""The lanes of a block as the values of `law`: of one contact, or of all four side by side."""
 
 from __future__ import annotations
 
 from sandbox._jit import inlined_kernel
+from sandbox._vectors import Mask, Vector, lane_numbers, load, select, store
 from sandbox.engine.contact_solver import blocks as cb
-from sandbox.engine.contact_solver.law import Anchors, PairMass, PairVelocity
-from sandbox.tables import Floats, Records
-
-
-@inlined_kernel
-def is_solved_singly(block: Records) -> bool:
-    """Whether the lanes of a block are solved one by one: they may share bodies, or are too few for a vector.
-
-    The outcome of those that share none is the same either way.
-    """
-    return bool(block.serial == 1 or block.count < cb.ENOUGH)
-
-
-@inlined_kernel
-def lane_velocity(g: Floats, k: int) -> PairVelocity:
-    """The gathered velocities of lane k."""
-    return PairVelocity(
-        g[cb.VELOCITY_AX + k],
-        g[cb.VELOCITY_AY + k],
-        g[cb.ANGULAR_A + k],
-        g[cb.VELOCITY_BX + k],
-        g[cb.VELOCITY_BY + k],
-        g[cb.ANGULAR_B + k],
-    )
-
-
-@inlined_kernel
-def set_lane_velocity(g: Floats, k: int, v: PairVelocity) -> None:
-    """Write the velocities of lane k."""
-    g[cb.VELOCITY_AX + k] = v.ax
-    g[cb.VELOCITY_AY + k] = v.ay
-    g[cb.ANGULAR_A + k] = v.aw
-    g[cb.VELOCITY_BX + k] = v.bx
-    g[cb.VELOCITY_BY + k] = v.by
-    g[cb.ANGULAR_B + k] = v.bw
-
-
-@inlined_kernel
-def lane_mass(v: Floats, k: int) -> PairMass:
-    """The inverse masses of lane k."""
-    return PairMass(
-        v[cb.INVERSE_MASS_A + k], v[cb.INVERSE_INERTIA_A + k], v[cb.INVERSE_MASS_B + k], v[cb.INVERSE_INERTIA_B + k]
-    )
+from sandbox.engine.contact_solver.law import Anchors, PairMass, PointImpulses
+from sandbox.tables import Floats
 
 
 @inlined_kernel
@@ -58,3 +18,44 @@ def lane_anchors(v: Floats, point: int, k: int) -> Anchors:
         v[point + cb.ANCHOR_BX + k],
         v[point + cb.ANCHOR_BY + k],
     )
+
+
+@inlined_kernel
+def load_anchors(v: Floats, point: int) -> Anchors:
+    """The anchors of `POINT_1` or `POINT_2` of a block that begins at `v`."""
+    return Anchors(
+        load(v, point + cb.ANCHOR_AX),
+        load(v, point + cb.ANCHOR_AY),
+        load(v, point + cb.ANCHOR_BX),
+        load(v, point + cb.ANCHOR_BY),
+    )
+
+
+@inlined_kernel
+def load_masses(v: Floats) -> PairMass:
+    """The inverse masses of a block."""
+    return PairMass(
+        load(v, cb.INVERSE_MASS_A),
+        load(v, cb.INVERSE_INERTIA_A),
+        load(v, cb.INVERSE_MASS_B),
+        load(v, cb.INVERSE_INERTIA_B),
+    )
+
+
+@inlined_kernel
+def load_normal_impulses(v: Floats) -> PointImpulses:
+    """The accumulated normal impulses (N s) of a block."""
+    return PointImpulses(load(v, cb.POINT_1 + cb.NORMAL_IMPULSE), load(v, cb.POINT_2 + cb.NORMAL_IMPULSE))
+
+
+@inlined_kernel
+def lanes_between(first: int, end: int) -> Mask:
+    """True in the lanes first..end-1."""
+    numbers = lane_numbers()
+    return (numbers >= float(first)) & (numbers < float(end))
+
+
+@inlined_kernel
+def store_lanes(v: Floats, field: int, lanes: Mask, one: Vector, other: Vector) -> None:
+    """Write a field of a block: `one` in those lanes, `other` elsewhere."""
+    store(v, field, select(lanes, one, other))

@@ -1,6 +1,7 @@
 """The laws of a contact point, written once: relative velocity, impulse, effective mass and Coulomb's cone.
 
 An impulse p at the anchors r_a and r_b changes v_b by p / m_b and w_b by (r_b x p) / I_b, and a by the opposite.
+Most of them take single numbers as well as vectors, of contacts side by side.
 """
 
 from __future__ import annotations
@@ -8,47 +9,48 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel
+from sandbox._vectors import Number, select
 from sandbox.tables import Records
 
 
 class PairVelocity(NamedTuple):
     """Velocities (m/s) and angular velocities (rad/s) of two bodies."""
 
-    ax: float
-    ay: float
-    aw: float
-    bx: float
-    by: float
-    bw: float
+    ax: Number
+    ay: Number
+    aw: Number
+    bx: Number
+    by: Number
+    bw: Number
 
 
 class PairMass(NamedTuple):
     """Inverse masses (1/kg) and inverse inertias (1/(kg m^2)) of two bodies."""
 
-    mass_a: float
-    inertia_a: float
-    mass_b: float
-    inertia_b: float
+    mass_a: Number
+    inertia_a: Number
+    mass_b: Number
+    inertia_b: Number
 
 
 class Anchors(NamedTuple):
     """A contact point as seen from the centres of two bodies, world axes, m."""
 
-    ax: float
-    ay: float
-    bx: float
-    by: float
+    ax: Number
+    ay: Number
+    bx: Number
+    by: Number
 
 
 class PointImpulses(NamedTuple):
     """Normal impulses (N s) at the two points of a contact."""
 
-    first: float
-    second: float
+    first: Number
+    second: Number
 
 
 @inlined_kernel
-def relative_velocity(v: PairVelocity, r: Anchors) -> tuple[float, float]:
+def relative_velocity(v: PairVelocity, r: Anchors) -> tuple[Number, Number]:
     """Velocity (m/s) of b's point against that of a."""
     x = v.bx - v.bw * r.by - v.ax + v.aw * r.ay
     y = v.by + v.bw * r.bx - v.ay - v.aw * r.ax
@@ -56,7 +58,7 @@ def relative_velocity(v: PairVelocity, r: Anchors) -> tuple[float, float]:
 
 
 @inlined_kernel
-def velocity_change(m: PairMass, r: Anchors, px: float, py: float) -> PairVelocity:
+def velocity_change(m: PairMass, r: Anchors, px: Number, py: Number) -> PairVelocity:
     """What the impulse (px, py) N s on b at its anchor, and the opposite on a at its own, add to the velocities."""
     return PairVelocity(
         -(m.mass_a * px),
@@ -69,7 +71,7 @@ def velocity_change(m: PairMass, r: Anchors, px: float, py: float) -> PairVeloci
 
 
 @inlined_kernel
-def apply_impulse(v: PairVelocity, m: PairMass, r: Anchors, px: float, py: float) -> PairVelocity:
+def apply_impulse(v: PairVelocity, m: PairMass, r: Anchors, px: Number, py: Number) -> PairVelocity:
     """The velocities after the impulse (px, py) N s on b at its anchor, and the opposite on a at its own."""
     change = velocity_change(m, r, px, py)
     return PairVelocity(
@@ -79,7 +81,7 @@ def apply_impulse(v: PairVelocity, m: PairMass, r: Anchors, px: float, py: float
 
 @inlined_kernel
 def push_both(
-    v: PairVelocity, m: PairMass, r1: Anchors, r2: Anchors, normal: PointImpulses, nx: float, ny: float
+    v: PairVelocity, m: PairMass, r1: Anchors, r2: Anchors, normal: PointImpulses, nx: Number, ny: Number
 ) -> PairVelocity:
     """The velocities after normal impulses at both points of a contact, the same whichever is called the first."""
     px = (normal.first + normal.second) * nx
@@ -118,14 +120,16 @@ def coupling(contact: Records, m: PairMass) -> float:
 
 
 @inlined_kernel
-def bearing_anchors(r1: Anchors, r2: Anchors, load1: float, load2: float) -> Anchors:
+def bearing_anchors(r1: Anchors, r2: Anchors, load1: Number, load2: Number) -> Anchors:
     """Where the friction of two points acts, that bear so much (N s): in the middle of what they bear.
 
     Their tangents are on one line, or nearly so; where along it makes no difference.
     """
     load = load1 + load2
-    share1 = load1 / load if load > 0.0 else 0.5
-    share2 = load2 / load if load > 0.0 else 0.5
+    bears = load > 0.0
+    load = select(bears, load, 1.0)
+    share1 = select(bears, load1 / load, 0.5)
+    share2 = select(bears, load2 / load, 0.5)
     return Anchors(
         share1 * r1.ax + share2 * r2.ax,
         share1 * r1.ay + share2 * r2.ay,
@@ -135,10 +139,10 @@ def bearing_anchors(r1: Anchors, r2: Anchors, load1: float, load2: float) -> Anc
 
 
 @inlined_kernel
-def clamp_to_cone(impulse: float, limit: float) -> float:
+def clamp_to_cone(impulse: Number, limit: Number) -> Number:
     """A tangent impulse (N s) within Coulomb's cone, whose half width is friction times normal impulse, the `limit`."""
-    impulse = impulse if impulse < limit else limit
-    return impulse if impulse > -limit else -limit
+    impulse = select(impulse < limit, impulse, limit)
+    return select(impulse > -limit, impulse, -limit)
 
 
 @inlined_kernel

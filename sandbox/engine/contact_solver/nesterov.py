@@ -15,6 +15,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
+from sandbox._vectors import load, store
 from sandbox.engine.bodies.integrate import SOLVED
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.solve import solve_contacts
@@ -25,7 +26,6 @@ from sandbox.tables import Floats, Records
 
 BLOCK_SIZE = cb.BLOCK_SIZE
 LANES = cb.LANES
-VECTOR = cb.VECTOR
 LEAST_WORK = 2_000
 """So much is done in any case: where there are few contacts all is found to rounding."""
 ROUNDING = 1e-28
@@ -124,10 +124,9 @@ def _begin(motions: Records, moved: Records, blocks: ContactBlocks, block_count:
     """Note where the first pass begins."""
     for n in range(block_count):
         v = blocks.lanes[n * BLOCK_SIZE : (n + 1) * BLOCK_SIZE]
-        for k in range(LANES):
-            v[cb.LAST_IMPULSES + k] = v[cb.POINT_1 + cb.NORMAL_IMPULSE + k]
-            v[cb.LAST_IMPULSES + LANES + k] = v[cb.POINT_2 + cb.NORMAL_IMPULSE + k]
-            v[cb.LAST_IMPULSES + 2 * LANES + k] = v[cb.TANGENT_IMPULSE + k]
+        store(v, cb.LAST_IMPULSES, load(v, cb.POINT_1 + cb.NORMAL_IMPULSE))
+        store(v, cb.LAST_IMPULSES + LANES, load(v, cb.POINT_2 + cb.NORMAL_IMPULSE))
+        store(v, cb.LAST_IMPULSES + 2 * LANES, load(v, cb.TANGENT_IMPULSE))
     for here in moved:
         motion = motions[here.body]
         here.began_x = here.last_x = motion.velocity_x
@@ -160,22 +159,16 @@ def _go_further(blocks: ContactBlocks, block_count: int, further: float) -> None
     """Go on by a share of what the impulses have changed since the pass before; until the next one they may pull."""
     for n in range(block_count):
         v = blocks.lanes[n * BLOCK_SIZE : (n + 1) * BLOCK_SIZE]
-        for lane in range(0, blocks.blocks[n].count, VECTOR):
-            _go_further_lanes(v[lane:], further)
+        _go_further_with(v, cb.POINT_1 + cb.NORMAL_IMPULSE, cb.LAST_IMPULSES, further)
+        _go_further_with(v, cb.POINT_2 + cb.NORMAL_IMPULSE, cb.LAST_IMPULSES + LANES, further)
+        _go_further_with(v, cb.TANGENT_IMPULSE, cb.LAST_IMPULSES + 2 * LANES, further)
 
 
-@kernel
-def _go_further_lanes(v: Floats, further: float) -> None:
-    for k in range(VECTOR):
-        load1 = v[cb.POINT_1 + cb.NORMAL_IMPULSE + k]
-        load2 = v[cb.POINT_2 + cb.NORMAL_IMPULSE + k]
-        rub = v[cb.TANGENT_IMPULSE + k]
-        v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] = load1 + further * (load1 - v[cb.LAST_IMPULSES + k])
-        v[cb.POINT_2 + cb.NORMAL_IMPULSE + k] = load2 + further * (load2 - v[cb.LAST_IMPULSES + LANES + k])
-        v[cb.TANGENT_IMPULSE + k] = rub + further * (rub - v[cb.LAST_IMPULSES + 2 * LANES + k])
-        v[cb.LAST_IMPULSES + k] = load1
-        v[cb.LAST_IMPULSES + LANES + k] = load2
-        v[cb.LAST_IMPULSES + 2 * LANES + k] = rub
+@inlined_kernel
+def _go_further_with(v: Floats, field: int, last: int, further: float) -> None:
+    now = load(v, field)
+    store(v, field, now + further * (now - load(v, last)))
+    store(v, last, now)
 
 
 @kernel

@@ -11,6 +11,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel
+from sandbox._vectors import Number, select
 from sandbox.engine.contact_solver.law import PointImpulses
 
 
@@ -19,13 +20,13 @@ class NormalRow(NamedTuple):
     (kg) by which that impulse grows as the velocity (m/s) along the normal falls; 0 for a point that is not there.
     """
 
-    mass: float
-    alone: float
+    mass: Number
+    alone: Number
 
 
 @inlined_kernel
 def solve_pair(
-    row1: NormalRow, row2: NormalRow, coupling: float, before: PointImpulses, over_relaxation: float
+    row1: NormalRow, row2: NormalRow, coupling: Number, before: PointImpulses, over_relaxation: float
 ) -> PointImpulses:
     """The impulses of both points, none of them pulling, which had those `before`.
 
@@ -34,16 +35,22 @@ def solve_pair(
     """
     share1 = coupling * row1.mass
     share2 = coupling * row2.mass
-    first1 = row1.alone if row1.alone > 0.0 else 0.0
-    first2 = row2.alone if row2.alone > 0.0 else 0.0
-    then1 = row1.alone - share1 * (first2 - before.second)
-    then2 = row2.alone - share2 * (first1 - before.first)
-    then1 = then1 if then1 > 0.0 else 0.0
-    then2 = then2 if then2 > 0.0 else 0.0
+    first1 = _pushing(row1.alone)
+    first2 = _pushing(row2.alone)
+    then1 = _pushing(row1.alone - share1 * (first2 - before.second))
+    then2 = _pushing(row2.alone - share2 * (first1 - before.first))
     mean1 = 0.5 * (first1 + then1)
     mean2 = 0.5 * (first2 + then2)
     load = mean1 + mean2
-    evenly = 4.0 * (mean1 / load) * (mean2 / load) if load > 0.0 else 0.0
+    pushes = load > 0.0
+    load = select(pushes, load, 1.0)
+    evenly = select(pushes, 4.0 * (mean1 / load) * (mean2 / load), 0.0)
     after1 = mean1 + over_relaxation * evenly * (mean1 - before.first)
     after2 = mean2 + over_relaxation * evenly * (mean2 - before.second)
-    return PointImpulses(after1 if after1 > 0.0 else 0.0, after2 if after2 > 0.0 else 0.0)
+    return PointImpulses(_pushing(after1), _pushing(after2))
+
+
+@inlined_kernel
+def _pushing(impulse: Number) -> Number:
+    """An impulse (N s), or 0 where it would pull."""
+    return select(impulse > 0.0, impulse, 0.0)

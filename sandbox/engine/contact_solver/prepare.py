@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
+from sandbox._prefetch import AHEAD, prefetch_row
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.closing_speed import closes_hard
 from sandbox.engine.contact_solver.law import (
@@ -24,7 +25,6 @@ from sandbox.tables import Floats, Records
 
 BLOCK_SIZE = cb.BLOCK_SIZE
 LANES = cb.LANES
-VECTOR = cb.VECTOR
 
 
 @kernel
@@ -65,11 +65,13 @@ def prepare_blocks(
     for n in range(first, end):
         block = blocks.blocks[n]
         base = n * BLOCK_SIZE
-        _clear_last_vector(block, lanes, base)
+        _clear_unused(block, lanes, base)
         block.rolling = 0
         for k in range(block.count):
             slot = blocks.slots[block.first + k]
             contact = contacts[slot.contact]
+            if block.first + k + AHEAD < blocks.slots.shape[0]:
+                prefetch_row(contacts, blocks.slots[block.first + k + AHEAD].contact)
             at = base + k
             a = bodies[slot.body_a]
             b = bodies[slot.body_b]
@@ -83,13 +85,11 @@ def prepare_blocks(
 
 
 @kernel
-def _clear_last_vector(block: Records, lanes: Floats, base: int) -> None:
-    """Zero the lanes that no contact fills but the arithmetic runs over."""
-    first = block.count & ~(VECTOR - 1)
-    end = LANES if block.count > LANES - VECTOR else first + VECTOR
-    for field in range(0, BLOCK_SIZE, LANES):
-        for k in range(first, end):
-            lanes[base + field + k] = 0.0
+def _clear_unused(block: Records, lanes: Floats, base: int) -> None:
+    """Zero a block with lanes that no contact fills but the arithmetic runs over."""
+    if block.count < LANES:
+        for k in range(base, base + BLOCK_SIZE):
+            lanes[k] = 0.0
 
 
 @inlined_kernel

@@ -1,23 +1,31 @@
 """Stages: solve and relax contacts, block by block.
 
 Sequential impulses with accumulated clamping (E. Catto, "Iterative Dynamics with Temporal Coherence", GDC 2005);
-soft contacts with a relax pass after the positions have moved (Box2D v3's soft step). Each block is gathered into
-`gathered`, computed lane by lane, and scattered; see `blocks` for the layout.
+soft contacts with a relax pass after the positions have moved (Box2D v3's soft step). The four contacts of a block are
+solved side by side in vectors; see `blocks` for the layout.
 """
 
 from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
+from sandbox._vectors import Mask, load, select, store
 from sandbox.engine.contact_solver import blocks as cb
-from sandbox.engine.contact_solver.gather import gather_deltas, gather_velocities, scatter_velocities
+from sandbox.engine.contact_solver.gather import (
+    PairPose,
+    gather_poses,
+    gather_velocities,
+    rows_of,
+    scatter_velocities,
+)
 from sandbox.engine.contact_solver.lanes import (
-    is_solved_singly,
-    lane_anchors,
-    lane_mass,
-    lane_velocity,
-    set_lane_velocity,
+    lanes_between,
+    load_anchors,
+    load_masses,
+    load_normal_impulses,
+    store_lanes,
 )
 from sandbox.engine.contact_solver.law import (
+    PairMass,
     PairVelocity,
     PointImpulses,
     apply_impulse,
@@ -34,7 +42,6 @@ from sandbox.engine.workers.task_kinds import SOLVE_CONTACTS, tell_soft
 from sandbox.tables import Floats, Records
 
 BLOCK_SIZE = cb.BLOCK_SIZE
-VECTOR = cb.VECTOR
 
 
 @kernel
@@ -46,113 +53,104 @@ def solve_contacts(
     for color in range(color_count(workers, blocks)):
         first, end = first_part_of_color(workers, SOLVE_CONTACTS, blocks, color, block_count)
         while first < end:
-            solve_blocks(motions, blocks, first, end, workers.gathered, soft)
+            solve_blocks(motions, blocks, first, end, soft)
             first, end = next_part(workers, first, end)
 
 
 @kernel
-def solve_blocks(
-    motions: Records, blocks: ContactBlocks, first: int, end: int, gathered: Floats, soft: SoftContact
-) -> None:
-    """The same for the blocks first..end-1. `gathered` is scratch."""
-    slots = blocks.slots
+def solve_blocks(motions: Records, blocks: ContactBlocks, first: int, end: int, soft: SoftContact) -> None:
+    """The same for the blocks first..end-1. The lanes of a serial block are solved one by one."""
     for n in range(first, end):
         block = blocks.blocks[n]
-        singly = is_solved_singly(block)
-        turns = block.count if singly else 1
-        width = 1 if singly else block.count
-        for turn in range(turns):
-            v = blocks.lanes[n * BLOCK_SIZE + turn : (n + 1) * BLOCK_SIZE]
-            slot = block.first + turn
-            gather_velocities(motions, slots, slot, width, gathered)
-            gather_deltas(motions, slots, slot, width, gathered)
-            if singly:
-                _solve_lane(v, gathered, 0, soft)
-            else:
-                for lane in range(0, width, VECTOR):
-                    _solve_lanes(v[lane:], gathered[lane:], soft)
-            if block.rolling == 1:
-                _resist_rolling(v, gathered, width)
-            scatter_velocities(motions, slots, slot, width, gathered)
-
-
-@kernel
-def _solve_lanes(v: Floats, g: Floats, soft: SoftContact) -> None:
-    for k in range(VECTOR):
-        _solve_lane(v, g, k, soft)
+        width = 1 if block.serial == 1 else block.count
+        for lane in range(0, block.count, width):
+            _solve_lanes(motions, blocks.slots, block, blocks.lanes[n * BLOCK_SIZE :], lane, lane + width, soft)
 
 
 @inlined_kernel
-def _solve_lane(v: Floats, g: Floats, k: int, soft: SoftContact) -> None:
-    velocity = lane_velocity(g, k)
-    mass = lane_mass(v, k)
-    nx = v[cb.NORMAL_X + k]
-    ny = v[cb.NORMAL_Y + k]
-    r1 = lane_anchors(v, cb.POINT_1, k)
-    r2 = lane_anchors(v, cb.POINT_2, k)
-    before = PointImpulses(v[cb.POINT_1 + cb.NORMAL_IMPULSE + k], v[cb.POINT_2 + cb.NORMAL_IMPULSE + k])
-    row1 = _normal_row(v, g, k, cb.POINT_1, velocity, soft)
-    row2 = _normal_row(v, g, k, cb.POINT_2, velocity, soft)
-    normal = solve_pair(row1, row2, v[cb.COUPLING + k], before, soft.over_relaxation)
-    v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] = normal.first
-    v[cb.POINT_2 + cb.NORMAL_IMPULSE + k] = normal.second
+def _solve_lanes(
+    motions: Records, slots: Records, block: Records, v: Floats, first_lane: int, end_lane: int, soft: SoftContact
+) -> None:
+    """Solve the lanes first_lane..end_lane-1 of a block with lanes `v`: all are worked out, and those kept."""
+    rows = rows_of(slots, block.first, block.count)
+    gathered = gather_velocities(motions, rows)
+    pose = gather_poses(motions, rows, gathered)
+    lanes = lanes_between(first_lane, end_lane)
+    velocity = gathered.velocity
+    mass = load_masses(v)
+    nx = load(v, cb.NORMAL_X)
+    ny = load(v, cb.NORMAL_Y)
+    r1 = load_anchors(v, cb.POINT_1)
+    r2 = load_anchors(v, cb.POINT_2)
+    before = load_normal_impulses(v)
+    row1 = _normal_row(v, pose, cb.POINT_1, velocity, soft)
+    row2 = _normal_row(v, pose, cb.POINT_2, velocity, soft)
+    normal = solve_pair(row1, row2, load(v, cb.COUPLING), before, soft.over_relaxation)
+    store_lanes(v, cb.POINT_1 + cb.NORMAL_IMPULSE, lanes, normal.first, before.first)
+    store_lanes(v, cb.POINT_2 + cb.NORMAL_IMPULSE, lanes, normal.second, before.second)
     change = PointImpulses(normal.first - before.first, normal.second - before.second)
     velocity = push_both(velocity, mass, r1, r2, change, nx, ny)
     r = bearing_anchors(r1, r2, normal.first, normal.second)
     vx, vy = relative_velocity(velocity, r)
-    speed = vx * ny - vy * nx - v[cb.SURFACE_SPEED + k]
-    rubbed = v[cb.TANGENT_IMPULSE + k]
-    limit = v[cb.FRICTION + k] * (normal.first + normal.second)
-    after = clamp_to_cone(rubbed - v[cb.TANGENT_MASS + k] * speed, limit)
-    v[cb.TANGENT_IMPULSE + k] = after
+    speed = vx * ny - vy * nx - load(v, cb.SURFACE_SPEED)
+    rubbed = load(v, cb.TANGENT_IMPULSE)
+    limit = load(v, cb.FRICTION) * (normal.first + normal.second)
+    after = clamp_to_cone(rubbed - load(v, cb.TANGENT_MASS) * speed, limit)
+    store_lanes(v, cb.TANGENT_IMPULSE, lanes, after, rubbed)
     impulse = after - rubbed
     velocity = apply_impulse(velocity, mass, r, impulse * ny, -impulse * nx)
-    set_lane_velocity(g, k, velocity)
+    if block.rolling == 1:
+        velocity = _resist_rolling(v, velocity, mass, normal, lanes)
+    scatter_velocities(motions, rows, velocity, gathered, first_lane, end_lane)
 
 
 @inlined_kernel
-def _normal_row(v: Floats, g: Floats, k: int, point: int, velocity: PairVelocity, soft: SoftContact) -> NormalRow:
-    """What point `POINT_1` or `POINT_2` of lane k asks for along the normal."""
-    nx = v[cb.NORMAL_X + k]
-    ny = v[cb.NORMAL_Y + k]
-    r = lane_anchors(v, point, k)
-    gap_x = g[cb.DELTA_X + k] + (g[cb.COS_B + k] * r.bx - g[cb.SIN_B + k] * r.by)
-    gap_x = gap_x - (g[cb.COS_A + k] * r.ax - g[cb.SIN_A + k] * r.ay)
-    gap_y = g[cb.DELTA_Y + k] + (g[cb.SIN_B + k] * r.bx + g[cb.COS_B + k] * r.by)
-    gap_y = gap_y - (g[cb.SIN_A + k] * r.ax + g[cb.COS_A + k] * r.ay)
-    rounding = v[cb.RADIUS_A + k] * g[cb.COS_A + k] + v[cb.RADIUS_B + k] * g[cb.COS_B + k]
-    separation = gap_x * nx + gap_y * ny + rounding + v[point + cb.SEPARATION + k]
+def _normal_row(v: Floats, pose: PairPose, point: int, velocity: PairVelocity, soft: SoftContact) -> NormalRow:
+    """What `POINT_1` or `POINT_2` of the contacts of a block ask for along the normal."""
+    nx = load(v, cb.NORMAL_X)
+    ny = load(v, cb.NORMAL_Y)
+    r = load_anchors(v, point)
+    gap_x = pose.x + (pose.cos_b * r.bx - pose.sin_b * r.by) - (pose.cos_a * r.ax - pose.sin_a * r.ay)
+    gap_y = pose.y + (pose.sin_b * r.bx + pose.cos_b * r.by) - (pose.sin_a * r.ax + pose.cos_a * r.ay)
+    rounding = load(v, cb.RADIUS_A) * pose.cos_a + load(v, cb.RADIUS_B) * pose.cos_b
+    separation = gap_x * nx + gap_y * ny + rounding + load(v, point + cb.SEPARATION)
     overlaps = separation <= 0.0
     wanted = soft.bias_rate * separation
     saturated = wanted < soft.slowest_bias
-    push = soft.slowest_bias if saturated else wanted
-    ahead = separation * soft.inverse_seconds + v[cb.MAY_IMPACT + k] * soft.impact_allowance
-    bias = push if overlaps else ahead
-    scale = 1.0 - soft.softness if overlaps else 1.0
+    push = select(saturated, soft.slowest_bias, wanted)
+    ahead = separation * soft.inverse_seconds + load(v, cb.MAY_IMPACT) * soft.impact_allowance
+    bias = select(overlaps, push, ahead)
+    scale = select(overlaps, 1.0 - soft.softness, 1.0)
     # Where the push is saturated the contact grows stiffer, so that it sinks no deeper than the same spring would.
-    softness = soft.softness * (push / wanted if saturated else 1.0)
-    softness = softness if overlaps else 0.0
+    softness = soft.softness * select(saturated, push / select(saturated, wanted, 1.0), 1.0)
+    softness = select(overlaps, softness, 0.0)
     vx, vy = relative_velocity(velocity, r)
     speed = vx * nx + vy * ny
-    mass = v[point + cb.NORMAL_MASS + k] * scale
-    before = v[point + cb.NORMAL_IMPULSE + k]
+    mass = load(v, point + cb.NORMAL_MASS) * scale
+    before = load(v, point + cb.NORMAL_IMPULSE)
     return NormalRow(mass, before - mass * (speed + bias) - softness * before)
 
 
-@kernel
-def _resist_rolling(v: Floats, g: Floats, count: int) -> None:
+@inlined_kernel
+def _resist_rolling(
+    v: Floats, velocity: PairVelocity, mass: PairMass, normal: PointImpulses, lanes: Mask
+) -> PairVelocity:
     """Rolling resistance: a torque impulse against relative spin, bounded by lever arm times normal impulse.
 
     Contacts without it keep even the signs of their zeros: what shares a block must not matter.
     """
-    for k in range(count):
-        load = v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] + v[cb.POINT_2 + cb.NORMAL_IMPULSE + k]
-        resists = v[cb.ROLLING_RESISTANCE + k] > 0.0
-        limit = v[cb.ROLLING_RESISTANCE + k] * load
-        before = v[cb.ROLLING_IMPULSE + k]
-        spin_a = g[cb.ANGULAR_A + k]
-        spin_b = g[cb.ANGULAR_B + k]
-        after = clamp_to_cone(before - v[cb.ROLLING_MASS + k] * (spin_b - spin_a), limit)
-        v[cb.ROLLING_IMPULSE + k] = after if resists else before
-        g[cb.ANGULAR_A + k] = spin_a - v[cb.INVERSE_INERTIA_A + k] * (after - before) if resists else spin_a
-        g[cb.ANGULAR_B + k] = spin_b + v[cb.INVERSE_INERTIA_B + k] * (after - before) if resists else spin_b
+    resistance = load(v, cb.ROLLING_RESISTANCE)
+    resists = resistance > 0.0
+    before = load(v, cb.ROLLING_IMPULSE)
+    spin = velocity.bw - velocity.aw
+    limit = resistance * (normal.first + normal.second)
+    after = clamp_to_cone(before - load(v, cb.ROLLING_MASS) * spin, limit)
+    store(v, cb.ROLLING_IMPULSE, select(lanes & resists, after, before))
+    return PairVelocity(
+        velocity.ax,
+        velocity.ay,
+        select(resists, velocity.aw - mass.inertia_a * (after - before), velocity.aw),
+        velocity.bx,
+        velocity.by,
+        select(resists, velocity.bw + mass.inertia_b * (after - before), velocity.bw),
+    )

@@ -1,4 +1,4 @@
-"""How the hinges of nets lie in memory: blocks of 64 lanes, as contacts do (`contact_solver/blocks.py`).
+"""How the hinges of nets lie in memory: blocks of four lanes, as contacts do (`contact_solver/blocks.py`).
 
 Hinges of one colour share no body that they move, so that they can be solved side by side. Only plain ones lie here:
 those without spring, stop or motor, in parts that are not factorised.
@@ -38,20 +38,6 @@ GAP_X = 14 * LANES
 GAP_Y = 15 * LANES
 HINGE_BLOCK_SIZE = 16 * LANES
 
-# The members of a block, gathered before the arithmetic and scattered after it.
-VELOCITY_AX = 0 * LANES
-VELOCITY_AY = 1 * LANES
-ANGULAR_A = 2 * LANES
-VELOCITY_BX = 3 * LANES
-VELOCITY_BY = 4 * LANES
-ANGULAR_B = 5 * LANES
-DELTA_X = 6 * LANES
-DELTA_Y = 7 * LANES
-COS_A = 8 * LANES
-SIN_A = 9 * LANES
-COS_B = 10 * LANES
-SIN_B = 11 * LANES
-
 HINGE = Table(
     "hinge",
     (
@@ -66,7 +52,7 @@ HINGE_BLOCK = Table(
     "hinge_block",
     (
         Field("first", "-", "its first hinge", "i8"),
-        Field("count", "-", "lanes in use, 1..64", "i8"),
+        Field("count", "-", "lanes in use, 1..4", "i8"),
         Field("before", "-", "blocks of the same part and colour before it", "i8"),
         Field("left", "-", "blocks of them from it on", "i8"),
     ),
@@ -125,7 +111,7 @@ def _colors(members: Records, hinges: Records) -> Integers:
 
 
 def _blocks(part: Integers, color: Integers) -> Records:
-    """Blocks of up to 64 neighbours that have both in common."""
+    """Blocks of up to four neighbours that have both in common."""
     count = len(part)
     change = np.ones(count, bool)
     change[1:] = (part[1:] != part[:-1]) | (color[1:] != color[:-1])

@@ -6,7 +6,9 @@ import math
 from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox.engine.contact_solver.blocks import LANES
+from sandbox._vectors import Vector, absolute, load, select, store
+from sandbox.engine.contact_solver.gather import PairPose, PairRows, gather_fields, scatter_fields
+from sandbox.engine.contact_solver.law import Anchors, PairMass, PairVelocity, apply_impulse, relative_velocity
 from sandbox.engine.joints import hinge_lanes as hl
 from sandbox.engine.joints.hinge_lanes import HINGE_BLOCK_SIZE, HingeLanes
 from sandbox.engine.joints.records import JointWork
@@ -25,15 +27,27 @@ class SoftHinge(NamedTuple):
     give: float
 
 
-class HingePose(NamedTuple):
-    """Where the anchors of a hinge are: a's, where it is pushed, b's, both from the centres, and the gap, m."""
+class Members(NamedTuple):
+    """The bodies of the hinges of a block: their rows in the table of members, their velocities and poses, and what
+    lies behind the velocities there."""
 
-    ax: float
-    ay: float
-    bx: float
-    by: float
-    gap_x: float
-    gap_y: float
+    rows: PairRows
+    velocity: PairVelocity
+    pose: PairPose
+    start_cos_a: Vector
+    start_cos_b: Vector
+
+
+class Gap(NamedTuple):
+    """The anchors of hinges: where their bodies are pushed, and from anchor a to anchor b, m."""
+
+    anchors: Anchors
+    x: Vector
+    y: Vector
+
+
+_VELOCITY, _DISPLACEMENT = 4, 12
+"""Numbers of fields of the table of members: velocity_x and displacement_x, each before what belongs to it."""
 
 
 @kernel
@@ -74,21 +88,25 @@ def warm_start_hinges(work: JointWork, part: Records, seconds: float, far: float
         stop = at + h.blocks[at].left
         first, end = first_part(workers, WARM_START_HINGES, at, stop)
         while first < end:
-            warm_start_hinge_blocks(h, work.members, first, end, far / seconds, workers.gathered)
+            warm_start_hinge_blocks(h, work.members, first, end, far / seconds)
             first, end = next_part(workers, first, end)
         at = stop
 
 
 @kernel
-def warm_start_hinge_blocks(
-    h: HingeLanes, members: Records, first: int, end: int, fastest: float, gathered: Floats
-) -> None:
-    """The same for blocks of one colour, but at what turns faster than `fastest` rad/s. `gathered` is scratch."""
+def warm_start_hinge_blocks(h: HingeLanes, members: Records, first: int, end: int, fastest: float) -> None:
+    """The same for blocks of one colour, but at what turns faster than `fastest` rad/s."""
     for n in range(first, end):
+        block = h.blocks[n]
         v = h.lanes[n * HINGE_BLOCK_SIZE : (n + 1) * HINGE_BLOCK_SIZE]
-        _gather(members, h, h.blocks[n], gathered)
-        _warm_start_lanes(v, gathered, fastest)
-        _scatter(members, h, h.blocks[n], gathered)
+        of = _gather(members, h, block)
+        spins = (absolute(of.velocity.aw) > fastest) | (absolute(of.velocity.bw) > fastest)
+        x = select(spins, 0.0, load(v, hl.IMPULSE_X))
+        y = select(spins, 0.0, load(v, hl.IMPULSE_Y))
+        store(v, hl.IMPULSE_X, x)
+        store(v, hl.IMPULSE_Y, y)
+        anchors = _gap(v, of.pose).anchors
+        _scatter(members, of, apply_impulse(of.velocity, _masses(v), anchors, x, y), block.count)
 
 
 @kernel
@@ -106,21 +124,19 @@ def sweep_hinges(work: JointWork, part: Records, soft: SoftHinge, backwards: boo
         stop = last + 1 if backwards else done + h.blocks[done].left
         first, end = first_part(workers, SWEEP_HINGES, at, stop)
         while first < end:
-            sweep_hinge_blocks(h, work.members, first, end, soft, workers.gathered)
+            sweep_hinge_blocks(h, work.members, first, end, soft)
             first, end = next_part(workers, first, end)
         done += stop - at
 
 
 @kernel
-def sweep_hinge_blocks(
-    h: HingeLanes, members: Records, first: int, end: int, soft: SoftHinge, gathered: Floats
-) -> None:
-    """The same for blocks of one colour. `gathered` is scratch."""
+def sweep_hinge_blocks(h: HingeLanes, members: Records, first: int, end: int, soft: SoftHinge) -> None:
+    """The same for blocks of one colour."""
     for n in range(first, end):
+        block = h.blocks[n]
         v = h.lanes[n * HINGE_BLOCK_SIZE : (n + 1) * HINGE_BLOCK_SIZE]
-        _gather(members, h, h.blocks[n], gathered)
-        _sweep_lanes(v, gathered, soft)
-        _scatter(members, h, h.blocks[n], gathered)
+        of = _gather(members, h, block)
+        _scatter(members, of, _swept(v, of, soft), block.count)
 
 
 @kernel
@@ -129,9 +145,8 @@ def accumulate_hinges(work: JointWork, part: Records) -> None:
     lanes = work.side_by_side.lanes
     for n in range(part.first_block, part.block_end):
         v = lanes[n * HINGE_BLOCK_SIZE : (n + 1) * HINGE_BLOCK_SIZE]
-        for k in range(LANES):
-            v[hl.TOTAL_X + k] += v[hl.IMPULSE_X + k]
-            v[hl.TOTAL_Y + k] += v[hl.IMPULSE_Y + k]
+        store(v, hl.TOTAL_X, load(v, hl.TOTAL_X) + load(v, hl.IMPULSE_X))
+        store(v, hl.TOTAL_Y, load(v, hl.TOTAL_Y) + load(v, hl.IMPULSE_Y))
 
 
 @kernel
@@ -155,104 +170,102 @@ def report_hinges(work: JointWork, part: Records, seconds: float, counter: Recor
                 counter.broken_count += 1
 
 
-@kernel
-def _gather(members: Records, h: HingeLanes, block: Records, g: Floats) -> None:
-    for k in range(block.count):
-        hinge = h.hinges[block.first + k]
-        a = members[hinge.member_a]
-        b = members[hinge.member_b]
-        g[hl.VELOCITY_AX + k] = a.velocity_x
-        g[hl.VELOCITY_AY + k] = a.velocity_y
-        g[hl.ANGULAR_A + k] = a.angular_velocity
-        g[hl.VELOCITY_BX + k] = b.velocity_x
-        g[hl.VELOCITY_BY + k] = b.velocity_y
-        g[hl.ANGULAR_B + k] = b.angular_velocity
-        g[hl.DELTA_X + k] = b.displacement_x - a.displacement_x
-        g[hl.DELTA_Y + k] = b.displacement_y - a.displacement_y
-        g[hl.COS_A + k] = a.cos
-        g[hl.SIN_A + k] = a.sin
-        g[hl.COS_B + k] = b.cos
-        g[hl.SIN_B + k] = b.sin
-
-
-@kernel
-def _scatter(members: Records, h: HingeLanes, block: Records, g: Floats) -> None:
-    for k in range(block.count):
-        hinge = h.hinges[block.first + k]
-        a = members[hinge.member_a]
-        b = members[hinge.member_b]
-        a.velocity_x = g[hl.VELOCITY_AX + k]
-        a.velocity_y = g[hl.VELOCITY_AY + k]
-        a.angular_velocity = g[hl.ANGULAR_A + k]
-        b.velocity_x = g[hl.VELOCITY_BX + k]
-        b.velocity_y = g[hl.VELOCITY_BY + k]
-        b.angular_velocity = g[hl.ANGULAR_B + k]
+@inlined_kernel
+def _gather(members: Records, h: HingeLanes, block: Records) -> Members:
+    """The bodies of a block; lanes that are not used have those of the first one."""
+    k0 = block.first
+    k1 = k0 + 1 if block.count > 1 else k0
+    k2 = k0 + 2 if block.count > 2 else k0
+    k3 = k0 + 3 if block.count > 3 else k0
+    rows = PairRows(
+        (h.hinges[k0].member_a, h.hinges[k1].member_a, h.hinges[k2].member_a, h.hinges[k3].member_a),
+        (h.hinges[k0].member_b, h.hinges[k1].member_b, h.hinges[k2].member_b, h.hinges[k3].member_b),
+    )
+    ax, ay, aw, start_cos_a = gather_fields(members, rows.a, _VELOCITY)
+    bx, by, bw, start_cos_b = gather_fields(members, rows.b, _VELOCITY)
+    from_x, from_y, cos_a, sin_a = gather_fields(members, rows.a, _DISPLACEMENT)
+    to_x, to_y, cos_b, sin_b = gather_fields(members, rows.b, _DISPLACEMENT)
+    pose = PairPose(to_x - from_x, to_y - from_y, cos_a, sin_a, cos_b, sin_b)
+    return Members(rows, PairVelocity(ax, ay, aw, bx, by, bw), pose, start_cos_a, start_cos_b)
 
 
 @inlined_kernel
-def _pose(v: Floats, g: Floats, k: int) -> HingePose:
+def _scatter(members: Records, of: Members, v: PairVelocity, count: int) -> None:
+    """Write the velocities of `count` hinges back to the rows they came from."""
+    scatter_fields(members, of.rows.a, _VELOCITY, (v.ax, v.ay, v.aw, of.start_cos_a), 0, count)
+    scatter_fields(members, of.rows.b, _VELOCITY, (v.bx, v.by, v.bw, of.start_cos_b), 0, count)
+
+
+@inlined_kernel
+def _masses(v: Floats) -> PairMass:
+    return PairMass(
+        load(v, hl.INVERSE_MASS_A),
+        load(v, hl.INVERSE_INERTIA_A),
+        load(v, hl.INVERSE_MASS_B),
+        load(v, hl.INVERSE_INERTIA_B),
+    )
+
+
+@inlined_kernel
+def _gap(v: Floats, pose: PairPose) -> Gap:
     """Both are pushed at b's anchor, unless that is further off than half of the longer arm; see `jacobian`."""
-    ax = g[hl.COS_A + k] * v[hl.ANCHOR_AX + k] - g[hl.SIN_A + k] * v[hl.ANCHOR_AY + k]
-    ay = g[hl.SIN_A + k] * v[hl.ANCHOR_AX + k] + g[hl.COS_A + k] * v[hl.ANCHOR_AY + k]
-    bx = g[hl.COS_B + k] * v[hl.ANCHOR_BX + k] - g[hl.SIN_B + k] * v[hl.ANCHOR_BY + k]
-    by = g[hl.SIN_B + k] * v[hl.ANCHOR_BX + k] + g[hl.COS_B + k] * v[hl.ANCHOR_BY + k]
-    gap_x = v[hl.CENTER_X + k] + g[hl.DELTA_X + k] + (bx - ax)
-    gap_y = v[hl.CENTER_Y + k] + g[hl.DELTA_Y + k] + (by - ay)
+    anchor_ax = load(v, hl.ANCHOR_AX)
+    anchor_ay = load(v, hl.ANCHOR_AY)
+    anchor_bx = load(v, hl.ANCHOR_BX)
+    anchor_by = load(v, hl.ANCHOR_BY)
+    ax = pose.cos_a * anchor_ax - pose.sin_a * anchor_ay
+    ay = pose.sin_a * anchor_ax + pose.cos_a * anchor_ay
+    bx = pose.cos_b * anchor_bx - pose.sin_b * anchor_by
+    by = pose.sin_b * anchor_bx + pose.cos_b * anchor_by
+    gap_x = load(v, hl.CENTER_X) + pose.x + (bx - ax)
+    gap_y = load(v, hl.CENTER_Y) + pose.y + (by - ay)
     arm_a = ax * ax + ay * ay
     arm_b = bx * bx + by * by
-    close = gap_x * gap_x + gap_y * gap_y < 0.25 * (arm_a if arm_a > arm_b else arm_b)
-    return HingePose(ax + (gap_x if close else 0.0), ay + (gap_y if close else 0.0), bx, by, gap_x, gap_y)
+    close = gap_x * gap_x + gap_y * gap_y < 0.25 * select(arm_a > arm_b, arm_a, arm_b)
+    return Gap(Anchors(ax + select(close, gap_x, 0.0), ay + select(close, gap_y, 0.0), bx, by), gap_x, gap_y)
 
 
 @inlined_kernel
-def _push(v: Floats, g: Floats, k: int, p: HingePose, x: float, y: float) -> None:
-    """Give b the impulse (x, y) N s, and a the opposite."""
-    g[hl.VELOCITY_AX + k] -= v[hl.INVERSE_MASS_A + k] * x
-    g[hl.VELOCITY_AY + k] -= v[hl.INVERSE_MASS_A + k] * y
-    g[hl.ANGULAR_A + k] -= v[hl.INVERSE_INERTIA_A + k] * (p.ax * y - p.ay * x)
-    g[hl.VELOCITY_BX + k] += v[hl.INVERSE_MASS_B + k] * x
-    g[hl.VELOCITY_BY + k] += v[hl.INVERSE_MASS_B + k] * y
-    g[hl.ANGULAR_B + k] += v[hl.INVERSE_INERTIA_B + k] * (p.bx * y - p.by * x)
+def _swept(v: Floats, of: Members, soft: SoftHinge) -> PairVelocity:
+    """The velocities after a sweep over a block with lanes `v`, whose impulses it changes."""
+    velocity = of.velocity
+    gap = _gap(v, of.pose)
+    r = gap.anchors
+    store(v, hl.GAP_X, gap.x)
+    store(v, hl.GAP_Y, gap.y)
+    masses = _masses(v)
+    ia = masses.inertia_a
+    ib = masses.inertia_b
+    mass = masses.mass_a + masses.mass_b
+    xx = mass + ia * r.ay * r.ay + ib * r.by * r.by
+    yy = mass + ia * r.ax * r.ax + ib * r.bx * r.bx
+    xy = -(ia * r.ax * r.ay) - ib * r.bx * r.by
+    share_x = _share(gap.x, soft.most)
+    share_y = _share(gap.y, soft.most)
+    give_x = soft.give * xx * share_x
+    give_y = soft.give * yy * share_y
+    impulse_x = load(v, hl.IMPULSE_X)
+    impulse_y = load(v, hl.IMPULSE_Y)
+    x, y = relative_velocity(velocity, r)
+    x = x + soft.push * share_x * gap.x + give_x * impulse_x
+    y = y + soft.push * share_y * gap.y + give_y * impulse_y
+    soft_xx = xx + give_x
+    soft_yy = yy + give_y
+    determinant = soft_xx * soft_yy - xy * xy
+    regular = determinant > 0.0
+    inverse = select(regular, 1.0 / select(regular, determinant, 1.0), 0.0)
+    change_x = -inverse * (soft_yy * x - xy * y)
+    change_y = -inverse * (soft_xx * y - xy * x)
+    store(v, hl.IMPULSE_X, impulse_x + change_x)
+    store(v, hl.IMPULSE_Y, impulse_y + change_y)
+    return apply_impulse(velocity, masses, r, change_x, change_y)
 
 
-@kernel
-def _warm_start_lanes(v: Floats, g: Floats, fastest: float) -> None:
-    for k in range(LANES):
-        spins = abs(g[hl.ANGULAR_A + k]) > fastest or abs(g[hl.ANGULAR_B + k]) > fastest
-        x = 0.0 if spins else v[hl.IMPULSE_X + k]
-        y = 0.0 if spins else v[hl.IMPULSE_Y + k]
-        v[hl.IMPULSE_X + k] = x
-        v[hl.IMPULSE_Y + k] = y
-        _push(v, g, k, _pose(v, g, k), x, y)
+@inlined_kernel
+def _share(gap: Vector, most: float) -> Vector:
+    """What is left of a push that is cut to that of `most` m.
 
-
-@kernel
-def _sweep_lanes(v: Floats, g: Floats, soft: SoftHinge) -> None:
-    for k in range(LANES):
-        p = _pose(v, g, k)
-        v[hl.GAP_X + k] = p.gap_x
-        v[hl.GAP_Y + k] = p.gap_y
-        ia = v[hl.INVERSE_INERTIA_A + k]
-        ib = v[hl.INVERSE_INERTIA_B + k]
-        mass = v[hl.INVERSE_MASS_A + k] + v[hl.INVERSE_MASS_B + k]
-        xx = mass + ia * p.ay * p.ay + ib * p.by * p.by
-        yy = mass + ia * p.ax * p.ax + ib * p.bx * p.bx
-        xy = -(ia * p.ax * p.ay) - ib * p.bx * p.by
-        # Where the push is cut the hinge grows stiffer, so that it gives way no further than the same spring would.
-        share_x = soft.most / abs(p.gap_x) if abs(p.gap_x) > soft.most else 1.0
-        share_y = soft.most / abs(p.gap_y) if abs(p.gap_y) > soft.most else 1.0
-        give_x = soft.give * xx * share_x
-        give_y = soft.give * yy * share_y
-        x = g[hl.VELOCITY_BX + k] - g[hl.ANGULAR_B + k] * p.by - g[hl.VELOCITY_AX + k] + g[hl.ANGULAR_A + k] * p.ay
-        y = g[hl.VELOCITY_BY + k] + g[hl.ANGULAR_B + k] * p.bx - g[hl.VELOCITY_AY + k] - g[hl.ANGULAR_A + k] * p.ax
-        x = x + soft.push * share_x * p.gap_x + give_x * v[hl.IMPULSE_X + k]
-        y = y + soft.push * share_y * p.gap_y + give_y * v[hl.IMPULSE_Y + k]
-        soft_xx = xx + give_x
-        soft_yy = yy + give_y
-        determinant = soft_xx * soft_yy - xy * xy
-        inverse = 1.0 / determinant if determinant > 0.0 else 0.0
-        change_x = -inverse * (soft_yy * x - xy * y)
-        change_y = -inverse * (soft_xx * y - xy * x)
-        v[hl.IMPULSE_X + k] += change_x
-        v[hl.IMPULSE_Y + k] += change_y
-        _push(v, g, k, p, change_x, change_y)
+    The hinge grows stiffer by it, so that it gives way no further than the same spring would.
+    """
+    cut = absolute(gap) > most
+    return select(cut, most / select(cut, absolute(gap), 1.0), 1.0)

@@ -21,7 +21,7 @@ BLOCK = Table(
     "block",
     (
         Field("first", "-", "its first slot", "i8"),
-        Field("count", "-", "lanes in use, 1..64", "i8"),
+        Field("count", "-", "lanes in use, 1..4", "i8"),
         Field("serial", "-", "1 when its contacts may share bodies and are solved one by one", "i8"),
         Field("rolling", "-", "1 when some contact has rolling resistance", "i8"),
     ),

@@ -6,7 +6,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sandbox.engine.contact_solver.blocks import GATHER_SIZE
 from sandbox.tables import Floats, Integers, aligned_zeros
 
 WORDS = 64
@@ -20,13 +19,12 @@ FROZEN = 4
 
 
 class Workers(NamedTuple):
-    """`words` and `numbers` tell of the task under way; `gathered` has the bodies of a block for each worker. `number`
-    says which worker this is meant for: 0 is the one that takes the step. `alone` are words of one who shares nothing.
+    """`words` and `numbers` tell of the task under way. `number` says which worker this is meant for: 0 is the one that
+    takes the step. `alone` are words of one who shares nothing.
     """
 
     words: Integers
     numbers: Floats
-    gathered: Floats
     number: int
     alone: Integers
 
@@ -35,5 +33,4 @@ def workers_memory(count: int) -> Workers:
     """Memory for so many workers, of which only the first takes part until `words` says otherwise."""
     words, alone = aligned_zeros(WORDS, np.int64), aligned_zeros(WORDS, np.int64)
     words[SIZE] = alone[SIZE] = 1
-    numbers = aligned_zeros(count * NUMBERS, np.float64)
-    return Workers(words, numbers, aligned_zeros(count * GATHER_SIZE, np.float64), 0, alone)
+    return Workers(words, aligned_zeros(count * NUMBERS, np.float64), 0, alone)

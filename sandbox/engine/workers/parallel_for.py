@@ -31,7 +31,7 @@ _HALF = 32
 _LOWER = (1 << _HALF) - 1
 _PATIENCE = 1000
 """So many looks take some microseconds."""
-_FEW = 6
+_FEW = 96
 """Fewer blocks of a colour than this one worker does by itself: the others would fetch them from its cache."""
 _SHARES = 4
 """Parts for each worker: enough to even out that some take longer than others."""

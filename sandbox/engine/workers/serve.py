@@ -7,7 +7,6 @@ from typing import Any
 from sandbox._atomics import atomic_load
 from sandbox._jit import entry_point, kernel
 from sandbox.engine.bodies.integrate import integrate_some_positions, integrate_some_velocities
-from sandbox.engine.contact_solver.blocks import GATHER_SIZE
 from sandbox.engine.contact_solver.prepare import prepare_blocks
 from sandbox.engine.contact_solver.soft_constraint import contact_spring
 from sandbox.engine.contact_solver.solve import solve_blocks
@@ -117,12 +116,11 @@ def _do_hinges(joints: JointWork, workers: Workers, first: int, end: int) -> Non
     """Do a task for the hinges of a net."""
     n = workers.numbers
     h = joints.side_by_side
-    gathered = workers.gathered[workers.number * GATHER_SIZE :]
     if workers.words[TASK] == SWEEP_HINGES:
         soft = SoftHinge(n[PUSH], n[MOST], n[GIVE])
-        sweep_hinge_blocks(h, joints.members, first, end, soft, gathered)
+        sweep_hinge_blocks(h, joints.members, first, end, soft)
     else:
-        warm_start_hinge_blocks(h, joints.members, first, end, n[FASTEST], gathered)
+        warm_start_hinge_blocks(h, joints.members, first, end, n[FASTEST])
 
 
 @kernel
@@ -139,11 +137,10 @@ def _do_bodies(
     task = workers.words[TASK]
     n = workers.numbers
     motions = solver.motions
-    gathered = workers.gathered[workers.number * GATHER_SIZE :]
     if task == SOLVE_CONTACTS:
-        solve_blocks(motions, blocks, first, end, gathered, told_soft(n))
+        solve_blocks(motions, blocks, first, end, told_soft(n))
     elif task == WARM_START:
-        warm_start_blocks(motions, blocks, first, end, gathered)
+        warm_start_blocks(motions, blocks, first, end)
     elif task == INTEGRATE_VELOCITIES:
         integrate_some_velocities(blocks.batches.bodies[first:end], solver)
     elif task == INTEGRATE_POSITIONS:
