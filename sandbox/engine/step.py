@@ -106,7 +106,7 @@ def solve(
     levels = assign_substep_levels(state, active, solver, piles, contacts, joints)
 
     fastest = _begin(state, rows, solver, ccd.bodies)
-    flag_struck(bodies, contacts, ccd.bodies, fastest)
+    flag_struck(bodies, contacts, ccd.bodies, solver.struck, blocks.spare, fastest)
     if joints is not None:
         begin_joints(joints, bodies, solver.free_motions, contacts)
     clear_reports(contacts.reports, count)

@@ -13,7 +13,7 @@ from sandbox.engine.bodies.quarantine import guard_velocities
 from sandbox.engine.contact_solver.mouse_joint import solve_mouse_joints
 from sandbox.engine.contact_solver.put_down import put_down
 from sandbox.engine.contact_solver.soft_constraint import contact_spring
-from sandbox.engine.contact_solver.solve import solve_contacts
+from sandbox.engine.contact_solver.solve import solve_again, solve_contacts
 from sandbox.engine.contact_solver.warm_start import forget_impulses, warm_start
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.joints.solve import prepare_move, relax_joints, select_parts, solve_joints
@@ -79,6 +79,31 @@ def relax_count(unsettled: int) -> int:
 
 
 @kernel
+def relax_contacts(
+    motions: Records,
+    blocks: ContactBlocks,
+    count: int,
+    unsettled: int,
+    workers: Workers,
+    relax: SoftContact,
+    passes: int,
+    accumulate: bool,
+) -> None:
+    """Take back the velocity that pushes overlaps apart: so many passes over the `unsettled` first blocks, one over the
+    others of `count`."""
+    for turn in range(passes):
+        if not accumulate:
+            forget_impulses(blocks, 0, unsettled)
+        if turn == 0:
+            solve_contacts(motions, blocks, 0, unsettled, workers, relax)
+        else:
+            solve_again(motions, blocks, unsettled, workers, relax)
+    if not accumulate:
+        forget_impulses(blocks, unsettled, count)
+    solve_contacts(motions, blocks, unsettled, count, workers, relax)
+
+
+@kernel
 def run_substeps(
     state: StateTables,
     active: ActiveSet,
@@ -113,7 +138,7 @@ def run_substeps(
     relax = SoftContact(closing, 0.0, 0.0, 0.0, WAIT, OVER_RELAXATION)
     accumulate = setting.accumulate == 1
     warm = accumulate and setting.warm_starting == 1
-    relax_passes = relax_count(todo.unsettled) if setting.relax == 1 else 0
+    relax_passes = relax_count(todo.unsettled)
     gravity = math.sqrt(setting.gravity_x * setting.gravity_x + setting.gravity_y * setting.gravity_y)
 
     if joints is not None and rest:
@@ -135,7 +160,7 @@ def run_substeps(
         if warm:
             warm_start(motions, blocks, count, workers)
         else:
-            forget_impulses(blocks, count)
+            forget_impulses(blocks, 0, count)
         if joints is not None and rest:
             solve_joints(joints, motions, free_motions, seconds, workers)
         if todo.unsettled & NEW and substep == 0:
@@ -143,10 +168,10 @@ def run_substeps(
             if now == 0 and spring.yields > 0.0:
                 put_down(bodies, solver, struck, contacts, blocks, unsettled, workers, rigid, spring, gravity)
             else:
-                solve_contacts(motions, blocks, unsettled, workers, rigid)
+                solve_contacts(motions, blocks, 0, unsettled, workers, rigid)
             if not accumulate:
-                forget_impulses(blocks, unsettled)
-        solve_contacts(motions, blocks, count, workers, soft)
+                forget_impulses(blocks, 0, unsettled)
+        solve_contacts(motions, blocks, 0, count, workers, soft)
         if joints is not None and rest:
             prepare_move(joints, motions, free_motions, seconds)
         integrate_positions(rows, solver, gravity, seconds, workers)
@@ -156,9 +181,6 @@ def run_substeps(
             stop_late(bodies, solver, struck, blocks, todo.struck_count, workers, rigid)
         if joints is not None and rest:
             relax_joints(joints, motions, free_motions, seconds, workers)
-        for turn in range(relax_passes):
-            relaxed = count if turn == relax_passes - 1 else unsettled
-            if not accumulate:
-                forget_impulses(blocks, relaxed)
-            solve_contacts(motions, blocks, relaxed, workers, relax)
+        if setting.relax == 1:
+            relax_contacts(motions, blocks, count, unsettled, workers, relax, relax_passes, accumulate)
     return frozen

@@ -211,7 +211,7 @@ class Paused:
         """One pass."""
         m = self.scratch
         soft = SoftContact(1.0 / self.substep, bias, softness, slowest, allowance, beyond)
-        solve_contacts(m.solver.motions, m.blocks, self.blocks, m.workers, soft)
+        solve_contacts(m.solver.motions, m.blocks, 0, self.blocks, m.workers, soft)
 
     def strike(self) -> None:
         """Resolve the impacts of contacts that close at more than 0.2 m/s."""

@@ -19,6 +19,7 @@ UNSETTLED = 1 * KIND
 SETTLED = 2 * KIND
 ALL_COLORS = 3 * KIND
 
+# What every pass reads comes first, so that the lines behind it are not fetched.
 NORMAL_X = 0 * LANES
 NORMAL_Y = 1 * LANES
 INVERSE_MASS_A = 2 * LANES
@@ -39,27 +40,32 @@ SEPARATION = 4 * LANES
 NORMAL_MASS = 5 * LANES
 NORMAL_IMPULSE = 6 * LANES
 
-COUPLING = 20 * LANES
-"""What a normal impulse of 1 N s at one point changes of the normal velocity at the other, 1/kg."""
-TANGENT_IMPULSE = 21 * LANES
+TANGENT_IMPULSE = 20 * LANES
 """Friction of both points: they lie on one line along the tangent, so it is one force."""
-TANGENT_MASS = 22 * LANES
-FRICTION = 23 * LANES
-SURFACE_SPEED = 24 * LANES
-RADIUS_A = 25 * LANES
-RADIUS_B = 26 * LANES
-MAY_IMPACT = 27 * LANES
-"""1 where an impact may follow: such a contact must not be slowed before it strikes."""
-ROLLING_IMPULSE = 28 * LANES
-TOTAL_IMPULSE = 29 * LANES
+TANGENT_MASS = 21 * LANES
+FRICTION = 22 * LANES
+TOTAL_IMPULSE = 23 * LANES
 """Normal impulses of both points, summed over the substeps so far."""
+
+BIAS_1 = 24 * LANES
+"""What the last rigid pass added to the velocity of point 1 along the normal (m/s), for passes at the same poses."""
+BIAS_2 = 25 * LANES
+
+# What few contacts have: it is neither written nor read where no contact of a block has it (`BLOCK`).
+SURFACE_SPEED = 26 * LANES
+RADIUS_A = 27 * LANES
+RADIUS_B = 28 * LANES
+MAY_IMPACT = 29 * LANES
+"""1 where an impact may follow: such a contact must not be slowed before it strikes."""
 ROLLING_RESISTANCE = 30 * LANES
 ROLLING_MASS = 31 * LANES
+ROLLING_IMPULSE = 32 * LANES
 
 # What is kept while contacts are solved together: normal impulses of points 1 and 2, and the tangent impulse.
-RESTING_IMPULSES = 32 * LANES
+RESTING_IMPULSES = 33 * LANES
 """Those that the contact solver had accumulated."""
-LAST_IMPULSES = 35 * LANES
+LAST_IMPULSES = 36 * LANES
 """Those after the pass before."""
 
-BLOCK_SIZE = 38 * LANES
+BLOCK_SIZE = 40 * LANES
+"""Whole cache lines."""

@@ -44,25 +44,25 @@ def closes_hard(a: Records, b: Records, contact: Records) -> bool:
 
 
 @inlined_kernel
-def gap_of(a: Records, b: Records, v: Floats, point: int) -> float:
-    """The gap (m) of now at `POINT_1` or `POINT_2` of the contact with lane `v`, by the motions of its bodies."""
+def gap_of(a: Records, b: Records, block: Records, v: Floats, point: int) -> float:
+    """The gap (m) of now at `POINT_1` or `POINT_2` of the contact with lane `v` of a block, by its bodies' motions."""
     r = lane_anchors(v, point, 0)
     x = b.delta_x - a.delta_x + (b.delta_cos * r.bx - b.delta_sin * r.by) - (a.delta_cos * r.ax - a.delta_sin * r.ay)
     y = b.delta_y - a.delta_y + (b.delta_sin * r.bx + b.delta_cos * r.by) - (a.delta_sin * r.ax + a.delta_cos * r.ay)
-    rounding = v[cb.RADIUS_A] * a.delta_cos + v[cb.RADIUS_B] * b.delta_cos
+    rounding = v[cb.RADIUS_A] * a.delta_cos + v[cb.RADIUS_B] * b.delta_cos if block.rounded == 1 else 0.0
     return float(x * v[cb.NORMAL_X] + y * v[cb.NORMAL_Y] + rounding + v[point + cb.SEPARATION])
 
 
 @kernel
-def closing_beyond_gap(solver: SolverBodies, slot: Records, v: Floats, rate: float) -> float:
+def closing_beyond_gap(solver: SolverBodies, slot: Records, block: Records, v: Floats, rate: float) -> float:
     """How much faster (m/s) than its gap would close in 1 / `rate` seconds a contact closes at its faster point.
 
-    `v` is its lane; velocities are those with which the substep began.
+    `v` is its lane of the block; velocities are those with which the substep began.
     """
     velocity = start_velocity(solver.free_motions, slot)
     fastest = 0.0
     for point in (cb.POINT_1, cb.POINT_2):
-        gap = gap_of(solver.motions[slot.body_a], solver.motions[slot.body_b], v, point)
+        gap = gap_of(solver.motions[slot.body_a], solver.motions[slot.body_b], block, v, point)
         x, y = relative_velocity(velocity, lane_anchors(v, point, 0))
         closing = -(x * v[cb.NORMAL_X] + y * v[cb.NORMAL_Y]) - (gap * rate if gap > 0.0 else 0.0)
         fastest = closing if closing > fastest else fastest

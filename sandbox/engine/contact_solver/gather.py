@@ -42,15 +42,9 @@ class Gathered(NamedTuple):
 
 
 @inlined_kernel
-def rows_of(slots: Records, first: int, count: int) -> PairRows:
-    """The bodies of `count` slots from the first one on; lanes that are not used have those of the first."""
-    k1 = first + 1 if count > 1 else first
-    k2 = first + 2 if count > 2 else first
-    k3 = first + 3 if count > 3 else first
-    return PairRows(
-        (slots[first].body_a, slots[k1].body_a, slots[k2].body_a, slots[k3].body_a),
-        (slots[first].body_b, slots[k1].body_b, slots[k2].body_b, slots[k3].body_b),
-    )
+def rows_of(block: Records) -> PairRows:
+    """The bodies of a block of contacts."""
+    return PairRows((block.a0, block.a1, block.a2, block.a3), (block.b0, block.b1, block.b2, block.b3))
 
 
 @inlined_kernel

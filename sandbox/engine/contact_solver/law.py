@@ -108,15 +108,11 @@ def effective_mass(m: PairMass, r: Anchors, x: float, y: float) -> float:
 
 
 @inlined_kernel
-def coupling(contact: Records, m: PairMass) -> float:
+def coupling(m: PairMass, r1: Anchors, r2: Anchors, nx: Number, ny: Number) -> Number:
     """Change of normal velocity at one point of a contact for a normal impulse at the other, 1/kg."""
-    nx = contact.normal_x
-    ny = contact.normal_y
-    r1 = anchors_of(contact, 1)
-    r2 = anchors_of(contact, 2)
     turn_a = (r1.ax * ny - r1.ay * nx) * (r2.ax * ny - r2.ay * nx)
     turn_b = (r1.bx * ny - r1.by * nx) * (r2.bx * ny - r2.by * nx)
-    return float(m.mass_a + m.mass_b + m.inertia_a * turn_a + m.inertia_b * turn_b)
+    return m.mass_a + m.mass_b + m.inertia_a * turn_a + m.inertia_b * turn_b
 
 
 @inlined_kernel

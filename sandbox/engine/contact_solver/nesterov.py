@@ -18,7 +18,7 @@ from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import load, store
 from sandbox.engine.bodies.integrate import SOLVED
 from sandbox.engine.contact_solver import blocks as cb
-from sandbox.engine.contact_solver.solve import solve_contacts
+from sandbox.engine.contact_solver.solve import solve_again, solve_contacts
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contact_blocks import ContactBlocks, SoftContact
 from sandbox.engine.records.workers import Workers
@@ -84,7 +84,10 @@ def solve_until_agreed(
     changes = 0.0
     agree = 0
     for turn in range(passes):
-        solve_contacts(motions, blocks, block_count, workers, rigid)
+        if turn == 0:
+            solve_contacts(motions, blocks, 0, block_count, workers, rigid)
+        else:
+            solve_again(motions, blocks, block_count, workers, rigid)
         energy, change = _measure(bodies, motions, moved)
         changes += change
         agreed = change <= ROUNDING * changes or (change < effort.agreed * changes and turn * contacts >= LEAST_WORK)

@@ -10,7 +10,6 @@ from sandbox.engine.contact_solver.law import (
     PairMass,
     anchors_of,
     bearing_anchors,
-    coupling,
     effective_mass,
     pair_mass,
     separation_of,
@@ -61,35 +60,91 @@ def prepare_blocks(
     Those are what a substep of the level gives, while contacts keep what one of level 0 would. `impacts` says that
     some contact may have one in this step.
     """
-    lanes = blocks.lanes
     for n in range(first, end):
         block = blocks.blocks[n]
-        base = n * BLOCK_SIZE
-        _clear_unused(block, lanes, base)
-        block.rolling = 0
+        v = blocks.lanes[n * BLOCK_SIZE : (n + 1) * BLOCK_SIZE]
+        if block.count < LANES:
+            _clear(v)
+        _begin_block(block)
+        for k in range(block.count):
+            at = block.first + k
+            if at + AHEAD < blocks.slots.shape[0]:
+                prefetch_row(contacts, blocks.slots[at + AHEAD].contact)
+            slot = blocks.slots[at]
+            contact = contacts[slot.contact]
+            _note_bodies(block, k, slot.body_a, slot.body_b)
+            _note_traits(block, contact)
+            _prepare_lane(bodies[slot.body_a], bodies[slot.body_b], contact, spring.share, v[k:])
+            if contact.substep_level != spring.level:
+                change_level(contact, spring, v[k:])
         for k in range(block.count):
             slot = blocks.slots[block.first + k]
-            contact = contacts[slot.contact]
-            if block.first + k + AHEAD < blocks.slots.shape[0]:
-                prefetch_row(contacts, blocks.slots[block.first + k + AHEAD].contact)
-            at = base + k
             a = bodies[slot.body_a]
             b = bodies[slot.body_b]
-            _prepare_lane(a, b, contact, spring.share, lanes[at:])
-            if contact.substep_level != spring.level:
-                change_level(contact, spring, lanes[at:])
-            strikes = impacts and (contact.restitution > 0.0 or closes_hard(a, b, contact))
-            lanes[at + cb.MAY_IMPACT] = 1.0 if strikes else 0.0
-            if contact.rolling_resistance > 0.0:
-                block.rolling = 1
+            _prepare_traits(block, a, b, contacts[slot.contact], spring.share, impacts, v[k:])
 
 
-@kernel
-def _clear_unused(block: Records, lanes: Floats, base: int) -> None:
+@inlined_kernel
+def _clear(v: Floats) -> None:
     """Zero a block with lanes that no contact fills but the arithmetic runs over."""
-    if block.count < LANES:
-        for k in range(base, base + BLOCK_SIZE):
-            lanes[k] = 0.0
+    for k in range(BLOCK_SIZE):
+        v[k] = 0.0
+
+
+@inlined_kernel
+def _begin_block(block: Records) -> None:
+    block.rolling = 0
+    block.driven = 0
+    block.rounded = 0
+    block.strikes = 0
+
+
+@inlined_kernel
+def _note_bodies(block: Records, k: int, a: int, b: int) -> None:
+    """Let lane k and all behind it have these bodies: those that are not used are gathered as well."""
+    if k == 0:
+        block.a0 = a
+        block.b0 = b
+    if k <= 1:
+        block.a1 = a if k == 1 else block.a0
+        block.b1 = b if k == 1 else block.b0
+    if k <= 2:
+        block.a2 = a if k == 2 else block.a0
+        block.b2 = b if k == 2 else block.b0
+    block.a3 = a if k == 3 else block.a0
+    block.b3 = b if k == 3 else block.b0
+
+
+@inlined_kernel
+def _note_traits(block: Records, contact: Records) -> None:
+    """Note what some contact of a block has, and most do not have."""
+    if contact.rolling_resistance > 0.0 or contact.rolling_impulse != 0.0:
+        block.rolling = 1
+    if contact.surface_speed != 0.0:
+        block.driven = 1
+    if contact.radius_a != 0.0 or contact.radius_b != 0.0:
+        block.rounded = 1
+
+
+@inlined_kernel
+def _prepare_traits(
+    block: Records, a: Records, b: Records, contact: Records, share: float, impacts: bool, v: Floats
+) -> None:
+    """Fill what some contact of a block has, for one of them with lane `v`."""
+    if block.rolling == 1:
+        turning = a.inverse_inertia + b.inverse_inertia
+        v[cb.ROLLING_RESISTANCE] = contact.rolling_resistance
+        v[cb.ROLLING_MASS] = 1.0 / turning if turning > 0.0 else 0.0
+        v[cb.ROLLING_IMPULSE] = share * contact.rolling_impulse
+    if block.driven == 1:
+        v[cb.SURFACE_SPEED] = contact.surface_speed
+    if block.rounded == 1:
+        v[cb.RADIUS_A] = contact.radius_a
+        v[cb.RADIUS_B] = contact.radius_b
+    v[cb.MAY_IMPACT] = 0.0
+    if impacts and (contact.restitution > 0.0 or closes_hard(a, b, contact)):
+        v[cb.MAY_IMPACT] = 1.0
+        block.strikes = 1
 
 
 @inlined_kernel
@@ -102,13 +157,6 @@ def _prepare_lane(a: Records, b: Records, contact: Records, share: float, v: Flo
     v[cb.INVERSE_MASS_B] = mass.mass_b
     v[cb.INVERSE_INERTIA_B] = mass.inertia_b
     v[cb.FRICTION] = contact.friction
-    v[cb.SURFACE_SPEED] = contact.surface_speed
-    v[cb.ROLLING_RESISTANCE] = contact.rolling_resistance
-    v[cb.RADIUS_A] = contact.radius_a
-    v[cb.RADIUS_B] = contact.radius_b
-    turning = mass.inertia_a + mass.inertia_b
-    v[cb.ROLLING_MASS] = 1.0 / turning if turning > 0.0 else 0.0
-    v[cb.ROLLING_IMPULSE] = share * contact.rolling_impulse
     # The first warm start applies what the last step accumulated; that belongs to no substep of this one.
     v[cb.TOTAL_IMPULSE] = -share * (contact.normal_impulse1 + contact.normal_impulse2)
     one = contact.point_count == 1
@@ -118,9 +166,7 @@ def _prepare_lane(a: Records, b: Records, contact: Records, share: float, v: Flo
     v[cb.TANGENT_MASS] = effective_mass(mass, middle, contact.normal_y, -contact.normal_x)
     _prepare_point(mass, contact, 1, v[cb.POINT_1 :])
     _prepare_point(mass, contact, second, v[cb.POINT_2 :])
-    v[cb.COUPLING] = coupling(contact, mass)
     if one:
-        v[cb.COUPLING] = 0.0
         v[cb.POINT_2 + cb.NORMAL_MASS] = 0.0
     v[cb.POINT_1 + cb.NORMAL_IMPULSE] = share * contact.normal_impulse1
     v[cb.POINT_2 + cb.NORMAL_IMPULSE] = share * contact.normal_impulse2

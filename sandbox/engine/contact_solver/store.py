@@ -40,7 +40,7 @@ def store_impulses(
     """Copy the accumulated impulses back into the contacts, with all workers, as `store_blocks` does."""
     workers.numbers[LEVEL] = spring.level
     for color in range(color_count(workers, blocks)):  # whose contacts share no flags
-        first, end = first_part_of_color(workers, STORE_IMPULSES, blocks, color, block_count)
+        first, end = first_part_of_color(workers, STORE_IMPULSES, blocks, color, (0, block_count))
         while first < end:
             store_blocks(bodies, flags, contacts, blocks, first, end, spring)
             first, end = next_part(workers, first, end)
@@ -83,7 +83,8 @@ def store_blocks(
                     report.hit_speed = _hit_speed(bodies[contact.body_a], bodies[contact.body_b], contact)
             elif contact.separation1 < 0.0 or contact.separation2 < 0.0:
                 contact.touching = 1
-            contact.rolling_impulse = substeps * lanes[at + cb.ROLLING_IMPULSE]
+            if blocks.blocks[n].rolling == 1:
+                contact.rolling_impulse = substeps * lanes[at + cb.ROLLING_IMPULSE]
             contact.normal_impulse1 = substeps * normal1
             contact.normal_impulse2 = substeps * normal2
             keep_length(contact, spring, lanes[at:])

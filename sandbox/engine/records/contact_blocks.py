@@ -20,12 +20,18 @@ SLOT = Table(
 BLOCK = Table(
     "block",
     (
-        Field("first", "-", "its first slot", "i8"),
-        Field("count", "-", "lanes in use, 1..4", "i8"),
-        Field("serial", "-", "1 when its contacts may share bodies and are solved one by one", "i8"),
-        Field("rolling", "-", "1 when some contact has rolling resistance", "i8"),
+        Field("first", "-", "its first slot", "i4"),
+        Field("count", "-", "lanes in use, 1..4", "i4"),
+        Field("serial", "-", "1 when its contacts may share bodies and are solved one by one", "i4"),
+        Field("rolling", "-", "1 when some contact has rolling resistance", "i4"),
+        Field("driven", "-", "1 when some contact has a surface speed", "i4"),
+        Field("rounded", "-", "1 when some contact is one of rounded shapes", "i4"),
+        Field("strikes", "-", "1 when some contact may have an impact", "i4"),
+        Field("spare", "-", "fills the cache line", "i4"),
+        *(Field(f"{side}{k}", "-", f"body {side} of lane {k}", "i4") for side in "ab" for k in range(4)),
     ),
 )
+"""One cache line a block. Lanes that are not used have the bodies of the first one."""
 
 
 class ContactBlocks(NamedTuple):

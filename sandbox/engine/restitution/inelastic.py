@@ -79,7 +79,7 @@ def stop_late(
             v = blocks.lanes[n * BLOCK_SIZE + k : (n + 1) * BLOCK_SIZE]
             slot = blocks.slots[block.first + k]
             for point in (cb.POINT_1, cb.POINT_2):
-                gap = gap_of(solver.motions[slot.body_a], solver.motions[slot.body_b], v, point)
+                gap = gap_of(solver.motions[slot.body_a], solver.motions[slot.body_b], block, v, point)
                 v[point + cb.SEPARATION] -= gap if 0.0 < gap < near else 0.0
     stop_struck(bodies, solver, struck, blocks, block_count, workers, rigid)
 
@@ -118,7 +118,7 @@ def _is_struck(solver: SolverBodies, blocks: ContactBlocks, block_count: int, ri
         for k in range(block.count):
             v = blocks.lanes[n * BLOCK_SIZE + k : (n + 1) * BLOCK_SIZE]
             slot = blocks.slots[block.first + k]
-            if closing_beyond_gap(solver, slot, v, rigid.inverse_seconds) > SLOW:
+            if closing_beyond_gap(solver, slot, block, v, rigid.inverse_seconds) > SLOW:
                 return True
     return False
 

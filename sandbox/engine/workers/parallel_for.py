@@ -63,13 +63,15 @@ def color_count(workers: Workers, blocks: ContactBlocks) -> int:
 
 
 @inlined_kernel
-def first_part_of_color(workers: Workers, task: int, blocks: ContactBlocks, color: int, count: int) -> tuple[int, int]:
-    """As `first_part`, for those of the first `count` blocks that are of a colour. Serial blocks are not offered."""
+def first_part_of_color(
+    workers: Workers, task: int, blocks: ContactBlocks, color: int, span: tuple[int, int]
+) -> tuple[int, int]:
+    """As `first_part`, for those blocks span[0]..span[1]-1 that are of a colour. Serial blocks are not offered."""
     size = workers.words[SIZE]
     if size == 1:
-        return 0, count
-    first = blocks.starts[1 + color]
-    end = blocks.starts[2 + color] if blocks.starts[2 + color] < count else count
+        return span
+    first = blocks.starts[1 + color] if blocks.starts[1 + color] > span[0] else span[0]
+    end = blocks.starts[2 + color] if blocks.starts[2 + color] < span[1] else span[1]
     if first >= end:
         return 0, 0
     if blocks.blocks[first].serial == 1 or end - first < _FEW:

@@ -9,7 +9,7 @@ from sandbox._jit import entry_point, kernel
 from sandbox.engine.bodies.integrate import integrate_some_positions, integrate_some_velocities
 from sandbox.engine.contact_solver.prepare import prepare_blocks
 from sandbox.engine.contact_solver.soft_constraint import contact_spring
-from sandbox.engine.contact_solver.solve import solve_blocks
+from sandbox.engine.contact_solver.solve import solve_blocks, solve_blocks_again
 from sandbox.engine.contact_solver.store import store_blocks
 from sandbox.engine.contact_solver.warm_start import warm_start_blocks
 from sandbox.engine.joints.direct.solve import solve_some_batches
@@ -40,6 +40,7 @@ from sandbox.engine.workers.task_kinds import (
     PREPARE_CONTACTS,
     PUSH,
     SECONDS,
+    SOLVE_AGAIN,
     SOLVE_BATCHES,
     SOLVE_CONTACTS,
     SOLVE_ISLANDS,
@@ -139,6 +140,8 @@ def _do_bodies(
     motions = solver.motions
     if task == SOLVE_CONTACTS:
         solve_blocks(motions, blocks, first, end, told_soft(n))
+    elif task == SOLVE_AGAIN:
+        solve_blocks_again(motions, blocks, first, end, told_soft(n))
     elif task == WARM_START:
         warm_start_blocks(motions, blocks, first, end)
     elif task == INTEGRATE_VELOCITIES:
