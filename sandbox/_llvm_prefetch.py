@@ -20,12 +20,14 @@ _WORD = ir.IntType(64)
 _BYTE = ir.IntType(8).as_pointer()
 _LINE = 64
 """Bytes that come at once."""
+_NUMBER = 8
+"""Bytes of a number by itself."""
 _TO_READ, _TO_STAY, _DATA = ir.Constant(_INT, 0), ir.Constant(_INT, 3), ir.Constant(_INT, 1)
 
 
 @intrinsic
 def _prefetch_row(_typing: Any, table: Any, _row: Any) -> Any:
-    size = table.dtype.size
+    size = table.dtype.size if isinstance(table.dtype, types.Record) else table.dtype.bitwidth // 8
 
     def lower(context: Any, builder: Any, sig: Any, values: Any) -> Any:
         array = context.make_array(sig.args[0])(context, builder, values[0])
@@ -33,7 +35,8 @@ def _prefetch_row(_typing: Any, table: Any, _row: Any) -> Any:
         row = builder.add(start, builder.mul(values[1], ir.Constant(_WORD, size)))
         sort = ir.FunctionType(ir.VoidType(), [_BYTE, _INT, _INT, _INT])
         function = cgutils.get_or_insert_function(builder.module, sort, "llvm.prefetch.p0i8")
-        for offset in (*range(0, size - 1, _LINE), size - 1):
+        # A row that is no number of whole lines ends in one more, wherever it begins.
+        for offset in (*range(0, size, _LINE), *([size - 1] if size % _LINE and size > _NUMBER else [])):
             place = builder.inttoptr(builder.add(row, ir.Constant(_WORD, offset)), _BYTE)
             builder.call(function, [place, _TO_READ, _TO_STAY, _DATA])
         return context.get_dummy_value()

@@ -41,6 +41,8 @@ def solve_pair(
     then2 = _pushing(row2.alone - share2 * (first1 - before.first))
     mean1 = 0.5 * (first1 + then1)
     mean2 = 0.5 * (first2 + then2)
+    if over_relaxation == 0.0:
+        return PointImpulses(mean1, mean2)
     load = mean1 + mean2
     pushes = load > 0.0
     load = select(pushes, load, 1.0)

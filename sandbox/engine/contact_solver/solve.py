@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox._vectors import Mask, Number, load, select, store
+from sandbox._vectors import Mask, Number, any_lane, load, select, spread, store
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.gather import (
     Gathered,
@@ -181,9 +181,11 @@ def _push(block: Records, v: Floats, pose: PairPose, point: int, soft: SoftConta
         ahead = ahead + load(v, cb.MAY_IMPACT) * soft.impact_allowance
     bias = select(overlaps, push, ahead)
     scale = select(overlaps, 1.0 - soft.softness, 1.0)
-    # Where the push is saturated the contact grows stiffer, so that it sinks no deeper than the same spring would.
-    softness = soft.softness * select(saturated, push / select(saturated, wanted, 1.0), 1.0)
-    return Push(bias, scale, select(overlaps, softness, 0.0))
+    softness = select(overlaps, soft.softness, spread(0.0))
+    if any_lane(saturated):
+        # There the contact grows stiffer, so that it sinks no deeper than the same spring would.
+        softness = select(saturated, softness * (push / select(saturated, wanted, 1.0)), softness)
+    return Push(bias, scale, softness)
 
 
 @inlined_kernel
