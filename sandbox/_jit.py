@@ -189,6 +189,8 @@ class Call:
         else:
             self._block.fill(self._arguments)
         enter, address, result = self._enter, self._block.address, self._block.result
+        if not self._block.returns_tuple:
+            return functools.partial(enter, address)
         return lambda: result(enter(address))
 
 

@@ -75,6 +75,11 @@ class Block:
         self._parts: list[list[Any]] = [[_NONE] * len(fields) for fields in self._fields]
         self.fill(arguments)
 
+    @property
+    def returns_tuple(self) -> bool:
+        """Whether `result` has more to do than to give back what it gets."""
+        return isinstance(self._returns, list)
+
     def fill(self, arguments: tuple[Any, ...]) -> None:
         """Take other arguments of the same kind. Those that are the same objects as before cost nothing, and of tuples
         only what is another object is filled in."""
@@ -89,7 +94,7 @@ class Block:
 
     def result(self, returned: Any) -> Any:
         """What the function returns, after `enter` has given back `returned`."""
-        if not isinstance(self._returns, list):
+        if not self.returns_tuple:
             return returned
         return _tuple_of(self._returns, iter(self._results.unpack_from(self._memory)))
 

@@ -25,7 +25,7 @@ from sandbox.engine.workers.serve import serve
 from sandbox.engine.workers.threads import WorkerThreads
 from sandbox.errors import CapacityError
 from sandbox.tables import Records, close_up, copy_rows, plain
-from sandbox.world.records import CONTACT
+from sandbox.world.records import CONTACT, CounterPlace
 from sandbox.world.rows import Added, Moved
 from sandbox.world.state import State
 
@@ -41,15 +41,15 @@ class Stepper:
     whoever switches a joint `assemble_joints`."""
 
     scratch: Scratch
-    counters: Any
-    """The row of counters as a plain array, which is ten times faster to ask."""
+    counters: memoryview
+    """The row of counters as whole numbers, by the places in `CounterPlace`, which is five times faster to ask."""
 
     def __init__(self, state: State, workers: int = 1) -> None:
         self._state = state
         self.workers = workers if jit_enabled() else 1
         self._threads = WorkerThreads(self.workers - 1) if self.workers > 1 else None
         self._turn = self._lost = 0
-        self._jointed = False
+        self._jointed = self._compiled = False
         self._room = Room.of(state)
         self._calls: dict[tuple[Any, int], tuple[Call, Callable[[], Any]]] = {}
         self._layouts = PartLayouts(self.workers)
@@ -57,9 +57,12 @@ class Stepper:
 
     def compile(self) -> None:
         """Compile what the step needs, if it has not been on this machine: seconds."""
+        if self._compiled:
+            return
         compile_step(self.scratch.joints is not None)
         if len(self._state.bodies) + len(self._state.joints) >= _WORTH_SHARING // 4:  # else it may never be needed
             self.bind_workers()
+        self._compiled = True
 
     def machine(self) -> list[list[tuple[int, int]]]:
         """Where the machine code of fields, `collide`, `solve` and `solve_continuous` is, and the arguments of each
@@ -88,15 +91,15 @@ class Stepper:
 
         Raises `CapacityError`, and leaves the state as it was, if there are too many pairs.
         """
-        before = self._copies() if self._crowded else ()
+        before = self._state.bodies.tobytes() if self._crowded and self._fields[0] else None
         for apply in self._fields[self._turn]:
             apply()
         try:
             while not self._advance():
                 pass
         except CapacityError:
-            for table, copy in before:
-                table[:] = np.frombuffer(copy, table.dtype)
+            if before is not None:  # of what the state has only fields have changed something by then
+                self._state.bodies[:] = np.frombuffer(before, self._state.bodies.dtype)
             self.forget()
             raise
         # A step reads the contacts of the last one while it writes the new ones.
@@ -184,12 +187,7 @@ class Stepper:
 
     def _count_lost(self) -> int:
         """How many joints have broken, and bodies been frozen: what hangs together has changed where there are more."""
-        return int(self.counters["broken_count"][0]) + int(self.counters["frozen_count"][0])
-
-    def _copies(self) -> Sequence[tuple[Records, bytes]]:
-        """What a step has changed by the time that it may be refused, with copies."""
-        tables = (self._state.counters, *((self._state.bodies,) if self._fields[0] else ()))
-        return [(table, table.tobytes()) for table in tables]
+        return self.counters[CounterPlace.BROKEN] + self.counters[CounterPlace.FROZEN]
 
     def _advance(self) -> bool:
         """Take a step; False if it lacked scratch memory, which it has now: then nothing else has changed."""
@@ -212,13 +210,13 @@ class Stepper:
     def _is_worth_sharing(self) -> bool:
         """Whether so much was awake in the last step that this one is sooner done by several workers."""
         contacts = int(plain(self.scratch.contacts.active)[0])
-        awake = int(self.counters["awake_count"][0]) + len(self._state.joints)
+        awake = self.counters[CounterPlace.AWAKE] + len(self._state.joints)
         return contacts + awake >= _WORTH_SHARING
 
     def _make_room(self, pairs: int) -> None:
         """Grow scratch memory to that many pairs, and half as many more if there is room for that."""
         room, contacts = room_for(pairs), self._state.contacts
-        count = int(self.counters["contact_count"][0])
+        count = self.counters[CounterPlace.CONTACTS]
         self._state.contacts = CONTACT.zeros(room)
         copy_rows(plain(self._state.contacts), plain(contacts)[:count])
         self.scratch.make_room_for_pairs(self._state, room, self.workers)
@@ -228,7 +226,8 @@ class Stepper:
         """The calls of a step: some for even and some for odd steps, as the contact tables swap places."""
         state, scratch = self._state, self.scratch
         self._crowded = len(state.shapes) > _FEW
-        self.counters = kernel_argument(state.counters)
+        self.counters = memoryview(plain(state.counters).view(np.int64))
+        self._compiled = False
         self._lost = self._count_lost()
         here = scratch.contacts._replace(before=state.contacts)
         there = here._replace(now=here.before, before=here.now)
@@ -268,6 +267,7 @@ class Stepper:
         """Other rows of the state, and nothing else, for the calls of a step."""
         state = self._state
         self._crowded = len(state.shapes) > _FEW
+        self._compiled = False
         if has_fields(state) != bool(self._fields[0]):
             self._prepare_calls()
             return
