@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from sandbox._argument_words import Bundle
 from sandbox._jit import Call, jit_enabled, kernel_argument
 from sandbox.engine.compile_step import compile_continuous, compile_step
 from sandbox.engine.continuous_collision.solve_continuous import solve_continuous
@@ -52,6 +53,7 @@ class Stepper:
         self._jointed = self._compiled = False
         self._room = Room.of(state)
         self._calls: dict[tuple[Any, int], tuple[Call, Callable[[], Any]]] = {}
+        self._bundles: dict[tuple[str, int], Bundle] = {}
         self._layouts = PartLayouts(self.workers)
         self.renew()
 
@@ -235,10 +237,11 @@ class Stepper:
         if (scratch.joints is not None) != self._jointed:
             self._jointed = not self._jointed  # other types, hence other versions of the machine code
             self._calls.clear()
-        named = state_arguments(state) | scratch_arguments(scratch)
+            self._bundles.clear()
+        named = self._bundled(state_arguments(state) | scratch_arguments(scratch))
         self._parts, self._fields, self._served = [], [], []
         for turn, contacts in enumerate(self._contacts):
-            named |= contact_arguments(contacts)
+            named |= self._bundled(contact_arguments(contacts), turn)
             self._parts.append([self._bound(part, turn, named) for part in (collide, solve, solve_continuous)])
             self._served.append([self._serving(worker, turn, named) for worker in range(1, self.workers)])
             self._fields.append([self._bound(apply_fields, turn, named)] if has_fields(state) else [])
@@ -256,12 +259,25 @@ class Stepper:
     def _serving(self, worker: int, turn: int, named: Mapping[str, Any]) -> Call:
         """A call of `serve` with what is `named` now, for a worker."""
         names = parameters(serve)
+        number = {"workers": kernel_argument(self.scratch.workers._replace(number=worker))}
+        named = {**named, **self._bundled(number, worker)}
         if (worker, turn) not in self._calls:
             call = Call(serve, tuple(named[name] for name in names), unlocked=True)
             self._calls[worker, turn] = call, call
         call, _ = self._calls[worker, turn]
-        call.exchange(names, {**named, "workers": named["workers"]._replace(number=worker)})
+        call.exchange(names, named)
         return call
+
+    def _bundled(self, named: Mapping[str, Any], turn: int = 0) -> dict[str, Any]:
+        """What is named, tuples as the bundles that all calls share; contacts have one for each turn."""
+        found = dict(named)
+        for name, value in named.items():
+            if isinstance(value, tuple):
+                if (name, turn) not in self._bundles:
+                    self._bundles[name, turn] = Bundle(value)
+                found[name] = self._bundles[name, turn]
+                found[name].fill(value)
+        return found
 
     def _exchange_state(self) -> None:
         """Other rows of the state, and nothing else, for the calls of a step."""
@@ -271,11 +287,11 @@ class Stepper:
         if has_fields(state) != bool(self._fields[0]):
             self._prepare_calls()
             return
-        named = state_arguments(state)
+        named = self._bundled(state_arguments(state))
         if has_fields(state):
-            named["fields"] = kernel_argument(self.scratch.fields)
-        for (part, _), (call, _) in self._calls.items():
-            call.exchange(parameters(serve if isinstance(part, int) else part), named)
+            self._bundled({"fields": kernel_argument(self.scratch.fields)})
+            for turn in (0, 1):  # they alone ask for a table of the state by itself
+                self._calls[apply_fields, turn][0].exchange(parameters(apply_fields), named)
 
     def _watched(self, part: Any, call: Call) -> Callable[[], Any]:
         """What to run for a call of an entry point."""
