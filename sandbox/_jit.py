@@ -19,6 +19,7 @@ from typing import Any, TypeVar, cast
 
 import numpy as np
 
+from sandbox._argument_words import unbundled
 from sandbox._compiling import compiling
 from sandbox._kernel_cache import is_filled, kept_file
 from sandbox._kernel_cache import read as read_kept
@@ -136,7 +137,8 @@ class Door:
 
 
 class Call:
-    """An entry point with arguments for many calls, as by a `Door`.
+    """An entry point with arguments for many calls, as by a `Door`. Those that are a `Bundle` follow what it is filled
+    with.
 
     `unlocked` calls let other threads of Python run meanwhile.
     """
@@ -171,24 +173,25 @@ class Call:
 
     def exchange(self, names: tuple[str, ...], others: Mapping[str, Any]) -> None:
         """Take other arguments of the same types from now on, for those of its parameters that `others` has."""
-        arguments = list(self._arguments)
-        for place, name in enumerate(names):
-            if name in others:
-                arguments[place] = others[name]
-        self._arguments = tuple(arguments)
-        self._call = None
+        given = zip(names, self._arguments, strict=True)
+        arguments = tuple([others.get(name, before) for name, before in given])
+        if any(each is not before for each, before in zip(arguments, self._arguments, strict=True)):
+            self._arguments = arguments
+            self._call = None
 
     def _bound(self) -> Callable[..., Any]:
         if _DISABLED:
-            return functools.partial(self._entry, *self._arguments)
+            return lambda: self._entry(*map(unbundled, self._arguments))
         if self._block is None:
-            version = cast(EntryPoint, self._entry).version(self._arguments)
+            version = cast(EntryPoint, self._entry).version(tuple(map(unbundled, self._arguments)))
             self._block = version.block(self._arguments)
             self._enter = version.enter_unlocked if self._unlocked else version.enter
             self._code = version.address
         else:
             self._block.fill(self._arguments)
         enter, address, result = self._enter, self._block.address, self._block.result
+        if not self._block.returns_tuple:
+            return functools.partial(enter, address)
         return lambda: result(enter(address))
 
 

@@ -1,8 +1,8 @@
 """Machine code that was made earlier, and how Python calls it: by LLVM alone, for numba takes half a second to load.
 
 Every object has one function, `ENTER`, made by `_linking.py`. It takes the address of a block of 64-bit words: the
-arguments, one after another, each flattened (`_words`), behind the room for what it returns if that is a tuple. A block
-is filled once for arguments that stay, so that a call costs no more than handing over one number.
+arguments, one after another (`_argument_words.py`), behind the room for what it returns if that is a tuple. A block is
+filled once for arguments that stay, so that a call costs no more than handing over one number.
 """
 
 from __future__ import annotations
@@ -13,14 +13,13 @@ from collections.abc import Callable, Iterator
 from functools import cache
 from typing import Any, TypeAlias
 
-import numpy as np
-
+from sandbox._argument_words import FLOAT, INTEGER, Bundle, word_format, words
 from sandbox._object_file import is_whole
 
 ENTER = "enter"
 Returns: TypeAlias = Any
 """What a function returns: one of the letters below, or a list of such for a tuple."""
-INTEGER, FLOAT, TRUTH, NOTHING = "q", "d", "?", "n"
+TRUTH, NOTHING = "?", "n"
 _RESULTS = {INTEGER: ctypes.c_int64, FLOAT: ctypes.c_double, TRUTH: ctypes.c_bool, NOTHING: None}
 
 
@@ -57,84 +56,53 @@ class Block:
     Arrays among the arguments are kept alive; the block follows what is written to them.
     """
 
-    __slots__ = ("_arguments", "_fields", "_memory", "_parts", "_results", "_returns", "address")
+    __slots__ = ("_arguments", "_bundles", "_fields", "_memory", "_results", "_returns", "address")
 
     def __init__(self, results: str, returns: Returns, arguments: tuple[Any, ...]) -> None:
         self._returns, self._results = returns, struct.Struct(f"={results.replace('?', 'q')}")
-        self._fields: list[list[tuple[int, struct.Struct]]] = []
+        self._fields: list[tuple[int, struct.Struct]] = []
+        self._bundles = [Bundle(each) if isinstance(each, tuple) else None for each in arguments]
         end = self._results.size
         for each in arguments:
-            fields = [struct.Struct("=" + _format(part)) for part in _parts(each)]
-            self._fields.append([])
-            for field in fields:
-                self._fields[-1].append((end, field))
-                end += field.size
+            field = struct.Struct("=" + (INTEGER if isinstance(each, (tuple, Bundle)) else word_format(each)))
+            self._fields.append((end, field))
+            end += field.size
         self._memory = ctypes.create_string_buffer(end + 1)
         self.address = ctypes.addressof(self._memory)
         self._arguments: tuple[Any, ...] = (_NONE,) * len(arguments)
-        self._parts: list[list[Any]] = [[_NONE] * len(fields) for fields in self._fields]
+        for each, own, (offset, field) in zip(arguments, self._bundles, self._fields, strict=True):
+            bundle = each if isinstance(each, Bundle) else own
+            if bundle is not None:
+                field.pack_into(self._memory, offset, bundle.address)
         self.fill(arguments)
+
+    @property
+    def returns_tuple(self) -> bool:
+        """Whether `result` has more to do than to give back what it gets."""
+        return isinstance(self._returns, list)
 
     def fill(self, arguments: tuple[Any, ...]) -> None:
         """Take other arguments of the same kind. Those that are the same objects as before cost nothing, and of tuples
-        only what is another object is filled in."""
+        only what is another object is filled in. A `Bundle` stays where it was, and is filled by whoever made it."""
         for k, each in enumerate(arguments):
-            if each is not self._arguments[k]:
-                parts = _parts(each)
-                for part, before, (offset, field) in zip(parts, self._parts[k], self._fields[k], strict=True):
-                    if part is not before:
-                        field.pack_into(self._memory, offset, *_words(part))
-                self._parts[k] = parts
+            if each is self._arguments[k] or isinstance(each, Bundle):
+                continue
+            own = self._bundles[k]
+            if own is not None:
+                own.fill(each)
+            else:
+                offset, field = self._fields[k]
+                field.pack_into(self._memory, offset, *words(each))
         self._arguments = arguments
 
     def result(self, returned: Any) -> Any:
         """What the function returns, after `enter` has given back `returned`."""
-        if not isinstance(self._returns, list):
+        if not self.returns_tuple:
             return returned
         return _tuple_of(self._returns, iter(self._results.unpack_from(self._memory)))
 
 
 _NONE = object()
-
-
-def _parts(argument: Any) -> list[Any]:
-    """What is in an argument: in a tuple all that is in its items."""
-    if not isinstance(argument, tuple):
-        return [argument]
-    found: list[Any] = []
-    for each in argument:
-        if isinstance(each, tuple):
-            found += _parts(each)
-        else:
-            found.append(each)
-    return found
-
-
-def _words(value: Any) -> tuple[Any, ...]:
-    """The words of what is no tuple: of an array the address, the shape and the strides in bytes; of a row the address.
-
-    `__array_interface__` has the address too, but describes all columns before it tells it, which takes 30 us.
-    """
-    if isinstance(value, np.ndarray):
-        return (value.ctypes.data, *value.shape, *value.strides)
-    if isinstance(value, np.void):
-        return (np.frombuffer(value, np.uint8).ctypes.data,)
-    if isinstance(value, np.bool_):
-        return (int(value),)
-    return () if value is None else (value,)
-
-
-def _format(value: Any) -> str:
-    """The letters of `struct` for the words of what is no tuple."""
-    if isinstance(value, np.ndarray):
-        return (1 + 2 * value.ndim) * INTEGER
-    if isinstance(value, (float, np.floating)):
-        return FLOAT
-    if isinstance(value, (int, np.integer, np.bool_, np.void)):
-        return INTEGER
-    if value is None:
-        return ""
-    raise TypeError(f"an entry point takes numbers, arrays, rows and tuples of them, no {type(value).__name__}")
 
 
 def _letters(returns: Returns) -> Iterator[str]:

@@ -1,6 +1,6 @@
 """The function through which Python enters machine code: it unpacks a block of words and calls an entry point.
 
-What lies where in a block is told by `_machine_code.py`, which fills it. How numba passes numbers, arrays and tuples is
+What lies where in a block is told by `_machine_code.py` and `_argument_words.py`, which fill it. How numba passes numbers, arrays and tuples is
 asked of numba itself (its data models and calling convention), not repeated here.
 https://numba.readthedocs.io/en/stable/developer/architecture.html
 """
@@ -13,7 +13,8 @@ from llvmlite import ir
 from numba.core import types as _types
 from numba.np.arrayobj import get_itemsize, populate_array
 
-from sandbox._machine_code import ENTER, FLOAT, INTEGER, NOTHING, TRUTH, Returns
+from sandbox._argument_words import FLOAT, INTEGER
+from sandbox._machine_code import ENTER, NOTHING, TRUTH, Returns
 
 types: Any = _types
 _WORD, _DOUBLE = ir.IntType(64), ir.DoubleType()
@@ -33,7 +34,7 @@ def way_in(library: Any, compiled: Any) -> tuple[Any, Returns]:
     words = _Block(context, builder, function.args[0])  # results lie before arguments
     if isinstance(returns, list):
         words.skip(signature.return_type)
-    arguments = [words.read(each) for each in signature.args]
+    arguments = [words.argument(each) for each in signature.args]
     entry = context.declare_function(module, compiled.fndesc)
     status, value = context.call_conv.call_function(builder, entry, signature.return_type, signature.args, arguments)
     with builder.if_then(status.is_error, likely=False):
@@ -92,6 +93,13 @@ class _Block:
     def __init__(self, context: Any, builder: Any, pointer: Any) -> None:
         self._context, self._builder, self._pointer = context, builder, pointer
         self._next = 0
+
+    def argument(self, kind: Any) -> Any:
+        """The next argument, of a type of numba's: what is in a tuple lies in a bundle, whose address is here."""
+        if not isinstance(kind, types.BaseTuple):
+            return self.read(kind)
+        bundle = self._builder.inttoptr(self._builder.load(self._word()), _WORD.as_pointer())
+        return _Block(self._context, self._builder, bundle).read(kind)
 
     def read(self, kind: Any) -> Any:
         """The next value, of a type of numba's."""

@@ -10,6 +10,8 @@ from sandbox.errors import ArgumentError
 
 def checked_count(call: str, value: Any, what: str = "steps", least: int = 0) -> int:
     """`value` as a whole number from `least`. Raises `ArgumentError`."""
+    if type(value) is int and value >= least:  # asking for an abstract type takes ten times as long
+        return value
     if isinstance(value, bool) or not isinstance(value, Integral) or value < least:
         raise ArgumentError(f"{call}: takes a whole number of {what} from {least}, not {shown(value)}")
     return int(value)

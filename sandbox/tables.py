@@ -181,7 +181,7 @@ def close_up(rows: NDArray[Any], left: NDArray[np.bool_]) -> int:
 def copy_rows(target: NDArray[Any], rows: NDArray[Any]) -> None:
     """Write rows to the first of `target`; both may share memory. As bytes: numpy copies records field by field."""
     if len(rows):
-        target[: len(rows)].view(np.uint8)[:] = rows.view(np.uint8)
+        np.frombuffer(target, np.uint8)[: rows.nbytes] = np.frombuffer(rows, np.uint8)
 
 
 def _memory(rows: NDArray[Any]) -> NDArray[Any]:

@@ -14,7 +14,7 @@ from sandbox.scene.flat import FlatScene
 from sandbox.tables import Floats
 from sandbox.world.digest import digest
 from sandbox.world.directory import Directory
-from sandbox.world.records import DYNAMIC
+from sandbox.world.records import DYNAMIC, CounterPlace
 from sandbox.world.snapshot import snapshot
 from sandbox.world.state import State
 
@@ -51,7 +51,7 @@ class Readings:
     @property
     def step_count(self) -> int:
         """Steps taken since the start."""
-        return int(self._stepper.counters["step_count"][0])
+        return self._stepper.counters[CounterPlace.STEPS]
 
     @property
     def names(self) -> tuple[str, ...]:

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from sandbox._argument_words import Bundle
 from sandbox._jit import Call, jit_enabled, kernel_argument
 from sandbox.engine.compile_step import compile_continuous, compile_step
 from sandbox.engine.continuous_collision.solve_continuous import solve_continuous
@@ -25,7 +26,7 @@ from sandbox.engine.workers.serve import serve
 from sandbox.engine.workers.threads import WorkerThreads
 from sandbox.errors import CapacityError
 from sandbox.tables import Records, close_up, copy_rows, plain
-from sandbox.world.records import CONTACT
+from sandbox.world.records import CONTACT, CounterPlace
 from sandbox.world.rows import Added, Moved
 from sandbox.world.state import State
 
@@ -41,25 +42,29 @@ class Stepper:
     whoever switches a joint `assemble_joints`."""
 
     scratch: Scratch
-    counters: Any
-    """The row of counters as a plain array, which is ten times faster to ask."""
+    counters: memoryview
+    """The row of counters as whole numbers, by the places in `CounterPlace`, which is five times faster to ask."""
 
     def __init__(self, state: State, workers: int = 1) -> None:
         self._state = state
         self.workers = workers if jit_enabled() else 1
         self._threads = WorkerThreads(self.workers - 1) if self.workers > 1 else None
         self._turn = self._lost = 0
-        self._jointed = False
+        self._jointed = self._compiled = False
         self._room = Room.of(state)
         self._calls: dict[tuple[Any, int], tuple[Call, Callable[[], Any]]] = {}
+        self._bundles: dict[tuple[str, int], Bundle] = {}
         self._layouts = PartLayouts(self.workers)
         self.renew()
 
     def compile(self) -> None:
         """Compile what the step needs, if it has not been on this machine: seconds."""
+        if self._compiled:
+            return
         compile_step(self.scratch.joints is not None)
         if len(self._state.bodies) + len(self._state.joints) >= _WORTH_SHARING // 4:  # else it may never be needed
             self.bind_workers()
+        self._compiled = True
 
     def machine(self) -> list[list[tuple[int, int]]]:
         """Where the machine code of fields, `collide`, `solve` and `solve_continuous` is, and the arguments of each
@@ -88,15 +93,15 @@ class Stepper:
 
         Raises `CapacityError`, and leaves the state as it was, if there are too many pairs.
         """
-        before = self._copies() if self._crowded else ()
+        before = self._state.bodies.tobytes() if self._crowded and self._fields[0] else None
         for apply in self._fields[self._turn]:
             apply()
         try:
             while not self._advance():
                 pass
         except CapacityError:
-            for table, copy in before:
-                table[:] = np.frombuffer(copy, table.dtype)
+            if before is not None:  # of what the state has only fields have changed something by then
+                self._state.bodies[:] = np.frombuffer(before, self._state.bodies.dtype)
             self.forget()
             raise
         # A step reads the contacts of the last one while it writes the new ones.
@@ -184,12 +189,7 @@ class Stepper:
 
     def _count_lost(self) -> int:
         """How many joints have broken, and bodies been frozen: what hangs together has changed where there are more."""
-        return int(self.counters["broken_count"][0]) + int(self.counters["frozen_count"][0])
-
-    def _copies(self) -> Sequence[tuple[Records, bytes]]:
-        """What a step has changed by the time that it may be refused, with copies."""
-        tables = (self._state.counters, *((self._state.bodies,) if self._fields[0] else ()))
-        return [(table, table.tobytes()) for table in tables]
+        return self.counters[CounterPlace.BROKEN] + self.counters[CounterPlace.FROZEN]
 
     def _advance(self) -> bool:
         """Take a step; False if it lacked scratch memory, which it has now: then nothing else has changed."""
@@ -212,13 +212,13 @@ class Stepper:
     def _is_worth_sharing(self) -> bool:
         """Whether so much was awake in the last step that this one is sooner done by several workers."""
         contacts = int(plain(self.scratch.contacts.active)[0])
-        awake = int(self.counters["awake_count"][0]) + len(self._state.joints)
+        awake = self.counters[CounterPlace.AWAKE] + len(self._state.joints)
         return contacts + awake >= _WORTH_SHARING
 
     def _make_room(self, pairs: int) -> None:
         """Grow scratch memory to that many pairs, and half as many more if there is room for that."""
         room, contacts = room_for(pairs), self._state.contacts
-        count = int(self.counters["contact_count"][0])
+        count = self.counters[CounterPlace.CONTACTS]
         self._state.contacts = CONTACT.zeros(room)
         copy_rows(plain(self._state.contacts), plain(contacts)[:count])
         self.scratch.make_room_for_pairs(self._state, room, self.workers)
@@ -228,7 +228,8 @@ class Stepper:
         """The calls of a step: some for even and some for odd steps, as the contact tables swap places."""
         state, scratch = self._state, self.scratch
         self._crowded = len(state.shapes) > _FEW
-        self.counters = kernel_argument(state.counters)
+        self.counters = memoryview(plain(state.counters).view(np.int64))
+        self._compiled = False
         self._lost = self._count_lost()
         here = scratch.contacts._replace(before=state.contacts)
         there = here._replace(now=here.before, before=here.now)
@@ -236,10 +237,11 @@ class Stepper:
         if (scratch.joints is not None) != self._jointed:
             self._jointed = not self._jointed  # other types, hence other versions of the machine code
             self._calls.clear()
-        named = state_arguments(state) | scratch_arguments(scratch)
+            self._bundles.clear()
+        named = self._bundled(state_arguments(state) | scratch_arguments(scratch))
         self._parts, self._fields, self._served = [], [], []
         for turn, contacts in enumerate(self._contacts):
-            named |= contact_arguments(contacts)
+            named |= self._bundled(contact_arguments(contacts), turn)
             self._parts.append([self._bound(part, turn, named) for part in (collide, solve, solve_continuous)])
             self._served.append([self._serving(worker, turn, named) for worker in range(1, self.workers)])
             self._fields.append([self._bound(apply_fields, turn, named)] if has_fields(state) else [])
@@ -257,25 +259,39 @@ class Stepper:
     def _serving(self, worker: int, turn: int, named: Mapping[str, Any]) -> Call:
         """A call of `serve` with what is `named` now, for a worker."""
         names = parameters(serve)
+        number = {"workers": kernel_argument(self.scratch.workers._replace(number=worker))}
+        named = {**named, **self._bundled(number, worker)}
         if (worker, turn) not in self._calls:
             call = Call(serve, tuple(named[name] for name in names), unlocked=True)
             self._calls[worker, turn] = call, call
         call, _ = self._calls[worker, turn]
-        call.exchange(names, {**named, "workers": named["workers"]._replace(number=worker)})
+        call.exchange(names, named)
         return call
+
+    def _bundled(self, named: Mapping[str, Any], turn: int = 0) -> dict[str, Any]:
+        """What is named, tuples as the bundles that all calls share; contacts have one for each turn."""
+        found = dict(named)
+        for name, value in named.items():
+            if isinstance(value, tuple):
+                if (name, turn) not in self._bundles:
+                    self._bundles[name, turn] = Bundle(value)
+                found[name] = self._bundles[name, turn]
+                found[name].fill(value)
+        return found
 
     def _exchange_state(self) -> None:
         """Other rows of the state, and nothing else, for the calls of a step."""
         state = self._state
         self._crowded = len(state.shapes) > _FEW
+        self._compiled = False
         if has_fields(state) != bool(self._fields[0]):
             self._prepare_calls()
             return
-        named = state_arguments(state)
+        named = self._bundled(state_arguments(state))
         if has_fields(state):
-            named["fields"] = kernel_argument(self.scratch.fields)
-        for (part, _), (call, _) in self._calls.items():
-            call.exchange(parameters(serve if isinstance(part, int) else part), named)
+            self._bundled({"fields": kernel_argument(self.scratch.fields)})
+            for turn in (0, 1):  # they alone ask for a table of the state by itself
+                self._calls[apply_fields, turn][0].exchange(parameters(apply_fields), named)
 
     def _watched(self, part: Any, call: Call) -> Callable[[], Any]:
         """What to run for a call of an entry point."""

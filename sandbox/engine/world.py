@@ -23,6 +23,7 @@ from sandbox.scene.flat import FlatScene
 from sandbox.tables import Floats, plain
 from sandbox.world.build import build_state
 from sandbox.world.directory import Directory
+from sandbox.world.records import CounterPlace
 from sandbox.world.roster import Roster
 from sandbox.world.snapshot import restore
 
@@ -87,7 +88,7 @@ class World(Readings, Shown, FixedAttributes):
         """
         n = checked_count("World.step", n)
         self._stepper.compile()
-        self._changes += 1
+        _set_changes(self, self._changes + 1)
         if self._game is None and self._paths is None:
             self._advance(n)
             return
@@ -97,8 +98,8 @@ class World(Readings, Shown, FixedAttributes):
     def _advance(self, n: int) -> None:
         stepper, counters = self._stepper, self._stepper.counters
         for taken in range(n):
-            if counters["still"][0] and counters["step_count"][0] > self._last_switch:
-                counters["step_count"][0] += n - taken  # all asleep: nothing else would change
+            if counters[CounterPlace.STILL] and counters[CounterPlace.STEPS] > self._last_switch:
+                counters[CounterPlace.STEPS] += n - taken  # all asleep: nothing else would change
                 self._events.note_quiet_steps()
                 return
             try:
@@ -255,10 +256,14 @@ class World(Readings, Shown, FixedAttributes):
         if touched.active_set:
             self._stepper.forget()
         counters = self._stepper.counters
-        counters["still"][0] = counters["substep_watch"][0] = 0
+        counters[CounterPlace.STILL] = counters[CounterPlace.WATCH] = 0
 
     def __repr__(self) -> str:
         return f"<World of {len(self.state.bodies)} bodies at step {self.step_count}>"
+
+
+_set_changes = World._changes.__set__  # type: ignore[attr-defined]
+"""Past `__setattr__`, which looks up what may be set: in a small world that is a twentieth of a step."""
 
 
 def _made_again(

@@ -34,9 +34,12 @@ class Directory:
     def add(self, bodies: int, joints: int, regions: int) -> None:
         """So many have come after all others."""
         census = self._state.census
-        self._bodies.update(_serials(census.bodies, bodies))
-        self._joints.update(_serials(census.joints, joints))
-        self._regions.update(_serials(census.regions, regions))
+        for known, ledger, count in (
+            (self._bodies, census.bodies, bodies), (self._joints, census.joints, joints),
+            (self._regions, census.regions, regions),
+        ):  # fmt: skip
+            if count:
+                known.update(_serials(ledger, count))
 
     def remove(self, bodies: Sequence[str] = (), joints: Sequence[str] = (), regions: Sequence[str] = ()) -> None:
         """There are none of those names any longer."""

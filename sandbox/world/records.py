@@ -247,6 +247,20 @@ COUNTERS = Table(
     ),
 )
 
+
+class CounterPlace:
+    """Which word of the row of counters is which, for who asks in every step."""
+
+    _ALL = [field.name for field in COUNTERS.fields]
+    STEPS = _ALL.index("step_count")
+    CONTACTS = _ALL.index("contact_count")
+    AWAKE = _ALL.index("awake_count")
+    STILL = _ALL.index("still")
+    WATCH = _ALL.index("substep_watch")
+    BROKEN = _ALL.index("broken_count")
+    FROZEN = _ALL.index("frozen_count")
+
+
 TABLES = (
     BODY, SHAPE, VERTEX, OUTLINE, SEAM, CONTACT, JOINT, DRAG, REGION, EDGE, THRUSTER, SETTINGS, COUNTERS,
     CONTROL, TALLY, RULE, SPAWNER, SENSING, PATH, OUTCOME,

@@ -91,9 +91,11 @@ def _append_bodies(state: State, flat: Sequence[FlatBody]) -> None:
     if fixed.any() and (plain(state.bodies)["awake"] == 0).any():
         bodies["posed"][fixed] = 1  # what sleeps where it comes has to notice
     tiles = add_seams(state, bodies, shapes, seams)
-    shapes["body"] += len(state.bodies)
-    shapes["vertex_start"] += len(state.vertices)
-    shapes["outline_start"] += len(state.outlines)
+    for name, count in (
+        ("body", len(state.bodies)), ("vertex_start", len(state.vertices)), ("outline_start", len(state.outlines))
+    ):  # fmt: skip
+        column = shapes[name]
+        column += count  # `shapes[name] += count` writes the column once more
     state.bodies = extended(state.bodies, bodies)
     state.shapes = extended(state.shapes, shapes)
     state.vertices = extended(state.vertices, vertices)

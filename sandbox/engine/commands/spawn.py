@@ -60,8 +60,8 @@ class Spawn(Command):
         except SceneError as error:
             raise CommandError(str(error)) from None
         added = add_rows(state, target.directory, found)
-        for region in state.regions[len(state.regions) - added.regions :]:
-            wake_bodies(state, sleepers_in(state, region))
+        for row in range(len(state.regions) - added.regions, len(state.regions)):
+            wake_bodies(state, sleepers_in(state, state.regions[row]))
         if found.joints:
             held = held_bodies(state, np.arange(added.joints, len(state.joints)))
             held = held[held < added.bodies]  # the others are awake

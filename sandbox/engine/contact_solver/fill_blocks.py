@@ -22,15 +22,17 @@ def fill_blocks(taken: Integers, blocks: ContactBlocks, batch: int) -> tuple[int
     heads = blocks.heads[ALL_COLORS * batch :]
     used = unsettled = struck = 0
     blocks.starts[0] = 0
-    for c in range(ALL_COLORS):
-        first = heads[c]
-        end = heads[c + 1]
-        serial = c % KIND == MAX_COLORS
-        if serial:
+    for kind in range(0, ALL_COLORS, KIND):
+        for c in range(kind, kind + MAX_COLORS):
+            if heads[c] < heads[c + 1]:  # few colours have contacts
+                used = _cut(blocks, used, heads[c], heads[c + 1], False)
+        first = heads[kind + MAX_COLORS]
+        end = heads[kind + KIND]
+        if first < end:
             used, first = _color_what_is_left(taken, blocks, used, first, end)
-        used = _cut(blocks, used, first, end, serial)
-        struck = used if c < UNSETTLED else struck
-        unsettled = used if c < SETTLED else unsettled
+            used = _cut(blocks, used, first, end, True)
+        struck = used if kind < UNSETTLED else struck
+        unsettled = used if kind < SETTLED else unsettled
     return used, unsettled, struck
 
 

@@ -159,5 +159,9 @@ def measure_thin(bodies: Records, state: State, first: int, first_shape: int) ->
     """Measure the thinnest shapes of the bodies from row `first` on, whose shapes begin at `first_shape`."""
     shapes = plain(state.shapes)[first_shape:]
     thin = np.full(len(state.bodies) - first, np.inf)
-    np.minimum.at(thin, shapes["body"] - first, shapes["thin"])
-    plain(bodies)["thin"][first : len(state.bodies)] = np.where(thin < np.inf, thin, 0.0)
+    if len(thin) == 1:  # numpy takes as long to find that out as all else takes
+        thin[0] = shapes["thin"].min(initial=np.inf)
+    else:
+        np.minimum.at(thin, shapes["body"] - first, shapes["thin"])
+    thin[thin == np.inf] = 0.0
+    plain(bodies)["thin"][first : len(state.bodies)] = thin

@@ -15,6 +15,8 @@ from sandbox.world.records import CONTACT
 
 MAX_STEP_BYTES = 4 * 1024**3
 """Memory of all tables that grow with pairs and contacts, in bytes: about 4 million pairs."""
+_LEAST = 256
+"""A world that has outgrown its first memory for pairs takes room for so many: a few at a time is as often anew."""
 _WORD = 8
 _PAIR_BYTES = 4 * _WORD + sum(
     table.dtype.itemsize
@@ -39,7 +41,8 @@ def step_bytes(pairs: int) -> int:
 
 
 def room_for(pairs: int) -> int:
-    """For how many pairs memory is to be taken: half as many more than are needed, if there is room for that.
+    """For how many pairs memory is to be taken: half as many more than are needed, if there is room for that, and not
+    just a few.
 
     Raises `CapacityError` if there is none for those that are needed.
     """
@@ -50,5 +53,5 @@ def room_for(pairs: int) -> int:
             f"{MAX_STEP_BYTES / 1e9:.1f} GB. Too many bodies are in one place: spread them, or give them categories "
             "that do not collide. The world is as before the step"
         )
-    roomy = pairs + pairs // 2
+    roomy = max(_LEAST, pairs + pairs // 2)
     return roomy if step_bytes(roomy) <= MAX_STEP_BYTES else pairs

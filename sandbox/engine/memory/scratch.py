@@ -37,6 +37,10 @@ from sandbox.tables import Records, plain
 from sandbox.world.state import State
 
 
+_LEAST = 64
+"""Room for bodies and shapes once more of them come than there were at first."""
+
+
 @dataclass
 class Scratch:
     """The memory of one world's step, a bundle of tables for each concept. Tables with a row for each body or shape may
@@ -132,8 +136,8 @@ class Scratch:
             self.joints = self.joints._replace(part_of=part_of)
 
     def _grow(self, state: State) -> None:
-        """Take memory for twice as many bodies and shapes as there are; pairs and contacts keep theirs."""
-        room = self.room = Room(*(2 * count for count in Room.of(state)))
+        """Take memory for twice as many bodies and shapes as there are, or `_LEAST`; pairs and contacts keep theirs."""
+        room = self.room = Room(*(max(_LEAST, 2 * count) for count in Room.of(state)))
         self.active = active_memory(room)._replace(info=self.active.info)
         self.solver = solver_memory(room.bodies)
         self.piles = PILE.zeros(room.bodies)
