@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 
 import pygame
@@ -27,6 +28,7 @@ from sandbox.window.screen import Canvas, Screen
 from sandbox.window.script import Script, is_stray
 from sandbox.window.session import Session
 from sandbox.window.state_folder import state_folder
+from sandbox.window.waiting import WindowClosed, kept_alive
 from sandbox.window.workspace import Wish, Workspace
 
 LOADING_FPS = 20
@@ -60,6 +62,10 @@ class App:
 
     def run(self) -> None:
         """Until the user leaves, or the frames are used up."""
+        with suppress(WindowClosed), kept_alive(self.canvas):
+            self._run()
+
+    def _run(self) -> None:
         screen: Screen | None = self._load(self.options.scene) if self.options.scene else self._open_gallery()
         drawn, last = 0, screen
         while screen is not None and (self.options.frames is None or drawn < self.options.frames):
