@@ -188,7 +188,7 @@ class App:
         """Make a workspace as the user left the last one."""
         kept = self._remembered
         workspace.theme = self.canvas.theme
-        workspace.text_scale, workspace.less_motion = kept.text_scale or 1.0, kept.less_motion
+        workspace.text_scale, workspace.less_motion = self.canvas.text_scale, kept.less_motion
         if kept.panels is not None:
             workspace.panels = set(kept.panels)
         workspace.front = self._front
@@ -197,7 +197,9 @@ class App:
         """Note how the user likes it."""
         kept = self._remembered
         kept.light, kept.panels = workspace.theme is LIGHT, sorted(workspace.panels - {OWNER})
-        kept.text_scale, kept.less_motion = workspace.text_scale, workspace.less_motion
+        chosen = abs(workspace.text_scale - self.canvas.text_scale) > 1e-9
+        kept.text_scale = workspace.text_scale if chosen else kept.text_scale
+        kept.less_motion = workspace.less_motion
         self.canvas.theme = workspace.theme
         self._front = next((name for name in kept.panels if name not in workspace.behind), "")
 

@@ -56,7 +56,7 @@ class LoadingScreen:
         """The arc and what is being done."""
         canvas.clear()
         width, height = canvas.display.size
-        overlay = Overlay(canvas.gui, scale=canvas.remembered.text_scale or 1.0)
+        overlay = Overlay(canvas.gui, scale=canvas.text_scale)
         status = compile_status() if self._age > SLOW_SECONDS else None
         text = f"The first start on a machine compiles the engine: {status}" if status else ""
         lines = (self._loader.message + " …", self._loader.path.name, text)

@@ -25,8 +25,15 @@ class Canvas:
     gui: Gui
     theme: Theme
     remembered: Remembered = field(default_factory=Remembered)
+    suited_scale: float = 1.0
+    """How many times its usual size suits text on this screen."""
     _kept: KeptPicture | None = None
     _last: tuple[DrawList, tuple[int, int, int, int]] | None = None
+
+    @property
+    def text_scale(self) -> float:
+        """How many times its usual size text has: as the user chose, or as suits the screen."""
+        return self.remembered.text_scale or self.suited_scale
 
     def clear(self) -> None:
         """An empty picture."""

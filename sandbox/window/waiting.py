@@ -83,7 +83,7 @@ def _is_for_later(event: pygame.event.Event) -> bool:
 
 
 def _draw(canvas: Canvas, gui: Gui, age: float) -> None:
-    size, scale, colors = canvas.display.size, canvas.remembered.text_scale or 1.0, palette_of(canvas.theme)
+    size, scale, colors = canvas.display.size, canvas.text_scale, palette_of(canvas.theme)
     canvas.display.begin()
     canvas.paint_again()
     gui.begin(size)
