@@ -91,6 +91,15 @@ def on_change() -> None:
     """Called after each line about what is waited for. Whoever shows it puts a function of his own here."""
 
 
+def at_once(work: Callable[[], None]) -> None:
+    """Do it, and let everybody wait."""
+    work()
+
+
+patiently: Callable[[Callable[[], None]], None] = at_once
+"""Does work that may take seconds. Whoever has a window to keep alive puts a function of his own here."""
+
+
 def under_way() -> list[Work]:
     """What is being compiled now and waited for."""
     works = [each.work for each in processes if each.shown]

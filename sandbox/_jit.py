@@ -19,8 +19,8 @@ from typing import Any, TypeVar, cast
 
 import numpy as np
 
+from sandbox import _compiling
 from sandbox._argument_words import unbundled
-from sandbox._compiling import compiling
 from sandbox._kernel_cache import is_filled, kept_file
 from sandbox._kernel_cache import read as read_kept
 from sandbox._kernel_cache import write as write_kept
@@ -90,10 +90,13 @@ class EntryPoint(Kernel):
         """The machine code for arguments of these types: from memory, from disk or made now, which takes seconds."""
         kinds = tuple(map(_kind, arguments))
         if kinds not in self._versions:
-            with self._making:
-                if kinds not in self._versions:
-                    self._versions[kinds] = self._made(kinds, arguments)
+            _compiling.patiently(lambda: self._make(kinds, arguments))
         return self._versions[kinds]
+
+    def _make(self, kinds: tuple[Any, ...], arguments: tuple[Any, ...]) -> None:
+        with self._making:
+            if kinds not in self._versions:
+                self._versions[kinds] = self._made(kinds, arguments)
 
     def _made(self, kinds: tuple[Any, ...], arguments: tuple[Any, ...]) -> Version:
         file = kept_file(cast(Any, self.py_func), kinds)
@@ -101,7 +104,7 @@ class EntryPoint(Kernel):
         if found is None or not is_usable(*found):
             from sandbox._linking import machine_code
 
-            with compiling(self, arguments):
+            with _compiling.compiling(self, arguments):
                 found = machine_code(self.dispatcher, arguments)
                 write_kept(file, *found)
                 for each in further:

@@ -38,14 +38,14 @@ def compile_step(joints: bool) -> None:
     helper = _start_helper()
     _run_once(solve, joints)
     if helper is not None:
-        helper.wait_for_first()
+        _compiling.patiently(helper.wait_for_first)
         _helpers.append(helper)
 
 
 def compile_continuous() -> None:
     """Wait until the other process has compiled `solve_continuous`, if there is one at it."""
     while _helpers:
-        _helpers.pop().wait()
+        _compiling.patiently(_helpers.pop().wait)
 
 
 def compile_parts() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 
 import pygame
@@ -27,6 +28,7 @@ from sandbox.window.screen import Canvas, Screen
 from sandbox.window.script import Script, is_stray
 from sandbox.window.session import Session
 from sandbox.window.state_folder import state_folder
+from sandbox.window.waiting import WindowClosed, kept_alive
 from sandbox.window.workspace import Wish, Workspace
 
 LOADING_FPS = 20
@@ -60,6 +62,10 @@ class App:
 
     def run(self) -> None:
         """Until the user leaves, or the frames are used up."""
+        with suppress(WindowClosed), kept_alive(self.canvas):
+            self._run()
+
+    def _run(self) -> None:
         screen: Screen | None = self._load(self.options.scene) if self.options.scene else self._open_gallery()
         drawn, last = 0, screen
         while screen is not None and (self.options.frames is None or drawn < self.options.frames):
@@ -182,7 +188,7 @@ class App:
         """Make a workspace as the user left the last one."""
         kept = self._remembered
         workspace.theme = self.canvas.theme
-        workspace.text_scale, workspace.less_motion = kept.text_scale or 1.0, kept.less_motion
+        workspace.text_scale, workspace.less_motion = self.canvas.text_scale, kept.less_motion
         if kept.panels is not None:
             workspace.panels = set(kept.panels)
         workspace.front = self._front
@@ -191,7 +197,9 @@ class App:
         """Note how the user likes it."""
         kept = self._remembered
         kept.light, kept.panels = workspace.theme is LIGHT, sorted(workspace.panels - {OWNER})
-        kept.text_scale, kept.less_motion = workspace.text_scale, workspace.less_motion
+        chosen = abs(workspace.text_scale - self.canvas.text_scale) > 1e-9
+        kept.text_scale = workspace.text_scale if chosen else kept.text_scale
+        kept.less_motion = workspace.less_motion
         self.canvas.theme = workspace.theme
         self._front = next((name for name in kept.panels if name not in workspace.behind), "")
 

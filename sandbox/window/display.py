@@ -11,8 +11,8 @@ import pygame
 
 from sandbox.errors import SandboxError
 from sandbox.render.camera import Size
-from sandbox.window.density import first_size
-from sandbox.window.platform import choose_video_driver, survive_x_errors
+from sandbox.window.density import first_size, suited_scale
+from sandbox.window.platform import ask_for_real_pixels, choose_video_driver, survive_x_errors, system_scale
 from sandbox.window.requirements import no_window
 
 SMALLEST: Size = (320, 200)
@@ -30,12 +30,15 @@ class Display:
         be off screen, and never waits."""
         choose_video_driver(visible)
         survive_x_errors()
+        ask_for_real_pixels()
         try:
             pygame.display.init()
             _ask_for_core_profile()
             self.screen: Size = pygame.display.get_desktop_sizes()[0]
             """Pixels across and down of the whole screen."""
-            _open(size or first_size(self.screen), visible)
+            self.suited_scale = suited_scale(self.screen, system_scale(self.driver))
+            """How many times their usual size suits text and window."""
+            _open(size or first_size(self.screen, self.suited_scale), visible)
             pygame.display.set_caption(title)
             self.context = _context()
         except Exception as error:  # pygame, moderngl and the driver each have their own

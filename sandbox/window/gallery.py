@@ -103,7 +103,7 @@ class Gallery:
         if self._thumbnails is None:
             self._thumbnails = Thumbnails(canvas.display.context)
         canvas.clear()
-        scale = self._scale = canvas.remembered.text_scale or 1.0
+        scale = self._scale = canvas.text_scale
         apply_style(canvas.theme, scale)
         begin_picture()
         width, height = canvas.display.size

@@ -27,7 +27,8 @@ class Gui:
         choose_gl_platform(driver)
         from imgui_bundle.python_backends.pygame_backend import PygameRenderer
 
-        imgui.create_context()
+        self._context = imgui.create_context()
+        imgui.set_current_context(self._context)
         self.io = imgui.get_io()
         self.io.set_ini_filename("")  # the window leaves no files behind
         self.io.set_log_filename("")
@@ -37,7 +38,7 @@ class Gui:
         self._add_icons()
         self.bold = self._font(_BOLD)
         self.mono = self._font(_MONO)
-        implot.create_context()
+        self._plots = implot.create_context()
         self._renderer: Any = PygameRenderer()  # type: ignore[no-untyped-call]
 
     def process(self, event: Any) -> tuple[bool, bool]:
@@ -65,8 +66,8 @@ class Gui:
     def close(self) -> None:
         """Free what the context holds; the window must still be open."""
         self._renderer.shutdown()
-        implot.destroy_context()
-        imgui.destroy_context()
+        implot.destroy_context(self._plots)
+        imgui.destroy_context(self._context)
 
     def _add_icons(self) -> None:
         """The icons of buttons and panels, as characters of the regular font."""

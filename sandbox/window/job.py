@@ -60,6 +60,11 @@ class Job(Generic[T]):
         """True when `result` can be called without waiting."""
         return not self._thread.is_alive()
 
+    def wait(self, seconds: float) -> bool:
+        """Wait for it, but no longer than that; says whether it is done."""
+        self._thread.join(seconds)
+        return self.done
+
     def cancel(self) -> None:
         """Stop as soon as it can; `result` raises `Cancelled` then."""
         self.progress.cancelled = True

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import pygame
 
 from sandbox.engine.compile_status import compile_status
 from sandbox.errors import SandboxError
-from sandbox.render.camera import Size
-from sandbox.window.gui_style import palette_of
+from sandbox.render.camera import Vec
+from sandbox.window.gui_style import Palette, palette_of
 from sandbox.window.loader import Loader
 from sandbox.window.overlay import Overlay
 from sandbox.window.screen import Canvas, Screen
@@ -56,19 +56,18 @@ class LoadingScreen:
         """The arc and what is being done."""
         canvas.clear()
         width, height = canvas.display.size
-        scale, colors = canvas.remembered.text_scale or 1.0, palette_of(canvas.theme)
-        overlay = Overlay(canvas.gui, scale=scale)
-        turn = 2.0 * math.pi * (self._age * 0.8 % 1.0)
-        overlay.arc(width / 2, height / 2 - 44.0, 17.0, (turn, turn + 4.2), colors.accent, 3.0)
-        _center(overlay, (width, height), 0.0, self._loader.message + " …", 20.0, colors.text)
-        _center(overlay, (width, height), 32.0 * scale, self._loader.path.name, 16.0, colors.faint)
-        if self._age > SLOW_SECONDS:
-            status = compile_status()
-            text = f"The first start on a machine compiles the engine: {status}" if status else ""
-            _center(overlay, (width, height), 72.0 * scale, text, 16.0, colors.faint)
+        overlay = Overlay(canvas.gui, scale=canvas.text_scale)
+        status = compile_status() if self._age > SLOW_SECONDS else None
+        text = f"The first start on a machine compiles the engine: {status}" if status else ""
+        lines = (self._loader.message + " …", self._loader.path.name, text)
+        draw_progress(overlay, (width / 2, height / 2), lines, self._age, palette_of(canvas.theme))
 
 
-def _center(
-    overlay: Overlay, size: Size, down: float, text: str, points: float, color: tuple[float, float, float]
-) -> None:
-    overlay.text((size[0] - overlay.width(text, points)) / 2, size[1] / 2 + down, text, color, size=points)
+def draw_progress(overlay: Overlay, middle: Vec, lines: Sequence[str], age: float, colors: Palette) -> None:
+    """An arc that has turned for `age` seconds, and below it lines of text, the first of them large."""
+    turn, scale = 2.0 * math.pi * (age * 0.8 % 1.0), overlay.scale
+    overlay.arc(middle[0], middle[1] - 44.0, 17.0, (turn, turn + 4.2), colors.accent, 3.0)
+    for number, text in enumerate(lines):
+        size, color = (16.0, colors.faint) if number else (20.0, colors.text)
+        x, down = middle[0] - overlay.width(text, size) / 2, (0.0, 32.0, 56.0)[number]
+        overlay.text(x, middle[1] + down * scale, text, color, size=size)

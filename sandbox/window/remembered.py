@@ -15,9 +15,9 @@ NAME = "window.json"
 
 @dataclass
 class Remembered:
-    """`size` of the window in pixels, `light` theme, `text_scale` (None: as suits the screen), open `panels` (None:
-    those that are open at first), `less_motion`: nothing fades or turns; `docks`: where panels are docked, in ImGui's
-    own words.
+    """`size` of the window in pixels, `light` theme, `text_scale` as chosen by hand (None: as suits the screen), open
+    `panels` (None: those that are open at first), `less_motion`: nothing fades or turns; `docks`: where panels are
+    docked, in ImGui's own words.
     """
 
     size: Size | None = None

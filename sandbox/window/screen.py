@@ -25,7 +25,15 @@ class Canvas:
     gui: Gui
     theme: Theme
     remembered: Remembered = field(default_factory=Remembered)
+    suited_scale: float = 1.0
+    """How many times its usual size suits text on this screen."""
     _kept: KeptPicture | None = None
+    _last: tuple[DrawList, tuple[int, int, int, int]] | None = None
+
+    @property
+    def text_scale(self) -> float:
+        """How many times its usual size text has: as the user chose, or as suits the screen."""
+        return self.remembered.text_scale or self.suited_scale
 
     def clear(self) -> None:
         """An empty picture."""
@@ -39,7 +47,14 @@ class Canvas:
         size = self.display.size
         if self._kept is None or self._kept.size != size:
             self._kept = KeptPicture(self.display.context, size, self._kept)
+        self._last = picture, rect
         self._kept.show(picture, rect, self.display.begin, lambda: self._draw(picture, rect))
+
+    def paint_again(self) -> None:
+        """The last picture of a scene once more, with nothing around it."""
+        self.clear()
+        if self._last is not None:
+            self.paint(*self._last)
 
     def _draw(self, picture: DrawList, rect: tuple[int, int, int, int]) -> None:
         context, height = self.display.context, self.display.size[1]

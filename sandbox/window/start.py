@@ -5,7 +5,7 @@ from __future__ import annotations
 from imgui_bundle import imgui
 
 from sandbox.render.theme import DARK, LIGHT, Theme
-from sandbox.window.density import USUAL_SIZE, first_scale
+from sandbox.window.density import USUAL_SIZE
 from sandbox.window.display import Display, check_size
 from sandbox.window.gui import Gui
 from sandbox.window.gui_style import apply_style, palette_of
@@ -24,24 +24,23 @@ def run_window(options: Options) -> None:
     theme = LIGHT if kept.light else DARK
     size = USUAL_SIZE if counted else kept.size
     with Display(options.size or size, "sandbox", visible=not counted) as display:
-        if kept.text_scale is None:
-            kept.text_scale = 1.0 if counted else first_scale(display.screen)
+        suited = 1.0 if counted else display.suited_scale
         gui = Gui(display.driver)
         if kept.docks:
             imgui.load_ini_settings_from_memory(kept.docks)
         try:
-            _greet(display, gui, theme, options.scene.name if options.scene else "", kept.text_scale)
-            _run(display, gui, theme, kept, options)
+            _greet(display, gui, theme, options.scene.name if options.scene else "", kept.text_scale or suited)
+            _run(display, gui, theme, (kept, suited), options)
         finally:
             gui.close()
 
 
-def _run(display: Display, gui: Gui, theme: Theme, kept: Remembered, options: Options) -> None:
+def _run(display: Display, gui: Gui, theme: Theme, kept: tuple[Remembered, float], options: Options) -> None:
     from sandbox.window.app import App
     from sandbox.window.gl_painter import GlPainter
     from sandbox.window.screen import Canvas
 
-    App(Canvas(display, GlPainter(display.context), gui, theme, kept), options).run()
+    App(Canvas(display, GlPainter(display.context), gui, theme, *kept), options).run()
 
 
 def _greet(display: Display, gui: Gui, theme: Theme, name: str, scale: float) -> None:

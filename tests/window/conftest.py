@@ -19,11 +19,12 @@ def display() -> Iterator[object]:
     try:
         check_packages()
         from sandbox.window.display import Display
+        from tests.window.resizing import LARGEST, window_of
 
-        opened = Display(SIZE, "test", visible=False)
+        opened = Display(LARGEST, "test", visible=False)
     except MissingDependencyError as error:
         pytest.skip(f"no window can be opened here: {error}")
-    with opened:
+    with opened, window_of(SIZE):
         yield opened
 
 

@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
 from pathlib import Path
-
-import pygame
 
 from sandbox import Scene
 from sandbox.window.app import App
@@ -15,6 +11,7 @@ from sandbox.window.options import Options
 from sandbox.window.play import PlayScreen
 from sandbox.window.screen import Canvas, Screen
 from sandbox.window.script import Script
+from tests.window.resizing import window_of
 
 Act = str | Callable[[PlayScreen], None]
 """Lines of a script (`sandbox.window.script`), or what looks at the screen after those before it."""
@@ -56,24 +53,7 @@ class Hands(App):
 def play(canvas: Canvas, scene: Scene, folder: Path, *acts: Act, size: tuple[int, int] = SIZE) -> PlayScreen:
     """Play `scene` in a window of `size` pixels, a step a picture; after the first, time stands still at first."""
     hands = Hands(canvas, scene, folder, acts)
-    with _window_of(size):
+    with window_of(size):
         hands.run()
     assert hands.screen is not None
     return hands.screen
-
-
-@contextmanager
-def _window_of(size: tuple[int, int]) -> Iterator[None]:
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", DeprecationWarning)
-        from pygame._sdl2.video import Window
-
-        window = Window.from_display_module()
-    before = window.size
-    window.size = size
-    pygame.event.get()
-    try:
-        yield
-    finally:
-        window.size = before
-        pygame.event.get()

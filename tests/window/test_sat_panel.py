@@ -10,7 +10,6 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import pygame
 import pytest
 
 from sandbox.geometry.sat_table import sat_table
@@ -30,8 +29,8 @@ from sandbox.window.sat.overlap_curve import axis_angle
 from sandbox.window.sat.pen import Pen
 from sandbox.window.screen import Canvas, Screen
 from sandbox.window.widgets import places
+from tests.window.resizing import LARGEST, window_of
 
-LARGE = (1280, 1000)
 PICK = "key Space\nkey F3\nkey K\nclick @7,6\nclick @12,13\n"
 """Pause, close the panel of the world, and click square and triangle with the tool of pairs."""
 
@@ -40,12 +39,10 @@ DRAW_AND_PICK = "key F3\nkey B\ndrag @9,4 to @10,5\nkey F4\nkey K\nclick @9.5,4.
 
 @pytest.fixture
 def canvas(display: Any) -> Iterator[Canvas]:
-    window = pygame.Window.from_display_module()
-    before, window.size = window.size, LARGE
-    gui = Gui(display.driver)
-    yield Canvas(display, GlPainter(display.context), gui, DARK)
-    gui.close()
-    window.size = before
+    with window_of(LARGEST):
+        gui = Gui(display.driver)
+        yield Canvas(display, GlPainter(display.context), gui, DARK)
+        gui.close()
 
 
 class Watched(App):
@@ -137,7 +134,7 @@ def test_the_outcome_covers_neither_the_arrow_of_the_edge_nor_other_words(
     workspace.viewport.zoom(zoom)
     seen = app.panel.look(workspace)
     assert seen is not None
-    canvas.gui.begin(LARGE)
+    canvas.gui.begin(LARGEST)
     pen = Pen(workspace, Overlay(canvas.gui))
     drawing = Drawing(pen, seen, sat_colors(DARK), workspace.viewport.camera)
     drawing.edge(seen.deciding)
