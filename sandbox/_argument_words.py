@@ -85,7 +85,7 @@ def _address(array: np.ndarray[Any, Any]) -> int:
     others. `__array_interface__` has it too, but describes all columns before it tells it, which takes 30 us."""
     flags = array.flags
     if array.size and flags.c_contiguous and flags.writeable:
-        return ctypes.addressof(_bytes_of(np.frombuffer(array, np.uint8)))
+        return ctypes.addressof(_bytes_of(np.frombuffer(array, np.uint8).data))
     return int(array.ctypes.data)
 
 

@@ -194,7 +194,9 @@ class Call:
             self._block.fill(self._arguments)
         enter, address, result = self._enter, self._block.address, self._block.result
         if not self._block.returns_tuple:
-            return functools.partial(enter, address)
+            run = functools.partial(enter, address)
+            run.block = self._block  # type: ignore[attr-defined]  # whose memory is there as long as this is
+            return run
         return lambda: result(enter(address))
 
 

@@ -1,7 +1,7 @@
 """The function through which Python enters machine code: it unpacks a block of words and calls an entry point.
 
-What lies where in a block is told by `_machine_code.py` and `_argument_words.py`, which fill it. How numba passes numbers, arrays and tuples is
-asked of numba itself (its data models and calling convention), not repeated here.
+What lies where in a block is told by `_machine_code.py` and `_argument_words.py`, which fill it. How numba passes
+numbers, arrays and tuples is asked of numba itself (its data models and calling convention), not repeated here.
 https://numba.readthedocs.io/en/stable/developer/architecture.html
 """
 

@@ -228,7 +228,7 @@ class Stepper:
         """The calls of a step: some for even and some for odd steps, as the contact tables swap places."""
         state, scratch = self._state, self.scratch
         self._crowded = len(state.shapes) > _FEW
-        self.counters = memoryview(plain(state.counters).view(np.int64))
+        self.counters = plain(state.counters).view(np.int64).data
         self._compiled = False
         self._lost = self._count_lost()
         here = scratch.contacts._replace(before=state.contacts)

@@ -88,7 +88,7 @@ class World(Readings, Shown, FixedAttributes):
         """
         n = checked_count("World.step", n)
         self._stepper.compile()
-        _set_changes(self, self._changes + 1)
+        object.__setattr__(self, "_changes", self._changes + 1)  # ours looks up what may be set: 1 us
         if self._game is None and self._paths is None:
             self._advance(n)
             return
@@ -260,10 +260,6 @@ class World(Readings, Shown, FixedAttributes):
 
     def __repr__(self) -> str:
         return f"<World of {len(self.state.bodies)} bodies at step {self.step_count}>"
-
-
-_set_changes = World._changes.__set__  # type: ignore[attr-defined]
-"""Past `__setattr__`, which looks up what may be set: in a small world that is a twentieth of a step."""
 
 
 def _made_again(

@@ -17,8 +17,9 @@ from sandbox.world.patterns import KnownPatterns, pattern_keys
 from sandbox.world.shape_rows import Rows, build_patterns
 
 _cos_sin = interpreted(cos_sin)
+_WORDS = tuple(field.name for field in records.BODY.fields)
 _PLACES = [
-    records.BODY.dtype.names.index(name)  # type: ignore[union-attr]
+    _WORDS.index(name)
     for name in (
         "position_x", "position_y", "angle", "velocity_x", "velocity_y", "angular_velocity", "rotation_cos",
         "rotation_sin", "center_x", "center_y",
@@ -62,7 +63,7 @@ def _placed(bodies: Sequence[FlatBody], rows: NDArray[Any]) -> NDArray[Any]:
     cx, cy = rows["local_center_x"], rows["local_center_y"]
     columns[8], columns[9] = x + (cosine * cx - sine * cy), y + (sine * cx + cosine * cy)
     columns[3:6, rows["type"] == records.STATIC] = 0.0
-    np.frombuffer(rows, np.float64).reshape(len(bodies), -1)[:, _PLACES] = columns.T
+    rows.view(np.float64).reshape(len(bodies), len(_WORDS))[:, _PLACES] = columns.T
     return rows
 
 

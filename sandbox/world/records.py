@@ -251,7 +251,7 @@ COUNTERS = Table(
 class CounterPlace:
     """Which word of the row of counters is which, for who asks in every step."""
 
-    _ALL = [field.name for field in COUNTERS.fields]
+    _ALL = tuple(field.name for field in COUNTERS.fields)
     STEPS = _ALL.index("step_count")
     CONTACTS = _ALL.index("contact_count")
     AWAKE = _ALL.index("awake_count")

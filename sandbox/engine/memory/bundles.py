@@ -159,7 +159,7 @@ def measure_thin(bodies: Records, state: State, first: int, first_shape: int) ->
     """Measure the thinnest shapes of the bodies from row `first` on, whose shapes begin at `first_shape`."""
     shapes = plain(state.shapes)[first_shape:]
     thin = np.full(len(state.bodies) - first, np.inf)
-    if len(thin) == 1:  # numpy takes as long to find that out as all else takes
+    if len(thin) == 1:  # `minimum.at` takes longer than all else here
         thin[0] = shapes["thin"].min(initial=np.inf)
     else:
         np.minimum.at(thin, shapes["body"] - first, shapes["thin"])

@@ -36,7 +36,6 @@ from sandbox.engine.records.workers import Workers, workers_memory
 from sandbox.tables import Records, plain
 from sandbox.world.state import State
 
-
 _LEAST = 64
 """Room for bodies and shapes once more of them come than there were at first."""
 
