@@ -16,6 +16,8 @@ _FONT = Path(imgui_bundle.__file__).parent / "assets" / "fonts" / "Roboto" / "Ro
 _BOLD = _FONT.with_name("Roboto-Bold.ttf")
 _MONO = _FONT.parents[1] / "Inconsolata-Medium.ttf"
 _ICONS = _FONT.parents[1] / "Font_Awesome_6_Free-Solid-900.otf"
+ANY_POPUP = imgui.PopupFlags_.any_popup_id | imgui.PopupFlags_.any_popup_level
+"""For asking whether any menu or list is open."""
 ICON_SIZE, ICON_WIDTH = 14.0, 18.0
 """Height of an icon's box, and how far all but the widest take a line on, so that what stands behind them lines up."""
 

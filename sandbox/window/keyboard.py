@@ -8,11 +8,11 @@ import pygame
 from imgui_bundle import imgui
 
 from sandbox.window.actions.registry import action_of, released
+from sandbox.window.gui import ANY_POPUP
 from sandbox.window.panels.panel import Panel
 from sandbox.window.tools.tool_box import ToolBox
 from sandbox.window.workspace import Workspace
 
-ANY_POPUP = imgui.PopupFlags_.any_popup_id | imgui.PopupFlags_.any_popup_level
 _COMMAND = pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META
 
 
@@ -26,7 +26,8 @@ class Keyboard:
 
     def handle(self, event: pygame.event.Event, taken: bool) -> None:
         """Act on a key; `taken` says whether a panel wants what is typed."""
-        if event.type == pygame.KEYDOWN and not taken and not self.workspace.palette_shown:
+        elsewhere = taken or self.workspace.palette_shown or self.workspace.steering.takes(event)
+        if event.type == pygame.KEYDOWN and not elsewhere:
             self._press(event)
         self.workspace.held -= released(event)
 

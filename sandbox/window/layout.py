@@ -52,6 +52,7 @@ class Layout:
         """One picture of it in a window of `size` pixels."""
         if not workspace.interface:
             return 0, 0, *size
+        workspace.steering.set_keys()
         top = draw_menu_bar(workspace, self.panels)
         bar = time_bar_height()
         bottom = size[1] - bar
@@ -69,6 +70,8 @@ class Layout:
         for panel in self.panels.values():
             if panel.name in workspace.panels:
                 self._draw_panel(workspace, panel)
+        titles = {name: _window_title(panel) for name, panel in self.panels.items() if name in self._shown}
+        workspace.steering.end_picture(titles, next((name for name in titles if name not in workspace.behind), ""))
         self._settling -= 1
         if self._settling == 0 or (workspace.front and self._settling < 0):  # docked by now
             self._bring_to_front(workspace)

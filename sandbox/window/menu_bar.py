@@ -17,6 +17,8 @@ def draw_menu_bar(workspace: Workspace, panels: dict[str, Panel]) -> float:
     """Draw it; gives its height in pixels."""
     if not imgui.begin_main_menu_bar():
         return 0.0
+    if (wanted := workspace.steering.menu_to_open(MENUS)) is not None:
+        imgui.open_popup(wanted)
     for menu in MENUS:
         opened = imgui.begin_menu(menu)
         mark(f"menu.{menu.lower()}")

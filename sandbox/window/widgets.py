@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import numpy as np
 from imgui_bundle import imgui
 
 Box = tuple[float, float, float, float]
@@ -109,9 +110,9 @@ PLAIN = Scale()
 def drag(name: str, label: str, value: float, tip: str = "", scale: Scale = PLAIN) -> tuple[bool, float]:
     """A number that is dragged or typed, with its unit. (changed, number)."""
     shown, flags = scale.format([value], imgui.calc_item_width())
-    changed, value = imgui.drag_float(f"{label}##{name}", value, scale.speed, scale.low, scale.high, shown, flags)
+    changed, got = imgui.drag_float(f"{label}##{name}", value, scale.speed, scale.low, scale.high, shown, flags)
     mark(name, tip)
-    return bool(changed), float(value)
+    return bool(changed), as_written(value, got)
 
 
 def drag2(
@@ -128,7 +129,14 @@ def drag2(
     left, top, right, bottom = places[name]
     middle = 0.5 * (left + right)
     places[f"{name}.x"], places[f"{name}.y"] = (left, top, middle, bottom), (middle, top, right, bottom)
-    return bool(changed), (float(got[0]), float(got[1]))
+    return bool(changed), (as_written(value[0], got[0]), as_written(value[1], got[1]))
+
+
+def as_written(before: float, got: float) -> float:
+    """The number that was meant by one of ImGui's, which have 32 bits: 0.3 and not 0.300000012, and to the last bit
+    what was there `before` if it is still that.
+    """
+    return before if np.float32(before) == np.float32(got) else float(str(np.float32(got)))
 
 
 def integer(

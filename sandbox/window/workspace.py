@@ -14,6 +14,7 @@ from sandbox.render.theme import DARK, Theme
 from sandbox.window.comparer import Comparer
 from sandbox.window.selection import Selection
 from sandbox.window.session import Session
+from sandbox.window.steering import Steering
 from sandbox.window.time_marks import TimeMarks
 from sandbox.window.viewport import Viewport
 from sandbox.world.export.copies import Entries
@@ -72,6 +73,8 @@ class Workspace:
     pointer: Vec | None = None
     """The point of the plane under the mouse in metres; None where it is over something else."""
     held: set[str] = field(default_factory=set)
+    steering: Steering = field(default_factory=Steering)
+    """Where the keyboard is, if not in the scene."""
     wish: Wish | None = None
     interrupt: Callable[[], bool] = _nothing
     """Gives up what the tool in hand is in the middle of; False if there is nothing."""

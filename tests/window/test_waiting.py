@@ -34,7 +34,12 @@ def shown(canvas: Canvas, monkeypatch: pytest.MonkeyPatch) -> list[float]:
     """When each picture was put on the screen."""
     times: list[float] = []
     show = canvas.display.show
-    monkeypatch.setattr(canvas.display, "show", lambda: (times.append(time.perf_counter()), show()))
+
+    def noted() -> None:
+        times.append(time.perf_counter())
+        show()
+
+    monkeypatch.setattr(canvas.display, "show", noted)
     return times
 
 
@@ -68,25 +73,25 @@ def test_pictures_go_on_while_an_act_waits_for_the_compiler(
     assert pictures >= min((seconds - 0.3) / 0.5, 1)  # it was shown at all, and not a single time
 
 
-def test_the_box_stands_over_the_scene_and_the_panels_come_back(canvas: Canvas, tmp_path: Path) -> None:
+def test_the_box_stands_over_the_scene_and_the_panels_come_back(
+    canvas: Canvas, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     size = canvas.display.size
     seen: list[Any] = []
 
     def slow() -> None:
         time.sleep(0.6)
 
+    show = canvas.display.show
+
+    def look() -> None:
+        seen.append(canvas.display.picture())
+        show()
+
     def act(screen: PlayScreen) -> None:
-        show = canvas.display.show
-
-        def look() -> None:
-            seen.append(canvas.display.picture())
-            show()
-
-        canvas.display.show = look
-        try:
+        with monkeypatch.context() as patch:
+            patch.setattr(canvas.display, "show", look)
             _compiling.patiently(slow)
-        finally:
-            canvas.display.show = show
         screen.workspace.shots.append(tmp_path / "after.png")
 
     def before(screen: PlayScreen) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from sandbox.render.theme import DARK, LIGHT
 from sandbox.scene.references import MOVING
 from sandbox.window.actions.action import Action
+from sandbox.window.steering import MENUS, PANELS
 from sandbox.window.workspace import Workspace
 
 
@@ -22,6 +23,14 @@ def _toggle_theme(workspace: Workspace) -> None:
 
 def _open_palette(workspace: Workspace) -> None:
     workspace.palette_shown = True
+
+
+def _steer(workspace: Workspace, what: str) -> None:
+    if what == PANELS and not workspace.panels:
+        workspace.say("no panel is open; F1 shows the keys that open them")
+        return
+    workspace.interface = True
+    workspace.steering.begin(what)
 
 
 def _scale_text(workspace: Workspace, factor: float) -> None:
@@ -52,6 +61,12 @@ ACTIONS = (
            lambda w: w.toggle_overlay("trails"), checked=lambda w: "trails" in w.overlays),
     Action("interface", "Panels", "View", ("Tab",), "Show or hide all but the scene.", _toggle_interface,
            checked=lambda w: w.interface),
+    Action("menus", "Menus by keyboard", "View", ("Ctrl+M",),
+           "Open the menus: arrows go through them, Enter chooses, Esc comes back.",
+           lambda w: _steer(w, MENUS)),
+    Action("to-panels", "Panels by keyboard", "View", ("Ctrl+K",),
+           "To the panel in front, then to the next: arrows and Tab go through it, Enter changes, Esc comes back.",
+           lambda w: _steer(w, PANELS)),
     Action("theme", "Light", "View", ("F8",), "Light or dark.", _toggle_theme, checked=lambda w: w.theme is LIGHT),
     Action("larger-text", "Larger text", "View", ("Ctrl++", "Ctrl+="), "Text, buttons and panels a tenth larger.",
            lambda w: _scale_text(w, 1.1)),
