@@ -199,7 +199,7 @@ if TYPE_CHECKING:
     from sandbox.scene import Wind as Wind
     from sandbox.scene import load_scene as load_scene
     from sandbox.scene import loads_scene as loads_scene
-    from sandbox.scene import schema as schema
+    from sandbox.scene.schema import schema as schema
     from sandbox.sweeps.sweep import sweep as sweep
     from sandbox.sweeps.table import SweepTable as SweepTable
     from sandbox.world.export.copies import copy_of as copy_of

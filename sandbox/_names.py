@@ -58,8 +58,8 @@ _MODULES = {
         Place PolygonShape Prefab Prismatic Pulley PushOnce PushStep PutBodies Pyramid Rests Revolute Row Rule
         RunPath Scatter Scene SegmentShape Senses SetBodySurface Settings SpawnBody Speeding Stack Stands
         SwitchThruster Target Thruster Touches Turned View Water Weld Wheel Win Wind load_scene loads_scene
-        schema
     """,
+    "sandbox.scene.schema": "schema",
     "sandbox.sweeps.sweep": "sweep",
     "sandbox.sweeps.table": "SweepTable",
     "sandbox.world.export.copies": "copy_of paste_of",
