@@ -35,10 +35,10 @@ def solve_pair(
     """
     share1 = coupling * row1.mass
     share2 = coupling * row2.mass
-    first1 = _pushing(row1.alone)
-    first2 = _pushing(row2.alone)
-    then1 = _pushing(row1.alone - share1 * (first2 - before.second))
-    then2 = _pushing(row2.alone - share2 * (first1 - before.first))
+    first1 = pushing(row1.alone)
+    first2 = pushing(row2.alone)
+    then1 = pushing(row1.alone - share1 * (first2 - before.second))
+    then2 = pushing(row2.alone - share2 * (first1 - before.first))
     mean1 = 0.5 * (first1 + then1)
     mean2 = 0.5 * (first2 + then2)
     if over_relaxation == 0.0:
@@ -49,10 +49,10 @@ def solve_pair(
     evenly = select(pushes, 4.0 * (mean1 / load) * (mean2 / load), 0.0)
     after1 = mean1 + over_relaxation * evenly * (mean1 - before.first)
     after2 = mean2 + over_relaxation * evenly * (mean2 - before.second)
-    return PointImpulses(_pushing(after1), _pushing(after2))
+    return PointImpulses(pushing(after1), pushing(after2))
 
 
 @inlined_kernel
-def _pushing(impulse: Number) -> Number:
+def pushing(impulse: Number) -> Number:
     """An impulse (N s), or 0 where it would pull."""
     return select(impulse > 0.0, impulse, 0.0)

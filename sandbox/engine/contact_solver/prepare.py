@@ -97,6 +97,7 @@ def _begin_block(block: Records) -> None:
     block.driven = 0
     block.rounded = 0
     block.strikes = 0
+    block.single = 1
 
 
 @inlined_kernel
@@ -124,6 +125,8 @@ def _note_traits(block: Records, contact: Records) -> None:
         block.driven = 1
     if contact.radius_a != 0.0 or contact.radius_b != 0.0:
         block.rounded = 1
+    if contact.point_count == 2:
+        block.single = 0
 
 
 @inlined_kernel

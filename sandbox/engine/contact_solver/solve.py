@@ -39,7 +39,7 @@ from sandbox.engine.contact_solver.law import (
     push_both,
     relative_velocity,
 )
-from sandbox.engine.contact_solver.normal_pair import NormalRow, solve_pair
+from sandbox.engine.contact_solver.normal_pair import NormalRow, pushing, solve_pair
 from sandbox.engine.records.contact_blocks import ContactBlocks, SoftContact
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import color_count, first_part_of_color, next_part
@@ -94,7 +94,7 @@ def solve_blocks(motions: Records, blocks: ContactBlocks, first: int, end: int, 
             of = gather_velocities(motions, rows)
             pose = gather_poses(motions, rows, of)
             push1 = _push(block, v, pose, cb.POINT_1, soft)
-            push2 = _push(block, v, pose, cb.POINT_2, soft)
+            push2 = _push(block, v, pose, cb.POINT_2, soft) if block.single == 0 else push1
             if soft.bias_rate == 0.0:
                 store(v, cb.BIAS_1, push1.bias)
                 store(v, cb.BIAS_2, push2.bias)
@@ -135,16 +135,23 @@ def _solve_lanes(
     nx = load(v, cb.NORMAL_X)
     ny = load(v, cb.NORMAL_Y)
     r1 = load_anchors(v, cb.POINT_1)
-    r2 = load_anchors(v, cb.POINT_2)
     before = load_normal_impulses(v)
     row1 = _normal_row(v, cb.POINT_1, velocity, pushes[0])
-    row2 = _normal_row(v, cb.POINT_2, velocity, pushes[1])
-    normal = solve_pair(row1, row2, coupling(mass, r1, r2, nx, ny), before, soft.over_relaxation)
-    store_lanes(v, cb.POINT_1 + cb.NORMAL_IMPULSE, lanes, normal.first, before.first)
-    store_lanes(v, cb.POINT_2 + cb.NORMAL_IMPULSE, lanes, normal.second, before.second)
-    change = PointImpulses(normal.first - before.first, normal.second - before.second)
-    velocity = push_both(velocity, mass, r1, r2, change, nx, ny)
-    r = bearing_anchors(r1, r2, normal.first, normal.second)
+    if block.single == 1:
+        r = r1
+        normal = PointImpulses(pushing(row1.alone), before.second)
+        store_lanes(v, cb.POINT_1 + cb.NORMAL_IMPULSE, lanes, normal.first, before.first)
+        change = PointImpulses(normal.first - before.first, normal.second - before.second)
+        velocity = push_both(velocity, mass, r1, r1, change, nx, ny)
+    else:
+        r2 = load_anchors(v, cb.POINT_2)
+        row2 = _normal_row(v, cb.POINT_2, velocity, pushes[1])
+        normal = solve_pair(row1, row2, coupling(mass, r1, r2, nx, ny), before, soft.over_relaxation)
+        store_lanes(v, cb.POINT_1 + cb.NORMAL_IMPULSE, lanes, normal.first, before.first)
+        store_lanes(v, cb.POINT_2 + cb.NORMAL_IMPULSE, lanes, normal.second, before.second)
+        change = PointImpulses(normal.first - before.first, normal.second - before.second)
+        velocity = push_both(velocity, mass, r1, r2, change, nx, ny)
+        r = bearing_anchors(r1, r2, normal.first, normal.second)
     vx, vy = relative_velocity(velocity, r)
     speed = vx * ny - vy * nx
     if block.driven == 1:

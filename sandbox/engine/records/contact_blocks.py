@@ -27,7 +27,7 @@ BLOCK = Table(
         Field("driven", "-", "1 when some contact has a surface speed", "i4"),
         Field("rounded", "-", "1 when some contact is one of rounded shapes", "i4"),
         Field("strikes", "-", "1 when some contact may have an impact", "i4"),
-        Field("spare", "-", "fills the cache line", "i4"),
+        Field("single", "-", "1 when no contact has two points", "i4"),
         *(Field(f"{side}{k}", "-", f"body {side} of lane {k}", "i4") for side in "ab" for k in range(4)),
     ),
 )
