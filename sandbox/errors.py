@@ -90,7 +90,8 @@ class QueryError(SandboxError, ValueError):
 
 
 class CapacityError(SandboxError):
-    """A step would need more memory than is allowed; the world is as before the step."""
+    """Too many bodies are in one place: a step would need more memory than is allowed, and the world is as before it;
+    or static shapes lie over each other in so many pairs that no world is built of them."""
 
 
 class CommandError(SandboxError):

@@ -9,11 +9,12 @@ from sandbox.engine.bodies.integrate import place_origin as place_origin_kernel
 from sandbox.engine.commands.base import CommandTarget, Touched, Vec
 from sandbox.engine.commands.body_command import BodyCommand
 from sandbox.engine.commands.checks import title
-from sandbox.errors import CommandError
+from sandbox.errors import CapacityError, CommandError
 from sandbox.geometry.trig import cos_sin
+from sandbox.tables import plain
 from sandbox.world.records import STATIC
 from sandbox.world.state import State
-from sandbox.world.tiling import NO_TILES, neighbours, rejoin_around, tiles_of
+from sandbox.world.tiling import NO_TILES, check_moved, neighbours, rejoin_around, tiles_of
 
 _place_origin = interpreted(place_origin_kernel)
 _cos_sin = interpreted(cos_sin)
@@ -35,7 +36,7 @@ class SetPose(BodyCommand):
 
     def change(self, state: State, row: int) -> None:
         """Write the pose; tiles are joined anew where it was and where it is."""
-        body = state.bodies[row]
+        body, before = state.bodies[row], plain(state.bodies)[row].copy()
         tiles = tiles_of(state, row) if body.type == STATIC else NO_TILES
         left = neighbours(state, tiles)
         body.posed = 1
@@ -45,6 +46,11 @@ class SetPose(BodyCommand):
         body.center_x = self.position[0] + (body.rotation_cos * x - body.rotation_sin * y)
         body.center_y = self.position[1] + (body.rotation_sin * x + body.rotation_cos * y)
         _place_origin(body)
+        try:
+            check_moved(state, tiles)
+        except CapacityError as error:
+            plain(state.bodies)[row] = before
+            raise CommandError(f"{title(self)}: {error}") from None
         rejoin_around(state, tiles, left)
 
 
