@@ -15,12 +15,13 @@ MINOR_PIXELS = 34.0
 
 @dataclass(frozen=True)
 class GridLine:
-    """A line at x (`vertical`) or y = `pixel`; `rank` 0 minor, 1 major (5 or 10 times a power
+    """A line at x (`vertical`) or y = `pixel`, which is `metres`; `rank` 0 minor, 1 major (5 or 10 times a power
     of ten metres), 2 through the origin.
     """
 
     vertical: bool
     pixel: float
+    metres: float
     rank: int
 
 
@@ -40,11 +41,11 @@ def grid_lines(camera: Camera) -> list[GridLine]:
     return sorted(lines, key=lambda line: line.rank)
 
 
-def _positions(low: float, high: float, step: float, camera: Camera, axis: int) -> list[tuple[float, int]]:
+def _positions(low: float, high: float, step: float, camera: Camera, axis: int) -> list[tuple[float, float, int]]:
     indices = range(math.ceil(low / step), math.floor(high / step) + 1)
     points = np.zeros((len(indices), 2))
     points[:, axis] = np.array(indices) * step
     pixels = camera.to_screen(points)[:, axis]
     group = 2 if round(step / 10.0 ** math.floor(math.log10(step) + 1e-9)) == 5 else 5
     ranks = [2 if k == 0 else 1 if k % group == 0 else 0 for k in indices]
-    return [(float(p), rank) for p, rank in zip(pixels, ranks, strict=True)]
+    return [(float(p), k * step, rank) for p, k, rank in zip(pixels, indices, ranks, strict=True)]

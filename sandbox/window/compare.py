@@ -71,7 +71,7 @@ def recordings_near(workspace: Workspace) -> list[Path]:
     """The recordings in the folder of the scene and in that in which the program was started."""
     recording = workspace.session.recording
     own = recording.source if recording is not None else None
-    folders = dict.fromkeys([*([own.parent] if own is not None else []), workspace.folder])
+    folders = dict.fromkeys([*([own.parent.resolve()] if own is not None else []), workspace.folder.resolve()])
     found = [path for folder in folders for path in sorted(folder.glob(f"*{SUFFIX}"))]
     return [path for path in found if own is None or path.resolve() != own.resolve()][:MOST_FILES]
 

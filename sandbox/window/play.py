@@ -15,6 +15,7 @@ from sandbox.window.at_rest import asleep
 from sandbox.window.compare import end_comparison, follow_comparison
 from sandbox.window.controls.player import Player
 from sandbox.window.export_box import ExportBox
+from sandbox.window.grid_labels import draw_grid_labels
 from sandbox.window.gui_style import apply_style, palette_of
 from sandbox.window.help import draw_help
 from sandbox.window.journal import Journal
@@ -235,7 +236,7 @@ class PlayScreen:
         rect, colors = workspace.viewport.rect, palette_of(workspace.theme)
         self._strips.draw(overlay, workspace, told)
         if workspace.interface:
-            draw_scale_bar(overlay, workspace, self.mouse.at)
+            draw_grid_labels(overlay, workspace, draw_scale_bar(overlay, workspace, self.mouse.at))
         draw_ending(overlay, workspace)
         noted = self._fade(workspace.note_until - workspace.age)
         if noted > 0.0:

@@ -14,12 +14,13 @@ PAD = 6.0
 SIZE = 14.0
 
 
-def draw_scale_bar(overlay: Overlay, workspace: Workspace, pointer: tuple[float, float]) -> None:
-    """A bar of a round length, and the coordinates of the pointer (a pixel of the window) in metres."""
+def draw_scale_bar(overlay: Overlay, workspace: Workspace, pointer: tuple[float, float]) -> float:
+    """A bar of a round length, and the coordinates of the pointer (a pixel of the window) in metres. Gives the pixel of
+    the window where it begins."""
     viewport, colors = workspace.viewport, palette_of(workspace.theme)
     left, top, width, height = viewport.rect
     if width < 240 or height < 120:
-        return
+        return float(left + width)
     length = round_length(WIDEST_PIXELS / viewport.camera.scale)
     pixels = length * viewport.camera.scale
     right, y = left + width - MARGIN, top + height - MARGIN
@@ -37,6 +38,7 @@ def draw_scale_bar(overlay: Overlay, workspace: Workspace, pointer: tuple[float,
     overlay.text(middle, y - 6.0 - scale * SIZE, text, colors.faint, size=SIZE)
     if place:
         overlay.text(start, y - 2.0 - scale * SIZE, place, colors.faint, size=SIZE)
+    return start - PAD
 
 
 def _place(workspace: Workspace, pointer: tuple[float, float]) -> str:

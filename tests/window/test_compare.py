@@ -13,6 +13,7 @@ from sandbox.render.theme import DARK
 from sandbox.replay.comparison import Comparison
 from sandbox.replay.recording.recorder import record
 from sandbox.window.app import App
+from sandbox.window.compare import recordings_near
 from sandbox.window.comparer import Comparer
 from sandbox.window.options import Options
 from sandbox.window.play import PlayScreen
@@ -89,6 +90,12 @@ def test_a_recording_that_holds_is_told_so_and_casts_no_ghost(canvas: Canvas, fo
     assert app.comparer.title() == f"as recorded, to the bit, in all {STEPS} steps"
     assert app.flags == []
     assert {strokes for _, _, strokes in app.seen} == {0}
+
+
+def test_each_recording_of_the_folder_is_offered_once(canvas: Canvas, folder: Path) -> None:
+    """Also where its path was given as one from the folder in which the program was started."""
+    app = watch(canvas, Path(), "key Space\nwait 2\n", "fall.replay.json")
+    assert [path.name for path in recordings_near(app.last)] == ["pushed.replay.json"]
 
 
 def test_of_a_tampered_recording_the_step_is_marked_and_gone_to(canvas: Canvas, folder: Path) -> None:
