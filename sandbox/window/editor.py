@@ -43,7 +43,7 @@ class Editor:
         label(entry.title, entry.tip)
         scale = _scale(entry, is_mixed(values))
         changed, value = drag(entry.name, "", scale.shown(values[0]), entry.tip, scale)
-        given = tuple(commands(plain_number(value))) if changed else ()
+        given = tuple(commands(value)) if changed else ()
         self._adjustment.follow(workspace, changed, *given, label=self._label(entry))
 
     def pair(
@@ -117,7 +117,7 @@ class Editor:
         """The number itself, `width` pixels wide, or with -1 as wide as there is room."""
         imgui.set_next_item_width(width)
         changed, got = drag(entry.name, "", value, entry.tip, entry.scale)
-        given = tuple(commands(plain_number(got))) if changed else ()
+        given = tuple(commands(got)) if changed else ()
         self._adjustment.follow(workspace, changed, *given, label=self._label(entry))
 
     def _label(self, entry: Entry) -> str:
@@ -135,11 +135,6 @@ def is_mixed(values: Any) -> bool:
     return bool((rows != rows[0]).any())
 
 
-def plain_number(value: float) -> float:
-    """What a widget's single precision stands for: 0.3, not 0.30000001."""
-    return float(f"{value:.7g}")
-
-
 def kept(before: float, shown: float, after: float) -> float:
     """The number after an edit: the one before with all its digits, if a widget shows what it showed before."""
-    return before if np.float32(shown) == np.float32(after) else plain_number(after)
+    return before if shown == after else after

@@ -15,6 +15,7 @@ from PIL import Image, ImageSequence
 
 import sandbox
 from sandbox.cli import main
+from sandbox.window.leftover import leftovers
 
 SCENE = sandbox.Scene(
     title="A yard",
@@ -191,14 +192,16 @@ def test_it_fits_into_small_and_large_windows(visit: Visit, size: str) -> None:
     assert visit.picture("shot").shape == (height, width, 3)
 
 
-def test_a_mistake_in_a_script_is_told_with_its_line(visit: Visit) -> None:
-    (visit.folder / "hands.txt").write_text("wait 1\nclick nowhere\n")
+def test_a_mistake_in_a_script_is_told_with_its_line_and_what_was_done_is_offered(visit: Visit) -> None:
+    (visit.folder / "hands.txt").write_text("wait 1\nkey C\ndrag @-4,4 to @-3.5,4\nclick nowhere\n")
     command = [sys.executable, "-m", "sandbox", "run", "yard.scene.json", "--script", "hands.txt"]
     environment = {**os.environ, "SANDBOX_STATE_DIR": str(visit.folder / "state")}
     done = subprocess.run(command, cwd=visit.folder, env=environment, capture_output=True, text=True)
     assert done.returncode == 2
-    assert "hands.txt:2: there is no place 'nowhere'" in done.stderr
+    assert "hands.txt:4: there is no place 'nowhere'" in done.stderr
     assert "Traceback" not in done.stderr
+    (left,) = leftovers(visit.folder / "state")
+    assert [type(command) for _, command in left.commands] == [sandbox.Spawn]
 
 
 @pytest.mark.parametrize(

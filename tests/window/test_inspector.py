@@ -14,14 +14,14 @@ import sandbox
 from sandbox.render.camera import Camera
 from sandbox.render.frame import capture
 from sandbox.resources import find_scene
-from sandbox.window.editor import kept, plain_number
+from sandbox.window.editor import kept
 from sandbox.window.highlight import RING, highlight_joint
 from sandbox.window.panels.inspector.finder import Found, everything, kind_of, matching
 from sandbox.window.panels.inspector.surfaces import filter_text, size_text
 from sandbox.window.play import PlayScreen
 from sandbox.window.screen import Canvas
 from sandbox.window.tools.joint_pick import joint_spans
-from sandbox.window.widgets import Scale, places
+from sandbox.window.widgets import Scale, as_written, places
 from tests.window.hands import play
 
 SCENE = sandbox.Scene(
@@ -185,10 +185,12 @@ def test_shapes_in_words() -> None:
 
 
 def test_numbers_of_widgets_are_told_apart_from_rounding() -> None:
-    assert plain_number(float(np.float32(0.3))) == 0.3
-    assert kept(0.1234567890123, 0.1235, float(np.float32(0.1235))) == 0.1234567890123
+    assert as_written(1.0, float(np.float32(0.3))) == 0.3
+    assert as_written(1.0, float(np.float32(100010.25))) == 100010.25
+    assert as_written(0.1234567890123, float(np.float32(0.1234567890123))) == 0.1234567890123
+    assert kept(0.1234567890123, 0.1235, as_written(0.1235, float(np.float32(0.1235)))) == 0.1234567890123
     assert kept(1e-12, 0.0, 0.0) == 1e-12
-    assert kept(2.0, 2.0, float(np.float32(2.1))) == 2.1
+    assert kept(2.0, 2.0, 2.1) == 2.1
 
 
 @pytest.mark.parametrize(
