@@ -90,8 +90,7 @@ class QueryError(SandboxError, ValueError):
 
 
 class CapacityError(SandboxError):
-    """Too many bodies are in one place: a step would need more memory than is allowed, and the world is as before it;
-    or static shapes lie over each other in so many pairs that no world is built of them."""
+    """A step would need more memory than is allowed; the world is as before the step."""
 
 
 class CommandError(SandboxError):

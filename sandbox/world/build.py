@@ -18,10 +18,7 @@ _DRAGS = 8
 
 
 def build_state(scene: FlatScene) -> State:
-    """A new state at step 0, all bodies awake. Bodies, shapes and vertices keep the order of the scene.
-
-    Raises `CapacityError` if too many static shapes lie over each other.
-    """
+    """A new state at step 0, all bodies awake. Bodies, shapes and vertices keep the order of the scene."""
     bodies, shapes, vertices, sides, seams = body_tables(scene.bodies)
     seams = with_room_for_tiles(bodies, shapes, seams)
     join_tiles(bodies, shapes, vertices, seams)

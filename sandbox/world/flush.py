@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 from sandbox.tables import Floats, Integers, Records
 from sandbox.world.records import ONE_WAY, SEAM, SEAMED, STATIC
 from sandbox.world.tile_corners import sides_at_corners
-from sandbox.world.tile_crowds import check_crowds
 from sandbox.world.tile_edges import shown_edges
 from sandbox.world.tile_outlines import Corners, Outlines, Tiles
 from sandbox.world.tile_pairs import meeting_tiles
@@ -36,18 +35,13 @@ def with_room_for_tiles(bodies: Records, shapes: Records, seams: Records) -> Rec
 
 
 def join_tiles(bodies: Records, shapes: Records, vertices: Records, seams: Records) -> None:
-    """Find out anew which static polygons abut, and write it into the seam table and the traits of the shapes.
-
-    Raises `CapacityError` if too many lie over each other.
-    """
+    """Find out anew which static polygons abut, and write it into the seam table and the traits of the shapes."""
     tiles = find_tiles(bodies, shapes)
     own = shapes.part[tiles] == 0
     shapes.traits[tiles[own]] &= ~SEAMED
     if int(own.sum()) < 2:
         return
-    outlines = Outlines.of(bodies, shapes, vertices, tiles)
-    check_crowds(outlines)
-    join_some(bodies, shapes, seams, outlines, np.flatnonzero(own))
+    join_some(bodies, shapes, seams, Outlines.of(bodies, shapes, vertices, tiles), np.flatnonzero(own))
 
 
 def join_some(bodies: Records, shapes: Records, seams: Records, outlines: Outlines, asking: Tiles) -> None:

@@ -14,8 +14,6 @@ from sandbox.world.tile_outlines import Corners, Outlines, Tiles
 
 _FAR = 1e-4
 """A tile this far from a corner, in metres, has no say there."""
-_MOST = 64
-"""So many tiles that touch a corner are asked whether the whole goes on along them, the first ones."""
 _NONE = -1
 """In the place of an edge: no side of the whole ends or begins there."""
 
@@ -80,7 +78,7 @@ class _Search:
         """Fill in the edges that lack: of the first tile that touches the corner and whose edge shows there."""
         touching = self.near.only(self.near.heights <= NEAR)
         found, first, counts = np.unique(touching.places, return_index=True, return_counts=True)
-        for k in range(min(int(counts.max(initial=0)), _MOST)):
+        for k in range(int(counts.max(initial=0))):
             places, tiles = found[counts > k], touching.tiles[first[counts > k] + k]
             lacking = (arriving[places] == _NONE) | (leaving[places] == _NONE)
             places, tiles = places[lacking], tiles[lacking]

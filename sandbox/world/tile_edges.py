@@ -69,25 +69,10 @@ def _grown(place: Integers, begins: Floats, ends: Floats, near: Floats, start: f
         place, begins, ends = kept(ends > reached[place], place, begins, ends)
     order = np.lexsort((ends, begins, place))
     place, begins, ends = place[order], begins[order], ends[order]
-    before = _farthest_before(place, ends, reached)
-    gap = begins > before + near[place]
-    to = np.maximum(before, ends)
-    edge, first = np.unique(place, return_index=True)
-    gaps = np.append(np.flatnonzero(gap), len(place))
-    until = np.minimum(gaps[np.searchsorted(gaps, first)], np.append(first[1:], len(place)))
-    grows = until > first
-    reached[edge[grows]] = to[until[grows] - 1]
+    found, first, counts = np.unique(place, return_index=True, return_counts=True)
+    for k in range(int(counts.max(initial=0))):
+        rows = first[counts > k] + k
+        edge = found[counts > k]
+        grows = (begins[rows] <= reached[edge] + near[edge]) & (ends[rows] > reached[edge])
+        reached[edge] = np.where(grows, ends[rows], reached[edge])
     return reached
-
-
-def _farthest_before(place: Integers, ends: Floats, reached: Floats) -> Floats:
-    """The farthest of what is `reached` on an edge and of the ends of the stretches that come before on it."""
-    if len(place) == 0:
-        return ends
-    opens = np.append(True, place[1:] != place[:-1])
-    value = np.where(opens, reached[place], np.append(0.0, ends[:-1]))
-    heights, rank = np.unique(value, return_inverse=True)
-    # Ranks of a later edge are above those of all before it, so one maximum serves all edges.
-    level = np.cumsum(opens) * len(heights)
-    farthest: Floats = heights[np.maximum.accumulate(level + rank.ravel()) - level]
-    return farthest

@@ -7,7 +7,7 @@ sizes.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -45,14 +45,6 @@ class _Boxes:
         ways = (x * outlines.x + y * outlines.y for x, y in _ASLANT)
         reaches = [(np.minimum.reduceat(way, starts), np.maximum.reduceat(way, starts) + _APART) for way in ways]
         return cls(left, low, right, high, reaches)
-
-    @classmethod
-    def of_all(cls, parts: Sequence[Outlines]) -> _Boxes:
-        """The boxes alone of the tiles in several outlines, one after the other."""
-        boxes = [cls.of(part) for part in parts]
-        left, low = (np.concatenate([getattr(each, side) for each in boxes]) for side in ("left", "low"))
-        right, high = (np.concatenate([getattr(each, side) for each in boxes]) for side in ("right", "high"))
-        return cls(left, low, right, high, [])
 
 
 class _Level:
@@ -97,13 +89,6 @@ def meeting_tiles(outlines: Outlines, asking: Tiles) -> Iterator[tuple[Tiles, Ti
         one, two = (np.concatenate(each) for each in zip(*parts, strict=True))
         order = np.lexsort((two, one))
         yield one[order], two[order]
-
-
-def pairs_at_most(outlines: Sequence[Outlines]) -> int:
-    """How many pairs `meeting_tiles` looks at for all tiles of some outlines, not fewer than meet; makes none."""
-    boxes = _Boxes.of_all(outlines)
-    asking = np.arange(len(boxes.left))
-    return sum(int((ends - starts).sum()) for _, starts, ends in (each.near(boxes, asking) for each in _levels(boxes)))
 
 
 def _levels(boxes: _Boxes) -> Iterator[_Level]:

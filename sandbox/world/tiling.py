@@ -6,11 +6,9 @@ import numpy as np
 
 from sandbox.tables import Integers, plain
 from sandbox.world.flush import find_tiles, join_some
-from sandbox.world.records import SEAMED, STATIC
+from sandbox.world.records import SEAMED
 from sandbox.world.runs import runs
-from sandbox.world.shape_rows import Rows
 from sandbox.world.state import State
-from sandbox.world.tile_crowds import check_crowds
 from sandbox.world.tile_outlines import Outlines
 from sandbox.world.tile_pairs import meeting_tiles
 from sandbox.world.tile_rows import Tiling
@@ -65,22 +63,6 @@ def rejoin_around(state: State, tiles: Integers, left: Integers | None = None) -
         rejoin(state, np.unique(np.concatenate([single, beside, beside[:0] if left is None else left])))
 
 
-def check_coming(state: State, bodies: Rows, shapes: Rows, vertices: Rows) -> None:
-    """Raises `CapacityError` if too many static shapes would lie over each other with rows that count from 0."""
-    fresh = find_tiles(bodies, shapes) if (bodies["type"] == STATIC).any() else NO_TILES
-    if len(fresh):
-        placed, outlined, corners = (each.view(np.recarray) for each in (bodies, shapes, vertices))
-        coming = Outlines.of(placed, outlined, corners, fresh)
-        there = _may_meet(state, tiling_of(state).rows, coming)
-        check_crowds(Outlines.of(state.bodies, state.shapes, state.vertices, there), coming)
-
-
-def check_moved(state: State, tiles: Integers) -> None:
-    """Raises `CapacityError` if too many static shapes lie over each other where `tiles` are now."""
-    if len(tiles):
-        check_crowds(_around(state, tiles)[1])
-
-
 def tiles_of(state: State, body: int) -> Integers:
     """The tiles of one body."""
     rows = tiling_of(state).rows
@@ -90,16 +72,16 @@ def tiles_of(state: State, body: int) -> Integers:
 
 def _around(state: State, tiles: Integers) -> tuple[Integers, Outlines]:
     """Some tiles and all that may meet them: their rows, ascending, and their outlines."""
-    outlines = Outlines.of(state.bodies, state.shapes, state.vertices, tiles)
-    near = _may_meet(state, tiling_of(state).rows, outlines)
+    near = _may_meet(state, tiling_of(state).rows, tiles)
     return near, Outlines.of(state.bodies, state.shapes, state.vertices, near)
 
 
-def _may_meet(state: State, rows: Integers, outlines: Outlines) -> Integers:
-    """Those of `rows` that reach into the box around some outlines. The extent of a body leaves its sensors out."""
+def _may_meet(state: State, rows: Integers, tiles: Integers) -> Integers:
+    """Those of `rows` that reach into the box around `tiles`. The extent of a body leaves its sensors out."""
     if len(rows) <= _FEW:
         return rows
     bodies, shapes = plain(state.bodies), plain(state.shapes)
+    outlines = Outlines.of(state.bodies, state.shapes, state.vertices, tiles)
     owner = shapes["body"][rows]
     reach = np.where(shapes["sensor"][rows] == 1, np.inf, bodies["extent"][owner])
     inside = np.ones(len(rows), np.bool_)

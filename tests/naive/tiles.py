@@ -12,7 +12,6 @@ from typing import Any
 
 Vec = tuple[float, float]
 NEAR, OUT = 1e-6, 3e-6
-MOST_AT_CORNER = 64
 WHOLE, NOWHERE = (0.0, 1.0), (1.0, 0.0)
 
 
@@ -130,14 +129,14 @@ def _sides(tile: Tile, k: int, shown: list[Vec], others: list[Tile]) -> tuple[Ve
         return before, after
     if any(max(other.heights(point)) < -NEAR for other in others):
         return (0.0, 0.0), (0.0, 0.0)
-    touching = [other for other in others if max(other.heights(point)) <= NEAR]
-    for other in touching[:MOST_AT_CORNER]:
-        arriving, leaving = _through(other, point)
-        rest = [tile, *(each for each in others if each is not other)]
-        if not before and _is_free(point, arriving, -1.0, rest):
-            before = arriving
-        if not after and _is_free(point, leaving, 1.0, rest):
-            after = leaving
+    for other in others:
+        if max(other.heights(point)) <= NEAR:
+            arriving, leaving = _through(other, point)
+            rest = [tile, *(each for each in others if each is not other)]
+            if not before and _is_free(point, arriving, -1.0, rest):
+                before = arriving
+            if not after and _is_free(point, leaving, 1.0, rest):
+                after = leaving
     return before or after or (0.0, 0.0), after or before or (0.0, 0.0)
 
 

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import time
-
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-import sandbox
 from sandbox import SetPose
 from sandbox.scene.flat import FlatBody, FlatShape
 from sandbox.world.build import build_state
@@ -19,8 +16,6 @@ from tests.flat import body, box, polygon, scene, world
 from tests.naive.tiles import read_tiles, seams
 from tests.shipped import FILES, shipped
 
-SECONDS = 8.0
-"""Processor time; half of it at most on a quiet machine, where it was minutes."""
 halves = st.integers(-6, 6).map(lambda k: 0.5 * k)
 near = st.sampled_from((0.0, 0.0, 0.0, 4e-7, 2e-6, 3e-5, 0.1))
 places = st.builds(lambda x, y, dx, dy: (x + dx, y + dy), halves, halves, near, near)
@@ -135,75 +130,3 @@ def test_tiles_of_all_sizes_find_each_other():
         for k in range(-9, 10)
     ]
     assert check(build_state(scene(*bodies, *floor(49)))) > 0
-
-
-def test_more_tiles_than_are_asked_touch_one_corner():
-    """Of a fan of slivers only the first and the last have an edge in its tip that shows; few others are asked."""
-    draw = np.random.default_rng(3)
-    rays = [(float(np.cos(a)), float(np.sin(a))) for a in np.linspace(0.1, 2.8, 90)]
-    fan = [
-        body(f"{k}", polygon((0.0, 0.0), rays[k], rays[k + 1]), type="static") for k in draw.permutation(89).tolist()
-    ]
-    assert check(build_state(scene(*fan))) == 89
-
-
-def crowd(count: int, kind: str) -> list[dict]:
-    """Static shapes over each other, as a scene file has them: the same, side by side, turned, or with one tip."""
-    shapes = {"fan": lambda k: {"polygon": [[0, 0], [1, 1e-3 * k], [1, 1e-3 * (k + 1)]]}}
-    return [
-        {
-            "id": f"{kind}-{k}",
-            "type": "static",
-            "shapes": [shapes.get(kind, lambda k: {"box": [1, 1]})(k)],
-            "position": [1e-3 * k if kind == "row" else 0, 0],
-            "angle": 0.1 * k if kind == "star" else 0,
-        }
-        for k in range(count)
-    ]
-
-
-@pytest.mark.parametrize("kind", ["same", "row", "star", "fan"])
-def test_what_lies_over_each_other_in_its_hundreds_is_joined_in_time(kind):
-    w = sandbox.World(sandbox.Scene())
-    w.spawn(crowd(2, kind))
-    w.delete([*w.names])
-    began = time.process_time()
-    w.spawn(crowd(900, kind))
-    assert time.process_time() - began < SECONDS
-
-
-@pytest.mark.parametrize("kind", ["same", "row", "star", "fan"])
-def test_more_is_refused_at_once_and_nothing_has_changed(kind):
-    bodies = crowd(2400, kind)
-    few = sandbox.World(sandbox.Scene(bodies=bodies[:20]))
-    digest, names = few.digest(), few.names
-    began = time.process_time()
-    with pytest.raises(sandbox.CapacityError, match=r"pairs of 2,400 static shapes lie over each other"):
-        sandbox.World(sandbox.Scene(bodies=bodies))
-    with pytest.raises(sandbox.CommandError, match=r"pairs of 2,400 static shapes lie over each other"):
-        few.spawn(bodies[20:])
-    assert time.process_time() - began < SECONDS
-    assert (few.digest(), few.names) == (digest, names)
-    few.spawn(bodies[20:40])
-    assert few.digest() == sandbox.World(sandbox.Scene(bodies=bodies[:40])).digest()
-
-
-def test_a_tile_that_would_make_it_too_many_stays_where_it_is():
-    """Halves of a crowd far from each other, on one body each; one is put over the other."""
-    half = [{"box": [1, 1]} for _ in range(600)]
-    halves = [
-        {"id": "left", "type": "static", "shapes": half, "position": [0, 0]},
-        {"id": "right", "type": "static", "shapes": half, "position": [50, 0], "angle": 20},
-    ]
-    w = sandbox.World(sandbox.Scene(bodies=halves))
-    digest = w.digest()
-    with pytest.raises(sandbox.CommandError, match=r"SetPose.*static shapes lie over each other"):
-        w.apply(SetPose("right", (0.0, 0.0), 0.1))
-    assert w.digest() == digest
-    w.apply(SetPose("right", (30.0, 0.0), 0.1))
-    assert w.body("right").position == (30.0, 0.0)
-
-
-def test_a_large_level_with_slabs_behind_it_is_no_crowd():
-    slabs = [body(f"s{k}", box(200.0, 200.0), type="static", position=(0.1 * k, 0.0)) for k in range(12)]
-    build_state(scene(*slabs, *floor(10_000)))

@@ -9,12 +9,11 @@ from sandbox.engine.bodies.integrate import place_origin as place_origin_kernel
 from sandbox.engine.commands.base import CommandTarget, Touched, Vec
 from sandbox.engine.commands.body_command import BodyCommand
 from sandbox.engine.commands.checks import title
-from sandbox.errors import CapacityError, CommandError
+from sandbox.errors import CommandError
 from sandbox.geometry.trig import cos_sin
-from sandbox.tables import plain
 from sandbox.world.records import STATIC
 from sandbox.world.state import State
-from sandbox.world.tiling import NO_TILES, check_moved, neighbours, rejoin_around, tiles_of
+from sandbox.world.tiling import NO_TILES, neighbours, rejoin_around, tiles_of
 
 _place_origin = interpreted(place_origin_kernel)
 _cos_sin = interpreted(cos_sin)
@@ -36,7 +35,7 @@ class SetPose(BodyCommand):
 
     def change(self, state: State, row: int) -> None:
         """Write the pose; tiles are joined anew where it was and where it is."""
-        body, before = state.bodies[row], plain(state.bodies)[row].copy()
+        body = state.bodies[row]
         tiles = tiles_of(state, row) if body.type == STATIC else NO_TILES
         left = neighbours(state, tiles)
         body.posed = 1
@@ -46,11 +45,6 @@ class SetPose(BodyCommand):
         body.center_x = self.position[0] + (body.rotation_cos * x - body.rotation_sin * y)
         body.center_y = self.position[1] + (body.rotation_sin * x + body.rotation_cos * y)
         _place_origin(body)
-        try:
-            check_moved(state, tiles)
-        except CapacityError as error:
-            plain(state.bodies)[row] = before
-            raise CommandError(f"{title(self)}: {error}") from None
         rejoin_around(state, tiles, left)
 
 

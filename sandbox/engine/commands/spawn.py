@@ -12,7 +12,7 @@ from sandbox.engine.active.wake import wake_bodies
 from sandbox.engine.commands.base import Command, CommandTarget, Touched
 from sandbox.engine.commands.joint_command import held_bodies
 from sandbox.engine.commands.sleepers_in import sleepers_in
-from sandbox.errors import CapacityError, CommandError, SceneError
+from sandbox.errors import CommandError, SceneError
 from sandbox.world.rows import add_rows
 
 Words: TypeAlias = dict[str, Any]
@@ -57,9 +57,9 @@ class Spawn(Command):
         bodies, joints, regions = (_listed(getattr(self, name)) for name in _LISTS)
         try:
             found = target.spawning.read(bodies, joints, target.directory.known(), "Spawn", regions)
-            added = add_rows(state, target.directory, found)
-        except (SceneError, CapacityError) as error:
+        except SceneError as error:
             raise CommandError(str(error)) from None
+        added = add_rows(state, target.directory, found)
         for row in range(len(state.regions) - added.regions, len(state.regions)):
             wake_bodies(state, sleepers_in(state, state.regions[row]))
         if found.joints:
