@@ -25,6 +25,7 @@ from numba.core.compiler_lock import global_compiler_lock
 from numba.core.compiler_machinery import PassManager, register_pass
 
 from sandbox._compiling import tell, weight
+from sandbox._llvm_bundles import by_address
 from sandbox._llvm_vectors import teach_operators
 from sandbox._machine_code import ENTER, Returns
 from sandbox._way_in import way_in
@@ -223,7 +224,7 @@ def machine_code(entry: Any, arguments: tuple[Any, ...], processor: str = "") ->
 def linked(entry: Any, arguments: tuple[Any, ...], processor: str = "") -> tuple[Returns, Any]:
     """What an entry point returns, and its library: the module of it and all the kernels below it."""
     with global_compiler_lock, _no_garbage_collection(), _remembered_calls():
-        kinds = tuple(map(entry.typeof_pyval, arguments))
+        kinds = tuple(by_address(entry.typeof_pyval(each)) for each in arguments)
         entry.compile(kinds)
         compiled = entry.overloads[kinds]
         maker = _processor(processor) if processor else compiled.target_context.codegen()

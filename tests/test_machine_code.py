@@ -6,7 +6,7 @@ import math
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox import _kernel_cache
-from sandbox._jit import Call, Door, entry_point, interpreted, jit_enabled
+from sandbox._jit import Call, Door, entry_point, interpreted, jit_enabled, kernel
 from sandbox.engine.world import World
 from sandbox.scene import Scene
 from sandbox.tables import Field, Table
@@ -65,6 +65,53 @@ def parts(number: float, exponent: int) -> tuple[float, int, float]:
 @entry_point
 def last_of(table: Any) -> int:
     return table[table.shape[0] - 1, 1]
+
+
+class Inner(NamedTuple):
+    square: Any
+    nothing: None
+    single: Any
+
+
+class Outer(NamedTuple):
+    """One of each kind, so that a word too many or too few anywhere moves all that comes after it."""
+
+    truth: bool
+    line: Any
+    nothing: None
+    inner: Inner
+    whole: int
+    number: float
+    row: Any
+
+
+@kernel
+def within(inner: Inner, number: float) -> float:
+    """Reads a tuple in a tuple by its own address."""
+    inner.square[1, 0] += number
+    return float(inner.square[1, 0] + inner.single[0])
+
+
+@entry_point
+def by_name(outer: Outer) -> Any:
+    """Asks for all that is in a tuple, for one thing after it was written to as well."""
+    outer.row.x = outer.number
+    sum_ = within(outer.inner, 0.5)
+    absent = outer.nothing is None and outer.inner.nothing is None
+    lengths = outer.line.shape[0] * 100 + outer.inner.square.shape[0] * 10 + outer.inner.square.shape[1]
+    return outer.truth, int(outer.line[0]), absent, sum_, outer.whole, outer.number, float(outer.row.x), lengths
+
+
+@given(WHOLE, FLOATS, st.booleans(), st.integers(1, 3))
+def test_what_is_in_named_tuples_is_found_by_its_name(whole: int, number: float, truth: bool, apart: int) -> None:
+    rows = Table("lone", (Field("x", "1", "a number"),)).zeros(2)
+    square = np.arange(60.0).reshape(6, 10)
+    inner = Inner(square[::apart, ::2], None, np.full(2, 7.0))
+    outer = Outer(truth, np.arange(9)[::apart], None, inner, whole, number, rows[1])
+    first, lengths = float(square[apart, 0]), outer.line.shape[0] * 100 + inner.square.shape[0] * 10 + 5
+    assert repr(by_name(outer)) == repr((truth, 0, True, first + 7.5, whole, number, number, lengths))
+    assert square[apart, 0] == first + 0.5
+    assert repr(float(rows.x[1])) == repr(number)
 
 
 @given(WHOLE, FLOATS, st.booleans(), st.booleans(), st.integers(1, 3), st.integers(1, 3))

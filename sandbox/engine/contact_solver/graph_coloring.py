@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.active.islands import unite
 from sandbox.engine.bodies.flags import IMMOVABLE, MOVING_KINEMATIC, is_active
@@ -13,7 +15,7 @@ from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.contacts import Contacts
 from sandbox.tables import Records
 
-FREE = tuple(next(k for k in range(9) if not (bits >> k) & 1) for bits in range(256))
+FREE = np.array([next(k for k in range(9) if not (bits >> k) & 1) for bits in range(256)])
 """For every set of the first eight colours the lowest that is not in it; 8 if all are."""
 TOO_MANY = 1 << 40
 """Counts as so many contacts: an island with such a one fits into no batch (`active.island_batches`)."""
@@ -87,10 +89,10 @@ def color_contacts(
 @inlined_kernel
 def lowest_free(taken: int) -> int:
     """Lowest colour that is not in a set. A table, as nobody can guess when a loop over its bits ends."""
-    color = FREE[taken & 0xFF]
+    color = int(FREE[taken & 0xFF])
     if color == 8:
         while color < MAX_COLORS - 8 and (taken >> color) & 0xFF == 0xFF:
             color += 8
-        color += FREE[(taken >> color) & 0xFF]
+        color += int(FREE[(taken >> color) & 0xFF])
         color = color if color < MAX_COLORS else MAX_COLORS
     return color

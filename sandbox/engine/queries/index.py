@@ -21,8 +21,8 @@ ROUNDING = 1e-15
 @entry_point
 def lay_out(tables: QueryTables, memory: Memory) -> None:
     """Turn the cores, bound them tightly, fill the grid, and note where its levels are populated."""
-    boxes = memory.boxes
-    ordered, heads, levels, regions = memory.grid
+    boxes, grid = memory.boxes, memory.grid
+    ordered, heads, levels, regions = grid.ordered, grid.heads, grid.levels, grid.regions
     turn_cores(tables.bodies, tables.shapes, tables.vertices, memory.cores)
     _bound(tables.bodies, tables.shapes, memory.cores, boxes)
     base = base_cell(boxes, levels)

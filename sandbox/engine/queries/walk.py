@@ -58,7 +58,7 @@ def begin_walk(
 @kernel
 def next_box(walk: Records, question: Records, grid: QueryGrid) -> int:
     """Row in `grid.ordered` of the next box that the sweep meets, each once; -1 when there is none left."""
-    ordered, heads, levels, regions = grid
+    ordered, levels, regions = grid.ordered, grid.levels, grid.regions
     while True:
         end = walk.end
         for i in range(walk.first, end):
@@ -66,7 +66,7 @@ def next_box(walk: Records, question: Records, grid: QueryGrid) -> int:
             if meets_sweep(walk, ordered[row]) and (walk.stage < 0 or _in_found_cells(walk, ordered[row])):
                 walk.first = i + 1
                 return row
-        if not _find_run(walk, heads, regions, question.region_count, ordered.shape[0]):
+        if not _find_run(walk, grid.heads, regions, question.region_count, ordered.shape[0]):
             return -1
 
 
