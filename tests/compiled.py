@@ -21,7 +21,7 @@ from sandbox.engine.events.sensors import SensorOverlaps
 from sandbox.engine.fields.apply import apply_fields
 from sandbox.engine.memory.binding import bind
 from sandbox.engine.memory.scratch import Scratch
-from sandbox.engine.step import collide, solve
+from sandbox.engine.step import begin, collide, finish, solve
 from sandbox.engine.stepper import Stepper
 from sandbox.engine.world import World
 from sandbox.geometry.exact_axes import Axis
@@ -84,6 +84,9 @@ def _solve() -> None:
 def _others() -> None:
     """What finds contacts and takes back who went too far, and whatever else is called from Python."""
     _once(collide, busy.scene())
+    for part in (begin, finish):
+        for of in (busy.scene(), jointed.scene()):
+            _once(part, of)
     Paused(World(busy.scene())).detect()
     _once(solve_continuous, busy.scene())
     _once(apply_fields, floating.scene())

@@ -14,7 +14,7 @@ from sandbox.world.state import State
 
 
 class TimedStepper(Stepper):
-    """A stepper whose calls of entry points (`collide`, `solve`, `solve_continuous`, `apply_fields`) are timed.
+    """A stepper whose calls of entry points (`apply_fields` and `compile_step.PARTS`) are timed.
 
     `seconds` are those of the process's CPU time that each took until now, with several workers those of a clock, and
     `calls` how often it was called.

@@ -8,7 +8,9 @@ from sandbox._compiling import Work, under_way
 
 _WORDS = {
     "sandbox.engine.step.collide": "collision detection",
+    "sandbox.engine.step.begin": "substep levels",
     "sandbox.engine.step.solve": "solver",
+    "sandbox.engine.step.finish": "sleep",
     "sandbox.engine.continuous_collision.": "continuous collision",
     "sandbox.engine.fields.": "fields",
     "sandbox.engine.workers.": "workers",

@@ -1,8 +1,8 @@
 """Fill an empty kernel cache with two processes at once: each compiles a part of the step.
 
-`python -m sandbox.engine.compile_step` is the other process. It compiles what finds contacts, says so, and goes on to
-`solve_continuous`, which few steps need and which has most of its kernels in common with it: who needs it before waits
-then. It may fail, for then this process compiles everything.
+`python -m sandbox.engine.compile_step` is the other process: this one compiles `solve`, it all other parts. The last is
+`solve_continuous`, which few steps need: who needs it before it is there waits then. It may fail, for then this process
+compiles everything.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ import os
 import subprocess
 import sys
 import threading
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -22,9 +23,15 @@ from sandbox._kernel_cache import can_keep
 from sandbox.engine.continuous_collision.solve_continuous import solve_continuous
 from sandbox.engine.memory.binding import bind
 from sandbox.engine.memory.scratch import Scratch
-from sandbox.engine.step import collide, solve
+from sandbox.engine.step import begin, collide, finish, solve
 from sandbox.scene.flat import FlatBody, FlatJoint, FlatScene, FlatShape
 from sandbox.world.build import build_state
+
+PARTS: tuple[Callable[..., Any], ...] = (collide, begin, solve, finish, solve_continuous)
+"""The entry points of a step, in order. The last one is left out where nothing is fast."""
+_JOINTS = "joints"
+_OTHERS: tuple[Callable[..., Any], ...] = (collide, begin, finish)
+"""What the other process compiles before it says that a step can be taken."""
 
 
 @cache
@@ -35,10 +42,10 @@ def compile_step(joints: bool) -> None:
     """
     if not cache_is_cold() or (os.cpu_count() or 1) < 2 or not can_keep():
         return
-    helper = _start_helper()
+    helper = _start_helper(joints)
     _run_once(solve, joints)
     if helper is not None:
-        _compiling.patiently(helper.wait_for_first)
+        _compiling.patiently(helper.wait_for_step)
         _helpers.append(helper)
 
 
@@ -50,8 +57,9 @@ def compile_continuous() -> None:
 
 def compile_parts() -> None:
     """Compile all parts of the step one after another, with joints and without."""
-    for part, joints in ((collide, False), (solve_continuous, False), (solve, False), (solve, True)):
-        _run_once(part, joints)
+    for part in PARTS:
+        _run_once(part)
+        _run_once(part, joints=True)  # at once for those that joints do not change
 
 
 class _Helper:
@@ -60,13 +68,14 @@ class _Helper:
     def __init__(self, process: subprocess.Popen[str]) -> None:
         self._process = process
         self._work = _compiling.Process()
-        self._first = threading.Event()
+        self._step = threading.Event()
+        self._left = len(_OTHERS)
         _compiling.processes.append(self._work)
         threading.Thread(target=self._listen, daemon=True).start()
 
-    def wait_for_first(self) -> None:
-        """Wait for the first entry point. What comes then is waited for by nobody yet."""
-        self._first.wait()
+    def wait_for_step(self) -> None:
+        """Wait for what every step needs. What comes then is waited for by nobody yet."""
+        self._step.wait()
 
     def wait(self) -> None:
         """Wait for all."""
@@ -76,23 +85,24 @@ class _Helper:
     def _listen(self) -> None:
         for line in self._process.stdout or ():
             self._work.hear(line)
-            if line.startswith("end") and not self._first.is_set():
+            self._left -= line.startswith("end")
+            if self._left == 0 and not self._step.is_set():
                 self._work.show(False)
-                self._first.set()
-        self._first.set()  # it may have failed
+                self._step.set()
+        self._step.set()  # it may have failed
         _compiling.processes.remove(self._work)
 
 
 _helpers: list[_Helper] = []
 
 
-def _start_helper() -> _Helper | None:
+def _start_helper(joints: bool) -> _Helper | None:
     if not sys.executable:  # an embedded Python
         return None
     home = str(Path(__file__).parents[2])
     paths = [home, os.environ.get("PYTHONPATH", "")]
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, paths))}
-    command = [sys.executable, "-m", "sandbox.engine.compile_step"]
+    command = [sys.executable, "-m", "sandbox.engine.compile_step", *([_JOINTS] if joints else [])]
     quiet: dict[str, Any] = dict.fromkeys(("stdin", "stderr"), subprocess.DEVNULL)
     try:
         return _Helper(subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True, **quiet))
@@ -119,5 +129,6 @@ def _tell(line: str) -> None:
 if __name__ == "__main__":
     gc.disable()  # it ends before its memory is needed
     _compiling.tell = _tell
-    _run_once(collide)
+    for each in _OTHERS:
+        _run_once(each, joints=_JOINTS in sys.argv)
     _run_once(solve_continuous)

@@ -1,6 +1,7 @@
 """The step: every stage of the engine, in order. Window, replay, benchmark and test all come through here.
 
-It has two halves, so that an empty kernel cache can be filled by two processes at once (`compile_step.py`).
+It has four parts, so that an empty kernel cache can be filled by two processes at once (`compile_step.py`), and that
+those which joints do not change are made once for worlds with joints and without.
 """
 
 from __future__ import annotations
@@ -53,7 +54,7 @@ def collide(
     workers: Workers,
     decisions: Decisions,
 ) -> int:
-    """The first half: grid and SAT at the poses of now. `contacts.now` and `counters.found_count` have the answer.
+    """Grid and SAT at the poses of now. `contacts.now` and `counters.found_count` have the answer.
 
     Returns 0, or the number of pairs that scratch memory must have room for before this is called again.
     """
@@ -78,7 +79,7 @@ def collide(
 
 
 @entry_point
-def solve(
+def begin(
     state: StateTables,
     active: ActiveSet,
     solver: SolverBodies,
@@ -87,50 +88,79 @@ def solve(
     blocks: ContactBlocks,
     ccd: Ccd,
     joints: JointWork | None,
-    workers: Workers,
-) -> bool:
-    """The second half: solve the contacts found and move everything.
-
-    Returns whether the step ends with `solve_continuous`: bodies may have passed through something.
-    """
+) -> None:
+    """Wake what is touched, choose substep levels, and make bodies, contacts and joints ready for the substeps."""
     bodies = state.bodies
-    setting = state.settings[0]
-    counter = state.counters[0]
-    count = counter.found_count
+    info = active.info[0]
+    count = state.counters[0].found_count
     awake = active.bodies[1 : 1 + active.bodies[0]]
-    froze = guard_forces(bodies, awake, setting, active.info, state.counters)
+    froze = guard_forces(bodies, awake, state.settings[0], active.info, state.counters)
     if wake_touched(bodies, contacts, joints, active, state.counters) or froze:
         update_active_set(bodies, active, solver, ccd.bodies)
         list_active_contacts(bodies, contacts, count)
+    info.substep_levels = assign_substep_levels(state, active, solver, piles, contacts, joints)
     rows = active.bodies[1 : 1 + active.bodies[0]]
-    levels = assign_substep_levels(state, active, solver, piles, contacts, joints)
-
-    fastest = _begin(state, rows, solver, ccd.bodies)
-    flag_struck(bodies, contacts, ccd.bodies, solver.struck, blocks.spare, fastest)
+    info.fastest = _begin_bodies(state, rows, solver, ccd.bodies)
+    flag_struck(bodies, contacts, ccd.bodies, solver.struck, blocks.spare, info.fastest)
     if joints is not None:
         begin_joints(joints, bodies, solver.free_motions, contacts)
     clear_reports(contacts.reports, count)
+
+
+@entry_point
+def solve(
+    state: StateTables,
+    active: ActiveSet,
+    solver: SolverBodies,
+    contacts: Contacts,
+    blocks: ContactBlocks,
+    ccd: Ccd,
+    joints: JointWork | None,
+    workers: Workers,
+) -> None:
+    """Solve contacts and joints and move everything, the islands of one substep level after those of another."""
+    info = active.info[0]
+    counter = state.counters[0]
+    levels = info.substep_levels
+    rows = active.bodies[1 : 1 + active.bodies[0]]
     counter.color_count = 0
     for level in range(MAX_LEVEL + 1):
         if (levels >> level) & 1 == 0:
             continue
         if level > 0:
-            rewind_driven(bodies, rows, solver.motions)
-        which = Level(level, levels > 1, fastest)
+            rewind_driven(state.bodies, rows, solver.motions)
+        which = Level(level, levels > 1, info.fastest)
         colors = solve_level(state, active, solver, contacts, blocks, ccd, joints, workers, which)
         counter.color_count = colors if colors > counter.color_count else counter.color_count
+
+
+@entry_point
+def finish(
+    state: StateTables,
+    active: ActiveSet,
+    solver: SolverBodies,
+    contacts: Contacts,
+    ccd: Ccd,
+    joints: JointWork | None,
+) -> bool:
+    """Write the new motions to the bodies and what was borne to the joints, and let rest what may.
+
+    Returns whether the step ends with `solve_continuous`: bodies may have passed through something.
+    """
+    counter = state.counters[0]
+    rows = active.bodies[1 : 1 + active.bodies[0]]
     if joints is not None:
-        finish_joints(joints, setting.step_seconds, counter)
-    _finish(state, rows, solver, active)
+        finish_joints(joints, state.settings[0].step_seconds, counter)
+    _finish_bodies(state, rows, solver, active)
     fall_asleep(state, active, solver, contacts, joints)
     counter.step_count += 1
     counter.old_contact_count = counter.contact_count
-    counter.contact_count = count
-    return mark_fast(bodies, rows, solver.motions, ccd.bodies) > 0
+    counter.contact_count = counter.found_count
+    return mark_fast(state.bodies, rows, solver.motions, ccd.bodies) > 0
 
 
 @kernel
-def _begin(state: StateTables, rows: Integers, solver: SolverBodies, ccd_bodies: Records) -> float:
+def _begin_bodies(state: StateTables, rows: Integers, solver: SolverBodies, ccd_bodies: Records) -> float:
     """What is done to each active body before the substeps, with some of them at a time, while they are in the cache.
 
     Returns the square of the highest speed (m/s) of a point of any body.
@@ -147,7 +177,7 @@ def _begin(state: StateTables, rows: Integers, solver: SolverBodies, ccd_bodies:
 
 
 @kernel
-def _finish(state: StateTables, rows: Integers, solver: SolverBodies, active: ActiveSet) -> None:
+def _finish_bodies(state: StateTables, rows: Integers, solver: SolverBodies, active: ActiveSet) -> None:
     """What is done to each active body after the substeps, with some of them at a time."""
     for first in range(0, rows.shape[0], AT_A_TIME):
         some = rows[first : first + AT_A_TIME]

@@ -9,8 +9,7 @@ import numpy as np
 
 from sandbox._argument_words import Bundle
 from sandbox._jit import Call, jit_enabled, kernel_argument
-from sandbox.engine.compile_step import compile_continuous, compile_step
-from sandbox.engine.continuous_collision.solve_continuous import solve_continuous
+from sandbox.engine.compile_step import PARTS, compile_continuous, compile_step
 from sandbox.engine.fields.apply import apply_fields
 from sandbox.engine.fields.records import has_fields
 from sandbox.engine.joints.assembly import assemble, assemble_more
@@ -21,7 +20,6 @@ from sandbox.engine.memory.binding import contact_arguments, parameters, scratch
 from sandbox.engine.memory.bundles import Room
 from sandbox.engine.memory.limit import room_for
 from sandbox.engine.memory.scratch import Scratch
-from sandbox.engine.step import collide, solve
 from sandbox.engine.workers.serve import serve
 from sandbox.engine.workers.threads import WorkerThreads
 from sandbox.errors import CapacityError
@@ -67,9 +65,9 @@ class Stepper:
         self._compiled = True
 
     def machine(self) -> list[list[tuple[int, int]]]:
-        """Where the machine code of fields, `collide`, `solve` and `solve_continuous` is, and the arguments of each
-        (`Call.machine`), for even and for odd steps; zeros for fields that there are none of."""
-        parts = (apply_fields, collide, solve, solve_continuous)
+        """Where the machine code of fields and of the `PARTS` of a step is, and the arguments of each (`Call.machine`),
+        for even and for odd steps; zeros for fields that there are none of."""
+        parts = (apply_fields, *PARTS)
         calls = [[self._calls.get((part, turn)) for part in parts] for turn in (0, 1)]
         return [[(0, 0) if call is None else call[0].machine() for call in row] for row in calls]
 
@@ -193,18 +191,22 @@ class Stepper:
 
     def _advance(self) -> bool:
         """Take a step; False if it lacked scratch memory, which it has now: then nothing else has changed."""
-        collide, solve, solve_continuous = self._parts[self._turn]
+        collide, begin, solve, finish, solve_continuous = self._parts[self._turn]
         if self._threads is None or not self._is_worth_sharing():
             lacking_pairs = collide()
-            far = not lacking_pairs and solve()
+            if not lacking_pairs:
+                begin()
+                solve()
         else:
             with self._threads.serving(self.scratch.workers, self.bind_workers()):
                 lacking_pairs = collide()
-                far = not lacking_pairs and solve()
+                if not lacking_pairs:
+                    begin()
+                    solve()
         if lacking_pairs:
             self._make_room(lacking_pairs)
             return False
-        if far:
+        if finish():
             compile_continuous()
             solve_continuous()
         return True
@@ -242,7 +244,7 @@ class Stepper:
         self._parts, self._fields, self._served = [], [], []
         for turn, contacts in enumerate(self._contacts):
             named |= self._bundled(contact_arguments(contacts), turn)
-            self._parts.append([self._bound(part, turn, named) for part in (collide, solve, solve_continuous)])
+            self._parts.append([self._bound(part, turn, named) for part in PARTS])
             self._served.append([self._serving(worker, turn, named) for worker in range(1, self.workers)])
             self._fields.append([self._bound(apply_fields, turn, named)] if has_fields(state) else [])
 

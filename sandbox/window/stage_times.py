@@ -10,7 +10,9 @@ from sandbox.engine.world import World
 STAGES = {
     "apply_fields": ("fields", "Water, wind, gravity zones and thrusters."),
     "collide": ("collide", "Active set, boxes, grid, pairs, separating-axis tests, contacts."),
-    "solve": ("solve", "Colours, blocks, and all substeps: impacts, warm start, joints, contacts, positions, sleep."),
+    "begin": ("begin", "Waking, substep levels, what bodies, contacts and joints begin the substeps with."),
+    "solve": ("solve", "Colours, blocks, and all substeps: impacts, warm start, joints, contacts, positions."),
+    "finish": ("finish", "New motions, what joints bore, sleep."),
     "solve_continuous": ("continuous", "Sweeps and times of impact of what is fast."),
 }
 """The entry points of a step: what they are called, and what is in them."""

@@ -21,7 +21,7 @@ AT_ONCE = 4
 NEXT, STEPS = 0, 1
 """What a queue says: the world that is taken next, and how many steps each goes."""
 
-FIELDS, COLLIDE, SOLVE, CONTINUOUS = 0, 1, 2, 3
+FIELDS, COLLIDE, BEGIN, SOLVE, FINISH, CONTINUOUS = 0, 1, 2, 3, 4, 5
 CODE, BLOCK = 0, 1
 
 
@@ -104,7 +104,9 @@ def _advance(rows: Rows, lane: Lane, at: Words, turn: int, steps: int, world: in
             call_nothing(parts[FIELDS, CODE], parts[FIELDS, BLOCK])
         if call_number(parts[COLLIDE, CODE], parts[COLLIDE, BLOCK]) != 0:
             return REDO
-        if call_truth(parts[SOLVE, CODE], parts[SOLVE, BLOCK]):
+        call_nothing(parts[BEGIN, CODE], parts[BEGIN, BLOCK])
+        call_nothing(parts[SOLVE, CODE], parts[SOLVE, BLOCK])
+        if call_truth(parts[FINISH, CODE], parts[FINISH, BLOCK]):
             call_nothing(parts[CONTINUOUS, CODE], parts[CONTINUOUS, BLOCK])
         turn = 1 - turn
         if words[at.broken_count] + words[at.frozen_count] != lost:

@@ -20,6 +20,8 @@ ACTIVE_SET = Table(
         Field("split", "-", "1 when resting shapes have a grid of their own, see `resting_grid`", "i8"),
         Field("apart", "-", "shapes that stay where they are and have a grid apart from that of the sleepers", "i8"),
         Field("apart_generation", "-", "`fixed_generation` when that one was laid; 0 when there is none", "i8"),
+        Field("substep_levels", "-", "bit set of the levels that some body has in this step", "i8"),
+        Field("fastest", "m2/s2", "square of the highest speed of a point of any body at its beginning"),
     ),
 )
 """One row: what is known of the lists."""
