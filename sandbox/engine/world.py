@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+from sandbox._collecting import collection_postponed
 from sandbox.arguments import checked_count, shown
 from sandbox.attributes import FixedAttributes, attributes_besides
 from sandbox.engine.commands.base import Command, Touched, Vec
@@ -57,6 +58,7 @@ class World(Readings, Shown, FixedAttributes):
         "_spawning", "_stepper", "bodies", "scene", "state",
     )  # fmt: skip
 
+    @collection_postponed()
     def __init__(self, scene: Scene | FlatScene, workers: int = 1) -> None:
         flat = scene.flatten() if hasattr(scene, "flatten") else scene
         if not isinstance(flat, FlatScene):

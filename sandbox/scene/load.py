@@ -9,6 +9,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from sandbox._collecting import collection_postponed
 from sandbox.arguments import check_kind
 from sandbox.errors import Problem, SceneError
 from sandbox.scene.authoring.blame import Expansion
@@ -37,6 +38,7 @@ def load_scene(path: str | os.PathLike[str], set: Mapping[str, Any] | None = Non
 
 
 @one_effort()
+@collection_postponed()
 def loads_scene(text: str, source: str = "<string>", set: Mapping[str, Any] | None = None) -> Scene:
     """The scene in a JSON text; `source` names it in messages, and is the file beside which includes are looked for.
 

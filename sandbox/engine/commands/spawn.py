@@ -8,6 +8,7 @@ from typing import Any, Self, TypeAlias
 
 import numpy as np
 
+from sandbox._collecting import collection_postponed
 from sandbox.engine.active.wake import wake_bodies
 from sandbox.engine.commands.base import Command, CommandTarget, Touched
 from sandbox.engine.commands.joint_command import held_bodies
@@ -51,6 +52,7 @@ class Spawn(Command):
         """The fields as a recording has them, without empty lists."""
         return {name: value for name, value in super().to_words().items() if value != ()}
 
+    @collection_postponed()
     def apply(self, target: CommandTarget) -> Touched:
         """Read the entries, add their rows after all others, and wake what the new joints hold or regions push."""
         state = target.state
