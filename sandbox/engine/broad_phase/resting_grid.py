@@ -7,6 +7,7 @@ are until something is changed from outside, they are kept apart: who falls asle
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from sandbox._jit import kernel
@@ -138,6 +139,20 @@ def _lay(boxes: Records, rows: Integers, spare: Records, ordered: Records, grid:
     used, sparse = fill_grid(those, info.cell, LOWEST, ordered, heads, grid.levels)
     info.used = used
     info.sparse = sparse
+    _bound(those, info)
+
+
+@kernel
+def _bound(boxes: Records, info: Records) -> None:
+    """Note the bounds of all boxes: who is far from every one of them need not look into cells."""
+    info.lower_x = info.lower_y = math.inf
+    info.upper_x = info.upper_y = -math.inf
+    for k in range(boxes.shape[0]):
+        box = boxes[k]
+        info.lower_x = box.lower_x if box.lower_x < info.lower_x else info.lower_x
+        info.lower_y = box.lower_y if box.lower_y < info.lower_y else info.lower_y
+        info.upper_x = box.upper_x if box.upper_x > info.upper_x else info.upper_x
+        info.upper_y = box.upper_y if box.upper_y > info.upper_y else info.upper_y
 
 
 @kernel
@@ -170,8 +185,11 @@ def pairs_with_resting(
 
 @kernel
 def _pairs_with(box: Records, still: Records, filters: Records, grid: RestingGrid, pairs: Records, count: int) -> int:
-    """Pairs of a box with those of a grid: cell by cell, or with all of them if it covers more cells than that."""
+    """Pairs of a box with those of a grid: cell by cell, or with all of them if it covers more cells than that; none if
+    it lies outside of all."""
     info = grid.info[0]
+    if not boxes_overlap(box, info):
+        return count
     heads = grid.heads[: bucket_count(still.shape[0]) + 1]
     sparse = grid.levels[2 * LEVELS :]
     cells = 0.0

@@ -63,6 +63,10 @@ RESTING_GRID = Table(
         Field("cell", "m", "width of the cells of its level 0"),
         Field("used", "-", "its levels with many boxes", "i8"),
         Field("sparse", "-", "its boxes on other levels", "i8"),
+        Field("lower_x", "m", "bounds of all its boxes"),
+        Field("lower_y", "m", ""),
+        Field("upper_x", "m", ""),
+        Field("upper_y", "m", ""),
     ),
 )
 """One row: what is known of a grid that is kept."""
