@@ -34,11 +34,11 @@ def list(
     Exit code 5: none was found.
     """
     from sandbox.cli.failures import HOLDS, NOTHING
-    from sandbox.scene.catalog import found_by, shipped_entries
+    from sandbox.scene.catalog import search, shipped_entries
 
     entries = shipped_entries()
     _check_theme(theme, entries)
-    found = [entry for entry in entries if theme in ("", entry.theme) and found_by(entry, text)]
+    found = search((entry for entry in entries if theme in ("", entry.theme)), text)
     rows = [_row(entry) for entry in found]
     if json:
         _print_document(rows)

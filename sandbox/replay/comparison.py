@@ -12,6 +12,7 @@ from sandbox.replay.golden.divergence import Divergence, Drift, ulps_between
 from sandbox.replay.golden.rerun import rerun
 from sandbox.replay.golden.run import Run, run_of
 from sandbox.replay.golden.side_by_side import find_divergence
+from sandbox.replay.golden.source_location import suspects
 from sandbox.replay.golden.tolerance import drifts_of
 from sandbox.replay.recording.meaning import meaning_of
 from sandbox.replay.recording.recording import Recording
@@ -42,11 +43,8 @@ class Comparison:
 
     @property
     def body(self) -> str | None:
-        """The body that differs first, or ends farthest off; None if no body is known to differ."""
-        parted = self.divergence
-        if parted is not None and parted.detail is not None and parted.detail.body:
-            return parted.detail.body
-        return self.drifts[0].body if self.drifts else None
+        """The body that explains best why the runs part; None if no body is known to differ."""
+        return next(iter(suspects(self.against, self.divergence, self.edits, self.drifts)), None)
 
     def where(self) -> list[str]:
         """Where the runs part, and the first number that differs, in words; empty if they do not."""

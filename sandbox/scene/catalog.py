@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -30,10 +32,28 @@ def shipped_entries() -> list[Entry]:
     return sorted(shipped, key=lambda entry: entry.theme != _BEGINNERS)
 
 
-def found_by(entry: Entry, words: str) -> bool:
-    """Whether all of the words are in its title, about, theme or name, whatever their case."""
+def search(entries: Iterable[Entry], words: str) -> list[Entry]:
+    """Those that have all of the words in title, about, theme or name, whatever their case; each file once.
+
+    The best come first: words that begin one of the title or of the file's name, then those within one, then others.
+    """
+    wanted = words.lower().split()
+    files = {entry.path: entry for entry in reversed(list(entries))}
+    found = [entry for entry in reversed(files.values()) if _has(entry, wanted)]
+    return sorted(found, key=lambda entry: sum(_distance(entry, word) for word in wanted))
+
+
+def _has(entry: Entry, words: list[str]) -> bool:
     text = f"{entry.title} {entry.about} {entry.theme} {entry.path.name}".lower()
-    return all(word in text for word in words.lower().split())
+    return all(word in text for word in words)
+
+
+def _distance(entry: Entry, word: str) -> int:
+    """How far a word is from the title: 0 at the beginning of a word of it, 1 within one, 2 in theme or about."""
+    text = f"{entry.title} {entry.path.name.split('.')[0]}".lower()
+    if any(part.startswith(word) for part in re.split(r"[\s-]+", text)) or text.startswith(word):
+        return 0
+    return 1 if word in text else 2
 
 
 def entry_of(path: Path, theme: str) -> Entry:

@@ -9,19 +9,28 @@ from itertools import groupby
 
 @dataclass(frozen=True)
 class Row:
-    """Cards beside each other, by number; `heading` stands above the first row of a theme."""
+    """Cards beside each other, by number; `headings` are those of themes that begin here, by column."""
 
     cards: tuple[int, ...]
-    heading: str | None
+    headings: tuple[tuple[int, str], ...]
 
 
 def card_rows(themes: Sequence[str], columns: int) -> list[Row]:
-    """Rows of at most `columns` cards; neighbours with the same theme share rows."""
-    rows = []
+    """Rows of at most `columns` cards; neighbours with the same theme stand under one heading.
+
+    A theme begins in the row of the one before where all of it has room there, else in a new row. The theme "" has no
+    heading.
+    """
+    rows: list[Row] = []
     for theme, group in groupby(range(len(themes)), key=lambda number: themes[number]):
         numbers = tuple(group)
+        taken = len(rows[-1].cards) if rows else columns
+        if taken + len(numbers) <= columns:
+            last = rows.pop()
+            rows.append(Row(last.cards + numbers, (*last.headings, (taken, theme)) if theme else last.headings))
+            continue
         for start in range(0, len(numbers), columns):
-            rows.append(Row(numbers[start : start + columns], None if start else theme))
+            rows.append(Row(numbers[start : start + columns], () if start or not theme else ((0, theme),)))
     return rows
 
 

@@ -10,7 +10,7 @@ import pygame
 from imgui_bundle import icons_fontawesome_6 as icons
 from imgui_bundle import imgui
 
-from sandbox.scene.catalog import Entry, found_by
+from sandbox.scene.catalog import Entry, search
 from sandbox.window.card_grid import Row, card_rows, move
 from sandbox.window.gallery_card import ABOUT_HEIGHT, PICTURE_SHARE, Card, draw_card
 from sandbox.window.gui_style import apply_style, palette_of
@@ -23,7 +23,8 @@ from sandbox.window.widgets import begin_picture, mark, text
 CARD_GAP, HEADING_HEIGHT, HEAD_HEIGHT = 14.0, 48.0, 112.0
 NARROWEST, WIDEST, WIDE_SHARE = 216.0, 1280.0, 0.8
 """Least width of a card, and the most that all cards of a row take: pixels, or a share of a larger window."""
-PAD = 8.0
+PAD, EDGE = 8.0, 3.0
+"""Pixels left of the cards and above them, where the frame of the chosen one has room."""
 MOST_COLUMNS = 6
 """Few themes have more scenes; beyond that, cards are larger."""
 
@@ -46,6 +47,8 @@ class Gallery:
 
     def __init__(self, entries: list[Entry], open_scene: Callable[[Path], Screen]) -> None:
         self._all = self._entries = entries
+        self._by_theme = True
+        """Whether cards stand under headings: what was searched for stands in the order in which it fits."""
         self._open = open_scene
         self.message = ""
         self.search = ""
@@ -127,8 +130,11 @@ class Gallery:
         if words != self.search or self._entries is not self._all:
             self._selected = 0
         self.search = words
-        known = [entry for entry in self._all if found_by(entry, words)]
-        self._entries = path_entries(words) if is_path(words) else known
+        self._by_theme = is_path(words) or not words.strip()
+        if is_path(words):
+            self._entries = path_entries(words)
+        else:
+            self._entries = self._all if self._by_theme else search(self._all, words)
 
     def _write_search(self, words: str) -> None:
         """As if they had been typed. ImGui's field keeps its own text while it is in use: another takes its place."""
@@ -161,20 +167,20 @@ class Gallery:
         imgui.pop_style_var()
         fitting = int((wide + CARD_GAP) / (NARROWEST * self._scale + CARD_GAP))
         columns = min(max(fitting, 1), MOST_COLUMNS)
-        self._rows = card_rows([entry.theme for entry in self._entries], columns)
+        self._rows = card_rows([entry.theme if self._by_theme else "" for entry in self._entries], columns)
         card = (wide - CARD_GAP * (columns - 1)) / columns
         self._draw_grid(canvas, (card, card * PICTURE_SHARE + ABOUT_HEIGHT * self._scale))
         imgui.end()
 
     def _draw_grid(self, canvas: Canvas, card: tuple[float, float]) -> None:
-        top, overlay = 0.0, Overlay(canvas.gui, imgui.get_window_draw_list(), self._scale)
+        top, overlay = EDGE, Overlay(canvas.gui, imgui.get_window_draw_list(), self._scale)
         colors = palette_of(canvas.theme)
         for row in self._rows:
-            if row.heading is not None:
-                imgui.set_cursor_pos(imgui.ImVec2(PAD, top))
+            for column, theme in row.headings:
+                imgui.set_cursor_pos(imgui.ImVec2(PAD + column * (card[0] + CARD_GAP), top))
                 at = imgui.get_cursor_screen_pos()
-                overlay.text(at.x, at.y + 14.0 * self._scale, _heading(row.heading), colors.accent, size=18.0)
-                top += HEADING_HEIGHT * self._scale
+                overlay.text(at.x, at.y + 14.0 * self._scale, _heading(theme), colors.accent, size=18.0)
+            top += HEADING_HEIGHT * self._scale if row.headings else 0.0
             for column, number in enumerate(row.cards):
                 self._draw_card(canvas, overlay, number, (PAD + column * (card[0] + CARD_GAP), top, *card))
             top += card[1] + CARD_GAP

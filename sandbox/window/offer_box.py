@@ -7,6 +7,7 @@ from imgui_bundle import imgui
 from sandbox.render.camera import Size
 from sandbox.render.number_text import counted
 from sandbox.window.leftover import Leftover
+from sandbox.window.time_bar import time_bar_height
 from sandbox.window.widgets import button
 
 FLAGS = (
@@ -15,11 +16,17 @@ FLAGS = (
     | imgui.WindowFlags_.no_decoration
     | imgui.WindowFlags_.always_auto_resize
 )
+GAP = 12.0
+"""Pixels."""
 
 
 def draw_offer(leftover: Leftover, size: Size) -> bool | None:
-    """At the top of a window of `size` pixels. True to go on with it, False to forget it, None as yet undecided."""
-    imgui.set_next_window_pos(imgui.ImVec2(size[0] / 2, 48.0), imgui.Cond_.always, imgui.ImVec2(0.5, 0.0))
+    """Over the time bar of a window of `size` pixels; notes are at the top.
+
+    True to go on with it, False to forget it, None as yet undecided.
+    """
+    place = imgui.ImVec2(size[0] / 2, size[1] - time_bar_height() - GAP)
+    imgui.set_next_window_pos(place, imgui.Cond_.always, imgui.ImVec2(0.5, 1.0))
     imgui.begin("##offer", None, FLAGS)
     title = leftover.title or leftover.scene.source
     done = f"{counted(leftover.steps, 'step')}, {counted(len(leftover.commands), 'command')}"

@@ -32,6 +32,10 @@ class Selection:
         if len(self.bodies) == 2:
             self.pair = self.bodies[0], self.bodies[1]
 
+    def pick_all(self, names: tuple[str, ...]) -> None:
+        """Select these bodies, and nothing else."""
+        self.bodies, self.joint, self.region = names, None, None
+
     def pick_joint(self, name: str) -> None:
         """Select a joint alone."""
         self.bodies, self.joint, self.region = (), name, None

@@ -25,6 +25,8 @@ EXACT = imgui.SliderFlags_.no_round_to_format
 
 places: dict[str, Box] = {}
 """Where each widget of the last picture lies, by name."""
+_pressed: set[str] = set()
+"""Widgets that were pressed, until the pointer leaves them."""
 
 
 def begin_picture() -> None:
@@ -33,23 +35,31 @@ def begin_picture() -> None:
 
 
 def mark(name: str, tip: str = "") -> None:
-    """Note the place of the widget drawn last, and give it a tooltip."""
+    """Note the place of the widget drawn last, and give it a tooltip, which a press closes until the pointer leaves."""
     low, high = imgui.get_item_rect_min(), imgui.get_item_rect_max()
     places[name] = (low.x, low.y, high.x, high.y)
-    if tip and imgui.is_item_hovered(imgui.HoveredFlags_.for_tooltip | imgui.HoveredFlags_.allow_when_disabled):
+    if imgui.is_item_active():
+        _pressed.add(name)
+    elif name in _pressed and not imgui.is_item_hovered(imgui.HoveredFlags_.allow_when_disabled):
+        _pressed.discard(name)
+    if not tip or name in _pressed:
+        return
+    if imgui.is_item_hovered(imgui.HoveredFlags_.for_tooltip | imgui.HoveredFlags_.allow_when_disabled):
         imgui.set_tooltip(tip)
 
 
 def button(name: str, label: str, tip: str = "", *, on: bool = False, enabled: bool = True, width: float = 0.0) -> bool:
     """A button; `on` shows it lit. True in the picture in which it is clicked."""
     if on:
-        imgui.push_style_color(imgui.Col_.button, imgui.get_style_color_vec4(imgui.Col_.button_active))
+        lit = imgui.get_style_color_vec4(imgui.Col_.button_active)
+        imgui.push_style_color(imgui.Col_.button, lit)
+        imgui.push_style_color(imgui.Col_.button_hovered, lit)
         imgui.push_style_color(imgui.Col_.text, lit_ink())
     imgui.begin_disabled(not enabled)
     clicked = imgui.button(f"{label}##{name}", imgui.ImVec2(width, 0.0))
     imgui.end_disabled()
     if on:
-        imgui.pop_style_color(2)
+        imgui.pop_style_color(3)
     mark(name, tip)
     return bool(clicked)
 

@@ -67,6 +67,20 @@ def test_an_edited_scene_is_told_with_the_body_and_the_first_step(recording: san
     assert "body ball was edited" in found.lines()
 
 
+def test_what_was_edited_comes_before_what_it_threw_farthest(tmp_path: Path) -> None:
+    """The crate is heavy and hardly moved by what it strikes; the feather flies."""
+    crate = {"id": "crate", "shapes": [{"box": [1, 1], "density": 100}], "position": [0, 0], "velocity": [5, 0]}
+    feather = {"id": "feather", "shapes": [{"circle": 0.2, "density": 0.1, "restitution": 1}], "position": [2, 0]}
+    for speed in (5, 5.5):
+        crate["velocity"] = [speed, 0]
+        sandbox.Scene(gravity=(0, 0), bodies=[crate, feather]).save(tmp_path / "throw.scene.json")
+        if speed == 5:
+            record(sandbox.load_scene(tmp_path / "throw.scene.json"), STEPS).save(tmp_path / "throw.replay.json")
+    found = compare_with_recording(sandbox.Recording.load(tmp_path / "throw.replay.json"))
+    assert found.drifts[0].body == "feather"
+    assert found.body == "crate"
+
+
 def test_of_two_recordings_the_first_number_that_differs_is_named(recording: sandbox.Recording) -> None:
     moved = record(recording.load_scene(), STEPS, ((20, sandbox.SetVelocity("ball", (1.0, 0.0), 0.0)),))
     found = compare_two(moved, recording)

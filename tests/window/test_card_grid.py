@@ -3,7 +3,7 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sandbox.window.card_grid import card_rows, move
+from sandbox.window.card_grid import Row, card_rows, move
 
 themes = st.lists(st.integers(1, 9), min_size=1, max_size=8).map(
     lambda counts: [f"theme {i}" for i, count in enumerate(counts) for _ in range(count)]
@@ -11,13 +11,22 @@ themes = st.lists(st.integers(1, 9), min_size=1, max_size=8).map(
 
 
 @given(themes, st.integers(1, 5))
-def test_rows_hold_every_card_once_in_order_under_one_heading_a_theme(names: list[str], columns: int) -> None:
+def test_rows_hold_every_card_once_in_order_each_theme_under_its_heading(names: list[str], columns: int) -> None:
     rows = card_rows(names, columns)
     assert [card for row in rows for card in row.cards] == list(range(len(names)))
-    assert [row.heading for row in rows if row.heading] == list(dict.fromkeys(names))
+    assert [theme for row in rows for _, theme in row.headings] == list(dict.fromkeys(names))
     for row in rows:
         assert len(row.cards) <= columns
-        assert len({names[card] for card in row.cards}) == 1
+        for column, theme in row.headings:
+            assert names[row.cards[column]] == theme
+            assert row.cards[column] == names.index(theme)
+
+
+def test_small_themes_share_a_row_and_what_has_no_theme_has_no_heading() -> None:
+    assert card_rows(["a", "b", "b", "c", "c", "c"], 4) == [
+        Row((0, 1, 2), ((0, "a"), (1, "b"))), Row((3, 4, 5), ((0, "c"),)),
+    ]  # fmt: skip
+    assert card_rows([""] * 3, 2) == [Row((0, 1), ()), Row((2,), ())]
 
 
 @given(themes, st.integers(1, 5), st.data())

@@ -13,7 +13,7 @@ import pytest
 from PIL import Image
 
 from sandbox.render.thumbnail import thumbnail
-from sandbox.scene.catalog import Entry, found_by
+from sandbox.scene.catalog import Entry, search, shipped_entries
 from sandbox.window.path_search import is_path, path_entries
 from sandbox.window.recent import note_recent, recent_files
 from sandbox.window.scene_index import OWN, RECENT, scene_entries
@@ -52,8 +52,17 @@ def test_recent_and_own_files_come_before_the_shipped_ones(tmp_path: Path) -> No
 
 def test_words_find_whatever_has_them_all() -> None:
     entry = Entry(Path("long-bridge.scene.json"), "A bridge of 160 planks", "It hangs.", "joints")
-    assert all(found_by(entry, words) for words in ("", "bridge", "JOINT plank", "hangs 160", "long-br"))
-    assert not any(found_by(entry, words) for words in ("bridges", "joint pyramid"))
+    assert all(search([entry], words) for words in ("", "bridge", "JOINT plank", "hangs 160", "long-br"))
+    assert not any(search([entry], words) for words in ("bridges", "joint pyramid"))
+
+
+def test_what_bears_the_word_in_its_title_comes_first_and_no_file_comes_twice() -> None:
+    entries = shipped_entries()
+    found = [entry.path.name.split(".")[0] for entry in search(entries, "dom")]
+    assert set(found[:3]) == {"domino-run", "dominoes", "growing-dominoes"}
+    assert len(found) > 3
+    assert len(search([*entries, *entries], "dom")) == len(found)
+    assert search(entries, "") == entries
 
 
 def test_a_path_finds_folders_scenes_and_recordings(tmp_path: Path) -> None:
@@ -86,7 +95,7 @@ def gallery(tmp_path: Path, script: str) -> subprocess.CompletedProcess[str]:
 
 def test_what_is_typed_filters_and_enter_opens(display: Any, tmp_path: Path) -> None:
     SCENE.save(tmp_path / "mine.scene.json")
-    script = "type two crates\nwait 90\nshot found.png\nkey Enter\nwait 5\nkey S\nkey Esc\nwait 2\nkey Esc\n"
+    script = "type two crates mine\nwait 90\nshot found.png\nkey Enter\nwait 5\nkey S\nkey Esc\nwait 2\nkey Esc\n"
     done = gallery(tmp_path, script)
     assert (done.returncode, done.stderr) == (0, "")
     assert (tmp_path / "mine.replay.json").is_file()

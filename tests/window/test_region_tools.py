@@ -48,6 +48,22 @@ def test_a_crate_floats_in_water_that_was_drawn_and_sinks_back_when_it_is_gone(c
     assert regions(screen) == ("water-1",)
 
 
+def test_what_is_selected_next_takes_the_place_of_a_region(canvas: Canvas, tmp_path: Path) -> None:
+    def all_bodies(screen: PlayScreen) -> None:
+        selection = screen.workspace.selection
+        assert (selection.bodies, selection.region) == (("crate",), None)
+
+    def pasted(screen: PlayScreen) -> None:
+        selection = screen.workspace.selection
+        assert len(selection.bodies) == 1
+        assert selection.region is None
+
+    play(
+        canvas, SCENE, tmp_path, POOL + "key Ctrl+A\nwait 2\n", all_bodies, "key Ctrl+C\n" + POOL + "key Ctrl+V\nwait 2\n",
+        pasted,
+    )  # fmt: skip
+
+
 def test_a_click_picks_a_region_and_the_eraser_takes_it_where_nothing_else_is(canvas: Canvas, tmp_path: Path) -> None:
     def picked(screen: PlayScreen) -> None:
         assert screen.workspace.selection.region == "wind-1"

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from pathlib import Path
 
 from sandbox._printable import told
 from sandbox.errors import SandboxError
+from sandbox.replay.golden.divergence import Divergence, Drift
 from sandbox.replay.golden.rerun import Outcome
 from sandbox.replay.recording.recording import Recording
 from sandbox.scene import Scene
@@ -18,11 +20,12 @@ from sandbox.scene.locate import locate
 def divergence_location(recording: Recording, outcome: Outcome) -> str:
     """In words, where the body stands by which `outcome` is best explained; "" if there is none, or it has no place.
 
-    That is the body of the first number that differs, else one that was edited, else the one that ended farthest off.
+    See `suspects`.
     """
     if outcome.divergence is None:
         return ""
-    return next((text for body in _suspects(recording, outcome) if (text := body_location(recording, body))), "")
+    bodies = suspects(recording, outcome.divergence, outcome.edits, outcome.drifts)
+    return next((text for body in bodies if (text := body_location(recording, body))), "")
 
 
 def body_location(recording: Recording, body: str) -> str:
@@ -43,12 +46,16 @@ def location_in_scene(scene: Scene, body: str) -> str:
     return _words(body, scene.source, *found) if found else ""
 
 
-def _suspects(recording: Recording, outcome: Outcome) -> list[str]:
-    assert outcome.divergence is not None
-    detail = outcome.divergence.detail
-    first = [detail.body] if detail is not None else []
-    edited = [name for name in recording.scene.meaning.bodies if f"body {name} was edited" in outcome.edits]
-    return [*first, *edited, *(drift.body for drift in outcome.drifts)]
+def suspects(
+    recording: Recording, parted: Divergence | None, edits: Sequence[str], drifts: Sequence[Drift]
+) -> list[str]:
+    """The ids of bodies that explain a divergence, the best explanation first.
+
+    That of the first number that differs, those that were edited, those that ended farthest off.
+    """
+    first = [parted.detail.body] if parted is not None and parted.detail is not None and parted.detail.body else []
+    edited = [name for name in recording.scene.meaning.bodies if f"body {name} was edited" in edits]
+    return [*first, *edited, *(drift.body for drift in drifts)]
 
 
 def _pointer(scene: Scene, body: str) -> str:

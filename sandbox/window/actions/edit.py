@@ -38,7 +38,7 @@ def _delete(workspace: Workspace) -> None:
 def _select_all(workspace: Workspace) -> None:
     world = workspace.session.world
     moving = world.state.bodies.type != 0
-    workspace.selection.bodies = tuple(name for name, moves in zip(world.names, moving, strict=True) if moves)
+    workspace.selection.pick_all(tuple(name for name, moves in zip(world.names, moving, strict=True) if moves))
 
 
 def _copy(workspace: Workspace) -> bool:
@@ -80,7 +80,7 @@ def _duplicate(workspace: Workspace) -> None:
 def _spawn(workspace: Workspace, title: str, entries: Entries) -> None:
     names = tuple(entry["id"] for entry in entries[0])
     if workspace.do(f"{title} {_told(names)}", Spawn(*entries)):
-        workspace.selection.bodies = names
+        workspace.selection.pick_all(names)
 
 
 def _beside(workspace: Workspace) -> tuple[float, float]:

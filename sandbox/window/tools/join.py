@@ -83,7 +83,7 @@ class JoinTool(Tool, ABC):
         name = fresh_id(workspace, self.name)
         joint = {"id": name, "bodies": [first[0], second[0]], **self.words(first[1], second[1])}
         if workspace.do(f"Join {first[0]} to {second[0] or 'the world'}", Spawn(joints=joint)):
-            workspace.selection.joint = name
+            workspace.selection.pick_joint(name)
 
 
 class HingeTool(JoinTool):

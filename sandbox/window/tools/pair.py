@@ -38,7 +38,7 @@ class PairTool(Tool):
         if name == first:
             workspace.say(f"{name} with itself is no pair: click two bodies")
             return True
-        workspace.selection.bodies = ()  # the inspector shows them in colours of its own
+        workspace.selection.pick(None)  # the inspector shows them in colours of its own
         workspace.selection.pair = first, name
         workspace.panels.add(PANEL)
         return True

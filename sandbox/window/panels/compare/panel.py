@@ -75,7 +75,7 @@ def _draw_verdict(workspace: Workspace, comparer: Comparer) -> None:
             imgui.text_unformatted(line)
         imgui.pop_text_wrap_pos()
     for line in found.lines() if found is not None else ():
-        wrapped(line)
+        wrapped(line.strip())
     own = comparer.own_acts_from(workspace.session)
     if own is not None:
         imgui.push_style_color(imgui.Col_.text, imgui.ImVec4(*colors.second, 1.0))
