@@ -21,6 +21,8 @@ from sandbox.window.workspace import Workspace
 SHOWN = ("all", "touching", "rejected")
 LIST_ROWS = 7
 """Rows of the list that are seen at once."""
+BUTTONS, NARROW = 74.0, 200.0
+"""Width of the buttons, and width below which the names stand below each other: pixels at the usual size of text."""
 
 
 class PairView:
@@ -47,19 +49,30 @@ class PairView:
             self._draw_list(workspace, seen)
 
     def _draw_names(self, workspace: Workspace, seen: Inspection) -> None:
+        """Beside each other, or where that leaves no room to read them below each other; buttons after the first row."""
+        left, wide = imgui.get_cursor_pos_x(), imgui.get_content_region_avail().x - scaled(BUTTONS)
+        rows = 2 if wide < scaled(NARROW) else 1
+        share = wide * rows / 2
+        for side in (0, 1):
+            self._draw_name(workspace, seen, side, left + (side * share if rows == 1 else 0.0), share)
+            if side == rows % 2:
+                imgui.same_line()
+                imgui.set_cursor_pos_x(left + wide)
+                self._draw_buttons(workspace, seen)
+            elif rows == 1:
+                imgui.same_line()
+
+    @staticmethod
+    def _draw_name(workspace: Workspace, seen: Inspection, side: int, left: float, wide: float) -> None:
         colors = sat_colors(workspace.theme)
-        left, wide = imgui.get_cursor_pos_x(), imgui.get_content_region_avail().x - scaled(74.0)
-        for side, (name, color) in enumerate(zip(seen.names, (colors.a, colors.b), strict=True)):
-            imgui.set_cursor_pos_x(left + side * wide / 2)
-            corner = imgui.get_cursor_screen_pos()
-            _chip(corner.x, corner.y + scaled(2.0), "ab"[side], color, palette_of(workspace.theme).panel)
-            imgui.set_cursor_pos_x(left + side * wide / 2 + scaled(25.0))
-            imgui.align_text_to_frame_padding()
-            imgui.text_unformatted(_fitting(name, wide / 2 - scaled(32.0)))
-            mark(f"sat.name.{'ab'[side]}", name)
-            imgui.same_line()
-        imgui.set_cursor_pos_x(left + wide)
-        self._draw_buttons(workspace, seen)
+        imgui.set_cursor_pos_x(left)
+        corner = imgui.get_cursor_screen_pos()
+        color = (colors.a, colors.b)[side]
+        _chip(corner.x, corner.y + scaled(2.0), "ab"[side], color, palette_of(workspace.theme).panel)
+        imgui.set_cursor_pos_x(left + scaled(25.0))
+        imgui.align_text_to_frame_padding()
+        imgui.text_unformatted(_fitting(seen.names[side], wide - scaled(32.0)))
+        mark(f"sat.name.{'ab'[side]}", seen.names[side])
 
     @staticmethod
     def _draw_buttons(workspace: Workspace, seen: Inspection) -> None:
