@@ -73,7 +73,7 @@ class App:
             if not self._act(screen) or not self._handle_events(screen):
                 self._finish(screen)
                 break
-            screen = self._recovered() or self._update(screen, elapsed)
+            screen = self._recovered(screen) or self._update(screen, elapsed)
             if screen is None:
                 self._finish(last)
             else:
@@ -157,28 +157,42 @@ class App:
             self._offered.pop()
         self._accepted = answer is True
 
-    def _recovered(self) -> Screen | None:
+    def _recovered(self, before: Screen) -> Screen | None:
         """The screen of the session that was offered, if the user wants it."""
         if not self._accepted:
             return None
         self._accepted = False
-        return self._go_on(self._offered.pop())
+        return self._go_on(self._offered.pop(), before)
 
     def _last_session(self, session: Session) -> Path | None:
         """What was done in a scene the last time."""
         found = ended_sessions(self._folder, session.scene) if self._folder is not None else []
         return found[0] if found else None
 
-    def _go_on(self, leftover: Leftover) -> Screen:
+    def _go_on(self, leftover: Leftover, before: Screen) -> Screen:
         """With a session that is on disk."""
         loader = Loader(Path(leftover.scene.source), leftover.steps, self.options.workers, leftover)
-        return LoadingScreen(loader, lambda session: self._play(session, leftover), self._failed)
+        return self._loading(loader, before, leftover)
+
+    def _loading(self, loader: Loader, before: Screen | None = None, leftover: Leftover | None = None) -> Screen:
+        """The screen until `loader` is done; where it fails, the scene that was there `before` goes on."""
+
+        def play(session: Session) -> Screen:
+            if isinstance(before, PlayScreen):
+                self._leave(before)
+            return self._play(session, leftover)
+
+        return LoadingScreen(loader, play, lambda error: self._failed(error, before), before)
+
+    def _leave(self, screen: PlayScreen) -> None:
+        screen.close()
+        self._memorise(screen.workspace)
 
     def _finish(self, screen: Screen | None) -> None:
         """The program ends as it should."""
+        screen = screen.before if isinstance(screen, LoadingScreen) else screen
         if isinstance(screen, PlayScreen):
-            screen.close()
-            self._memorise(screen.workspace)
+            self._leave(screen)
         if self._folder is not None and self._script is None:
             self._remembered.size = self.canvas.display.size
             self._remembered.docks = imgui.save_ini_settings_to_memory()
@@ -203,14 +217,14 @@ class App:
         self.canvas.theme = workspace.theme
         self._front = next((name for name in kept.panels if name not in workspace.behind), "")
 
-    def _load(self, path: Path) -> Screen:
+    def _load(self, path: Path, before: Screen | None = None) -> Screen:
         if self._folder is not None and path.is_file():
             note_recent(self._folder, path)
         start = self.options.start_step if path == self.options.scene else 0
         other = self.options.other if path == self.options.scene else None
         values = self.options.values if path == self.options.scene else {}
         loader = Loader(path, start, self.options.workers, other=other, values=values)
-        return LoadingScreen(loader, self._play, self._failed)
+        return self._loading(loader, before)
 
     def _play(self, session: Session, leftover: Leftover | None = None) -> PlayScreen:
         title = session.scene.title or (self.options.scene or Path()).name
@@ -236,22 +250,20 @@ class App:
         return screen
 
     def _lead(self, wish: Wish, screen: PlayScreen) -> Screen | None:
-        """Where a wish of the user's leads to."""
-        screen.close()
-        self._memorise(screen.workspace)
+        """Where a wish of the user's leads to. What is opened takes the place of the scene once it is there."""
+        if wish.kind == "open" and wish.path is not None:
+            return self._load(wish.path, screen)
+        if wish.kind == "resume" and wish.path is not None:
+            leftover = read_session(wish.path)
+            if leftover is not None:
+                return self._go_on(leftover, screen)
+            screen.workspace.say("what was done the last time cannot be read any more")
+            return screen
+        self._leave(screen)
         match wish.kind:
-            case "open" if wish.path is not None:
-                return self._load(wish.path)
             case "play" if wish.session is not None:
                 following = self._play(wish.session)
                 following.take_over(screen)
-                return following
-            case "resume" if wish.path is not None:
-                leftover = read_session(wish.path)
-                if leftover is not None:
-                    return self._go_on(leftover)
-                following = self._play(screen.session)
-                following.workspace.say("what was done the last time cannot be read any more")
                 return following
             case "gallery":
                 return self._open_gallery()
@@ -259,8 +271,11 @@ class App:
                 return self._open_gallery()
         return None
 
-    def _failed(self, error: Exception) -> Screen | None:
-        """A scene that cannot be loaded is fatal where it was asked for, and a message in the list."""
+    def _failed(self, error: Exception, before: Screen | None) -> Screen | None:
+        """A scene that cannot be loaded is told over the one before it, or in the list; without either it is fatal."""
+        if isinstance(before, PlayScreen):
+            before.refused = str(error)
+            return before
         if self._gallery is None:
             raise error
         self._gallery.say(str(error))

@@ -44,6 +44,10 @@ class Layout:
         self._shown: set[str] | None = None
         self._fresh: set[str] = set()
         self._settling = SETTLING
+        self._picture = 0
+        """Number of the last picture that it drew."""
+        self._fronts: list[str] = []
+        """Panels that are to be in front again."""
         self._scale: float | None = None
         """How large text was in the picture before."""
         self._scrubber = Scrubber()
@@ -52,6 +56,9 @@ class Layout:
         """One picture of it in a window of `size` pixels."""
         if not workspace.interface:
             return 0, 0, *size
+        if self._shown is not None and imgui.get_frame_count() != self._picture + 1:
+            self._come_back(workspace)
+        self._picture = imgui.get_frame_count()
         workspace.steering.set_keys()
         top = draw_menu_bar(workspace, self.panels)
         bar = time_bar_height()
@@ -77,13 +84,18 @@ class Layout:
             self._bring_to_front(workspace)
         return rect
 
+    def _come_back(self, workspace: Workspace) -> None:
+        """Panels that were not drawn for a while are docked anew: those that were in front are to be so again."""
+        self._settling = SETTLING
+        self._fronts = [name for name in self.panels if name in workspace.panels - workspace.behind]
+
     def _bring_to_front(self, workspace: Workspace) -> None:
-        """The panel that is wanted there, else the first: of those that opened together the last would be in front."""
-        shown = [panel for panel in self.panels.values() if panel.name in workspace.panels]
-        first = next((panel for panel in shown if panel.name == workspace.front), shown[0] if shown else None)
-        workspace.front = ""
-        if first is not None:
-            imgui.set_window_focus(_window_title(first))
+        """What is wanted there, else the first panel: of those that opened together the last would be in front."""
+        shown = [name for name in self.panels if name in workspace.panels]
+        wanted = [name for name in (*self._fronts, workspace.front) if name in shown] or shown[:1]
+        self._fronts, workspace.front = [], ""
+        for name in wanted:
+            imgui.set_window_focus(_window_title(self.panels[name]))
 
     def _draw_panel(self, workspace: Workspace, panel: Panel) -> None:
         imgui.set_next_window_size(imgui.ImVec2(PANEL_WIDTH, 480.0), imgui.Cond_.first_use_ever)

@@ -33,7 +33,10 @@ class LoadingScreen:
         loader: Loader,
         play: Callable[[Session], Screen],
         failed: Callable[[Exception], Screen | None],
+        before: Screen | None = None,
     ) -> None:
+        self.before = before
+        """What was shown before, and is if loading fails."""
         self._loader = loader
         self._play = play
         self._failed = failed

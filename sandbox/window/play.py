@@ -25,7 +25,7 @@ from sandbox.window.mouse import Mouse
 from sandbox.window.overlay import Overlay
 from sandbox.window.palette import Palette
 from sandbox.window.panels.registry import new_panels
-from sandbox.window.problem_box import draw_problem
+from sandbox.window.problem_box import NOT_OPENED, NOT_READ, draw_problem
 from sandbox.window.reload import Reloader
 from sandbox.window.scale_bar import draw_scale_bar
 from sandbox.window.scene_picture import ScenePicture
@@ -83,6 +83,8 @@ class PlayScreen:
         self.export_box = ExportBox()
         self._lead = lead
         self._since_picture = 0.0
+        self.refused = ""
+        """Why what was to be opened in the place of this scene could not be."""
         self.journal: Journal | None = None
         """Where the session is written down while it is played."""
         session.watchers.append(self._tell_panels)
@@ -225,6 +227,14 @@ class PlayScreen:
             with overlay.within(workspace.viewport.rect):
                 self.panels[name].draw_over(workspace, overlay)
 
+    def _draw_problems(self, overlay: Overlay) -> None:
+        """What is wrong with a file that was to be opened, or else with that of the scene."""
+        reloader, mono = self._reloader, overlay.gui.mono
+        if self.refused:
+            self.refused = "" if draw_problem(self.workspace, NOT_OPENED, self.refused, mono) else self.refused
+        elif reloader and reloader.problem and draw_problem(self.workspace, NOT_READ, reloader.problem, mono):
+            reloader.problem = ""
+
     def _tell_panels(self) -> None:
         """A step was taken: those panels that are shown may keep something of it."""
         for name, panel in self.panels.items():
@@ -241,9 +251,7 @@ class PlayScreen:
         noted = self._fade(workspace.note_until - workspace.age)
         if noted > 0.0:
             hud.draw_note(overlay, rect, colors, workspace.note, noted)
-        reloader = self._reloader
-        if reloader and reloader.problem and draw_problem(workspace, reloader.problem, overlay.gui.mono):
-            reloader.problem = ""
+        self._draw_problems(overlay)
         self.export_box.draw(workspace)
         self._palette.draw()
         if workspace.help_shown:

@@ -9,8 +9,12 @@ from imgui_bundle import imgui, implot
 from sandbox.render.theme import DARK, Color, Theme, hex_color
 from sandbox.window.gui_style import palette_of
 
-_ON_DARK = tuple(map(hex_color, ("#6fb7ff", "#ffb454", "#7fd6a3", "#e58cc0", "#c9c1ff", "#f08a6c", "#8d97a3", "#5fd3d8")))
-_ON_LIGHT = tuple(map(hex_color, ("#1f6fb2", "#b95f00", "#14805a", "#a8307a", "#5a4bb0", "#c03a1c", "#6a7480", "#007f88")))
+_ON_DARK = tuple(
+    map(hex_color, ("#6fb7ff", "#ffb454", "#7fd6a3", "#e58cc0", "#c9c1ff", "#f08a6c", "#8d97a3", "#5fd3d8"))
+)
+_ON_LIGHT = tuple(
+    map(hex_color, ("#1f6fb2", "#b95f00", "#14805a", "#a8307a", "#5a4bb0", "#c03a1c", "#6a7480", "#007f88"))
+)
 """Blue, orange, green, pink, violet, vermilion, grey, cyan, after Okabe and Ito: https://jfly.uni-koeln.de/color/"""
 LINE_PIXELS = 1.8
 

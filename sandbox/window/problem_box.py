@@ -1,4 +1,4 @@
-"""What is wrong with the file on disk, over the scene that was read last."""
+"""What is wrong with a file, over the scene that was read last."""
 
 from __future__ import annotations
 
@@ -14,6 +14,10 @@ MARGIN, WIDEST, MOST_SHARE = 14.0, 760.0, 0.6
 """Pixels around it and its greatest width, and the most that it takes of the height."""
 _EXCERPT = re.compile(r" *\d* \|")
 """How lines begin that show the file: what stands below each other in them belongs together."""
+NOT_READ = "The file has a mistake; what you see is how it was before.", "Mend it and save: it is read again by itself."
+NOT_OPENED = "That could not be opened; what was there goes on.", ""
+"""What is told above the mistake and below it."""
+AGAIN = "It is shown again when the file changes and is still wrong."
 FLAGS = (
     imgui.WindowFlags_.no_docking
     | imgui.WindowFlags_.no_saved_settings
@@ -22,7 +26,7 @@ FLAGS = (
 )
 
 
-def draw_problem(workspace: Workspace, problem: str, mono: object) -> bool:
+def draw_problem(workspace: Workspace, words: tuple[str, str], problem: str, mono: object) -> bool:
     """The lines of an error, with their excerpts in the font `mono`. True once the user has read enough of it."""
     left, top, width, height = workspace.viewport.rect
     wide = min(WIDEST, width - 2 * MARGIN)
@@ -33,7 +37,7 @@ def draw_problem(workspace: Workspace, problem: str, mono: object) -> bool:
     imgui.begin("##problem", None, FLAGS)
     colors = palette_of(workspace.theme)
     imgui.push_style_color(imgui.Col_.text, imgui.ImVec4(*colors.accent, 1.0))
-    imgui.text_unformatted("The file has a mistake; what you see is how it was before.")
+    imgui.text_unformatted(words[0])
     imgui.pop_style_color()
     imgui.push_font(mono, 0.0)  # type: ignore[arg-type]
     lines, line = problem.splitlines(), imgui.get_text_line_height() + 1.0
@@ -46,9 +50,10 @@ def draw_problem(workspace: Workspace, problem: str, mono: object) -> bool:
     imgui.pop_style_var()
     imgui.end_child()
     imgui.pop_font()
-    closed = button("problem.close", "Close", "It is shown again when the file changes and is still wrong.")
-    imgui.same_line()
-    wrapped("Mend it and save: it is read again by itself.")
+    closed = button("problem.close", "Close", AGAIN if words[1] else "")
+    if words[1]:
+        imgui.same_line()
+        wrapped(words[1])
     mark("problem")
     imgui.end()
     return closed

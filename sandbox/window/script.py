@@ -12,6 +12,7 @@ name of a widget (`world.gravity.moon`). After each act the window draws a pictu
     hold KEY for N          keep a key down for N pictures
     hold Shift              until `let Shift`; Ctrl likewise
     press left              keep a button down until `let left`; `move` drags meanwhile
+    drop FILE               a file falls onto the window
     wheel N [PLACE]         turn the wheel by N notches
     wait N                  let N pictures pass
     shot FILE.png           save a picture of the window
@@ -37,7 +38,7 @@ Locate = Callable[[tuple[float, float]], tuple[float, float]]
 """The pixel of the window over a point of the scene in metres."""
 _MODS = {"Ctrl": pygame.KMOD_LCTRL, "Shift": pygame.KMOD_LSHIFT}
 _MOD_KEYS = {"Ctrl": pygame.K_LCTRL, "Shift": pygame.K_LSHIFT}
-ACTS = ("key", "type", "move", "click", "double", "hold", "press", "let", "wheel", "wait", "shot", "film")
+ACTS = ("key", "type", "move", "click", "double", "hold", "press", "let", "drop", "wheel", "wait", "shot", "film")
 """Those that need a word."""
 _BUTTONS = {"left": 1, "middle": 2, "right": 3}
 _HANDS = {
@@ -235,6 +236,10 @@ class Script:
 
     def _wait(self, number: int, words: list[str], locate: Locate) -> Iterator[None]:
         yield from [None] * int(words[0])
+
+    def _drop(self, number: int, words: list[str], locate: Locate) -> Iterator[None]:
+        self._post(pygame.DROPFILE, file=words[0])
+        yield
 
     def _shot(self, number: int, words: list[str], locate: Locate) -> Iterator[None]:
         self.shots.append(Path(words[0]))

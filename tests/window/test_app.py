@@ -169,3 +169,44 @@ def test_the_panel_in_front_stays_there_in_the_next_scene(canvas: Canvas, tmp_pa
     play(canvas, SCENE, tmp_path, "click panel.world\nwait 4\n", look, "key PageDown\nwait 20\n", look)
     behind = {"inspector", "overlays"}
     assert seen == [("played.scene.json", behind), ("second.scene.json", behind)]
+
+
+@pytest.mark.parametrize("start", [None, "good.scene.json"])
+def test_a_dropped_file_is_opened_and_a_broken_one_told(
+    canvas: Canvas, scenes: list[Entry], tmp_path: Path, start: str | None
+) -> None:
+    folder = scenes[0].path.parent
+    SCENE.model_copy(update={"title": "Dropped"}).save(tmp_path / "dropped.scene.json")
+    told: list[str] = []
+
+    def drop(name: str) -> pygame.event.Event:
+        return pygame.event.Event(pygame.DROPFILE, file=str(folder / name))
+
+    def at_home(screen: Any) -> bool:
+        return isinstance(screen, Gallery if start is None else PlayScreen)
+
+    def opened(screen: Any) -> bool:
+        return isinstance(screen, PlayScreen) and screen.session.scene.title == "Dropped"
+
+    def refused(screen: Any) -> bool:
+        if opened(screen) and screen.refused:
+            told.append(screen.refused)
+        return bool(told)
+
+    leave = [(refused, key(pygame.K_ESCAPE)), *([(shows(Gallery), key(pygame.K_ESCAPE))] if start is None else [])]
+    acts = [(at_home, drop("dropped.scene.json")), (opened, drop("bad.scene.json")), *leave]
+    hands = Hands(canvas, Options(folder / start if start is not None else None), acts)
+    hands.run()
+    assert not hands.script
+    assert "bad.scene.json:1:15" in told[0]
+
+
+def test_the_panel_in_front_is_so_again_after_panels_were_hidden(canvas: Canvas, tmp_path: Path) -> None:
+    fronts: list[set[str]] = []
+
+    def look(screen: PlayScreen) -> None:
+        fronts.append(screen.workspace.panels - screen.workspace.behind)
+
+    opened = "key F7\nkey F5\nwait 4\nclick panel.profile\nclick panel.world\nwait 4\n"
+    play(canvas, SCENE, tmp_path, opened, look, "key Tab\nwait 4\nkey Tab\nwait 6\n", look)
+    assert fronts == [{"profile", "world"}] * 2

@@ -58,10 +58,8 @@ def test_what_is_selected_next_takes_the_place_of_a_region(canvas: Canvas, tmp_p
         assert len(selection.bodies) == 1
         assert selection.region is None
 
-    play(
-        canvas, SCENE, tmp_path, POOL + "key Ctrl+A\nwait 2\n", all_bodies, "key Ctrl+C\n" + POOL + "key Ctrl+V\nwait 2\n",
-        pasted,
-    )  # fmt: skip
+    acts = POOL + "key Ctrl+A\nwait 2\n", all_bodies, "key Ctrl+C\n" + POOL + "key Ctrl+V\nwait 2\n", pasted
+    play(canvas, SCENE, tmp_path, *acts)
 
 
 def test_a_click_picks_a_region_and_the_eraser_takes_it_where_nothing_else_is(canvas: Canvas, tmp_path: Path) -> None:

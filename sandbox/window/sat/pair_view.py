@@ -49,7 +49,7 @@ class PairView:
             self._draw_list(workspace, seen)
 
     def _draw_names(self, workspace: Workspace, seen: Inspection) -> None:
-        """Beside each other, or where that leaves no room to read them below each other; buttons after the first row."""
+        """Beside each other, or below each other where there is no room for that; the buttons are in the first row."""
         left, wide = imgui.get_cursor_pos_x(), imgui.get_content_region_avail().x - scaled(BUTTONS)
         rows = 2 if wide < scaled(NARROW) else 1
         share = wide * rows / 2
