@@ -169,7 +169,9 @@ def _shapes(
     world, axis = frame.shape_poses()
     origin = camera.to_screen(world)
     index = _visible(origin, mesh.reach * camera.scale, camera)
-    index = _in_order(frame, index, body_colors.texture[mesh.body[index]] != NONE)
+    grain = _ramp(np.minimum(mesh.thickness, COARSEST) * camera.scale, TEXTURE_FROM_PIXELS, TEXTURE_FULL_PIXELS)
+    texture = np.where(grain > 0.0, body_colors.texture[mesh.body], NONE)
+    index = _in_order(frame, index, texture[index] != NONE)
     body = mesh.body[index]
     sensor = mesh.sensor[index]
     half = mesh.thickness[index] * camera.scale
@@ -192,10 +194,10 @@ def _shapes(
         mark_opacity=np.where(sensor, 0.0, _mark_opacity(half, frame.type[body])),
         hatched=np.where(sensor, 1.0, colors.hatched[body]),
         opacity=np.where(hollow & ~sensor, HOLLOW_OPACITY, np.where(plain, 1.0, own_opacity)),
-        texture=np.where(plain, NONE, body_colors.texture[body]),
+        texture=np.where(plain, NONE, texture[index]),
         unit=unit,
         shift=np.column_stack([body * 0.6180339887, body * 0.7548776662]) % 1.0,
-        grain=_ramp(unit, TEXTURE_FROM_PIXELS, TEXTURE_FULL_PIXELS),
+        grain=grain[index],
         upright=mesh.half[index, 1] > mesh.half[index, 0],
         moving=moving & ~sensor,
         shadow=np.where(moving & ~sensor & (not flat), _ramp(half, SHADOW_FROM_PIXELS, SHADOW_FULL_PIXELS), 0.0),

@@ -7,11 +7,12 @@ from typing import Any
 import moderngl
 import numpy as np
 
+from sandbox.render.camera import Camera
 from sandbox.render.draw_list import DrawList
 from sandbox.render.field_drawing import RegionFill
 from sandbox.render.geometry import Mesh
 from sandbox.render.materials.textures import TILE, textures
-from sandbox.window.instances import pack, pack_strokes, triangles_of
+from sandbox.window.instances import PLAIN, Kind, pack, pack_strokes, triangles_of
 from sandbox.window.quads import Quads, shader
 
 TEXTURE_WIDTH = 1024
@@ -22,20 +23,19 @@ class GlPainter:
 
     def __init__(self, context: Any) -> None:
         self.context = context
-        corners = context.buffer(np.array([-1, -1, 1, -1, -1, 1, 1, 1], "f4").tobytes())
+        self._corners = context.buffer(np.array([-1, -1, 1, -1, -1, 1, 1, 1], "f4").tobytes())
         self._mesh: Mesh | None = None
         self._vertices: Any = None
-        self._plain, self._textured = (Quads(context, corners, textured) for textured in (False, True))
+        self._quads: dict[Kind, Quads] = {}
+        """By what they need of the shader: a program is made when the first of its kind is drawn."""
         self._textures = _texture_array(context)
         self._region_program = context.program(shader("region.vert.glsl"), shader("region.frag.glsl"))
 
     def paint(self, picture: DrawList) -> None:
         """Clear the framebuffer and draw the picture; the viewport has to be the size of its camera."""
         self._upload(picture.mesh)
-        for quads in (self._plain, self._textured):
-            quads.program["screen"].value = picture.camera.size
-            quads.program["scale"].value = picture.camera.scale
-            quads.begin()
+        for quads in self._quads.values():
+            quads.begin(picture.camera)
         self._vertices.use(0)
         self._textures.use(1)
         self.context.clear(*picture.theme.background)
@@ -43,10 +43,16 @@ class GlPainter:
         self.context.blend_func = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA
         self._triangles([_triangles(fill) for fill in picture.region_fills], picture)
         for run in pack(picture):
-            (self._textured if run.textured else self._plain).draw(run.instances)
+            self._quads_of(run.kind, picture.camera).draw(run.instances)
         for layer in picture.marks:
             self._triangles([triangles_of(fills) for fills in layer.fills], picture)
-            self._plain.draw(pack_strokes(layer.strokes))
+            self._quads_of(PLAIN, picture.camera).draw(pack_strokes(layer.strokes))
+
+    def _quads_of(self, kind: Kind, camera: Camera) -> Quads:
+        if kind not in self._quads:
+            self._quads[kind] = Quads(self.context, self._corners, kind)
+            self._quads[kind].begin(camera)
+        return self._quads[kind]
 
     def _triangles(self, corners: list[Any], picture: DrawList) -> None:
         """Fills as triangles; few, so that their buffer is made anew for each picture."""

@@ -27,6 +27,9 @@ class Gui:
 
     def __init__(self, driver: str) -> None:
         choose_gl_platform(driver)
+        import OpenGL
+
+        OpenGL.ERROR_CHECKING = False  # it asks after each call, of which panels make hundreds a picture
         from imgui_bundle.python_backends.pygame_backend import PygameRenderer
 
         self._context = imgui.create_context()

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import groupby
+from itertools import groupby, pairwise
 from operator import itemgetter
-from typing import Any, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,29 +35,57 @@ TRIM_PIXELS = 20_000.0
 """Longer boxes are cut off screen, because 32-bit floats are too coarse for their far ends."""
 
 
-@dataclass(frozen=True)
-class Run:
-    """Quads that are drawn in one call; only those of `textured` runs have a texture."""
+MOST_PARTS = 16
+"""Calls that the quads of one layer are drawn in at most."""
+
+
+class Kind(NamedTuple):
+    """What a shader has to do for quads, which takes time also where it turns out that there is nothing to do."""
 
     textured: bool
+    outlined: bool
+    """Whether some are polygons or other outlines; the others are boxes, circles, capsules and strokes."""
+
+
+PLAIN = Kind(False, False)
+
+
+@dataclass(frozen=True)
+class Run:
+    """Quads that are drawn in one call."""
+
+    kind: Kind
     instances: Instances
 
 
 def pack(picture: DrawList) -> list[Run]:
     """All quads of a picture from back to front: strokes below, what stands still, shadows, what moves, strokes above.
 
-    Few calls: what has no texture is joined with its neighbours.
+    Few calls: neighbours of the same kind are joined.
     """
     items, shapes = picture.shapes, pack_shapes(picture)
     textured, moving = (items.texture != NONE), items.moving
-    parts: Sequence[tuple[bool, Instances]] = (
+    layers: Sequence[tuple[bool, Instances]] = (
         (False, _lines(picture.below)), (False, shapes[~moving & ~textured]), (True, shapes[~moving & textured]),
         (False, _shadows(shapes, picture)), (False, shapes[moving & ~textured]), (True, shapes[moving & textured]),
         (False, _lines(picture.above)),
     )  # fmt: skip
-    filled = [part for part in parts if len(part[1])]
-    runs = groupby(filled, key=itemgetter(0))
+    parts = [part for layer in layers for part in _by_outline(*layer)]
+    runs = groupby(parts, key=itemgetter(0))
     return [Run(kind, _joined([instances for _, instances in each])) for kind, each in runs]
+
+
+def _by_outline(textured: bool, layer: Instances) -> Iterator[tuple[Kind, Instances]]:
+    """A layer in parts that are outlined or not, in its order; a motley one as a whole."""
+    if len(layer) == 0:
+        return
+    outlined = layer["detail"][:, 3] != 0.0
+    cuts = np.flatnonzero(outlined[1:] != outlined[:-1]) + 1
+    if len(cuts) >= MOST_PARTS:
+        yield Kind(textured, True), layer
+        return
+    for start, end in pairwise([0, *cuts.tolist(), len(layer)]):
+        yield Kind(textured, bool(outlined[start])), layer[start:end]
 
 
 def _joined(parts: Sequence[Instances]) -> Instances:

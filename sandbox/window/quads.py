@@ -7,7 +7,8 @@ from typing import Any
 
 import moderngl
 
-from sandbox.window.instances import INSTANCE, Instances
+from sandbox.render.camera import Camera
+from sandbox.window.instances import INSTANCE, Instances, Kind
 
 _NAMES = tuple(INSTANCE.names or ())
 
@@ -21,19 +22,23 @@ def shader(name: str, *defined: str) -> str:
 class Quads:
     """Draws quads, a call for each run; a run has a buffer of its own, so that none waits for the one before it."""
 
-    def __init__(self, context: Any, corners: Any, textured: bool) -> None:
-        """`corners` is a buffer with those of a quad; `textured`: the quads have textures."""
-        defined = ("TEXTURED",) if textured else ()
-        self.program = context.program(*(shader(f"shapes.{kind}.glsl", *defined) for kind in ("vert", "frag")))
-        self.program["vertices"].value = 0
-        if textured:
+    def __init__(self, context: Any, corners: Any, kind: Kind) -> None:
+        """`corners` is a buffer with those of a quad; `kind` is what the shader is made to do for these quads."""
+        defined = [name for name, wanted in (("TEXTURED", kind.textured), ("OUTLINED", kind.outlined)) if wanted]
+        self.program = context.program(*(shader(f"shapes.{stage}.glsl", *defined) for stage in ("vert", "frag")))
+        if kind.outlined:
+            self.program["vertices"].value = 0
+        if kind.textured:
             self.program["textures"].value = 1
-        self._context, self._corners, self._textured = context, corners, textured
+        self._context, self._corners, self._kind = context, corners, kind
         self._slots: list[tuple[int, Any, Any]] = []
         self._drawn = 0
 
-    def begin(self) -> None:
-        """A picture begins."""
+    def begin(self, camera: Camera) -> None:
+        """A picture begins, as `camera` sees it."""
+        self.program["screen"].value = camera.size
+        if self._kind.outlined:
+            self.program["scale"].value = camera.scale
         self._drawn = 0
 
     def draw(self, instances: Instances) -> None:
@@ -54,6 +59,8 @@ class Quads:
     def _slot(self, count: int) -> tuple[int, Any, Any]:
         """Room for `count` instances: how many, the buffer, and how it is read."""
         buffer = self._context.buffer(reserve=count * INSTANCE.itemsize, dynamic=True)
-        layout, names = ("2f 2f 4f 4f 3u4 4f/i", _NAMES) if self._textured else ("2f 2f 4f 4f 3u4 16x/i", _NAMES[:-1])
+        layout, names = (
+            ("2f 2f 4f 4f 3u4 4f/i", _NAMES) if self._kind.textured else ("2f 2f 4f 4f 3u4 16x/i", _NAMES[:-1])
+        )
         parts = [(self._corners, "2f", "corner"), (buffer, layout, *names)]
         return count, buffer, self._context.vertex_array(self.program, parts)

@@ -15,10 +15,10 @@ from sandbox.render.draw_list import build_draw_list
 from sandbox.render.frame import capture
 from sandbox.render.theme import DARK
 from sandbox.scene.flat import FlatBody, FlatScene
-from sandbox.window.instances import TRIM_PIXELS, pack_shapes
+from sandbox.window.instances import MOST_PARTS, TRIM_PIXELS, pack, pack_shapes
 from sandbox.world.build import build_state
 from sandbox.world.state import State
-from tests.render.stages import box, zoo
+from tests.render.stages import box, ngon, zoo
 
 
 def packed(state: State, camera: Camera) -> np.ndarray:
@@ -47,3 +47,18 @@ def test_cutting_a_huge_box_changes_nothing_in_the_window(x: float, angle: float
     assert abs(to[0] * b - to[1] * a) < 0.05
     assert abs(to[0] * a + to[1] * b) + 760.0 < quad["extent"][0]
     assert quad["extent"][1] == pytest.approx(scale, rel=1e-6)
+
+
+@given(st.lists(st.booleans(), min_size=1, max_size=60))
+def test_runs_keep_the_order_and_polygons_are_drawn_by_the_shader_that_knows_them(polygons: list[bool]) -> None:
+    shapes = [ngon(5, 0.5) if one else box(1.0, 1.0) for one in polygons]
+    bodies = [FlatBody(f"b{k}", "static", (shape,), (1.5 * k, 0.0)) for k, shape in enumerate(shapes)]
+    state = build_state(FlatScene(tuple(bodies)))
+    camera = Camera((45.0, 0.0), 10.0, (1280, 800))
+    picture = build_draw_list(capture(state), camera, choose_colors(state.names, state.bodies.type, DARK))
+    runs = pack(picture)
+    places = [quad.tobytes() for run in runs for quad in run.instances]
+    shown = [places.index(quad.tobytes()) for quad in pack_shapes(picture)]
+    assert shown == sorted(shown)
+    assert all(run.kind.outlined for run in runs if (run.instances["detail"][:, 3] != 0.0).any())
+    assert len(runs) <= MOST_PARTS + 2

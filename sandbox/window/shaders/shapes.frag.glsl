@@ -2,9 +2,6 @@
 // Signed distances in pixels, so that one pixel of coverage is one unit of distance and edges are equally crisp
 // at every zoom. Distance functions after Inigo Quilez, "2D distance functions".
 
-uniform sampler2D vertices;  // polygon vertices in metres, one a texel, 1024 a row
-uniform float scale;         // pixels a metre
-
 in vec2 place;
 flat in vec4 f_extent, f_detail;
 flat in uvec3 f_paints;
@@ -26,6 +23,10 @@ float box_distance(vec2 p, vec2 half_size) {
     vec2 d = abs(p) - half_size;
     return length(max(d, 0.0)) + min(max(d.x, d.y), 0.0);
 }
+
+#ifdef OUTLINED
+uniform sampler2D vertices;  // polygon vertices in metres, one a texel, 1024 a row
+uniform float scale;         // pixels a metre
 
 vec2 vertex(int i) {
     return texelFetch(vertices, ivec2(i & 1023, i >> 10), 0).xy * scale;
@@ -67,6 +68,11 @@ float core_distance(vec2 p, int first, int count) {
     if (count == 0) return box_distance(p, f_extent.xy);
     return count > 0 ? polygon_distance(p, first, count) : outline_distance(p, first, -count);
 }
+#else
+float core_distance(vec2 p, int first, int count) {
+    return box_distance(p, f_extent.xy);
+}
+#endif
 
 float stroke_distance(vec2 p, float from, float to) {
     return length(p - vec2(clamp(p.x, from, to), 0.0));
