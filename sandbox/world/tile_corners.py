@@ -14,6 +14,10 @@ from sandbox.world.tile_outlines import Corners, Outlines, Tiles
 
 _FAR = 1e-4
 """A tile this far from a corner, in metres, has no say there."""
+_MOST_AROUND = 64
+"""Where more tiles than this lie around a corner, it is not looked for who goes on there: each would be held against
+all, and what so many make up is no outline that a body could catch on.
+"""
 _NONE = -1
 """In the place of an edge: no side of the whole ends or begins there."""
 
@@ -34,7 +38,8 @@ def sides_at_corners(
     near = _Company.of(outlines, (corners, own, np.flatnonzero(~(ends & begins))), one, two)
     buried = np.zeros(len(corners), np.bool_)
     buried[near.places[near.heights < -NEAR]] = True
-    _Search(outlines, corners, own, near.only(~buried[near.places])).go_on(arriving, leaving)
+    crowded = np.bincount(near.places, minlength=len(corners)) > _MOST_AROUND
+    _Search(outlines, corners, own, near.only(~(buried | crowded)[near.places])).go_on(arriving, leaving)
     before = np.where(arriving == _NONE, leaving, arriving)
     after = np.where(leaving == _NONE, arriving, leaving)
     return np.where(buried, _NONE, before), np.where(buried, _NONE, after)

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from sandbox import SetPose
 from sandbox.scene.flat import FlatBody, FlatShape
+from sandbox.world import tile_corners
 from sandbox.world.build import build_state
 from sandbox.world.records import SEAMED
 from sandbox.world.state import State
@@ -104,6 +105,29 @@ def test_a_crowd_in_one_place():
         for k in range(50)
     ]
     assert check(build_state(scene(*crowd))) == 50
+
+
+def pinwheel(count: int) -> list[FlatBody]:
+    """Tiles that all turn one of their corners to the same place."""
+    corner = polygon((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))
+    return [body(f"{k}", corner, type="static", angle=2 * np.pi * k / count) for k in range(count)]
+
+
+def test_where_a_crowd_meets_in_a_point_no_tile_is_held_against_all_the_others(monkeypatch):
+    """That would take the cube of their number."""
+    asked: list[int] = []
+    is_free = tile_corners._Search._is_free
+
+    def counted(search, places, tiles, edges, ahead):
+        asked.append(len(places))
+        return is_free(search, places, tiles, edges, ahead)
+
+    monkeypatch.setattr(tile_corners._Search, "_is_free", counted)
+    check(build_state(scene(*pinwheel(30))))
+    assert sum(asked) > 0
+    asked.clear()
+    build_state(scene(*pinwheel(200)))
+    assert sum(asked) == 0
 
 
 @pytest.mark.parametrize("missing", [None, 1, 16, 37])
