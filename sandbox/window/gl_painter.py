@@ -28,7 +28,7 @@ class GlPainter:
         self._vertices: Any = None
         self._quads: dict[Kind, Quads] = {}
         """By what they need of the shader: a program is made when the first of its kind is drawn."""
-        self._textures = _texture_array(context)
+        self._textures: Any = None
         self._region_program = context.program(shader("region.vert.glsl"), shader("region.frag.glsl"))
 
     def paint(self, picture: DrawList) -> None:
@@ -37,7 +37,8 @@ class GlPainter:
         for quads in self._quads.values():
             quads.begin(picture.camera)
         self._vertices.use(0)
-        self._textures.use(1)
+        if self._textures is not None:
+            self._textures.use(1)
         self.context.clear(*picture.theme.background)
         self.context.enable_only(moderngl.BLEND)
         self.context.blend_func = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA
@@ -49,6 +50,9 @@ class GlPainter:
             self._quads_of(PLAIN, picture.camera).draw(pack_strokes(layer.strokes))
 
     def _quads_of(self, kind: Kind, camera: Camera) -> Quads:
+        if kind.textured and self._textures is None:
+            self._textures = _texture_array(self.context)
+            self._textures.use(1)
         if kind not in self._quads:
             self._quads[kind] = Quads(self.context, self._corners, kind)
             self._quads[kind].begin(camera)
