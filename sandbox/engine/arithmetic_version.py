@@ -37,6 +37,9 @@ NOTES: dict[int, str] = {
     "straight line",
     17: "a pile takes finer substeps for no more of its weight than what it stands on bears: what falls takes none; "
     "the body at which a group of impacts begins is no longer left out of a hard blow in the same substep",
+    18: "what hard blows without restitution reach is stopped as a step begins and where gaps close, no longer as each "
+    "substep begins; only contacts of bodies that overlap deeply take eight relax passes, no longer those of others "
+    "that are struck or new beside them",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

@@ -22,7 +22,7 @@ from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.batches import BLOCKS
 from sandbox.engine.records.bodies import SolverBodies
-from sandbox.engine.records.ccd import STRUCK, Ccd
+from sandbox.engine.records.ccd import NEW, STRUCK, Ccd
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.state import StateTables
@@ -153,11 +153,11 @@ def solve_batches(
         stop = batches.first_impact[batch + 1]
         slots: Any = batches.impacts[start:stop]
         impacts = ImpactList(slots, stop - start, threshold)
-        block_count, unsettled_count, struck_count = fill_blocks(solver.colors, own, batch)
-        prepare_contacts(bodies, contacts.now, own, block_count, team, spring, share.impacts)
-        todo = Pass(level, batch, held, block_count, unsettled_count, struck_count, share.unsettled, share.impacts)
+        ranges = fill_blocks(solver.colors, own, batch)
+        prepare_contacts(bodies, contacts.now, own, ranges.total, team, spring, share.impacts)
+        todo = Pass(level, batch, held, ranges, share.unsettled & NEW != 0, share.impacts)
         frozen += run_substeps(state, active, solver, contacts.now, own, impacts, joints, team, members, todo)
-        store_impulses(bodies, solver.flags, contacts, own, block_count, team, spring)
+        store_impulses(bodies, solver.flags, contacts, own, ranges.total, team, spring)
     if frozen > 0:
         atomic_add(workers.words, FROZEN, frozen)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from sandbox._jit import inlined_kernel, kernel
+from sandbox._jit import kernel
 from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.bodies.free_flight import Flight, fly
 from sandbox.engine.bodies.integrate import integrate_positions, integrate_velocities, prepare_forces
@@ -19,8 +19,7 @@ from sandbox.engine.joints.records import JointWork
 from sandbox.engine.joints.solve import prepare_move, relax_joints, select_parts, solve_joints
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
-from sandbox.engine.records.ccd import NEW, OVERLAPS
-from sandbox.engine.records.contact_blocks import ContactBlocks, SoftContact
+from sandbox.engine.records.contact_blocks import BlockRanges, ContactBlocks, SoftContact
 from sandbox.engine.records.state import StateTables
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.restitution.impacts import ImpactList, resolve_impacts, resolve_late_impacts
@@ -43,22 +42,19 @@ RELAX_DEEP = 8
 
 
 class Pass(NamedTuple):
-    """What is solved: the islands of a substep level, in so many blocks of contacts. The first `held_count` of their
+    """What is solved: the islands of a substep level, whose contacts are in `blocks`. The first `held_count` of their
     bodies are touched or held by something, the others fly freely.
 
-    The first `unsettled_count` of them are of unsettled bodies, whose bits `unsettled` has: these take a rigid pass
-    first, once, if some are `NEW` to each other, and more relax passes than the others if some overlap deeply. The
-    first `struck_count` of them are of bodies that a hard impact without restitution reaches. Batch 0 has the joints
-    and what is dragged. `impacts` says that some contact of the level may have one with restitution.
+    Blocks of unsettled bodies take a rigid pass first, once, if `new` says that some body of the level is to another,
+    those of bodies that overlap deeply take more relax passes than all others. Batch 0 has the joints and what is
+    dragged. `impacts` says that some contact of the level may have one with restitution.
     """
 
     level: int
     batch: int
     held_count: int
-    block_count: int
-    unsettled_count: int
-    struck_count: int
-    unsettled: int
+    blocks: BlockRanges
+    new: bool
     impacts: bool
 
 
@@ -72,35 +68,29 @@ def unsettled_bits(bodies: Records, rows: Integers, free_motions: Records, ccd_b
     return found
 
 
-@inlined_kernel
-def relax_count(unsettled: int) -> int:
-    """How many relax passes contacts of unsettled bodies take; all others take one."""
-    return RELAX_DEEP if unsettled & OVERLAPS else 1
-
-
 @kernel
 def relax_contacts(
     motions: Records,
     blocks: ContactBlocks,
-    count: int,
-    unsettled: int,
+    ranges: BlockRanges,
     workers: Workers,
     relax: SoftContact,
-    passes: int,
     accumulate: bool,
 ) -> None:
-    """Take back the velocity that pushes overlaps apart: so many passes over the `unsettled` first blocks, one over the
-    others of `count`."""
-    for turn in range(passes):
+    """Take back the velocity that pushes overlaps apart: `RELAX_DEEP` passes over what overlaps deeply, of which the
+    last goes over all blocks."""
+    first = ranges.deep_first
+    end = ranges.deep_end
+    for turn in range(RELAX_DEEP - 1 if first < end else 0):
         if not accumulate:
-            forget_impulses(blocks, 0, unsettled)
+            forget_impulses(blocks, first, end)
         if turn == 0:
-            solve_contacts(motions, blocks, 0, unsettled, workers, relax)
+            solve_contacts(motions, blocks, first, end, workers, relax)
         else:
-            solve_again(motions, blocks, unsettled, workers, relax)
+            solve_again(motions, blocks, first, end, workers, relax)
     if not accumulate:
-        forget_impulses(blocks, unsettled, count)
-    solve_contacts(motions, blocks, unsettled, count, workers, relax)
+        forget_impulses(blocks, 0, ranges.total)
+    solve_contacts(motions, blocks, 0, ranges.total, workers, relax)
 
 
 @kernel
@@ -127,8 +117,9 @@ def run_substeps(
     free_motions = solver.free_motions
     level = todo.level
     rest = todo.batch == 0
-    count = todo.block_count
-    unsettled = todo.unsettled_count
+    count = todo.blocks.total
+    unsettled = todo.blocks.unsettled
+    struck_count = todo.blocks.struck
     substeps = setting.substeps << level
     seconds = setting.step_seconds / substeps
     closing = 1.0 / seconds if setting.speculative == 1 else AT_ONCE
@@ -138,7 +129,6 @@ def run_substeps(
     relax = SoftContact(closing, 0.0, 0.0, 0.0, WAIT, OVER_RELAXATION)
     accumulate = setting.accumulate == 1
     warm = accumulate and setting.warm_starting == 1
-    relax_passes = relax_count(todo.unsettled)
     gravity = math.sqrt(setting.gravity_x * setting.gravity_x + setting.gravity_y * setting.gravity_y)
 
     if joints is not None and rest:
@@ -152,8 +142,8 @@ def run_substeps(
     for substep in range(substeps):
         integrate_velocities(rows, solver, workers)
         resolve_impacts(bodies, solver, contacts, impacts, seconds)
-        if todo.struck_count > 0:
-            stop_struck(bodies, solver, struck, blocks, todo.struck_count, workers, rigid)
+        if struck_count > 0 and substep == 0:
+            stop_struck(bodies, solver, struck, blocks, struck_count, workers, rigid)
         if rest:
             solve_mouse_joints(state, solver, level, seconds)
         frozen += guard_velocities(bodies, rows, motions, solver.forces, active.info, now)
@@ -163,7 +153,7 @@ def run_substeps(
             forget_impulses(blocks, 0, count)
         if joints is not None and rest:
             solve_joints(joints, motions, free_motions, seconds, workers)
-        if todo.unsettled & NEW and substep == 0:
+        if todo.new and substep == 0:
             # What was just put there has no impulses yet, and soft contacts alone would let it slip until it has.
             if now == 0 and spring.yields > 0.0:
                 put_down(bodies, solver, struck, contacts, blocks, unsettled, workers, rigid, spring, gravity)
@@ -177,10 +167,10 @@ def run_substeps(
         integrate_positions(rows, solver, gravity, seconds, workers)
         if todo.impacts:
             resolve_late_impacts(bodies, rows, solver, contacts, impacts, level, seconds)
-        if todo.struck_count > 0:  # the relax pass would stop what now touches, a contact at a time
-            stop_late(bodies, solver, struck, blocks, todo.struck_count, workers, rigid)
+        if struck_count > 0:  # the relax pass would stop what now touches, a contact at a time
+            stop_late(bodies, solver, struck, blocks, struck_count, workers, rigid)
         if joints is not None and rest:
             relax_joints(joints, motions, free_motions, seconds, workers)
         if setting.relax == 1:
-            relax_contacts(motions, blocks, count, unsettled, workers, relax, relax_passes, accumulate)
+            relax_contacts(motions, blocks, todo.blocks, workers, relax, accumulate)
     return frozen

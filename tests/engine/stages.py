@@ -22,7 +22,7 @@ from sandbox.engine.memory.scratch import Scratch
 from sandbox.engine.narrow_phase import find_contacts as narrow_phase
 from sandbox.engine.narrow_phase import speculative
 from sandbox.engine.records.colliders import BOX, FILTER, PAIR
-from sandbox.engine.records.contact_blocks import SoftContact
+from sandbox.engine.records.contact_blocks import BlockRanges, SoftContact
 from sandbox.engine.records.state import StateTables
 from sandbox.engine.restitution import impacts
 from sandbox.engine.restitution.impacts import ImpactList
@@ -172,7 +172,7 @@ class Paused:
         s, m = self.state, self.scratch
         self.colors = color_contacts(s.bodies, m.active, m.solver, m.ccd.bodies, m.contacts, 0, False, False, m.blocks)
         sort_contacts(m.contacts, m.solver.batches, m.blocks, 1)
-        self.blocks, _, _ = fill_blocks(m.solver.colors, m.blocks, 0)
+        self.blocks = BlockRanges(*fill_blocks(m.solver.colors, m.blocks, 0)).total
         assert self.blocks <= len(m.blocks.blocks)
         self.prepare()
 

@@ -11,11 +11,21 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox.engine.bodies.flags import IMMOVABLE
-from sandbox.engine.contact_solver.blocks import ALL_COLORS, LANES, MAX_COLORS, SETTLED, UNSETTLED
+from sandbox.engine.contact_solver.blocks import (
+    ALL_COLORS,
+    DEEP,
+    KIND,
+    LANES,
+    MAX_COLORS,
+    SETTLED,
+    STRUCK_AND_DEEP,
+    UNSETTLED,
+)
 from sandbox.engine.contact_solver.further_colors import MOST_WORDS
 from sandbox.engine.contact_solver.graph_coloring import FREE, IS_UNSETTLED, lowest_free
 from sandbox.engine.memory.scratch import Scratch
-from sandbox.engine.records.contact_blocks import BLOCK
+from sandbox.engine.records.ccd import NEW, OVERLAPS, STRUCK
+from sandbox.engine.records.contact_blocks import BLOCK, BlockRanges
 from sandbox.world.build import build_state
 from tests.engine.stages import fill_blocks, sort_contacts, stage
 from tests.examples import examples
@@ -27,7 +37,7 @@ free_color = stage(lowest_free)
 
 
 def laid(pairs: list[naive.Pair], colors: list[int], movable: list[bool], room: int) -> list[naive.Block]:
-    """The blocks that the engine makes, when there are so many, and how many of them come first as unsettled."""
+    """The blocks that the engine makes, when there are so many; the ranges of their kinds are right."""
     memory = Scratch.for_state(EMPTY, LANES * room + len(pairs))
     contacts, blocks = memory.contacts, memory.blocks._replace(blocks=BLOCK.zeros(room))
     contacts.now.body_a[: len(pairs)] = [a for a, _ in pairs]
@@ -38,28 +48,41 @@ def laid(pairs: list[naive.Pair], colors: list[int], movable: list[bool], room: 
     blocks.sets[:] = blocks.further[:] = blocks.further_heads[:] = 12345
     taken = np.where(movable, 7, IMMOVABLE)
     sort_contacts(contacts, memory.solver.batches, blocks, 1)
-    used, unsettled, struck = fill_blocks(taken, blocks, 0)
+    ranges = BlockRanges(*fill_blocks(taken, blocks, 0))
     found = []
-    for block in blocks.blocks[:used]:
+    for block in blocks.blocks[: ranges.total]:
         slots = blocks.slots[block.first : block.first + block.count]
         assert [(s.body_a, s.body_b) for s in slots] == [pairs[s.contact] for s in slots]
         found.append(naive.Block(bool(block.serial), tuple(int(s.contact) for s in slots)))
-    assert unsettled == sum(colors[block.contacts[0]] < SETTLED for block in found)
-    assert struck == sum(colors[block.contacts[0]] < UNSETTLED for block in found)
+    kinds = [colors[block.contacts[0]] // KIND * KIND for block in found]
+    assert kinds == sorted(kinds)
+    assert ranges.unsettled == sum(kind < SETTLED for kind in kinds)
+    assert ranges.struck == sum(kind in (0, STRUCK_AND_DEEP) for kind in kinds)
+    deep = [n for n, kind in enumerate(kinds) if kind in (STRUCK_AND_DEEP, DEEP)]
+    assert list(range(ranges.deep_first, ranges.deep_end)) == deep
     return found
 
 
-def colored(pairs: list[naive.Pair], movable: list[bool], unsettled: set[int]) -> list[int]:
-    """The first colours, as `color_contacts` gives them."""
+def colored(pairs: list[naive.Pair], movable: list[bool], unsettled: dict[int, int]) -> list[int]:
+    """The first colours, as `color_contacts` gives them; `unsettled` has the bits of bodies that are."""
     found = naive.lowest_colors(pairs, range(len(pairs)), movable)
     return [
-        -1 if not (movable[a] or movable[b]) else found[k] + (0 if {a, b} & unsettled else SETTLED)
+        -1
+        if not (movable[a] or movable[b])
+        else found[k] + kind_of(unsettled.get(a, 0) | unsettled.get(b, 0), bool({a, b} & set(unsettled)))
         for k, (a, b) in enumerate(pairs)
     ]
 
 
+def kind_of(bits: int, unsettled: bool) -> int:
+    """The first colour of contacts of bodies with these bits."""
+    struck, deep = bool(bits & STRUCK), bool(bits & OVERLAPS)
+    kinds = {(True, False): 0, (True, True): STRUCK_AND_DEEP, (False, True): DEEP, (False, False): UNSETTLED}
+    return kinds[struck, deep] if unsettled else SETTLED
+
+
 @st.composite
-def crowds(draw: Any) -> tuple[list[naive.Pair], list[bool], set[int]]:
+def crowds(draw: Any) -> tuple[list[naive.Pair], list[bool], dict[int, int]]:
     """Many contacts of few bodies: some with all others, some of which cannot move."""
     bodies = draw(st.integers(2, 40))
     random = np.random.default_rng(draw(st.integers(0, 10**6)))
@@ -70,8 +93,8 @@ def crowds(draw: Any) -> tuple[list[naive.Pair], list[bool], set[int]]:
     pairs = [(int(min(pair)), int(max(pair))) for pair in zip(first, second, strict=True)]
     pairs = sorted(pairs) if draw(st.booleans()) else pairs
     movable = (random.random(bodies) > draw(st.sampled_from([0.0, 0.3]))).tolist()
-    unsettled = set(np.flatnonzero(random.random(bodies) < draw(st.sampled_from([0.0, 0.1, 1.0]))).tolist())
-    return pairs, movable, unsettled
+    unsettled = np.flatnonzero(random.random(bodies) < draw(st.sampled_from([0.0, 0.1, 1.0]))).tolist()
+    return pairs, movable, {body: int(random.integers(1, (NEW | OVERLAPS | STRUCK) + 1)) for body in unsettled}
 
 
 @given(crowds(), st.integers(0, 30))
@@ -89,7 +112,7 @@ def test_as_many_colours_as_are_asked_for_at_a_time_and_more():
     times = 110
     pairs = [pair for pair in combinations(range(bodies), 2) for _ in range(times)]
     movable = [True] * bodies
-    colors = colored(pairs, movable, set())
+    colors = colored(pairs, movable, {})
     found = laid(pairs, colors, movable, 10_000)
     assert found == naive.fill_blocks(pairs, colors, movable, 10_000)
     assert (bodies - 1) * times > MOST_WORDS * MAX_COLORS  # a colour each, as they share a body
@@ -99,7 +122,7 @@ def test_as_many_colours_as_are_asked_for_at_a_time_and_more():
 def test_a_hub_leaves_its_contacts_to_be_solved_one_by_one():
     pairs = [(0, k) for k in range(1, 301)]
     movable = [True] * 301
-    colors = colored(pairs, movable, set())
+    colors = colored(pairs, movable, {})
     found = laid(pairs, colors, movable, 1000)
     assert found == naive.fill_blocks(pairs, colors, movable, 1000)
     assert sum(len(block.contacts) for block in found if block.serial) == 300 - MAX_COLORS

@@ -10,6 +10,7 @@ import pytest
 
 from sandbox.engine.contact_solver import soft_constraint
 from sandbox.engine.contact_solver.blocks import KIND, LANES, MAX_COLORS
+from sandbox.engine.records.contact_blocks import BlockRanges
 from sandbox.engine.substeps import OVER_RELAXATION
 from sandbox.engine.world import World
 from sandbox.reference.simple.bodies import Body
@@ -248,11 +249,11 @@ def test_the_plank_has_serial_contacts():
 def test_contacts_of_unsettled_bodies_come_first(paused):
     scratch, bodies = paused.scratch, paused.state.bodies
     unsettled = (scratch.ccd.bodies.unsettled != 0) & (bodies.inverse_mass > 0.0)
-    blocks, first, struck = fill_blocks(scratch.solver.colors, scratch.blocks, 0)
-    count = int(scratch.blocks.blocks.count[:first].sum())
+    ranges = BlockRanges(*fill_blocks(scratch.solver.colors, scratch.blocks, 0))
+    count = int(scratch.blocks.blocks.count[: ranges.unsettled].sum())
     touch = [unsettled[slot.body_a] or unsettled[slot.body_b] for slot in scratch.blocks.slots[: paused.count]]
-    assert struck == 0
-    assert blocks == paused.blocks
+    assert ranges.struck == 0
+    assert ranges.total == paused.blocks
     assert touch == [True] * count + [False] * (paused.count - count)
 
 

@@ -14,10 +14,13 @@ ENOUGH = 4
 MAX_COLORS = 62
 """Contacts that find no colour below this go into serial blocks, whose lanes are solved one by one."""
 KIND = MAX_COLORS + 1
-"""Colours of one kind of contacts. Those of struck bodies come first, then those of other unsettled ones."""
-UNSETTLED = 1 * KIND
-SETTLED = 2 * KIND
-ALL_COLORS = 3 * KIND
+"""Colours of one kind of contacts. Kinds follow each other so that contacts of struck bodies, of bodies that overlap
+deeply, and of all unsettled ones are a range each: those of bodies that are only struck come first."""
+STRUCK_AND_DEEP = 1 * KIND
+DEEP = 2 * KIND
+UNSETTLED = 3 * KIND
+SETTLED = 4 * KIND
+ALL_COLORS = 5 * KIND
 
 # What every pass reads comes first, so that the lines behind it are not fetched.
 NORMAL_X = 0 * LANES

@@ -4,23 +4,31 @@ from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.active.island_batches import batch_of
-from sandbox.engine.contact_solver.blocks import ALL_COLORS, KIND, LANES, MAX_COLORS, SETTLED, UNSETTLED
+from sandbox.engine.contact_solver.blocks import (
+    ALL_COLORS,
+    DEEP,
+    KIND,
+    LANES,
+    MAX_COLORS,
+    SETTLED,
+    STRUCK_AND_DEEP,
+    UNSETTLED,
+)
 from sandbox.engine.contact_solver.further_colors import color_further
-from sandbox.engine.records.contact_blocks import ContactBlocks
+from sandbox.engine.records.contact_blocks import BlockRanges, ContactBlocks
 from sandbox.engine.records.contacts import Contacts
 from sandbox.tables import Integers, Records
 
 
 @kernel
-def fill_blocks(taken: Integers, blocks: ContactBlocks, batch: int) -> tuple[int, int, int]:
+def fill_blocks(taken: Integers, blocks: ContactBlocks, batch: int) -> BlockRanges:
     """Cut every colour of a batch into blocks, after `sort_contacts`; `blocks.starts` tells where each begins.
 
-    Returns how many blocks that takes, how many of them, the first ones, are of unsettled bodies, and how many of these
-    of struck ones. `taken` is `solver.colors`, as `color_contacts` has left it. Only batch 0 may have contacts that
+    `taken` is `solver.colors`, as `color_contacts` has left it. Only batch 0 may have contacts that
     found no colour.
     """
     heads = blocks.heads[ALL_COLORS * batch :]
-    used = unsettled = struck = 0
+    used = struck = deep_first = deep_end = unsettled = 0
     blocks.starts[0] = 0
     for kind in range(0, ALL_COLORS, KIND):
         for c in range(kind, kind + MAX_COLORS):
@@ -31,9 +39,11 @@ def fill_blocks(taken: Integers, blocks: ContactBlocks, batch: int) -> tuple[int
         if first < end:
             used, first = _color_what_is_left(taken, blocks, used, first, end)
             used = _cut(blocks, used, first, end, True)
-        struck = used if kind < UNSETTLED else struck
+        deep_first = used if kind < STRUCK_AND_DEEP else deep_first
+        struck = used if kind < DEEP else struck
+        deep_end = used if kind < UNSETTLED else deep_end
         unsettled = used if kind < SETTLED else unsettled
-    return used, unsettled, struck
+    return BlockRanges(used, unsettled, struck, deep_first, deep_end)
 
 
 @kernel

@@ -7,10 +7,10 @@ import numpy as np
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.active.islands import unite
 from sandbox.engine.bodies.flags import IMMOVABLE, MOVING_KINEMATIC, is_active
-from sandbox.engine.contact_solver.blocks import MAX_COLORS, SETTLED, UNSETTLED
+from sandbox.engine.contact_solver.blocks import DEEP, MAX_COLORS, SETTLED, STRUCK_AND_DEEP, UNSETTLED
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
-from sandbox.engine.records.ccd import STRUCK
+from sandbox.engine.records.ccd import OVERLAPS, STRUCK
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.contacts import Contacts
 from sandbox.tables import Records
@@ -40,9 +40,9 @@ def color_contacts(
     `mixed` says that there are other levels. `blocks.colors` gets a colour for each active contact, `solver.colors` is
     scratch: the colours that each body's contacts have. Only active bodies count: others are read by the solver but
     not changed. A contact that finds no free colour gets `MAX_COLORS`, the colour of those that are solved one by one;
-    one among sleeping bodies or of another substep level gets -1 and is not solved. Contacts of unsettled bodies have
-    colours of their own below `SETTLED`, which is added to those of all others; struck ones below `UNSETTLED`. Contacts
-    that find no colour get further ones in `fill_blocks`, if there are enough of them.
+    one among sleeping bodies or of another substep level gets -1 and is not solved. Each kind of contacts
+    (`blocks.KIND`) has colours of its own. Contacts that find no colour get further ones in `fill_blocks`, if there are
+    enough of them.
 
     With `islands_too` what contacts join is united in `solver.islands`, and `solver.batches` counts each body and its
     contacts, each of these at one of its two: as `TOO_MANY` where they fit into no batch.
@@ -70,7 +70,7 @@ def color_contacts(
         kind = SETTLED
         if both & IS_UNSETTLED:
             bits = (ccd_bodies[a].unsettled if moves_a else 0) | (ccd_bodies[b].unsettled if moves_b else 0)
-            kind = 0 if bits & STRUCK else UNSETTLED
+            kind = _kind(bits)
         blocks.colors[k] = color + kind
         highest = color if color > highest else highest
         if color < MAX_COLORS:
@@ -84,6 +84,14 @@ def color_contacts(
             driven = moves_a != moves_b and (solver.flags[a] | solver.flags[b]) & MOVING_KINEMATIC != 0
             solver.batches[a if moves_a else b] += TOO_MANY if driven or color == MAX_COLORS else 1
     return highest + 1
+
+
+@inlined_kernel
+def _kind(unsettled: int) -> int:
+    """The first colour of contacts of bodies with these bits of `unsettled`."""
+    if unsettled & STRUCK:
+        return STRUCK_AND_DEEP if unsettled & OVERLAPS else 0
+    return DEEP if unsettled & OVERLAPS else UNSETTLED
 
 
 @inlined_kernel

@@ -27,9 +27,10 @@ from sandbox.tables import Floats, Records
 BLOCK_SIZE = cb.BLOCK_SIZE
 LANES = cb.LANES
 LEAST_WORK = 2_000
-"""So much is done in any case: where there are few contacts all is found to rounding."""
+"""Passes times contacts after which little is enough: where there are few contacts all is found to rounding, and where
+masses differ much may be left to be found in small changes."""
 ROUNDING = 1e-28
-"""Share of the energy where nothing is left but rounding."""
+"""Share of the energy of all changes where nothing is left but rounding."""
 TAKES_PART = 1 << 40
 """`solver.struck` of a body while it is listed as one that takes part: no value that groups of impacts leave there."""
 
@@ -87,11 +88,11 @@ def solve_until_agreed(
         if turn == 0:
             solve_contacts(motions, blocks, 0, block_count, workers, rigid)
         else:
-            solve_again(motions, blocks, block_count, workers, rigid)
+            solve_again(motions, blocks, 0, block_count, workers, rigid)
         energy, change = _measure(bodies, motions, moved)
         changes += change
-        agreed = change <= ROUNDING * changes or (change < effort.agreed * changes and turn * contacts >= LEAST_WORK)
-        if agreed or turn == passes - 1:  # the last is a pass, so that no contact pulls
+        enough = effort.agreed if turn * contacts >= LEAST_WORK else ROUNDING
+        if change <= enough * changes or turn == passes - 1:  # the last is a pass, so that no contact pulls
             return
         agree = agree + 1 if energy <= last_energy else 0
         last_energy = energy

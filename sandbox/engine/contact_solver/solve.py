@@ -72,11 +72,13 @@ def solve_contacts(
 
 
 @kernel
-def solve_again(motions: Records, blocks: ContactBlocks, block_count: int, workers: Workers, soft: SoftContact) -> None:
-    """The same for the first blocks, after a rigid pass over them since which no body has moved."""
+def solve_again(
+    motions: Records, blocks: ContactBlocks, first_block: int, end_block: int, workers: Workers, soft: SoftContact
+) -> None:
+    """The same after a rigid pass over them since which no body has moved."""
     tell_soft(workers.numbers, soft)
     for color in range(color_count(workers, blocks)):
-        first, end = first_part_of_color(workers, SOLVE_AGAIN, blocks, color, (0, block_count))
+        first, end = first_part_of_color(workers, SOLVE_AGAIN, blocks, color, (first_block, end_block))
         while first < end:
             solve_blocks_again(motions, blocks, first, end, soft)
             first, end = next_part(workers, first, end)

@@ -56,6 +56,18 @@ class ContactBlocks(NamedTuple):
     batches: Batches
 
 
+class BlockRanges(NamedTuple):
+    """How many blocks of contacts there are, and which are of what kind: the first `unsettled` ones of unsettled
+    bodies, of these the first `struck` ones of bodies that a hard impact without restitution reaches, and the ones
+    from `deep_first` to before `deep_end` of bodies that overlap deeply."""
+
+    total: int
+    unsettled: int
+    struck: int
+    deep_first: int
+    deep_end: int
+
+
 class SoftContact(NamedTuple):
     """How a pass treats contacts, from `contact_coefficients`.
 
