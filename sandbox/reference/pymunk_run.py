@@ -51,7 +51,9 @@ class PymunkRun:
         """Take bodies out, with all that holds them."""
         for name in names:
             body = self._bodies.pop(name)
-            self._space.remove(body, *body.shapes, *body.constraints)
+            # pymunk's bodies know a constraint until garbage collection takes it, which may be long after its removal.
+            holding = [constraint for constraint in body.constraints if constraint in self._space.constraints]
+            self._space.remove(body, *body.shapes, *holding)
 
     def set_velocity(self, name: str, velocity: Vec, angular_velocity: float) -> None:
         """Give a body a velocity (m/s) and an angular velocity (rad/s)."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import math
 from pathlib import Path
 from typing import Any
@@ -207,6 +208,24 @@ def test_pymunk_lets_go_of_all_contacts_when_it_is_closed() -> None:
             body.each_arbiter(touching.append)
         assert (len(touching) > 100) != close
         touching.clear()
+
+
+def test_bodies_that_hold_each_other_leave_pymunk_one_after_the_other() -> None:
+    """Also while garbage collection waits, as in a race: then a body knows constraints that have gone."""
+    bodies = [{"id": f"disc-{k}", "shapes": DISC, "position": [2 * k, 0]} for k in range(3)]
+    joints = [
+        {"id": f"weld-{k}", "type": "weld", "bodies": [f"disc-{k}", f"disc-{k + 1}"], "anchor": [2 * k + 1, 0]}
+        for k in range(2)
+    ]
+    run = PymunkRun(sandbox.Scene(bodies=bodies, joints=joints).flatten())
+    gc.disable()
+    try:
+        run.remove(["disc-1"])
+        run.remove(["disc-0", "disc-2"])
+    finally:
+        gc.enable()
+    assert (len(run._space.bodies), len(run._space.constraints)) == (0, 0)
+    run.step()
 
 
 def test_what_is_changed_between_steps_is_timed_beside_the_turns() -> None:
