@@ -12,6 +12,7 @@ from sandbox._atomics import atomic_add
 from sandbox._jit import kernel
 from sandbox.engine.active.free_bodies import put_free_last
 from sandbox.engine.active.island_batches import form_batches, sort_impacts, worth_batches
+from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.contact_solver.blocks import BLOCK_SIZE
 from sandbox.engine.contact_solver.fill_blocks import fill_blocks, sort_contacts
 from sandbox.engine.contact_solver.graph_coloring import color_contacts
@@ -28,9 +29,10 @@ from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.state import StateTables
 from sandbox.engine.records.workers import FROZEN, NUMBERS, Workers
 from sandbox.engine.restitution.impacts import ImpactList, list_impact_contacts
-from sandbox.engine.substeps import Pass, run_substeps, unsettled_bits
+from sandbox.engine.substeps import Pass, run_substeps
 from sandbox.engine.workers.parallel_for import first_part, next_part
 from sandbox.engine.workers.task_kinds import IMPACTS, LEVEL, SOLVE_ISLANDS, UNSETTLED
+from sandbox.tables import Integers, Records
 
 
 class Level(NamedTuple):
@@ -74,7 +76,7 @@ def solve_level(
     count = form_batches(rows, solver, state.drags, joints, worth, batches)
     sort_contacts(contacts, solver.batches, blocks, count)
     impacts = _list_impacts(state, solver, contacts, blocks, level, count)
-    bits = unsettled_bits(state.bodies, rows, solver.free_motions, ccd.bodies, number)
+    bits = _unsettled_bits(state.bodies, rows, solver.free_motions, ccd.bodies, number)
     share = Share(number, impacts > 0 or bits & STRUCK != 0, bits, colors)
     _tell(workers, share)
     first = 0
@@ -89,6 +91,16 @@ def solve_level(
             first = end
     state.counters[0].frozen_count += workers.words[FROZEN]
     return int(colors)
+
+
+@kernel
+def _unsettled_bits(bodies: Records, rows: Integers, free_motions: Records, ccd_bodies: Records, level: int) -> int:
+    """What the bodies of a substep level have of the bits of `unsettled`."""
+    found = 0
+    for i in rows:
+        if ccd_bodies[i].unsettled != 0 and free_motions[i].substep_level == level and is_active(bodies[i]):
+            found |= ccd_bodies[i].unsettled
+    return found
 
 
 @kernel

@@ -6,7 +6,6 @@ import math
 from typing import Any, NamedTuple
 
 from sandbox._jit import kernel
-from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.bodies.free_flight import Flight, fly
 from sandbox.engine.bodies.integrate import integrate_positions, integrate_velocities, prepare_forces
 from sandbox.engine.bodies.quarantine import guard_velocities
@@ -56,16 +55,6 @@ class Pass(NamedTuple):
     blocks: BlockRanges
     new: bool
     impacts: bool
-
-
-@kernel
-def unsettled_bits(bodies: Records, rows: Integers, free_motions: Records, ccd_bodies: Records, level: int) -> int:
-    """What the bodies of a substep level have of the bits of `unsettled`."""
-    found = 0
-    for i in rows:
-        if ccd_bodies[i].unsettled != 0 and free_motions[i].substep_level == level and is_active(bodies[i]):
-            found |= ccd_bodies[i].unsettled
-    return found
 
 
 @kernel

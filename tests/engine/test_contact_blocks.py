@@ -18,6 +18,7 @@ from sandbox.engine.contact_solver.blocks import (
     LANES,
     MAX_COLORS,
     SETTLED,
+    STRUCK_ALONE,
     STRUCK_AND_DEEP,
     UNSETTLED,
 )
@@ -57,7 +58,7 @@ def laid(pairs: list[naive.Pair], colors: list[int], movable: list[bool], room: 
     kinds = [colors[block.contacts[0]] // KIND * KIND for block in found]
     assert kinds == sorted(kinds)
     assert ranges.unsettled == sum(kind < SETTLED for kind in kinds)
-    assert ranges.struck == sum(kind in (0, STRUCK_AND_DEEP) for kind in kinds)
+    assert ranges.struck == sum(kind in (STRUCK_ALONE, STRUCK_AND_DEEP) for kind in kinds)
     deep = [n for n, kind in enumerate(kinds) if kind in (STRUCK_AND_DEEP, DEEP)]
     assert list(range(ranges.deep_first, ranges.deep_end)) == deep
     return found
@@ -77,8 +78,10 @@ def colored(pairs: list[naive.Pair], movable: list[bool], unsettled: dict[int, i
 def kind_of(bits: int, unsettled: bool) -> int:
     """The first colour of contacts of bodies with these bits."""
     struck, deep = bool(bits & STRUCK), bool(bits & OVERLAPS)
-    kinds = {(True, False): 0, (True, True): STRUCK_AND_DEEP, (False, True): DEEP, (False, False): UNSETTLED}
-    return kinds[struck, deep] if unsettled else SETTLED
+    if not unsettled:
+        return SETTLED
+    alone, both = (STRUCK_ALONE, STRUCK_AND_DEEP) if struck else (UNSETTLED, DEEP)
+    return both if deep else alone
 
 
 @st.composite

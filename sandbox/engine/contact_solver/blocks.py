@@ -15,7 +15,8 @@ MAX_COLORS = 62
 """Contacts that find no colour below this go into serial blocks, whose lanes are solved one by one."""
 KIND = MAX_COLORS + 1
 """Colours of one kind of contacts. Kinds follow each other so that contacts of struck bodies, of bodies that overlap
-deeply, and of all unsettled ones are a range each: those of bodies that are only struck come first."""
+deeply, and of all unsettled ones are a range each."""
+STRUCK_ALONE = 0 * KIND
 STRUCK_AND_DEEP = 1 * KIND
 DEEP = 2 * KIND
 UNSETTLED = 3 * KIND

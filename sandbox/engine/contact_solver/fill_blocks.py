@@ -24,8 +24,7 @@ from sandbox.tables import Integers, Records
 def fill_blocks(taken: Integers, blocks: ContactBlocks, batch: int) -> BlockRanges:
     """Cut every colour of a batch into blocks, after `sort_contacts`; `blocks.starts` tells where each begins.
 
-    `taken` is `solver.colors`, as `color_contacts` has left it. Only batch 0 may have contacts that
-    found no colour.
+    `taken` is `solver.colors`, as `color_contacts` has left it. Only batch 0 may have contacts that found no colour.
     """
     heads = blocks.heads[ALL_COLORS * batch :]
     used = struck = deep_first = deep_end = unsettled = 0

@@ -7,7 +7,14 @@ import numpy as np
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.active.islands import unite
 from sandbox.engine.bodies.flags import IMMOVABLE, MOVING_KINEMATIC, is_active
-from sandbox.engine.contact_solver.blocks import DEEP, MAX_COLORS, SETTLED, STRUCK_AND_DEEP, UNSETTLED
+from sandbox.engine.contact_solver.blocks import (
+    DEEP,
+    MAX_COLORS,
+    SETTLED,
+    STRUCK_ALONE,
+    STRUCK_AND_DEEP,
+    UNSETTLED,
+)
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.ccd import OVERLAPS, STRUCK
@@ -90,7 +97,7 @@ def color_contacts(
 def _kind(unsettled: int) -> int:
     """The first colour of contacts of bodies with these bits of `unsettled`."""
     if unsettled & STRUCK:
-        return STRUCK_AND_DEEP if unsettled & OVERLAPS else 0
+        return STRUCK_AND_DEEP if unsettled & OVERLAPS else STRUCK_ALONE
     return DEEP if unsettled & OVERLAPS else UNSETTLED
 
 

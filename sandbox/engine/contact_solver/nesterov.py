@@ -27,8 +27,8 @@ from sandbox.tables import Floats, Records
 BLOCK_SIZE = cb.BLOCK_SIZE
 LANES = cb.LANES
 LEAST_WORK = 2_000
-"""Passes times contacts after which little is enough: where there are few contacts all is found to rounding, and where
-masses differ much may be left to be found in small changes."""
+"""Before so many passes times contacts only rounding ends it: few contacts cost little, and where masses differ,
+much may be left to be found though each pass changes little."""
 ROUNDING = 1e-28
 """Share of the energy of all changes where nothing is left but rounding."""
 TAKES_PART = 1 << 40
