@@ -40,6 +40,8 @@ NOTES: dict[int, str] = {
     18: "what hard blows without restitution reach is stopped as a step begins and where gaps close, no longer as each "
     "substep begins; only contacts of bodies that overlap deeply take eight relax passes, no longer those of others "
     "that are struck or new beside them",
+    19: "rigid joints bear what they bore when a world was put down without giving way; what slides as it is put down "
+    "has springs as long as its load asks for, too",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

@@ -103,7 +103,7 @@ def begin(
     info.fastest = _begin_bodies(state, rows, solver, ccd.bodies)
     flag_struck(bodies, contacts, ccd.bodies, solver.struck, blocks.spare, info.fastest)
     if joints is not None:
-        begin_joints(joints, bodies, solver.free_motions, contacts)
+        begin_joints(joints, bodies, solver.free_motions, contacts, state.counters[0].step_count == 0)
     clear_reports(contacts.reports, count)
 
 

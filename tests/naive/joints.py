@@ -72,7 +72,8 @@ def before_the_move(part: Jointed, velocity: Array, seconds: float) -> tuple[Arr
         for r, (joint, slot) in enumerate(part.row_joints()):
             bent = (ahead[r] - now[r]) / seconds - rows[r] @ tried
             bend = bent if is_levered(part.pose, joint, slot) else 0.0
-            kept = left_over(joint, slot, now[r], float(ease[r]) * part.before[r], seconds)
+            beyond = part.before[r] - 0.5 * seconds * preload(joint, slot)
+            kept = left_over(joint, slot, now[r], float(ease[r]) * beyond, seconds)
             laws.append(_law_before(joint, slot, Ahead(now[r], bent, bend, kept, float(ease[r])), seconds))
         last, found = found, impulses(matrix, rows @ velocity, laws)
         assert found is not None, "no choice of pieces fits"
@@ -130,10 +131,15 @@ def spring(joint: Any, slot: int) -> tuple[float, float] | None:
     return (float(hertz), float(ratio)) if hertz > 0.0 else None
 
 
+def preload(joint: Any, slot: int) -> float:
+    """What a row that keeps something bears without giving way (N or N m)."""
+    return float(joint[f"preload_{slot}"]) if slot <= ANGLE else 0.0
+
+
 def left_over(joint: Any, slot: int, error: float, push: float, seconds: float) -> float:
     """What a rigid row, or a limit that is overrun, may have left of its error: what is too much for one substep.
 
-    What it yields to the push that it has borne, the speed (m/s) of its impulse by itself, is no error.
+    What it yields to the push that it has borne beyond its preload, the speed (m/s) of that by itself, is no error.
     """
     if slot == DRIVE:
         error = max(error - float(joint.upper), 0.0) + min(error - float(joint.lower), 0.0) if joint.limit else 0.0
@@ -169,7 +175,8 @@ def _law_before(joint: Any, slot: int, row: Ahead, seconds: float) -> Law:
     if soft is not None:
         place = row.now - (_rest(joint) if slot == SPRING else 0.0) + acting * row.bend
         return _midpoint(*soft, place, 1.0 / row.ease, acting, most)
-    return striving((row.kept - row.now) / seconds - row.bent, YIELD * row.ease, most)
+    borne = YIELD * row.ease * acting * preload(joint, slot)
+    return striving((row.kept - row.now) / seconds - row.bent + borne, YIELD * row.ease, most)
 
 
 def _midpoint(hertz: float, ratio: float, place: float, mass: float, acting: float, strong: float) -> Law:

@@ -41,7 +41,7 @@ def put_down(
 ) -> None:
     """Find what the first blocks of contacts bear in the first step of a world; `moved` is scratch.
 
-    Springs of points at rest get the length that asks for. At rest is what moves against the other body no faster than
+    Springs of points at rest get the length that asks for. At rest is what moves along the normal no faster than
     `gravity` (m/s^2) makes it in a substep.
     """
     listed: Any = moved[: list_bodies(solver, moved, blocks, block_count)]
@@ -61,9 +61,10 @@ def put_down(
 
 @inlined_kernel
 def _rests(free_motions: Records, contact: Records, point: int, slow: float) -> bool:
-    """Whether a point moves against the other body no faster than `slow` (m/s)."""
+    """Whether a point closes in on the other body, or leaves it, no faster than `slow` (m/s); it may slide."""
     x, y = relative_velocity(start_velocity(free_motions, contact), anchors_of(contact, point))
-    return bool(x * x + y * y <= slow * slow)
+    speed = x * contact.normal_x + y * contact.normal_y
+    return bool(-slow <= speed <= slow)
 
 
 @inlined_kernel

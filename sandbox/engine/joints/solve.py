@@ -32,8 +32,11 @@ from sandbox.tables import Records
 
 
 @kernel
-def begin_joints(work: JointWork, bodies: Records, free_motions: Records, contacts: Contacts) -> None:
-    """Load members, find out which parts something bears, and take over the impulses of the last step."""
+def begin_joints(work: JointWork, bodies: Records, free_motions: Records, contacts: Contacts, new: bool) -> None:
+    """Load members, find out which parts something bears, and take over the impulses of the last step.
+
+    In the first step of a world all is `new`.
+    """
     load_members(work, bodies)
     for p in range(work.parts.shape[0]):
         work.parts[p].supported = 0
@@ -48,7 +51,7 @@ def begin_joints(work: JointWork, bodies: Records, free_motions: Records, contac
         work.parts[p].halves = work.parts[p].direct * (1 - work.parts[p].supported)
     read_impulses(work)
     load_hinges(work)
-    fill_batches(work, bodies, free_motions)
+    fill_batches(work, bodies, free_motions, new)
 
 
 @kernel

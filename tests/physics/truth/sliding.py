@@ -58,7 +58,7 @@ def up_and_stay(start: Engine) -> float:
     return max(first, off(way_up(run, angle), truth))
 
 
-@experiment("stopping", "distance, frictions 0.1 to 0.7, 2 to 8 m/s", bound=6e-6)
+@experiment("stopping", "distance, frictions 0.1 to 0.7, 2 to 8 m/s", bound=2e-5)
 def stopping(start: Engine) -> float:
     worst = 0.0
     for mu, speed in ((0.1, 2.0), (0.3, 5.0), (0.3, 8.0), (0.7, 8.0)):

@@ -17,8 +17,11 @@ from sandbox.tables import Floats, Records
 
 
 @kernel
-def fill_batches(work: JointWork, bodies: Records, free_motions: Records) -> None:
-    """Lay all factorised parts that are awake into lanes: masses, poses, joints, and the impulses of the last step."""
+def fill_batches(work: JointWork, bodies: Records, free_motions: Records, new: bool) -> None:
+    """Lay all factorised parts that are awake into lanes: masses, poses, joints, and the impulses of the last step.
+
+    In the first step of a world all are `new`.
+    """
     d = work.direct
     _empty(d)
     for p in range(work.parts.shape[0]):
@@ -33,6 +36,7 @@ def fill_batches(work: JointWork, bodies: Records, free_motions: Records) -> Non
             v[batch.lanes + at.IN_USE + k] = 1.0 if k < batch.count else 0.0
             v[batch.lanes + at.HALVES + k] = float(part.halves)
             v[batch.lanes + at.SEPARATED + k] = 0.0
+            v[batch.lanes + at.NEW + k] = 1.0 if new else 0.0
             _load_bodies(work, bodies, part, batch, k)
             _load_joints(work, part, batch, k)
             _load_rows(work, part, batch, k)
@@ -173,6 +177,7 @@ def _load_rows(work: JointWork, part: Records, batch: Records, k: int) -> None:
             found = slot_impulse(joint, equation.slot)
             v[place + at.IMPULSE] = 0.5 * found if part.halves == 1 else found
             v[place + at.RELAXING] = 0.5 * found if part.halves == 1 else 0.0
+            v[place + at.PRELOAD] = slot_preload(joint, equation.slot)
 
 
 @kernel
@@ -183,3 +188,13 @@ def slot_impulse(joint: Records, slot: int) -> float:
     if slot == 2:
         return float(joint.impulse_2)
     return float(joint.impulse_3 if slot == 3 else joint.impulse_4)
+
+
+@kernel
+def slot_preload(joint: Records, slot: int) -> float:
+    """What a row bears without giving way; only rows that keep a place have a preload."""
+    if slot > 2:
+        return 0.0
+    if slot == 2:
+        return float(joint.preload_2)
+    return float(joint.preload_0 if slot == 0 else joint.preload_1)

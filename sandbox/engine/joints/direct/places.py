@@ -118,7 +118,9 @@ END_X = 6 * WIDTH
 """Jacobian at the second body when the last pass ended."""
 END_Y = 7 * WIDTH
 END_W = 8 * WIDTH
-KEPT_SIZE = 9 * WIDTH
+PRELOAD = 9 * WIDTH
+"""The force (N or N m) that a rigid row bears without giving way: what it bore when the world was put down."""
+KEPT_SIZE = 10 * WIDTH
 
 # A row while a pass works on it.
 JACOBIAN = 0 * WIDTH
@@ -153,4 +155,6 @@ SEPARATED = 1 * WIDTH
 """1 when its joints must not be brought together by velocities."""
 IN_USE = 2 * WIDTH
 """1 where the lane has a part."""
-LANE_SIZE = 3 * WIDTH
+NEW = 3 * WIDTH
+"""1 until the first loads of a world are known."""
+LANE_SIZE = 4 * WIDTH

@@ -65,6 +65,8 @@ def _report(
         row = d.equations[r]
         kept = batch.rows + row.kept + k
         set_slot_impulse(joint, row.slot, v[kept + at.IMPULSE] + v[kept + at.RELAXING])
+        if counter.step_count == 0:
+            set_slot_preload(joint, row.slot, v[kept + at.PRELOAD])
         mean = v[kept + at.TOTAL] / seconds
         x = v[kept + at.END_X]
         y = v[kept + at.END_Y]
@@ -99,3 +101,14 @@ def set_slot_impulse(joint: Records, slot: int, impulse: float) -> None:
         joint.impulse_3 = impulse
     else:
         joint.impulse_4 = impulse
+
+
+@kernel
+def set_slot_preload(joint: Records, slot: int, force: float) -> None:
+    """What a row bore when the world was put down."""
+    if slot == 0:
+        joint.preload_0 = force
+    elif slot == 1:
+        joint.preload_1 = force
+    elif slot == 2:
+        joint.preload_2 = force

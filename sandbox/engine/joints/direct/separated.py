@@ -11,6 +11,7 @@ from __future__ import annotations
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import Mask, Vector, absolute, any_lane, load, select, spread, store
 from sandbox.engine.joints.direct import places as at
+from sandbox.engine.joints.direct.preload import beyond_preload
 from sandbox.engine.joints.direct.records import Batches
 from sandbox.engine.joints.direct.rows import change_impulse, row_error
 from sandbox.engine.joints.direct.targets import is_rigid
@@ -78,7 +79,7 @@ def excess_error(v: Floats, batch: Records, frame: Records, row: Records, second
 def _yielded(v: Floats, batch: Records, row: Records, seconds: float) -> Vector:
     """Error that the softness of a rigid row leaves under the impulse of the last substep, and gives back."""
     kept = batch.rows + row.kept
-    return -seconds * COMPLIANCE * load(v, kept + at.STIFFNESS) * load(v, kept + at.IMPULSE)
+    return -seconds * COMPLIANCE * load(v, kept + at.STIFFNESS) * beyond_preload(v, batch, row, seconds)
 
 
 @kernel
@@ -112,7 +113,7 @@ def _missed(v: Floats, batch: Records, frame: Records, row: Records, seconds: fl
         held = absolute(error - select(stop < 0.0, upper, lower) - may_leave)
         return select(at_stop, held, select(stiff, over, 0.0))
     softness = load(v, row.place + at.SOFTNESS)
-    missed = absolute(error - may_leave + seconds * softness * load(v, kept + at.IMPULSE))
+    missed = absolute(error - may_leave + seconds * softness * beyond_preload(v, batch, row, seconds))
     return select(is_rigid(v, batch, frame, row), missed, 0.0)
 
 

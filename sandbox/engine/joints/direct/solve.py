@@ -11,6 +11,7 @@ from sandbox.engine.joints.direct.geometric_stiffness import add_geometric_stiff
 from sandbox.engine.joints.direct.ldl import assemble, factorize, solve_directly
 from sandbox.engine.joints.direct.pivoting import cap_pairs, choose_rows, clamp_rows, release_bounded
 from sandbox.engine.joints.direct.position_correction import find_corrections
+from sandbox.engine.joints.direct.preload import PRELOAD_TURNS, is_at_rest, take_as_preload
 from sandbox.engine.joints.direct.records import Batches
 from sandbox.engine.joints.direct.reports import accumulate
 from sandbox.engine.joints.direct.rows import change_impulse, fill_rows
@@ -84,8 +85,15 @@ def _solve_positions(d: Batches, batch: Records, seconds: float) -> None:
     separated = load(v, batch.lanes + at.SEPARATED) == 1.0
     if any_lane(separated):
         remove_geometric_stiffness(d, batch, separated)
+    put_down = who & (load(v, batch.lanes + at.NEW) == 1.0)
+    if any_lane(put_down):
+        put_down = put_down & is_at_rest(d, batch)
+        store(v, batch.lanes + at.NEW, spread(0.0))
     _start_warm(d, batch, False)
     settled = _solve(d, batch, seconds, False, who)
+    for _ in range(PRELOAD_TURNS if any_lane(put_down) else 0):
+        take_as_preload(d, batch, seconds, put_down & settled)
+        settled = (settled & ~put_down) | _solve(d, batch, seconds, False, put_down)
     look_ahead(d, batch, seconds)
     measure_frames(d, batch)
     failed = who & ~separated & ~(settled & ~misses_targets(d, batch, seconds))

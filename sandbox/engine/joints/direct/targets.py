@@ -52,8 +52,9 @@ def target_positions(
     if is_brake(frame.kind, row.slot):
         bias = -load(v, joint + at.MOTOR_SPEED) if frame.kind == WHEEL else spread(0.0)
         return Law(bias, spread(0.0), -limit, limit, stop)
-    bias = (ahead - load(v, row.place + at.MAY_LEAVE)) / seconds - speed
     softness = COMPLIANCE * stiffness
+    bias = (ahead - load(v, row.place + at.MAY_LEAVE)) / seconds - speed
+    bias = bias - softness * acting * load(v, kept + at.PRELOAD)
     if row.slot == 3:
         turns = frame.kind == REVOLUTE or frame.kind == PRISMATIC or frame.kind == WHEEL
         rest = rest - load(v, joint + (at.REST if turns else at.LENGTH))
