@@ -146,7 +146,7 @@ def _read(file: Path) -> tuple[Any, bytes] | None:
     try:
         head, _, code = read_bytes(file, _LARGEST).partition(b"\n")
         digest, _, about = head.decode(errors="replace").partition(" ")
-        return (json.loads(about), code) if digest == _digest(about.encode(), code) else None
+        return (json.loads(about), code) if digest == _signature(file, about.encode(), code) else None
     except (OSError, ValueError):
         return None
 
@@ -161,7 +161,7 @@ def write(file: Path | None, about: Any, code: bytes) -> None:
     head = json.dumps(about).encode()
     try:
         _make_way(file)
-        write_bytes(file, _digest(head, code).encode() + b" " + head + b"\n" + code, durable=False)
+        write_bytes(file, _signature(file, head, code).encode() + b" " + head + b"\n" + code, durable=False)
     except OSError as error:
         _tell(error)
 
@@ -185,6 +185,11 @@ def _tell(error: OSError) -> None:
     words = f"machine code cannot be kept in {cache_root()}: {reason}"
     mend = "it is compiled anew by every process until SANDBOX_CACHE_DIR names a folder that can be written to"
     print(f"sandbox: {words}; {mend}", file=sys.stderr, flush=True)
+
+
+def _signature(file: Path, about: bytes, code: bytes) -> str:
+    """Of a whole file under its own name: under another kernel's its code would be called with wrong arguments."""
+    return _digest(file.name.encode(), about, code)
 
 
 def _digest(*parts: bytes) -> str:

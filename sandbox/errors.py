@@ -90,7 +90,9 @@ class QueryError(SandboxError, ValueError):
 
 
 class CapacityError(SandboxError):
-    """A step would need more memory than is allowed; the world is as before the step."""
+    """Too much is in one place: a step would need more memory, or a world more time, than is allowed.
+
+    A world is as before the step."""
 
 
 class CommandError(SandboxError):

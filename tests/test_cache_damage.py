@@ -92,7 +92,13 @@ def unix_socket(path: Path) -> None:
         os.chdir(here)
 
 
+def beside(file: Path) -> Path:
+    """Another whole file of machine code."""
+    return next(other for other in sorted(file.parent.glob("*.code")) if other.name != file.name)
+
+
 DAMAGE: dict[str, Callable[[Path], object]] = {
+    "that of another kernel": lambda file: change(file, lambda data: beside(file).read_bytes()),
     "halved": lambda file: change(file, lambda data: data[: len(data) // 2]),
     "one byte short": lambda file: change(file, lambda data: data[:-1]),
     "emptied": lambda file: change(file, lambda data: b""),

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from sandbox.arguments import checked_count, shown
-from sandbox.attributes import FixedAttributes
+from sandbox.attributes import FixedAttributes, attributes_besides
 from sandbox.batch import column_commands as columns
 from sandbox.batch.fleet import Fleet, Saved
 from sandbox.engine.commands.base import Command
@@ -43,6 +43,12 @@ class Batch(FixedAttributes):
         self._start = self._fleet.saved()
         self.names: tuple[str, ...] = self._fleet.look(0).names
         self._columns = self._fleet.layout.columns(self._fleet.rows.words, "bodies")
+
+    def __reduce_ex__(self, protocol: Any) -> tuple[Any, ...]:
+        """How to make a batch like it: from the scenes and snapshots, never from memory that both would share."""
+        fleet = self._fleet
+        made_of = type(self), fleet.scenes, fleet.threads, self._start, fleet.saved()
+        return _made_again, made_of, attributes_besides(Batch, object.__getstate__(self))
 
     def __len__(self) -> int:
         return len(self._fleet.scenes)
@@ -193,3 +199,12 @@ class Batch(FixedAttributes):
 
     def __repr__(self) -> str:
         return f"<Batch of {len(self)} worlds of {len(self.names)} bodies>"
+
+
+def _made_again(kind: type[Batch], scenes: Sequence[Scene], threads: int, start: Saved, now: Saved) -> Batch:
+    """The batch that `Batch.__reduce_ex__` tells of. A subclass gets its own attributes afterwards."""
+    batch = kind.__new__(kind)
+    Batch.__init__(batch, scenes, threads=threads)
+    batch._start = start
+    batch.restore(now)
+    return batch

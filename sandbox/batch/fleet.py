@@ -57,7 +57,7 @@ class Fleet:
         self.apart: dict[int, World] = {}
         self.ragged: set[int] = set()
         """Worlds that have other bodies than at first, which columns cannot show."""
-        wanted = min(threads or os.cpu_count() or 1, 1 + count // _WORTH_A_THREAD)
+        wanted = self.threads = min(threads or os.cpu_count() or 1, 1 + count // _WORTH_A_THREAD)
         self._lanes = [first, *(LaneWorld(scenes[0]) for _ in range(wanted - 1))]
         self._calls: list[Call | None] = [None] * wanted
         self._pool = ThreadPoolExecutor(wanted - 1, "sandbox-batch") if wanted > 1 else None

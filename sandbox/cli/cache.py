@@ -43,7 +43,7 @@ def cache(
         state = "compiled" if found["compiled"] else "not compiled yet"
         if found["shipped"]:
             state += f", and shipped for {found['shipped']}"
-        print(f"path: {found['path']}\nkey:  {found['key']}\nkernels: {state}, {found['bytes'] / 1e6:.1f} MB")
+        print(f"path: {told(found['path'])}\nkey:  {found['key']}\nkernels: {state}, {found['bytes'] / 1e6:.1f} MB")
 
 
 def _found(fill: bool) -> dict[str, Any]:

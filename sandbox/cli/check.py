@@ -7,10 +7,10 @@ from pathlib import Path
 
 import typer
 
-from sandbox._atomic_write import check_writable
 from sandbox._printable import told
 from sandbox.cli.check_options import CheckOptions
 from sandbox.cli.options import takes, values_set
+from sandbox.cli.output import check_report
 from sandbox.errors import SandboxError
 from sandbox.resources import SCENE_SUFFIX, files_below, find_scene
 
@@ -28,8 +28,7 @@ def check(options: CheckOptions) -> None:
     """
     values = values_set(options.set)
     files = find_files(options.paths, options.only)
-    if options.junit is not None:
-        check_writable(options.junit)
+    check_report("--junit", options.junit, ".xml")
     from sandbox.cli.check_result import exit_code
     from sandbox.cli.check_run import Work, run
 

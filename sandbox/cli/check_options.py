@@ -23,7 +23,7 @@ _STEPS = typer.Option(
 _ONLY = typer.Option("-k", "--only", metavar="TEXT", show_default=False, help="Only files whose path contains TEXT.")
 _REQUIRE = typer.Option("--require-expect", help="A scene that expects nothing fails.")
 _JSON = typer.Option("--json", help="Print one JSON document instead of the table.")
-_JUNIT = typer.Option(metavar="FILE", show_default=False, help="Write a JUnit report as well.")
+_JUNIT = typer.Option(metavar="FILE.xml", show_default=False, help="Write a JUnit report as well.")
 
 
 @dataclass(frozen=True)

@@ -11,10 +11,11 @@ from typing import Any, NamedTuple
 
 from rich.console import Console
 
+from sandbox._printable import told
 from sandbox.cli.check_options import CheckOptions
 from sandbox.cli.check_result import Result
 from sandbox.cli.progress import SceneProgress
-from sandbox.errors import SandboxError
+from sandbox.errors import CapacityError, SandboxError
 
 
 class Work(NamedTuple):
@@ -108,9 +109,11 @@ def examined(
         scene = open_any(file, values)
         if progress is not None:
             progress.begin(file.name, planned_steps(scene, options.steps))
-        told = progress.done if progress is not None else None
-        outcome = run_headless(scene, options.steps, told, options.workers)
+        on_steps = progress.done if progress is not None else None
+        outcome = run_headless(scene, options.steps, on_steps, options.workers)
         return Result(file, scene, outcome, lacking=options.require_expect and not scene.expect)
+    except CapacityError as error:
+        return Result(file, error=SandboxError(f"{told(file)}: {error}"))
     except (SandboxError, OSError) as error:
         return Result(file, error=error)
 

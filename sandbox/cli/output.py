@@ -23,6 +23,16 @@ def check_new(path: Path, force: bool) -> None:
     check_writable(path)
 
 
+def check_report(option: str, path: Path | None, *suffixes: str) -> None:
+    """Raises `SandboxError` if a report that an option asks for ends in none of these, so that none goes over a scene
+    or a recording, and `OSError` if it cannot be written."""
+    if path is None:
+        return
+    if path.suffix.lower() not in suffixes:
+        raise SandboxError(f"{option} {told(path)}: the name must end in {suffixes[0]}")
+    check_writable(path)
+
+
 def put(text: str, output: Path | None) -> None:
     """Write `text` to a file, or print it. Raises `OSError`."""
     if output is not None:

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import os
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import typer
 from typer.core import TyperCommand
 
-from sandbox._atomic_write import check_writable
-from sandbox._printable import told
 from sandbox.cli.options import takes
+from sandbox.cli.output import check_report
 from sandbox.cli.replay_options import ReplayOptions
 from sandbox.errors import SandboxError
 
@@ -43,9 +41,8 @@ def replay(options: ReplayOptions) -> None:
     """
     settings = _settings(options)
     part = _part(options.shard)
-    _check_report(options.report)
-    if options.junit is not None:
-        check_writable(options.junit)
+    check_report("--report", options.report, ".html", ".htm")
+    check_report("--junit", options.junit, ".xml")
     if options.against and (options.tolerance or options.heavy or options.update or options.prune):
         raise SandboxError("--against: two revisions are compared bit for bit, and nothing is renewed")
     from sandbox.cli.replay_run import Work, run
@@ -64,14 +61,6 @@ def _settings(options: ReplayOptions) -> ReplaySettings:
     from sandbox.replay.golden.tolerance import Tolerance
 
     return ReplaySettings(Tolerance() if options.tolerance else None, options.heavy, update, prune)  # type: ignore[arg-type]
-
-
-def _check_report(path: Path | None) -> None:
-    if path is None:
-        return
-    if path.suffix.lower() not in (".html", ".htm"):
-        raise SandboxError(f"--report {told(path)}: the name must end in .html")
-    check_writable(path)
 
 
 def _part(text: str) -> tuple[int, int]:

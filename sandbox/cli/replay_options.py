@@ -23,7 +23,7 @@ _PRUNE = typer.Option("--prune", help="Remove recordings whose scene is gone.")
 _HEAVY = typer.Option("--heavy", help="Take every step from a restored snapshot as well, and compare.")
 _NO_JIT = typer.Option("--no-jit", help="Run the kernels as plain Python: slow, and the same bits.")
 _JSON = typer.Option("--json", help="Print one JSON document instead of the table.")
-_JUNIT = typer.Option(metavar="FILE", show_default=False, help="Write a JUnit report as well.")
+_JUNIT = typer.Option(metavar="FILE.xml", show_default=False, help="Write a JUnit report as well.")
 _REPORT = typer.Option(
     metavar="FILE.html", show_default=False, help="Write a page that shows what did not pass; it needs no server."
 )

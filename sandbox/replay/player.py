@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import copy
+
 from sandbox.arguments import checked_count
 from sandbox.attributes import FixedAttributes
 from sandbox.engine.commands.base import Command
@@ -31,6 +33,10 @@ class Player(FixedAttributes):
         known = run_of(run, "Player")
         self._begin(known, Keyframes(budget))
         self._length = known.steps
+
+    def __copy__(self) -> Player:
+        """One that goes its own way, as a copy of a `World` does."""
+        return copy.deepcopy(self)
 
     @property
     def world(self) -> World:

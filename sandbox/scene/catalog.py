@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
+from sandbox._bounded_read import read_bytes
 from sandbox.resources import SCENE_SUFFIX, scenes_dir, shipped_scenes
 
 _BEGINNERS = "first"
@@ -60,9 +61,10 @@ def entry_of(path: Path, theme: str) -> Entry:
     """Title and about alone are read: whether the scene is right shows when it is opened."""
     name = path.name.removesuffix(SCENE_SUFFIX)
     try:
-        if path.stat().st_size > LARGEST:
+        text = read_bytes(path, LARGEST + 1)
+        if len(text) > LARGEST:
             return Entry(path, name, "", theme)
-        data = json.loads(path.read_text(encoding="utf-8"))
+        data = json.loads(text.decode())
         return Entry(path, str(data.get("title") or name), str(data.get("about", "")), theme)
     except (OSError, ValueError, AttributeError, RecursionError):
         return Entry(path, name, "", theme)

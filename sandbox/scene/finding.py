@@ -49,4 +49,5 @@ def path_of(pointer: str) -> tuple[str, ...]:
 
 def quoted(name: str) -> str:
     """A name from a file in quotes, shortened if it is long."""
-    return f'"{name}"' if len(name) <= 60 else f'"{name[:57]}..."'
+    shown = printable(name if len(name) <= 60 else f"{name[:57]}...")
+    return f'"{shown}"'

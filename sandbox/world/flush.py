@@ -13,12 +13,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from sandbox.errors import CapacityError
 from sandbox.tables import Floats, Integers, Records
 from sandbox.world.records import ONE_WAY, SEAM, SEAMED, STATIC
 from sandbox.world.tile_corners import sides_at_corners
 from sandbox.world.tile_edges import shown_edges
 from sandbox.world.tile_outlines import Corners, Outlines, Tiles
-from sandbox.world.tile_pairs import meeting_tiles
+from sandbox.world.tile_pairs import count_near, meeting_tiles
+
+CROWD, NEIGHBOURS = 2_000_000, 100
+"""So many pairs of static polygons are gone through, counted from both sides, and so many more for each of them: tiles
+in a plane have 19, three layers of them 49. Some 1,450 in one place are as many, and take 8 s."""
 
 
 def with_room_for_tiles(bodies: Records, shapes: Records, seams: Records) -> Records:
@@ -35,13 +40,27 @@ def with_room_for_tiles(bodies: Records, shapes: Records, seams: Records) -> Rec
 
 
 def join_tiles(bodies: Records, shapes: Records, vertices: Records, seams: Records) -> None:
-    """Find out anew which static polygons abut, and write it into the seam table and the traits of the shapes."""
+    """Find out anew which static polygons abut, and write it into the seam table and the traits of the shapes.
+
+    Raises `CapacityError` where too many lie in one place, before they are gone through.
+    """
     tiles = find_tiles(bodies, shapes)
     own = shapes.part[tiles] == 0
     shapes.traits[tiles[own]] &= ~SEAMED
     if int(own.sum()) < 2:
         return
-    join_some(bodies, shapes, seams, Outlines.of(bodies, shapes, vertices, tiles), np.flatnonzero(own))
+    outlines = Outlines.of(bodies, shapes, vertices, tiles)
+    _check_crowd(count_near(outlines), len(tiles))
+    join_some(bodies, shapes, seams, outlines, np.flatnonzero(own))
+
+
+def _check_crowd(near: int, tiles: int) -> None:
+    limit = CROWD + NEIGHBOURS * tiles
+    if near > limit:
+        raise CapacityError(
+            f"{tiles:,} static polygons that lie over each other or side by side make {near:,} pairs; the limit is "
+            f"{limit:,}. Too many are in one place: spread them, or leave out those that others cover"
+        )
 
 
 def join_some(bodies: Records, shapes: Records, seams: Records, outlines: Outlines, asking: Tiles) -> None:

@@ -91,6 +91,14 @@ def meeting_tiles(outlines: Outlines, asking: Tiles) -> Iterator[tuple[Tiles, Ti
         yield one[order], two[order]
 
 
+def count_near(outlines: Outlines) -> int:
+    """How many pairs `meeting_tiles` would look at for all tiles, each from both sides."""
+    boxes = _Boxes.of(outlines)
+    everyone = np.arange(len(outlines.starts))
+    found = (level.near(boxes, everyone) for level in _levels(boxes))
+    return sum(int((ends - starts).sum()) for _, starts, ends in found)
+
+
 def _levels(boxes: _Boxes) -> Iterator[_Level]:
     sizes = [(boxes.right - boxes.left) * _MARGIN, (boxes.high - boxes.low) * _MARGIN]
     exponents = np.stack([np.frexp(each)[1] for each in sizes], axis=1)

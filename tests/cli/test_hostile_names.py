@@ -74,3 +74,22 @@ def test_bytes_that_are_no_text(write_scene: Callable, here: Path) -> None:
         assert done.returncode in (0, 5), done.stderr
         if "--json" in arguments and done.stdout:
             json.loads(done.stdout)
+
+
+def test_what_is_set_that_is_not_there(cli: Callable, write_scene: Callable) -> None:
+    done = cli("check", write_scene("a.scene.json"), "--set", f"vars.{EVIL}=1")
+    assert done.code == 2
+    assert is_clean(done.err), done.err
+
+
+def test_where_the_cache_is(cli: Callable, here: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from sandbox._kernel_cache import cache_folder
+
+    monkeypatch.setenv("SANDBOX_CACHE_DIR", str(here / EVIL))
+    cache_folder.cache_clear()
+    try:
+        done = cli("cache")
+    finally:
+        cache_folder.cache_clear()
+    assert done.code == 0
+    assert is_clean(done.out), done.out

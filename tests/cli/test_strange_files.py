@@ -135,3 +135,15 @@ def test_a_scene_of_a_pipe_is_refused_in_python(here: Path) -> None:
         sandbox.load_scene("a.json")
     with pytest.raises(sandbox.RecordingError, match="it is a pipe, not a regular file"):
         sandbox.Recording.load("a.json")
+
+
+@pytest.mark.parametrize("name", STRANGE)
+def test_a_gallery_shows_the_others(cli: Callable, here: Path, name: str) -> None:
+    folder = here / "all"
+    folder.mkdir()
+    STRANGE[name][0](folder / "strange.scene.json")
+    (folder / "fine.scene.json").write_text(SCENE)
+    done = cli("gallery", folder, "-o", "page.html")
+    assert done.code == 2
+    assert "strange.scene.json" in done.err
+    assert "<h3>fine</h3>" in (here / "page.html").read_text()

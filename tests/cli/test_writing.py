@@ -65,6 +65,17 @@ def test_a_folder_that_is_not_there_is_told_before_anything_runs(
     assert (done.code, "no does not exist" in done.err, done.err.count("\n")) == (2, True, 1)
 
 
+@pytest.mark.parametrize("name", ["a.scene.json", "a.replay.json"])
+@pytest.mark.parametrize("command", ["check", "replay"])
+def test_no_report_goes_over_a_scene_or_a_recording(cli: Callable, command: str, name: str) -> None:
+    """As where the name of the report was forgotten, and the next word is taken for it."""
+    assert cli("record", "a.scene.json", "-o", "a.replay.json").code == 0
+    before = Path(name).read_bytes()
+    done = cli(command, "--junit", name, ".")
+    assert (done.code, done.err) == (2, f"sandbox: --junit {name}: the name must end in .xml\n")
+    assert Path(name).read_bytes() == before
+
+
 class TestRecordingOver:
     """`sandbox record` where there is a file of that name."""
 

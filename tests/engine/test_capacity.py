@@ -9,7 +9,7 @@ from sandbox import CapacityError, Delete
 from sandbox.engine.memory import limit
 from sandbox.engine.world import World
 from sandbox.world.records import CONTACT
-from tests.flat import body, circle, scene, world
+from tests.flat import body, box, circle, scene, world
 
 
 def pile(count: int) -> World:
@@ -69,3 +69,12 @@ def test_more_pairs_take_memory_for_pairs_alone():
     assert w.scratch.joints is joints
     assert w.scratch.solver is solver
     assert w.digest() == same.digest()
+
+
+def test_static_tiles_in_one_place_are_refused_before_they_are_gone_through():
+    """Beside each other, as many are no trouble."""
+    tiles = [body(f"{k}", box(1.0, 1.0), type="static", angle=0.01 * k) for k in range(1600)]
+    with pytest.raises(CapacityError, match=r"1,600 static polygons .* make 2,560,000 pairs; the limit is 2,160,000"):
+        World(scene(*tiles))
+    beside = [body(f"{k}", box(1.0, 1.0), type="static", position=(float(k % 40), float(k // 40))) for k in range(1600)]
+    assert len(World(scene(*beside)).state.bodies) == 1600

@@ -206,3 +206,34 @@ def test_a_world_goes_on_in_another_process():
     done = subprocess.run([sys.executable, "-c", program], input=pickle.dumps(world), capture_output=True, check=True)
     world.step(9)
     assert done.stdout.decode().split() == [world.digest(), str(len(world.events))]
+
+
+@pytest.mark.parametrize("copied", COPIERS)
+def test_a_copy_of_a_batch_goes_on_by_itself(copied):
+    """Its columns follow it; one of its worlds has become a world of its own."""
+    batch = sandbox.Batch(SCENE, 3)
+    batch.step(5)
+    batch.apply(sandbox.DeleteJoint("pivot"), worlds=[1])
+    before = batch.positions.copy()
+    other = copied(batch)
+    assert np.array_equal(other.positions, before)
+    other.step(20)
+    assert np.array_equal(batch.positions, before)
+    assert not np.array_equal(other.positions[0], before[0])
+    batch.step(20)
+    assert np.array_equal(other.positions, batch.positions)
+    assert [other.digest(k) for k in range(3)] == [batch.digest(k) for k in range(3)]
+    for each in (batch, other):
+        each.reset()
+    assert other.digest(0) == batch.digest(0) == sandbox.Batch(SCENE, 1).digest(0)
+
+
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy])
+def test_a_copy_of_a_player_goes_its_own_way(copied):
+    player = sandbox.Player(SCENE)
+    player.step(5)
+    digest, other = player.world.digest(), copied(player)
+    other.seek(0)
+    assert (player.step_count, player.world.step_count, player.world.digest()) == (5, 5, digest)
+    other.seek(5)
+    assert other.world.digest() == digest
