@@ -14,7 +14,9 @@ from sandbox.scene.authoring.document import Written
 from sandbox.scene.authoring.evaluate import Numbers
 from sandbox.scene.authoring.expression import is_expression, parsed
 from sandbox.scene.authoring.frame import Entry, Frame
+from sandbox.scene.authoring.least_bodies import least_bodies
 from sandbox.scene.authoring.mistake import ExpressionError
+from sandbox.scene.authoring.output import TooMuchError
 from sandbox.scene.authoring.prefabs import Parameters, Prefabs
 from sandbox.scene.authoring.variables import way_round
 from sandbox.scene.finding import quoted
@@ -89,6 +91,7 @@ class Generators:
             self._refuse(named, f"these prefabs contain each other: {told}")
         elif len(setting.nesting) >= MAX_NESTING:
             self._refuse(named, f"prefabs in prefabs, deeper than {MAX_NESTING} levels")
+            raise TooMuchError  # every copy would say so again
         else:
             return True
         return False
@@ -151,11 +154,10 @@ class Generators:
 
     def _ask_room(self, name: str, count: int, setting: Setting) -> None:
         """Refuse copies that are too many before one is made."""
-        prefab = self.prefabs.written[name].value
-        bodies = prefab.get("bodies", ()) if is_several(prefab) else (prefab,)
         assert setting.asked is not None
-        if isinstance(bodies, (list, tuple)):
-            self.prefabs.output.ask_room(count * len(bodies), setting.asked)
+        least = least_bodies(self.prefabs.written, name)
+        if least:
+            self.prefabs.output.ask_room(count * least, setting.asked)
 
     def _put(self, copy: Copy, setting: Setting) -> None:
         """A copy, and what the generators in it make."""
