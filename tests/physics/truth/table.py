@@ -53,6 +53,7 @@ EXPERIMENTS: tuple[Experiment, ...] = (
     colliding.rod_end,
     blows.rebound_from_pyramid,
     blows.pyramid_stays,
+    blows.rebound_from_stack,
     pressing.pressed,
     mirrors.discs,
     mirrors.one_box,
