@@ -92,7 +92,8 @@ class QueryError(SandboxError, ValueError):
 class CapacityError(SandboxError):
     """Too much is in one place: a step would need more memory, or a world more time, than is allowed.
 
-    A world is as before the step."""
+    A world is as before the step.
+    """
 
 
 class CommandError(SandboxError):

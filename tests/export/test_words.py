@@ -29,6 +29,7 @@ from sandbox import (
     World,
     scene_of,
 )
+from sandbox.world.export.present import Present
 from tests.cli.conftest import cli
 from tests.export.worlds import difference, entries, saved
 
@@ -231,6 +232,19 @@ def test_more_turns_than_a_scene_may_say_are_taken_off(tmp_path: Path) -> None:
     found, other = saved(world, tmp_path)
     assert abs(found.scene.bodies[0].angle) <= 180.0
     assert difference(world, other) < 1e-11
+
+
+def test_a_joint_that_has_only_borne_a_load_keeps_its_words() -> None:
+    """What it bore when the world was put down is no change of the joint."""
+    hinge = {"id": "pin", "type": "revolute", "bodies": ["bob"], "anchor": [0, 0]}
+    bob = {"id": "bob", "shapes": [{"box": [1, 1]}], "position": [0, -1]}
+    scene = Scene(bodies=[bob], joints=[hinge])
+    world = World(scene)
+    world.step(3)
+    present = Present(world, scene)
+    assert world.state.joints.preload_1[0] != 0.0
+    assert not present.moved.any()
+    assert not present.rejoined.any()
 
 
 def test_what_bad_numbers_froze_is_static(tmp_path: Path) -> None:

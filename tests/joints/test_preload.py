@@ -35,7 +35,7 @@ def test_the_preload_is_the_weight_that_hangs_on_a_joint_and_nothing_sinks(kind)
 
 
 def test_a_load_that_comes_later_is_given_way_to_as_before_and_kept_apart_from_the_preload():
-    """A chain that is put down with its load, and one that gets it a second later."""
+    """Twice the weight, from a second on."""
     late = hanging(10)
     late.step(60)
     before = preloads(late)

@@ -24,8 +24,10 @@ SURFACE = ("friction", "restitution", "rolling_resistance", "surface_speed", "de
 """What a command may change of a shape."""
 _POSE = ("center_x", "center_y", "angle")
 _MOTION = ("velocity_x", "velocity_y", "angular_velocity", "type")
-_REPORTED = (*(f"impulse_{k}" for k in range(5)), "force_x", "force_y", "torque")
-"""What a joint did in the last step."""
+_REPORTED = (
+    *(f"impulse_{k}" for k in range(5)), *(f"preload_{k}" for k in range(3)), "force_x", "force_y", "torque"
+)  # fmt: skip
+"""What a joint did in the last step, and in the first one."""
 _PLACED = ("anchor_ax", "anchor_ay", "anchor_bx", "anchor_by", "axis_x", "axis_y")
 
 
