@@ -42,6 +42,9 @@ NOTES: dict[int, str] = {
     "that are struck or new beside them",
     19: "rigid joints bear what they bore when a world was put down without giving way; what slides as it is put down "
     "has springs as long as its load asks for, too",
+    20: "impacts without restitution that reach few bodies stop what they reach from 0.2 m/s on, no longer from 2, "
+    "and down to 0.02; passes over it end by what they change of speeds, no longer of energy, and may be more "
+    "in small heaps",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

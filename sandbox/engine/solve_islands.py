@@ -31,7 +31,7 @@ from sandbox.engine.records.workers import FROZEN, NUMBERS, Workers
 from sandbox.engine.restitution.impacts import ImpactList, list_impact_contacts
 from sandbox.engine.substeps import Pass, run_substeps
 from sandbox.engine.workers.parallel_for import first_part, next_part
-from sandbox.engine.workers.task_kinds import IMPACTS, LEVEL, SOLVE_ISLANDS, UNSETTLED
+from sandbox.engine.workers.task_kinds import IMPACT_SPEED, IMPACTS, LEVEL, SOLVE_ISLANDS, UNSETTLED
 from sandbox.tables import Integers, Records
 
 
@@ -45,12 +45,13 @@ class Level(NamedTuple):
 
 
 class Share(NamedTuple):
-    """What all batches of a level have in common: whether some contact may have an impact, and the bits of `unsettled`
-    that some body of the level has. `colors` says how many colours there are, and is 0 to those who do not solve batch
-    0: only that has contacts without one."""
+    """What all batches of a level have in common: whether some contact may have an impact, past which speed (m/s)
+    those without restitution have one, and the bits of `unsettled` that some body of the level has. `colors` says how
+    many colours there are, and is 0 to those who do not solve batch 0: only that has contacts without one."""
 
     level: int
     impacts: bool
+    impact_speed: float
     unsettled: int
     colors: int
 
@@ -77,7 +78,7 @@ def solve_level(
     sort_contacts(contacts, solver.batches, blocks, count)
     impacts = _list_impacts(state, solver, contacts, blocks, level, count)
     bits = _unsettled_bits(state.bodies, rows, solver.free_motions, ccd.bodies, number)
-    share = Share(number, impacts > 0 or bits & STRUCK != 0, bits, colors)
+    share = Share(number, impacts > 0 or bits & STRUCK != 0, active.info[0].impact_speed, bits, colors)
     _tell(workers, share)
     first = 0
     end = 1
@@ -126,6 +127,7 @@ def _tell(workers: Workers, share: Share) -> None:
     workers.words[FROZEN] = 0
     workers.numbers[LEVEL] = share.level
     workers.numbers[IMPACTS] = 1.0 if share.impacts else 0.0
+    workers.numbers[IMPACT_SPEED] = share.impact_speed
     workers.numbers[UNSETTLED] = share.unsettled
 
 
@@ -133,7 +135,7 @@ def _tell(workers: Workers, share: Share) -> None:
 def told_share(workers: Workers) -> Share:
     """What those who solve islands were told."""
     n = workers.numbers
-    return Share(int(n[LEVEL]), n[IMPACTS] > 0.0, int(n[UNSETTLED]), 0)
+    return Share(int(n[LEVEL]), n[IMPACTS] > 0.0, n[IMPACT_SPEED], int(n[UNSETTLED]), 0)
 
 
 @kernel
@@ -166,7 +168,7 @@ def solve_batches(
         slots: Any = batches.impacts[start:stop]
         impacts = ImpactList(slots, stop - start, threshold)
         ranges = fill_blocks(solver.colors, own, batch)
-        prepare_contacts(bodies, contacts.now, own, ranges.total, team, spring, share.impacts)
+        prepare_contacts(bodies, contacts.now, own, ranges.total, team, spring, share.impacts, share.impact_speed)
         todo = Pass(level, batch, held, ranges, share.unsettled & NEW != 0, share.impacts)
         frozen += run_substeps(state, active, solver, contacts.now, own, impacts, joints, team, members, todo)
         store_impulses(bodies, solver.flags, contacts, own, ranges.total, team, spring)

@@ -101,7 +101,7 @@ def begin(
     info.substep_levels = assign_substep_levels(state, active, solver, piles, contacts, joints)
     rows = active.bodies[1 : 1 + active.bodies[0]]
     info.fastest = _begin_bodies(state, rows, solver, ccd.bodies)
-    flag_struck(bodies, contacts, ccd.bodies, solver.struck, blocks.spare, info.fastest)
+    info.impact_speed = flag_struck(bodies, contacts, ccd.bodies, solver.struck, blocks.spare, info.fastest)
     if joints is not None:
         begin_joints(joints, bodies, solver.free_motions, contacts, state.counters[0].step_count == 0)
     clear_reports(contacts.reports, count)

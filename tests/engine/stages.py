@@ -179,10 +179,11 @@ class Paused:
     def _spring(self) -> soft_constraint.Spring:
         return soft_constraint.Spring(*contact_spring(self.state.settings[0], 0))
 
-    def prepare(self, impacts: bool = False) -> None:
+    def prepare(self, impacts: bool = False, impact_speed: float = 2.0) -> None:
         """Fill the lanes of the blocks there are."""
         m = self.scratch
-        prepare_contacts(self.state.bodies, m.contacts.now, m.blocks, self.blocks, m.workers, self._spring(), impacts)
+        now, bodies = m.contacts.now, self.state.bodies
+        prepare_contacts(bodies, now, m.blocks, self.blocks, m.workers, self._spring(), impacts, impact_speed)
 
     def one_contact_a_block(self) -> None:
         """The same slots, but every contact alone in its block."""

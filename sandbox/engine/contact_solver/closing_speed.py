@@ -17,6 +17,8 @@ from sandbox.tables import Floats, Records
 
 HARD = 2.0
 """Speed (m/s) past which a contact of two points that closes in has an impact, whatever its restitution."""
+SLOW = 0.2
+"""The same where all such impacts concern few bodies; below it, what closes in is left to the contact solver."""
 
 
 @inlined_kernel
@@ -33,14 +35,14 @@ def closing_speed(a: Records, b: Records, contact: Records, point: int) -> float
 
 
 @kernel
-def closes_hard(a: Records, b: Records, contact: Records) -> bool:
-    """Whether two points of a contact of bodies a and b meet, one of them faster than `HARD` as the step begins.
+def both_meet(a: Records, b: Records, contact: Records, speed: float) -> bool:
+    """Whether two points of a contact of bodies a and b meet, one of them faster than `speed` as the step begins.
 
     A single point the solver stops exactly.
     """
     if contact.point_count < 2:
         return False
-    return bool(closing_speed(a, b, contact, 1) > HARD or closing_speed(a, b, contact, 2) > HARD)
+    return bool(closing_speed(a, b, contact, 1) > speed or closing_speed(a, b, contact, 2) > speed)
 
 
 @inlined_kernel

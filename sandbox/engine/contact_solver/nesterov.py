@@ -15,7 +15,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox._vectors import load, store
+from sandbox._vectors import Mask, absolute, any_lane, load, store
 from sandbox.engine.bodies.integrate import SOLVED
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.solve import solve_again, solve_contacts
@@ -29,15 +29,16 @@ LANES = cb.LANES
 LEAST_WORK = 2_000
 """Before so many passes times contacts only rounding ends it: few contacts cost little, and where masses differ,
 much may be left to be found though each pass changes little."""
-ROUNDING = 1e-28
-"""Share of the energy of all changes where nothing is left but rounding."""
+ROUNDING = 1e-12
+"""Change of speed (m/s) where nothing is left but rounding."""
 TAKES_PART = 1 << 40
 """`solver.struck` of a body while it is listed as one that takes part: no value that groups of impacts leave there."""
 
 
 class Effort(NamedTuple):
-    """When to stop: after so many passes, after so many passes times contacts, or after a pass that changed velocities
-    by a smaller share of the energy of all changes than `agreed`: the next would change little."""
+    """When to stop: after so many passes, after so many passes times contacts, or after a pass that has changed no
+    contact's speed along the normal by more than `agreed` (m/s). A heavy body may hardly notice a pass that presses a
+    light one between it and the ground; what the two of them close in by, both contacts of the light one notice."""
 
     most_passes: int
     most_work: int
@@ -78,22 +79,21 @@ def solve_until_agreed(
     effort: Effort,
 ) -> None:
     """Solve the first blocks of contacts together, from the impulses that they have; `moved` lists their bodies."""
-    contacts = _count(blocks, block_count)
+    contacts = count_contacts(blocks, block_count)
     passes = passes_within(effort.most_work, contacts, effort.most_passes)
     _begin(motions, moved, blocks, block_count)
-    last_energy, _ = _measure(bodies, motions, moved)
-    changes = 0.0
+    last_energy = _energy(bodies, motions, moved)
     agree = 0
     for turn in range(passes):
         if turn == 0:
             solve_contacts(motions, blocks, 0, block_count, workers, rigid)
         else:
             solve_again(motions, blocks, 0, block_count, workers, rigid)
-        energy, change = _measure(bodies, motions, moved)
-        changes += change
         enough = effort.agreed if turn * contacts >= LEAST_WORK else ROUNDING
-        if change <= enough * changes or turn == passes - 1:  # the last is a pass, so that no contact pulls
+        # The last is a pass, so that no contact pulls.
+        if turn == passes - 1 or not _changes(blocks, block_count, enough):
             return
+        energy = _energy(bodies, motions, moved)
         agree = agree + 1 if energy <= last_energy else 0
         last_energy = energy
         further = momentum(agree)
@@ -108,7 +108,8 @@ def momentum(agree: int) -> float:
 
 
 @kernel
-def _count(blocks: ContactBlocks, block_count: int) -> int:
+def count_contacts(blocks: ContactBlocks, block_count: int) -> int:
+    """How many contacts the first blocks have."""
     contacts = 0
     for n in range(block_count):
         contacts += blocks.blocks[n].count
@@ -133,29 +134,40 @@ def _begin(motions: Records, moved: Records, blocks: ContactBlocks, block_count:
         store(v, cb.LAST_IMPULSES + 2 * LANES, load(v, cb.TANGENT_IMPULSE))
     for here in moved:
         motion = motions[here.body]
-        here.began_x = here.last_x = motion.velocity_x
-        here.began_y = here.last_y = motion.velocity_y
-        here.began_w = here.last_w = motion.angular_velocity
+        here.last_x = motion.velocity_x
+        here.last_y = motion.velocity_y
+        here.last_w = motion.angular_velocity
 
 
 @kernel
-def _measure(bodies: Records, motions: Records, moved: Records) -> tuple[float, float]:
-    """Twice the kinetic energy (J) of the bodies, and of what the last pass has changed if they moved by that alone."""
+def _energy(bodies: Records, motions: Records, moved: Records) -> float:
+    """Twice the kinetic energy (J) of the bodies."""
     energy = 0.0
-    change = 0.0
     for here in moved:
         motion = motions[here.body]
         body = bodies[here.body]
-        x = motion.velocity_x - here.began_x
-        y = motion.velocity_y - here.began_y
         square = motion.velocity_x * motion.velocity_x + motion.velocity_y * motion.velocity_y
         energy += square / body.inverse_mass
-        change += (x * x + y * y) / body.inverse_mass
         if body.inverse_inertia > 0.0:
-            w = motion.angular_velocity - here.began_w
             energy += motion.angular_velocity * motion.angular_velocity / body.inverse_inertia
-            change += w * w / body.inverse_inertia
-    return energy, change
+    return energy
+
+
+@kernel
+def _changes(blocks: ContactBlocks, block_count: int, agreed: float) -> bool:
+    """Whether the last pass has changed the speed of a contact along its normal by more than `agreed` (m/s)."""
+    for n in range(block_count):
+        v = blocks.lanes[n * BLOCK_SIZE : (n + 1) * BLOCK_SIZE]
+        first = _changes_more(v, cb.POINT_1, cb.LAST_IMPULSES, agreed)
+        if any_lane(first | _changes_more(v, cb.POINT_2, cb.LAST_IMPULSES + LANES, agreed)):
+            return True
+    return False
+
+
+@inlined_kernel
+def _changes_more(v: Floats, point: int, last: int, agreed: float) -> Mask:
+    change = absolute(load(v, point + cb.NORMAL_IMPULSE) - load(v, last))
+    return change > agreed * load(v, point + cb.NORMAL_MASS)
 
 
 @kernel
@@ -183,9 +195,9 @@ def _move_further(motions: Records, moved: Records, further: float) -> None:
         x = motion.velocity_x
         y = motion.velocity_y
         w = motion.angular_velocity
-        here.began_x = motion.velocity_x = x + further * (x - here.last_x)
-        here.began_y = motion.velocity_y = y + further * (y - here.last_y)
-        here.began_w = motion.angular_velocity = w + further * (w - here.last_w)
+        motion.velocity_x = x + further * (x - here.last_x)
+        motion.velocity_y = y + further * (y - here.last_y)
+        motion.angular_velocity = w + further * (w - here.last_w)
         here.last_x = x
         here.last_y = y
         here.last_w = w

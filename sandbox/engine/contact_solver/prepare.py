@@ -5,7 +5,7 @@ from __future__ import annotations
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._prefetch import AHEAD, prefetch_row
 from sandbox.engine.contact_solver import blocks as cb
-from sandbox.engine.contact_solver.closing_speed import closes_hard
+from sandbox.engine.contact_solver.closing_speed import both_meet
 from sandbox.engine.contact_solver.law import (
     PairMass,
     anchors_of,
@@ -19,7 +19,7 @@ from sandbox.engine.contact_solver.soft_constraint import Spring
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
-from sandbox.engine.workers.task_kinds import IMPACTS, LEVEL, PREPARE_CONTACTS
+from sandbox.engine.workers.task_kinds import IMPACT_SPEED, IMPACTS, LEVEL, PREPARE_CONTACTS
 from sandbox.tables import Floats, Records
 
 BLOCK_SIZE = cb.BLOCK_SIZE
@@ -35,13 +35,15 @@ def prepare_contacts(
     workers: Workers,
     spring: Spring,
     impacts: bool,
+    impact_speed: float,
 ) -> None:
     """Fill the lanes of all blocks, with all workers, as `prepare_blocks` does."""
     workers.numbers[LEVEL] = spring.level
     workers.numbers[IMPACTS] = 1.0 if impacts else 0.0
+    workers.numbers[IMPACT_SPEED] = impact_speed
     first, end = first_part(workers, PREPARE_CONTACTS, 0, block_count)
     while first < end:
-        prepare_blocks(bodies, contacts, blocks, first, end, spring, impacts)
+        prepare_blocks(bodies, contacts, blocks, first, end, spring, impacts, impact_speed)
         first, end = next_part(workers, first, end)
 
 
@@ -54,11 +56,12 @@ def prepare_blocks(
     end: int,
     spring: Spring,
     impacts: bool,
+    impact_speed: float,
 ) -> None:
     """Fill the lanes of the blocks first..end-1: axes, anchors, effective masses and the impulses to start from.
 
     Those are what a substep of the level gives, while contacts keep what one of level 0 would. `impacts` says that
-    some contact may have one in this step.
+    some contact may have one in this step, and `impact_speed` (m/s) past which speed those without restitution have.
     """
     for n in range(first, end):
         block = blocks.blocks[n]
@@ -81,7 +84,11 @@ def prepare_blocks(
             slot = blocks.slots[block.first + k]
             a = bodies[slot.body_a]
             b = bodies[slot.body_b]
-            _prepare_traits(block, a, b, contacts[slot.contact], spring.share, impacts, v[k:])
+            contact = contacts[slot.contact]
+            _prepare_traits(block, a, b, contact, spring.share, v[k:])
+            if impacts and (contact.restitution > 0.0 or both_meet(a, b, contact, impact_speed)):
+                v[cb.MAY_IMPACT + k] = 1.0
+                block.strikes = 1
 
 
 @inlined_kernel
@@ -130,9 +137,7 @@ def _note_traits(block: Records, contact: Records) -> None:
 
 
 @inlined_kernel
-def _prepare_traits(
-    block: Records, a: Records, b: Records, contact: Records, share: float, impacts: bool, v: Floats
-) -> None:
+def _prepare_traits(block: Records, a: Records, b: Records, contact: Records, share: float, v: Floats) -> None:
     """Fill what some contact of a block has, for one of them with lane `v`."""
     if block.rolling == 1:
         turning = a.inverse_inertia + b.inverse_inertia
@@ -145,9 +150,6 @@ def _prepare_traits(
         v[cb.RADIUS_A] = contact.radius_a
         v[cb.RADIUS_B] = contact.radius_b
     v[cb.MAY_IMPACT] = 0.0
-    if impacts and (contact.restitution > 0.0 or closes_hard(a, b, contact)):
-        v[cb.MAY_IMPACT] = 1.0
-        block.strikes = 1
 
 
 @inlined_kernel

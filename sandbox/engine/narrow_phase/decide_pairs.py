@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.broad_phase.margins import allowed_depth
 from sandbox.engine.broad_phase.proxies import FIXED, SLANTING
-from sandbox.engine.contact_solver.closing_speed import HARD
+from sandbox.engine.contact_solver.closing_speed import SLOW
 from sandbox.engine.narrow_phase.internal_edges import PlacedPair, fix_internal_edge
 from sandbox.engine.narrow_phase.one_way import holds, leads_on
 from sandbox.engine.narrow_phase.outline import EdgeTables
@@ -111,12 +111,28 @@ def decide_pairs(
         bits |= OVERLAPS if _overlaps_deeply(bodies, a.body, b.body, m.separation) else 0
         bits |= DEEP if held and _is_deep(shapes, i, j, -m.separation) else 0
         bounces = a.restitution > 0.0 or b.restitution > 0.0
-        hard = distance > HARD * seconds and m.point_count == 2
-        made.bits = bits | (MAY_IMPACT if bounces or hard else 0)
+        meets = m.point_count == 2 and distance > SLOW * seconds and _both_close_in(bodies, a, b, m, vx * t, vy * t)
+        made.bits = bits | (MAY_IMPACT if bounces or meets else 0)
         made.row = 0
         made.old = k if known else -1
         made.shift_x = vx * t
         made.shift_y = vy * t
+
+
+@inlined_kernel
+def _both_close_in(bodies: Records, a: Records, b: Records, m: Records, shift_x: float, shift_y: float) -> bool:
+    """Whether one of two points closes in faster than `SLOW` now; the manifold is of when b has moved by the shift (m)
+    against a."""
+    x = b.center_x - a.center_x + shift_x
+    y = b.center_y - a.center_y + shift_y
+    turn_a = bodies[a.body].angular_velocity
+    turn_b = bodies[b.body].angular_velocity
+    vx = a.velocity_x - b.velocity_x - turn_b * y
+    vy = a.velocity_y - b.velocity_y + turn_b * x
+    turn = turn_a - turn_b
+    first = m.normal_x * (vx - turn * m.y1) + m.normal_y * (vy + turn * m.x1)
+    second = m.normal_x * (vx - turn * m.y2) + m.normal_y * (vy + turn * m.x2)
+    return bool(first > SLOW or second > SLOW)
 
 
 @inlined_kernel

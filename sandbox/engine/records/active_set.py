@@ -22,6 +22,7 @@ ACTIVE_SET = Table(
         Field("apart_generation", "-", "`fixed_generation` when that one was laid; 0 when there is none", "i8"),
         Field("substep_levels", "-", "bit set of the levels that some body has in this step", "i8"),
         Field("fastest", "m2/s2", "square of the highest speed of a point of any body at its beginning"),
+        Field("impact_speed", "m/s", "past which two points without restitution that meet in it have an impact"),
     ),
 )
 """One row: what is known of the lists."""

@@ -19,13 +19,9 @@ STRUCK_BODY = Table(
         Field("last_x", "m/s", "velocity after the pass before"),
         Field("last_y", "m/s", "velocity after the pass before"),
         Field("last_w", "rad/s", "velocity after the pass before"),
-        Field("began_x", "m/s", "velocity with which the last pass began"),
-        Field("began_y", "m/s", "velocity with which the last pass began"),
-        Field("began_w", "rad/s", "velocity with which the last pass began"),
-        Field("spare", "-", "fills the cache line", "i8"),
     ),
 )
-"""One row a body whose contacts are solved together, one cache line."""
+"""One row a body whose contacts are solved together."""
 
 IMPACT = Table(
     "impact",

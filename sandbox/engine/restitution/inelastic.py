@@ -11,8 +11,8 @@ from typing import Any
 
 from sandbox._jit import kernel
 from sandbox.engine.contact_solver import blocks as cb
-from sandbox.engine.contact_solver.closing_speed import closing_beyond_gap, gap_of
-from sandbox.engine.contact_solver.nesterov import Effort, list_bodies, solve_until_agreed
+from sandbox.engine.contact_solver.closing_speed import SLOW, closing_beyond_gap, gap_of
+from sandbox.engine.contact_solver.nesterov import Effort, count_contacts, list_bodies, solve_until_agreed
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contact_blocks import ContactBlocks, SoftContact
 from sandbox.engine.records.workers import Workers
@@ -20,13 +20,13 @@ from sandbox.tables import Records
 
 BLOCK_SIZE = cb.BLOCK_SIZE
 LANES = cb.LANES
-SLOW = 0.2
-"""Speed (m/s) below which a contact that closes in is left to the contact solver."""
 MOST_PASSES = 1024
 MOST_WORK = 24_000
 """Passes times contacts: in large heaps impacts are not solved as far, which only what is heavy on light would need."""
-AGREED = 1e-5
-"""Share of the energy of all changes up to which a pass changes little."""
+SMALL_HEAP = 3200
+"""Contacts, up to which it is more, the more the fewer there are: four times as much for a quarter of them."""
+AGREED = 0.5 * SLOW
+"""Up to so many m/s passes agree: what they leave is slow, however heavy what closes in may be."""
 
 
 @kernel
@@ -51,7 +51,9 @@ def stop_struck(
     for here in moved:
         _take_start(solver, here.body)
     _put_aside(blocks, block_count)
-    effort = Effort(MOST_PASSES, MOST_WORK, AGREED)
+    contacts = count_contacts(blocks, block_count)
+    more = SMALL_HEAP // contacts
+    effort = Effort(MOST_PASSES, MOST_WORK * (more if more > 1 else 1), AGREED)
     solve_until_agreed(bodies, solver.motions, moved, blocks, block_count, workers, rigid, effort)
     _bring_back(blocks, block_count)
     for here in moved:

@@ -1,21 +1,27 @@
-"""Whom a hard impact without restitution concerns: what is struck, and what it will be pressed on.
+"""Whom impacts without restitution concern: what is struck, and what it will be pressed on.
 
 A body that is struck goes on with what struck it, and closes in on what is in its way, which comes along in turn, ever
-slower as there is more mass; as long as the next one is closed in on at more than `HARD`, it takes part. Contacts are
-gone through until that reaches nobody else; one is looked at again only if one of its bodies has been reached since.
+slower as there is more mass; as long as the next one is closed in on at more than some speed, it takes part. Impacts
+past `SLOW` are followed down to `SLOWEST` where they reach so few bodies that they cost little, as when something falls
+on a stack; elsewhere, as in a heap that is poured, only what closes in faster than `HARD` counts. Contacts are gone
+through until that reaches nobody else; one is looked at again only if one of its bodies has been reached since.
 """
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.bodies.flags import is_active
-from sandbox.engine.contact_solver.closing_speed import HARD, closes_hard, closing_speed
+from sandbox.engine.contact_solver.closing_speed import HARD, SLOW, both_meet, closing_speed
 from sandbox.engine.records.ccd import STRUCK
 from sandbox.engine.records.contacts import Contacts
 from sandbox.tables import Integers, Records
 
 IMMOVABLE = 1e30
 """Mass (kg) of what does not give way."""
+FEW = 128
+"""Bodies: the impacts of so many take about as long as the other passes over their contacts."""
+SLOWEST = 0.1 * SLOW
+"""Speed (m/s) below which soft contacts take a blow without a rebound that is seen."""
 FASTER = 1.01
 """Ratio of the squares of two speeds that an impact gives a body, for the faster to be followed further from there."""
 _NEVER = -(1 << 60)
@@ -24,53 +30,101 @@ _NEVER = -(1 << 60)
 @kernel
 def flag_struck(
     bodies: Records, contacts: Contacts, ccd_bodies: Records, reached_at: Integers, slots: Records, fastest: float
-) -> None:
-    """Give all bodies that a hard impact reaches the bit `STRUCK` of `ccd_bodies.unsettled`.
+) -> float:
+    """Give all bodies that impacts reach the bit `STRUCK` of `ccd_bodies.unsettled`; returns the speed (m/s) past which
+    two points that meet have one.
 
     `fastest` is the square of the highest speed (m/s) of a point. `reached_at`, with a row for each body, and `slots`,
     with one for each contact, are scratch.
     """
-    if fastest <= 0.25 * HARD * HARD or not _strike(bodies, contacts, ccd_bodies):
-        return
-    count = _list_inelastic(contacts, slots)
+    if fastest <= 0.25 * SLOW * SLOW or _follow(bodies, contacts, ccd_bodies, reached_at, slots, SLOW, SLOWEST, FEW):
+        return SLOW
+    if fastest > 0.25 * HARD * HARD:
+        _follow(bodies, contacts, ccd_bodies, reached_at, slots, HARD, HARD, bodies.shape[0])
+    return HARD
+
+
+@kernel
+def _follow(
+    bodies: Records,
+    contacts: Contacts,
+    ccd_bodies: Records,
+    reached_at: Integers,
+    slots: Records,
+    slowest: float,
+    least: float,
+    most: int,
+) -> bool:
+    """Flag the bodies that impacts past `slowest` (m/s) reach, followed as long as they close in at more than `least`.
+    False, and nobody is flagged, if they are more than `most`."""
+    reached = _strike(bodies, contacts, ccd_bodies, slowest, most)
+    if reached == 0:
+        return True
+    count = _list_inelastic(contacts, slots) if reached <= most else 0
     for k in range(count):
         for i in (slots[k].body_a, slots[k].body_b):
             reached_at[i] = 0 if ccd_bodies[i].unsettled & STRUCK else _NEVER
-    look = 0
-    spreads = True
-    while spreads:
+    before = look = 0
+    spreads = count > 0
+    while spreads and reached <= most:
         spreads = False
         for k in range(count):
             a = slots[k].body_a
             b = slots[k].body_b
-            before = look - count  # when this contact was looked at in the sweep before
             if reached_at[a] >= before or reached_at[b] >= before:
                 contact = contacts.now[slots[k].contact]
-                if _spread(bodies, ccd_bodies, contact, -1.0):
-                    reached_at[b] = look
-                    spreads = True
-                if _spread(bodies, ccd_bodies, contact, 1.0):
-                    reached_at[a] = look
-                    spreads = True
+                for side, other in ((-1.0, b), (1.0, a)):
+                    if _spread(bodies, ccd_bodies, contact, side, least):
+                        reached += 1 if reached_at[other] == _NEVER else 0
+                        reached_at[other] = look
+                        spreads = True
             look += 1
+            before = look - count  # when the next contact was looked at in the sweep before
+    if reached <= most:
+        return True
+    _forget(contacts, ccd_bodies, slots, count)
+    return False
 
 
 @kernel
-def _strike(bodies: Records, contacts: Contacts, ccd_bodies: Records) -> bool:
-    """Flag the bodies that strike each other; return whether there are any."""
-    strikes = False
-    for k in range(1, contacts.impact_candidates[0] + 1):
-        contact = contacts.now[contacts.impact_candidates[k]]
+def _forget(contacts: Contacts, ccd_bodies: Records, slots: Records, count: int) -> None:
+    """Flag nobody: neither those that strike each other nor those whose `count` contacts are listed."""
+    for row in contacts.impact_candidates[1 : 1 + contacts.impact_candidates[0]]:
+        ccd_bodies[contacts.now[row].body_a].unsettled &= ~STRUCK
+        ccd_bodies[contacts.now[row].body_b].unsettled &= ~STRUCK
+    for slot in slots[:count]:
+        ccd_bodies[slot.body_a].unsettled &= ~STRUCK
+        ccd_bodies[slot.body_b].unsettled &= ~STRUCK
+
+
+@kernel
+def _strike(bodies: Records, contacts: Contacts, ccd_bodies: Records, slowest: float, most: int) -> int:
+    """Flag the bodies that strike each other; returns how many, or, once there are more than `most`, so many."""
+    reached = 0
+    for row in contacts.impact_candidates[1 : 1 + contacts.impact_candidates[0]]:
+        contact = contacts.now[row]
         a = bodies[contact.body_a]
         b = bodies[contact.body_b]
-        if contact.restitution == 0.0 and closes_hard(a, b, contact):
-            strikes = True
-            first = closing_speed(a, b, contact, 1)
-            second = closing_speed(a, b, contact, 2)
-            speed = first if first > second else second
-            _reach(bodies, ccd_bodies, contact, -1.0, speed, a.mass if is_active(a) else IMMOVABLE)
-            _reach(bodies, ccd_bodies, contact, 1.0, speed, b.mass if is_active(b) else IMMOVABLE)
-    return strikes
+        if contact.restitution > 0.0 or not both_meet(a, b, contact, slowest):
+            continue
+        first = closing_speed(a, b, contact, 1)
+        second = closing_speed(a, b, contact, 2)
+        speed = first if first > second else second
+        was = _struck(ccd_bodies, contact)
+        _reach(bodies, ccd_bodies, contact, -1.0, speed, a.mass if is_active(a) else IMMOVABLE, slowest)
+        _reach(bodies, ccd_bodies, contact, 1.0, speed, b.mass if is_active(b) else IMMOVABLE, slowest)
+        reached += _struck(ccd_bodies, contact) - was
+        if reached > most:
+            break
+    return reached
+
+
+@inlined_kernel
+def _struck(ccd_bodies: Records, contact: Records) -> int:
+    """How many bodies of a contact are flagged."""
+    a = 1 if ccd_bodies[contact.body_a].unsettled & STRUCK else 0
+    b = 1 if ccd_bodies[contact.body_b].unsettled & STRUCK else 0
+    return a + b
 
 
 @kernel
@@ -88,7 +142,7 @@ def _list_inelastic(contacts: Contacts, slots: Records) -> int:
 
 
 @kernel
-def _spread(bodies: Records, ccd_bodies: Records, contact: Records, side: float) -> bool:
+def _spread(bodies: Records, ccd_bodies: Records, contact: Records, side: float, least: float) -> bool:
     """Go on from a struck body to the other of a contact, b if `side` is -1; return whether that is news for it."""
     here = ccd_bodies[contact.body_a if side < 0.0 else contact.body_b]
     if here.unsettled & STRUCK == 0:
@@ -97,15 +151,23 @@ def _spread(bodies: Records, ccd_bodies: Records, contact: Records, side: float)
     if gain <= 0.0:
         return False
     speed = gain + closing_speed(bodies[contact.body_a], bodies[contact.body_b], contact, 1)
-    return _reach(bodies, ccd_bodies, contact, side, speed, here.struck_mass)
+    return _reach(bodies, ccd_bodies, contact, side, speed, here.struck_mass, least)
 
 
 @kernel
-def _reach(bodies: Records, ccd_bodies: Records, contact: Records, side: float, speed: float, mass: float) -> bool:
+def _reach(
+    bodies: Records,
+    ccd_bodies: Records,
+    contact: Records,
+    side: float,
+    speed: float,
+    mass: float,
+    least: float,
+) -> bool:
     """So much mass (kg) closes in on a body of a contact at so many m/s, on b if `side` is -1; return whether the
-    impact goes on from there."""
+    impact goes on from there: it does if that is more than `least` (m/s)."""
     i = contact.body_b if side < 0.0 else contact.body_a
-    if speed < HARD or not is_active(bodies[i]):
+    if speed < least or not is_active(bodies[i]):
         return False
     here = ccd_bodies[i]
     gain = speed * (mass / (mass + bodies[i].mass))

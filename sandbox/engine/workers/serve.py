@@ -32,6 +32,7 @@ from sandbox.engine.workers.task_kinds import (
     FASTEST,
     GIVE,
     GRAVITY,
+    IMPACT_SPEED,
     IMPACTS,
     INTEGRATE_POSITIONS,
     INTEGRATE_VELOCITIES,
@@ -150,7 +151,8 @@ def _do_bodies(
         integrate_some_positions(blocks.batches.bodies[first:end], solver, n[GRAVITY], n[SECONDS])
     elif task == PREPARE_CONTACTS:
         spring = contact_spring(state.settings[0], int(n[LEVEL]))
-        prepare_blocks(state.bodies, contacts.now, blocks, first, end, spring, n[IMPACTS] > 0.0)
+        impacts = n[IMPACTS] > 0.0
+        prepare_blocks(state.bodies, contacts.now, blocks, first, end, spring, impacts, n[IMPACT_SPEED])
     elif task == STORE_IMPULSES:
         spring = contact_spring(state.settings[0], int(n[LEVEL]))
         store_blocks(state.bodies, solver.flags, contacts, blocks, first, end, spring)

@@ -31,6 +31,7 @@ PUSH = 11
 MOST = 12
 GIVE = 13
 UNSETTLED = 14
+IMPACT_SPEED = 15
 
 
 @kernel

@@ -13,6 +13,8 @@ from tests.physics.truth.experiment import RATE, Engine, Run, experiment
 
 HEAPS = 20
 """Of each kind, each with numbers of its own."""
+CHAOTIC_HEAPS = 300
+"""The same where a few heaps make up most of the mean."""
 
 
 def _from_image(scene: FlatScene, run: Run, image: Run) -> float:
@@ -24,9 +26,9 @@ def _from_image(scene: FlatScene, run: Run, image: Run) -> float:
     return found
 
 
-def _mean_error(start: Engine, kind: str, count: int, steps: int) -> float:
+def _mean_error(start: Engine, kind: str, count: int, steps: int, heaps: int = HEAPS) -> float:
     errors = []
-    for seed in range(HEAPS):
+    for seed in range(heaps):
         what = _falling(random.Random(seed), kind, count)
         run, image = start(what), start(mirrored(what))
         run.step(steps)
@@ -58,13 +60,13 @@ def one_box(start: Engine) -> float:
     return _mean_error(start, "boxes", 1, RATE)
 
 
-@experiment("boxes and their image in a mirror", "m, mean of 20 heaps of 3 after 1 s", bound=2e-3)
+@experiment("boxes and their image in a mirror", "m, mean of 300 heaps of 3 after 1 s", bound=1e-3)
 def boxes(start: Engine) -> float:
     """Corners meet edges: the smallest difference grows, in every engine."""
-    return _mean_error(start, "boxes", 3, RATE)
+    return _mean_error(start, "boxes", 3, RATE, CHAOTIC_HEAPS)
 
 
-@experiment("a house of cards lands evenly", "m, left to right, frictions 0.6 to 0.7, 5 s", bound=6.6e-3, behind=True)
+@experiment("a house of cards lands evenly", "m, left to right, frictions 0.6 to 0.7, 5 s", bound=4.5e-3, behind=True)
 def lopsided(start: Engine) -> float:
     """Houses of 2 to 4 levels whose cards fall by a millimetre: the largest difference of two that face each other."""
     worst = 0.0

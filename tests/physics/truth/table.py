@@ -54,6 +54,7 @@ EXPERIMENTS: tuple[Experiment, ...] = (
     blows.rebound_from_pyramid,
     blows.pyramid_stays,
     blows.rebound_from_stack,
+    blows.rebound_from_low,
     pressing.pressed,
     mirrors.discs,
     mirrors.one_box,
