@@ -62,7 +62,7 @@ def test_steps_and_every_choose_what_is_compared(cli: Callable, write_scene: Cal
 def test_a_disagreement_is_told_saved_and_fails(
     cli: Callable, write_scene: Callable, tmp_path: Path, lying_kernel: None
 ) -> None:
-    path = write_scene("a.scene.json", bodies=[GROUND, {**CRATE, "velocity": [1, 0]}])
+    path = write_scene("a.scene.json", bodies=[GROUND, {**CRATE, "velocity": [3, 0]}])
     done = cli("compare", path, "--save", tmp_path / "found")
     assert done.code == 1
     assert "disagrees" in done.out
