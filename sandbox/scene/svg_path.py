@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
+from sandbox._printable import printable
 from sandbox.scene.limits import MAX_OUTLINE, MAX_PATH
 from sandbox.scene.svg_curves import Arc, Vec, along_arc, along_curve
 
@@ -129,7 +130,7 @@ def _commands(text: str) -> Iterator[tuple[str, list[float], tuple[int, int]]]:
         start, letter = position, text[position]
         count = _COUNTS.get(letter.upper())
         if count is None:
-            raise PathError(f'"{letter}" is no command of a path', (start, start + 1))
+            raise PathError(f'"{printable(letter)}" is no command of a path', (start, start + 1))
         position = _skip(text, position + 1)
         first = True
         while first or (count and position < len(text) and not text[position].isalpha()):

@@ -21,9 +21,9 @@ from sandbox.world.tile_edges import shown_edges
 from sandbox.world.tile_outlines import Corners, Outlines, Tiles
 from sandbox.world.tile_pairs import count_near, meeting_tiles
 
-CROWD, NEIGHBOURS = 2_000_000, 100
-"""So many pairs of static polygons are gone through, counted from both sides, and so many more for each of them: tiles
-in a plane have 19, three layers of them 49. Some 1,450 in one place are as many, and take 8 s."""
+CROWD, NEIGHBOURS = 16_000_000, 100
+"""So many pairs of edges are gone through, and for each tile as many as it would have with so many others like it: in a
+plane 19 are near to it, three layers of them are 49. Some 1,050 boxes in one place make as many, and take up to 3 s."""
 
 
 def with_room_for_tiles(bodies: Records, shapes: Records, seams: Records) -> Records:
@@ -50,16 +50,21 @@ def join_tiles(bodies: Records, shapes: Records, vertices: Records, seams: Recor
     if int(own.sum()) < 2:
         return
     outlines = Outlines.of(bodies, shapes, vertices, tiles)
-    _check_crowd(count_near(outlines), len(tiles))
+    check_crowd(outlines)
     join_some(bodies, shapes, seams, outlines, np.flatnonzero(own))
 
 
-def _check_crowd(near: int, tiles: int) -> None:
-    limit = CROWD + NEIGHBOURS * tiles
+def check_crowd(outlines: Outlines) -> None:
+    """Raise `CapacityError` if so many tiles lie in one place that to join them would take minutes."""
+    tiles, edges = len(outlines.starts), len(outlines.x)
+    limit = CROWD + NEIGHBOURS * int((outlines.counts * outlines.counts).sum())
+    if edges * edges <= limit:
+        return
+    near = count_near(outlines)
     if near > limit:
         raise CapacityError(
-            f"{tiles:,} static polygons that lie over each other or side by side make {near:,} pairs; the limit is "
-            f"{limit:,}. Too many are in one place: spread them, or leave out those that others cover"
+            f"{tiles:,} static polygons that lie over each other or side by side make {near:,} pairs of edges; the "
+            f"limit is {limit:,}. Too many are in one place: spread them, or leave out those that others cover"
         )
 
 

@@ -27,7 +27,7 @@ from sandbox.world.region_rows import add_regions
 from sandbox.world.reseam import add_seams, remove_seams
 from sandbox.world.shape_rows import Rows
 from sandbox.world.state import State
-from sandbox.world.tiling import rejoin, rejoin_around
+from sandbox.world.tiling import check_room, rejoin, rejoin_around
 
 Flags = NDArray[np.bool_]
 
@@ -60,7 +60,8 @@ class Moved:
 def add_rows(state: State, directory: Directory, found: Spawned) -> Added:
     """Add bodies, joints and regions after all others.
 
-    `directory` knows those that are there, and then these as well.
+    `directory` knows those that are there, and then these as well. Raises `CapacityError`, and adds nothing, where too
+    many static polygons would lie in one place.
     """
     before = len(state.bodies), len(state.shapes), len(state.joints)
     thrusters, paths = len(state.thrusters), len(state.paths)
@@ -81,6 +82,8 @@ def add_rows(state: State, directory: Directory, found: Spawned) -> Added:
 
 def _append_bodies(state: State, flat: Sequence[FlatBody]) -> None:
     bodies, shapes, vertices, sides, seams = body_rows(flat, state.patterns)
+    if (bodies["type"] == records.STATIC).any():
+        check_room(state, *(rows.view(np.recarray) for rows in (bodies, shapes, vertices)))
     if any(body.thrusters for body in flat):
         _append_thrusters(state, flat, bodies)
     if any(body.path is not None for body in flat):

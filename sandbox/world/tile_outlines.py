@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import Any, TypeAlias
 
@@ -55,6 +55,13 @@ class Outlines:
             sin * normal_x + cos * normal_y,
             *neighbours_in_rings(counts),
         )
+
+    def with_others(self, others: Outlines) -> Outlines:
+        """These tiles, and behind them others, which may be of other tables."""
+        more = len(self.x)
+        shift = {"starts": more, "before": more, "after": more}
+        pairs = ((each.name, getattr(self, each.name), getattr(others, each.name)) for each in fields(self))
+        return Outlines(*(np.concatenate([own, other + shift.get(name, 0)]) for name, own, other in pairs))
 
     def corners(self, tiles: Tiles) -> Corners:
         """All corners of some tiles, tile after tile."""

@@ -92,11 +92,15 @@ def meeting_tiles(outlines: Outlines, asking: Tiles) -> Iterator[tuple[Tiles, Ti
 
 
 def count_near(outlines: Outlines) -> int:
-    """How many pairs `meeting_tiles` would look at for all tiles, each from both sides."""
+    """How many pairs of edges those tiles have that `meeting_tiles` would look at for all, each from both sides."""
     boxes = _Boxes.of(outlines)
-    everyone = np.arange(len(outlines.starts))
-    found = (level.near(boxes, everyone) for level in _levels(boxes))
-    return sum(int((ends - starts).sum()) for _, starts, ends in found)
+    counts = outlines.counts
+    total = 0
+    for level in _levels(boxes):
+        whose, starts, ends = level.near(boxes, np.arange(len(counts)))
+        before = np.concatenate([[0], np.cumsum(counts[level.tiles])])
+        total += int(((before[ends] - before[starts]) * counts[whose]).sum())
+    return total
 
 
 def _levels(boxes: _Boxes) -> Iterator[_Level]:

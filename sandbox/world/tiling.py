@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from sandbox.tables import Integers, plain
-from sandbox.world.flush import find_tiles, join_some
+from sandbox.tables import Integers, Records, plain
+from sandbox.world.flush import check_crowd, find_tiles, join_some
 from sandbox.world.records import SEAMED
 from sandbox.world.runs import runs
 from sandbox.world.state import State
@@ -63,6 +63,18 @@ def rejoin_around(state: State, tiles: Integers, left: Integers | None = None) -
         rejoin(state, np.unique(np.concatenate([single, beside, beside[:0] if left is None else left])))
 
 
+def check_room(state: State, bodies: Records, shapes: Records, vertices: Records) -> None:
+    """Raise `CapacityError` if tiles of further bodies would lie in a crowd with each other and those that are there.
+
+    `shapes` count their `bodies` and `vertices` from 0.
+    """
+    fresh = find_tiles(bodies, shapes)
+    if len(fresh):
+        outlines = Outlines.of(bodies, shapes, vertices, fresh)
+        near = _may_meet(state, tiling_of(state).rows, outlines)
+        check_crowd(outlines.with_others(Outlines.of(state.bodies, state.shapes, state.vertices, near)))
+
+
 def tiles_of(state: State, body: int) -> Integers:
     """The tiles of one body."""
     rows = tiling_of(state).rows
@@ -72,16 +84,16 @@ def tiles_of(state: State, body: int) -> Integers:
 
 def _around(state: State, tiles: Integers) -> tuple[Integers, Outlines]:
     """Some tiles and all that may meet them: their rows, ascending, and their outlines."""
-    near = _may_meet(state, tiling_of(state).rows, tiles)
+    outlines = Outlines.of(state.bodies, state.shapes, state.vertices, tiles)
+    near = _may_meet(state, tiling_of(state).rows, outlines)
     return near, Outlines.of(state.bodies, state.shapes, state.vertices, near)
 
 
-def _may_meet(state: State, rows: Integers, tiles: Integers) -> Integers:
-    """Those of `rows` that reach into the box around `tiles`. The extent of a body leaves its sensors out."""
+def _may_meet(state: State, rows: Integers, outlines: Outlines) -> Integers:
+    """Those of `rows` that reach into the box around some tiles. The extent of a body leaves its sensors out."""
     if len(rows) <= _FEW:
         return rows
     bodies, shapes = plain(state.bodies), plain(state.shapes)
-    outlines = Outlines.of(state.bodies, state.shapes, state.vertices, tiles)
     owner = shapes["body"][rows]
     reach = np.where(shapes["sensor"][rows] == 1, np.inf, bodies["extent"][owner])
     inside = np.ones(len(rows), np.bool_)

@@ -104,6 +104,16 @@ def test_copies_of_nothing(monkeypatch):
     assert said == "the copies of prefabs have more than 20,000 values together, which is the limit"
 
 
+def test_generators_in_copies_count_for_what_they_take(monkeypatch):
+    """They are read anew in each of 400 copies, which takes longer than the one body that each makes."""
+    monkeypatch.setattr(output, "MAX_VALUES", 20_000)
+    one = {"params": {"n": 1}, "generate": [{"id": "g", "row": "q", "count": "=n", "step": [1, 0]}]}
+    prefabs = {"q": BALL, "p": one}
+    assert told(prefabs, {"id": "x", "place": "p", "count": 400}) == (
+        "the copies of prefabs have more than 20,000 values together, which is the limit"
+    )
+
+
 def test_joints_count_too(monkeypatch):
     monkeypatch.setattr(output, "MAX_JOINTS", 50)
     weld = {"id": "w", "type": "weld", "bodies": ["b"], "anchor": [0, 0]}

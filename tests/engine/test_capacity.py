@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 import sandbox
-from sandbox import CapacityError, Delete
+from sandbox import CapacityError, CommandError, Delete, Spawn
 from sandbox.engine.memory import limit
 from sandbox.engine.world import World
 from sandbox.world.records import CONTACT
-from tests.flat import body, box, circle, scene, world
+from tests.flat import body, box, circle, polygon, scene, world
 
 
 def pile(count: int) -> World:
@@ -72,9 +74,38 @@ def test_more_pairs_take_memory_for_pairs_alone():
 
 
 def test_static_tiles_in_one_place_are_refused_before_they_are_gone_through():
-    """Beside each other, as many are no trouble."""
+    """Beside each other, as many are no trouble. Those with more corners are refused before."""
     tiles = [body(f"{k}", box(1.0, 1.0), type="static", angle=0.01 * k) for k in range(1600)]
-    with pytest.raises(CapacityError, match=r"1,600 static polygons .* make 2,560,000 pairs; the limit is 2,160,000"):
+    with pytest.raises(CapacityError, match=r"1,600 static polygons .* 40,960,000 pairs .* the limit is 18,560,000"):
         World(scene(*tiles))
     beside = [body(f"{k}", box(1.0, 1.0), type="static", position=(float(k % 40), float(k // 40))) for k in range(1600)]
     assert len(World(scene(*beside)).state.bodies) == 1600
+
+
+def test_tiles_with_many_corners_count_for_more():
+    around = [(math.cos(k * math.pi / 32), math.sin(k * math.pi / 32)) for k in range(64)]
+    tiles = [body(f"{k}", polygon(*around), type="static") for k in range(400)]
+    with pytest.raises(CapacityError, match=r"400 static polygons .* 655,360,000 pairs .* the limit is 179,840,000"):
+        World(scene(*tiles))
+
+
+def test_static_tiles_that_come_into_a_crowd_are_refused_and_nothing_has_changed():
+    """All at once, or in parts beside those that are there; elsewhere they are welcome."""
+
+    def spawn(first: int, count: int, x: float = 0.0) -> Spawn:
+        shape = {"box": [1, 1]}
+        return Spawn(
+            [{"id": f"{first + k}", "type": "static", "position": [x, 0], "shapes": [shape]} for k in range(count)]
+        )
+
+    w = World(sandbox.Scene(bodies=[{"id": "ball", "shapes": [{"circle": 0.5}], "position": [0, 3]}]))
+    w.apply(spawn(0, 900))
+    before = w.snapshot()
+    for count in (900, 20_000):
+        with pytest.raises(CommandError, match=r"Spawn: .* static polygons .* Too many are in one place"):
+            w.apply(spawn(1000, count))
+        assert w.snapshot() == before
+        assert len(w.names) == 901
+    w.apply(spawn(1000, 600, 50.0))
+    assert len(w.names) == 1501
+    w.step(3)

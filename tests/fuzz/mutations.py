@@ -14,7 +14,7 @@ NUMBERS: list[Any] = [
 TEXTS = [
     "", "a", "*", "[", "[" * 50, "?" * 100, "*a" * 50, "x" * 101, "x" * 10_000, "[" * 20_000, "a\x00b", "\x1b[31m",
     "\ud800", "\u202e", "e\u0301", "\u00e9", "\u0130", "ß", "١٢", "‮", "😀", "#12", "default", "world", "a/b~c", "../x",
-    "crate", "ball", "ground", "-1", "NaN", "true",
+    "crate", "ball", "ground", "-1", "NaN", "true", "static", "kinematic", "dynamic", "made", "=i", "=2 * i + 1",
 ]  # fmt: skip
 OTHERS: list[Any] = [
     None, True, False, [], {}, [[]], [{}], [None], [0, 0], [1, 2, 3, 4], [[0, 0], [1, 0], [0, 1]], [[0, 0], [0, 0]],
@@ -33,6 +33,10 @@ FRAGMENTS = [
 MOST_NODES = 3000
 """Objects and lists of data that is damaged further: it is to stay a small file."""
 MOST_TEXT = 200_000
+KINDS = ["row", "stack", "grid", "pyramid", "scatter", "chain", "place"]
+MADE = [3, 30, 100, 300, "=2 + i", "=1 / 0"]
+MADE_INSIDE = [0, 1, 3, "=n", "=n + i", "=1 / (n - 1)"]
+"""Counts of what a generator makes, in a scene and in a prefab."""
 COUNTS = [0, 1, 2, 1000, 5000, 99_999, 100_000, 100_001, 2**31, 10**30]
 
 
@@ -134,4 +138,38 @@ def _count(random: Random, parent: Any, data: Any) -> None:
         node[random.choice([key for key in ("count", "rows", "columns") if key in node])] = random.choice(COUNTS)
 
 
-_DAMAGES = [_replace] * 8 + [_delete] * 3 + [_swap] * 2 + [_transplant] * 3 + [_add] * 3 + [_nest, _copies, _count]
+def _generate(random: Random, parent: Any, data: Any) -> None:
+    """Heaps of one prefab, beside each other or in one place; prefabs in prefabs."""
+    prefabs = data.setdefault("prefabs", {}) if isinstance(data, dict) else None
+    if not isinstance(prefabs, dict):
+        return
+    shape = random.choice(({"box": [1, 1]}, {"circle": "=n"}, {"segment": [[0, 0], [1, 0]]}))
+    kind = random.choice(("static", "static", "kinematic", "dynamic"))
+    prefabs["made-0"] = {"type": kind, "params": {"n": 1}, "shapes": [shape]}
+    depth = random.choice((0, 0, 0, 1, 2, 3))
+    for k in range(depth):
+        inner = {**_generator(random, f"made-{k}", MADE_INSIDE), "params": {"n": random.choice((2, "=m", "=m + i"))}}
+        prefabs[f"made-{k + 1}"] = {"params": {"n": 2, "m": 3}, "generate": [inner]}
+    made = data.setdefault("generate", [])
+    if isinstance(made, list):
+        made.append(_generator(random, f"made-{depth}", MADE))
+
+
+def _generator(random: Random, prefab: str, counts: list[Any]) -> Any:
+    kind = random.choice(KINDS)
+    fields = {"id": "made", kind: prefab, "at": [0, 0]}
+    sizes = {"grid": ("columns", "rows"), "pyramid": ("rows",)}.get(kind, ("count",))
+    for name in sizes if kind != "place" else ():
+        fields[name] = random.choice(counts)
+    apart = {"row": "step", "chain": "step", "stack": "spacing", "grid": "spacing", "pyramid": "spacing"}.get(kind)
+    if apart is not None:
+        spacing: Any = random.choice(([0, 0], [1e-9, 0], [1, 0], [1, 1]))
+        fields[apart] = spacing[0] if kind == "stack" else spacing
+    if kind == "scatter":
+        fields["inside"] = random.choice(([0, 0, 1, 1], [-50, 0, 50, 50]))
+    return fields
+
+
+_DAMAGES = (
+    [_replace] * 8 + [_delete] * 3 + [_swap] * 2 + [_transplant] * 3 + [_add] * 3 + [_nest, _copies, _count, _generate]
+)

@@ -13,7 +13,7 @@ from sandbox.engine.active.wake import wake_bodies
 from sandbox.engine.commands.base import Command, CommandTarget, Touched
 from sandbox.engine.commands.joint_command import held_bodies
 from sandbox.engine.commands.sleepers_in import sleepers_in
-from sandbox.errors import CommandError, SceneError
+from sandbox.errors import CapacityError, CommandError, SceneError
 from sandbox.world.rows import add_rows
 
 Words: TypeAlias = dict[str, Any]
@@ -61,7 +61,10 @@ class Spawn(Command):
             found = target.spawning.read(bodies, joints, target.directory.known(), "Spawn", regions)
         except SceneError as error:
             raise CommandError(str(error)) from None
-        added = add_rows(state, target.directory, found)
+        try:
+            added = add_rows(state, target.directory, found)
+        except CapacityError as error:
+            raise CommandError(f"Spawn: {error}") from None
         for row in range(len(state.regions) - added.regions, len(state.regions)):
             wake_bodies(state, sleepers_in(state, state.regions[row]))
         if found.joints:

@@ -16,6 +16,8 @@ from sandbox.scene.plain import is_several
 _TURNING = ("angle", "velocity", "path")
 _ONE = 10
 """Values that a copy takes beside what is in it."""
+_NESTED = 60
+"""As long as so many values takes a generator in a copy, which is read anew for each."""
 
 
 @dataclass(frozen=True)
@@ -71,7 +73,7 @@ def put_copy(prefabs: Prefabs, copy: Copy, setting: Setting) -> Nested:
 def _several(prefabs: Prefabs, copy: Copy, setting: Setting) -> Nested:
     template, output = prefabs.template(copy.prefab, copy.parameters), prefabs.output
     assert setting.asked is not None
-    output.spend(template.size, setting.asked)
+    output.spend(template.size + _NESTED * len(template.generate), setting.asked)
     for body, part in template.bodies:
         output.add_body(_renamed(placed_body(body, setting.frame), setting), part, setting.asked)
     for joint, part in template.joints:
