@@ -114,6 +114,12 @@ def test_generators_in_copies_count_for_what_they_take(monkeypatch):
     )
 
 
+def test_copies_of_nothing_are_counted_before_the_first():
+    """A list of their names alone would take gigabytes."""
+    said = told({"p": {"bodies": []}}, {"id": "x", "grid": "p", "columns": 3000, "rows": 100_000, "spacing": [1, 1]})
+    assert said == "the copies of prefabs have more than 2,000,000 values together, which is the limit"
+
+
 def test_joints_count_too(monkeypatch):
     monkeypatch.setattr(output, "MAX_JOINTS", 50)
     weld = {"id": "w", "type": "weld", "bodies": ["b"], "anchor": [0, 0]}

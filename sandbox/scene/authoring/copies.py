@@ -14,7 +14,7 @@ from sandbox.scene.generators import Chain
 from sandbox.scene.plain import is_several
 
 _TURNING = ("angle", "velocity", "path")
-_ONE = 10
+ONE = 10
 """Values that a copy takes beside what is in it."""
 _NESTED = 60
 """As long as so many values takes a generator in a copy, which is read anew for each."""
@@ -57,7 +57,7 @@ def put_copy(prefabs: Prefabs, copy: Copy, setting: Setting) -> Nested:
     """Put one copy into the output; the generators in it are left to be worked through."""
     output = prefabs.output
     assert setting.asked is not None
-    output.spend(_ONE, setting.asked)
+    output.spend(ONE, setting.asked)
     if is_several(prefabs.written[copy.prefab].value):
         return _several(prefabs, copy, replace(setting, frame=copy.frame, prefix=copy.id))
     single = prefabs.single(copy.prefab, copy.parameters)

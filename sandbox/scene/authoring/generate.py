@@ -9,7 +9,7 @@ from pydantic import ConfigDict, TypeAdapter, ValidationError
 
 from sandbox.scene.arrange import placings
 from sandbox.scene.authoring.arithmetic import INDICES
-from sandbox.scene.authoring.copies import Copy, Setting, put_copy, put_hinges
+from sandbox.scene.authoring.copies import ONE, Copy, Setting, put_copy, put_hinges
 from sandbox.scene.authoring.document import Written
 from sandbox.scene.authoring.evaluate import Numbers
 from sandbox.scene.authoring.expression import is_expression, parsed
@@ -155,6 +155,7 @@ class Generators:
     def _ask_room(self, name: str, count: int, setting: Setting) -> None:
         """Refuse copies that are too many before one is made."""
         assert setting.asked is not None
+        self.prefabs.output.ask_values(count * ONE, setting.asked)
         least = least_bodies(self.prefabs.written, name)
         if least:
             self.prefabs.output.ask_room(count * least, setting.asked)

@@ -44,9 +44,13 @@ class Output:
     _numbers: dict[str, int] = field(default_factory=dict)
 
     def spend(self, values: int, asked: Written) -> None:
-        """Ask for so many more values before they are made. Raises `TooMuchError`, which is told at `asked`."""
+        """Take so many more values, before they are made. Raises `TooMuchError`, which is told at `asked`."""
+        self.ask_values(values, asked)
         self._values += values
-        if self._values > MAX_VALUES:
+
+    def ask_values(self, values: int, asked: Written) -> None:
+        """Ask whether so many more values may be made. Raises `TooMuchError`, which is told at `asked`."""
+        if self._values + values > MAX_VALUES:
             text = f"the copies of prefabs have more than {MAX_VALUES:,} values together, which is the limit"
             self.faults.append(asked.fault(text))
             raise TooMuchError
