@@ -44,7 +44,7 @@ NOTES: dict[int, str] = {
     "has springs as long as its load asks for, too",
     20: "impacts without restitution that reach few bodies stop what they reach from 0.2 m/s on, no longer from 2, "
     "and down to 0.02; passes over it end by what they change of speeds, no longer of energy, and may be more "
-    "in small heaps",
+    "in small heaps; a pile goes back to longer substeps only once it bears half of what it could there",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

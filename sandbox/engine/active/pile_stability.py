@@ -8,7 +8,7 @@ top is Euler's case), and contacts with the angular frequency w over a width W h
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.active.hinged_weight import hangs_by_one_hinge, hinged_mass, share_not_hung
 from sandbox.engine.active.pile_support import ALL, Load, share_supported, upward_force
 from sandbox.engine.bodies.flags import is_active
@@ -23,6 +23,8 @@ STIFFNESS = 0.6
 """Measured: a stack of 28 unit boxes just stands at 55 Hz."""
 SAFE = 0.35
 """Largest share of the buckling load that an island bears at its level."""
+KEEPS = 0.5
+"""Share of what an island could bear at a level up to which it goes back to that from a higher one."""
 RATIO = 30.0
 """Largest ratio of what weighs on a body to its mass at level 0; four times as much at each level more."""
 SINK = 0.02
@@ -208,7 +210,8 @@ def level_for(pile: Records, omega: float, gravity: float) -> int:
     """How many times the substeps have to be doubled for this pile.
 
     By one time less than in the last step at least: springs that bear a heavy load of now would throw up what is left
-    when it goes, if they became much softer at once.
+    when it goes, if they became much softer at once. And by none less while it bears a good part of what asks for so
+    many: a tower that bounces would have stiff springs below and soft ones above, and swing itself up.
     """
     width = pile.right - pile.left
     width = width if width > 0.5 * pile.slight else 0.5 * pile.slight
@@ -221,8 +224,14 @@ def level_for(pile: Records, omega: float, gravity: float) -> int:
     for _ in range(level):
         bears = 4.0 * bears
         ratio = 4.0 * ratio
-    while level < MAX_LEVEL and (load > bears or pile.ratio > ratio):
+    while level < MAX_LEVEL and (load > _limit(bears, level, pile) or pile.ratio > _limit(ratio, level, pile)):
         bears = 4.0 * bears
         ratio = 4.0 * ratio
         level += 1
     return level
+
+
+@inlined_kernel
+def _limit(bears: float, level: int, pile: Records) -> float:
+    """What a pile may bear at a level: at most `KEEPS` of what it could, to go back to that from a higher one."""
+    return KEEPS * bears if level < pile.level else bears
