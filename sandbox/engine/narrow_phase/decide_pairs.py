@@ -9,6 +9,7 @@ from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.broad_phase.margins import allowed_depth
 from sandbox.engine.broad_phase.proxies import FIXED, SLANTING
 from sandbox.engine.contact_solver.closing_speed import SLOW
+from sandbox.engine.contact_solver.law import Anchors, pair_velocity, relative_velocity
 from sandbox.engine.narrow_phase.internal_edges import PlacedPair, fix_internal_edge
 from sandbox.engine.narrow_phase.one_way import holds, leads_on
 from sandbox.engine.narrow_phase.outline import EdgeTables
@@ -111,7 +112,7 @@ def decide_pairs(
         bits |= OVERLAPS if _overlaps_deeply(bodies, a.body, b.body, m.separation) else 0
         bits |= DEEP if held and _is_deep(shapes, i, j, -m.separation) else 0
         bounces = a.restitution > 0.0 or b.restitution > 0.0
-        meets = m.point_count == 2 and distance > SLOW * seconds and _both_close_in(bodies, a, b, m, vx * t, vy * t)
+        meets = m.point_count == 2 and distance > SLOW * seconds and _closes_in(bodies, a, b, m, vx * t, vy * t)
         made.bits = bits | (MAY_IMPACT if bounces or meets else 0)
         made.row = 0
         made.old = k if known else -1
@@ -120,19 +121,17 @@ def decide_pairs(
 
 
 @inlined_kernel
-def _both_close_in(bodies: Records, a: Records, b: Records, m: Records, shift_x: float, shift_y: float) -> bool:
+def _closes_in(bodies: Records, a: Records, b: Records, m: Records, shift_x: float, shift_y: float) -> bool:
     """Whether one of two points closes in faster than `SLOW` now; the manifold is of when b has moved by the shift (m)
     against a."""
-    x = b.center_x - a.center_x + shift_x
-    y = b.center_y - a.center_y + shift_y
-    turn_a = bodies[a.body].angular_velocity
-    turn_b = bodies[b.body].angular_velocity
-    vx = a.velocity_x - b.velocity_x - turn_b * y
-    vy = a.velocity_y - b.velocity_y + turn_b * x
-    turn = turn_a - turn_b
-    first = m.normal_x * (vx - turn * m.y1) + m.normal_y * (vy + turn * m.x1)
-    second = m.normal_x * (vx - turn * m.y2) + m.normal_y * (vy + turn * m.x2)
-    return bool(first > SLOW or second > SLOW)
+    dx = b.center_x - a.center_x + shift_x
+    dy = b.center_y - a.center_y + shift_y
+    v = pair_velocity(bodies[a.body], bodies[b.body])
+    for x, y in ((m.x1, m.y1), (m.x2, m.y2)):
+        vx, vy = relative_velocity(v, Anchors(x, y, x - dx, y - dy))
+        if vx * m.normal_x + vy * m.normal_y < -SLOW:
+            return True
+    return False
 
 
 @inlined_kernel

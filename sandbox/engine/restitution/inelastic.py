@@ -23,7 +23,7 @@ LANES = cb.LANES
 MOST_PASSES = 1024
 MOST_WORK = 24_000
 """Passes times contacts: in large heaps impacts are not solved as far, which only what is heavy on light would need."""
-SMALL_HEAP = 3200
+SMALL_HEAP = 3_200
 """Contacts, up to which it is more, the more the fewer there are: four times as much for a quarter of them."""
 AGREED = 0.5 * SLOW
 """Up to so many m/s passes agree: what they leave is slow, however heavy what closes in may be."""

@@ -19,9 +19,9 @@ from sandbox.tables import Integers, Records
 IMMOVABLE = 1e30
 """Mass (kg) of what does not give way."""
 FEW = 128
-"""Bodies: the impacts of so many take about as long as the other passes over their contacts."""
+"""Bodies: where impacts reach more, only hard ones are followed."""
 SLOWEST = 0.1 * SLOW
-"""Speed (m/s) below which soft contacts take a blow without a rebound that is seen."""
+"""Speed (m/s): a box dropped by 1 cm on ten others rebounds with 4 % of its speed, if followed to 0.05 with 8 %."""
 FASTER = 1.01
 """Ratio of the squares of two speeds that an impact gives a body, for the faster to be followed further from there."""
 _NEVER = -(1 << 60)
