@@ -167,6 +167,17 @@ def _lane_numbers(_typing: Any) -> Any:
 
 
 @intrinsic
+def _lanes(_typing: Any, _vector: Any) -> Any:
+    result = types.UniTuple(_FLOAT, WIDTH)
+
+    def lower(context: Any, builder: Any, _sig: Any, values: Any) -> Any:
+        numbers = [builder.extract_element(values[0], ir.Constant(_INDEX, k)) for k in range(WIDTH)]
+        return context.make_tuple(builder, result, numbers)
+
+    return result(_VECTOR), lower
+
+
+@intrinsic
 def _spread(_typing: Any, _number: Any) -> Any:
     return _VECTOR(_FLOAT), lambda _context, builder, _sig, values: _spread_over(builder, values[0])
 
@@ -218,6 +229,7 @@ _INSTRUCTIONS: dict[str, Any] = {
     "store_fields": _store_fields,
     "transpose": _transpose,
     "lane_numbers": _lane_numbers,
+    "lanes": _lanes,
     "spread": _spread,
     "select": _select,
     "any_lane": _any_lane,

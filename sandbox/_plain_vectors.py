@@ -51,6 +51,12 @@ def lane_numbers() -> Vector:
     return np.arange(float(WIDTH))
 
 
+def lanes(vector: Vector) -> tuple[float, float, float, float]:
+    """The number of each lane."""
+    one, two, three, four = vector.tolist()
+    return one, two, three, four
+
+
 def spread(number: float) -> Vector:
     """The same number in every lane."""
     return np.full(WIDTH, float(number))

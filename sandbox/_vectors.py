@@ -12,7 +12,7 @@ from sandbox._instruction import Instruction
 from sandbox._plain_vectors import WIDTH, Mask, Number, Vector
 
 __all__ = [
-    "WIDTH", "Mask", "Number", "Vector", "absolute", "any_lane", "lane_numbers", "load", "load_fields", "root",
+    "WIDTH", "Mask", "Number", "Vector", "absolute", "any_lane", "lane_numbers", "lanes", "load", "load_fields", "root",
     "select", "spread", "store", "store_fields", "transpose",
 ]  # fmt: skip
 
@@ -30,6 +30,8 @@ transpose = Instruction(plain.transpose, _EMITTER)
 """Of four vectors those of their first, second, third and fourth numbers: rows of a table become columns, and back."""
 lane_numbers = Instruction(plain.lane_numbers, _EMITTER)
 """0.0, 1.0, 2.0 and 3.0."""
+lanes = Instruction(plain.lanes, _EMITTER)
+"""The four numbers of a vector."""
 spread = Instruction(plain.spread, _EMITTER)
 """The same number in every lane."""
 select = Instruction(plain.select, _EMITTER)
