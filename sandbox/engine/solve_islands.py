@@ -72,7 +72,7 @@ def solve_level(
     number = level.number
     batches = blocks.batches
     rows = active.bodies[1 : 1 + active.bodies[0]]
-    worth = worth_batches(contacts.active[0], batches)
+    worth = worth_batches(contacts.active[0].contact, batches)
     colors = color_contacts(state.bodies, active, solver, ccd.bodies, contacts, number, level.mixed, worth, blocks)
     count = form_batches(rows, solver, state.drags, joints, worth, batches)
     sort_contacts(contacts, solver.batches, blocks, count)

@@ -213,7 +213,7 @@ class Stepper:
 
     def _is_worth_sharing(self) -> bool:
         """Whether so much was awake in the last step that this one is sooner done by several workers."""
-        contacts = int(plain(self.scratch.contacts.active)[0])
+        contacts = int(plain(self.scratch.contacts.active)["contact"][0])
         awake = self.counters[CounterPlace.AWAKE] + len(self._state.joints)
         return contacts + awake >= _WORTH_SHARING
 

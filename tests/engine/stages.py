@@ -28,8 +28,10 @@ from sandbox.engine.restitution import impacts
 from sandbox.engine.restitution.impacts import ImpactList
 from sandbox.engine.world import World
 from sandbox.tables import Integers
-from sandbox.world.records import BODY, CONTACT, DYNAMIC
+from sandbox.world.build import build_state
+from sandbox.world.records import BODY, DYNAMIC
 from sandbox.world.state import State
+from tests.flat import scene
 from tests.kernels import called_from_python
 from tests.naive.grid import Box
 
@@ -141,7 +143,7 @@ class Paused:
     @property
     def active_contacts(self) -> Integers:
         """Rows of the contacts with an active body."""
-        rows: Integers = self.scratch.contacts.active
+        rows: Integers = self.scratch.contacts.active.contact
         return rows[1 : 1 + int(rows[0])]
 
     def survey(self) -> None:
@@ -241,10 +243,12 @@ class Paused:
 
 def island_roots(count: int, links: Sequence[tuple[int, int]], active: Sequence[bool]) -> list[int]:
     """What `find_islands` finds for bodies that are joined by contacts."""
-    bodies, found, contacts = BODY.zeros(count), np.zeros(count, np.int64), CONTACT.zeros(len(links) + 1)
+    bodies, found = BODY.zeros(count), np.zeros(count, np.int64)
+    contacts = Scratch.for_state(build_state(scene()), len(links) + 1).contacts
     for row, awake in zip(bodies, active, strict=True):
         row.type, row.awake = DYNAMIC, int(awake)
-    for row, (a, b) in zip(contacts, links, strict=False):
-        row.body_a, row.body_b = a, b
-    find_islands(bodies, np.arange(count), found, contacts, np.arange(len(links)), None)
+    contacts.active[0].contact = len(links)
+    for k, (a, b) in enumerate(links):
+        contacts.active[1 + k] = k, a, b
+    find_islands(bodies, np.arange(count), found, contacts, None)
     return [int(i) for i in found]

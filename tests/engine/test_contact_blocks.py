@@ -41,10 +41,9 @@ def laid(pairs: list[naive.Pair], colors: list[int], movable: list[bool], room: 
     """The blocks that the engine makes, when there are so many; the ranges of their kinds are right."""
     memory = Scratch.for_state(EMPTY, LANES * room + len(pairs))
     contacts, blocks = memory.contacts, memory.blocks._replace(blocks=BLOCK.zeros(room))
-    contacts.now.body_a[: len(pairs)] = [a for a, _ in pairs]
-    contacts.now.body_b[: len(pairs)] = [b for _, b in pairs]
-    contacts.active[0] = len(pairs)
-    contacts.active[1 : 1 + len(pairs)] = np.arange(len(pairs))
+    contacts.active[0].contact = len(pairs)
+    for k, (a, b) in enumerate(pairs):
+        contacts.active[1 + k] = k, a, b
     blocks.colors[: len(pairs)] = colors
     blocks.sets[:] = blocks.further[:] = blocks.further_heads[:] = 12345
     taken = np.where(movable, 7, IMMOVABLE)

@@ -75,7 +75,7 @@ def test_every_island_is_in_one_batch_that_holds_it():
         assert (of_body[members] == n).all()
         assert (np.diff(members) > 0).all()
         assert n == 0 or len(members) <= batches.size[0]
-    rows = made.contacts.active[1 : 1 + made.contacts.active[0]]
+    rows = made.contacts.active.contact[1 : 1 + made.contacts.active.contact[0]]
     touching = world.state.contacts[rows]
     moves = world.state.bodies.inverse_mass > 0.0
     both = moves[touching.body_a] & moves[touching.body_b]

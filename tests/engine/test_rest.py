@@ -97,7 +97,7 @@ def test_most_of_the_town_sleeps_and_its_grid_is_split():
     assert active_set.moving == 1
     assert active_set.apart == 72  # tiles, ground and the pusher, which rests
     assert active_set.generation > active_set.fixed_generation == 1  # who fell asleep changed nothing for those
-    assert w.scratch.contacts.active[0] == 0
+    assert w.scratch.contacts.active.contact[0] == 0
     assert counts.contact_count > STACKS
     cursor = w.scratch.contacts.cursor[0]
     before = cursor.generation0, cursor.generation1

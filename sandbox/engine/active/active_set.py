@@ -103,7 +103,7 @@ def list_active_contacts(bodies: Records, contacts: Contacts, count: int) -> Non
 
     The narrow phase has made these lists; they are made anew after somebody has woken.
     """
-    contacts.active[0] = 0
+    contacts.active[0].contact = 0
     contacts.impact_candidates[0] = 0
     for i in range(count):
         contact = contacts.now[i]
@@ -114,15 +114,19 @@ def list_active_contacts(bodies: Records, contacts: Contacts, count: int) -> Non
 @inlined_kernel
 def list_contact(contact: Records, row: int, contacts: Contacts) -> None:
     """List one contact that the solver will look at; it may have an impact if it has restitution or two points."""
-    list_row(row, contact.restitution > 0.0 or contact.point_count == 2, contacts)
+    may_impact = contact.restitution > 0.0 or contact.point_count == 2
+    list_row(row, contact.body_a, contact.body_b, may_impact, contacts)
 
 
 @inlined_kernel
-def list_row(row: int, may_impact: bool, contacts: Contacts) -> None:
+def list_row(row: int, body_a: int, body_b: int, may_impact: bool, contacts: Contacts) -> None:
     """List the row of a contact that the solver will look at."""
-    active = contacts.active
-    active[0] += 1
-    active[active[0]] = row
+    last = contacts.active[0].contact + 1
+    contacts.active[0].contact = last
+    slot = contacts.active[last]
+    slot.contact = row
+    slot.body_a = body_a
+    slot.body_b = body_b
     if may_impact:
         candidates = contacts.impact_candidates
         candidates[0] += 1

@@ -9,6 +9,7 @@ from __future__ import annotations
 from sandbox._jit import kernel
 from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.joints.records import JointWork
+from sandbox.engine.records.contacts import Contacts
 from sandbox.tables import Integers, Records
 
 
@@ -17,17 +18,15 @@ def find_islands(
     bodies: Records,
     active_bodies: Integers,
     islands: Integers,
-    contacts: Records,
-    active_contacts: Integers,
+    contacts: Contacts,
     joints: JointWork | None,
 ) -> None:
     """Write into `islands` of every active body the lowest row of its island."""
     for i in active_bodies:
         islands[i] = i
-    for i in active_contacts:
-        contact = contacts[i]
-        if is_active(bodies[contact.body_a]) and is_active(bodies[contact.body_b]):
-            unite(islands, contact.body_a, contact.body_b)
+    for slot in contacts.active[1 : 1 + contacts.active[0].contact]:
+        if is_active(bodies[slot.body_a]) and is_active(bodies[slot.body_b]):
+            unite(islands, slot.body_a, slot.body_b)
     if joints is not None:
         for i in range(joints.ties.shape[0]):
             if is_active(bodies[joints.ties[i].low]) and is_active(bodies[joints.ties[i].high]):

@@ -155,8 +155,8 @@ def measure_contacts(
         pile.level = 0
         pile.bottom = pile.left = pile.bearer = pile.slight = _NONE
         pile.right = -_NONE
-    for i in contacts.active[1 : 1 + contacts.active[0]]:
-        contact = contacts.now[i]
+    for slot in contacts.active[1 : 1 + contacts.active[0].contact]:
+        contact = contacts.now[slot.contact]
         a = bodies[contact.body_a]
         b = bodies[contact.body_b]
         if not (is_active(a) or is_active(b)):

@@ -41,8 +41,7 @@ def fall_asleep(
         keep_awake_at_kinematic(solver.flags, joints)
     ready = _count_slow_time(bodies, rows, solver, state.settings[0].step_seconds)
     if ready and state.settings[0].sleeping == 1:
-        touched = contacts.active[1 : 1 + contacts.active[0]]
-        find_islands(bodies, rows, solver.islands, contacts.now, touched, joints)
+        find_islands(bodies, rows, solver.islands, contacts, joints)
         _sleep_islands(bodies, rows, solver.islands, solver.flags, active.info)
     _count_sleepers(bodies, rows, active.info[0], state.counters[0])
 

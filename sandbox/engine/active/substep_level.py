@@ -52,9 +52,7 @@ def assign_substep_levels(
     """
     used = _assign_to_piles(state, active, solver, piles, contacts, joints)
     if joints is not None:
-        used |= refine_small_parts(
-            joints, state.bodies, solver.free_motions, contacts.now, contacts.active[1 : 1 + contacts.active[0]]
-        )
+        used |= refine_small_parts(joints, state.bodies, solver.free_motions, contacts)
     return used
 
 
@@ -85,9 +83,7 @@ def _assign_to_piles(
     omega = 2.0 * PI * setting.contact_hertz
     used = 1
     if gravity > 0.0:
-        find_islands(
-            state.bodies, rows, solver.islands, contacts.now, contacts.active[1 : 1 + contacts.active[0]], joints
-        )
+        find_islands(state.bodies, rows, solver.islands, contacts, joints)
         seconds = setting.step_seconds / setting.substeps if counter.substep_levels > 0 else 0.0
         load = Load(gravity_x / gravity, gravity_y / gravity, gravity, omega, seconds)
         used = _look(state, rows, solver, piles, contacts, joints, load, counter.substep_levels)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from sandbox._jit import kernel
 from sandbox.engine.bodies.flags import disturbs
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.contacts import Contacts
-from sandbox.tables import Integers, Records
+from sandbox.tables import Records
 
 
 @kernel
@@ -22,13 +24,13 @@ def wake_touched(
 
     Returns whether there was one: then the active set is out of date.
     """
-    touched = contacts.active[1 : 1 + contacts.active[0]]
+    touched: Any = contacts.active[1 : 1 + contacts.active[0].contact]
     if counters[0].asleep_count == 0:
         return False
-    if not (_some_touched(bodies, contacts.now, touched) or _some_joined(bodies, joints)):
+    if not (_some_touched(bodies, touched) or _some_joined(bodies, joints)):
         return False
-    for i in touched:
-        _wake_either(bodies[contacts.now[i].body_a], bodies[contacts.now[i].body_b])
+    for slot in touched:
+        _wake_either(bodies[slot.body_a], bodies[slot.body_b])
     if joints is not None:
         for i in range(joints.ties.shape[0]):
             _wake_either(bodies[joints.ties[i].low], bodies[joints.ties[i].high])
@@ -37,11 +39,11 @@ def wake_touched(
 
 
 @kernel
-def _some_touched(bodies: Records, contacts: Records, touched: Integers) -> bool:
+def _some_touched(bodies: Records, touched: Records) -> bool:
     """Whether a sleeping body has a contact with an active or a driven one."""
     found = False
-    for i in touched:
-        found = found or _disturbed(bodies[contacts[i].body_a], bodies[contacts[i].body_b])
+    for slot in touched:
+        found = found or _disturbed(bodies[slot.body_a], bodies[slot.body_b])
     return found
 
 

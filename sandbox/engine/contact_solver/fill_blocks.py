@@ -51,32 +51,29 @@ def sort_contacts(contacts: Contacts, of_body: Integers, blocks: ContactBlocks, 
 
     Afterwards `heads` has the first slot of each colour of each batch, and behind them how many there are.
     """
-    rows = contacts.active[1 : 1 + contacts.active[0]]
+    listed = contacts.active[1 : 1 + contacts.active[0].contact]
     colors = blocks.colors
     heads = blocks.heads
     for c in range(ALL_COLORS * batch_count + 1):
         heads[c] = 0
-    for k in range(rows.shape[0]):
+    for k in range(listed.shape[0]):
         if colors[k] >= 0:
-            heads[_key(contacts.now[rows[k]], of_body, colors[k], batch_count)] += 1
+            heads[_key(listed[k], of_body, colors[k], batch_count)] += 1
     total = 0
     for c in range(ALL_COLORS * batch_count + 1):
         total += heads[c]
         heads[c] = total
-    for k in range(rows.shape[0] - 1, -1, -1):
+    for k in range(listed.shape[0] - 1, -1, -1):
         if colors[k] < 0:
             continue
-        key = _key(contacts.now[rows[k]], of_body, colors[k], batch_count)
+        key = _key(listed[k], of_body, colors[k], batch_count)
         heads[key] -= 1
-        slot = blocks.slots[heads[key]]
-        slot.contact = rows[k]
-        slot.body_a = contacts.now[rows[k]].body_a
-        slot.body_b = contacts.now[rows[k]].body_b
+        blocks.slots[heads[key]] = listed[k]
 
 
 @inlined_kernel
-def _key(contact: Records, of_body: Integers, color: int, batch_count: int) -> int:
-    return color if batch_count == 1 else ALL_COLORS * batch_of(contact, of_body) + color
+def _key(slot: Records, of_body: Integers, color: int, batch_count: int) -> int:
+    return color if batch_count == 1 else ALL_COLORS * batch_of(slot, of_body) + color
 
 
 @kernel

@@ -55,7 +55,7 @@ def color_contacts(
     contacts, each of these at one of its two: as `TOO_MANY` where they fit into no batch.
     """
     taken = solver.colors
-    rows = contacts.active[1 : 1 + contacts.active[0]]
+    listed = contacts.active[1 : 1 + contacts.active[0].contact]
     for i in active.bodies[1 : 1 + active.bodies[0]]:
         free = IS_UNSETTLED if ccd_bodies[i].unsettled != 0 else 0
         taken[i] = free if is_active(bodies[i]) else IMMOVABLE
@@ -63,9 +63,9 @@ def color_contacts(
             solver.islands[i] = i
             solver.batches[i] = 1 if is_active(bodies[i]) else TOO_MANY
     highest = -1
-    for k in range(rows.shape[0]):
-        a = contacts.now[rows[k]].body_a
-        b = contacts.now[rows[k]].body_b
+    for k in range(listed.shape[0]):
+        a = listed[k].body_a
+        b = listed[k].body_b
         moves_a = taken[a] != IMMOVABLE
         moves_b = taken[b] != IMMOVABLE
         moves = moves_a or moves_b

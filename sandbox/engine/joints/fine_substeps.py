@@ -10,7 +10,8 @@ from __future__ import annotations
 from sandbox._jit import kernel
 from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.joints.records import JointWork
-from sandbox.tables import Integers, Records
+from sandbox.engine.records.contacts import Contacts
+from sandbox.tables import Records
 
 FINE = 2
 """Substep level of such a part: four times the scene's substeps."""
@@ -21,9 +22,7 @@ FEW = 256
 
 
 @kernel
-def refine_small_parts(
-    work: JointWork, bodies: Records, free_motions: Records, contacts: Records, active_contacts: Integers
-) -> int:
+def refine_small_parts(work: JointWork, bodies: Records, free_motions: Records, contacts: Contacts) -> int:
     """Give every small part of which no body has a contact the substep level `FINE`; return the levels given, as bits.
 
     As it has no contact, such a part is an island by itself.
@@ -33,9 +32,9 @@ def refine_small_parts(
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
         part.fine = 1 if part.direct == 1 and part.member_end - part.first_member <= SMALL else 0
-    for i in active_contacts:
+    for slot in contacts.active[1 : 1 + contacts.active[0].contact]:
         for k in range(2):
-            touched = work.part_of[contacts[i].body_a if k == 0 else contacts[i].body_b]
+            touched = work.part_of[slot.body_a if k == 0 else slot.body_b]
             if touched >= 0:
                 work.parts[touched].fine = 0
     used = 0

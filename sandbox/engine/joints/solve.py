@@ -40,8 +40,8 @@ def begin_joints(work: JointWork, bodies: Records, free_motions: Records, contac
     load_members(work, bodies)
     for p in range(work.parts.shape[0]):
         work.parts[p].supported = 0
-    for k in range(1, contacts.active[0] + 1):
-        contact = contacts.now[contacts.active[k]]
+    for slot in contacts.active[1 : 1 + contacts.active[0].contact]:
+        contact = contacts.now[slot.contact]
         if contact.normal_impulse1 > 0.0 or contact.normal_impulse2 > 0.0:
             for side in range(2):
                 part = work.part_of[contact.body_a if side == 0 else contact.body_b]

@@ -16,8 +16,8 @@ from sandbox.engine.records.batches import BLOCKS, IMPACT, SIZE, STRUCK_BODY, Ba
 from sandbox.engine.records.bodies import BEFORE_IMPACTS, BODY_FORCES, FREE_MOTION, MOTION, SolverBodies
 from sandbox.engine.records.ccd import CCD_BODY, CCD_IMPACT, Ccd
 from sandbox.engine.records.colliders import BOX, FILTER, PAIR, PROXY, RESTING_GRID, Colliders, Grid, RestingGrid
-from sandbox.engine.records.contact_blocks import BLOCK, SLOT, ContactBlocks
-from sandbox.engine.records.contacts import REPORT, SLEEPING_CURSOR, SLEEPING_RUN, Contacts
+from sandbox.engine.records.contact_blocks import BLOCK, ContactBlocks
+from sandbox.engine.records.contacts import REPORT, SLEEPING_CURSOR, SLEEPING_RUN, SLOT, Contacts
 from sandbox.geometry.manifold import MANIFOLD
 from sandbox.geometry.time_of_impact import POSED_ROWS, SWEEP
 from sandbox.tables import Records, aligned_zeros, plain
@@ -103,7 +103,7 @@ def contact_memory(state: State, pairs: int) -> Contacts:
     return Contacts(
         now=CONTACT.zeros(pairs),
         before=state.contacts,
-        active=np.zeros(pairs + 1, np.int64),
+        active=SLOT.zeros(pairs + 1),
         impact_candidates=np.zeros(pairs + 1, np.int64),
         cursor=SLEEPING_CURSOR.zeros(1),
         runs=SLEEPING_RUN.zeros(3 * (pairs + 1)),

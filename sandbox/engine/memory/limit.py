@@ -8,8 +8,8 @@ from __future__ import annotations
 from sandbox.engine.contact_solver.blocks import ALL_COLORS, BLOCK_SIZE, LANES
 from sandbox.engine.records.batches import IMPACT, SIZE
 from sandbox.engine.records.colliders import PAIR
-from sandbox.engine.records.contact_blocks import BLOCK, SLOT
-from sandbox.engine.records.contacts import REPORT, SLEEPING_RUN
+from sandbox.engine.records.contact_blocks import BLOCK
+from sandbox.engine.records.contacts import REPORT, SLEEPING_RUN, SLOT
 from sandbox.errors import CapacityError
 from sandbox.world.records import CONTACT
 
@@ -18,10 +18,12 @@ MAX_STEP_BYTES = 4 * 1024**3
 _LEAST = 256
 """A world that has outgrown its first memory for pairs takes room for so many: a few at a time is as often anew."""
 _WORD = 8
-_PAIR_BYTES = 4 * _WORD + sum(
+_PAIR_BYTES = 3 * _WORD + sum(
     table.dtype.itemsize
-    for table in (CONTACT, CONTACT, PAIR, PAIR, SLEEPING_RUN, SLEEPING_RUN, SLEEPING_RUN, REPORT, SLOT, SLOT, IMPACT)
-)
+    for table in (
+        CONTACT, CONTACT, PAIR, PAIR, SLEEPING_RUN, SLEEPING_RUN, SLEEPING_RUN, REPORT, SLOT, SLOT, SLOT, IMPACT,
+    )
+)  # fmt: skip
 _BLOCK_BYTES = BLOCK.dtype.itemsize + _WORD * BLOCK_SIZE
 
 

@@ -45,7 +45,7 @@ def find_contacts(
     for i in active.bodies[1 : 1 + active.bodies[0]]:
         ccd_bodies[i].deep = 0
         ccd_bodies[i].unsettled = 0
-    contacts.active[0] = 0
+    contacts.active[0].contact = 0
     contacts.impact_candidates[0] = 0
     pair_count = state.counters[0].pair_count
     batch_size = decisions.made.shape[0]
@@ -97,13 +97,15 @@ def _number_contacts(
         made = decided[n]
         if made.old != k and k < old_count and comes_before(old[k], i, j):
             k, count = keep_sleeping_before(state.bodies, active.activity, contacts, k, old_count, i, j, count)
+        body_a = proxies[i].body
+        body_b = proxies[j].body
         if made.bits & (NEW | OVERLAPS | DEEP):
-            _note(ccd_bodies[proxies[i].body], made.bits)
-            _note(ccd_bodies[proxies[j].body], made.bits)
+            _note(ccd_bodies[body_a], made.bits)
+            _note(ccd_bodies[body_b], made.bits)
         if made.row < 0:
             continue
         made.row = count
-        list_row(count, made.bits & MAY_IMPACT != 0, contacts)
+        list_row(count, body_a, body_b, made.bits & MAY_IMPACT != 0, contacts)
         if made.old >= 0:
             k = made.old + 1
         count += 1

@@ -7,16 +7,6 @@ from typing import NamedTuple
 from sandbox.engine.records.batches import Batches
 from sandbox.tables import Field, Floats, Integers, Records, Table
 
-SLOT = Table(
-    "slot",
-    (
-        Field("contact", "-", "row in the contact table", "i8"),
-        Field("body_a", "-", "", "i8"),
-        Field("body_b", "-", "", "i8"),
-    ),
-)
-"""Contacts in the order they are solved in, colour by colour."""
-
 BLOCK = Table(
     "block",
     (
@@ -37,10 +27,10 @@ BLOCK = Table(
 class ContactBlocks(NamedTuple):
     """Contact constraints laid out for the solver, see `blocks`.
 
-    `colors` has the colour of each active contact, `starts` first how many ranges of one colour the blocks fall into,
-    then the first block of each and behind them the number of blocks; `heads`, `further` and `further_heads` are
-    scratch of the counting sorts by batch and colour, `sets` the further colours that bodies have. `spare` is
-    scratch for other orders of them. `batches` are those that islands fall into.
+    `slots` has them colour by colour, `colors` the colour of each active contact, `starts` first how many ranges of
+    one colour the blocks fall into, then the first block of each and behind them the number of blocks; `heads`,
+    `further` and `further_heads` are scratch of the counting sorts by batch and colour, `sets` the further colours that
+    bodies have. `spare` is scratch for other orders of them. `batches` are those that islands fall into.
     """
 
     slots: Records

@@ -34,6 +34,16 @@ SLEEPING_CURSOR = Table(
 )
 """One row: how far the contacts among sleepers have been kept."""
 
+SLOT = Table(
+    "slot",
+    (
+        Field("contact", "-", "row in the contact table", "i4"),
+        Field("body_a", "-", "", "i4"),
+        Field("body_b", "-", "", "i4"),
+    ),
+)
+"""A contact in a list: most who go through one ask for no more than its bodies, and rows of contacts are large."""
+
 REPORT = Table(
     "report",
     (
@@ -47,14 +57,14 @@ REPORT = Table(
 class Contacts(NamedTuple):
     """Contacts `now` and those of the step `before`, both sorted by (shape_a, shape_b).
 
-    `active[1:]` are the rows of contacts with an active body, `impact_candidates[1:]` those of them that may have an
-    impact; item 0 of both is how many. `cursor` (one row) and `runs` are of `sleeping_contacts`: the runs of the two
-    tables and those of the walk, in thirds.
+    `active[1:]` are the contacts with an active body, `impact_candidates[1:]` the rows of those of them that may have
+    an impact; how many they are is `active[0].contact` and `impact_candidates[0]`. `cursor` (one row) and `runs` are of
+    `sleeping_contacts`: the runs of the two tables and those of the walk, in thirds.
     """
 
     now: Records
     before: Records
-    active: Integers
+    active: Records
     impact_candidates: Integers
     cursor: Records
     runs: Records

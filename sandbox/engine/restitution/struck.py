@@ -131,12 +131,9 @@ def _struck(ccd_bodies: Records, contact: Records) -> int:
 def _list_inelastic(contacts: Contacts, slots: Records) -> int:
     """List the active contacts without restitution; returns how many."""
     count = 0
-    for row in contacts.active[1 : 1 + contacts.active[0]]:
-        contact = contacts.now[row]
-        if contact.restitution == 0.0:
-            slots[count].contact = row
-            slots[count].body_a = contact.body_a
-            slots[count].body_b = contact.body_b
+    for slot in contacts.active[1 : 1 + contacts.active[0].contact]:
+        if contacts.now[slot.contact].restitution == 0.0:
+            slots[count] = slot
             count += 1
     return count
 

@@ -39,8 +39,8 @@ def contact_colors(look: Look) -> Ints:
     """The colour of each contact (c,) in the last pass of the solver; -1 for those that were not in it."""
     world = look.world
     color = np.full(len(world.contacts), -1)
-    active: Any = world.scratch.contacts.active
-    rows = np.asarray(active[1 : 1 + int(active[0])])
+    active: Any = np.asarray(world.scratch.contacts.active)["contact"]
+    rows = active[1 : 1 + int(active[0])]
     solved: Any = np.asarray(world.scratch.blocks.colors[: len(rows)])
     sound = (rows < len(color)) & (rows >= 0)
     color[rows[sound]] = (solved % KIND)[sound]
