@@ -71,7 +71,7 @@ RESTING_GRID = Table(
 )
 """One row: what is known of a grid that is kept."""
 
-PAIR = Table("pair", (Field("shape_a", "-", "", "i8"), Field("shape_b", "-", "", "i8")))
+PAIR = Table("pair", (Field("shape_a", "-", "", "i4"), Field("shape_b", "-", "", "i4")))
 
 
 class Colliders(NamedTuple):
