@@ -29,23 +29,27 @@ def minimum_degree(
 ) -> tuple[list[int], bool]:
     """Elimination order of a graph, and whether it takes at most about `limit` updates a row."""
     left = {n: set(neighbours[n]) for n in nodes}
-    heap = [(sum(weights[k] for k in left[n]), n) for n in nodes]
+    degrees = {n: sum(weights[k] for k in left[n]) for n in nodes}
+    heap = [(degree, n) for n, degree in degrees.items()]
     heapq.heapify(heap)
     budget = limit * sum(weights[n] for n in nodes) + _FREE_UPDATES
     order: list[int] = []
     while heap:
         degree, n = heapq.heappop(heap)
-        if n not in left or degree != sum(weights[k] for k in left[n]):
+        if degrees.get(n) != degree:
             continue
         budget -= weights[n] * (degree + weights[n]) ** 2 // 2
         if budget < 0:
             return list(nodes), False
-        around = sorted(left.pop(n))
+        around = left.pop(n)
+        del degrees[n]
         order.append(n)
         for k in around:
-            left[k].update(around)
-            left[k] -= {n, k}
-            heapq.heappush(heap, (sum(weights[m] for m in left[k]), k))
+            new = around - left[k] - {k}
+            left[k] |= new
+            left[k].remove(n)
+            degrees[k] += sum(weights[m] for m in new) - weights[n]
+            heapq.heappush(heap, (degrees[k], k))
     return order, True
 
 
