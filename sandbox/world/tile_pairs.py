@@ -103,6 +103,17 @@ def count_near(outlines: Outlines) -> int:
     return total
 
 
+def count_meeting(outlines: Outlines, most: int) -> int:
+    """How many pairs of edges those tiles have that `meeting_tiles` finds; it stops to look past `most`."""
+    counts = outlines.counts
+    total = 0
+    for one, two in meeting_tiles(outlines, np.arange(len(counts))):
+        total += int((counts[one] * counts[two]).sum())
+        if total > most:
+            break
+    return total
+
+
 def _levels(boxes: _Boxes) -> Iterator[_Level]:
     sizes = [(boxes.right - boxes.left) * _MARGIN, (boxes.high - boxes.low) * _MARGIN]
     exponents = np.stack([np.frexp(each)[1] for each in sizes], axis=1)

@@ -47,6 +47,12 @@ def test_it_is_sound_small_and_tidy(name: str) -> None:
         assert expectation["at"] == scene.settings.steps
 
 
+@every_scene
+def test_it_can_be_built(name: str) -> None:
+    course = Course(sandbox.load_scene(FILES[name]), name)
+    assert len(sandbox.World(course.scene).state.bodies) == len(course.flat.bodies)
+
+
 def test_they_are_found_by_name_and_a_misspelt_name_is_mended() -> None:
     assert find_scene(Path("box2d-tumbler")) == FILES["box2d-tumbler"]
     with pytest.raises(sandbox.SceneError, match='did you mean "box2d-tumbler"'):
