@@ -13,6 +13,7 @@ from __future__ import annotations
 from typing import Any
 
 from sandbox._jit import entry_point, kernel
+from sandbox.engine.broad_phase.proxies import BULLET, FIXED
 from sandbox.engine.continuous_collision.bullets import carry_bullet, stop_bullets
 from sandbox.engine.continuous_collision.contact_impulse import apply_contact_impulse
 from sandbox.engine.continuous_collision.relative_sweep import SweepTables
@@ -46,7 +47,7 @@ def solve_continuous(
     tables = SweepTables(state.bodies, state.shapes, solver.motions, colliders.cores, ccd)
     fast = grid.sorted_pairs
     rows = active.bodies[1 : 1 + active.bodies[0]]
-    count = _list_fast(ccd.bodies, colliders.filters, grid.pairs, state.counters[0].pair_count, fast)
+    count = _list_swept(ccd.bodies, colliders.proxies, grid.pairs, state.counters[0].pair_count, fast)
     _forget_impacts(colliders.filters, rows, ccd.impacts, fast, count)
     for k in range(count):
         carry_bullet(tables, fast[k])
@@ -98,11 +99,17 @@ def _forget_impact(impact: Records) -> None:
 
 
 @kernel
-def _list_fast(ccd_bodies: Records, filters: Records, pairs: Records, pair_count: int, fast: Records) -> int:
-    """List the pairs of which a body is fast, in order; return how many. The rest of the table stays free for one."""
+def _list_swept(ccd_bodies: Records, proxies: Records, pairs: Records, pair_count: int, swept: Records) -> int:
+    """List the pairs of which a body is fast and one is static or a bullet, in order; return how many.
+
+    The rest of the table stays free for one.
+    """
     count = 0
     for k in range(pair_count):
-        if ccd_bodies[filters[pairs[k].shape_a].body].fast + ccd_bodies[filters[pairs[k].shape_b].body].fast > 0:
-            fast[count] = pairs[k]
+        a = proxies[pairs[k].shape_a]
+        b = proxies[pairs[k].shape_b]
+        holds = (a.traits | b.traits) & (FIXED | BULLET) != 0
+        if holds and ccd_bodies[a.body].fast + ccd_bodies[b.body].fast > 0:
+            swept[count] = pairs[k]
             count += 1
     return count
