@@ -165,8 +165,9 @@ def solve_batches(
         held = put_free_last(members, solver, state.drags, joints, share.colors)
         start = batches.first_impact[batch]
         stop = batches.first_impact[batch + 1]
-        slots: Any = batches.impacts[start:stop]
-        impacts = ImpactList(slots, stop - start, threshold)
+        rows: Any = batches.impacts[start:stop]
+        slots: Any = batches.impact_slots[start:stop]
+        impacts = ImpactList(rows, slots, stop - start, threshold)
         ranges = fill_blocks(solver.colors, own, batch)
         prepare_contacts(bodies, contacts.now, own, ranges.total, team, spring, share.impacts, share.impact_speed)
         todo = Pass(level, batch, held, ranges, share.unsettled & NEW != 0, share.impacts)

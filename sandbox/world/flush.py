@@ -65,8 +65,8 @@ def check_crowd(outlines: Outlines) -> None:
     near = count_near(outlines)
     if near > PARTED * limit or (near > limit and count_meeting(outlines, limit) > limit):
         raise CapacityError(
-            f"{tiles:,} static polygons that lie over each other or side by side make {near:,} pairs of edges, of which "
-            f"{limit:,} may meet. Too many are in one place: spread them, or leave out those that others cover"
+            f"{tiles:,} static polygons that lie over each other or side by side make {near:,} pairs of edges, of "
+            f"which {limit:,} may meet. Too many are in one place: spread them, or leave out those that others cover"
         )
 
 

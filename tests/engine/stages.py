@@ -219,9 +219,11 @@ class Paused:
     def strike(self) -> None:
         """Resolve the impacts of contacts that close at more than 0.2 m/s."""
         m = self.scratch
-        slots = m.blocks.batches.impacts
+        rows, slots = m.blocks.batches.impacts, m.blocks.batches.impact_slots
         count = list_impact_contacts(self.state.bodies, m.solver, m.contacts, 0, 1e9, 0.2, slots)
-        resolve_impacts(self.state.bodies, m.solver, m.contacts.now, ImpactList(slots, count, 0.2), self.substep)
+        for row, slot in zip(rows[:count], slots[:count], strict=True):
+            row.contact, row.body_a, row.body_b = slot.contact, slot.body_a, slot.body_b
+        resolve_impacts(self.state.bodies, m.solver, m.contacts.now, ImpactList(rows, slots, count, 0.2), self.substep)
 
     def moved(self) -> list[int]:
         """The bodies that take part in an inelastic impact of all contacts."""

@@ -106,7 +106,8 @@ def _sort_bodies(rows: Integers, of_body: Integers, batches: Batches, count: int
 
 @kernel
 def sort_impacts(slots: Records, length: int, of_body: Integers, batches: Batches, count: int) -> None:
-    """Write `batches.impacts`: the contacts that may have an impact by batch, in the order of `slots` within each."""
+    """Write `batches.impacts` and `impact_slots`: the contacts that may have an impact by batch, within each in the
+    order of `slots`."""
     first = batches.first_impact
     for n in range(count + 1):
         first[n] = 0
@@ -120,6 +121,7 @@ def sort_impacts(slots: Records, length: int, of_body: Integers, batches: Batche
         slot = slots[k]
         n = batch_of(slot, of_body) if count > 1 else 0
         first[n] -= 1
+        batches.impact_slots[first[n]] = slot
         impact = batches.impacts[first[n]]
         impact.contact = slot.contact
         impact.body_a = slot.body_a

@@ -139,6 +139,7 @@ def batch_memory(bodies: int, pairs: int, workers: int) -> Batches:
         struck=STRUCK_BODY.zeros(bodies),
         first_body=np.zeros(batches + 1, np.int64),
         impacts=IMPACT.zeros(pairs),
+        impact_slots=SLOT.zeros(pairs),
         first_impact=np.zeros(batches + 1, np.int64),
         blocks=BLOCK.zeros(blocks),
         lanes=aligned_zeros(blocks * BLOCK_SIZE, np.float64),

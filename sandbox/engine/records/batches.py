@@ -48,8 +48,9 @@ class Batches(NamedTuple):
 
     `size[0]` is how many bodies and contacts one has at most. `bodies` has the bodies of batch n from `first_body[n]`
     to before `first_body[n + 1]`; `struck` has as many rows for each, filled by those that take part in an inelastic
-    impact. `impacts` has the contacts that may have an impact, by `first_impact`. `blocks`, `lanes` and `starts` are
-    what `ContactBlocks` has, for each worker but the first.
+    impact. `impacts` has the contacts that may have an impact, by `first_impact`, and `impact_slots` the same as
+    `SLOT` rows, for those who only look for some. `blocks`, `lanes` and `starts` are what `ContactBlocks` has, for each
+    worker but the first.
     """
 
     size: Integers
@@ -57,6 +58,7 @@ class Batches(NamedTuple):
     struck: Records
     first_body: Integers
     impacts: Records
+    impact_slots: Records
     first_impact: Integers
     blocks: Records
     lanes: Floats

@@ -35,8 +35,10 @@ _ROUNDS = 32
 
 
 class ImpactList(NamedTuple):
-    """The contacts that may have an impact in a step: `slots[:length]`, and the speed (m/s) below which none does."""
+    """The contacts that may have an impact in a step: `rows[:length]`, as `IMPACT`, and as `SLOT` in `slots`; and the
+    speed (m/s) below which none does."""
 
+    rows: Records
     slots: Records
     length: int
     threshold: float
@@ -84,16 +86,16 @@ def resolve_impacts(
     """
     if _strike_singly(bodies, solver, contacts, impacts, seconds):
         return
-    slots: Any = impacts.slots[: impacts.length]
+    rows: Any = impacts.rows[: impacts.length]
     work = 0
     for turn in range(_ROUNDS):
-        if work >= _MOST_WORK or not _add_closing(bodies, solver, contacts, slots, impacts.threshold, seconds):
+        if work >= _MOST_WORK or not _add_closing(bodies, solver, contacts, impacts, seconds):
             return
-        form_groups(bodies, slots, solver.struck)
+        form_groups(bodies, rows, solver.struck)
         for k in range(impacts.length):
-            if starts_group(slots, k, solver.struck):
+            if starts_group(rows, k, solver.struck):
                 left = _MOST_WORK - work
-                work += strike_group(bodies, solver, contacts, slots[k:], impacts.threshold, turn == 0, left)
+                work += strike_group(bodies, solver, contacts, rows[k:], impacts.threshold, turn == 0, left)
 
 
 @kernel
@@ -109,7 +111,7 @@ def _strike_singly(
     length = impacts.length
     struck_at = solver.struck
     for k in range(length):
-        slots[k].group = ALONE
+        impacts.rows[k].group = ALONE
         struck_at[slots[k].body_a] = struck_at[slots[k].body_b] = -1
     look = 0
     for _sweep in range(_SWEEPS):
@@ -119,7 +121,7 @@ def _strike_singly(
             b = slots[k].body_b
             before = look - length  # when this contact was looked at in the sweep before
             again = struck_at[a] >= before or struck_at[b] >= before
-            if again and _strike(bodies, solver, contacts[slots[k].contact], slots[k], impacts.threshold, seconds):
+            if again and _strike(bodies, solver, contacts, slots[k], impacts.rows[k], impacts.threshold, seconds):
                 _note_strike(bodies[a], bodies[b], slots[k], look, struck_at)
                 struck = True
             look += 1
@@ -129,17 +131,17 @@ def _strike_singly(
 
 
 @kernel
-def _add_closing(
-    bodies: Records, solver: SolverBodies, contacts: Records, slots: Records, threshold: float, seconds: float
-) -> bool:
+def _add_closing(bodies: Records, solver: SolverBodies, contacts: Records, impacts: ImpactList, seconds: float) -> bool:
     """Let contacts that close strike too, and return whether there are any."""
     found = False
-    for slot in slots:
+    for k in range(impacts.length):
+        slot = impacts.slots[k]
         contact = contacts[slot.contact]
-        closes = _wanted_change(solver, contact, 1, threshold, seconds) > 0.0
-        closes |= contact.point_count == 2 and _wanted_change(solver, contact, 2, threshold, seconds) > 0.0
+        closes = _wanted_change(solver, contact, slot, 1, impacts.threshold, seconds) > 0.0
+        if contact.point_count == 2:
+            closes |= _wanted_change(solver, contact, slot, 2, impacts.threshold, seconds) > 0.0
         if closes:
-            note_first_strike(bodies, solver, contact, slot)
+            note_first_strike(bodies, solver, contact, impacts.rows[k])
             found = True
     return found
 
@@ -179,32 +181,41 @@ def resolve_late_impacts(
 
 @kernel
 def _strike(
-    bodies: Records, solver: SolverBodies, contact: Records, slot: Records, threshold: float, seconds: float
+    bodies: Records,
+    solver: SolverBodies,
+    contacts: Records,
+    slot: Records,
+    impact: Records,
+    threshold: float,
+    seconds: float,
 ) -> bool:
     """Resolve the impact of one contact, if there is one; both its points at once."""
-    change1 = _wanted_change(solver, contact, 1, threshold, seconds)
+    contact = contacts[slot.contact]
+    change1 = _wanted_change(solver, contact, slot, 1, threshold, seconds)
     change2 = 0.0
     if contact.point_count == 2:
-        change2 = _wanted_change(solver, contact, 2, threshold, seconds)
+        change2 = _wanted_change(solver, contact, slot, 2, threshold, seconds)
     if change1 <= 0.0 and change2 <= 0.0:
         return False
-    note_first_strike(bodies, solver, contact, slot)
+    note_first_strike(bodies, solver, contact, impact)
     strike_elastic(bodies, solver, contact, change1, change2)
     return True
 
 
 @kernel
-def _wanted_change(solver: SolverBodies, contact: Records, point: int, threshold: float, seconds: float) -> float:
+def _wanted_change(
+    solver: SolverBodies, contact: Records, slot: Records, point: int, threshold: float, seconds: float
+) -> float:
     """Change of normal velocity (m/s) that the impact at one point asks for; 0 when there is no impact.
 
     With the speed v at a gap s and the relative acceleration a along the normal, v^2 - 2 a s is the same at the
     surface: that is where restitution applies.
     """
-    start = opening_speed(start_velocity(solver.free_motions, contact), contact, point)
+    start = opening_speed(start_velocity(solver.free_motions, slot), contact, point)
     if -start <= threshold:
         return 0.0
-    free = opening_speed(free_velocity(solver.free_motions, contact), contact, point)
-    gap = _gap(solver.motions[contact.body_a], solver.motions[contact.body_b], contact, point)
+    free = opening_speed(free_velocity(solver.free_motions, slot), contact, point)
+    gap = _gap(solver.motions[slot.body_a], solver.motions[slot.body_b], contact, point)
     other_end = gap + seconds * free
     if seconds > 0.0 and other_end > 0.0:  # it does not close within the substep
         return 0.0
