@@ -11,7 +11,7 @@ from sandbox.engine.records.active_set import ACTIVE_SET, ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contacts import Contacts
 from sandbox.tables import Records
-from sandbox.world.records import DYNAMIC
+from sandbox.world.records import DYNAMIC, STATIC
 
 AWAKE, ASLEEP = 1, 2
 """What `activity` says of a body that a step may move, and of one that sleeps; 0 of those that stay where they are."""
@@ -66,7 +66,9 @@ def update_active_set(bodies: Records, active: ActiveSet, solver: SolverBodies, 
 def _list_loose(bodies: Records, active: ActiveSet, solver: SolverBodies, ccd_bodies: Records) -> None:
     """List the bodies that may move or sleep; lay the others to rest."""
     count = 0
+    static = 0
     for i in range(bodies.shape[0]):
+        static += 1 if bodies[i].type == STATIC else 0
         if bodies[i].type == DYNAMIC or disturbs(bodies[i]):
             count += 1
             active.loose[count] = i
@@ -74,6 +76,7 @@ def _list_loose(bodies: Records, active: ActiveSet, solver: SolverBodies, ccd_bo
             active.activity[i] = 0
             _lay_to_rest(bodies, i, solver, ccd_bodies)
     active.loose[0] = count
+    active.info[0].static = static
 
 
 @kernel

@@ -43,6 +43,8 @@ def stop_strays(
     info = active.info[0]
     shapes = tables.shapes.shape[0]
     known = info.shapes_generation == info.generation  # otherwise somebody has woken in this step
+    if info.static == 0:
+        return static_count
     again = static_count >= 0
     for k in range(info.moving if known else shapes):
         i = active.shapes[k]

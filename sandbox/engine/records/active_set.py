@@ -11,6 +11,7 @@ ACTIVE_SET = Table(
     (
         Field("stale", "-", "1 when somebody may have come, gone or changed since the lists were made", "i8"),
         Field("shifted", "-", "1 when somebody has woken or fallen asleep since", "i8"),
+        Field("static", "-", "static bodies", "i8"),
         Field("asleep", "-", "dynamic bodies that slept when they were made", "i8"),
         Field("generation", "-", "counts how often they were made", "i8"),
         Field("fixed_generation", "-", "its value when it was last asked who stays where it is", "i8"),
