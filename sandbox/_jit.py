@@ -15,6 +15,7 @@ import os
 import threading
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from types import FunctionType
 from typing import Any, TypeVar, cast
 
 import numpy as np
@@ -212,11 +213,15 @@ def _kind(value: Any) -> Any:
 
 
 def interpreted(function: F) -> F:
-    """The Python body of a kernel, for callers in Python, who cannot call the kernel itself.
-
-    Only for kernels that call no other kernel.
-    """
-    return cast(F, getattr(function, "py_func", function))
+    """The Python body of a kernel, for callers in Python, who cannot call the kernel itself; so for those it calls."""
+    if not isinstance(function, Kernel):
+        return function
+    body = cast(FunctionType, function.py_func)
+    known = body.__globals__
+    called = {name: interpreted(known[name]) for name in body.__code__.co_names if isinstance(known.get(name), Kernel)}
+    if not called:
+        return cast(F, body)
+    return cast(F, FunctionType(body.__code__, known | called, body.__name__, body.__defaults__, body.__closure__))
 
 
 def kernel_argument(value: Any) -> Any:
