@@ -1,6 +1,7 @@
 """Record arrays declared as tables: the dtype, the hashed columns and the documentation come from one declaration.
 
-Every field is eight bytes (`f8` or `i8`), so records have no padding and their bytes can be hashed as they are.
+Every field of what a world stores is eight bytes (`f8` or `i8`), so its records have no padding and their bytes can be
+hashed as they are. Scratch tables may have whole numbers of four bytes (`i4`).
 """
 
 from __future__ import annotations
