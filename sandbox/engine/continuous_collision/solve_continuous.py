@@ -45,23 +45,23 @@ def solve_continuous(
     The bodies are at the end of the step, cores and boxes of its beginning, the motions lie between.
     """
     tables = SweepTables(state.bodies, state.shapes, solver.motions, colliders.cores, ccd)
-    fast = grid.sorted_pairs
+    swept = grid.sorted_pairs
     rows = active.bodies[1 : 1 + active.bodies[0]]
-    count = _list_swept(ccd.bodies, colliders.proxies, grid.pairs, state.counters[0].pair_count, fast)
-    _forget_impacts(colliders.filters, rows, ccd.impacts, fast, count)
+    count = _list_swept(ccd.bodies, colliders.proxies, grid.pairs, state.counters[0].pair_count, swept)
+    _forget_impacts(colliders.filters, rows, ccd.impacts, swept, count)
     for k in range(count):
-        carry_bullet(tables, fast[k])
+        carry_bullet(tables, swept[k])
     bullets = False
     static_count = -1
     threshold = state.settings[0].restitution_threshold
     for slides in range(SLIDES + 1):
         for k in range(count):
-            bullets |= stop_at_static(tables, fast[k])
+            bullets |= stop_at_static(tables, swept[k])
         static_count = stop_strays(tables, active, colliders, grid, count, joint_filter, static_count)
         if slides == SLIDES or not slide_all(state.bodies, rows, solver.motions, ccd.impacts, threshold):
             break
     if bullets:
-        found: Any = fast[:count]
+        found: Any = swept[:count]
         stop_bullets(tables, found)
     _roll_back_all(state, rows, solver.motions, ccd.impacts)
 
@@ -82,13 +82,13 @@ def _roll_back_all(state: StateTables, rows: Integers, motions: Records, impacts
 
 
 @kernel
-def _forget_impacts(filters: Records, rows: Integers, impacts: Records, fast: Records, count: int) -> None:
-    """Nobody is stopped yet: neither those that move, nor the sleepers that something fast may meet."""
+def _forget_impacts(filters: Records, rows: Integers, impacts: Records, swept: Records, count: int) -> None:
+    """Nobody is stopped yet: neither those that move, nor the sleepers that a bullet may meet."""
     for i in rows:
         _forget_impact(impacts[i])
     for k in range(count):
-        _forget_impact(impacts[filters[fast[k].shape_a].body])
-        _forget_impact(impacts[filters[fast[k].shape_b].body])
+        _forget_impact(impacts[filters[swept[k].shape_a].body])
+        _forget_impact(impacts[filters[swept[k].shape_b].body])
 
 
 @kernel
