@@ -84,6 +84,7 @@ def _of_the_step(
 
 def find_rows(pairs: Integers, among: Integers, shapes: int) -> Integers:
     """For each of `pairs` its row in `among` (sorted by both columns), or -1."""
+    among, pairs = among.astype(np.int64), pairs.astype(np.int64)  # from columns of four bytes
     keys, wanted = among[:, 0] * shapes + among[:, 1], pairs[:, 0] * shapes + pairs[:, 1]
     rows = np.searchsorted(keys, wanted)
     found = rows < len(keys)

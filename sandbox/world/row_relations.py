@@ -59,7 +59,7 @@ def _seams_inside(rows: Rows) -> Flags:
 
 def _pairs_in_order(rows: Rows) -> Flags:
     a, b = _columns(rows["contact"], "shape_a", "shape_b")
-    pair = a * len(rows["shape"]) + b
+    pair = a.astype(np.int64) * len(rows["shape"]) + b
     fits: Flags = a < b
     fits[1:] &= pair[1:] > pair[:-1]
     return fits

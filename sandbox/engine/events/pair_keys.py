@@ -15,7 +15,8 @@ _BITS = 32
 
 def pair_keys(first: Any, second: Any) -> Integers:
     """One number for each pair of rows, in the order of the pairs."""
-    return np.asarray((first << _BITS) | second, np.int64)
+    keys: Integers = (np.asarray(first, np.int64) << _BITS) | second  # rows may be columns of four bytes
+    return keys
 
 
 def pairs_of(keys: Integers) -> tuple[Integers, Integers]:

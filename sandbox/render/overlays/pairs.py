@@ -38,7 +38,7 @@ def _draw(look: Look) -> Marks:
 
 
 def _keys(pairs: Ints, count: int) -> Ints:
-    keys: Ints = pairs[:, 0] * count + pairs[:, 1]
+    keys: Ints = pairs[:, 0].astype(np.int64) * count + pairs[:, 1]  # from columns of four bytes
     return keys
 
 
