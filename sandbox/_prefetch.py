@@ -18,4 +18,9 @@ def _prefetch_row(table: Any, row: int) -> None:
     """Ask for all of a row. It need not be in the table: a hint changes nothing."""
 
 
+def _prefetch_head(table: Any, row: int) -> None:
+    """Ask for its first two cache lines."""
+
+
 prefetch_row = Instruction(_prefetch_row, "sandbox._llvm_prefetch")
+prefetch_head = Instruction(_prefetch_head, "sandbox._llvm_prefetch")

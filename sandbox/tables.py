@@ -1,14 +1,14 @@
 """Record arrays declared as tables: the dtype, the hashed columns and the documentation come from one declaration.
 
-Every field of what a world stores is eight bytes (`f8` or `i8`), so its records have no padding and their bytes can be
-hashed as they are. Scratch tables may have whole numbers of four bytes (`i4`).
+Every field is eight bytes (`f8` or `i8`), or a whole number of four (`i4`), in pairs in what a world stores: so records
+have no padding, and their bytes can be hashed as they are.
 """
 
 from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import Any, TypeAlias
@@ -57,7 +57,7 @@ ANY_WHOLE = Values(-(1 << 63), (1 << 63) - 1)
 
 @dataclass(frozen=True)
 class Field:
-    """One column: its name, unit and meaning; `kind` is `f8` or `i8`; only `hashed` columns enter the digest.
+    """One column: its name, unit and meaning; `kind` is `f8`, `i8` or `i4`; only `hashed` columns enter the digest.
 
     `values` are those that it may hold, as far as the table may come from outside.
     """
@@ -75,6 +75,11 @@ def whole(name: str, meaning: str, values: Values, hashed: bool = True) -> Field
     return Field(name, "-", meaning, "i8", hashed, values)
 
 
+def half(name: str, meaning: str, values: Values) -> Field:
+    """The same in four bytes; another one follows in the same word."""
+    return Field(name, "-", meaning, "i4", True, values)
+
+
 @dataclass(frozen=True)
 class Table:
     """A concept of the world: a name and its columns in storage order."""
@@ -86,6 +91,10 @@ class Table:
     def dtype(self) -> np.dtype[Any]:
         """The structured dtype of one row: always the same object, which makes calls into kernels fast."""
         return np.dtype([(field.name, field.kind) for field in self.fields])
+
+    def places(self, names: Iterable[str], size: int) -> list[int]:
+        """Where columns are in a row taken as numbers of `size` bytes; two of four bytes may be in one of eight."""
+        return list(dict.fromkeys(self.dtype.fields[name][1] // size for name in names))  # type: ignore[index]
 
     @property
     def hashed_fields(self) -> list[str]:

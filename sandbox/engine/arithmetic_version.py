@@ -45,6 +45,9 @@ NOTES: dict[int, str] = {
     20: "impacts without restitution that reach few bodies stop what they reach from 0.2 m/s on, no longer from 2, "
     "and down to 0.02; passes over it end by what they change of speeds, no longer of energy, and may be more "
     "in small heaps; a pile goes back to longer substeps only once it bears half of what it could there",
+    21: "a body begins a substep with what contacts gave it in the one before, worked out for bodies and no longer for "
+    "contacts; friction of a contact acts at one place during a step; contacts go beyond what is asked of them by what "
+    "they bore before a pass; sums are in another order, and the record of a contact is laid out anew",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

@@ -13,6 +13,7 @@ from sandbox.engine.contact_solver.mouse_joint import solve_mouse_joints
 from sandbox.engine.contact_solver.put_down import put_down
 from sandbox.engine.contact_solver.soft_constraint import contact_spring
 from sandbox.engine.contact_solver.solve import solve_again, solve_contacts
+from sandbox.engine.contact_solver.velocity_parts import add_parts, begin_parts, turn_parts
 from sandbox.engine.contact_solver.warm_start import forget_impulses, warm_start
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.joints.solve import prepare_move, relax_joints, select_parts, solve_joints
@@ -64,6 +65,7 @@ def relax_contacts(
     ranges: BlockRanges,
     workers: Workers,
     relax: SoftContact,
+    relax_deep: SoftContact,
     accumulate: bool,
 ) -> None:
     """Take back the velocity that pushes overlaps apart: `RELAX_DEEP` passes over what overlaps deeply, of which the
@@ -74,9 +76,9 @@ def relax_contacts(
         if not accumulate:
             forget_impulses(blocks, first, end)
         if turn == 0:
-            solve_contacts(motions, blocks, first, end, workers, relax)
+            solve_contacts(motions, blocks, first, end, workers, relax_deep)
         else:
-            solve_again(motions, blocks, first, end, workers, relax)
+            solve_again(motions, blocks, first, end, workers, relax_deep)
     if not accumulate:
         forget_impulses(blocks, 0, ranges.total)
     solve_contacts(motions, blocks, 0, ranges.total, workers, relax)
@@ -113,11 +115,11 @@ def run_substeps(
     seconds = setting.step_seconds / substeps
     closing = 1.0 / seconds if setting.speculative == 1 else AT_ONCE
     spring = contact_spring(setting, level)
-    soft = SoftContact(closing, spring.bias, spring.softness, -setting.push_out_speed, 0.0, 0.0)
-    rigid = SoftContact(closing, 0.0, 0.0, 0.0, 0.0, 0.0)
-    relax = SoftContact(closing, 0.0, 0.0, 0.0, WAIT, OVER_RELAXATION)
+    rigid = SoftContact(closing, 0.0, 0.0, 0.0, 0.0, 0.0, False, True)
+    relax = SoftContact(closing, 0.0, 0.0, 0.0, WAIT, OVER_RELAXATION, False, False)
+    relax_deep = SoftContact(closing, 0.0, 0.0, 0.0, WAIT, OVER_RELAXATION, False, True)
     accumulate = setting.accumulate == 1
-    warm = accumulate and setting.warm_starting == 1
+    warm = accumulate and setting.warm_starting == 1 and count > 0
     gravity = math.sqrt(setting.gravity_x * setting.gravity_x + setting.gravity_y * setting.gravity_y)
 
     if joints is not None and rest:
@@ -136,12 +138,19 @@ def run_substeps(
         if rest:
             solve_mouse_joints(state, solver, level, seconds)
         frozen += guard_velocities(bodies, rows, motions, solver.forces, active.info, now)
-        if warm:
+        if warm and substep == 0:
+            begin_parts(rows, solver)
             warm_start(motions, blocks, count, workers)
+        elif warm:
+            add_parts(rows, solver, workers)
         else:
             forget_impulses(blocks, 0, count)
         if joints is not None and rest:
+            if warm:
+                turn_parts(rows, solver, workers)
             solve_joints(joints, motions, free_motions, seconds, workers)
+            if warm:
+                turn_parts(rows, solver, workers)
         if todo.new and substep == 0:
             # What was just put there has no impulses yet, and soft contacts alone would let it slip until it has.
             if now == 0 and spring.yields > 0.0:
@@ -150,16 +159,25 @@ def run_substeps(
                 solve_contacts(motions, blocks, 0, unsettled, workers, rigid)
             if not accumulate:
                 forget_impulses(blocks, 0, unsettled)
+        sums = warm and substep > 0
+        soft = SoftContact(closing, spring.bias, spring.softness, -setting.push_out_speed, 0.0, 0.0, sums, False)
         solve_contacts(motions, blocks, 0, count, workers, soft)
         if joints is not None and rest:
             prepare_move(joints, motions, free_motions, seconds)
         integrate_positions(rows, solver, gravity, seconds, workers)
+        apart = warm and (todo.impacts or struck_count > 0 or (joints is not None and rest))
+        if apart:
+            turn_parts(rows, solver, workers)
         if todo.impacts:
             resolve_late_impacts(bodies, rows, solver, contacts, impacts, level, seconds)
         if struck_count > 0:  # the relax pass would stop what now touches, a contact at a time
             stop_late(bodies, solver, struck, blocks, struck_count, workers, rigid)
         if joints is not None and rest:
             relax_joints(joints, motions, free_motions, seconds, workers)
+        if apart:
+            turn_parts(rows, solver, workers)
         if setting.relax == 1:
-            relax_contacts(motions, blocks, todo.blocks, workers, relax, accumulate)
+            relax_contacts(motions, blocks, todo.blocks, workers, relax, relax_deep, accumulate)
+        if warm and substep + 1 < substeps:
+            turn_parts(rows, solver, workers)
     return frozen

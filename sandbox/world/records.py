@@ -1,13 +1,13 @@
 """The record of everything a world stores: one table a concept, one row a field.
 
-The dtypes, the digest, the snapshot layout and the documentation are derived from these tables. Booleans are `i8` 0
+The dtypes, the digest, the snapshot layout and the documentation are derived from these tables. Booleans are 0
 or 1; an index of -1 means none.
 """
 
 from __future__ import annotations
 
 from sandbox.scene.limits import ALL_BITS, MAX_SUBSTEPS, MAX_VERTICES
-from sandbox.tables import ANY_WHOLE, COUNT, FLAG, STEP_OR_NEVER, Field, Table, Values, whole
+from sandbox.tables import ANY_WHOLE, COUNT, FLAG, STEP_OR_NEVER, Field, Table, Values, half, whole
 from sandbox.world.bounds import LENGTH, PLACE, SHARE, SPEED
 from sandbox.world.field_records import EDGE, REGION, THRUSTER
 from sandbox.world.joint_records import JOINT
@@ -145,46 +145,54 @@ SEAM = Table(
 """One row for each vertex of a part: of a concave polygon, of a chain, of abutting tiles. What the whole is there."""
 
 
-def _point_fields() -> tuple[Field, ...]:
-    fields: list[Field] = []
-    for k in (1, 2):
-        fields += [
-            Field(f"anchor_ax{k}", "m", f"contact point {k} from the centre of body a, world axes"),
-            Field(f"anchor_ay{k}", "m", f"contact point {k} from the centre of body a, world axes"),
-            Field(f"anchor_bx{k}", "m", f"contact point {k} from the centre of body b, world axes"),
-            Field(f"anchor_by{k}", "m", f"contact point {k} from the centre of body b, world axes"),
-            Field(f"separation{k}", "m", f"gap at point {k} when the step began; negative when they overlap"),
-            whole(f"feature{k}", f"feature id of point {k}: 64 * vertex of a + vertex of b", _FEATURE),
-            Field(f"normal_impulse{k}", "N s", f"at point {k}, accumulated over the last of the scene's substeps"),
-            Field(f"tangent_impulse{k}", "N s", f"at point {k}, accumulated over the last of the scene's substeps"),
-            Field(f"rest_length{k}", "m", f"gap at which the spring of point {k} does not push"),
-        ]
-    return tuple(fields)
+def _kept_of_point(k: int) -> tuple[Field, ...]:
+    """What a point of a contact keeps from step to step."""
+    return (
+        whole(f"feature{k}", f"feature id of point {k}: 64 * vertex of a + vertex of b", _FEATURE),
+        Field(f"normal_impulse{k}", "N s", f"at point {k}, accumulated over the last of the scene's substeps"),
+        Field(f"tangent_impulse{k}", "N s", f"at point {k}, accumulated over the last of the scene's substeps"),
+        Field(f"rest_length{k}", "m", f"gap at which the spring of point {k} does not push"),
+    )
+
+
+def _place_of_point(k: int) -> tuple[Field, ...]:
+    """Where a point of a contact is."""
+    return (
+        Field(f"anchor_ax{k}", "m", f"contact point {k} from the centre of body a, world axes"),
+        Field(f"anchor_ay{k}", "m", f"contact point {k} from the centre of body a, world axes"),
+        Field(f"anchor_bx{k}", "m", f"contact point {k} from the centre of body b, world axes"),
+        Field(f"anchor_by{k}", "m", f"contact point {k} from the centre of body b, world axes"),
+        Field(f"separation{k}", "m", f"gap at point {k} when the step began; negative when they overlap"),
+    )
 
 
 CONTACT = Table(
     "contact",
     (
-        whole("shape_a", "index of the first shape; shape_a < shape_b", _SHAPE),
-        whole("shape_b", "index of the second shape", _SHAPE),
-        whole("body_a", "index of the first body", _BODY),
-        whole("body_b", "index of the second body", _BODY),
-        Field("normal_x", "1", "unit normal from a to b"),
-        Field("normal_y", "1", "unit normal from a to b"),
-        Field("friction", "1", "mixed coefficient"),
-        Field("restitution", "1", "mixed coefficient"),
-        Field("rolling_resistance", "m", "mixed lever arm"),
-        Field("surface_speed", "m/s", "tangent speed asked of b relative to a"),
-        Field("radius_a", "m", "rounding of shape a"),
-        Field("radius_b", "m", "rounding of shape b"),
+        half("shape_a", "index of the first shape; shape_a < shape_b", _SHAPE),
+        half("shape_b", "index of the second shape", _SHAPE),
+        half("body_a", "index of the first body", _BODY),
+        half("body_b", "index of the second body", _BODY),
+        half("point_count", "1 or 2", Values(1, 2)),
+        half("substep_level", "of the island when the contact was last solved", Values(0, 4)),
+        whole("touching", "1 once the shapes have pushed or overlapped, until they are well apart", FLAG),
+        *_kept_of_point(1),
+        *_kept_of_point(2),
         Field("rolling_impulse", "N m s", "accumulated over the last of the scene's substeps"),
         Field("impact_impulse", "N s", "normal impulse of the impacts during the step, both points"),
-        whole("touching", "1 once the shapes have pushed or overlapped, until they are well apart", FLAG),
-        whole("point_count", "1 or 2", Values(1, 2)),
-        whole("substep_level", "of the island when the contact was last solved", Values(0, 4)),
-        *_point_fields(),
+        Field("restitution", "1", "mixed coefficient"),
+        Field("surface_speed", "m/s", "tangent speed asked of b relative to a"),
+        Field("friction", "1", "mixed coefficient"),
+        Field("rolling_resistance", "m", "mixed lever arm"),
+        Field("normal_x", "1", "unit normal from a to b"),
+        Field("normal_y", "1", "unit normal from a to b"),
+        Field("radius_a", "m", "rounding of shape a"),
+        Field("radius_b", "m", "rounding of shape b"),
+        *_place_of_point(1),
+        *_place_of_point(2),
     ),
 )
+"""Four cache lines a row: what a contact keeps from step to step is in the first two, and often all that is asked."""
 
 DRAG = Table(
     "drag",

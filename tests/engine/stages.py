@@ -15,7 +15,16 @@ from sandbox.engine.active import active_set, islands
 from sandbox.engine.bodies import integrate
 from sandbox.engine.broad_phase import grid, pairs, proxies
 from sandbox.engine.contact_solver import fill_blocks as filling
-from sandbox.engine.contact_solver import graph_coloring, mouse_joint, nesterov, prepare, soft_constraint, solve, store
+from sandbox.engine.contact_solver import (
+    graph_coloring,
+    mouse_joint,
+    nesterov,
+    prepare,
+    soft_constraint,
+    solve,
+    store,
+    velocity_parts,
+)
 from sandbox.engine.contact_solver import warm_start as warm_starting
 from sandbox.engine.contact_solver.blocks import LANES
 from sandbox.engine.memory.scratch import Scratch
@@ -73,6 +82,9 @@ prepare_contacts = stage(prepare.prepare_contacts)
 contact_spring = called_from_python(soft_constraint.contact_spring)
 store_impulses = stage(store.store_impulses)
 warm_start = stage(warm_starting.warm_start)
+begin_parts = stage(velocity_parts.begin_parts)
+turn_parts = stage(velocity_parts.turn_parts)
+add_parts = stage(velocity_parts.add_parts)
 solve_contacts = stage(solve.solve_contacts)
 begin_motions = stage(integrate.begin_motions)
 prepare_setting = stage(prepare_forces)
@@ -210,10 +222,22 @@ class Paused:
         """Warm start."""
         warm_start(self.scratch.solver.motions, self.scratch.blocks, self.blocks, self.scratch.workers)
 
+    def begin_parts(self) -> None:
+        """Contacts have given nothing yet."""
+        begin_parts(self.active_bodies, self.scratch.solver)
+
+    def turn_parts(self) -> None:
+        """The other of the two parts of all velocities."""
+        turn_parts(self.active_bodies, self.scratch.solver, self.scratch.workers)
+
+    def add_parts(self) -> None:
+        """Warm start by bodies."""
+        add_parts(self.active_bodies, self.scratch.solver, self.scratch.workers)
+
     def solve(self, bias: float, softness: float, slowest: float, allowance: float = 0.0, beyond: float = 0.0) -> None:
         """One pass."""
         m = self.scratch
-        soft = SoftContact(1.0 / self.substep, bias, softness, slowest, allowance, beyond)
+        soft = SoftContact(1.0 / self.substep, bias, softness, slowest, allowance, beyond, False, True)
         solve_contacts(m.solver.motions, m.blocks, 0, self.blocks, m.workers, soft)
 
     def strike(self) -> None:

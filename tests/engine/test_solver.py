@@ -14,7 +14,7 @@ from sandbox.engine.records.contact_blocks import BlockRanges
 from sandbox.engine.substeps import OVER_RELAXATION
 from sandbox.engine.world import World
 from sandbox.reference.simple.bodies import Body
-from sandbox.reference.simple.contacts import Contact, Point
+from sandbox.reference.simple.contacts import Point
 from sandbox.reference.simple.solver import Pass
 from sandbox.tables import plain
 from tests.determinism import busy
@@ -24,7 +24,7 @@ from tests.flat import body as flat_body
 from tests.flat import box, circle, ground
 from tests.flat import world as put
 from tests.kernels import called_from_python
-from tests.naive.point_pairs import solve, warm_start
+from tests.naive.point_pairs import Pair, solve, warm_start
 from tests.physics.test_momentum import crowd as drifting
 from tests.physics.test_stacks import falling_pile
 
@@ -70,7 +70,7 @@ def vector(row, x: str, y: str) -> complex:
 
 
 @dataclass(eq=False)
-class Waiting(Contact):
+class Waiting(Pair):
     """Points that are apart may close in faster by `allowance` (m/s), in substeps of `seconds`."""
 
     allowance: float = 0.0
@@ -176,6 +176,28 @@ def test_a_substep_of_the_solver(paused, bouncy):
         for contact in contacts:
             contact.allowance = 0.0
         assert_same(paused, bodies, contacts)
+
+
+def test_warm_starting_by_bodies_is_warm_starting_by_contacts(paused):
+    """After a substep whose contacts gave impulses along normals and tangents, and torques."""
+    soft = soft_coefficients(55.0, 1.5, paused.substep)
+    paused.begin_parts()
+    paused.warm()
+    paused.solve(soft[0], soft[2], -3.0)
+    paused.move()
+    for _ in range(3):
+        paused.solve(0.0, 0.0, 0.0, 1e30, OVER_RELAXATION)
+    paused.turn_parts()
+    motions = plain(paused.scratch.solver.motions)
+    ended = motions.copy()
+    paused.warm()
+    by_contacts = motions.copy()
+    motions[:] = ended
+    paused.add_parts()
+    for name in ("velocity_x", "velocity_y", "angular_velocity"):
+        assert motions[name] == pytest.approx(by_contacts[name], abs=1e-10)
+        assert paused.scratch.solver.parts[name] == pytest.approx(ended[name], abs=1e-15)
+    assert np.abs(by_contacts["velocity_y"] - ended["velocity_y"]).max() > 1e-3
 
 
 def run(p: Paused) -> tuple[list[list[float]], list[list[float]]]:

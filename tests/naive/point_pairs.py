@@ -6,34 +6,42 @@ order, and get the mean.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from sandbox.reference.simple.contacts import Contact, Point
 from sandbox.reference.simple.solver import Pass
 from sandbox.reference.simple.vectors import clamp, cross
 
 
-def warm_start(contacts: list[Contact]) -> None:
+@dataclass(eq=False)
+class Pair(Contact):
+    """A contact whose friction acts at one place during a step: where its points bore when the step began."""
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        self.rubs = bearing(self)
+
+
+def warm_start(contacts: list[Pair]) -> None:
     """Give all impulses of the last substep again."""
     for c in contacts:
         c.twist(c.rolling)
         for p in c.points:
             c.push(p, p.normal * c.normal)
-        c.push(bearing(c), sum(p.tangent for p in c.points) * c.tangent)
+        c.push(c.rubs, sum(p.tangent for p in c.points) * c.tangent)
 
 
-def solve(contacts: list[Contact], how: Pass, over_relaxation: float) -> None:
+def solve(contacts: list[Pair], how: Pass, over_relaxation: float) -> None:
     """One pass over all contacts: push apart, then rub, then brake rolling."""
     for c in contacts:
         friction = sum(p.tangent for p in c.points)
         for p, normal in zip(c.points, normals(c, how, over_relaxation), strict=True):
             c.push(p, (normal - p.normal) * c.normal)
             p.normal = normal
-        load, at = sum(p.normal for p in c.points), bearing(c)
-        middle = Point(
-            sum(p.anchor_a for p in c.points) / len(c.points), sum(p.anchor_b for p in c.points) / len(c.points), 0.0
-        )
-        change = -c.mass(middle, c.tangent) * (c.speed(at, c.tangent) - c.surface_speed)
+        load = sum(p.normal for p in c.points)
+        change = -c.mass(c.rubs, c.tangent) * (c.speed(c.rubs, c.tangent) - c.surface_speed)
         after = clamp(friction + change, c.friction * load)
-        c.push(at, (after - friction) * c.tangent)
+        c.push(c.rubs, (after - friction) * c.tangent)
         for p in c.points:
             p.tangent = after * (p.normal / load if load > 0.0 else 1.0 / len(c.points))
         if c.rolling_resistance > 0.0:
@@ -43,9 +51,11 @@ def solve(contacts: list[Contact], how: Pass, over_relaxation: float) -> None:
 
 
 def bearing(c: Contact) -> Point:
-    """The middle of what its points bear; of the points, if they bear nothing."""
-    load = sum(p.normal for p in c.points)
-    shares = [p.normal / load if load > 0.0 else 1.0 / len(c.points) for p in c.points]
+    """The middle of what its points bear; the nearer one, if they bear nothing, or midway."""
+    loads = [p.normal for p in c.points]
+    if sum(loads) <= 0.0:
+        loads = [float(p.first_gap == min(q.first_gap for q in c.points)) for p in c.points]
+    shares = [load / sum(loads) for load in loads]
     return Point(
         sum(share * p.anchor_a for share, p in zip(shares, c.points, strict=True)),
         sum(share * p.anchor_b for share, p in zip(shares, c.points, strict=True)),
@@ -54,12 +64,13 @@ def bearing(c: Contact) -> Point:
 
 
 def normals(c: Contact, how: Pass, over_relaxation: float) -> list[float]:
-    """The normal impulses of all points: the mean over both orders, and beyond it as far as both push evenly."""
+    """The normal impulses of all points: the mean over both orders, and beyond it as far as both pushed evenly."""
     if len(c.points) == 1:
         return _in_turn(c, how, [0])
     there, back = _in_turn(c, how, [0, 1]), _in_turn(c, how, [1, 0])
     mean = [(x + y) / 2 for x, y in zip(there, back, strict=True)]
-    evenly = mean[0] * mean[1] / (sum(mean) / 2) ** 2 if sum(mean) > 0.0 else 0.0
+    before = [p.normal for p in c.points]
+    evenly = before[0] * before[1] / (sum(before) / 2) ** 2 if min(before) > 0.0 else 0.0
     far = 1.0 + over_relaxation * evenly
     return [max(p.normal + far * (x - p.normal), 0.0) for p, x in zip(c.points, mean, strict=True)]
 

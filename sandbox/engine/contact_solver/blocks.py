@@ -47,29 +47,32 @@ NORMAL_IMPULSE = 6 * LANES
 TANGENT_IMPULSE = 20 * LANES
 """Friction of both points: they lie on one line along the tangent, so it is one force."""
 TANGENT_MASS = 21 * LANES
-FRICTION = 22 * LANES
-TOTAL_IMPULSE = 23 * LANES
+TANGENT_LEVER_A = 22 * LANES
+TANGENT_LEVER_B = 23 * LANES
+"""Levers of the line along which it acts, the same throughout a step: what it has given can be given again."""
+FRICTION = 24 * LANES
+TOTAL_IMPULSE = 25 * LANES
 """Normal impulses of both points, summed over the substeps so far."""
 
-BIAS_1 = 24 * LANES
+BIAS_1 = 26 * LANES
 """What the last rigid pass added to the velocity of point 1 along the normal (m/s), for passes at the same poses."""
-BIAS_2 = 25 * LANES
+BIAS_2 = 27 * LANES
 
 # What few contacts have: it is neither written nor read where no contact of a block has it (`BLOCK`).
-SURFACE_SPEED = 26 * LANES
-RADIUS_A = 27 * LANES
-RADIUS_B = 28 * LANES
-MAY_IMPACT = 29 * LANES
+SURFACE_SPEED = 28 * LANES
+RADIUS_A = 29 * LANES
+RADIUS_B = 30 * LANES
+MAY_IMPACT = 31 * LANES
 """1 where an impact may follow: such a contact must not be slowed before it strikes."""
-ROLLING_RESISTANCE = 30 * LANES
-ROLLING_MASS = 31 * LANES
-ROLLING_IMPULSE = 32 * LANES
+ROLLING_RESISTANCE = 32 * LANES
+ROLLING_MASS = 33 * LANES
+ROLLING_IMPULSE = 34 * LANES
 
 # What is kept while contacts are solved together: normal impulses of points 1 and 2, and the tangent impulse.
-RESTING_IMPULSES = 33 * LANES
+RESTING_IMPULSES = 35 * LANES
 """Those that the contact solver had accumulated."""
-LAST_IMPULSES = 36 * LANES
+LAST_IMPULSES = 38 * LANES
 """Those after the pass before."""
 
-BLOCK_SIZE = 40 * LANES
+BLOCK_SIZE = 42 * LANES
 """Whole cache lines."""

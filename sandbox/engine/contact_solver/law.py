@@ -42,6 +42,13 @@ class Anchors(NamedTuple):
     by: Number
 
 
+class Levers(NamedTuple):
+    """How far an axis through a contact point passes by the centres of two bodies: r x axis, m."""
+
+    a: Number
+    b: Number
+
+
 class PointImpulses(NamedTuple):
     """Normal impulses (N s) at the two points of a contact."""
 
@@ -52,9 +59,27 @@ class PointImpulses(NamedTuple):
 @inlined_kernel
 def relative_velocity(v: PairVelocity, r: Anchors) -> tuple[Number, Number]:
     """Velocity (m/s) of b's point against that of a."""
-    x = v.bx - v.bw * r.by - v.ax + v.aw * r.ay
-    y = v.by + v.bw * r.bx - v.ay - v.aw * r.ax
+    x = (v.bx - v.ax) - (v.bw * r.by - v.aw * r.ay)
+    y = (v.by - v.ay) + (v.bw * r.bx - v.aw * r.ax)
     return x, y
+
+
+@inlined_kernel
+def levers_of(r: Anchors, x: Number, y: Number) -> Levers:
+    """The levers of the unit axis (x, y) through a point."""
+    return Levers(r.ax * y - r.ay * x, r.bx * y - r.by * x)
+
+
+@inlined_kernel
+def speed_of_centers(v: PairVelocity, x: Number, y: Number) -> Number:
+    """Speed (m/s) of b's centre against that of a along the unit axis (x, y)."""
+    return (v.bx - v.ax) * x + (v.by - v.ay) * y
+
+
+@inlined_kernel
+def speed_of_turning(v: PairVelocity, levers: Levers) -> Number:
+    """What the spins add to it at a point, m/s."""
+    return v.bw * levers.b - v.aw * levers.a
 
 
 @inlined_kernel
@@ -63,10 +88,10 @@ def velocity_change(m: PairMass, r: Anchors, px: Number, py: Number) -> PairVelo
     return PairVelocity(
         -(m.mass_a * px),
         -(m.mass_a * py),
-        -(m.inertia_a * (r.ax * py - r.ay * px)),
+        (m.inertia_a * r.ay) * px - (m.inertia_a * r.ax) * py,
         m.mass_b * px,
         m.mass_b * py,
-        m.inertia_b * (r.bx * py - r.by * px),
+        (m.inertia_b * r.bx) * py - (m.inertia_b * r.by) * px,
     )
 
 
@@ -80,22 +105,41 @@ def apply_impulse(v: PairVelocity, m: PairMass, r: Anchors, px: Number, py: Numb
 
 
 @inlined_kernel
-def push_both(
-    v: PairVelocity, m: PairMass, r1: Anchors, r2: Anchors, normal: PointImpulses, nx: Number, ny: Number
+def push_along(v: PairVelocity, m: PairMass, levers: Levers, impulse: Number, x: Number, y: Number) -> PairVelocity:
+    """The velocities after an impulse (N s) along the unit axis (x, y) with these levers."""
+    return PairVelocity(
+        v.ax - m.mass_a * (impulse * x),
+        v.ay - m.mass_a * (impulse * y),
+        v.aw - (m.inertia_a * levers.a) * impulse,
+        v.bx + m.mass_b * (impulse * x),
+        v.by + m.mass_b * (impulse * y),
+        v.bw + (m.inertia_b * levers.b) * impulse,
+    )
+
+
+@inlined_kernel
+def push_along_both(
+    v: PairVelocity, m: PairMass, levers1: Levers, levers2: Levers, impulses: PointImpulses, x: Number, y: Number
 ) -> PairVelocity:
-    """The velocities after normal impulses at both points of a contact, the same whichever is called the first."""
-    px = (normal.first + normal.second) * nx
-    py = (normal.first + normal.second) * ny
-    spin_a = normal.first * (r1.ax * ny - r1.ay * nx) + normal.second * (r2.ax * ny - r2.ay * nx)
-    spin_b = normal.first * (r1.bx * ny - r1.by * nx) + normal.second * (r2.bx * ny - r2.by * nx)
+    """The velocities after impulses along the axis at both points of a contact, whichever is called the first."""
+    px = (impulses.first + impulses.second) * x
+    py = (impulses.first + impulses.second) * y
     return PairVelocity(
         v.ax - m.mass_a * px,
         v.ay - m.mass_a * py,
-        v.aw - m.inertia_a * spin_a,
+        v.aw - ((m.inertia_a * levers1.a) * impulses.first + (m.inertia_a * levers2.a) * impulses.second),
         v.bx + m.mass_b * px,
         v.by + m.mass_b * py,
-        v.bw + m.inertia_b * spin_b,
+        v.bw + ((m.inertia_b * levers1.b) * impulses.first + (m.inertia_b * levers2.b) * impulses.second),
     )
+
+
+@inlined_kernel
+def push_both(
+    v: PairVelocity, m: PairMass, r1: Anchors, r2: Anchors, normal: PointImpulses, nx: Number, ny: Number
+) -> PairVelocity:
+    """The same for normal impulses at these anchors."""
+    return push_along_both(v, m, levers_of(r1, nx, ny), levers_of(r2, nx, ny), normal, nx, ny)
 
 
 @inlined_kernel
@@ -108,11 +152,9 @@ def effective_mass(m: PairMass, r: Anchors, x: float, y: float) -> float:
 
 
 @inlined_kernel
-def coupling(m: PairMass, r1: Anchors, r2: Anchors, nx: Number, ny: Number) -> Number:
+def coupling(m: PairMass, levers1: Levers, levers2: Levers) -> Number:
     """Change of normal velocity at one point of a contact for a normal impulse at the other, 1/kg."""
-    turn_a = (r1.ax * ny - r1.ay * nx) * (r2.ax * ny - r2.ay * nx)
-    turn_b = (r1.bx * ny - r1.by * nx) * (r2.bx * ny - r2.by * nx)
-    return m.mass_a + m.mass_b + m.inertia_a * turn_a + m.inertia_b * turn_b
+    return m.mass_a + m.mass_b + m.inertia_a * (levers1.a * levers2.a) + m.inertia_b * (levers1.b * levers2.b)
 
 
 @inlined_kernel

@@ -30,8 +30,8 @@ def solve_pair(
 ) -> PointImpulses:
     """The impulses of both points, none of them pulling, which had those `before`.
 
-    `coupling` (1/kg) is what one impulse adds to the velocity at the other point. Where both push evenly, they change
-    by the share `over_relaxation` more than is asked of them.
+    `coupling` (1/kg) is what one impulse adds to the velocity at the other point. Where both have pushed evenly, they
+    change by the share `over_relaxation` more than is asked of them.
     """
     share1 = coupling * row1.mass
     share2 = coupling * row2.mass
@@ -43,12 +43,11 @@ def solve_pair(
     mean2 = 0.5 * (first2 + then2)
     if over_relaxation == 0.0:
         return PointImpulses(mean1, mean2)
-    load = mean1 + mean2
-    pushes = load > 0.0
-    load = select(pushes, load, 1.0)
-    evenly = select(pushes, 4.0 * (mean1 / load) * (mean2 / load), 0.0)
-    after1 = mean1 + over_relaxation * evenly * (mean1 - before.first)
-    after2 = mean2 + over_relaxation * evenly * (mean2 - before.second)
+    both = (before.first > 0.0) & (before.second > 0.0)
+    mean = select(both, 0.5 * (before.first + before.second), 1.0)
+    beyond = select(both, over_relaxation * (before.first * before.second) / (mean * mean), 0.0)
+    after1 = mean1 + beyond * (mean1 - before.first)
+    after2 = mean2 + beyond * (mean2 - before.second)
     return PointImpulses(pushing(after1), pushing(after2))
 
 

@@ -7,10 +7,12 @@ from sandbox._prefetch import AHEAD, prefetch_row
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.closing_speed import both_meet
 from sandbox.engine.contact_solver.law import (
+    Anchors,
     PairMass,
     anchors_of,
     bearing_anchors,
     effective_mass,
+    levers_of,
     pair_mass,
     separation_of,
 )
@@ -87,8 +89,7 @@ def prepare_blocks(
             contact = contacts[slot.contact]
             _prepare_traits(block, a, b, contact, spring.share, v[k:])
             if impacts and (contact.restitution > 0.0 or both_meet(a, b, contact, impact_speed)):
-                v[cb.MAY_IMPACT + k] = 1.0
-                block.strikes = 1
+                _note_impact(block, v, k)
 
 
 @inlined_kernel
@@ -149,7 +150,16 @@ def _prepare_traits(block: Records, a: Records, b: Records, contact: Records, sh
     if block.rounded == 1:
         v[cb.RADIUS_A] = contact.radius_a
         v[cb.RADIUS_B] = contact.radius_b
-    v[cb.MAY_IMPACT] = 0.0
+
+
+@inlined_kernel
+def _note_impact(block: Records, v: Floats, k: int) -> None:
+    """Note that lane k may have an impact; of the others of its block none has so far."""
+    if block.strikes == 0:
+        block.strikes = 1
+        for lane in range(LANES):
+            v[cb.MAY_IMPACT + lane] = 0.0
+    v[cb.MAY_IMPACT + k] = 1.0
 
 
 @inlined_kernel
@@ -167,14 +177,31 @@ def _prepare_lane(a: Records, b: Records, contact: Records, share: float, v: Flo
     one = contact.point_count == 1
     second = 1 if one else 2  # a second point at the place of the first, without mass, never pushes
     v[cb.TANGENT_IMPULSE] = share * (contact.tangent_impulse1 + contact.tangent_impulse2)
-    middle = bearing_anchors(anchors_of(contact, 1), anchors_of(contact, second), 1.0, 1.0)
-    v[cb.TANGENT_MASS] = effective_mass(mass, middle, contact.normal_y, -contact.normal_x)
+    r = _rubbing_anchors(contact, second)
+    levers = levers_of(r, contact.normal_y, -contact.normal_x)
+    v[cb.TANGENT_MASS] = effective_mass(mass, r, contact.normal_y, -contact.normal_x)
+    v[cb.TANGENT_LEVER_A] = levers.a
+    v[cb.TANGENT_LEVER_B] = levers.b
     _prepare_point(mass, contact, 1, v[cb.POINT_1 :])
     _prepare_point(mass, contact, second, v[cb.POINT_2 :])
     if one:
         v[cb.POINT_2 + cb.NORMAL_MASS] = 0.0
     v[cb.POINT_1 + cb.NORMAL_IMPULSE] = share * contact.normal_impulse1
     v[cb.POINT_2 + cb.NORMAL_IMPULSE] = share * contact.normal_impulse2
+
+
+@inlined_kernel
+def _rubbing_anchors(contact: Records, second: int) -> Anchors:
+    """Where the friction of a contact acts in a step: in the middle of what its points bore in the step before; where
+    they bore nothing, at the one that is nearer, or midway."""
+    load1 = contact.normal_impulse1
+    load2 = contact.normal_impulse2
+    if load1 + load2 <= 0.0 and second == 2:
+        gap1 = separation_of(contact, 1) - rest_length_of(contact, 1)
+        gap2 = separation_of(contact, 2) - rest_length_of(contact, 2)
+        load1 = 1.0 if gap1 <= gap2 else 0.0
+        load2 = 1.0 if gap2 <= gap1 else 0.0
+    return bearing_anchors(anchors_of(contact, 1), anchors_of(contact, second), load1, load2)
 
 
 @inlined_kernel

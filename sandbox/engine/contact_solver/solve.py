@@ -29,15 +29,17 @@ from sandbox.engine.contact_solver.lanes import (
     store_lanes,
 )
 from sandbox.engine.contact_solver.law import (
+    Levers,
     PairMass,
     PairVelocity,
     PointImpulses,
-    apply_impulse,
-    bearing_anchors,
     clamp_to_cone,
     coupling,
-    push_both,
-    relative_velocity,
+    levers_of,
+    push_along,
+    push_along_both,
+    speed_of_centers,
+    speed_of_turning,
 )
 from sandbox.engine.contact_solver.normal_pair import NormalRow, pushing, solve_pair
 from sandbox.engine.records.contact_blocks import ContactBlocks, SoftContact
@@ -90,14 +92,16 @@ def solve_blocks(motions: Records, blocks: ContactBlocks, first: int, end: int, 
     for n in range(first, end):
         block = blocks.blocks[n]
         rows = rows_of(block)
+        turns = block.count if block.serial == 1 else 1
         width = 1 if block.serial == 1 else block.count
-        for lane in range(0, block.count, width):
+        for turn in range(turns):
             v = blocks.lanes[n * BLOCK_SIZE :]
+            lane = turn * width
             of = gather_velocities(motions, rows)
             pose = gather_poses(motions, rows, of)
             push1 = _push(block, v, pose, cb.POINT_1, soft)
             push2 = _push(block, v, pose, cb.POINT_2, soft) if block.single == 0 else push1
-            if soft.bias_rate == 0.0:
+            if soft.keeps:
                 store(v, cb.BIAS_1, push1.bias)
                 store(v, cb.BIAS_2, push2.bias)
             _solve_lanes(motions, block, rows, of, v, (push1, push2), soft, lane, lane + width)
@@ -109,9 +113,11 @@ def solve_blocks_again(motions: Records, blocks: ContactBlocks, first: int, end:
     for n in range(first, end):
         block = blocks.blocks[n]
         rows = rows_of(block)
+        turns = block.count if block.serial == 1 else 1
         width = 1 if block.serial == 1 else block.count
-        for lane in range(0, block.count, width):
+        for turn in range(turns):
             v = blocks.lanes[n * BLOCK_SIZE :]
+            lane = turn * width
             of = gather_velocities(motions, rows)
             push1 = Push(load(v, cb.BIAS_1), 1.0, 0.0)
             push2 = Push(load(v, cb.BIAS_2), 1.0, 0.0)
@@ -130,32 +136,39 @@ def _solve_lanes(
     first_lane: int,
     end_lane: int,
 ) -> None:
-    """Solve the lanes first_lane..end_lane-1 of a block with lanes `v`: all are worked out, and those kept."""
+    """Solve the lanes first_lane..end_lane-1 of a block with lanes `v`: all are worked out, and those kept.
+
+    What follows from velocities is a chain of operations that wait for each other, and takes most of the time: what
+    does not depend on them is kept out of it.
+    """
     lanes = lanes_between(first_lane, end_lane)
     velocity = of.velocity
     mass = load_masses(v)
     nx = load(v, cb.NORMAL_X)
     ny = load(v, cb.NORMAL_Y)
     r1 = load_anchors(v, cb.POINT_1)
+    levers1 = levers_of(r1, nx, ny)
+    rub = Levers(load(v, cb.TANGENT_LEVER_A), load(v, cb.TANGENT_LEVER_B))
     before = load_normal_impulses(v)
-    row1 = _normal_row(v, cb.POINT_1, velocity, pushes[0])
+    if soft.sums:
+        total = load(v, cb.TOTAL_IMPULSE)
+        store_lanes(v, cb.TOTAL_IMPULSE, lanes, total + (before.first + before.second), total)
+    speed = speed_of_centers(velocity, nx, ny)
+    row1 = _normal_row(v, cb.POINT_1, speed + speed_of_turning(velocity, levers1), before.first, pushes[0])
     if block.single == 1:
-        r = r1
         normal = PointImpulses(pushing(row1.alone), before.second)
         store_lanes(v, cb.POINT_1 + cb.NORMAL_IMPULSE, lanes, normal.first, before.first)
-        change = PointImpulses(normal.first - before.first, normal.second - before.second)
-        velocity = push_both(velocity, mass, r1, r1, change, nx, ny)
+        velocity = push_along(velocity, mass, levers1, normal.first - before.first, nx, ny)
     else:
         r2 = load_anchors(v, cb.POINT_2)
-        row2 = _normal_row(v, cb.POINT_2, velocity, pushes[1])
-        normal = solve_pair(row1, row2, coupling(mass, r1, r2, nx, ny), before, soft.over_relaxation)
+        levers2 = levers_of(r2, nx, ny)
+        row2 = _normal_row(v, cb.POINT_2, speed + speed_of_turning(velocity, levers2), before.second, pushes[1])
+        normal = solve_pair(row1, row2, coupling(mass, levers1, levers2), before, soft.over_relaxation)
         store_lanes(v, cb.POINT_1 + cb.NORMAL_IMPULSE, lanes, normal.first, before.first)
         store_lanes(v, cb.POINT_2 + cb.NORMAL_IMPULSE, lanes, normal.second, before.second)
         change = PointImpulses(normal.first - before.first, normal.second - before.second)
-        velocity = push_both(velocity, mass, r1, r2, change, nx, ny)
-        r = bearing_anchors(r1, r2, normal.first, normal.second)
-    vx, vy = relative_velocity(velocity, r)
-    speed = vx * ny - vy * nx
+        velocity = push_along_both(velocity, mass, levers1, levers2, change, nx, ny)
+    speed = speed_of_centers(velocity, ny, -nx) + speed_of_turning(velocity, rub)
     if block.driven == 1:
         speed = speed - load(v, cb.SURFACE_SPEED)
     rubbed = load(v, cb.TANGENT_IMPULSE)
@@ -163,7 +176,7 @@ def _solve_lanes(
     after = clamp_to_cone(rubbed - load(v, cb.TANGENT_MASS) * speed, limit)
     store_lanes(v, cb.TANGENT_IMPULSE, lanes, after, rubbed)
     impulse = after - rubbed
-    velocity = apply_impulse(velocity, mass, r, impulse * ny, -impulse * nx)
+    velocity = push_along(velocity, mass, rub, impulse, ny, -nx)
     if block.rolling == 1:
         velocity = _resist_rolling(v, velocity, mass, normal, lanes)
     scatter_velocities(motions, rows, velocity, of, first_lane, end_lane)
@@ -198,13 +211,10 @@ def _push(block: Records, v: Floats, pose: PairPose, point: int, soft: SoftConta
 
 
 @inlined_kernel
-def _normal_row(v: Floats, point: int, velocity: PairVelocity, push: Push) -> NormalRow:
-    """What `POINT_1` or `POINT_2` of the contacts of a block ask for along the normal."""
-    vx, vy = relative_velocity(velocity, load_anchors(v, point))
-    speed = vx * load(v, cb.NORMAL_X) + vy * load(v, cb.NORMAL_Y)
+def _normal_row(v: Floats, point: int, speed: Number, before: Number, push: Push) -> NormalRow:
+    """What `POINT_1` or `POINT_2` of the contacts of a block asks for along the normal; it opens at a `speed` (m/s)."""
     mass = load(v, point + cb.NORMAL_MASS) * push.scale
-    before = load(v, point + cb.NORMAL_IMPULSE)
-    return NormalRow(mass, before - mass * (speed + push.bias) - push.softness * before)
+    return NormalRow(mass, (before - push.softness * before - mass * push.bias) - mass * speed)
 
 
 @inlined_kernel

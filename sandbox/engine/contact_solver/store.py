@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox._prefetch import AHEAD, prefetch_row
+from sandbox._prefetch import AHEAD, prefetch_head
 from sandbox.engine.bodies.flags import flag_contact
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.closing_speed import closing_speed
@@ -70,7 +70,7 @@ def store_blocks(
             slot = blocks.slots[blocks.blocks[n].first + k]
             contact = contacts.now[slot.contact]
             if blocks.blocks[n].first + k + AHEAD < blocks.slots.shape[0]:
-                prefetch_row(contacts.now, blocks.slots[blocks.blocks[n].first + k + AHEAD].contact)
+                prefetch_head(contacts.now, blocks.slots[blocks.blocks[n].first + k + AHEAD].contact)
             report = contacts.reports[slot.contact]
             at = n * BLOCK_SIZE + k
             normal1 = lanes[at + cb.POINT_1 + cb.NORMAL_IMPULSE]

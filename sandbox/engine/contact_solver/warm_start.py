@@ -16,7 +16,7 @@ from sandbox.engine.contact_solver.lanes import (
     load_normal_impulses,
     store_lanes,
 )
-from sandbox.engine.contact_solver.law import PairMass, PairVelocity, apply_impulse, bearing_anchors, push_both
+from sandbox.engine.contact_solver.law import Levers, PairMass, PairVelocity, push_along, push_both
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import color_count, first_part_of_color, next_part
@@ -64,8 +64,8 @@ def _warm_start_lanes(motions: Records, block: Records, v: Floats, first_lane: i
     r1 = load_anchors(v, cb.POINT_1)
     r2 = load_anchors(v, cb.POINT_2)
     velocity = push_both(velocity, mass, r1, r2, normal, nx, ny)
-    r = bearing_anchors(r1, r2, normal.first, normal.second)
-    velocity = apply_impulse(velocity, mass, r, tangent * ny, -tangent * nx)
+    rub = Levers(load(v, cb.TANGENT_LEVER_A), load(v, cb.TANGENT_LEVER_B))
+    velocity = push_along(velocity, mass, rub, tangent, ny, -nx)
     scatter_velocities(motions, rows, velocity, gathered, first_lane, end_lane)
 
 

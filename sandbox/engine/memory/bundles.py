@@ -13,7 +13,14 @@ from sandbox.engine.contact_solver.further_colors import MOST_WORDS
 from sandbox.engine.memory.limit import most_batches, most_blocks
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.batches import BLOCKS, IMPACT, SIZE, STRUCK_BODY, Batches
-from sandbox.engine.records.bodies import BEFORE_IMPACTS, BODY_FORCES, FREE_MOTION, MOTION, SolverBodies
+from sandbox.engine.records.bodies import (
+    BEFORE_IMPACTS,
+    BODY_FORCES,
+    FREE_MOTION,
+    MOTION,
+    VELOCITY_PART,
+    SolverBodies,
+)
 from sandbox.engine.records.ccd import CCD_BODY, CCD_IMPACT, Ccd
 from sandbox.engine.records.colliders import BOX, FILTER, PAIR, PROXY, RESTING_GRID, Colliders, Grid, RestingGrid
 from sandbox.engine.records.contact_blocks import BLOCK, ContactBlocks
@@ -61,6 +68,7 @@ def solver_memory(bodies: int) -> SolverBodies:
         free_motions=FREE_MOTION.zeros(bodies),
         forces=BODY_FORCES.zeros(bodies),
         before_impacts=BEFORE_IMPACTS.zeros(bodies),
+        parts=VELOCITY_PART.zeros(bodies),
         flags=np.zeros(bodies, np.int64),
         colors=np.zeros(bodies, np.int64),
         struck=np.zeros(bodies, np.int64),

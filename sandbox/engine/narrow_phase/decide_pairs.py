@@ -6,7 +6,7 @@ import math
 from typing import Any, NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox._prefetch import prefetch_row
+from sandbox._prefetch import prefetch_head
 from sandbox.engine.broad_phase.margins import allowed_depth
 from sandbox.engine.broad_phase.proxies import FIXED, SLANTING
 from sandbox.engine.contact_solver.closing_speed import SLOW
@@ -118,7 +118,7 @@ def decide_pairs(
         made.row = 0
         made.old = k if known else -1
         if known:
-            prefetch_row(old, k)  # its impulses are asked for when the contact is written
+            prefetch_head(old, k)  # its impulses are asked for when the contact is written
         made.shift_x = vx * t
         made.shift_y = vy * t
 

@@ -57,6 +57,17 @@ BODY_FORCES = Table(
 """One row a body, one cache line: all that the substeps ask of the body itself."""
 
 
+VELOCITY_PART = Table(
+    "velocity_part",
+    (
+        Field("velocity_x", "m/s", "what contacts have given of the velocity, or all else"),
+        Field("velocity_y", "m/s", "the same"),
+        Field("angular_velocity", "rad/s", "the same"),
+        Field("spare", "-", "no row lies in two cache lines"),
+    ),
+)
+"""One row a body: one of the two parts of its velocity in a substep, see `velocity_parts`."""
+
 BEFORE_IMPACTS = Table("before_impacts", IMPACT_VELOCITIES)
 """One row a body: what one that has struck had before the impacts of the substep.
 
@@ -76,6 +87,7 @@ class SolverBodies(NamedTuple):
     free_motions: Records
     forces: Records
     before_impacts: Records
+    parts: Records
     flags: Integers
     colors: Integers
     struck: Integers

@@ -65,7 +65,9 @@ class SoftContact(NamedTuple):
     `slowest_bias` (m/s, negative or zero) bounds the velocity that pushes overlapping bodies apart; zero makes the pass
     a relax pass, which removes the velocity that the push has added. `impact_allowance` (m/s) is added to the speed at
     which contacts that may have an impact may close while they are apart. `over_relaxation` is the share by which
-    the normal impulses of two points go beyond what is asked of them.
+    the normal impulses of two points go beyond what is asked of them. `sums` adds those that a pass begins with to what
+    the step has given so far. `keeps` notes what the pass adds to velocities along the normal, for others at the same
+    poses.
     """
 
     inverse_seconds: float
@@ -74,3 +76,5 @@ class SoftContact(NamedTuple):
     slowest_bias: float
     impact_allowance: float
     over_relaxation: float
+    sums: bool
+    keeps: bool

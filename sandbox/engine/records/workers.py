@@ -12,7 +12,7 @@ WORDS = 64
 """Whole numbers that threads share, see `workers.parallel_for`: a cache line for each that is written often."""
 SIZE = 0
 """Word: how many workers take part in a step."""
-NUMBERS = 16
+NUMBERS = 24
 """Numbers that a worker tells the others, or itself when it is alone."""
 FROZEN = 4
 """Word: how many bodies were frozen by those who solve islands."""

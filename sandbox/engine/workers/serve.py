@@ -11,6 +11,7 @@ from sandbox.engine.contact_solver.prepare import prepare_blocks
 from sandbox.engine.contact_solver.soft_constraint import contact_spring
 from sandbox.engine.contact_solver.solve import solve_blocks, solve_blocks_again
 from sandbox.engine.contact_solver.store import store_blocks
+from sandbox.engine.contact_solver.velocity_parts import add_some_parts, turn_some_parts
 from sandbox.engine.contact_solver.warm_start import warm_start_blocks
 from sandbox.engine.joints.direct.solve import solve_some_batches
 from sandbox.engine.joints.hinges import SoftHinge, sweep_hinge_blocks, warm_start_hinge_blocks
@@ -28,6 +29,7 @@ from sandbox.engine.records.workers import Workers
 from sandbox.engine.solve_islands import solve_batches, told_share
 from sandbox.engine.workers.parallel_for import CLOSED, FIRST_PAIR, TASK, look_again, note_done, take
 from sandbox.engine.workers.task_kinds import (
+    ADD_PARTS,
     DECIDE_PAIRS,
     FASTEST,
     GIVE,
@@ -47,6 +49,7 @@ from sandbox.engine.workers.task_kinds import (
     SOLVE_ISLANDS,
     STORE_IMPULSES,
     SWEEP_HINGES,
+    TURN_PARTS,
     WARM_START,
     WARM_START_HINGES,
     WRITE_CONTACTS,
@@ -149,6 +152,10 @@ def _do_bodies(
         integrate_some_velocities(blocks.batches.bodies[first:end], solver)
     elif task == INTEGRATE_POSITIONS:
         integrate_some_positions(blocks.batches.bodies[first:end], solver, n[GRAVITY], n[SECONDS])
+    elif task == ADD_PARTS:
+        add_some_parts(blocks.batches.bodies[first:end], solver)
+    elif task == TURN_PARTS:
+        turn_some_parts(blocks.batches.bodies[first:end], solver)
     elif task == PREPARE_CONTACTS:
         spring = contact_spring(state.settings[0], int(n[LEVEL]))
         impacts = n[IMPACTS] > 0.0

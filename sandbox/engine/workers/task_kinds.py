@@ -15,23 +15,25 @@ SOLVE_CONTACTS = 6
 STORE_IMPULSES = 7
 INTEGRATE_VELOCITIES = 8
 INTEGRATE_POSITIONS = 9
-SOLVE_BATCHES = 10
-RELAX_BATCHES = 11
-WARM_START_HINGES = 12
-SWEEP_HINGES = 13
-SOLVE_ISLANDS = 14
+ADD_PARTS = 10
+TURN_PARTS = 11
+SOLVE_BATCHES = 12
+RELAX_BATCHES = 13
+WARM_START_HINGES = 14
+SWEEP_HINGES = 15
+SOLVE_ISLANDS = 16
 
 # Places in `Workers.numbers`; the fields of `SoftContact` come first.
-SECONDS = 6
-GRAVITY = 7
-LEVEL = 8
-IMPACTS = 9
-FASTEST = 10
-PUSH = 11
-MOST = 12
-GIVE = 13
-UNSETTLED = 14
-IMPACT_SPEED = 15
+SECONDS = 8
+GRAVITY = 9
+LEVEL = 10
+IMPACTS = 11
+FASTEST = 12
+PUSH = 13
+MOST = 14
+GIVE = 15
+UNSETTLED = 16
+IMPACT_SPEED = 17
 
 
 @kernel
@@ -43,9 +45,11 @@ def tell_soft(numbers: Floats, soft: SoftContact) -> None:
     numbers[3] = soft.slowest_bias
     numbers[4] = soft.impact_allowance
     numbers[5] = soft.over_relaxation
+    numbers[6] = 1.0 if soft.sums else 0.0
+    numbers[7] = 1.0 if soft.keeps else 0.0
 
 
 @kernel
 def told_soft(n: Floats) -> SoftContact:
     """How contacts are to be treated."""
-    return SoftContact(n[0], n[1], n[2], n[3], n[4], n[5])
+    return SoftContact(n[0], n[1], n[2], n[3], n[4], n[5], n[6] > 0.0, n[7] > 0.0)

@@ -71,7 +71,13 @@ def _tables(world: Any) -> list[tuple[str, Any]]:
 
 
 def _codes(world: Any) -> list[int]:
-    return [crc32(rows[name].tobytes()) for _, rows in _tables(world) for name in rows.dtype.names]
+    return [crc32(_bits(rows[name])) for _, rows in _tables(world) for name in rows.dtype.names]
+
+
+def _bits(column: Any) -> bytes:
+    """A column as bytes: whole numbers take eight bytes, as many as they may take in another revision."""
+    bits: bytes = (column.astype("i8") if column.dtype.kind == "i" else column).tobytes()
+    return bits
 
 
 def _dump(world: Any, step: int, wanted: list[int]) -> dict[str, Any]:
