@@ -56,7 +56,7 @@ def help_out(workers, marks):
     """Mark what is left to take until the words say that it is over; how many parts that were."""
     parts = 0
     while atomic_load(workers.words, CLOSED) == 0:
-        first, end = take(workers.words)
+        first, end = take(workers.words, workers.number)
         if first < end:
             for k in range(first, end):
                 marks[k] += 1
@@ -75,7 +75,8 @@ def test_every_number_of_a_task_is_done_once(helpers):
     tables = kernel_argument((workers, marks))
     offering = Call(offer, tables, unlocked=True).bind()
     parts: list[int] = []
-    helping = [Call(help_out, tables, unlocked=True).bind() for _ in range(helpers)]
+    numbered = [kernel_argument((workers._replace(number=number), marks)) for number in range(1, 1 + helpers)]
+    helping = [Call(help_out, each, unlocked=True).bind() for each in numbered]
     threads = [threading.Thread(target=lambda run=run: parts.append(run())) for run in helping]
     for thread in threads:
         thread.start()

@@ -3,6 +3,9 @@
 Who comes late finds less to do, or nothing: the thread that steps the world never waits for one that has not begun.
 What a task is told (`Workers.words`, `numbers`) is read after a part of its range has been taken, and the next task is
 only posted when all parts are done, so that nobody reads what is being changed. A thread by itself takes all at once.
+
+Half of the workers take from the front, the others from the back: of what lies in the same order in every task, as
+bodies and their contacts do, each gets what is in its own cache since the task before.
 """
 
 from __future__ import annotations
@@ -80,15 +83,22 @@ def first_part_of_color(
 
 
 @kernel
-def take(words: Integers) -> tuple[int, int]:
-    """Take the next part of what is offered: (first, end), or (0, 0) if nothing is left."""
+def take(words: Integers, worker: int) -> tuple[int, int]:
+    """Take the next part of what is offered: (first, end), or (0, 0) if nothing is left. Odd workers take the last."""
     seen = atomic_load(words, RANGE)
     # The grain may be that of a task before with the same range: parts of any size are right.
     while (seen >> _HALF) < (seen & _LOWER):
         first = seen >> _HALF
-        end = first + words[GRAIN]
-        end = end if end < (seen & _LOWER) else seen & _LOWER
-        found = compare_and_swap(words, RANGE, seen, (end << _HALF) | (seen & _LOWER))
+        end = seen & _LOWER
+        if worker & 1:
+            middle = end - words[GRAIN] if end - words[GRAIN] > first else first
+            left = (first << _HALF) | middle
+            first = middle
+        else:
+            middle = first + words[GRAIN] if first + words[GRAIN] < end else end
+            left = (middle << _HALF) | end
+            end = middle
+        found = compare_and_swap(words, RANGE, seen, left)
         if found == seen:
             return first, end
         seen = found
@@ -122,7 +132,7 @@ def _offer(words: Integers, task: int, first: int, end: int, grain: int) -> tupl
 
 @kernel
 def _take_or_wait(words: Integers) -> tuple[int, int]:
-    first, end = take(words)
+    first, end = take(words, 0)
     if end == 0:
         looks = 0
         while atomic_load(words, DONE) < words[COUNT]:

@@ -74,7 +74,7 @@ def serve(
     words = workers.words
     parts = looks = 0
     while atomic_load(words, CLOSED) == 0:
-        first, end = take(words)
+        first, end = take(words, workers.number)
         if first < end:
             if words[TASK] <= WRITE_CONTACTS:
                 _do_pairs(state, colliders, grid, contacts, workers, decisions, first, end)
