@@ -62,7 +62,7 @@ def collide(
     update_active_set(state.bodies, active, solver, ccd.bodies)
     info = active.info[0]
     changed = order_shapes(state.shapes, active)
-    bound_shapes(state, active.shapes[: outdated_shapes(info, changed, state.shapes.shape[0])], colliders)
+    bound_shapes(state, active.shapes[: outdated_shapes(info, changed, state.shapes.shape[0])], colliders, workers)
     pair_count = find_all_pairs(colliders, active, state.shapes.shape[0], changed, grid)
     kept = counter.contact_count if counter.asleep_count > 0 else 0
     if pair_count + kept > grid.pairs.shape[0]:

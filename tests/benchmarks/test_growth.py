@@ -17,7 +17,7 @@ import sandbox
 from sandbox._jit import entry_point, kernel_argument
 from sandbox.bench.stages import TimedStepper
 from sandbox.engine.broad_phase.pairs import sort_pairs
-from sandbox.engine.broad_phase.proxies import bound_shapes
+from sandbox.engine.broad_phase.proxies import bound_some_shapes
 from sandbox.engine.broad_phase.resting_grid import ALL, find_all_pairs
 from sandbox.engine.records.state import StateTables
 from tests.benchmarks.test_narrow_phase import nanoseconds_a_pair
@@ -55,7 +55,7 @@ def settled(count: int) -> sandbox.World:
 @entry_point
 def broad_phase(state, active, colliders, grid):
     """Inner kernels are not for Python to call: boxes and proxies, the grid, the pairs and their order."""
-    bound_shapes(state, active.shapes, colliders)
+    bound_some_shapes(state, active.shapes, colliders)
     pair_count = find_all_pairs(colliders, active, state.shapes.shape[0], ALL, grid)
     sort_pairs(grid.pairs, pair_count, grid.sorted_pairs, grid.heads, state.shapes.shape[0])
     return pair_count

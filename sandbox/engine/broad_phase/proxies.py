@@ -8,6 +8,9 @@ from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.broad_phase.margins import shape_margin
 from sandbox.engine.records.colliders import Colliders
 from sandbox.engine.records.state import StateTables
+from sandbox.engine.records.workers import Workers
+from sandbox.engine.workers.parallel_for import first_part, next_part
+from sandbox.engine.workers.task_kinds import BOUND_SHAPES
 from sandbox.geometry.bounds import core_bounds
 from sandbox.geometry.core import core_of
 from sandbox.tables import Integers, Records
@@ -62,11 +65,21 @@ def _how_it_moves(body: Records) -> int:
 
 
 @kernel
-def bound_shapes(state: StateTables, rows: Integers, colliders: Colliders) -> None:
-    """Turn the cores of some shapes and bound them: core, radius, margin, and the displacement of a step.
+def bound_shapes(state: StateTables, rows: Integers, colliders: Colliders, workers: Workers) -> None:
+    """Turn the cores of the first shapes of `active.shapes` and bound them: core, radius, margin, and the displacement
+    of a step.
 
     Their `FILTER` and `PROXY` rows are filled in too, for the grid and for the narrow phase.
     """
+    first, end = first_part(workers, BOUND_SHAPES, 0, rows.shape[0])
+    while first < end:
+        bound_some_shapes(state, rows[first:end], colliders)
+        first, end = next_part(workers, first, end)
+
+
+@kernel
+def bound_some_shapes(state: StateTables, rows: Integers, colliders: Colliders) -> None:
+    """The same for some of them."""
     bodies = state.bodies
     shapes = state.shapes
     cores = colliders.cores

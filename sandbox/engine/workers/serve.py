@@ -7,6 +7,7 @@ from typing import Any
 from sandbox._atomics import atomic_load
 from sandbox._jit import entry_point, kernel
 from sandbox.engine.bodies.integrate import integrate_some_positions, integrate_some_velocities
+from sandbox.engine.broad_phase.proxies import bound_some_shapes
 from sandbox.engine.contact_solver.prepare import prepare_blocks
 from sandbox.engine.contact_solver.soft_constraint import contact_spring
 from sandbox.engine.contact_solver.solve import solve_blocks, solve_blocks_again
@@ -30,6 +31,7 @@ from sandbox.engine.solve_islands import solve_batches, told_share
 from sandbox.engine.workers.parallel_for import CLOSED, FIRST_PAIR, TASK, look_again, note_done, take
 from sandbox.engine.workers.task_kinds import (
     ADD_PARTS,
+    BOUND_SHAPES,
     DECIDE_PAIRS,
     FASTEST,
     GIVE,
@@ -78,6 +80,8 @@ def serve(
         if first < end:
             if words[TASK] <= WRITE_CONTACTS:
                 _do_pairs(state, colliders, grid, contacts, workers, decisions, first, end)
+            elif words[TASK] == BOUND_SHAPES:
+                bound_some_shapes(state, active.shapes[first:end], colliders)
             elif words[TASK] == SOLVE_ISLANDS:
                 share = told_share(workers)
                 solve_batches(state, active, solver, contacts, blocks, joints, workers, share, first, end)

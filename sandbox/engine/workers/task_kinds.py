@@ -22,6 +22,7 @@ RELAX_BATCHES = 13
 WARM_START_HINGES = 14
 SWEEP_HINGES = 15
 SOLVE_ISLANDS = 16
+BOUND_SHAPES = 17
 
 # Places in `Workers.numbers`; the fields of `SoftContact` come first.
 SECONDS = 8
