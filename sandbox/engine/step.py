@@ -6,20 +6,20 @@ those which joints do not change are made once for worlds with joints and withou
 
 from __future__ import annotations
 
-from sandbox._jit import entry_point, kernel
+from sandbox._jit import entry_point
 from sandbox.engine.active.active_set import list_active_contacts, update_active_set
 from sandbox.engine.active.pile_stability import MAX_LEVEL
 from sandbox.engine.active.sleep import fall_asleep
 from sandbox.engine.active.substep_level import assign_substep_levels
 from sandbox.engine.active.wake_islands import wake_touched
-from sandbox.engine.bodies.flags import AT_A_TIME, clear_flags, keep_dragged_awake
-from sandbox.engine.bodies.integrate import begin_motions, finish_motions, rewind_driven
-from sandbox.engine.bodies.quarantine import guard_forces, guard_positions
+from sandbox.engine.bodies.both_ends import begin_bodies, finish_bodies
+from sandbox.engine.bodies.integrate import rewind_driven
+from sandbox.engine.bodies.quarantine import guard_forces
 from sandbox.engine.broad_phase.pairs import sort_pairs
 from sandbox.engine.broad_phase.proxies import bound_shapes
 from sandbox.engine.broad_phase.resting_grid import find_all_pairs, order_shapes, outdated_shapes
 from sandbox.engine.contact_solver.store import clear_reports
-from sandbox.engine.continuous_collision.candidates import mark_fast, mark_fast_at_start
+from sandbox.engine.continuous_collision.candidates import mark_fast
 from sandbox.engine.joints.pair_filter import JointFilter, filter_joined_pairs
 from sandbox.engine.joints.reactions import finish_joints
 from sandbox.engine.joints.records import JointWork
@@ -38,7 +38,7 @@ from sandbox.engine.records.state import StateTables
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.restitution.struck import flag_struck
 from sandbox.engine.solve_islands import Level, solve_level
-from sandbox.tables import Integers, Records
+from sandbox.tables import Records
 
 
 @entry_point
@@ -88,6 +88,7 @@ def begin(
     blocks: ContactBlocks,
     ccd: Ccd,
     joints: JointWork | None,
+    workers: Workers,
 ) -> None:
     """Wake what is touched, choose substep levels, and make bodies, contacts and joints ready for the substeps."""
     bodies = state.bodies
@@ -100,7 +101,7 @@ def begin(
         list_active_contacts(bodies, contacts, count)
     info.substep_levels = assign_substep_levels(state, active, solver, piles, contacts, joints)
     rows = active.bodies[1 : 1 + active.bodies[0]]
-    info.fastest = _begin_bodies(state, rows, solver, ccd.bodies)
+    info.fastest = begin_bodies(state, rows, solver, ccd.bodies, workers)
     info.impact_speed = flag_struck(bodies, contacts, ccd.bodies, solver.struck, blocks.spare, info.fastest)
     if joints is not None:
         begin_joints(joints, bodies, solver.free_motions, contacts, state.counters[0].step_count == 0)
@@ -142,6 +143,7 @@ def finish(
     contacts: Contacts,
     ccd: Ccd,
     joints: JointWork | None,
+    workers: Workers,
 ) -> bool:
     """Write the new motions to the bodies and what was borne to the joints, and let rest what may.
 
@@ -151,35 +153,9 @@ def finish(
     rows = active.bodies[1 : 1 + active.bodies[0]]
     if joints is not None:
         finish_joints(joints, state.settings[0].step_seconds, counter)
-    _finish_bodies(state, rows, solver, active)
+    finish_bodies(state, rows, solver, active, workers)
     fall_asleep(state, active, solver, contacts, joints)
     counter.step_count += 1
     counter.old_contact_count = counter.contact_count
     counter.contact_count = counter.found_count
     return mark_fast(state.bodies, rows, solver.motions, ccd.bodies) > 0
-
-
-@kernel
-def _begin_bodies(state: StateTables, rows: Integers, solver: SolverBodies, ccd_bodies: Records) -> float:
-    """What is done to each active body before the substeps, with some of them at a time, while they are in the cache.
-
-    Returns the square of the highest speed (m/s) of a point of any body.
-    """
-    fastest = 0.0
-    for first in range(0, rows.shape[0], AT_A_TIME):
-        some = rows[first : first + AT_A_TIME]
-        square = begin_motions(state.bodies, some, solver)
-        fastest = square if square > fastest else fastest
-        clear_flags(state.bodies, some, solver)
-        mark_fast_at_start(state.bodies, some, ccd_bodies, state.settings[0].step_seconds)
-    keep_dragged_awake(solver.flags, state.drags)
-    return fastest
-
-
-@kernel
-def _finish_bodies(state: StateTables, rows: Integers, solver: SolverBodies, active: ActiveSet) -> None:
-    """What is done to each active body after the substeps, with some of them at a time."""
-    for first in range(0, rows.shape[0], AT_A_TIME):
-        some = rows[first : first + AT_A_TIME]
-        guard_positions(state.bodies, some, solver.motions, active.info, state.counters)
-        finish_motions(state.bodies, some, solver.motions)

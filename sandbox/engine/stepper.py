@@ -192,21 +192,24 @@ class Stepper:
     def _advance(self) -> bool:
         """Take a step; False if it lacked scratch memory, which it has now: then nothing else has changed."""
         collide, begin, solve, finish, solve_continuous = self._parts[self._turn]
+        fast = False
         if self._threads is None or not self._is_worth_sharing():
             lacking_pairs = collide()
             if not lacking_pairs:
                 begin()
                 solve()
+                fast = finish()
         else:
             with self._threads.serving(self.scratch.workers, self.bind_workers()):
                 lacking_pairs = collide()
                 if not lacking_pairs:
                     begin()
                     solve()
+                    fast = finish()
         if lacking_pairs:
             self._make_room(lacking_pairs)
             return False
-        if finish():
+        if fast:
             compile_continuous()
             solve_continuous()
         return True

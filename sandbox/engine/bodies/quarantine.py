@@ -72,9 +72,13 @@ def freeze_in_step(body: Records, motion: Records, force: Records, active_info: 
 
 @kernel
 def guard_positions(
-    bodies: Records, active_bodies: Integers, motions: Records, active_info: Records, counters: Records
-) -> None:
-    """Freeze bodies that would leave the world, or whose motion is not a number, before they are moved."""
+    bodies: Records, active_bodies: Integers, motions: Records, active_info: Records, step_count: int
+) -> int:
+    """Freeze bodies that would leave the world, or whose motion is not a number, before they are moved.
+
+    Returns how many were frozen.
+    """
+    frozen = 0
     for i in active_bodies:
         body = bodies[i]
         if body.type == STATIC:
@@ -86,9 +90,10 @@ def guard_positions(
         inside = x <= MAX_COORDINATE and y <= MAX_COORDINATE and turned <= MAX_COORDINATE
         if not (slowed(motion) and inside):
             active_info[0].stale = 1
-            _freeze(body, counters[0].step_count)
-            counters[0].frozen_count += 1
+            _freeze(body, step_count)
             _stop(motion)
+            frozen += 1
+    return frozen
 
 
 @inlined_kernel

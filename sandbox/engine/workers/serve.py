@@ -6,6 +6,7 @@ from typing import Any
 
 from sandbox._atomics import atomic_load
 from sandbox._jit import entry_point, kernel
+from sandbox.engine.bodies.both_ends import begin_some_bodies, finish_some_bodies
 from sandbox.engine.bodies.integrate import integrate_some_positions, integrate_some_velocities
 from sandbox.engine.broad_phase.proxies import bound_some_shapes
 from sandbox.engine.contact_solver.prepare import prepare_blocks
@@ -21,6 +22,7 @@ from sandbox.engine.narrow_phase.decide_pairs import decide_pairs
 from sandbox.engine.narrow_phase.write_contacts import write_contacts
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
+from sandbox.engine.records.ccd import Ccd
 from sandbox.engine.records.colliders import Colliders, Grid
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.contacts import Contacts
@@ -31,6 +33,7 @@ from sandbox.engine.solve_islands import solve_batches, told_share
 from sandbox.engine.workers.parallel_for import CLOSED, FIRST_PAIR, TASK, look_again, note_done, take
 from sandbox.engine.workers.task_kinds import (
     ADD_PARTS,
+    BEGIN_BODIES,
     BOUND_SHAPES,
     DECIDE_PAIRS,
     FASTEST,
@@ -70,6 +73,7 @@ def serve(
     blocks: ContactBlocks,
     workers: Workers,
     decisions: Decisions,
+    ccd: Ccd,
     joints: JointWork | None,
 ) -> int:
     """Do parts of what is offered until the step is over, as worker `workers.number`; returns how many it did."""
@@ -80,8 +84,8 @@ def serve(
         if first < end:
             if words[TASK] <= WRITE_CONTACTS:
                 _do_pairs(state, colliders, grid, contacts, workers, decisions, first, end)
-            elif words[TASK] == BOUND_SHAPES:
-                bound_some_shapes(state, active.shapes[first:end], colliders)
+            elif words[TASK] >= BOUND_SHAPES:
+                _do_rows(state, active, solver, colliders, ccd, workers, first, end)
             elif words[TASK] == SOLVE_ISLANDS:
                 share = told_share(workers)
                 solve_batches(state, active, solver, contacts, blocks, joints, workers, share, first, end)
@@ -118,6 +122,27 @@ def _do_pairs(
         decide_pairs(state, colliders, pairs, contacts.before, decisions, workers.number, first, end)
     else:
         write_contacts(colliders.proxies, pairs, contacts, decisions, first, end)
+
+
+@kernel
+def _do_rows(
+    state: StateTables,
+    active: ActiveSet,
+    solver: SolverBodies,
+    colliders: Colliders,
+    ccd: Ccd,
+    workers: Workers,
+    first: int,
+    end: int,
+) -> None:
+    """Do a task for active shapes or bodies in the order of `active`."""
+    task = workers.words[TASK]
+    if task == BOUND_SHAPES:
+        bound_some_shapes(state, active.shapes[first:end], colliders)
+    elif task == BEGIN_BODIES:
+        begin_some_bodies(state, active.bodies[1 + first : 1 + end], solver, ccd.bodies, workers)
+    else:
+        finish_some_bodies(state, active.bodies[1 + first : 1 + end], solver, active, workers)
 
 
 @kernel

@@ -23,6 +23,8 @@ WARM_START_HINGES = 14
 SWEEP_HINGES = 15
 SOLVE_ISLANDS = 16
 BOUND_SHAPES = 17
+BEGIN_BODIES = 18
+FINISH_BODIES = 19
 
 # Places in `Workers.numbers`; the fields of `SoftContact` come first.
 SECONDS = 8
@@ -35,6 +37,8 @@ MOST = 14
 GIVE = 15
 UNSETTLED = 16
 IMPACT_SPEED = 17
+# Of each worker by itself.
+FASTEST_BODY = 18
 
 
 @kernel
