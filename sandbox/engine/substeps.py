@@ -124,11 +124,11 @@ def run_substeps(
 
     if joints is not None and rest:
         select_parts(joints, free_motions, level)
-    prepare_forces(bodies, rows, solver, level, setting, seconds)
+    prepare_forces(bodies, rows, solver, level, setting, seconds, workers)
     flight = Flight(substeps, seconds, gravity, todo.impacts)
     now = state.counters[0].step_count
     struck: Any = blocks.batches.struck[blocks.batches.first_body[todo.batch] :]
-    frozen = fly(bodies, rows[todo.held_count :], solver, active.info, now, flight)
+    frozen = fly(bodies, rows, todo.held_count, solver, active.info, now, flight, workers)
     rows = rows[: todo.held_count]
     for substep in range(substeps):
         integrate_velocities(rows, solver, workers)

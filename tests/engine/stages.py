@@ -66,7 +66,7 @@ def plain(argument: Any) -> Any:
 
 def prepare_forces(bodies: Any, rows: Any, solver: Any, level: int, settings: Any, seconds: float) -> None:
     """Takes the table of settings: a row cannot be passed from Python."""
-    integrate.prepare_forces(bodies, rows, solver, level, settings[0], seconds)
+    integrate.prepare_some_forces(bodies, rows, solver, level, settings[0], seconds)
 
 
 update_active_set = stage(active_set.update_active_set)

@@ -12,8 +12,11 @@ from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.bodies.integrate import SOLVED, integrate_position, integrate_velocity
 from sandbox.engine.bodies.quarantine import MAX_SPEED, freeze_in_step, slowed
 from sandbox.engine.records.bodies import SolverBodies
+from sandbox.engine.records.workers import Workers
+from sandbox.engine.workers.parallel_for import first_part, next_part
+from sandbox.engine.workers.task_kinds import FLY, GRAVITY, IMPACTS, SECONDS, SUBSTEPS
 from sandbox.geometry.trig import cos_sin
-from sandbox.tables import Integers, Records
+from sandbox.tables import Floats, Integers, Records
 
 
 class Flight(NamedTuple):
@@ -28,9 +31,48 @@ class Flight(NamedTuple):
 
 @kernel
 def fly(
+    bodies: Records,
+    rows: Integers,
+    held_count: int,
+    solver: SolverBodies,
+    active_info: Records,
+    step_count: int,
+    flight: Flight,
+    workers: Workers,
+) -> int:
+    """Move the bodies behind the first `held_count`, which have neither contacts nor joints, through all substeps.
+
+    Returns how many this worker has frozen.
+    """
+    tell_flight(workers.numbers, flight)
+    frozen = 0
+    first, end = first_part(workers, FLY, held_count, rows.shape[0])
+    while first < end:
+        frozen += fly_some(bodies, rows[first:end], solver, active_info, step_count, flight)
+        first, end = next_part(workers, first, end)
+    return frozen
+
+
+@kernel
+def tell_flight(numbers: Floats, flight: Flight) -> None:
+    """Tell who moves bodies how they are to be moved."""
+    numbers[SUBSTEPS] = flight.substeps
+    numbers[SECONDS] = flight.seconds
+    numbers[GRAVITY] = flight.gravity
+    numbers[IMPACTS] = 1.0 if flight.late_impacts else 0.0
+
+
+@kernel
+def told_flight(n: Floats) -> Flight:
+    """How bodies are to be moved."""
+    return Flight(int(n[SUBSTEPS]), n[SECONDS], n[GRAVITY], n[IMPACTS] > 0.0)
+
+
+@kernel
+def fly_some(
     bodies: Records, rows: Integers, solver: SolverBodies, active_info: Records, step_count: int, flight: Flight
 ) -> int:
-    """Move bodies that have neither contacts nor joints through all substeps; returns how many were frozen."""
+    """The same for some bodies; returns how many were frozen."""
     frozen = 0
     for i in rows:
         force = solver.forces[i]

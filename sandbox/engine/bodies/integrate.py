@@ -6,7 +6,14 @@ from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
-from sandbox.engine.workers.task_kinds import GRAVITY, INTEGRATE_POSITIONS, INTEGRATE_VELOCITIES, SECONDS
+from sandbox.engine.workers.task_kinds import (
+    GRAVITY,
+    INTEGRATE_POSITIONS,
+    INTEGRATE_VELOCITIES,
+    LEVEL,
+    PREPARE_FORCES,
+    SECONDS,
+)
 from sandbox.geometry.trig import cos_sin
 from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC, KINEMATIC, STATIC
@@ -67,13 +74,32 @@ def rewind_driven(bodies: Records, active_bodies: Integers, motions: Records) ->
 
 @kernel
 def prepare_forces(
-    bodies: Records, active_bodies: Integers, solver: SolverBodies, substep_level: int, setting: Records, seconds: float
+    bodies: Records,
+    active_bodies: Integers,
+    solver: SolverBodies,
+    substep_level: int,
+    setting: Records,
+    seconds: float,
+    workers: Workers,
 ) -> None:
     """Work out once what forces and damping do to the bodies of a substep level in each of its substeps of `seconds`.
 
     Exact terminal velocity, decay to second order, always stable.
     """
-    for i in active_bodies:
+    workers.numbers[LEVEL] = substep_level
+    workers.numbers[SECONDS] = seconds
+    first, end = first_part(workers, PREPARE_FORCES, 0, active_bodies.shape[0])
+    while first < end:
+        prepare_some_forces(bodies, active_bodies[first:end], solver, substep_level, setting, seconds)
+        first, end = next_part(workers, first, end)
+
+
+@kernel
+def prepare_some_forces(
+    bodies: Records, rows: Integers, solver: SolverBodies, substep_level: int, setting: Records, seconds: float
+) -> None:
+    """The same for some bodies."""
+    for i in rows:
         body = bodies[i]
         force = solver.forces[i]
         force.moves = SOLVED if body.type == DYNAMIC else LED

@@ -4,10 +4,15 @@ from __future__ import annotations
 
 from typing import Any
 
-from sandbox._atomics import atomic_load
+from sandbox._atomics import atomic_add, atomic_load
 from sandbox._jit import entry_point, kernel
 from sandbox.engine.bodies.both_ends import begin_some_bodies, finish_some_bodies
-from sandbox.engine.bodies.integrate import integrate_some_positions, integrate_some_velocities
+from sandbox.engine.bodies.free_flight import fly_some, told_flight
+from sandbox.engine.bodies.integrate import (
+    integrate_some_positions,
+    integrate_some_velocities,
+    prepare_some_forces,
+)
 from sandbox.engine.broad_phase.proxies import bound_some_shapes
 from sandbox.engine.contact_solver.prepare import prepare_blocks
 from sandbox.engine.contact_solver.soft_constraint import contact_spring
@@ -28,7 +33,7 @@ from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.decisions import Decisions
 from sandbox.engine.records.state import StateTables
-from sandbox.engine.records.workers import Workers
+from sandbox.engine.records.workers import FROZEN, Workers
 from sandbox.engine.solve_islands import solve_batches, told_share
 from sandbox.engine.workers.parallel_for import CLOSED, FIRST_PAIR, TASK, look_again, note_done, take
 from sandbox.engine.workers.task_kinds import (
@@ -37,6 +42,7 @@ from sandbox.engine.workers.task_kinds import (
     BOUND_SHAPES,
     DECIDE_PAIRS,
     FASTEST,
+    FLY,
     GIVE,
     GRAVITY,
     IMPACT_SPEED,
@@ -46,6 +52,7 @@ from sandbox.engine.workers.task_kinds import (
     LEVEL,
     MOST,
     PREPARE_CONTACTS,
+    PREPARE_FORCES,
     PUSH,
     SECONDS,
     SOLVE_AGAIN,
@@ -90,7 +97,7 @@ def serve(
                 share = told_share(workers)
                 solve_batches(state, active, solver, contacts, blocks, joints, workers, share, first, end)
             elif words[TASK] < SOLVE_BATCHES:
-                _do_bodies(state, solver, contacts, blocks, workers, first, end)
+                _do_bodies(state, active, solver, contacts, blocks, workers, first, end)
             elif joints is not None and words[TASK] >= WARM_START_HINGES:
                 _do_hinges(joints, workers, first, end)
             elif joints is not None:
@@ -160,6 +167,7 @@ def _do_hinges(joints: JointWork, workers: Workers, first: int, end: int) -> Non
 @kernel
 def _do_bodies(
     state: StateTables,
+    active: ActiveSet,
     solver: SolverBodies,
     contacts: Contacts,
     blocks: ContactBlocks,
@@ -185,6 +193,15 @@ def _do_bodies(
         add_some_parts(blocks.batches.bodies[first:end], solver)
     elif task == TURN_PARTS:
         turn_some_parts(blocks.batches.bodies[first:end], solver)
+    elif task == PREPARE_FORCES:
+        rows = blocks.batches.bodies[first:end]
+        prepare_some_forces(state.bodies, rows, solver, int(n[LEVEL]), state.settings[0], n[SECONDS])
+    elif task == FLY:
+        rows = blocks.batches.bodies[first:end]
+        now = state.counters[0].step_count
+        frozen = fly_some(state.bodies, rows, solver, active.info, now, told_flight(n))
+        if frozen > 0:
+            atomic_add(workers.words, FROZEN, frozen)
     elif task == PREPARE_CONTACTS:
         spring = contact_spring(state.settings[0], int(n[LEVEL]))
         impacts = n[IMPACTS] > 0.0
