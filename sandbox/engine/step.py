@@ -88,7 +88,6 @@ def begin(
     blocks: ContactBlocks,
     ccd: Ccd,
     joints: JointWork | None,
-    workers: Workers,
 ) -> None:
     """Wake what is touched, choose substep levels, and make bodies, contacts and joints ready for the substeps."""
     bodies = state.bodies
@@ -101,7 +100,7 @@ def begin(
         list_active_contacts(bodies, contacts, count)
     info.substep_levels = assign_substep_levels(state, active, solver, piles, contacts, joints)
     rows = active.bodies[1 : 1 + active.bodies[0]]
-    info.fastest = begin_bodies(state, rows, solver, ccd.bodies, workers)
+    info.fastest = begin_bodies(state, rows, solver, ccd.bodies)
     info.impact_speed = flag_struck(bodies, contacts, ccd.bodies, solver.struck, blocks.spare, info.fastest)
     if joints is not None:
         begin_joints(joints, bodies, solver.free_motions, contacts, state.counters[0].step_count == 0)

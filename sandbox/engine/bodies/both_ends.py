@@ -1,4 +1,4 @@
-"""Stages: what is done to each active body before the substeps and after them, by all workers.
+"""Stages: what is done to each active body before the substeps, and after them by all workers.
 
 Some bodies at a time, so that loops which follow each other find them in the cache.
 """
@@ -14,46 +14,24 @@ from sandbox.engine.continuous_collision.candidates import mark_fast_at_start
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.state import StateTables
-from sandbox.engine.records.workers import FROZEN, NUMBERS, SIZE, Workers
+from sandbox.engine.records.workers import FROZEN, Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
-from sandbox.engine.workers.task_kinds import BEGIN_BODIES, FASTEST_BODY, FINISH_BODIES
+from sandbox.engine.workers.task_kinds import FINISH_BODIES
 from sandbox.tables import Integers, Records
 
 
 @kernel
-def begin_bodies(
-    state: StateTables, rows: Integers, solver: SolverBodies, ccd_bodies: Records, workers: Workers
-) -> float:
+def begin_bodies(state: StateTables, rows: Integers, solver: SolverBodies, ccd_bodies: Records) -> float:
     """Make active bodies ready for the substeps; returns the square of the highest speed (m/s) of a point of any."""
-    numbers = workers.numbers
-    for n in range(workers.words[SIZE]):
-        numbers[n * NUMBERS + FASTEST_BODY] = 0.0
-    first, end = first_part(workers, BEGIN_BODIES, 0, rows.shape[0])
-    while first < end:
-        begin_some_bodies(state, rows[first:end], solver, ccd_bodies, workers)
-        first, end = next_part(workers, first, end)
-    keep_dragged_awake(solver.flags, state.drags)
     fastest = 0.0
-    for n in range(workers.words[SIZE]):
-        square = numbers[n * NUMBERS + FASTEST_BODY]
-        fastest = square if square > fastest else fastest
-    return fastest
-
-
-@kernel
-def begin_some_bodies(
-    state: StateTables, rows: Integers, solver: SolverBodies, ccd_bodies: Records, workers: Workers
-) -> None:
-    """The same for some of them; the worker notes the highest square that it has found."""
-    at = workers.number * NUMBERS + FASTEST_BODY
-    fastest = workers.numbers[at]
     for first in range(0, rows.shape[0], AT_A_TIME):
         some = rows[first : first + AT_A_TIME]
         square = begin_motions(state.bodies, some, solver)
         fastest = square if square > fastest else fastest
         clear_flags(state.bodies, some, solver)
         mark_fast_at_start(state.bodies, some, ccd_bodies, state.settings[0].step_seconds)
-    workers.numbers[at] = fastest
+    keep_dragged_awake(solver.flags, state.drags)
+    return fastest
 
 
 @kernel

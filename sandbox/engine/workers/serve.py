@@ -6,7 +6,7 @@ from typing import Any
 
 from sandbox._atomics import atomic_add, atomic_load
 from sandbox._jit import entry_point, kernel
-from sandbox.engine.bodies.both_ends import begin_some_bodies, finish_some_bodies
+from sandbox.engine.bodies.both_ends import finish_some_bodies
 from sandbox.engine.bodies.free_flight import fly_some, told_flight
 from sandbox.engine.bodies.integrate import (
     integrate_some_positions,
@@ -27,7 +27,6 @@ from sandbox.engine.narrow_phase.decide_pairs import decide_pairs
 from sandbox.engine.narrow_phase.write_contacts import write_contacts
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
-from sandbox.engine.records.ccd import Ccd
 from sandbox.engine.records.colliders import Colliders, Grid
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.contacts import Contacts
@@ -38,7 +37,6 @@ from sandbox.engine.solve_islands import solve_batches, told_share
 from sandbox.engine.workers.parallel_for import CLOSED, FIRST_PAIR, TASK, look_again, note_done, take
 from sandbox.engine.workers.task_kinds import (
     ADD_PARTS,
-    BEGIN_BODIES,
     BOUND_SHAPES,
     DECIDE_PAIRS,
     FASTEST,
@@ -80,7 +78,6 @@ def serve(
     blocks: ContactBlocks,
     workers: Workers,
     decisions: Decisions,
-    ccd: Ccd,
     joints: JointWork | None,
 ) -> int:
     """Do parts of what is offered until the step is over, as worker `workers.number`; returns how many it did."""
@@ -92,7 +89,7 @@ def serve(
             if words[TASK] <= WRITE_CONTACTS:
                 _do_pairs(state, colliders, grid, contacts, workers, decisions, first, end)
             elif words[TASK] >= BOUND_SHAPES:
-                _do_rows(state, active, solver, colliders, ccd, workers, first, end)
+                _do_rows(state, active, solver, colliders, workers, first, end)
             elif words[TASK] == SOLVE_ISLANDS:
                 share = told_share(workers)
                 solve_batches(state, active, solver, contacts, blocks, joints, workers, share, first, end)
@@ -137,17 +134,13 @@ def _do_rows(
     active: ActiveSet,
     solver: SolverBodies,
     colliders: Colliders,
-    ccd: Ccd,
     workers: Workers,
     first: int,
     end: int,
 ) -> None:
     """Do a task for active shapes or bodies in the order of `active`."""
-    task = workers.words[TASK]
-    if task == BOUND_SHAPES:
+    if workers.words[TASK] == BOUND_SHAPES:
         bound_some_shapes(state, active.shapes[first:end], colliders)
-    elif task == BEGIN_BODIES:
-        begin_some_bodies(state, active.bodies[1 + first : 1 + end], solver, ccd.bodies, workers)
     else:
         finish_some_bodies(state, active.bodies[1 + first : 1 + end], solver, active, workers)
 

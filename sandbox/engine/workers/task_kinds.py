@@ -25,8 +25,7 @@ WARM_START_HINGES = 16
 SWEEP_HINGES = 17
 SOLVE_ISLANDS = 18
 BOUND_SHAPES = 19
-BEGIN_BODIES = 20
-FINISH_BODIES = 21
+FINISH_BODIES = 20
 
 # Places in `Workers.numbers`; the fields of `SoftContact` come first.
 SECONDS = 8
@@ -40,8 +39,6 @@ GIVE = 15
 UNSETTLED = 16
 IMPACT_SPEED = 17
 SUBSTEPS = 18
-# Of each worker by itself.
-FASTEST_BODY = 19
 
 
 @kernel
