@@ -78,9 +78,10 @@ Impacts that do not end one by one are taken back.
 class SolverBodies(NamedTuple):
     """Scratch memory with a row for each body, beside the body table of the state.
 
-    `flags` holds the bits of `active.body_flags`, `colors` the colours that the contacts of a body have, `struck` how
-    many contacts the stage of impacts had looked at when it last changed a body, `islands` the lowest row of its island
-    where that is known, `batches` which batch that is in (0 for what does not move).
+    `parts` holds one of the two parts of each velocity (`contact_solver/velocity_parts.py`), `flags` the bits of
+    `bodies/flags.py`, `colors` the colours that the contacts of a body have, `struck` how many contacts the stage of
+    impacts had looked at when it last changed a body, `islands` the lowest row of its island where that is known,
+    `batches` which batch that is in (0 for what does not move).
     """
 
     motions: Records
