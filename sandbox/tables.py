@@ -75,7 +75,7 @@ def whole(name: str, meaning: str, values: Values, hashed: bool = True) -> Field
     return Field(name, "-", meaning, "i8", hashed, values)
 
 
-def half(name: str, meaning: str, values: Values) -> Field:
+def whole_i4(name: str, meaning: str, values: Values) -> Field:
     """The same in four bytes; another one follows in the same word."""
     return Field(name, "-", meaning, "i4", True, values)
 

@@ -12,7 +12,7 @@ from sandbox.engine.active.pile_stability import MAX_LEVEL
 from sandbox.engine.active.sleep import fall_asleep
 from sandbox.engine.active.substep_level import assign_substep_levels
 from sandbox.engine.active.wake_islands import wake_touched
-from sandbox.engine.bodies.both_ends import begin_bodies, finish_bodies
+from sandbox.engine.bodies.begin_and_finish import begin_bodies, finish_bodies
 from sandbox.engine.bodies.integrate import rewind_driven
 from sandbox.engine.bodies.quarantine import guard_forces
 from sandbox.engine.broad_phase.pairs import sort_pairs

@@ -7,7 +7,7 @@ or 1; an index of -1 means none.
 from __future__ import annotations
 
 from sandbox.scene.limits import ALL_BITS, MAX_SUBSTEPS, MAX_VERTICES
-from sandbox.tables import ANY_WHOLE, COUNT, FLAG, STEP_OR_NEVER, Field, Table, Values, half, whole
+from sandbox.tables import ANY_WHOLE, COUNT, FLAG, STEP_OR_NEVER, Field, Table, Values, whole, whole_i4
 from sandbox.world.bounds import LENGTH, PLACE, SHARE, SPEED
 from sandbox.world.field_records import EDGE, REGION, THRUSTER
 from sandbox.world.joint_records import JOINT
@@ -169,12 +169,12 @@ def _place_of_point(k: int) -> tuple[Field, ...]:
 CONTACT = Table(
     "contact",
     (
-        half("shape_a", "index of the first shape; shape_a < shape_b", _SHAPE),
-        half("shape_b", "index of the second shape", _SHAPE),
-        half("body_a", "index of the first body", _BODY),
-        half("body_b", "index of the second body", _BODY),
-        half("point_count", "1 or 2", Values(1, 2)),
-        half("substep_level", "of the island when the contact was last solved", Values(0, 4)),
+        whole_i4("shape_a", "index of the first shape; shape_a < shape_b", _SHAPE),
+        whole_i4("shape_b", "index of the second shape", _SHAPE),
+        whole_i4("body_a", "index of the first body", _BODY),
+        whole_i4("body_b", "index of the second body", _BODY),
+        whole_i4("point_count", "1 or 2", Values(1, 2)),
+        whole_i4("substep_level", "of the island when the contact was last solved", Values(0, 4)),
         whole("touching", "1 once the shapes have pushed or overlapped, until they are well apart", FLAG),
         *_kept_of_point(1),
         *_kept_of_point(2),

@@ -19,7 +19,7 @@ class Pair(Contact):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        self.rubs = bearing(self)
+        self.friction_at = bearing(self)
 
 
 def warm_start(contacts: list[Pair]) -> None:
@@ -28,7 +28,7 @@ def warm_start(contacts: list[Pair]) -> None:
         c.twist(c.rolling)
         for p in c.points:
             c.push(p, p.normal * c.normal)
-        c.push(c.rubs, sum(p.tangent for p in c.points) * c.tangent)
+        c.push(c.friction_at, sum(p.tangent for p in c.points) * c.tangent)
 
 
 def solve(contacts: list[Pair], how: Pass, over_relaxation: float) -> None:
@@ -39,9 +39,9 @@ def solve(contacts: list[Pair], how: Pass, over_relaxation: float) -> None:
             c.push(p, (normal - p.normal) * c.normal)
             p.normal = normal
         load = sum(p.normal for p in c.points)
-        change = -c.mass(c.rubs, c.tangent) * (c.speed(c.rubs, c.tangent) - c.surface_speed)
+        change = -c.mass(c.friction_at, c.tangent) * (c.speed(c.friction_at, c.tangent) - c.surface_speed)
         after = clamp(friction + change, c.friction * load)
-        c.push(c.rubs, (after - friction) * c.tangent)
+        c.push(c.friction_at, (after - friction) * c.tangent)
         for p in c.points:
             p.tangent = after * (p.normal / load if load > 0.0 else 1.0 / len(c.points))
         if c.rolling_resistance > 0.0:

@@ -177,7 +177,7 @@ def _prepare_lane(a: Records, b: Records, contact: Records, share: float, v: Flo
     one = contact.point_count == 1
     second = 1 if one else 2  # a second point at the place of the first, without mass, never pushes
     v[cb.TANGENT_IMPULSE] = share * (contact.tangent_impulse1 + contact.tangent_impulse2)
-    r = _rubbing_anchors(contact, second)
+    r = _friction_anchors(contact, second)
     levers = levers_of(r, contact.normal_y, -contact.normal_x)
     v[cb.TANGENT_MASS] = effective_mass(mass, r, contact.normal_y, -contact.normal_x)
     v[cb.TANGENT_LEVER_A] = levers.a
@@ -191,7 +191,7 @@ def _prepare_lane(a: Records, b: Records, contact: Records, share: float, v: Flo
 
 
 @inlined_kernel
-def _rubbing_anchors(contact: Records, second: int) -> Anchors:
+def _friction_anchors(contact: Records, second: int) -> Anchors:
     """Where the friction of a contact acts in a step: in the middle of what its points bore in the step before; where
     they bore nothing, at the one that is nearer, or midway."""
     load1 = contact.normal_impulse1

@@ -90,12 +90,13 @@ def take(words: Integers, worker: int) -> tuple[int, int]:
     while (seen >> _HALF) < (seen & _LOWER):
         first = seen >> _HALF
         end = seen & _LOWER
+        grain = words[GRAIN]  # looked at once: another task may be offered meanwhile
         if worker & 1:
-            middle = end - words[GRAIN] if end - words[GRAIN] > first else first
+            middle = end - grain if end - grain > first else first
             left = (first << _HALF) | middle
             first = middle
         else:
-            middle = first + words[GRAIN] if first + words[GRAIN] < end else end
+            middle = first + grain if first + grain < end else end
             left = (middle << _HALF) | end
             end = middle
         found = compare_and_swap(words, RANGE, seen, left)

@@ -6,7 +6,7 @@ from typing import Any
 
 from sandbox._atomics import atomic_add, atomic_load
 from sandbox._jit import entry_point, kernel
-from sandbox.engine.bodies.both_ends import finish_some_bodies
+from sandbox.engine.bodies.begin_and_finish import finish_some_bodies
 from sandbox.engine.bodies.free_flight import fly_some, told_flight
 from sandbox.engine.bodies.integrate import (
     integrate_some_positions,
