@@ -120,6 +120,25 @@ def test_a_busy_scene_with_commands_goes_the_same_way(made, share_all):
 
 
 @compiled_only
+def test_who_leaves_the_world_in_free_flight_is_counted_once(share_all):
+    """Each of the workers freezes some, as bodies fly and as their step ends."""
+    discs = [
+        {"id": f"disc-{k}", "position": [3.0 * k, 5.0 * k], "velocity": [1e6, 0.0], "shapes": [{"circle": 0.5}]}
+        for k in range(400)
+    ]
+    one, several = (World(sandbox.Scene(gravity=[0, 0], bodies=discs), workers) for workers in (1, 3))
+    for world in (one, several):
+        world.state.bodies.center_x[::7] = 1e9 - 50_000.0
+    for _ in range(8):
+        one.step()
+        several.step()
+        assert several.digest() == one.digest()
+        assert several.frozen == one.frozen
+    assert len(one.frozen) == 58
+    assert int(several.state.counters[0].frozen_count) == 58
+
+
+@compiled_only
 def test_growing_and_shrinking_worlds_go_the_same_way(share_all):
     def grown(workers):
         world = World(sandbox.Scene(bodies=[{"id": "floor", "type": "static", "shapes": [{"box": [90, 2]}]}]), workers)
