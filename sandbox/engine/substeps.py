@@ -22,7 +22,7 @@ from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contact_blocks import BlockRanges, ContactBlocks, SoftContact
 from sandbox.engine.records.state import StateTables
 from sandbox.engine.records.workers import Workers
-from sandbox.engine.restitution.impacts import ImpactList, resolve_impacts, resolve_late_impacts
+from sandbox.engine.restitution.impacts import ImpactList, resolve_impacts
 from sandbox.engine.restitution.inelastic import stop_late, stop_struck
 from sandbox.tables import Integers, Records
 
@@ -47,7 +47,7 @@ class Pass(NamedTuple):
 
     Blocks of unsettled bodies take a rigid pass first, once, if `new` says that some body of the level is to another,
     those of bodies that overlap deeply take more relax passes than all others. Batch 0 has the joints and what is
-    dragged. `impacts` says that some contact of the level may have one with restitution.
+    dragged. `impacts` says that some contact of the level may have one.
     """
 
     level: int
@@ -164,12 +164,12 @@ def run_substeps(
         solve_contacts(motions, blocks, 0, count, workers, soft)
         if joints is not None and rest:
             prepare_move(joints, motions, free_motions, seconds)
-        integrate_positions(rows, solver, gravity, seconds, workers)
-        apart = warm and (todo.impacts or struck_count > 0 or (joints is not None and rest))
+        integrate_positions(rows, solver, gravity, seconds, todo.impacts, workers)
+        apart = warm and (todo.impacts or (joints is not None and rest))
         if apart:
             turn_parts(rows, solver, workers)
         if todo.impacts:
-            resolve_late_impacts(bodies, rows, solver, contacts, impacts, level, seconds)
+            resolve_impacts(bodies, solver, contacts, impacts, -seconds)
         if struck_count > 0:  # the relax pass would stop what now touches, a contact at a time
             stop_late(bodies, solver, struck, blocks, struck_count, workers, rigid)
         if joints is not None and rest:

@@ -197,7 +197,8 @@ class Paused:
         """Fill the lanes of the blocks there are."""
         m = self.scratch
         now, bodies = m.contacts.now, self.state.bodies
-        prepare_contacts(bodies, now, m.blocks, self.blocks, m.workers, self._spring(), impacts, impact_speed)
+        striking = prepare.Striking(impacts, self.blocks, impact_speed)
+        prepare_contacts(bodies, now, m.blocks, self.blocks, m.workers, self._spring(), striking)
 
     def one_contact_a_block(self) -> None:
         """The same slots, but every contact alone in its block."""
@@ -259,7 +260,7 @@ class Paused:
     def move(self) -> None:
         """Integrate positions over a substep."""
         gravity = float(np.hypot(self.setting.gravity_x, self.setting.gravity_y))
-        integrate_positions(self.active_bodies, self.scratch.solver, gravity, self.substep, self.scratch.workers)
+        integrate_positions(self.active_bodies, self.scratch.solver, gravity, self.substep, False, self.scratch.workers)
 
     def store(self) -> None:
         """Impulses back into the contacts."""

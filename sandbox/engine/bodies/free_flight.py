@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox.engine.bodies.integrate import SOLVED, integrate_position, integrate_velocity
+from sandbox.engine.bodies.integrate import SOLVED, integrate_position, integrate_velocity, note_velocity
 from sandbox.engine.bodies.quarantine import MAX_SPEED, freeze_in_step, slowed
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.workers import Workers
@@ -88,9 +88,7 @@ def fly_some(
         if motion.delta_angle != angle:
             motion.delta_cos, motion.delta_sin = cos_sin(motion.delta_angle)
         if flight.late_impacts:
-            free_motion.start_x = free_motion.free_x = motion.velocity_x
-            free_motion.start_y = free_motion.free_y = motion.velocity_y
-            free_motion.start_w = free_motion.free_w = motion.angular_velocity
+            note_velocity(free_motion, motion)
     return frozen
 
 

@@ -8,6 +8,7 @@ from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
 from sandbox.engine.workers.task_kinds import (
     GRAVITY,
+    IMPACTS,
     INTEGRATE_POSITIONS,
     INTEGRATE_VELOCITIES,
     LEVEL,
@@ -163,24 +164,28 @@ def _decay(x: float) -> float:
 
 @kernel
 def integrate_positions(
-    active_bodies: Integers, solver: SolverBodies, gravity: float, seconds: float, workers: Workers
+    active_bodies: Integers, solver: SolverBodies, gravity: float, seconds: float, late_impacts: bool, workers: Workers
 ) -> None:
     """Move by the velocity the solver left, with all workers, as `integrate_some_positions` does."""
     workers.numbers[SECONDS] = seconds
     workers.numbers[GRAVITY] = gravity
+    workers.numbers[IMPACTS] = 1.0 if late_impacts else 0.0
     first, end = first_part(workers, INTEGRATE_POSITIONS, 0, active_bodies.shape[0])
     while first < end:
-        integrate_some_positions(active_bodies[first:end], solver, gravity, seconds)
+        integrate_some_positions(active_bodies[first:end], solver, gravity, seconds, late_impacts)
         first, end = next_part(workers, first, end)
 
 
 @kernel
-def integrate_some_positions(rows: Integers, solver: SolverBodies, gravity: float, seconds: float) -> None:
+def integrate_some_positions(
+    rows: Integers, solver: SolverBodies, gravity: float, seconds: float, late_impacts: bool
+) -> None:
     """Move bodies by the velocity the solver left; one that nothing touched moves by the mean of both ends.
 
     The mean is exact under constant acceleration, so free flight follows the parabola to rounding. A body in
     contact keeps the direction of its end velocity, which is what the solver made safe, but where it is only slowed
     or sped up, by no more than forces do (`gravity` in m/s^2 is the measure), it moves by the mean velocity along it.
+    Before `late_impacts`, what the solver moves notes the velocity it has.
     """
     for i in rows:
         force = solver.forces[i]
@@ -188,9 +193,20 @@ def integrate_some_positions(rows: Integers, solver: SolverBodies, gravity: floa
             continue
         motion = solver.motions[i]
         angle = motion.delta_angle
-        integrate_position(force, solver.free_motions[i], motion, gravity, seconds)
+        free_motion = solver.free_motions[i]
+        integrate_position(force, free_motion, motion, gravity, seconds)
         if motion.delta_angle != angle:
             motion.delta_cos, motion.delta_sin = cos_sin(motion.delta_angle)
+        if late_impacts and force.moves == SOLVED:
+            note_velocity(free_motion, motion)
+
+
+@inlined_kernel
+def note_velocity(free_motion: Records, motion: Records) -> None:
+    """Let the velocity of now be that with which impacts begin."""
+    free_motion.start_x = free_motion.free_x = motion.velocity_x
+    free_motion.start_y = free_motion.free_y = motion.velocity_y
+    free_motion.start_w = free_motion.free_w = motion.angular_velocity
 
 
 @inlined_kernel

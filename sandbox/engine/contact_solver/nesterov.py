@@ -147,9 +147,7 @@ def _energy(bodies: Records, motions: Records, moved: Records) -> float:
         motion = motions[here.body]
         body = bodies[here.body]
         square = motion.velocity_x * motion.velocity_x + motion.velocity_y * motion.velocity_y
-        energy += square / body.inverse_mass
-        if body.inverse_inertia > 0.0:
-            energy += motion.angular_velocity * motion.angular_velocity / body.inverse_inertia
+        energy += body.mass * square + body.inertia * (motion.angular_velocity * motion.angular_velocity)
     return energy
 
 

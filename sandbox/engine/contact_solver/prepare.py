@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._prefetch import AHEAD, prefetch_row
 from sandbox.engine.contact_solver import blocks as cb
@@ -21,11 +23,20 @@ from sandbox.engine.contact_solver.soft_constraint import Spring
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
-from sandbox.engine.workers.task_kinds import IMPACT_SPEED, IMPACTS, LEVEL, PREPARE_CONTACTS
+from sandbox.engine.workers.task_kinds import IMPACT_SPEED, IMPACTS, LEVEL, PREPARE_CONTACTS, STRUCK_BLOCKS
 from sandbox.tables import Floats, Records
 
 BLOCK_SIZE = cb.BLOCK_SIZE
 LANES = cb.LANES
+
+
+class Striking(NamedTuple):
+    """Whether some contact may have an impact in this step: those with restitution, and without it those in the first
+    `struck` blocks, of bodies that impacts reach, whose points meet faster than `speed` (m/s)."""
+
+    impacts: bool
+    struck: int
+    speed: float
 
 
 @kernel
@@ -36,16 +47,16 @@ def prepare_contacts(
     block_count: int,
     workers: Workers,
     spring: Spring,
-    impacts: bool,
-    impact_speed: float,
+    striking: Striking,
 ) -> None:
     """Fill the lanes of all blocks, with all workers, as `prepare_blocks` does."""
     workers.numbers[LEVEL] = spring.level
-    workers.numbers[IMPACTS] = 1.0 if impacts else 0.0
-    workers.numbers[IMPACT_SPEED] = impact_speed
+    workers.numbers[IMPACTS] = 1.0 if striking.impacts else 0.0
+    workers.numbers[STRUCK_BLOCKS] = striking.struck
+    workers.numbers[IMPACT_SPEED] = striking.speed
     first, end = first_part(workers, PREPARE_CONTACTS, 0, block_count)
     while first < end:
-        prepare_blocks(bodies, contacts, blocks, first, end, spring, impacts, impact_speed)
+        prepare_blocks(bodies, contacts, blocks, first, end, spring, striking)
         first, end = next_part(workers, first, end)
 
 
@@ -57,13 +68,11 @@ def prepare_blocks(
     first: int,
     end: int,
     spring: Spring,
-    impacts: bool,
-    impact_speed: float,
+    striking: Striking,
 ) -> None:
     """Fill the lanes of the blocks first..end-1: axes, anchors, effective masses and the impulses to start from.
 
-    Those are what a substep of the level gives, while contacts keep what one of level 0 would. `impacts` says that
-    some contact may have one in this step, and `impact_speed` (m/s) past which speed those without restitution have.
+    Those are what a substep of the level gives, while contacts keep what one of level 0 would.
     """
     for n in range(first, end):
         block = blocks.blocks[n]
@@ -88,7 +97,7 @@ def prepare_blocks(
             b = bodies[slot.body_b]
             contact = contacts[slot.contact]
             _prepare_traits(block, a, b, contact, spring.share, v[k:])
-            if impacts and (contact.restitution > 0.0 or both_meet(a, b, contact, impact_speed)):
+            if striking.impacts and _may_impact(a, b, contact, striking.speed, n < striking.struck):
                 _note_impact(block, v, k)
 
 
@@ -150,6 +159,12 @@ def _prepare_traits(block: Records, a: Records, b: Records, contact: Records, sh
     if block.rounded == 1:
         v[cb.RADIUS_A] = contact.radius_a
         v[cb.RADIUS_B] = contact.radius_b
+
+
+@inlined_kernel
+def _may_impact(a: Records, b: Records, contact: Records, speed: float, struck: bool) -> bool:
+    """Whether a contact of bodies a and b may have an impact, if one of them is `struck` also without restitution."""
+    return bool(contact.restitution > 0.0 or (struck and both_meet(a, b, contact, speed)))
 
 
 @inlined_kernel

@@ -81,8 +81,9 @@ def resolve_impacts(
 ) -> None:
     """Strike every listed contact that closes within the substep, again and again until none is left.
 
-    Negative `seconds` look back: contacts that have closed within a substep that is over. Groups that do not come to
-    an end one by one are taken back, and strike together.
+    Negative `seconds` look back: contacts that have come into each other, unforeseen, within the substep that just
+    moved everything. Corners of a spinning body do that: their speeds change while it turns, and the relax pass would
+    stop them dead. Groups that do not come to an end one by one are taken back, and strike together.
     """
     if _strike_singly(bodies, solver, contacts, impacts, seconds):
         return
@@ -153,30 +154,6 @@ def _note_strike(a: Records, b: Records, slot: Records, look: int, struck_at: In
         struck_at[slot.body_a] = look
     if b.type == DYNAMIC:
         struck_at[slot.body_b] = look
-
-
-@kernel
-def resolve_late_impacts(
-    bodies: Records,
-    active_bodies: Integers,
-    solver: SolverBodies,
-    contacts: Records,
-    impacts: ImpactList,
-    substep_level: int,
-    seconds: float,
-) -> None:
-    """Strike what has come into each other within the substep that just moved everything, unforeseen.
-
-    Corners of a spinning body do that: their speeds change while it turns. The relax pass would stop them dead.
-    """
-    for i in active_bodies:
-        free_motion = solver.free_motions[i]
-        if bodies[i].type == DYNAMIC and bodies[i].awake == 1 and free_motion.substep_level == substep_level:
-            motion = solver.motions[i]
-            free_motion.start_x = free_motion.free_x = motion.velocity_x
-            free_motion.start_y = free_motion.free_y = motion.velocity_y
-            free_motion.start_w = free_motion.free_w = motion.angular_velocity
-    resolve_impacts(bodies, solver, contacts, impacts, -seconds)
 
 
 @kernel

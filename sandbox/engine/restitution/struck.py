@@ -22,7 +22,7 @@ FEW = 128
 """Bodies: where impacts reach more, only hard ones are followed."""
 SLOWEST = 0.1 * SLOW
 """Speed (m/s): a box dropped by 1 cm on ten others rebounds with 4 % of its speed, if followed to 0.05 with 8 %."""
-FASTER = 1.01
+FASTER = 1.1
 """Ratio of the squares of two speeds that an impact gives a body, for the faster to be followed further from there."""
 _NEVER = -(1 << 60)
 

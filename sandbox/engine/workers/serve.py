@@ -14,7 +14,7 @@ from sandbox.engine.bodies.integrate import (
     prepare_some_forces,
 )
 from sandbox.engine.broad_phase.proxies import bound_some_shapes
-from sandbox.engine.contact_solver.prepare import prepare_blocks
+from sandbox.engine.contact_solver.prepare import Striking, prepare_blocks
 from sandbox.engine.contact_solver.soft_constraint import contact_spring
 from sandbox.engine.contact_solver.solve import solve_blocks, solve_blocks_again
 from sandbox.engine.contact_solver.store import store_blocks
@@ -58,6 +58,7 @@ from sandbox.engine.workers.task_kinds import (
     SOLVE_CONTACTS,
     SOLVE_ISLANDS,
     STORE_IMPULSES,
+    STRUCK_BLOCKS,
     SWEEP_HINGES,
     TURN_PARTS,
     WARM_START,
@@ -181,7 +182,8 @@ def _do_bodies(
     elif task == INTEGRATE_VELOCITIES:
         integrate_some_velocities(blocks.batches.bodies[first:end], solver)
     elif task == INTEGRATE_POSITIONS:
-        integrate_some_positions(blocks.batches.bodies[first:end], solver, n[GRAVITY], n[SECONDS])
+        rows = blocks.batches.bodies[first:end]
+        integrate_some_positions(rows, solver, n[GRAVITY], n[SECONDS], n[IMPACTS] > 0.0)
     elif task == ADD_PARTS:
         add_some_parts(blocks.batches.bodies[first:end], solver)
     elif task == TURN_PARTS:
@@ -197,8 +199,8 @@ def _do_bodies(
             atomic_add(workers.words, FROZEN, frozen)
     elif task == PREPARE_CONTACTS:
         spring = contact_spring(state.settings[0], int(n[LEVEL]))
-        impacts = n[IMPACTS] > 0.0
-        prepare_blocks(state.bodies, contacts.now, blocks, first, end, spring, impacts, n[IMPACT_SPEED])
+        striking = Striking(n[IMPACTS] > 0.0, int(n[STRUCK_BLOCKS]), n[IMPACT_SPEED])
+        prepare_blocks(state.bodies, contacts.now, blocks, first, end, spring, striking)
     elif task == STORE_IMPULSES:
         spring = contact_spring(state.settings[0], int(n[LEVEL]))
         store_blocks(state.bodies, solver.flags, contacts, blocks, first, end, spring)
