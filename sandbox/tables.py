@@ -57,7 +57,8 @@ ANY_WHOLE = Values(-(1 << 63), (1 << 63) - 1)
 
 @dataclass(frozen=True)
 class Field:
-    """One column: its name, unit and meaning; `kind` is `f8`, `i8` or `i4`; only `hashed` columns enter the digest.
+    """One column: its name, unit and meaning; `kind` is `f8`, `i8`, `i4` or `i2`; only `hashed` columns enter the
+    digest.
 
     `values` are those that it may hold, as far as the table may come from outside.
     """

@@ -50,6 +50,7 @@ NOTES: dict[int, str] = {
     "they bore before a pass; sums are in another order, and the record of a contact is laid out anew",
     22: "an impact without restitution is followed on from a body it has reached before only where it makes it 5 % "
     "faster, no longer 0.5 %; energies of passes over such impacts are worked out in another way",
+    23: "contacts without friction ask for none, which changes the signs of some zeros",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

@@ -110,6 +110,7 @@ def _clear(v: Floats) -> None:
 
 @inlined_kernel
 def _begin_block(block: Records) -> None:
+    block.rubs = 0
     block.rolling = 0
     block.driven = 0
     block.rounded = 0
@@ -135,7 +136,9 @@ def _note_bodies(block: Records, k: int, a: int, b: int) -> None:
 
 @inlined_kernel
 def _note_traits(block: Records, contact: Records) -> None:
-    """Note what some contact of a block has, and most do not have."""
+    """Note what some contact of a block has, and all others need not be asked for."""
+    if _rubs(contact):
+        block.rubs = 1
     if contact.rolling_resistance > 0.0 or contact.rolling_impulse != 0.0:
         block.rolling = 1
     if contact.surface_speed != 0.0:
@@ -191,18 +194,31 @@ def _prepare_lane(a: Records, b: Records, contact: Records, share: float, v: Flo
     v[cb.TOTAL_IMPULSE] = -share * (contact.normal_impulse1 + contact.normal_impulse2)
     one = contact.point_count == 1
     second = 1 if one else 2  # a second point at the place of the first, without mass, never pushes
-    v[cb.TANGENT_IMPULSE] = share * (contact.tangent_impulse1 + contact.tangent_impulse2)
-    r = _friction_anchors(contact, second)
-    levers = levers_of(r, contact.normal_y, -contact.normal_x)
-    v[cb.TANGENT_MASS] = effective_mass(mass, r, contact.normal_y, -contact.normal_x)
-    v[cb.TANGENT_LEVER_A] = levers.a
-    v[cb.TANGENT_LEVER_B] = levers.b
+    v[cb.TANGENT_IMPULSE] = v[cb.TANGENT_MASS] = v[cb.TANGENT_LEVER_A] = v[cb.TANGENT_LEVER_B] = 0.0
+    if _rubs(contact):
+        _prepare_friction(mass, contact, second, share, v)
     _prepare_point(mass, contact, 1, v[cb.POINT_1 :])
     _prepare_point(mass, contact, second, v[cb.POINT_2 :])
     if one:
         v[cb.POINT_2 + cb.NORMAL_MASS] = 0.0
     v[cb.POINT_1 + cb.NORMAL_IMPULSE] = share * contact.normal_impulse1
     v[cb.POINT_2 + cb.NORMAL_IMPULSE] = share * contact.normal_impulse2
+
+
+@inlined_kernel
+def _rubs(contact: Records) -> bool:
+    """Whether there is friction at a contact, or was in the step before."""
+    return bool(contact.friction > 0.0 or contact.tangent_impulse1 != 0.0 or contact.tangent_impulse2 != 0.0)
+
+
+@inlined_kernel
+def _prepare_friction(mass: PairMass, contact: Records, second: int, share: float, v: Floats) -> None:
+    r = _friction_anchors(contact, second)
+    levers = levers_of(r, contact.normal_y, -contact.normal_x)
+    v[cb.TANGENT_IMPULSE] = share * (contact.tangent_impulse1 + contact.tangent_impulse2)
+    v[cb.TANGENT_MASS] = effective_mass(mass, r, contact.normal_y, -contact.normal_x)
+    v[cb.TANGENT_LEVER_A] = levers.a
+    v[cb.TANGENT_LEVER_B] = levers.b
 
 
 @inlined_kernel

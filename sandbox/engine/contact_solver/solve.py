@@ -148,7 +148,6 @@ def _solve_lanes(
     ny = load(v, cb.NORMAL_Y)
     r1 = load_anchors(v, cb.POINT_1)
     levers1 = levers_of(r1, nx, ny)
-    tangent_levers = Levers(load(v, cb.TANGENT_LEVER_A), load(v, cb.TANGENT_LEVER_B))
     before = load_normal_impulses(v)
     if soft.sums:
         total = load(v, cb.TOTAL_IMPULSE)
@@ -168,15 +167,16 @@ def _solve_lanes(
         store_lanes(v, cb.POINT_2 + cb.NORMAL_IMPULSE, lanes, normal.second, before.second)
         change = PointImpulses(normal.first - before.first, normal.second - before.second)
         velocity = push_along_both(velocity, mass, levers1, levers2, change, nx, ny)
-    speed = speed_of_centers(velocity, ny, -nx) + speed_of_turning(velocity, tangent_levers)
-    if block.driven == 1:
-        speed = speed - load(v, cb.SURFACE_SPEED)
-    rubbed = load(v, cb.TANGENT_IMPULSE)
-    limit = load(v, cb.FRICTION) * (normal.first + normal.second)
-    after = clamp_to_cone(rubbed - load(v, cb.TANGENT_MASS) * speed, limit)
-    store_lanes(v, cb.TANGENT_IMPULSE, lanes, after, rubbed)
-    impulse = after - rubbed
-    velocity = push_along(velocity, mass, tangent_levers, impulse, ny, -nx)
+    if block.rubs == 1:
+        levers = Levers(load(v, cb.TANGENT_LEVER_A), load(v, cb.TANGENT_LEVER_B))
+        speed = speed_of_centers(velocity, ny, -nx) + speed_of_turning(velocity, levers)
+        if block.driven == 1:
+            speed = speed - load(v, cb.SURFACE_SPEED)
+        rubbed = load(v, cb.TANGENT_IMPULSE)
+        limit = load(v, cb.FRICTION) * (normal.first + normal.second)
+        after = clamp_to_cone(rubbed - load(v, cb.TANGENT_MASS) * speed, limit)
+        store_lanes(v, cb.TANGENT_IMPULSE, lanes, after, rubbed)
+        velocity = push_along(velocity, mass, levers, after - rubbed, ny, -nx)
     if block.rolling == 1:
         velocity = _resist_rolling(v, velocity, mass, normal, lanes)
     scatter_velocities(motions, rows, velocity, of, first_lane, end_lane)
