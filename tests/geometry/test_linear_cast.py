@@ -15,7 +15,14 @@ from tests.geometry.convex_cases import Case, cases
 from tests.kernels import called_from_python
 from tests.naive import convex
 
-linear_cast = called_from_python(linear_casting.linear_cast)
+
+@called_from_python
+def cast(cores, a, b, dx, dy, vx, vy, seconds, slop):
+    """From the features that they begin with."""
+    start = linear_casting.features_apart(cores, a, b, dx, dy)
+    return linear_casting.linear_cast(cores, a, b, start, (dx, dy), (vx, vy), seconds, slop)
+
+
 SLOP = 1e-3
 speeds = st.floats(-8.0, 8.0)
 
@@ -28,7 +35,7 @@ def gap(case: Case, way: tuple[float, float]) -> float:
 
 def touch(case: Case, velocity: tuple[float, float], seconds: float = 1.0) -> float:
     """The kernel's answer."""
-    return linear_cast(kernel_argument(case.table()), *case.cores(), *case.way, *velocity, seconds, SLOP)
+    return cast(kernel_argument(case.table()), *case.cores(), *case.way, *velocity, seconds, SLOP)
 
 
 @given(cases, st.tuples(speeds, speeds))

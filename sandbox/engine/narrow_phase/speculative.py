@@ -14,7 +14,7 @@ from sandbox.engine.broad_phase.proxies import ACTIVE, BULLET, CONFINED, FIXED
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.colliders import Colliders
 from sandbox.geometry.core import core_of
-from sandbox.geometry.linear_cast import linear_cast
+from sandbox.geometry.linear_cast import features_apart, linear_cast
 from sandbox.tables import Records
 
 _SLOP_SHARE = 0.05
@@ -75,14 +75,18 @@ def speculative_impact(
         return 0.0, vx, vy, _SLOP_SHARE * margin
     slop = _SLOP_SHARE * margin + fall + seconds * (a.swing + b.swing)
     distance = closing_distance(a, b, vx, vy, seconds)
-    t = _touch(proxies, cores, i, j, vx, vy, seconds, slop)
+    core_a = core_of(a)
+    core_b = core_of(b)
+    offset = (b.center_x - a.center_x, b.center_y - a.center_y)
+    start = features_apart(cores, core_a, core_b, offset[0], offset[1])
+    t = linear_cast(cores, core_a, core_b, start, offset, (vx, vy), seconds, slop)
     if t < 0.0 and (a.traits | b.traits) & CONFINED and a.traits & b.traits & ACTIVE:
         # Either of them may be stopped within the step: what if only the other one moves?
         for only_a in range(2):
             if t < 0.0:
                 vx = -a.velocity_x if only_a == 1 else b.velocity_x
                 vy = -a.velocity_y if only_a == 1 else b.velocity_y
-                t = _touch(proxies, cores, i, j, vx, vy, seconds, slop)
+                t = linear_cast(cores, core_a, core_b, start, offset, (vx, vy), seconds, slop)
     return t, vx, vy, distance
 
 
@@ -92,30 +96,3 @@ def _bend(bodies: Records, shapes: Records, i: int, seconds: float) -> float:
     body = bodies[shapes[i].body]
     turn = seconds * body.angular_velocity
     return float(0.5 * turn * turn * (body.extent - shapes[i].thin))
-
-
-@kernel
-def _touch(
-    proxies: Records,
-    cores: Records,
-    i: int,
-    j: int,
-    vx: float,
-    vy: float,
-    seconds: float,
-    slop: float,
-) -> float:
-    """Time until two shapes touch, if b moves against a by (vx, vy) m/s; -1 if they do not within `seconds`."""
-    a = proxies[i]
-    b = proxies[j]
-    return linear_cast(
-        cores,
-        core_of(a),
-        core_of(b),
-        b.center_x - a.center_x,
-        b.center_y - a.center_y,
-        vx,
-        vy,
-        seconds,
-        slop,
-    )
