@@ -44,11 +44,20 @@ def stepped(world: World, steps: int) -> World:
     return world
 
 
+def half_slippery() -> World:
+    """A pile in which every third shape has no friction: most blocks have contacts with friction and without."""
+    world = falling_pile(0.6, 2)
+    world.state.shapes.friction[3::3] = 0.0
+    return stepped(world, 80)
+
+
 WORLDS = {
     "busy 8": lambda: busy_world(8),
     "busy 16": lambda: busy_world(16),
     "plank": lambda: stepped(World(laden_plank()), 9),
     "pile": lambda: stepped(falling_pile(0.6, 1), 80),
+    "slippery pile": lambda: stepped(falling_pile(0.0, 1), 80),
+    "half slippery pile": half_slippery,
     "drift": lambda: stepped(drifting(2), 70),
 }
 
@@ -221,6 +230,20 @@ def test_lanes_are_independent_to_the_bit(make):
         p.begin()
     alone.one_contact_a_block()
     assert run(together) == run(alone)
+
+
+def test_blocks_know_whether_a_contact_of_theirs_has_friction():
+    mixed, none = Paused(half_slippery()), Paused(stepped(falling_pile(0.0, 1), 80))
+    for p in (mixed, none):
+        p.detect()
+        p.lay_out()
+    for block in mixed.scratch.blocks.blocks[: mixed.blocks]:
+        rows = mixed.scratch.blocks.slots.contact[block.first : block.first + block.count]
+        friction = mixed.scratch.contacts.now.friction[rows]
+        assert block.rubs == (1 if (friction > 0.0).any() else 0)
+    rubs = mixed.scratch.blocks.blocks.rubs[: mixed.blocks]
+    assert 0 < rubs.sum() < len(rubs)
+    assert not none.scratch.blocks.blocks.rubs[: none.blocks].any()
 
 
 def test_colours_share_no_moving_body(paused):
