@@ -16,7 +16,7 @@ from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.contact_solver.blocks import BLOCK_SIZE
 from sandbox.engine.contact_solver.fill_blocks import fill_blocks, sort_contacts
 from sandbox.engine.contact_solver.graph_coloring import color_contacts
-from sandbox.engine.contact_solver.prepare import Striking, prepare_contacts
+from sandbox.engine.contact_solver.prepare import ImpactCriteria, prepare_contacts
 from sandbox.engine.contact_solver.soft_constraint import contact_spring
 from sandbox.engine.contact_solver.store import store_impulses
 from sandbox.engine.joints.records import JointWork
@@ -169,8 +169,8 @@ def solve_batches(
         slots: Any = batches.impact_slots[start:stop]
         impacts = ImpactList(rows, slots, stop - start, threshold)
         ranges = fill_blocks(solver.colors, own, batch)
-        striking = Striking(share.impacts, ranges.struck, share.impact_speed)
-        prepare_contacts(bodies, contacts.now, own, ranges.total, team, spring, striking)
+        criteria = ImpactCriteria(share.impacts, ranges.struck, share.impact_speed)
+        prepare_contacts(bodies, contacts.now, own, ranges.total, team, spring, criteria)
         todo = Pass(level, batch, held, ranges, share.unsettled & NEW != 0, share.impacts)
         frozen += run_substeps(state, active, solver, contacts.now, own, impacts, joints, team, members, todo)
         store_impulses(bodies, solver.flags, contacts, own, ranges.total, team, spring)

@@ -197,8 +197,8 @@ class Paused:
         """Fill the lanes of the blocks there are."""
         m = self.scratch
         now, bodies = m.contacts.now, self.state.bodies
-        striking = prepare.Striking(impacts, self.blocks, impact_speed)
-        prepare_contacts(bodies, now, m.blocks, self.blocks, m.workers, self._spring(), striking)
+        criteria = prepare.ImpactCriteria(impacts, self.blocks, impact_speed)
+        prepare_contacts(bodies, now, m.blocks, self.blocks, m.workers, self._spring(), criteria)
 
     def one_contact_a_block(self) -> None:
         """The same slots, but every contact alone in its block."""

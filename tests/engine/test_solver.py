@@ -240,10 +240,10 @@ def test_blocks_know_whether_a_contact_of_theirs_has_friction():
     for block in mixed.scratch.blocks.blocks[: mixed.blocks]:
         rows = mixed.scratch.blocks.slots.contact[block.first : block.first + block.count]
         friction = mixed.scratch.contacts.now.friction[rows]
-        assert block.rubs == (1 if (friction > 0.0).any() else 0)
-    rubs = mixed.scratch.blocks.blocks.rubs[: mixed.blocks]
-    assert 0 < rubs.sum() < len(rubs)
-    assert not none.scratch.blocks.blocks.rubs[: none.blocks].any()
+        assert block.frictional == (1 if (friction > 0.0).any() else 0)
+    frictional = mixed.scratch.blocks.blocks.frictional[: mixed.blocks]
+    assert 0 < frictional.sum() < len(frictional)
+    assert not none.scratch.blocks.blocks.frictional[: none.blocks].any()
 
 
 def test_colours_share_no_moving_body(paused):

@@ -30,12 +30,12 @@ BLOCK_SIZE = cb.BLOCK_SIZE
 LANES = cb.LANES
 
 
-class Striking(NamedTuple):
-    """Whether some contact may have an impact in this step: those with restitution, and without it those in the first
-    `struck` blocks, of bodies that impacts reach, whose points meet faster than `speed` (m/s)."""
+class ImpactCriteria(NamedTuple):
+    """Which contacts may have an impact in this step, if `some` may: those with restitution, and without it those in
+    the first `struck_blocks`, of bodies that impacts reach, whose points meet faster than `speed` (m/s)."""
 
-    impacts: bool
-    struck: int
+    some: bool
+    struck_blocks: int
     speed: float
 
 
@@ -47,16 +47,16 @@ def prepare_contacts(
     block_count: int,
     workers: Workers,
     spring: Spring,
-    striking: Striking,
+    criteria: ImpactCriteria,
 ) -> None:
     """Fill the lanes of all blocks, with all workers, as `prepare_blocks` does."""
     workers.numbers[LEVEL] = spring.level
-    workers.numbers[IMPACTS] = 1.0 if striking.impacts else 0.0
-    workers.numbers[STRUCK_BLOCKS] = striking.struck
-    workers.numbers[IMPACT_SPEED] = striking.speed
+    workers.numbers[IMPACTS] = 1.0 if criteria.some else 0.0
+    workers.numbers[STRUCK_BLOCKS] = criteria.struck_blocks
+    workers.numbers[IMPACT_SPEED] = criteria.speed
     first, end = first_part(workers, PREPARE_CONTACTS, 0, block_count)
     while first < end:
-        prepare_blocks(bodies, contacts, blocks, first, end, spring, striking)
+        prepare_blocks(bodies, contacts, blocks, first, end, spring, criteria)
         first, end = next_part(workers, first, end)
 
 
@@ -68,7 +68,7 @@ def prepare_blocks(
     first: int,
     end: int,
     spring: Spring,
-    striking: Striking,
+    criteria: ImpactCriteria,
 ) -> None:
     """Fill the lanes of the blocks first..end-1: axes, anchors, effective masses and the impulses to start from.
 
@@ -97,7 +97,7 @@ def prepare_blocks(
             b = bodies[slot.body_b]
             contact = contacts[slot.contact]
             _prepare_traits(block, a, b, contact, spring.share, v[k:])
-            if striking.impacts and _may_impact(a, b, contact, striking.speed, n < striking.struck):
+            if criteria.some and _may_impact(a, b, contact, criteria.speed, n < criteria.struck_blocks):
                 _note_impact(block, v, k)
 
 
@@ -110,7 +110,7 @@ def _clear(v: Floats) -> None:
 
 @inlined_kernel
 def _begin_block(block: Records) -> None:
-    block.rubs = 0
+    block.frictional = 0
     block.rolling = 0
     block.driven = 0
     block.rounded = 0
@@ -137,8 +137,8 @@ def _note_bodies(block: Records, k: int, a: int, b: int) -> None:
 @inlined_kernel
 def _note_traits(block: Records, contact: Records) -> None:
     """Note what some contact of a block has, and all others need not be asked for."""
-    if _rubs(contact):
-        block.rubs = 1
+    if _has_friction(contact):
+        block.frictional = 1
     if contact.rolling_resistance > 0.0 or contact.rolling_impulse != 0.0:
         block.rolling = 1
     if contact.surface_speed != 0.0:
@@ -195,7 +195,7 @@ def _prepare_lane(a: Records, b: Records, contact: Records, share: float, v: Flo
     one = contact.point_count == 1
     second = 1 if one else 2  # a second point at the place of the first, without mass, never pushes
     v[cb.TANGENT_IMPULSE] = v[cb.TANGENT_MASS] = v[cb.TANGENT_LEVER_A] = v[cb.TANGENT_LEVER_B] = 0.0
-    if _rubs(contact):
+    if _has_friction(contact):
         _prepare_friction(mass, contact, second, share, v)
     _prepare_point(mass, contact, 1, v[cb.POINT_1 :])
     _prepare_point(mass, contact, second, v[cb.POINT_2 :])
@@ -206,7 +206,7 @@ def _prepare_lane(a: Records, b: Records, contact: Records, share: float, v: Flo
 
 
 @inlined_kernel
-def _rubs(contact: Records) -> bool:
+def _has_friction(contact: Records) -> bool:
     """Whether there is friction at a contact, or was in the step before."""
     return bool(contact.friction > 0.0 or contact.tangent_impulse1 != 0.0 or contact.tangent_impulse2 != 0.0)
 

@@ -167,7 +167,7 @@ def _solve_lanes(
         store_lanes(v, cb.POINT_2 + cb.NORMAL_IMPULSE, lanes, normal.second, before.second)
         change = PointImpulses(normal.first - before.first, normal.second - before.second)
         velocity = push_along_both(velocity, mass, levers1, levers2, change, nx, ny)
-    if block.rubs == 1:
+    if block.frictional == 1:
         levers = Levers(load(v, cb.TANGENT_LEVER_A), load(v, cb.TANGENT_LEVER_B))
         speed = speed_of_centers(velocity, ny, -nx) + speed_of_turning(velocity, levers)
         if block.driven == 1:

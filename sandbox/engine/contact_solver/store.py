@@ -88,7 +88,7 @@ def store_blocks(
             contact.normal_impulse1 = substeps * normal1
             contact.normal_impulse2 = substeps * normal2
             keep_length(contact, spring, lanes[at:])
-            if blocks.blocks[n].rubs == 1:
+            if blocks.blocks[n].frictional == 1:
                 _share_friction(contact, substeps * lanes[at + cb.TANGENT_IMPULSE])
             pushes = normal1 > 0.0 or normal2 > 0.0
             flag_contact(flags, slot.body_a, slot.body_b, pushes, contact.surface_speed)

@@ -63,7 +63,7 @@ def _warm_start_lanes(motions: Records, block: Records, v: Floats, first_lane: i
     r1 = load_anchors(v, cb.POINT_1)
     r2 = load_anchors(v, cb.POINT_2)
     velocity = push_both(velocity, mass, r1, r2, normal, nx, ny)
-    if block.rubs == 1:
+    if block.frictional == 1:
         tangent_levers = Levers(load(v, cb.TANGENT_LEVER_A), load(v, cb.TANGENT_LEVER_B))
         velocity = push_along(velocity, mass, tangent_levers, load(v, cb.TANGENT_IMPULSE), ny, -nx)
     scatter_velocities(motions, rows, velocity, gathered, first_lane, end_lane)

@@ -13,7 +13,7 @@ BLOCK = Table(
         Field("first", "-", "its first slot", "i4"),
         Field("count", "-", "lanes in use, 1..4", "i4"),
         Field("serial", "-", "1 when its contacts may share bodies and are solved one by one", "i2"),
-        Field("rubs", "-", "1 when some contact has friction", "i2"),
+        Field("frictional", "-", "1 when some contact has friction", "i2"),
         Field("rolling", "-", "1 when some contact has rolling resistance", "i4"),
         Field("driven", "-", "1 when some contact has a surface speed", "i4"),
         Field("rounded", "-", "1 when some contact is one of rounded shapes", "i4"),

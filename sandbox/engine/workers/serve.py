@@ -14,7 +14,7 @@ from sandbox.engine.bodies.integrate import (
     prepare_some_forces,
 )
 from sandbox.engine.broad_phase.proxies import bound_some_shapes
-from sandbox.engine.contact_solver.prepare import Striking, prepare_blocks
+from sandbox.engine.contact_solver.prepare import ImpactCriteria, prepare_blocks
 from sandbox.engine.contact_solver.soft_constraint import contact_spring
 from sandbox.engine.contact_solver.solve import solve_blocks, solve_blocks_again
 from sandbox.engine.contact_solver.store import store_blocks
@@ -199,8 +199,8 @@ def _do_bodies(
             atomic_add(workers.words, FROZEN, frozen)
     elif task == PREPARE_CONTACTS:
         spring = contact_spring(state.settings[0], int(n[LEVEL]))
-        striking = Striking(n[IMPACTS] > 0.0, int(n[STRUCK_BLOCKS]), n[IMPACT_SPEED])
-        prepare_blocks(state.bodies, contacts.now, blocks, first, end, spring, striking)
+        criteria = ImpactCriteria(n[IMPACTS] > 0.0, int(n[STRUCK_BLOCKS]), n[IMPACT_SPEED])
+        prepare_blocks(state.bodies, contacts.now, blocks, first, end, spring, criteria)
     elif task == STORE_IMPULSES:
         spring = contact_spring(state.settings[0], int(n[LEVEL]))
         store_blocks(state.bodies, solver.flags, contacts, blocks, first, end, spring)
