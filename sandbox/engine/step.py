@@ -12,9 +12,8 @@ from sandbox.engine.active.pile_stability import MAX_LEVEL
 from sandbox.engine.active.sleep import fall_asleep
 from sandbox.engine.active.substep_level import assign_substep_levels
 from sandbox.engine.active.wake_islands import wake_touched
-from sandbox.engine.bodies.begin_and_finish import begin_bodies, finish_bodies
+from sandbox.engine.bodies.begin_and_finish import begin_bodies, finish_bodies, forget_posed
 from sandbox.engine.bodies.integrate import rewind_driven
-from sandbox.engine.bodies.quarantine import guard_forces
 from sandbox.engine.broad_phase.pairs import sort_pairs
 from sandbox.engine.broad_phase.proxies import bound_shapes
 from sandbox.engine.broad_phase.resting_grid import find_all_pairs, order_shapes, outdated_shapes
@@ -62,7 +61,8 @@ def collide(
     update_active_set(state.bodies, active, solver, ccd.bodies)
     info = active.info[0]
     changed = order_shapes(state.shapes, active)
-    bound_shapes(state, active.shapes[: outdated_shapes(info, changed, state.shapes.shape[0])], colliders, workers)
+    outdated = outdated_shapes(info, changed, state.shapes.shape[0])
+    bound_shapes(state, active.shapes[:outdated], changed != 0, colliders, workers)
     pair_count = find_all_pairs(colliders, active, state.shapes.shape[0], changed, grid)
     kept = counter.contact_count if counter.asleep_count > 0 else 0
     if pair_count + kept > grid.pairs.shape[0]:
@@ -93,14 +93,14 @@ def begin(
     bodies = state.bodies
     info = active.info[0]
     count = state.counters[0].found_count
-    awake = active.bodies[1 : 1 + active.bodies[0]]
-    froze = guard_forces(bodies, awake, state.settings[0], active.info, state.counters)
+    froze = begin_bodies(state, active, solver, ccd.bodies)
     if wake_touched(bodies, contacts, joints, active, state.counters) or froze:
         update_active_set(bodies, active, solver, ccd.bodies)
         list_active_contacts(bodies, contacts, count)
+        begin_bodies(state, active, solver, ccd.bodies)
+    if info.stale == 1:
+        forget_posed(bodies, active)
     info.substep_levels = assign_substep_levels(state, active, solver, piles, contacts, joints)
-    rows = active.bodies[1 : 1 + active.bodies[0]]
-    info.fastest = begin_bodies(state, rows, solver, ccd.bodies)
     info.impact_speed = flag_struck(bodies, contacts, ccd.bodies, solver.struck, blocks.spare, info.fastest)
     if joints is not None:
         begin_joints(joints, bodies, solver.free_motions, contacts, state.counters[0].step_count == 0)

@@ -55,7 +55,7 @@ def settled(count: int) -> sandbox.World:
 @entry_point
 def broad_phase(state, active, colliders, grid):
     """Inner kernels are not for Python to call: boxes and proxies, the grid, the pairs and their order."""
-    bound_some_shapes(state, active.shapes, colliders)
+    bound_some_shapes(state, active.shapes, True, colliders)
     pair_count = find_all_pairs(colliders, active, state.shapes.shape[0], ALL, grid)
     sort_pairs(grid.pairs, pair_count, grid.sorted_pairs, grid.heads, state.shapes.shape[0])
     return pair_count

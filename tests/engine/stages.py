@@ -170,7 +170,7 @@ class Paused:
         self.survey()
         m.active.shapes[:] = np.arange(len(s.shapes))
         m.active.info.moving = len(s.shapes)
-        bound_shapes(self.tables, m.active.shapes, m.colliders, m.workers)
+        bound_shapes(self.tables, m.active.shapes, True, m.colliders, m.workers)
         g = m.grid
         count = find_pairs(m.colliders.boxes, m.colliders.filters, g.ordered, g.heads, g.levels, g.pairs)
         assert count <= len(g.pairs)

@@ -45,7 +45,7 @@ def assign_substep_levels(
     contacts: Contacts,
     joints: JointWork | None,
 ) -> int:
-    """Write every body's `free_motion.substep_level`: that of an island which needs one, or 0.
+    """Write `free_motion.substep_level`, which is 0, for the bodies of islands which need one.
 
     Returns the levels in use, as bits. Piles need one that might fall, small jointed parts that swing freely get one
     for the sake of truth.
@@ -73,8 +73,6 @@ def _assign_to_piles(
     rows = active.bodies[1 : 1 + active.bodies[0]]
     counter = state.counters[0]
     setting = state.settings[0]
-    for i in rows:
-        solver.free_motions[i].substep_level = 0
     if counter.substep_watch == SELDOM and counter.step_count % EVERY != 0:
         return 1
     gravity_x = setting.gravity_x

@@ -9,7 +9,7 @@ from sandbox._atomics import atomic_add
 from sandbox._jit import kernel
 from sandbox.engine.bodies.flags import AT_A_TIME, clear_flags, keep_dragged_awake
 from sandbox.engine.bodies.integrate import begin_motions, finish_motions
-from sandbox.engine.bodies.quarantine import guard_positions
+from sandbox.engine.bodies.quarantine import guard_forces, guard_positions
 from sandbox.engine.continuous_collision.candidates import mark_fast_at_start
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
@@ -21,17 +21,32 @@ from sandbox.tables import Integers, Records
 
 
 @kernel
-def begin_bodies(state: StateTables, rows: Integers, solver: SolverBodies, ccd_bodies: Records) -> float:
-    """Make active bodies ready for the substeps; returns the square of the highest speed (m/s) of a point of any."""
+def begin_bodies(state: StateTables, active: ActiveSet, solver: SolverBodies, ccd_bodies: Records) -> bool:
+    """Make active bodies ready for the substeps; returns whether some were frozen: then the active set is out of date.
+
+    `active.info` notes the square of the highest speed of a point of any.
+    """
+    rows = active.bodies[1 : 1 + active.bodies[0]]
+    setting = state.settings[0]
+    froze = False
     fastest = 0.0
     for first in range(0, rows.shape[0], AT_A_TIME):
         some = rows[first : first + AT_A_TIME]
+        froze = guard_forces(state.bodies, some, setting, active.info, state.counters) or froze
         square = begin_motions(state.bodies, some, solver)
         fastest = square if square > fastest else fastest
         clear_flags(state.bodies, some, solver)
-        mark_fast_at_start(state.bodies, some, ccd_bodies, state.settings[0].step_seconds)
+        mark_fast_at_start(state.bodies, some, ccd_bodies, setting.step_seconds)
     keep_dragged_awake(solver.flags, state.drags)
-    return fastest
+    active.info[0].fastest = fastest
+    return froze
+
+
+@kernel
+def forget_posed(bodies: Records, active: ActiveSet) -> None:
+    """Whoever was put somewhere since the last step has woken by now what it touches."""
+    for i in active.bodies[1 : 1 + active.bodies[0]]:
+        bodies[i].posed = 0
 
 
 @kernel

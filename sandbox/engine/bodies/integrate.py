@@ -49,8 +49,8 @@ def begin_motions(bodies: Records, active_bodies: Integers, solver: SolverBodies
         motion.delta_cos = 1.0
         motion.delta_sin = 0.0
         motion.delta_angle = 0.0
-        body.posed = 0
         free_motion = solver.free_motions[i]
+        free_motion.substep_level = 0
         free_motion.start_x = free_motion.free_x = body.velocity_x
         free_motion.start_y = free_motion.free_y = body.velocity_y
         free_motion.start_w = free_motion.free_w = body.angular_velocity

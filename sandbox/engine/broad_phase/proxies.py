@@ -10,7 +10,7 @@ from sandbox.engine.records.colliders import Colliders
 from sandbox.engine.records.state import StateTables
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
-from sandbox.engine.workers.task_kinds import BOUND_SHAPES
+from sandbox.engine.workers.task_kinds import ANEW, BOUND_SHAPES
 from sandbox.geometry.bounds import core_bounds
 from sandbox.geometry.core import core_of
 from sandbox.tables import Integers, Records
@@ -65,34 +65,37 @@ def _how_it_moves(body: Records) -> int:
 
 
 @kernel
-def bound_shapes(state: StateTables, rows: Integers, colliders: Colliders, workers: Workers) -> None:
+def bound_shapes(state: StateTables, rows: Integers, anew: bool, colliders: Colliders, workers: Workers) -> None:
     """Turn the cores of the first shapes of `active.shapes` and bound them: core, radius, margin, and the displacement
     of a step.
 
-    Their `FILTER` and `PROXY` rows are filled in too, for the grid and for the narrow phase.
+    Their `FILTER` and `PROXY` rows are filled in `anew` where somebody has come, changed, woken or fallen asleep.
     """
+    workers.numbers[ANEW] = 1.0 if anew else 0.0
     first, end = first_part(workers, BOUND_SHAPES, 0, rows.shape[0])
     while first < end:
-        bound_some_shapes(state, rows[first:end], colliders)
+        bound_some_shapes(state, rows[first:end], anew, colliders)
         first, end = next_part(workers, first, end)
 
 
 @kernel
-def bound_some_shapes(state: StateTables, rows: Integers, colliders: Colliders) -> None:
+def bound_some_shapes(state: StateTables, rows: Integers, anew: bool, colliders: Colliders) -> None:
     """The same for some of them."""
-    bodies = state.bodies
-    shapes = state.shapes
     cores = colliders.cores
     seconds = state.settings[0].step_seconds
     for i in rows:
-        shape = shapes[i]
-        body = bodies[shape.body]
-        _turn_core(body, shape, state.vertices, cores)
-        lower_x, lower_y, upper_x, upper_y = core_bounds(cores, core_of(shape))
+        proxy = colliders.proxies[i]
+        if anew:
+            body_index = state.shapes[i].body
+            _describe_shape(state.bodies[body_index], state.shapes[i], colliders.filters[i], proxy)
+        body = state.bodies[proxy.body]
+        _turn_core(body, proxy, state.vertices, cores)
+        lower_x, lower_y, upper_x, upper_y = core_bounds(cores, core_of(proxy))
         spin = body.angular_velocity if body.angular_velocity > 0.0 else -body.angular_velocity
+        _follow_body(body, spin, proxy)
         swing = seconds * spin
-        swing = body.extent * (swing if swing < 2.0 else 2.0)
-        grow = shape.radius + shape_margin(body.extent) + swing
+        swing = proxy.extent * (swing if swing < 2.0 else 2.0)
+        grow = proxy.radius + proxy.margin + swing
         travel_x = seconds * body.velocity_x
         travel_y = seconds * body.velocity_y
         box = colliders.boxes[i]
@@ -101,39 +104,43 @@ def bound_some_shapes(state: StateTables, rows: Integers, colliders: Colliders) 
         box.upper_x = body.center_x + upper_x + grow + (travel_x if travel_x > 0.0 else 0.0)
         box.upper_y = body.center_y + upper_y + grow + (travel_y if travel_y > 0.0 else 0.0)
         box.shape_index = i
-        loose = _LOOSE * shape.thin
-        slants = upper_x - lower_x > loose and upper_y - lower_y > loose and body.type == STATIC
-        moves = _how_it_moves(body)
-        filter = colliders.filters[i]
-        filter.body = shape.body
-        filter.moves = moves
-        filter.confined = 0
-        # Nothing is in category 0, so that the grid proposes no pairs of a sensor.
-        filter.category = shape.category if shape.sensor == 0 else 0
-        filter.mask = shape.mask
-        filter.group = shape.group if shape.sensor == 0 else 0
-        proxy = colliders.proxies[i]
-        _fill_proxy(body, shape, moves, spin, proxy)
-        proxy.traits |= SLANTING if slants else 0
+        if proxy.traits & FIXED:
+            loose = _LOOSE * state.shapes[i].thin
+            proxy.traits |= SLANTING if upper_x - lower_x > loose and upper_y - lower_y > loose else 0
 
 
 @inlined_kernel
-def _fill_proxy(body: Records, shape: Records, moves: int, spin: float, proxy: Records) -> None:
-    """What the narrow phase asks of a shape and its body, in two cache lines instead of six."""
+def _describe_shape(body: Records, shape: Records, filter: Records, proxy: Records) -> None:
+    """What the grid and the narrow phase ask of a shape and its body that stays from step to step."""
+    moves = _how_it_moves(body)
+    filter.body = shape.body
+    filter.moves = moves
+    filter.confined = 0
+    # Nothing is in category 0, so that the grid proposes no pairs of a sensor.
+    filter.category = shape.category if shape.sensor == 0 else 0
+    filter.mask = shape.mask
+    filter.group = shape.group if shape.sensor == 0 else 0
+    fixed = FIXED if body.type == STATIC else 0
+    proxy.body = shape.body
+    proxy.traits = shape.traits | moves | fixed | (BULLET if body.bullet == 1 else 0)
+    proxy.margin = shape_margin(body.extent)
+    proxy.extent = body.extent
+    proxy.vertex_start = shape.vertex_start
+    proxy.vertex_count = shape.vertex_count
+    proxy.radius = shape.radius
+    proxy.friction = shape.friction
+    proxy.restitution = shape.restitution
+    proxy.rolling_resistance = shape.rolling_resistance
+    proxy.surface_speed = shape.surface_speed
+
+
+@inlined_kernel
+def _follow_body(body: Records, spin: float, proxy: Records) -> None:
+    """What the narrow phase asks of a shape and its body that may change in a step."""
     proxy.center_x = body.center_x
     proxy.center_y = body.center_y
     proxy.velocity_x = body.velocity_x
     proxy.velocity_y = body.velocity_y
     proxy.speed = math.sqrt(body.velocity_x * body.velocity_x + body.velocity_y * body.velocity_y)
-    proxy.swing = spin * (body.extent - shape.radius)
-    proxy.margin = shape_margin(body.extent)
-    fixed = FIXED if body.type == STATIC else 0
-    proxy.traits = shape.traits | moves | fixed | (BULLET if body.bullet == 1 else 0)
-    proxy.vertex_start = shape.vertex_start
-    proxy.vertex_count = shape.vertex_count
-    proxy.radius = shape.radius
-    proxy.body = shape.body
-    proxy.friction = shape.friction
-    proxy.restitution = shape.restitution
-    proxy.rolling_resistance = shape.rolling_resistance
-    proxy.surface_speed = shape.surface_speed
+    proxy.swing = spin * (proxy.extent - proxy.radius)
+    proxy.traits &= ~CONFINED

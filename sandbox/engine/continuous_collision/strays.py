@@ -62,6 +62,7 @@ def stop_strays(
                 static_count = _gather_static(tables, colliders.boxes, rows, grid.spare_boxes)
             near = _list_near(active, colliders, grid, static_count, shapes, count, i)
             _stop_stray(tables, colliders, grid, joint_filter, count, near, i)
+            filters[i].confined = 0  # by what is near in this step, not in the next
     return static_count
 
 

@@ -29,14 +29,19 @@ def mark_confined(colliders: Colliders, active: ActiveSet, ccd_bodies: Records) 
     """
     filters = colliders.filters
     moving = active.shapes[: active.info[0].moving]
-    for i in active.bodies[1 : 1 + active.bodies[0]]:
-        ccd_bodies[i].confined = 0
+    found = False
     for i in moving:
         if filters[i].confined == 1:
+            filters[i].confined = 0
             ccd_bodies[filters[i].body].confined = 1
+            found = True
+    if not found:
+        return
     for i in moving:
         if ccd_bodies[filters[i].body].confined == 1:
             colliders.proxies[i].traits |= CONFINED
+    for i in moving:
+        ccd_bodies[filters[i].body].confined = 0
 
 
 @inlined_kernel

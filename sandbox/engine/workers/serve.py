@@ -37,6 +37,7 @@ from sandbox.engine.solve_islands import solve_batches, told_share
 from sandbox.engine.workers.parallel_for import CLOSED, FIRST_PAIR, TASK, look_again, note_done, take
 from sandbox.engine.workers.task_kinds import (
     ADD_PARTS,
+    ANEW,
     BOUND_SHAPES,
     DECIDE_PAIRS,
     FASTEST,
@@ -141,7 +142,7 @@ def _do_rows(
 ) -> None:
     """Do a task for active shapes or bodies in the order of `active`."""
     if workers.words[TASK] == BOUND_SHAPES:
-        bound_some_shapes(state, active.shapes[first:end], colliders)
+        bound_some_shapes(state, active.shapes[first:end], workers.numbers[ANEW] > 0.0, colliders)
     else:
         finish_some_bodies(state, active.bodies[1 + first : 1 + end], solver, active, workers)
 
