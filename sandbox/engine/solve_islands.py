@@ -23,7 +23,7 @@ from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.batches import BLOCKS
 from sandbox.engine.records.bodies import SolverBodies
-from sandbox.engine.records.ccd import NEW, STRUCK, Ccd
+from sandbox.engine.records.ccd import NEW, STRUCK
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.state import StateTables
@@ -63,7 +63,6 @@ def solve_level(
     solver: SolverBodies,
     contacts: Contacts,
     blocks: ContactBlocks,
-    ccd: Ccd,
     joints: JointWork | None,
     workers: Workers,
     level: Level,
@@ -73,11 +72,11 @@ def solve_level(
     batches = blocks.batches
     rows = active.bodies[1 : 1 + active.bodies[0]]
     worth = worth_batches(contacts.active[0].contact, batches)
-    colors = color_contacts(state.bodies, active, solver, ccd.bodies, contacts, number, level.mixed, worth, blocks)
+    colors = color_contacts(state.bodies, active, solver, contacts, number, level.mixed, worth, blocks)
     count = form_batches(rows, solver, state.drags, joints, worth, batches)
     sort_contacts(contacts, solver.batches, blocks, count)
     impacts = _list_impacts(state, solver, contacts, blocks, level, count)
-    bits = _unsettled_bits(state.bodies, rows, solver.free_motions, ccd.bodies, number)
+    bits = _unsettled_bits(state.bodies, rows, solver.free_motions, solver.ccd, number)
     share = Share(number, impacts > 0 or bits & STRUCK != 0, active.info[0].impact_speed, bits, colors)
     _tell(workers, share)
     first = 0

@@ -18,17 +18,16 @@ from sandbox.engine.broad_phase.pairs import sort_pairs
 from sandbox.engine.broad_phase.proxies import bound_shapes
 from sandbox.engine.broad_phase.resting_grid import find_all_pairs, order_shapes, outdated_shapes
 from sandbox.engine.contact_solver.store import clear_reports
-from sandbox.engine.continuous_collision.candidates import mark_fast
 from sandbox.engine.joints.pair_filter import JointFilter, filter_joined_pairs
 from sandbox.engine.joints.reactions import finish_joints
 from sandbox.engine.joints.records import JointWork
+from sandbox.engine.joints.sleep import flag_joined
 from sandbox.engine.joints.solve import begin_joints
 from sandbox.engine.narrow_phase.find_contacts import find_contacts
 from sandbox.engine.narrow_phase.sleeping_contacts import begin_sleeping_contacts, end_sleeping_contacts
 from sandbox.engine.narrow_phase.speculative import mark_confined
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
-from sandbox.engine.records.ccd import Ccd
 from sandbox.engine.records.colliders import Colliders, Grid
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.contacts import Contacts
@@ -48,7 +47,6 @@ def collide(
     colliders: Colliders,
     grid: Grid,
     contacts: Contacts,
-    ccd: Ccd,
     joint_filter: JointFilter,
     workers: Workers,
     decisions: Decisions,
@@ -58,7 +56,7 @@ def collide(
     Returns 0, or the number of pairs that scratch memory must have room for before this is called again.
     """
     counter = state.counters[0]
-    update_active_set(state.bodies, active, solver, ccd.bodies)
+    update_active_set(state.bodies, active, solver)
     info = active.info[0]
     changed = order_shapes(state.shapes, active)
     outdated = outdated_shapes(info, changed, state.shapes.shape[0])
@@ -70,10 +68,10 @@ def collide(
     sort_pairs(grid.pairs, pair_count, grid.sorted_pairs, grid.heads, state.shapes.shape[0])
     if joint_filter.bonds.shape[0] > 0:
         pair_count = filter_joined_pairs(joint_filter, state.shapes, grid.pairs, pair_count)
-    mark_confined(colliders, active, ccd.bodies)
+    mark_confined(colliders, active, solver.ccd)
     counter.pair_count = pair_count
     begin_sleeping_contacts(contacts.cursor[0], info.generation)
-    counter.found_count = find_contacts(state, active, colliders, grid.pairs, contacts, ccd.bodies, workers, decisions)
+    counter.found_count = find_contacts(state, active, colliders, grid.pairs, contacts, solver.ccd, workers, decisions)
     end_sleeping_contacts(contacts.cursor[0], contacts.runs, info.generation)
     return 0
 
@@ -86,22 +84,21 @@ def begin(
     piles: Records,
     contacts: Contacts,
     blocks: ContactBlocks,
-    ccd: Ccd,
     joints: JointWork | None,
 ) -> None:
     """Wake what is touched, choose substep levels, and make bodies, contacts and joints ready for the substeps."""
     bodies = state.bodies
     info = active.info[0]
     count = state.counters[0].found_count
-    froze = begin_bodies(state, active, solver, ccd.bodies)
+    froze = begin_bodies(state, active, solver)
     if wake_touched(bodies, contacts, joints, active, state.counters) or froze:
-        update_active_set(bodies, active, solver, ccd.bodies)
+        update_active_set(bodies, active, solver)
         list_active_contacts(bodies, contacts, count)
-        begin_bodies(state, active, solver, ccd.bodies)
+        begin_bodies(state, active, solver)
     if info.stale == 1:
         forget_posed(bodies, active)
     info.substep_levels = assign_substep_levels(state, active, solver, piles, contacts, joints)
-    info.impact_speed = flag_struck(bodies, contacts, ccd.bodies, solver.struck, blocks.spare, info.fastest)
+    info.impact_speed = flag_struck(bodies, contacts, solver.ccd, solver.struck, blocks.spare, info.fastest)
     if joints is not None:
         begin_joints(joints, bodies, solver.free_motions, contacts, state.counters[0].step_count == 0)
     clear_reports(contacts.reports, count)
@@ -114,7 +111,6 @@ def solve(
     solver: SolverBodies,
     contacts: Contacts,
     blocks: ContactBlocks,
-    ccd: Ccd,
     joints: JointWork | None,
     workers: Workers,
 ) -> None:
@@ -130,7 +126,7 @@ def solve(
         if level > 0:
             rewind_driven(state.bodies, rows, solver.motions)
         which = Level(level, levels > 1, info.fastest)
-        colors = solve_level(state, active, solver, contacts, blocks, ccd, joints, workers, which)
+        colors = solve_level(state, active, solver, contacts, blocks, joints, workers, which)
         counter.color_count = colors if colors > counter.color_count else counter.color_count
 
 
@@ -140,7 +136,6 @@ def finish(
     active: ActiveSet,
     solver: SolverBodies,
     contacts: Contacts,
-    ccd: Ccd,
     joints: JointWork | None,
     workers: Workers,
 ) -> bool:
@@ -149,12 +144,14 @@ def finish(
     Returns whether the step ends with `solve_continuous`: bodies may have passed through something.
     """
     counter = state.counters[0]
-    rows = active.bodies[1 : 1 + active.bodies[0]]
     if joints is not None:
         finish_joints(joints, state.settings[0].step_seconds, counter)
-    finish_bodies(state, rows, solver, active, workers)
-    fall_asleep(state, active, solver, contacts, joints)
+        flag_joined(solver.flags, joints)
+    count = finish_bodies(state, active, solver, workers)
+    if count.rested > 0 and state.settings[0].sleeping == 1:
+        fall_asleep(state, active, solver, contacts, joints)
+    counter.still = 1 if counter.awake_count + count.driven == 0 else 0
     counter.step_count += 1
     counter.old_contact_count = counter.contact_count
     counter.contact_count = counter.found_count
-    return mark_fast(state.bodies, rows, solver.motions, ccd.bodies) > 0
+    return bool(count.fast > 0)

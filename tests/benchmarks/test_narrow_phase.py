@@ -36,7 +36,7 @@ def nanoseconds_a_pair(world: sandbox.World, turns: int = TURNS) -> tuple[float,
     count = int(state.counters[0].pair_count)
     tables = StateTables(*(getattr(state, name) for name in StateTables._fields))
     bundles = (
-        tables, scratch.active, scratch.colliders, scratch.grid.pairs, scratch.contacts, scratch.ccd.bodies,
+        tables, scratch.active, scratch.colliders, scratch.grid.pairs, scratch.contacts, scratch.solver.ccd,
         scratch.workers, scratch.decisions,
     )  # fmt: skip
     arguments = [kernel_argument(bundle) for bundle in bundles]

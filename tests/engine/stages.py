@@ -162,7 +162,7 @@ class Paused:
         """Who may move."""
         m = self.scratch
         m.active.info.stale = 1
-        update_active_set(self.state.bodies, m.active, m.solver, m.ccd.bodies)
+        update_active_set(self.state.bodies, m.active, m.solver)
 
     def detect(self) -> None:
         """Bounds, grid, contacts."""
@@ -175,16 +175,16 @@ class Paused:
         count = find_pairs(m.colliders.boxes, m.colliders.filters, g.ordered, g.heads, g.levels, g.pairs)
         assert count <= len(g.pairs)
         sort_pairs(g.pairs, count, g.sorted_pairs, g.heads, len(s.shapes))
-        mark_confined(m.colliders, m.active, m.ccd.bodies)
+        mark_confined(m.colliders, m.active, m.solver.ccd)
         s.counters[0].pair_count = count
         self.count = find_contacts(
-            self.tables, m.active, m.colliders, g.pairs, m.contacts, m.ccd.bodies, m.workers, m.decisions
+            self.tables, m.active, m.colliders, g.pairs, m.contacts, m.solver.ccd, m.workers, m.decisions
         )
 
     def lay_out(self) -> None:
         """Colours, slots, blocks and lanes."""
         s, m = self.state, self.scratch
-        self.colors = color_contacts(s.bodies, m.active, m.solver, m.ccd.bodies, m.contacts, 0, False, False, m.blocks)
+        self.colors = color_contacts(s.bodies, m.active, m.solver, m.contacts, 0, False, False, m.blocks)
         sort_contacts(m.contacts, m.solver.batches, m.blocks, 1)
         self.blocks = BlockRanges(*fill_blocks(m.solver.colors, m.blocks, 0)).total
         assert self.blocks <= len(m.blocks.blocks)

@@ -293,7 +293,7 @@ def test_the_plank_has_serial_contacts():
 
 def test_contacts_of_unsettled_bodies_come_first(paused):
     scratch, bodies = paused.scratch, paused.state.bodies
-    unsettled = (scratch.ccd.bodies.unsettled != 0) & (bodies.inverse_mass > 0.0)
+    unsettled = (scratch.solver.ccd.unsettled != 0) & (bodies.inverse_mass > 0.0)
     ranges = BlockRanges(*fill_blocks(scratch.solver.colors, scratch.blocks, 0))
     count = int(scratch.blocks.blocks.count[: ranges.unsettled].sum())
     touch = [unsettled[slot.body_a] or unsettled[slot.body_b] for slot in scratch.blocks.slots[: paused.count]]
@@ -313,7 +313,7 @@ def test_only_what_overlaps_deeply_or_touches_something_new_is_unsettled():
         world.step(steps)
         p = Paused(world)
         p.detect()
-        return [name for name, row in zip(world.names, p.scratch.ccd.bodies, strict=True) if row.unsettled]
+        return [name for name, row in zip(world.names, p.scratch.solver.ccd, strict=True) if row.unsettled]
 
     assert unsettled(1.0, 0) == ["ground", "b0", "b1", "b2", "top"]
     assert unsettled(1.0, 1) == []

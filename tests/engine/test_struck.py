@@ -14,7 +14,7 @@ from tests.flat import body, box, ground, scene
 
 def reached(world: World) -> set[str]:
     """The bodies that impacts of the last step have reached."""
-    bits = world.scratch.ccd.bodies["unsettled"] & STRUCK
+    bits = world.scratch.solver.ccd["unsettled"] & STRUCK
     return {name for name, struck in zip(world.names, bits, strict=False) if struck}
 
 
@@ -76,4 +76,4 @@ def test_a_look_that_is_given_up_leaves_nobody_flagged():
     world = landing(20 * FEW, 1.0)
     for _ in range(3):
         world.step()
-        assert not np.any(world.scratch.ccd.bodies["unsettled"] & STRUCK)
+        assert not np.any(world.scratch.solver.ccd["unsettled"] & STRUCK)

@@ -302,4 +302,4 @@ def test_a_resting_pile_is_not_looked_at():
     """Slow bodies cost nothing: the catch is not even called."""
     w = world(ground(), *(body(f"box-{i}", box(1.0, 1.0), position=(0.0, 0.5 + i)) for i in range(5)))
     w.step(60)
-    assert (w.scratch.ccd.bodies.fast == 0).all()
+    assert (w.scratch.solver.ccd.fast == 0).all()

@@ -25,7 +25,7 @@ def new_active_set() -> Records:
 
 
 @kernel
-def update_active_set(bodies: Records, active: ActiveSet, solver: SolverBodies, ccd_bodies: Records) -> bool:
+def update_active_set(bodies: Records, active: ActiveSet, solver: SolverBodies) -> bool:
     """List the bodies that a step may move; lay the others to rest in the scratch memory, as no stage looks after them.
 
     Nothing is done as long as nobody has woken, fallen asleep, or been changed by a command: returns whether. Only a
@@ -36,7 +36,7 @@ def update_active_set(bodies: Records, active: ActiveSet, solver: SolverBodies, 
         return False
     info.generation += 1
     if info.stale == 1:
-        _list_loose(bodies, active, solver, ccd_bodies)
+        _list_loose(bodies, active, solver)
         info.fixed_generation = info.generation
     count = 0
     asleep = 0
@@ -54,7 +54,7 @@ def update_active_set(bodies: Records, active: ActiveSet, solver: SolverBodies, 
             asleep += 1
             body.stirred = body.was_asleep - 1
             body.was_asleep = 1
-        _lay_to_rest(bodies, i, solver, ccd_bodies)
+        _lay_to_rest(bodies, i, solver)
     active.bodies[0] = count
     info.asleep = asleep
     info.shifted = 0
@@ -63,7 +63,7 @@ def update_active_set(bodies: Records, active: ActiveSet, solver: SolverBodies, 
 
 
 @kernel
-def _list_loose(bodies: Records, active: ActiveSet, solver: SolverBodies, ccd_bodies: Records) -> None:
+def _list_loose(bodies: Records, active: ActiveSet, solver: SolverBodies) -> None:
     """List the bodies that may move or sleep; lay the others to rest."""
     count = 0
     static = 0
@@ -74,19 +74,19 @@ def _list_loose(bodies: Records, active: ActiveSet, solver: SolverBodies, ccd_bo
             active.loose[count] = i
         else:
             active.activity[i] = 0
-            _lay_to_rest(bodies, i, solver, ccd_bodies)
+            _lay_to_rest(bodies, i, solver)
     active.loose[0] = count
     active.info[0].static = static
 
 
 @kernel
-def _lay_to_rest(bodies: Records, i: int, solver: SolverBodies, ccd_bodies: Records) -> None:
+def _lay_to_rest(bodies: Records, i: int, solver: SolverBodies) -> None:
     _rest(bodies[i], solver.motions[i], solver.free_motions[i])
     solver.forces[i].moves = 0
     solver.flags[i] = 0
     solver.colors[i] = IMMOVABLE
     solver.batches[i] = 0
-    ccd_body = ccd_bodies[i]
+    ccd_body = solver.ccd[i]
     ccd_body.deep = ccd_body.unsettled = ccd_body.fast = ccd_body.confined = 0
 
 

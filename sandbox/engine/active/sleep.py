@@ -12,7 +12,6 @@ from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.active.islands import find_islands
 from sandbox.engine.bodies.flags import ISLAND_AWAKE, KEPT_AWAKE, SUPPORTED, disturbs, is_active
 from sandbox.engine.joints.records import JointWork
-from sandbox.engine.joints.sleep import flag_supported, keep_awake_at_kinematic
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contacts import Contacts
@@ -30,49 +29,9 @@ lasts. The factor is Box2D's."""
 
 
 @kernel
-def fall_asleep(
-    state: StateTables, active: ActiveSet, solver: SolverBodies, contacts: Contacts, joints: JointWork | None
-) -> None:
-    """Count how long bodies have been slow; put islands to sleep in which all have been slow long enough."""
-    bodies = state.bodies
-    rows = active.bodies[1 : 1 + active.bodies[0]]
-    if joints is not None:
-        flag_supported(solver.flags, joints)
-        keep_awake_at_kinematic(solver.flags, joints)
-    ready = _count_slow_time(bodies, rows, solver, state.settings[0].step_seconds)
-    if ready and state.settings[0].sleeping == 1:
-        find_islands(bodies, rows, solver.islands, contacts, joints)
-        _sleep_islands(bodies, rows, solver.islands, solver.flags, active.info)
-    _count_sleepers(bodies, rows, active.info[0], state.counters[0])
-
-
-@kernel
-def _count_sleepers(bodies: Records, rows: Integers, active_info: Records, counter: Records) -> None:
-    """Count who is awake, and note who has just fallen asleep or woken.
-
-    The world is still when nobody is awake and no driven body moves.
-    """
-    asleep = active_info.asleep
-    awake = 0
-    driven = False
-    for i in rows:
-        body = bodies[i]
-        if body.type == DYNAMIC:
-            asleep += 1 - body.awake
-            awake += body.awake
-            body.stirred = body.awake - 1 + body.was_asleep
-            body.was_asleep = 1 - body.awake
-        elif body.type == KINEMATIC and disturbs(body):
-            driven = True
-    counter.asleep_count = asleep
-    counter.awake_count = awake
-    counter.still = 0 if driven or awake > 0 else 1
-
-
-@kernel
-def _count_slow_time(bodies: Records, rows: Integers, solver: SolverBodies, seconds: float) -> bool:
-    """Count how long bodies have been slow; whether one of them long enough to sleep."""
-    ready = False
+def count_slow_time(bodies: Records, rows: Integers, solver: SolverBodies, seconds: float) -> int:
+    """Count how long bodies have been slow; returns how many long enough to sleep."""
+    rested = 0
     for i in rows:
         body = bodies[i]
         if not is_active(body):
@@ -90,8 +49,37 @@ def _count_slow_time(bodies: Records, rows: Integers, solver: SolverBodies, seco
         nudged = body.sleep_time >= SLEEP_SECONDS and speed > STILL_SPEED and speed > body.slow_speed
         if nudged or solver.flags[i] & KEPT_AWAKE != 0:
             body.sleep_time = 0.0
-        ready = ready or body.sleep_time >= SLEEP_SECONDS
-    return ready
+        rested += 1 if body.sleep_time >= SLEEP_SECONDS else 0
+    return rested
+
+
+@kernel
+def note_awake(bodies: Records, rows: Integers) -> tuple[int, int]:
+    """Note who has just woken: (dynamic bodies, driven ones that move), all of them awake."""
+    awake = 0
+    driven = 0
+    for i in rows:
+        body = bodies[i]
+        if body.type == DYNAMIC:
+            awake += 1
+            body.stirred = body.was_asleep
+            body.was_asleep = 0
+        elif body.type == KINEMATIC and disturbs(body):
+            driven += 1
+    return awake, driven
+
+
+@kernel
+def fall_asleep(
+    state: StateTables, active: ActiveSet, solver: SolverBodies, contacts: Contacts, joints: JointWork | None
+) -> None:
+    """Put islands to sleep in which all bodies have been slow long enough."""
+    rows = active.bodies[1 : 1 + active.bodies[0]]
+    find_islands(state.bodies, rows, solver.islands, contacts, joints)
+    fallen = _sleep_islands(state.bodies, rows, solver)
+    active.info[0].shifted |= 1 if fallen > 0 else 0
+    state.counters[0].asleep_count += fallen
+    state.counters[0].awake_count -= fallen
 
 
 @inlined_kernel
@@ -100,17 +88,25 @@ def _speed(x: float, y: float, rim: float) -> float:
 
 
 @kernel
-def _sleep_islands(bodies: Records, rows: Integers, islands: Integers, flags: Integers, active_info: Records) -> None:
-    """An island sleeps if none of its bodies is too lively; a lively body flags the root."""
+def _sleep_islands(bodies: Records, rows: Integers, solver: SolverBodies) -> int:
+    """An island sleeps if none of its bodies is too lively; a lively body flags the root. Returns how many bodies
+    do."""
+    islands = solver.islands
+    flags = solver.flags
+    fallen = 0
     for i in rows:
         if is_active(bodies[i]) and bodies[i].sleep_time < SLEEP_SECONDS:
             flags[islands[i]] |= ISLAND_AWAKE
     for i in rows:
         body = bodies[i]
         if is_active(body) and flags[islands[i]] & ISLAND_AWAKE == 0:
-            active_info[0].shifted = 1
+            fallen += 1
             body.awake = 0
+            body.stirred -= 1
+            body.was_asleep = 1
             body.island = islands[i] + 1
             body.velocity_x = 0.0
             body.velocity_y = 0.0
             body.angular_velocity = 0.0
+            solver.ccd[i].fast = 0
+    return fallen

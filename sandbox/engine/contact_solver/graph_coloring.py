@@ -35,7 +35,6 @@ def color_contacts(
     bodies: Records,
     active: ActiveSet,
     solver: SolverBodies,
-    ccd_bodies: Records,
     contacts: Contacts,
     substep_level: int,
     mixed: bool,
@@ -57,7 +56,7 @@ def color_contacts(
     taken = solver.colors
     listed = contacts.active[1 : 1 + contacts.active[0].contact]
     for i in active.bodies[1 : 1 + active.bodies[0]]:
-        free = IS_UNSETTLED if ccd_bodies[i].unsettled != 0 else 0
+        free = IS_UNSETTLED if solver.ccd[i].unsettled != 0 else 0
         taken[i] = free if is_active(bodies[i]) else IMMOVABLE
         if islands_too:
             solver.islands[i] = i
@@ -76,7 +75,7 @@ def color_contacts(
         color = lowest_free(both)
         kind = SETTLED
         if both & IS_UNSETTLED:
-            bits = (ccd_bodies[a].unsettled if moves_a else 0) | (ccd_bodies[b].unsettled if moves_b else 0)
+            bits = (solver.ccd[a].unsettled if moves_a else 0) | (solver.ccd[b].unsettled if moves_b else 0)
             kind = _kind(bits)
         blocks.colors[k] = color + kind
         highest = color if color > highest else highest

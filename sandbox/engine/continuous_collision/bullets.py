@@ -56,7 +56,7 @@ def _stop_bullet(tables: SweepTables, pair: Records, turn: int) -> bool:
     if (
         not dynamic
         or tables.bodies[a].bullet + tables.bodies[b].bullet == 0
-        or tables.ccd.bodies[a].fast + tables.ccd.bodies[b].fast == 0
+        or tables.ccd_bodies[a].fast + tables.ccd_bodies[b].fast == 0
     ):
         return False
     stop_a = tables.ccd.impacts[a].time
@@ -88,7 +88,7 @@ def carry_bullet(tables: SweepTables, pair: Records) -> None:
     a = tables.shapes[pair.shape_a].body
     b = tables.shapes[pair.shape_b].body
     if (
-        tables.ccd.bodies[a].fast + tables.ccd.bodies[b].fast == 0
+        tables.ccd_bodies[a].fast + tables.ccd_bodies[b].fast == 0
         or tables.bodies[a].bullet + tables.bodies[b].bullet == 0
     ):
         return

@@ -19,6 +19,7 @@ class SweepTables(NamedTuple):
     shapes: Records
     motions: Records
     cores: Records
+    ccd_bodies: Records
     ccd: Ccd
 
 

@@ -44,10 +44,10 @@ def solve_continuous(
 
     The bodies are at the end of the step, cores and boxes of its beginning, the motions lie between.
     """
-    tables = SweepTables(state.bodies, state.shapes, solver.motions, colliders.cores, ccd)
+    tables = SweepTables(state.bodies, state.shapes, solver.motions, colliders.cores, solver.ccd, ccd)
     swept = grid.sorted_pairs
     rows = active.bodies[1 : 1 + active.bodies[0]]
-    count = _list_swept(ccd.bodies, colliders.proxies, grid.pairs, state.counters[0].pair_count, swept)
+    count = _list_swept(solver.ccd, colliders.proxies, grid.pairs, state.counters[0].pair_count, swept)
     _forget_impacts(colliders.filters, rows, ccd.impacts, swept, count)
     for k in range(count):
         carry_bullet(tables, swept[k])

@@ -23,7 +23,7 @@ def stop_at_static(tables: SweepTables, pair: Records) -> bool:
     sweep = tables.ccd.sweep[0]
     a = tables.shapes[pair.shape_a].body
     b = tables.shapes[pair.shape_b].body
-    if tables.ccd.bodies[a].fast + tables.ccd.bodies[b].fast == 0:
+    if tables.ccd_bodies[a].fast + tables.ccd_bodies[b].fast == 0:
         return False
     if tables.bodies[a].type != STATIC and tables.bodies[b].type != STATIC:
         return bool(tables.bodies[a].bullet + tables.bodies[b].bullet > 0)

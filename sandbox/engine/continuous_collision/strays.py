@@ -49,7 +49,7 @@ def stop_strays(
     for k in range(info.moving if known else shapes):
         i = active.shapes[k]
         body = filters[i].body
-        if tables.ccd.bodies[body].fast == 0 or tables.ccd.impacts[body].swept == 1:
+        if tables.ccd_bodies[body].fast == 0 or tables.ccd.impacts[body].swept == 1:
             continue
         woke = filters[i].moves == SLEEPS  # the grid has asked for no pairs of sleepers with what does not move
         filters[i].moves = ACTIVE

@@ -9,7 +9,14 @@ from sandbox.tables import Integers
 
 
 @kernel
-def flag_supported(flags: Integers, joints: JointWork) -> None:
+def flag_joined(flags: Integers, joints: JointWork) -> None:
+    """Flag the bodies that rest or are kept awake by joints."""
+    _flag_supported(flags, joints)
+    _keep_awake_at_kinematic(flags, joints)
+
+
+@kernel
+def _flag_supported(flags: Integers, joints: JointWork) -> None:
     """What hangs from something that does not move rests as well, and what hangs together rests together."""
     for i in range(1, joints.members.shape[0]):
         member = joints.members[i]
@@ -18,7 +25,7 @@ def flag_supported(flags: Integers, joints: JointWork) -> None:
 
 
 @kernel
-def keep_awake_at_kinematic(flags: Integers, joints: JointWork) -> None:
+def _keep_awake_at_kinematic(flags: Integers, joints: JointWork) -> None:
     """Bodies that a joint ties to a driven body do not fall asleep."""
     for i in range(joints.ties.shape[0]):
         a = joints.ties[i].low

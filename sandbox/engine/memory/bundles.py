@@ -61,8 +61,10 @@ def active_memory(room: Room) -> ActiveSet:
     )
 
 
-def solver_memory(bodies: int) -> SolverBodies:
-    """What the solver has beside the body table."""
+def solver_memory(state: State, bodies: int) -> SolverBodies:
+    """What the solver has beside the body table, with so many rows."""
+    ccd = CCD_BODY.zeros(bodies)
+    measure_thin(ccd, state, 0, 0)
     return SolverBodies(
         motions=MOTION.zeros(bodies),
         free_motions=FREE_MOTION.zeros(bodies),
@@ -74,6 +76,7 @@ def solver_memory(bodies: int) -> SolverBodies:
         struck=np.zeros(bodies, np.int64),
         islands=np.zeros(bodies, np.int64),
         batches=np.zeros(bodies, np.int64),
+        ccd=ccd,
     )
 
 
@@ -155,13 +158,11 @@ def batch_memory(bodies: int, pairs: int, workers: int) -> Batches:
     )
 
 
-def ccd_memory(state: State, room: Room) -> Ccd:
+def ccd_memory(room: Room) -> Ccd:
     """Sweeps and times of impact."""
-    bodies = CCD_BODY.zeros(room.bodies)
-    measure_thin(bodies, state, 0, 0)
     impacts = CCD_IMPACT.zeros(room.bodies)
     impacts.time = 1.0
-    return Ccd(bodies, impacts, SWEEP.zeros(1), VERTEX.zeros(POSED_ROWS), MANIFOLD.zeros(2))
+    return Ccd(impacts, SWEEP.zeros(1), VERTEX.zeros(POSED_ROWS), MANIFOLD.zeros(2))
 
 
 def measure_thin(bodies: Records, state: State, first: int, first_shape: int) -> None:

@@ -83,13 +83,13 @@ class Scratch:
         return cls(
             room=room,
             active=active_memory(room),
-            solver=solver_memory(room.bodies),
+            solver=solver_memory(state, room.bodies),
             piles=PILE.zeros(room.bodies),
             colliders=collider_memory(room),
             grid=grid_memory(room.shapes, pair_capacity),
             contacts=contact_memory(state, pair_capacity),
             blocks=block_memory(pair_capacity, batch_memory(room.bodies, pair_capacity, workers)),
-            ccd=ccd_memory(state, room),
+            ccd=ccd_memory(room),
             joint_filter=joint_filter,
             joints=joints,
             fields=Fields.for_state(state, room.bodies),
@@ -107,7 +107,7 @@ class Scratch:
         if not fits:
             self._grow(state)
         else:
-            measure_thin(self.ccd.bodies, state, bodies, shapes)
+            measure_thin(self.solver.ccd, state, bodies, shapes)
         self.follow_fields(state)
         plain(self.active.info)["stale"] = 1
         return not fits
@@ -138,7 +138,7 @@ class Scratch:
         """Take memory for twice as many bodies and shapes as there are, or `_LEAST`; pairs and contacts keep theirs."""
         room = self.room = Room(*(max(_LEAST, 2 * count) for count in Room.of(state)))
         self.active = active_memory(room)._replace(info=self.active.info)
-        self.solver = solver_memory(room.bodies)
+        self.solver = solver_memory(state, room.bodies)
         self.piles = PILE.zeros(room.bodies)
         more = STRUCK_BODY.zeros(room.bodies)
         batches = self.blocks.batches._replace(bodies=np.zeros(room.bodies, np.int64), struck=more)
@@ -146,5 +146,5 @@ class Scratch:
         self.colliders = collider_memory(room)
         shapes = grid_memory(room.shapes, 0)
         self.grid = shapes._replace(pairs=self.grid.pairs, sorted_pairs=self.grid.sorted_pairs)
-        self.ccd = ccd_memory(state, room)
+        self.ccd = ccd_memory(room)
         self.fields = Fields.for_state(state, room.bodies)

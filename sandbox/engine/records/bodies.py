@@ -81,7 +81,7 @@ class SolverBodies(NamedTuple):
     `parts` holds one of the two parts of each velocity (`contact_solver/velocity_parts.py`), `flags` the bits of
     `bodies/flags.py`, `colors` the colours that the contacts of a body have, `struck` how many contacts the stage of
     impacts had looked at when it last changed a body, `islands` the lowest row of its island where that is known,
-    `batches` which batch that is in (0 for what does not move).
+    `batches` which batch that is in (0 for what does not move), `ccd` what continuous collision asks of bodies.
     """
 
     motions: Records
@@ -94,3 +94,4 @@ class SolverBodies(NamedTuple):
     struck: Integers
     islands: Integers
     batches: Integers
+    ccd: Records

@@ -49,9 +49,9 @@ CCD_IMPACT = Table(
 
 
 class Ccd(NamedTuple):
-    """Memory of continuous collision; `sweep` has one row, `posed` the cores as they lie at the time looked at."""
+    """Memory of continuous collision, beside `SolverBodies.ccd`; `sweep` has one row, `posed` the cores as they lie at
+    the time looked at."""
 
-    bodies: Records
     impacts: Records
     sweep: Records
     posed: Records

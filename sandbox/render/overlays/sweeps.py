@@ -23,8 +23,9 @@ _MOST_GHOSTS = 200
 def _draw(look: Look) -> Marks:
     pen, color, frame = Pen(look), look.palette, look.frame
     count = len(frame.type)
-    ccd, motions = look.world.scratch.ccd, plain(look.world.scratch.solver.motions)[:count]
-    swept = np.flatnonzero((plain(ccd.bodies)["fast"][:count] == 1) & frame.awake)
+    ccd, solver = look.world.scratch.ccd, look.world.scratch.solver
+    motions = plain(solver.motions)[:count]
+    swept = np.flatnonzero((plain(solver.ccd)["fast"][:count] == 1) & frame.awake)
     impacts: Any = plain(ccd.impacts)[swept]
     way = np.column_stack([motions["delta_x"], motions["delta_y"]])[swept]
     angle = motions["delta_angle"][swept]
