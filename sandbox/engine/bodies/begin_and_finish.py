@@ -13,7 +13,7 @@ from sandbox.engine.active.sleep import count_slow_time, note_awake
 from sandbox.engine.bodies.flags import AT_A_TIME, clear_flags, keep_dragged_awake
 from sandbox.engine.bodies.integrate import begin_motions, finish_motions
 from sandbox.engine.bodies.quarantine import guard_forces, guard_positions
-from sandbox.engine.continuous_collision.candidates import mark_fast, mark_fast_at_start
+from sandbox.engine.continuous_collision.candidates import mark_fast
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.state import StateTables
@@ -47,7 +47,6 @@ def begin_bodies(state: StateTables, active: ActiveSet, solver: SolverBodies) ->
         square = begin_motions(state.bodies, some, solver)
         fastest = square if square > fastest else fastest
         clear_flags(state.bodies, some, solver)
-        mark_fast_at_start(state.bodies, some, solver.ccd, setting.step_seconds)
     keep_dragged_awake(solver.flags, state.drags)
     active.info[0].fastest = fastest
     return froze
@@ -89,13 +88,14 @@ def finish_some_bodies(
     motions = solver.motions
     counter = state.counters[0]
     words = workers.words
+    seconds = state.settings[0].step_seconds
     for first in range(0, rows.shape[0], AT_A_TIME):
         some = rows[first : first + AT_A_TIME]
         frozen = guard_positions(bodies, some, motions, active.info, counter.step_count)
+        fast = mark_fast(bodies, some, motions, solver.ccd, seconds)
         finish_motions(bodies, some, motions)
-        rested = count_slow_time(bodies, some, solver, state.settings[0].step_seconds)
+        rested = count_slow_time(bodies, some, solver, seconds)
         awake, driven = note_awake(bodies, some)
-        fast = mark_fast(bodies, some, motions, solver.ccd)
         for word, count in ((FROZEN, frozen), (AWAKE, awake), (DRIVEN, driven), (RESTED, rested), (FAST, fast)):
             if count > 0:
                 atomic_add(words, word, count)

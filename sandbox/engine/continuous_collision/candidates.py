@@ -12,35 +12,25 @@ FAST_SHARE = 0.5
 
 
 @kernel
-def mark_fast_at_start(bodies: Records, active_bodies: Integers, ccd_bodies: Records, seconds: float) -> None:
-    """Mark the bodies that set out to go or swing far, or to turn past their margin; `mark_fast` adds others.
-
-    One that is stopped in mid-step ends near to where it began, and may have turned deep into something.
-    """
-    for i in active_bodies:
-        body = bodies[i]
-        turn = seconds * abs(body.angular_velocity)
-        swing = turn * (body.extent - ccd_bodies[i].thin)
-        travel = seconds * (abs(body.velocity_x) + abs(body.velocity_y))
-        far = travel + swing > FAST_SHARE * ccd_bodies[i].thin or 0.5 * turn * swing > shape_margin(body.extent)
-        ccd_bodies[i].fast = 1 if far else 0
-
-
-@kernel
-def mark_fast(bodies: Records, active_bodies: Integers, motions: Records, ccd_bodies: Records) -> int:
+def mark_fast(bodies: Records, active_bodies: Integers, motions: Records, ccd_bodies: Records, seconds: float) -> int:
     """Mark the active bodies that may have passed through something in this step; return how many.
 
-    Bullets always: something fast may have passed over them. `mark_fast_at_start` has marked some already.
+    `bodies` are still those of its beginning. Those that set out to go or swing far, or to turn past their margin, are
+    marked as well: one that is stopped in mid-step ends near to where it began, and may have turned deep into
+    something. So are bullets, always: something fast may have passed over them.
     """
     count = 0
     for i in active_bodies:
         body = bodies[i]
         motion = motions[i]
         ccd_body = ccd_bodies[i]
-        swing = abs(motion.delta_angle) * (body.extent - ccd_body.thin)
-        far = ccd_body.fast == 1 or abs(motion.delta_x) + abs(motion.delta_y) + swing > FAST_SHARE * ccd_body.thin
-        ccd_body.fast = 0
-        if (far or ccd_body.deep == 1 or body.bullet == 1) and is_active(body):
-            ccd_body.fast = 1
-            count += 1
+        lever = body.extent - ccd_body.thin
+        most = FAST_SHARE * ccd_body.thin
+        turn = seconds * abs(body.angular_velocity)
+        ahead = seconds * (abs(body.velocity_x) + abs(body.velocity_y)) + turn * lever
+        went = abs(motion.delta_x) + abs(motion.delta_y) + abs(motion.delta_angle) * lever
+        far = ahead > most or went > most or 0.5 * turn * (turn * lever) > shape_margin(body.extent)
+        fast = (far or ccd_body.deep == 1 or body.bullet == 1) and is_active(body)
+        ccd_body.fast = 1 if fast else 0
+        count += 1 if fast else 0
     return count
