@@ -5,28 +5,29 @@ from __future__ import annotations
 from sandbox._jit import kernel
 from sandbox.engine.bodies.integrate import place_origin
 from sandbox.engine.continuous_collision.contact_impulse import apply_contact_impulse
+from sandbox.engine.records.ccd import Ccd
 from sandbox.geometry.trig import cos_sin
-from sandbox.tables import Integers, Records
+from sandbox.tables import Records
 
 SLIDES = 3
 """A body slides so often in a step; what stops it once more is a wedge, and it is rolled back there."""
 
 
 @kernel
-def slide_all(bodies: Records, rows: Integers, motions: Records, impacts: Records, threshold: float) -> bool:
-    """Let all bodies slide along what they have touched all the while; whether there was one.
+def slide_all(bodies: Records, motions: Records, ccd: Ccd, threshold: float, round: int) -> bool:
+    """Let all bodies slide along what they have touched all the while in this round; whether there was one.
 
     Only these are to be swept again: along the motion that is left they may come to something else.
     """
     slides = False
-    for i in rows:
-        impact = impacts[i]
-        impact.swept = 1
+    for i in ccd.hit[1 : 1 + ccd.hit[0]]:
+        impact = ccd.impacts[i]
         if impact.time < 1.0 and impact.touched == 1:
             _slide(bodies[i], motions[i], impact)
             apply_contact_impulse(bodies[i], impact, threshold)
             impact.time = 1.0
-            impact.bounces = impact.touched = impact.swept = 0
+            impact.bounces = impact.touched = 0
+            impact.round = round + 1
             slides = True
     return slides
 

@@ -13,9 +13,11 @@ from __future__ import annotations
 from typing import Any
 
 from sandbox._jit import entry_point, kernel
+from sandbox.engine.active.active_set import AWAKE
 from sandbox.engine.broad_phase.proxies import BULLET, FIXED
 from sandbox.engine.continuous_collision.bullets import carry_bullet, stop_bullets
 from sandbox.engine.continuous_collision.contact_impulse import apply_contact_impulse
+from sandbox.engine.continuous_collision.hit import forget_hits
 from sandbox.engine.continuous_collision.relative_sweep import SweepTables
 from sandbox.engine.continuous_collision.roll_back import roll_back, roll_back_energy
 from sandbox.engine.continuous_collision.slide import SLIDES, slide_all
@@ -27,7 +29,7 @@ from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.ccd import Ccd
 from sandbox.engine.records.colliders import Colliders, Grid
 from sandbox.engine.records.state import StateTables
-from sandbox.tables import Integers, Records
+from sandbox.tables import Records
 
 
 @entry_point
@@ -46,56 +48,38 @@ def solve_continuous(
     """
     tables = SweepTables(state.bodies, state.shapes, solver.motions, colliders.cores, solver.ccd, ccd)
     swept = grid.sorted_pairs
-    rows = active.bodies[1 : 1 + active.bodies[0]]
     count = _list_swept(solver.ccd, colliders.proxies, grid.pairs, state.counters[0].pair_count, swept)
-    _forget_impacts(colliders.filters, rows, ccd.impacts, swept, count)
+    forget_hits(ccd)
     for k in range(count):
         carry_bullet(tables, swept[k])
     bullets = False
     static_count = -1
     threshold = state.settings[0].restitution_threshold
-    for slides in range(SLIDES + 1):
+    for round in range(SLIDES + 1):
         for k in range(count):
-            bullets |= stop_at_static(tables, swept[k])
-        static_count = stop_strays(tables, active, colliders, grid, count, joint_filter, static_count)
-        if slides == SLIDES or not slide_all(state.bodies, rows, solver.motions, ccd.impacts, threshold):
+            bullets |= stop_at_static(tables, swept[k], round)
+        static_count = stop_strays(tables, active, colliders, grid, count, joint_filter, static_count, round)
+        if round == SLIDES or not slide_all(state.bodies, solver.motions, ccd, threshold, round):
             break
     if bullets:
         found: Any = swept[:count]
         stop_bullets(tables, found)
-    _roll_back_all(state, rows, solver.motions, ccd.impacts)
+    _roll_back_all(state, active, solver.motions, ccd)
 
 
 @kernel
-def _roll_back_all(state: StateTables, rows: Integers, motions: Records, impacts: Records) -> None:
-    """Roll all bodies back to their times of impact."""
-    for i in rows:
+def _roll_back_all(state: StateTables, active: ActiveSet, motions: Records, ccd: Ccd) -> None:
+    """Roll all bodies back to their times of impact, but those that slept when the step began."""
+    for i in ccd.hit[1 : 1 + ccd.hit[0]]:
         body = state.bodies[i]
-        impact = impacts[i]
-        if impact.time < 1.0:
+        impact = ccd.impacts[i]
+        if impact.time < 1.0 and active.activity[i] == AWAKE:
             share = 1.0 - impact.time
             roll_back(body, motions[i], share)
             if impact.bounces == 1:
                 roll_back_energy(body, motions[i], share, state.settings[0])
             if impact.touched == 1:
                 apply_contact_impulse(body, impact, state.settings[0].restitution_threshold)
-
-
-@kernel
-def _forget_impacts(filters: Records, rows: Integers, impacts: Records, swept: Records, count: int) -> None:
-    """Nobody is stopped yet: neither those that move, nor the sleepers that a bullet may meet."""
-    for i in rows:
-        _forget_impact(impacts[i])
-    for k in range(count):
-        _forget_impact(impacts[filters[swept[k].shape_a].body])
-        _forget_impact(impacts[filters[swept[k].shape_b].body])
-
-
-@kernel
-def _forget_impact(impact: Records) -> None:
-    impact.time = 1.0
-    impact.stopped = -1
-    impact.bounces = impact.touched = impact.swept = impact.stray = 0
 
 
 @kernel

@@ -6,6 +6,7 @@ from sandbox._jit import kernel
 from sandbox.engine.broad_phase.margins import allowed_depth
 from sandbox.engine.continuous_collision.center_sweep import sweep_center
 from sandbox.engine.continuous_collision.contact_impulse import record_impact
+from sandbox.engine.continuous_collision.hit import list_hit
 from sandbox.engine.continuous_collision.relative_sweep import (
     Interval,
     SweepTables,
@@ -18,21 +19,27 @@ from sandbox.world.records import ONE_WAY, SEAMED, STATIC
 
 
 @kernel
-def stop_at_static(tables: SweepTables, pair: Records) -> bool:
-    """Stop the fast body of a pair at the other one, if that is immovable; whether the pair is for `stop_bullets`."""
+def stop_at_static(tables: SweepTables, pair: Records, round: int) -> bool:
+    """Stop the fast body of a pair at the other one, if that is immovable and it is swept in this round; whether the
+    pair is for `stop_bullets`."""
     sweep = tables.ccd.sweep[0]
     a = tables.shapes[pair.shape_a].body
     b = tables.shapes[pair.shape_b].body
     if tables.ccd_bodies[a].fast + tables.ccd_bodies[b].fast == 0:
         return False
     if tables.bodies[a].type != STATIC and tables.bodies[b].type != STATIC:
-        return bool(tables.bodies[a].bullet + tables.bodies[b].bullet > 0)
+        meets = tables.bodies[a].bullet + tables.bodies[b].bullet > 0
+        if meets:
+            list_hit(tables.ccd, a)
+            list_hit(tables.ccd, b)
+        return bool(meets)
     mover = b if tables.bodies[a].type == STATIC else a
-    if tables.ccd.impacts[mover].swept == 1:
+    if tables.ccd.impacts[mover].round != round:
         return False
     set_relative_sweep(tables, a, b, Interval(0.0, 0.0, 1.0, 1.0))
     t = _time_of_stop(tables, pair.shape_a, pair.shape_b, mover == b)
     if t >= 0.0 and t < tables.ccd.impacts[mover].time:
+        list_hit(tables.ccd, mover)
         tables.ccd.impacts[mover].time = t
         shape_a = tables.shapes[pair.shape_a]
         shape_b = tables.shapes[pair.shape_b]

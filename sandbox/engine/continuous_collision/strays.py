@@ -13,6 +13,7 @@ from sandbox.engine.broad_phase.grid import boxes_overlap
 from sandbox.engine.broad_phase.pairs import insert_in_order, propose
 from sandbox.engine.broad_phase.proxies import ACTIVE, SLEEPS
 from sandbox.engine.broad_phase.resting_grid import pairs_with_resting
+from sandbox.engine.continuous_collision.hit import list_hit
 from sandbox.engine.continuous_collision.relative_sweep import SweepTables
 from sandbox.engine.continuous_collision.static_impact import stop_at_static
 from sandbox.engine.joints.pair_filter import JointFilter, are_joined
@@ -33,6 +34,7 @@ def stop_strays(
     count: int,
     joint_filter: JointFilter,
     static_count: int,
+    round: int,
 ) -> int:
     """Stop the strays at what is not among their pairs. `grid.sorted_pairs` is scratch from row `count` on.
 
@@ -49,19 +51,20 @@ def stop_strays(
     for k in range(info.moving if known else shapes):
         i = active.shapes[k]
         body = filters[i].body
-        if tables.ccd_bodies[body].fast == 0 or tables.ccd.impacts[body].swept == 1:
+        if tables.ccd_bodies[body].fast == 0 or tables.ccd.impacts[body].round != round:
             continue
         woke = filters[i].moves == SLEEPS  # the grid has asked for no pairs of sleepers with what does not move
         filters[i].moves = ACTIVE
         impact = tables.ccd.impacts[body]
         strays = impact.stray == 1 if again else _strays(tables, colliders.boxes, i) or woke
         if strays:
+            list_hit(tables.ccd, body)
             impact.stray = 1
             if static_count < 0:
                 rows = active.shapes[: info.moving if info.split == 1 else shapes]
                 static_count = _gather_static(tables, colliders.boxes, rows, grid.spare_boxes)
             near = _list_near(active, colliders, grid, static_count, shapes, count, i)
-            _stop_stray(tables, colliders, grid, joint_filter, count, near, i)
+            _stop_stray(tables, colliders, grid, joint_filter, count, near, i, round)
             filters[i].confined = 0  # by what is near in this step, not in the next
     return static_count
 
@@ -108,6 +111,7 @@ def _stop_stray(
     count: int,
     near: int,
     i: int,
+    round: int,
 ) -> None:
     """Stop a stray at the static shapes near it, in their order: of those it touches at once, the first holds it."""
     fast = grid.sorted_pairs
@@ -121,7 +125,7 @@ def _stop_stray(
             continue
         static = tables.bodies[filters[j].body].type == STATIC
         if static and not are_joined(joint_filter, filters[i].body, filters[j].body):
-            stop_at_static(tables, fast[count + k if listed else count])
+            stop_at_static(tables, fast[count + k if listed else count], round)
 
 
 @kernel

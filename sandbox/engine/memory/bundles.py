@@ -162,7 +162,9 @@ def ccd_memory(room: Room) -> Ccd:
     """Sweeps and times of impact."""
     impacts = CCD_IMPACT.zeros(room.bodies)
     impacts.time = 1.0
-    return Ccd(impacts, SWEEP.zeros(1), VERTEX.zeros(POSED_ROWS), MANIFOLD.zeros(2))
+    impacts.stopped = -1
+    hit = np.zeros(room.bodies + 1, np.int64)
+    return Ccd(impacts, hit, SWEEP.zeros(1), VERTEX.zeros(POSED_ROWS), MANIFOLD.zeros(2))
 
 
 def measure_thin(bodies: Records, state: State, first: int, first_shape: int) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from sandbox.tables import Field, Records, Table
+from sandbox.tables import Field, Integers, Records, Table
 
 OVERLAPS = 1
 NEW = 2
@@ -35,7 +35,8 @@ CCD_IMPACT = Table(
         Field("bounces", "-", "1 when what stops it bounces it", "i8"),
         Field("touched", "-", "1 when it has touched what stops it from the start of the step on", "i8"),
         Field("stray", "-", "1 when a shape of it has left the box that the grid knew", "i8"),
-        Field("swept", "-", "1 when its sweep has been made, and nothing has changed it since", "i8"),
+        Field("round", "-", "when its sweep is to be made: 0, or the one after that in which it slid along", "i8"),
+        Field("listed", "-", "1 when it is in the list of those that something may stop", "i8"),
         Field("normal_x", "1", "of what stops it, towards the body"),
         Field("normal_y", "1", "of what stops it, towards the body"),
         Field("arm_x", "m", "where it is stopped, from the centre of the body"),
@@ -49,10 +50,14 @@ CCD_IMPACT = Table(
 
 
 class Ccd(NamedTuple):
-    """Memory of continuous collision, beside `SolverBodies.ccd`; `sweep` has one row, `posed` the cores as they lie at
-    the time looked at."""
+    """Memory of continuous collision, beside `SolverBodies.ccd`.
+
+    `hit[1:]` are the rows of the bodies whose impacts say anything, `hit[0]` is how many those are. `sweep` has one
+    row, `posed` the cores as they lie at the time looked at.
+    """
 
     impacts: Records
+    hit: Integers
     sweep: Records
     posed: Records
     manifold: Records
