@@ -38,6 +38,9 @@ def count_slow_time(bodies: Records, rows: Integers, solver: SolverBodies, secon
             continue
         moved = solver.motions[i]
         speed = _speed(body.velocity_x, body.velocity_y, body.angular_velocity * body.extent)
+        if speed >= body.sleep_speed:  # most that move: how fast they were moved need not be known
+            body.sleep_time = 0.0
+            continue
         pace = _speed(moved.delta_x, moved.delta_y, moved.delta_angle * body.extent) * CORRECTED / seconds
         speed = pace if pace > speed else speed
         if speed >= body.sleep_speed or (solver.flags[i] & SUPPORTED == 0 and speed > 0.0):
