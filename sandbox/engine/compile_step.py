@@ -1,6 +1,7 @@
 """Fill an empty kernel cache with two processes at once: each compiles a part of the step.
 
-`python -m sandbox.engine.compile_step` is the other process: this one compiles `solve`, it all other parts. The last is
+`python -m sandbox.engine.compile_step` is the other process: this one compiles `solve`, which with joints takes as long
+as all else that a step needs, and without them `finish` too; the other one the other parts. Its last one is
 `solve_continuous`, which few steps need: who needs it before it is there waits then. It may fail, for then this process
 compiles everything.
 """
@@ -15,7 +16,7 @@ import threading
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 from sandbox import _compiling
 from sandbox._jit import cache_is_cold
@@ -30,8 +31,12 @@ from sandbox.world.build import build_state
 PARTS: tuple[Callable[..., Any], ...] = (collide, begin, solve, finish, solve_continuous)
 """The entry points of a step, in order. The last one is left out where nothing is fast."""
 _JOINTS = "joints"
-_OTHERS: tuple[Callable[..., Any], ...] = (collide, begin, finish)
-"""What the other process compiles before it says that a step can be taken."""
+_Parts: TypeAlias = tuple[Callable[..., Any], ...]
+
+
+def _halves(joints: bool) -> tuple[_Parts, _Parts]:
+    """What a step needs: the parts that this process compiles, and those of the other one."""
+    return ((solve,), (collide, begin, finish)) if joints else ((solve, finish), (collide, begin))
 
 
 @cache
@@ -43,7 +48,8 @@ def compile_step(joints: bool) -> None:
     if not cache_is_cold() or (os.cpu_count() or 1) < 2 or not can_keep():
         return
     helper = _start_helper(joints)
-    _run_once(solve, joints)
+    for part in _halves(joints)[0]:
+        _run_once(part, joints)
     if helper is not None:
         _compiling.patiently(helper.wait_for_step)
         _helpers.append(helper)
@@ -65,11 +71,12 @@ def compile_parts() -> None:
 class _Helper:
     """The other process, and what it tells of its work."""
 
-    def __init__(self, process: subprocess.Popen[str]) -> None:
+    def __init__(self, process: subprocess.Popen[str], parts: int) -> None:
+        """`parts` is how many of those that it compiles a step needs."""
         self._process = process
+        self._left = parts
         self._work = _compiling.Process()
         self._step = threading.Event()
-        self._left = len(_OTHERS)
         _compiling.processes.append(self._work)
         threading.Thread(target=self._listen, daemon=True).start()
 
@@ -105,9 +112,10 @@ def _start_helper(joints: bool) -> _Helper | None:
     command = [sys.executable, "-m", "sandbox.engine.compile_step", *([_JOINTS] if joints else [])]
     quiet: dict[str, Any] = dict.fromkeys(("stdin", "stderr"), subprocess.DEVNULL)
     try:
-        return _Helper(subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True, **quiet))
+        process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True, **quiet)
     except OSError:
         return None
+    return _Helper(process, len(_halves(joints)[1]))
 
 
 def _run_once(part: Any, joints: bool = False) -> None:
@@ -129,6 +137,7 @@ def _tell(line: str) -> None:
 if __name__ == "__main__":
     gc.disable()  # it ends before its memory is needed
     _compiling.tell = _tell
-    for each in _OTHERS:
-        _run_once(each, joints=_JOINTS in sys.argv)
+    jointed = _JOINTS in sys.argv
+    for each in _halves(jointed)[1]:
+        _run_once(each, jointed)
     _run_once(solve_continuous)
