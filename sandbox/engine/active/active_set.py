@@ -87,7 +87,7 @@ def _lay_to_rest(bodies: Records, i: int, solver: SolverBodies) -> None:
     solver.colors[i] = IMMOVABLE
     solver.batches[i] = 0
     ccd_body = solver.ccd[i]
-    ccd_body.deep = ccd_body.unsettled = ccd_body.fast = ccd_body.confined = 0
+    ccd_body.deep = ccd_body.unsettled = ccd_body.fast = 0
 
 
 @kernel
