@@ -51,6 +51,8 @@ NOTES: dict[int, str] = {
     22: "an impact without restitution is followed on from a body it has reached before only where it makes it 5 % "
     "faster, no longer 0.5 %; energies of passes over such impacts are worked out in another way",
     23: "contacts without friction ask for none, which changes the signs of some zeros",
+    24: "what joints hold at something that does not move, each of them by a point or a length, has no weight in "
+    "its pile but what it presses with on the rest of it: ropes that hang and touch take no finer substeps",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

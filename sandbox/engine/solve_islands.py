@@ -161,7 +161,7 @@ def solve_batches(
     frozen = 0
     for batch in range(first, end):
         members = batches.bodies[batches.first_body[batch] : batches.first_body[batch + 1]]
-        held = put_free_last(members, solver, state.drags, joints, share.colors)
+        touched, held = put_free_last(members, solver, state.drags, joints, share.colors)
         start = batches.first_impact[batch]
         stop = batches.first_impact[batch + 1]
         rows: Any = batches.impacts[start:stop]
@@ -170,7 +170,7 @@ def solve_batches(
         ranges = fill_blocks(solver.colors, own, batch)
         criteria = ImpactCriteria(share.impacts, ranges.struck, share.impact_speed)
         prepare_contacts(bodies, contacts.now, own, ranges.total, team, spring, criteria)
-        todo = Pass(level, batch, held, ranges, share.unsettled & NEW != 0, share.impacts)
+        todo = Pass(level, batch, touched, held, ranges, share.unsettled & NEW != 0, share.impacts)
         frozen += run_substeps(state, active, solver, contacts.now, own, impacts, joints, team, members, todo)
         store_impulses(bodies, solver.flags, contacts, own, ranges.total, team, spring)
     if frozen > 0:

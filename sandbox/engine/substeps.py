@@ -42,8 +42,8 @@ RELAX_DEEP = 8
 
 
 class Pass(NamedTuple):
-    """What is solved: the islands of a substep level, whose contacts are in `blocks`. The first `held_count` of their
-    bodies are touched or held by something, the others fly freely.
+    """What is solved: the islands of a substep level, whose contacts are in `blocks`. The first `touched_count` of
+    their bodies have contacts, the first `held_count` contacts, joints or a hand, the others fly freely.
 
     Blocks of unsettled bodies take a rigid pass first, once, if `new` says that some body of the level is to another,
     those of bodies that overlap deeply take more relax passes than all others. Batch 0 has the joints and what is
@@ -52,6 +52,7 @@ class Pass(NamedTuple):
 
     level: int
     batch: int
+    touched_count: int
     held_count: int
     blocks: BlockRanges
     new: bool
@@ -129,6 +130,7 @@ def run_substeps(
     now = state.counters[0].step_count
     struck: Any = blocks.batches.struck[blocks.batches.first_body[todo.batch] :]
     frozen = fly(bodies, rows, todo.held_count, solver, active.info, now, flight, workers)
+    touched = rows[: todo.touched_count]
     rows = rows[: todo.held_count]
     for substep in range(substeps):
         integrate_velocities(rows, solver, workers)
@@ -139,18 +141,18 @@ def run_substeps(
             solve_mouse_joints(state, solver, level, seconds)
         frozen += guard_velocities(bodies, rows, motions, solver.forces, active.info, now)
         if warm and substep == 0:
-            begin_parts(rows, solver)
+            begin_parts(touched, solver)
             warm_start(motions, blocks, count, workers)
         elif warm:
-            add_parts(rows, solver, workers)
+            add_parts(touched, solver, workers)
         else:
             forget_impulses(blocks, 0, count)
         if joints is not None and rest:
             if warm:
-                turn_parts(rows, solver, workers)
+                turn_parts(touched, solver, workers)
             solve_joints(joints, motions, free_motions, seconds, workers)
             if warm:
-                turn_parts(rows, solver, workers)
+                turn_parts(touched, solver, workers)
         if todo.new and substep == 0:
             # What was just put there has no impulses yet, and soft contacts alone would let it slip until it has.
             if now == 0 and spring.yields > 0.0:
@@ -167,7 +169,7 @@ def run_substeps(
         integrate_positions(rows, solver, gravity, seconds, todo.impacts, workers)
         apart = warm and (todo.impacts or (joints is not None and rest))
         if apart:
-            turn_parts(rows, solver, workers)
+            turn_parts(touched, solver, workers)
         if todo.impacts:
             resolve_impacts(bodies, solver, contacts, impacts, -seconds)
         if struck_count > 0:  # the relax pass would stop what now touches, a contact at a time
@@ -175,9 +177,9 @@ def run_substeps(
         if joints is not None and rest:
             relax_joints(joints, motions, free_motions, seconds, workers)
         if apart:
-            turn_parts(rows, solver, workers)
+            turn_parts(touched, solver, workers)
         if setting.relax == 1:
             relax_contacts(motions, blocks, todo.blocks, workers, relax, relax_deep, accumulate)
         if warm and substep + 1 < substeps:
-            turn_parts(rows, solver, workers)
+            turn_parts(touched, solver, workers)
     return frozen

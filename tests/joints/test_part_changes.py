@@ -27,7 +27,7 @@ COLUMNS: dict[str, tuple[str, ...]] = {
     "rows": ("constraint", "slot", "sides"),
     "parts": (
         "first_row", "row_end", "first_constraint", "constraint_end", "direct", "layout", "first_fixed", "anchored",
-        "swept", "first_block", "block_end",
+        "hung", "swept", "first_block", "block_end",
     ),
 }  # fmt: skip
 """What does not change as a world is stepped, and does not name members."""

@@ -177,11 +177,17 @@ class _Layout:
             self.rows += [] if direct else [(len(self.constraints), slot, sides) for slot in slots[j]]
             self.constraints.append(j)
         fixed = sum(body not in self.touched[j] for j in part for body in self._sides(self.joints[j]))
+        keeps = all(
+            self.joints[j].kind in (kinds.REVOLUTE, kinds.WELD)
+            or (self.joints[j].kind == kinds.DISTANCE and not self.joints[j].spring and not self.joints[j].limit)
+            for j in part
+        )
         self.parts.append(
             {
                 "first_row": first_row, "row_end": len(self.rows), "first_constraint": first_constraint,
                 "constraint_end": len(self.constraints), "first_member": first_member, "member_end": len(self.members),
-                "direct": int(direct), "anchored": int(fixed > 0), "first_fixed": self.fixed,
+                "direct": int(direct), "anchored": int(fixed > 0), "hung": int(fixed > 0 and keeps),
+                "first_fixed": self.fixed,
             }
         )  # fmt: skip
         self.fixed += fixed

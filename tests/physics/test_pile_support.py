@@ -8,7 +8,7 @@ from sandbox.engine.commands.drags import StartDrag
 from sandbox.engine.commands.pushes import ApplyForce
 from sandbox.engine.world import World
 from sandbox.scene.flat import FlatBody
-from tests.flat import AWAKE, body, box, ground, scene, world
+from tests.flat import AWAKE, body, box, circle, ground, scene, world
 from tests.joints.jointed import joint, jointed
 
 
@@ -80,3 +80,32 @@ def test_a_tower_on_a_raft_that_a_hand_holds_takes_finer_substeps() -> None:
         finer += min(levels(w)) > 0
     assert finer == 50
     assert w.body("raft").position[1] > -2.0
+
+
+@pytest.mark.parametrize("hinges", [1, 2])
+def test_a_tower_bears_what_a_hinged_beam_presses_with(hinges: int) -> None:
+    """A tower that does with the usual substeps, and a heavy beam on it that one hinge bears half of, or two bear."""
+    beam = body("beam", box(20.0, 0.5, density=2.8), position=(9.5, 16.25))
+    pins = [joint(f"pin{k}", "revolute", None, "beam", (19.0 - 9.0 * k, 16.25)) for k in range(hinges)]
+    w = jointed((ground(), *tower(0.0, 16), beam), pins, settings=AWAKE)
+    w.step(10)
+    assert finer_in(w, 60) == (60 if hinges == 1 else 0)
+    assert abs(w.body("b15").position[1] - 15.5) < 0.02
+
+
+@pytest.mark.parametrize("kind", ["revolute", "distance"])
+def test_ropes_that_hang_and_touch_bear_nothing(kind: str) -> None:
+    """Two ropes of beads, each bead of one against two of the other: it lies on the lower one's shoulder."""
+    beads, joints = [], []
+    for rope in range(2):
+        x, top = 0.84 * rope, 0.5 * rope
+        for k in range(20):
+            beads.append(body(f"b{rope}-{k}", circle(0.5), position=(x, top - k - 1.0)))
+            above = f"b{rope}-{k - 1}" if k > 0 else None
+            ends = {"anchor_a": (x, top - k), "anchor_b": (x, top - k - 1.0)} if kind == "distance" else {}
+            at = None if ends else (x, top - k - 0.5 * (k > 0))
+            joints.append(joint(f"j{rope}-{k}", kind, above, f"b{rope}-{k}", at, **ends))
+    w = jointed(tuple(beads), joints, settings=AWAKE)
+    w.step(10)
+    assert len(w.contacts) > 30
+    assert finer_in(w, 60) == 0

@@ -1,4 +1,4 @@
-"""Which bodies of a batch are free: nothing touches them, and no joint or hand holds them."""
+"""Which bodies of a batch are touched by something, held by joints alone, or free."""
 
 from __future__ import annotations
 
@@ -12,21 +12,33 @@ from sandbox.tables import Integers, Records
 @kernel
 def put_free_last(
     rows: Integers, solver: SolverBodies, drags: Records, joints: JointWork | None, color_count: int
-) -> int:
-    """Put the free bodies of `rows` behind all others, which keep their order; returns how many others there are.
+) -> tuple[int, int]:
+    """Put the bodies of `rows` that something touches first, and the free ones last, which no joint or hand holds
+    either: how many are touched, and how many are not free.
 
-    What has a contact has a colour, unless contacts have run out of them: then all count as held.
+    What has a contact has a colour, unless contacts have run out of them: then all count as touched. While a hand holds
+    one, none is free.
     """
+    count: int = rows.shape[0]
     if color_count > MAX_COLORS:
-        return int(rows.shape[0])
+        return count, count
+    touched = 0
+    for k in range(count):
+        i = rows[k]
+        if solver.colors[i] != 0:
+            rows[k] = rows[touched]
+            rows[touched] = i
+            touched += 1
     for k in range(drags.shape[0]):
         if drags[k].body >= 0:
-            return int(rows.shape[0])
-    held = 0
-    for k in range(rows.shape[0]):
+            return touched, count
+    held = touched
+    if joints is None:
+        return touched, held
+    for k in range(touched, count):
         i = rows[k]
-        if solver.colors[i] != 0 or (joints is not None and joints.part_of[i] >= 0):
+        if joints.part_of[i] >= 0:
             rows[k] = rows[held]
             rows[held] = i
             held += 1
-    return held
+    return touched, held

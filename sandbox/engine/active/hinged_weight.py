@@ -1,4 +1,5 @@
-"""How much of its weight a body that hangs by one hinge can put on what it touches: the law of the lever."""
+"""Whether joints bear the weight of a body, and how much of it one that hangs by one hinge can put on what it touches:
+the law of the lever."""
 
 from __future__ import annotations
 
@@ -7,6 +8,12 @@ from sandbox.engine.contact_solver.law import anchors_of
 from sandbox.engine.joints.records import JointWork
 from sandbox.tables import Records
 from sandbox.world.joint_records import REVOLUTE
+
+
+@kernel
+def is_hung(work: JointWork, body: int) -> bool:
+    """Whether joints bear the weight of a body, whatever it touches."""
+    return bool(work.part_of[body] >= 0 and work.parts[work.part_of[body]].hung == 1)
 
 
 @kernel
@@ -34,15 +41,6 @@ def hinged_mass(work: JointWork, bodies: Records, contact: Records, body: int, d
         lever = other if other < lever else lever
     mass = bodies[body].mass
     return float(mass if offset >= lever else mass * offset / lever)
-
-
-@kernel
-def share_not_hung(work: JointWork, bodies: Records, body: int, down_x: float, down_y: float) -> float:
-    """The share of its weight that such a body puts on what is below it, anywhere within its extent."""
-    x, y = _hinge(work, bodies, body)
-    offset = abs(x * down_y - y * down_x)
-    extent = bodies[body].extent
-    return float(1.0 if offset >= extent else offset / extent)
 
 
 @kernel

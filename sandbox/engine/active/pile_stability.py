@@ -9,7 +9,7 @@ top is Euler's case), and contacts with the angular frequency w over a width W h
 from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox.engine.active.hinged_weight import hangs_by_one_hinge, hinged_mass, share_not_hung
+from sandbox.engine.active.hinged_weight import hangs_by_one_hinge, hinged_mass, is_hung
 from sandbox.engine.active.pile_support import ALL, Load, share_supported, upward_force
 from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.joints.records import JointWork
@@ -38,7 +38,8 @@ _NONE = 1e300
 PILE = Table(
     "pile",
     (
-        Field("weight", "N", "of all bodies"),
+        Field("weight", "N", "of all bodies that joints do not hold, and what those that are held press on them with"),
+        Field("hangs", "-", "1 when joints hold some of it", "i8"),
         Field("support", "N", "upward force on it from outside in the last step: of what does not move, of fields"),
         Field("moment", "N m", "weight times height above the root body"),
         Field("second_moment", "N m^2", "weight times height squared"),
@@ -98,6 +99,7 @@ def measure_bodies(
             continue
         if root == i:  # the first of its pile
             pile.weight = pile.moment = pile.second_moment = pile.heaviest = 0.0
+            pile.hangs = 0
             pile.bottom = pile.left = pile.bearer = pile.slight = _NONE
             pile.right = -_NONE
             pile.support = ALL
@@ -105,17 +107,24 @@ def measure_bodies(
         x = body.center_x - bodies[root].center_x
         y = body.center_y - bodies[root].center_y
         height = -(x * down_x + y * down_y)
-        weight = body.mass * load.gravity * (body.gravity_scale if body.gravity_scale > 0.0 else 0.0)
-        if joints is not None and hangs_by_one_hinge(joints, i):
-            weight = weight * share_not_hung(joints, bodies, i, down_x, down_y)
-        pile.weight += weight
-        pile.moment += weight * height
-        pile.second_moment += weight * height * height
+        if joints is not None and is_hung(joints, i):
+            pile.hangs = 1
+        else:
+            _add_weight(
+                pile, body.mass * load.gravity * (body.gravity_scale if body.gravity_scale > 0.0 else 0.0), height
+            )
         _widen(pile, x * down_y - y * down_x)
         pile.bottom = height - body.extent if height - body.extent < pile.bottom else pile.bottom
         pile.heaviest = body.mass if body.mass > pile.heaviest else pile.heaviest
         pile.bearer = body.mass if body.mass < pile.bearer else pile.bearer
         pile.slight = body.extent if body.extent < pile.slight else pile.slight
+
+
+@inlined_kernel
+def _add_weight(pile: Records, weight: float, height: float) -> None:
+    pile.weight += weight
+    pile.moment += weight * height
+    pile.second_moment += weight * height * height
 
 
 @kernel
@@ -127,11 +136,11 @@ def _widen(pile: Records, across: float) -> None:
 @kernel
 def some_pile_may_fall(rows: Integers, islands: Integers, piles: Records, omega: float, gravity: float) -> bool:
     """Whether some pile of two or more would need a higher level, or be overloaded, if it were as bad as its bodies
-    allow."""
+    allow. What hangs may weigh on what does not."""
     for i in rows:
         if islands[i] == i and piles[i].bodies > 1:
             piles[i].ratio = piles[i].heaviest / piles[i].bearer
-            if level_for(piles[i], omega, gravity) > 0:
+            if level_for(piles[i], omega, gravity) > 0 or (piles[i].hangs == 1 and piles[i].weight > 0.0):
                 return True
     return False
 
@@ -146,7 +155,8 @@ def measure_contacts(
     joints: JointWork | None,
     load: Load,
 ) -> None:
-    """Width, foot, bearing bodies and ratio of piles as they are (see `is_stacked`); contacts add to their support."""
+    """Width, foot, bearing bodies and ratio of piles as they are (see `is_stacked`); contacts add to their support, and
+    what hangs to their weight."""
     down_x = load.down_x
     down_y = load.down_y
     for i in rows:
@@ -169,8 +179,13 @@ def measure_contacts(
         _add_point(pile, x + contact.anchor_ax1, y + contact.anchor_ay1, down_x, down_y)
         if contact.point_count == 2:
             _add_point(pile, x + contact.anchor_ax2, y + contact.anchor_ay2, down_x, down_y)
+        upward = upward_force(contact, load)
         if not (is_active(a) and is_active(b)):
-            pile.support += upward_force(contact, load) * (1.0 if is_active(b) else -1.0)
+            pile.support += upward if is_active(b) else -upward
+        elif joints is not None and is_hung(joints, contact.body_a) != is_hung(joints, contact.body_b):
+            pressed = upward if is_hung(joints, contact.body_b) else -upward
+            height = -((x + contact.anchor_ax1) * down_x + (y + contact.anchor_ay1) * down_y)
+            _add_weight(pile, pressed if pressed > 0.0 else 0.0, height)
         upright = contact.normal_x * down_x + contact.normal_y * down_y
         if is_active(a) and is_active(b) and abs(upright) >= UPRIGHT:
             lower = b if upright > 0.0 else a

@@ -18,22 +18,16 @@ from sandbox.world.joint_records import (
 
 
 @kernel
-def measure_errors(work: JointWork, part: Records) -> None:
-    """Anchors, gaps and errors of all joints of a part; gears last, for they build on others."""
-    for k in range(part.first_constraint, part.constraint_end):
-        constraint = work.constraints[k]
-        joint = work.joints[constraint.joint]
-        if joint.kind != GEAR and constraint.in_lane == 0:
-            a = work.members[constraint.member_a]
-            b = work.members[constraint.member_b]
-            _place_anchors(constraint, joint, a, b)
-            _find_errors(constraint, joint, a, b)
-    for k in range(part.first_constraint, part.constraint_end):
-        constraint = work.constraints[k]
-        joint = work.joints[constraint.joint]
-        if joint.kind == GEAR:
-            first = _coordinate(work, constraint.constraint_1)
-            constraint.error_0 = first + joint.ratio * _coordinate(work, constraint.constraint_2) - joint.length
+def measure_errors(work: JointWork, constraint: Records, joint: Records) -> None:
+    """Anchors, gap and errors of a joint; a gear builds on those of two others."""
+    if joint.kind == GEAR:
+        first = _coordinate(work, constraint.constraint_1)
+        constraint.error_0 = first + joint.ratio * _coordinate(work, constraint.constraint_2) - joint.length
+        return
+    a = work.members[constraint.member_a]
+    b = work.members[constraint.member_b]
+    _place_anchors(constraint, joint, a, b)
+    _find_errors(constraint, joint, a, b)
 
 
 @kernel

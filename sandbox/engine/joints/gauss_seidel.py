@@ -21,6 +21,7 @@ from sandbox.engine.joints.records import JointWork
 from sandbox.engine.joints.targets import pair_strength, target_softly
 from sandbox.engine.records.workers import Workers
 from sandbox.tables import Records
+from sandbox.world.joint_records import GEAR
 
 SWEEPS = 480.0
 """Sweeps for each second: 2 in a substep of 1/240 s; longer ones have more to carry."""
@@ -39,21 +40,33 @@ def solve_softly(
 ) -> None:
     """Sweep over the rows of a part: before the move with their push (`pushing`), and after it without."""
     place_members(work, part, motions)
-    if part.swept == 1:
-        measure_errors(work, part)
-        fill_rows(work, part)
     bias_rate, mass_scale, impulse_scale = soft_coefficients(STIFFNESS / seconds, DAMPING_RATIO, seconds)
     push = bias_rate if pushing else 0.0
     give = impulse_scale / mass_scale if pushing else 0.0
     most = CORRECTION_SPEED / push if pushing else 0.0
+    if part.swept == 1:
+        _prepare_rows(work, part, seconds, push, give)
     if pushing:
         _warm_start(work, part, seconds)
         warm_start_hinges(work, part, seconds, FAR, workers)
     for sweep in range(_sweeps(seconds)):
         if part.swept == 1:
             _sweep_rows(work, part, seconds, push, give, sweep % 2 == 1)
-            _cap_pairs(work, part, seconds)
+            if part.capped == 1:
+                _cap_pairs(work, part, seconds)
         sweep_hinges(work, part, SoftHinge(push, most, give), sweep % 2 == 1, workers)
+
+
+@kernel
+def _prepare_rows(work: JointWork, part: Records, seconds: float, push: float, give: float) -> None:
+    """Fill the rows of all joints of a part that lie in no lane; gears last, for they build on others."""
+    for turn in range(2 if part.geared == 1 else 1):
+        for k in range(part.first_constraint, part.constraint_end):
+            constraint = work.constraints[k]
+            joint = work.joints[constraint.joint]
+            if constraint.in_lane == 0 and (joint.kind == GEAR) == (turn == 1):
+                measure_errors(work, constraint, joint)
+                fill_rows(work, constraint, joint, seconds, push, give)
 
 
 @kernel
@@ -61,7 +74,7 @@ def _sweep_rows(work: JointWork, part: Records, seconds: float, push: float, giv
     """One sweep over the rows of a part that lie in no lane."""
     for k in range(part.row_end - part.first_row):
         row = work.rows[part.row_end - 1 - k if backwards else part.first_row + k]
-        if row.stiffness > 0.0 and work.constraints[row.constraint].in_lane == 0:
+        if row.stiffness > 0.0:
             _solve_row(work, row, seconds, push, give)
 
 
@@ -79,12 +92,11 @@ def _warm_start(work: JointWork, part: Records, seconds: float) -> None:
         return
     for r in range(part.first_row, part.row_end):
         row = work.rows[r]
-        if work.constraints[row.constraint].in_lane == 1:
-            continue
         if row.stiffness == 0.0 or seconds * _spin(work.members, row) > FAR:
             row.impulse = 0.0
         row.stop = 1 if row.impulse > 0.0 else (-1 if row.impulse < 0.0 else 0)
-        push_row(work.members, row, row.impulse)
+        if row.impulse != 0.0:
+            push_row(work.members, row, row.impulse)
 
 
 @kernel
@@ -98,9 +110,10 @@ def _spin(members: Records, row: Records) -> float:
 @kernel
 def _solve_row(work: JointWork, row: Records, seconds: float, push: float, give: float) -> None:
     """Give one row the impulse that it strives for, within its bounds."""
-    joint = work.joints[work.constraints[row.constraint].joint]
     speed = row_speed(work.members, row)
-    target_softly(row, joint, speed, seconds, push, give)
+    if row.steady == 0:
+        joint = work.joints[work.constraints[row.constraint].joint]
+        target_softly(row, joint, speed, seconds, push, give)
     after = row.impulse - (speed + row.bias + row.softness * row.impulse) / (row.stiffness + row.softness)
     after = after if after < row.high else row.high
     after = after if after > row.low else row.low

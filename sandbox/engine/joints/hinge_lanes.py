@@ -12,8 +12,10 @@ import numpy as np
 
 from sandbox.engine.contact_solver.blocks import LANES
 from sandbox.tables import Field, Floats, Integers, Records, Table, aligned_zeros
-from sandbox.world.joint_records import GEAR, REVOLUTE
+from sandbox.world.joint_records import FRICTION, GEAR, MOTOR, REVOLUTE, TARGET
 
+SHARE_A_LIMIT = (MOTOR, TARGET, FRICTION)
+"""Kinds whose force has a limit in all directions, which two rows share."""
 MAX_COLORS = 62
 """Hinges that find no colour below this are swept one by one, as all other joints of a net."""
 
@@ -70,8 +72,8 @@ class HingeLanes(NamedTuple):
 def lay_hinges(joints: Records, members: Records, constraints: Records, parts: Records) -> HingeLanes:
     """Colour the hinges of nets, greedily in the order of their constraints, and cut every colour into blocks.
 
-    Notes in the constraints which of them lie in lanes, and in the parts which blocks are theirs and whether they have
-    other joints.
+    Notes in the constraints which of them lie in lanes, and in the parts which blocks are theirs, and of what kind
+    their other joints are.
     """
     kind = joints.kind[constraints.joint]
     coupled = np.zeros(len(constraints), bool)
@@ -82,7 +84,10 @@ def lay_hinges(joints: Records, members: Records, constraints: Records, parts: R
     if plain.any():
         colors[plain] = _colors(members, constraints[plain])
     constraints.in_lane = colors < MAX_COLORS
-    parts.swept = np.isin(np.arange(len(parts)), constraints.part[constraints.in_lane == 0]) & (parts.direct == 0)
+    numbers = np.arange(len(parts))
+    parts.swept = np.isin(numbers, constraints.part[constraints.in_lane == 0]) & (parts.direct == 0)
+    parts.geared = np.isin(numbers, constraints.part[kind == GEAR]) & (parts.direct == 0)
+    parts.capped = np.isin(numbers, constraints.part[np.isin(kind, SHARE_A_LIMIT)]) & (parts.direct == 0)
     laid = np.flatnonzero(constraints.in_lane)
     laid = laid[np.lexsort((laid, colors[laid], constraints.part[laid]))]
     hinges = HINGE.zeros(len(laid))
@@ -90,8 +95,8 @@ def lay_hinges(joints: Records, members: Records, constraints: Records, parts: R
         hinges[name] = constraints[name][laid]
     blocks = _blocks(constraints.part[laid], colors[laid])
     of_part = constraints.part[laid][blocks.first]
-    parts.first_block = np.searchsorted(of_part, np.arange(len(parts)))
-    parts.block_end = np.searchsorted(of_part, np.arange(len(parts)), side="right")
+    parts.first_block = np.searchsorted(of_part, numbers)
+    parts.block_end = np.searchsorted(of_part, numbers, side="right")
     lanes = aligned_zeros(len(blocks) * HINGE_BLOCK_SIZE, np.float64)
     return HingeLanes(hinges, blocks, lanes)
 

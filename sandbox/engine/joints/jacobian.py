@@ -5,6 +5,7 @@ from __future__ import annotations
 from sandbox._jit import kernel
 from sandbox.engine.joints.laws import along, is_close, own_stiffness
 from sandbox.engine.joints.records import JointWork
+from sandbox.engine.joints.targets import is_steady, target_softly
 from sandbox.tables import Records
 from sandbox.world.joint_records import (
     DISTANCE,
@@ -19,17 +20,17 @@ from sandbox.world.joint_records import (
 
 
 @kernel
-def fill_rows(work: JointWork, part: Records) -> None:
-    """Jacobian, stiffness and present error of all rows of a part."""
-    for r in range(part.first_row, part.row_end):
+def fill_rows(work: JointWork, constraint: Records, joint: Records, seconds: float, push: float, give: float) -> None:
+    """Jacobian, stiffness and present error of the rows of a joint, and what the steady ones strive for, as
+    `target_softly` has it."""
+    for r in range(constraint.first_row, constraint.first_row + constraint.row_count):
         row = work.rows[r]
-        constraint = work.constraints[row.constraint]
-        if constraint.in_lane == 1:
-            continue
-        joint = work.joints[constraint.joint]
         _fill(work, row, constraint, joint)
         row.stiffness = _stiffness(work.members, row)
         row.error = row_error(row, constraint)
+        row.steady = 1 if is_steady(row, joint) else 0
+        if row.steady == 1:
+            target_softly(row, joint, 0.0, seconds, push, give)
 
 
 @kernel

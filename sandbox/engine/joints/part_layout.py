@@ -40,6 +40,7 @@ class PartLayout:
     """All numbers count from the part's first joint, constraint or row.
 
     `order` are its joints as they are eliminated: constraint by constraint. Each row has a constraint and a slot.
+    `anchored` if one of them holds it at something that does not move, `hung` if besides all keep a point or a length.
     `direct` is None in a part that is too dense to be factorised.
     """
 
@@ -47,6 +48,7 @@ class PartLayout:
     constraints: Integers
     slots: Integers
     anchored: bool
+    hung: bool
     direct: DirectLayout | None
 
 
@@ -112,6 +114,11 @@ def slots_of(kind: int, spring: bool, limit: bool, motor: bool) -> tuple[int, ..
     return base + ((3,) if spring and kind in _SPRUNG else ()) + ((4,) if driven else ())
 
 
+def _keeps_place(kind: int, slots: tuple[int, ...]) -> bool:
+    """Whether a joint keeps a point or a length, whatever pulls at it."""
+    return kind in (kinds.REVOLUTE, kinds.WELD, kinds.DISTANCE) and 0 in slots
+
+
 def _may_be_bounded(kind: int, slot: int) -> bool:
     brake = kind == kinds.WHEEL and slot == 2
     return slot == 4 or brake or kind in (kinds.MOTOR, kinds.TARGET, kinds.FRICTION)
@@ -127,14 +134,15 @@ def part_layout(key: bytes) -> PartLayout:
     order, direct = minimum_degree(range(len(joints)), neighbours, weights, UPDATES_A_ROW)
     seats = [(seat, slot) for seat, j in enumerate(order) for slot in slots[j]]
     anchored = any(WORLD in each for each in sides)
+    hung = anchored and all(_keeps_place(joint[0], each) for joint, each in zip(joints, slots, strict=True))
     columns = _column(order), _column([seat for seat, _ in seats]), _column([slot for _, slot in seats])
     if not direct:
-        return PartLayout(*columns, anchored, None)
+        return PartLayout(*columns, anchored, hung, None)
     pattern, links = _eliminate(order, slots, sides, neighbours)
     bounded = any(_may_be_bounded(joint[0], slot) for joint, each in zip(joints, slots, strict=True) for slot in each)
     kinds_of = [(joints[j][0], joints[j][2] != 0, joints[j][3] != 0, joints[j][8], joints[j][9]) for j in order]
     found = direct_layout(kinds_of, [sides[j] for j in order], seats, links, pattern, bounded)
-    return PartLayout(*columns, anchored, found)
+    return PartLayout(*columns, anchored, hung, found)
 
 
 def _column(numbers: list[int]) -> Integers:

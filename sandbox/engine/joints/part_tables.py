@@ -146,4 +146,5 @@ def _parts(parts: Parts, found: Sequence[PartLayout], members: Integers, layouts
     table.first_member, table.member_end = members[:-1], members[1:]
     table.direct, table.layout = layouts >= 0, layouts
     table.anchored = [each.anchored for each in found]
+    table.hung = [each.hung for each in found]
     return table

@@ -68,19 +68,22 @@ ROW = Table(
     (
         Field("constraint", "-", "the joint it belongs to", "i8"),
         Field("slot", "-", "0 to 2: what the kind keeps; 3: its spring; 4: its limit and motor", "i8"),
-        Field("sides", "-", "members it acts on: 2, or 4 for a gear", "i8"),
-        *(Field(f"member_{k}", "-", "", "i8") for k in (1, 2, 3, 4)),
-        *(Field(f"{axis}{k}", "1 or m", "Jacobian") for k in (1, 2, 3, 4) for axis in "xyw"),
-        Field("stiffness", "1/kg", "J M^-1 J^T: speed that a unit impulse gives; 0 while it has no say"),
         Field("error", "m or rad", "when the substep began"),
         Field("levered", "-", "1 when it pushes both bodies at the second one's anchor", "i8"),
+        Field("total", "N s", "over the step so far"),
+        Field("stop", "-", "1 while the lower limit has a say, -1 for the upper one", "i8"),
+        Field(
+            "stiffness", "1/kg", "J M^-1 J^T: speed that a unit impulse gives; 0 while it has no say, or is in a lane"
+        ),
+        Field("steady", "-", "1 when what it strives for does not depend on speeds", "i8"),
         Field("bias", "m/s or rad/s", "the row strives for speed + bias + softness * impulse = 0"),
         Field("softness", "1/kg", "compliance over one impulse"),
         Field("low", "N s", "bounds of the impulse"),
         Field("high", "N s", ""),
         Field("impulse", "N s", ""),
-        Field("total", "N s", "over the step so far"),
-        Field("stop", "-", "1 while the lower limit has a say, -1 for the upper one", "i8"),
+        Field("sides", "-", "members it acts on: 2, or 4 for a gear", "i8"),
+        *(Field(f"member_{k}", "-", "", "i8") for k in (1, 2, 3, 4)),
+        *(Field(f"{axis}{k}", "1 or m", "Jacobian") for k in (1, 2, 3, 4) for axis in "xyw"),
     ),
 )
 
@@ -98,6 +101,7 @@ PART = Table(
         Field("first_fixed", "-", "factorised: bodies on the fixed sides of its joints", "i8"),
         Field("awake", "-", "", "i8"),
         Field("anchored", "-", "1 when it is joined to something that does not move", "i8"),
+        Field("hung", "-", "1 when besides all its joints keep a point or a length: they bear its weight", "i8"),
         Field("current", "-", "1 while it is solved: awake, and its island has the substep level under way", "i8"),
         Field("supported", "-", "1 when something that is not joined to it bears it", "i8"),
         Field(
@@ -107,6 +111,8 @@ PART = Table(
             "i8",
         ),
         Field("swept", "-", "1 when it has joints that lie in no lane", "i8"),
+        Field("geared", "-", "1 when it has gears", "i8"),
+        Field("capped", "-", "1 when it has joints two rows of which share a limit", "i8"),
         Field("first_block", "-", "blocks of hinges that are solved side by side", "i8"),
         Field("block_end", "-", "", "i8"),
         Field("fine", "-", "1 when it is small and has no contact: it takes finer substeps", "i8"),

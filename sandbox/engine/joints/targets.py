@@ -12,6 +12,14 @@ from sandbox.world.joint_records import FRICTION, MOTOR, PRISMATIC, REVOLUTE, TA
 
 
 @kernel
+def is_steady(row: Records, joint: Records) -> bool:
+    """Whether all sweeps of a substep find the same law for a row: it depends neither on speeds nor on impulses."""
+    if row.slot == 4 or joint.kind == MOTOR or joint.kind == TARGET or joint.kind == FRICTION:
+        return False
+    return bool(row.levered == 0 or row_hertz(row, joint) == 0.0)
+
+
+@kernel
 def target_softly(row: Records, joint: Records, speed: float, seconds: float, push: float, give: float) -> None:
     """The law of a row of a part whose joints are soft; errors are those of now.
 
