@@ -53,6 +53,8 @@ NOTES: dict[int, str] = {
     23: "contacts without friction ask for none, which changes the signs of some zeros",
     24: "what joints hold at something that does not move, each of them by a point or a length, has no weight in "
     "its pile but what it presses with on the rest of it: ropes that hang and touch take no finer substeps",
+    25: "where the bounds of a part that blows have torn come to no end, only rows with bounds are left out, no longer "
+    "those of its hinges as well",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

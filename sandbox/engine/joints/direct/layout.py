@@ -13,7 +13,10 @@ from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.records import ENTRY, EQUATION, FRAME, LAYOUT, PRODUCT
 from sandbox.engine.joints.symbolic import Pattern
 from sandbox.tables import Integers, Records
+from sandbox.world.joint_records import FRICTION, MOTOR, TARGET, WELD
 
+SPRUNG_OR_WEAK = (WELD, MOTOR, TARGET, FRICTION)
+"""Kinds of which also the rows that keep a place may be springs, or have a limit."""
 Joint = tuple[int, bool, bool, int, int]
 """Kind, whether it has limits and a motor, and for gears the kinds of the joints it couples."""
 Link = tuple[int, int, int, int, int]
@@ -48,7 +51,7 @@ def direct_layout(
     taken = count(moving)
     seats = [[body if body >= 0 else next(taken) for body in each] for each in sides]
     frames = _frames(joints, seats, rows)
-    equations = _equations(seats, rows, pattern)
+    equations = _equations(joints, seats, rows, pattern)
     entries, products = _entries(seats, rows, links, pattern)
     layout = LAYOUT.zeros(1)
     layout.seats, layout.moving = next(taken), moving
@@ -81,8 +84,11 @@ def _frames(joints: Sequence[Joint], seats: Sequence[Sequence[int]], rows: Seque
     return table
 
 
-def _equations(seats: Sequence[Sequence[int]], rows: Sequence[tuple[int, int]], pattern: Pattern) -> Records:
+def _equations(
+    joints: Sequence[Joint], seats: Sequence[Sequence[int]], rows: Sequence[tuple[int, int]], pattern: Pattern
+) -> Records:
     table = EQUATION.zeros(len(rows))
+    table.bounded = [slot >= 2 or joints[j][0] in SPRUNG_OR_WEAK for j, slot in rows]
     table.slot = [slot for _, slot in rows]
     table.sides = [len(seats[j]) for j, _ in rows]
     for k in range(4):

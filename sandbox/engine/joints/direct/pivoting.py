@@ -16,6 +16,9 @@ from sandbox.engine.joints.laws import INFINITE
 from sandbox.tables import Floats, Records
 from sandbox.world.joint_records import FRICTION, MOTOR, TARGET
 
+_NO_BOUND = 1e250
+"""Impulses (N s or N m s) from here on are no bound: `INFINITE` times the length of a substep."""
+
 
 @kernel
 def choose_rows(d: Batches, batch: Records, seconds: float, relaxing: bool, who: Mask) -> Mask:
@@ -29,8 +32,11 @@ def choose_rows(d: Batches, batch: Records, seconds: float, relaxing: bool, who:
         row = d.equations[r]
         before = load(v, row.place + at.ACTIVE)
         has_say = who & has_law(v, batch, row)
-        clamp(v, batch, row, impulse, has_say)
-        active = select(has_say & _is_active(v, batch, row, impulse), 1.0, select(who, 0.0, before))
+        acts = has_say
+        if row.bounded == 1:
+            clamp(v, batch, row, impulse, has_say)
+            acts = has_say & _is_active(v, batch, row, impulse)
+        active = select(acts, 1.0, select(who, 0.0, before))
         store(v, row.place + at.ACTIVE, active)
         changed = changed | (active != before)
     return changed
@@ -58,10 +64,10 @@ def aim_rows(d: Batches, batch: Records, seconds: float, relaxing: bool, who: Ma
             where = who & has_law(v, batch, row)
             _replace(v, row.place + at.BIAS, law.bias, where)
             _replace(v, row.place + at.SOFTNESS, law.softness, where)
-            _replace(v, row.place + at.LOW, law.low, where)
-            _replace(v, row.place + at.HIGH, law.high, where)
-            stop = batch.rows + row.kept + at.STOP
-            store(v, stop, select(where, law.stop, load(v, stop)))
+            if row.bounded == 1:
+                _replace(v, row.place + at.LOW, law.low, where)
+                _replace(v, row.place + at.HIGH, law.high, where)
+                _replace(v, batch.rows + row.kept + at.STOP, law.stop, where)
 
 
 @inlined_kernel
@@ -101,10 +107,12 @@ def release_bounded(d: Batches, batch: Records, impulse: int, who: Mask) -> None
     layout = d.layouts[batch.layout]
     for r in range(layout.first_row, layout.row_end):
         row = d.equations[r]
+        if row.bounded == 0:
+            continue
         low = load(v, row.place + at.LOW)
         high = load(v, row.place + at.HIGH)
         stiff = load(v, batch.rows + row.kept + at.STIFFNESS) > 0.0
-        bounded = (low > -INFINITE) | (high < INFINITE)
+        bounded = (low > -_NO_BOUND) | (high < _NO_BOUND)
         where = who & stiff & (low < high) & bounded
         active = load(v, row.place + at.ACTIVE)
         store(v, row.place + at.ACTIVE, select(where, 0.0, active))
@@ -118,7 +126,8 @@ def clamp_rows(d: Batches, batch: Records, impulse: int, who: Mask) -> None:
     layout = d.layouts[batch.layout]
     for r in range(layout.first_row, layout.row_end):
         row = d.equations[r]
-        clamp(v, batch, row, impulse, who & has_law(v, batch, row))
+        if row.bounded == 1:
+            clamp(v, batch, row, impulse, who & has_law(v, batch, row))
 
 
 @kernel

@@ -56,6 +56,7 @@ EQUATION = Table(
         Field("slot", "-", "0 to 2: what the kind keeps; 3: its spring; 4: its limit and motor", "i8"),
         Field("sides", "-", "members it acts on: 2, or 4 for a gear", "i8"),
         *(Field(f"seat_{k}", "-", "place of the body in the batch's memory", "i8") for k in (1, 2, 3, 4)),
+        Field("bounded", "-", "1 when its impulse may have bounds, 0 when it gives whatever is asked for", "i8"),
         Field("kept", "-", "place of what lasts of it in the batch's memory", "i8"),
         Field("place", "-", "in the working memory", "i8"),
         Field("first_entry", "-", "its column of the factor, from the diagonal down", "i8"),
