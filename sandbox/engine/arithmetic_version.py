@@ -55,6 +55,8 @@ NOTES: dict[int, str] = {
     "its pile but what it presses with on the rest of it: ropes that hang and touch take no finer substeps",
     25: "where the bounds of a part that blows have torn come to no end, only rows with bounds are left out, no longer "
     "those of its hinges as well",
+    26: "rods and springs of nets are solved side by side, colour by colour, as hinges are; their force is the mean "
+    "over the step of where it acted, no longer along where they lie last",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from sandbox.engine.joints import part_layout
-from tests.joints.jointed import G, energy, gap
+from sandbox.engine.joints import net_lanes, part_layout
+from tests.flat import body, box
+from tests.joints.jointed import G, energy, gap, joint, jointed
 from tests.joints.nets import KINDS, kinetic_energy, net, soft_parts, throw
 
 HANGING = ("top", "middle", "corner")
@@ -112,8 +113,10 @@ def test_a_net_swings_as_a_factorised_one_does(monkeypatch, kind):
         assert apart.max() < 0.05
 
 
-def test_free_nets_keep_their_momentum():
-    world = net(14, 14, "hinge", "nothing")
+@pytest.mark.usefixtures("never_factorised")
+@pytest.mark.parametrize("kind", ["hinge", "rod", "spring"])
+def test_free_nets_keep_their_momentum(kind):
+    world = net(14, 14, kind, "nothing")
     world.state.settings.gravity_y = 0.0
     throw(world, np.random.default_rng(5), 5.0, 0.0)
     b = world.state.bodies
@@ -126,3 +129,27 @@ def test_free_nets_keep_their_momentum():
     size = float((b.mass * np.abs(b.velocity_x)).sum())
     world.step(60)
     assert np.allclose(momentum(), start, rtol=0.0, atol=1e-10 * size)
+
+
+@pytest.mark.parametrize("spring", [{}, {"hertz": 4.0, "damping_ratio": 0.2}])
+def test_a_rod_in_a_lane_does_what_one_that_is_swept_alone_does(monkeypatch, spring):
+    def swinging():
+        boxes = tuple(body(f"b{k}", box(1.0, 0.5), position=(2.0 * k, 0.0), angular_velocity=3.0) for k in range(3))
+        rods = (
+            joint("r0", "distance", None, "b0", anchor_a=(-1.0, 1.0), anchor_b=(-0.4, 0.2), **spring),
+            joint("r1", "distance", "b1", "b2", anchor_a=(2.4, 0.2), anchor_b=(3.6, -0.2), **spring),
+        )
+        return jointed(boxes, rods)
+
+    monkeypatch.setattr(part_layout, "UPDATES_A_ROW", -(10**6))
+    laid = swinging()
+    monkeypatch.setattr(net_lanes, "MAX_COLORS", 0)
+    swept = swinging()
+    assert [len(world.scratch.joints.side_by_side.joints) for world in (laid, swept)] == [2, 0]
+    for _ in range(12):
+        for world in (laid, swept):
+            world.step(5)
+        for one, other in ((laid.state.bodies, swept.state.bodies), (laid.state.joints, swept.state.joints)):
+            for name in one.dtype.names:
+                if name not in ("force_x", "force_y"):  # a swept one tells its size along where it lies last
+                    assert np.allclose(one[name], other[name], rtol=1e-9, atol=1e-9), name

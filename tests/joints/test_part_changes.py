@@ -111,9 +111,9 @@ def same_work(ours: JointWork, theirs: JointWork) -> None:
     same_batches(ours.direct, theirs.direct)
     ours_aside, theirs_aside = ours.side_by_side, theirs.side_by_side
     assert ours_aside.blocks.tobytes() == theirs_aside.blocks.tobytes()
-    assert ours_aside.hinges.joint.tolist() == theirs_aside.hinges.joint.tolist()
+    assert ours_aside.joints.joint.tolist() == theirs_aside.joints.joint.tolist()
     for name in ("member_a", "member_b"):
-        assert seated(ours, ours_aside.hinges, name) == seated(theirs, theirs_aside.hinges, name)
+        assert seated(ours, ours_aside.joints, name) == seated(theirs, theirs_aside.joints, name)
     assert len(ours_aside.lanes) == len(theirs_aside.lanes)
 
 

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from sandbox.engine.joints.hinge_lanes import lay_hinges
+from sandbox.engine.joints.net_lanes import lay_lanes
 from sandbox.engine.joints.pair_filter import JointFilter
 from sandbox.engine.joints.part_layout import UPDATES_A_ROW, slots_of
 from sandbox.engine.joints.records import BOND, CONSTRAINT, MEMBER, PART, ROW
@@ -245,8 +245,8 @@ class _Layout:
                 row[name] = value
         part_of = np.full(len(self.movable), -1, np.int64)
         part_of[members.body[1:]] = members.part[1:]
-        hinges = lay_hinges(self.joints, members, constraints, parts)
-        return NaiveWork(self.ties, part_of, members, constraints, rows, parts, hinges, self.factors)
+        lanes = lay_lanes(self.joints, members, constraints, parts)
+        return NaiveWork(self.ties, part_of, members, constraints, rows, parts, lanes, self.factors)
 
     def pairs(self) -> tuple[list[Pair], list[Pair]]:
         """Pairs of bodies with a joint, and those of them that do not collide, both sorted."""

@@ -12,12 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.engine.joints.direct.tables import with_room
-from sandbox.engine.joints.hinge_lanes import HINGE_BLOCK_SIZE, HingeLanes
 from sandbox.engine.joints.more_parts import ENDS, MEMBERS
+from sandbox.engine.joints.net_lanes import NetLanes, lanes_for
 from sandbox.engine.joints.pair_filter import JointFilter
 from sandbox.engine.joints.part_layout import PartLayouts
 from sandbox.engine.joints.records import JointWork
-from sandbox.tables import Integers, Records, aligned_zeros, plain, without
+from sandbox.tables import Integers, Records, plain, without
 from sandbox.world.rows import Moved
 
 Flags = NDArray[np.bool_]
@@ -40,7 +40,7 @@ def without_parts(
     if going.any():
         layouts.drop(going)
         work = _without(work, layouts, _Places(work, going))
-    for table in (work.constraints, work.side_by_side.hinges):
+    for table in (work.constraints, work.side_by_side.joints):
         plain(table)["joint"] = moved.joints[plain(table)["joint"]]
     members = plain(work.members)[1:]
     members["body"] = moved.bodies[members["body"]]
@@ -70,10 +70,10 @@ class _Places:
 
     def __init__(self, work: JointWork, going: Flags) -> None:
         constraint_part, row_constraint = plain(work.constraints)["part"], plain(work.rows)["constraint"]
-        parts, hinges = ~going, plain(work.side_by_side.hinges)
+        parts, joints = ~going, plain(work.side_by_side.joints)
         constraints = parts[constraint_part]
         rows = constraints[row_constraint]
-        lane_parts = np.maximum(*(plain(work.members)["part"][hinges[name]] for name in ("member_a", "member_b")))
+        lane_parts = np.maximum(*(plain(work.members)["part"][joints[name]] for name in ("member_a", "member_b")))
         table = plain(work.parts)
         fixed = np.diff(np.append(table["first_fixed"], len(work.direct.fixed)))
         self.left: dict[str, Flags] = {
@@ -81,7 +81,7 @@ class _Places:
             "constraints": constraints,
             "rows": rows,
             "members": self._members(work, constraints),
-            "hinges": parts[lane_parts],
+            "lane_joints": parts[lane_parts],
             "blocks": np.repeat(parts, table["block_end"] - table["first_block"]),
             "fixed": np.repeat(parts, fixed),
         }
@@ -132,10 +132,10 @@ def _kept_constraints(work: JointWork, places: _Places) -> Records:
     return _kept(work.constraints, "constraints", places, columns)
 
 
-def _kept_lanes(work: JointWork, places: _Places) -> HingeLanes:
+def _kept_lanes(work: JointWork, places: _Places) -> NetLanes:
     lanes = work.side_by_side
-    if len(lanes.hinges) == 0:
+    if len(lanes.joints) == 0:
         return lanes
-    hinges = _kept(lanes.hinges, "hinges", places, {"members": ("member_a", "member_b")})
-    blocks = _kept(lanes.blocks, "blocks", places, {"hinges": ("first",)})
-    return HingeLanes(hinges, blocks, aligned_zeros(len(blocks) * HINGE_BLOCK_SIZE, np.float64))
+    joints = _kept(lanes.joints, "lane_joints", places, {"members": ("member_a", "member_b")})
+    blocks = _kept(lanes.blocks, "blocks", places, {"lane_joints": ("first",)})
+    return NetLanes(joints, blocks, lanes_for(blocks))

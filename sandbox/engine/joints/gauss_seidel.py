@@ -13,10 +13,11 @@ import math
 from sandbox._jit import kernel
 from sandbox.engine.contact_solver.soft_constraint import soft_coefficients
 from sandbox.engine.joints.errors import measure_errors
-from sandbox.engine.joints.hinges import SoftHinge, sweep_hinges, warm_start_hinges
 from sandbox.engine.joints.jacobian import fill_rows, push_row, row_speed
 from sandbox.engine.joints.joint_bodies import place_members
 from sandbox.engine.joints.laws import CORRECTION_SPEED, INFINITE
+from sandbox.engine.joints.net_blocks import SoftJoint
+from sandbox.engine.joints.net_sweeps import sweep_nets, warm_start_nets
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.joints.targets import pair_strength, target_softly
 from sandbox.engine.records.workers import Workers
@@ -48,13 +49,13 @@ def solve_softly(
         _prepare_rows(work, part, seconds, push, give)
     if pushing:
         _warm_start(work, part, seconds)
-        warm_start_hinges(work, part, seconds, FAR, workers)
+        warm_start_nets(work, part, seconds, FAR, workers)
     for sweep in range(_sweeps(seconds)):
         if part.swept == 1:
             _sweep_rows(work, part, seconds, push, give, sweep % 2 == 1)
             if part.capped == 1:
                 _cap_pairs(work, part, seconds)
-        sweep_hinges(work, part, SoftHinge(push, most, give), sweep % 2 == 1, workers)
+        sweep_nets(work, part, SoftJoint(push, most, give, seconds), sweep % 2 == 1, workers)
 
 
 @kernel

@@ -139,6 +139,16 @@ def limited(error: Number, seconds: float) -> Number:
 
 
 @inlined_kernel
+def share_within(error: Number, most: float) -> Number:
+    """The share of an error that is pushed back where no more than `most` is.
+
+    A soft joint grows stiffer by it, so that it gives way no further than the same spring would.
+    """
+    cut = absolute(error) > most
+    return select(cut, most / select(cut, absolute(error), 1.0), 1.0)
+
+
+@inlined_kernel
 def overrun(place: Number, lower: Number, upper: Number) -> Number:
     """Signed distance to the limit that has been passed; 0 between the limits."""
     over = place - upper

@@ -7,15 +7,15 @@ from typing import Any
 import numpy as np
 
 from sandbox.engine.joints.direct.tables import with_room
-from sandbox.engine.joints.hinge_lanes import HINGE_BLOCK_SIZE, HingeLanes
+from sandbox.engine.joints.net_lanes import NetLanes, lanes_for
 from sandbox.engine.joints.records import JointWork
-from sandbox.tables import Integers, Records, aligned_zeros, extended, longer, plain
+from sandbox.tables import Integers, Records, extended, longer, plain
 
 ENDS = (
     ("first_constraint", "constraint_end"), ("first_member", "member_end"), ("first_row", "row_end"),
     ("first_block", "block_end"), ("first_fixed",),
 )  # fmt: skip
-"""Columns of the part table: where a part's constraints, members, rows and blocks of hinges begin and end, and where
+"""Columns of the part table: where a part's constraints, members, rows and blocks of lanes begin and end, and where
 its bodies on fixed sides begin."""
 MEMBERS = ("member_1", "member_2", "member_3", "member_4")
 """Columns of the row table that name members."""
@@ -73,15 +73,12 @@ def _shifted(values: Integers, shift: int, are_members: bool) -> Integers:
     return np.where(values >= (1 if are_members else 0), values + shift, values)
 
 
-def _with_more_lanes(lanes: HingeLanes, more: HingeLanes, members: int) -> HingeLanes:
-    if len(more.hinges) == 0:
+def _with_more_lanes(lanes: NetLanes, more: NetLanes, members: int) -> NetLanes:
+    if len(more.joints) == 0:
         return lanes
-    hinges, blocks = plain(more.hinges), plain(more.blocks)
+    joints, blocks = plain(more.joints), plain(more.blocks)
     for column in ("member_a", "member_b"):
-        hinges[column] = _shifted(hinges[column], members, True)
-    blocks["first"] += len(lanes.hinges)
-    count = len(lanes.blocks) + len(blocks)
-    return HingeLanes(
-        extended(lanes.hinges, hinges), extended(lanes.blocks, blocks),
-        aligned_zeros(count * HINGE_BLOCK_SIZE, np.float64),
-    )  # fmt: skip
+        joints[column] = _shifted(joints[column], members, True)
+    blocks["first"] += len(lanes.joints)
+    found = extended(lanes.blocks, blocks)
+    return NetLanes(extended(lanes.joints, joints), found, lanes_for(found))

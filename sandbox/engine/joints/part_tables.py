@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.engine.joints.direct.tables import with_room
-from sandbox.engine.joints.hinge_lanes import lay_hinges
+from sandbox.engine.joints.net_lanes import lay_lanes
 from sandbox.engine.joints.part_layout import COLUMNS, NOBODY, WORLD, PartLayout, PartLayouts
 from sandbox.engine.joints.records import CONSTRAINT, MEMBER, PART, ROW, JointWork
 from sandbox.tables import Integers, Records
@@ -53,7 +53,7 @@ def joint_work(
     before = np.cumsum(np.append(0, fixed[places].sum(axis=1)))
     table.first_fixed = before[parts.ends - parts.counts]
     rows = _rows(constraints, parts, seats, found, table)
-    hinges = lay_hinges(joints, members, constraints, table)
+    hinges = lay_lanes(joints, members, constraints, table)
     return JointWork(joints, ties, part_of, members, constraints, rows, table, hinges, direct)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from sandbox._jit import kernel
 from sandbox.engine.joints.direct.batches import slot_impulse
 from sandbox.engine.joints.direct.reports import finish_report, report_batches, set_slot_impulse
-from sandbox.engine.joints.hinges import report_hinges
+from sandbox.engine.joints.net_sweeps import report_nets
 from sandbox.engine.joints.records import JointWork
 from sandbox.tables import Records
 
@@ -39,7 +39,7 @@ def finish_joints(work: JointWork, seconds: float, counter: Records) -> None:
         part = work.parts[p]
         if part.awake == 0 or part.direct == 1:
             continue
-        report_hinges(work, part, seconds, counter)
+        report_nets(work, part, seconds, counter)
         for k in range(part.first_constraint, part.constraint_end if part.swept == 1 else part.first_constraint):
             constraint = work.constraints[k]
             if constraint.in_lane == 0:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from sandbox.engine.joints.direct.records import Batches
-from sandbox.engine.joints.hinge_lanes import HingeLanes
+from sandbox.engine.joints.net_lanes import NetLanes
 from sandbox.tables import Field, Integers, Records, Table
 
 MEMBER = Table(
@@ -46,7 +46,7 @@ CONSTRAINT = Table(
         Field("constraint_2", "-", "", "i8"),
         Field("first_row", "-", "", "i8"),
         Field("row_count", "-", "", "i8"),
-        Field("in_lane", "-", "1 when it is a hinge that is solved side by side with others, see `hinge_lanes`", "i8"),
+        Field("in_lane", "-", "1 when it is solved side by side with others, see `net_lanes`", "i8"),
         Field("arm_ax", "m", "anchor from the centre of a, world axes"),
         Field("arm_ay", "m", ""),
         Field("arm_bx", "m", ""),
@@ -113,7 +113,7 @@ PART = Table(
         Field("swept", "-", "1 when it has joints that lie in no lane", "i8"),
         Field("geared", "-", "1 when it has gears", "i8"),
         Field("capped", "-", "1 when it has joints two rows of which share a limit", "i8"),
-        Field("first_block", "-", "blocks of hinges that are solved side by side", "i8"),
+        Field("first_block", "-", "blocks of joints that are solved side by side", "i8"),
         Field("block_end", "-", "", "i8"),
         Field("fine", "-", "1 when it is small and has no contact: it takes finer substeps", "i8"),
     ),
@@ -142,5 +142,5 @@ class JointWork(NamedTuple):
     constraints: Records
     rows: Records
     parts: Records
-    side_by_side: HingeLanes
+    side_by_side: NetLanes
     direct: Batches

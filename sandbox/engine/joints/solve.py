@@ -15,7 +15,6 @@ from sandbox.engine.joints.direct.batches import fill_batches
 from sandbox.engine.joints.direct.position_correction import apply_corrections
 from sandbox.engine.joints.direct.solve import solve_batches
 from sandbox.engine.joints.gauss_seidel import solve_softly
-from sandbox.engine.joints.hinges import accumulate_hinges, load_hinges
 from sandbox.engine.joints.joint_bodies import (
     gather_members,
     load_members,
@@ -23,6 +22,7 @@ from sandbox.engine.joints.joint_bodies import (
     part_level,
     scatter_members,
 )
+from sandbox.engine.joints.net_sweeps import accumulate_nets, load_nets
 from sandbox.engine.joints.reactions import accumulate, read_impulses
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.contacts import Contacts
@@ -50,7 +50,7 @@ def begin_joints(work: JointWork, bodies: Records, free_motions: Records, contac
     for p in range(work.parts.shape[0]):
         work.parts[p].halves = work.parts[p].direct * (1 - work.parts[p].supported)
     read_impulses(work)
-    load_hinges(work)
+    load_nets(work)
     fill_batches(work, bodies, free_motions, new)
 
 
@@ -92,6 +92,6 @@ def relax_joints(work: JointWork, motions: Records, free_motions: Records, secon
         if part.current == 1 and part.direct == 0:
             solve_softly(work, part, motions, seconds, False, workers)
             accumulate(work, part)
-            accumulate_hinges(work, part)
+            accumulate_nets(work, part)
     scatter_members(work, motions)
     solve_batches(work.direct, motions, free_motions, seconds, RELAX_BATCHES, workers)

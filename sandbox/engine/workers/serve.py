@@ -21,7 +21,8 @@ from sandbox.engine.contact_solver.store import store_blocks
 from sandbox.engine.contact_solver.velocity_parts import add_some_parts, turn_some_parts
 from sandbox.engine.contact_solver.warm_start import warm_start_blocks
 from sandbox.engine.joints.direct.solve import solve_some_batches
-from sandbox.engine.joints.hinges import SoftHinge, sweep_hinge_blocks, warm_start_hinge_blocks
+from sandbox.engine.joints.net_blocks import SoftJoint
+from sandbox.engine.joints.net_sweeps import sweep_net_blocks, warm_start_net_blocks
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.narrow_phase.decide_pairs import decide_pairs
 from sandbox.engine.narrow_phase.write_contacts import write_contacts
@@ -60,10 +61,10 @@ from sandbox.engine.workers.task_kinds import (
     SOLVE_ISLANDS,
     STORE_IMPULSES,
     STRUCK_BLOCKS,
-    SWEEP_HINGES,
+    SWEEP_NETS,
     TURN_PARTS,
     WARM_START,
-    WARM_START_HINGES,
+    WARM_START_NETS,
     WRITE_CONTACTS,
     told_soft,
 )
@@ -97,8 +98,8 @@ def serve(
                 solve_batches(state, active, solver, contacts, blocks, joints, workers, share, first, end)
             elif words[TASK] < SOLVE_BATCHES:
                 _do_bodies(state, active, solver, contacts, blocks, workers, first, end)
-            elif joints is not None and words[TASK] >= WARM_START_HINGES:
-                _do_hinges(joints, workers, first, end)
+            elif joints is not None and words[TASK] >= WARM_START_NETS:
+                _do_nets(joints, workers, first, end)
             elif joints is not None:
                 free_motions, seconds = solver.free_motions, workers.numbers[SECONDS]
                 d = joints.direct
@@ -148,15 +149,15 @@ def _do_rows(
 
 
 @kernel
-def _do_hinges(joints: JointWork, workers: Workers, first: int, end: int) -> None:
-    """Do a task for the hinges of a net."""
+def _do_nets(joints: JointWork, workers: Workers, first: int, end: int) -> None:
+    """Do a task for the joints of a net."""
     n = workers.numbers
     h = joints.side_by_side
-    if workers.words[TASK] == SWEEP_HINGES:
-        soft = SoftHinge(n[PUSH], n[MOST], n[GIVE])
-        sweep_hinge_blocks(h, joints.members, first, end, soft)
+    if workers.words[TASK] == SWEEP_NETS:
+        soft = SoftJoint(n[PUSH], n[MOST], n[GIVE], n[SECONDS])
+        sweep_net_blocks(h, joints.members, first, end, soft)
     else:
-        warm_start_hinge_blocks(h, joints.members, first, end, n[FASTEST])
+        warm_start_net_blocks(h, joints.members, first, end, n[FASTEST])
 
 
 @kernel

@@ -1,0 +1,153 @@
+"""How the joints of nets lie in memory: blocks of four lanes, as contacts do (`contact_solver/blocks.py`).
+
+Joints of one colour share no body that they move, so that they can be solved side by side. Only plain ones lie here, in
+parts that are not factorised: hinges without spring, stop or motor, and rods and springs without stops.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sandbox.engine.contact_solver.blocks import LANES
+from sandbox.tables import Field, Floats, Integers, Records, Table, aligned_zeros
+from sandbox.world.joint_records import DISTANCE, FRICTION, GEAR, MOTOR, REVOLUTE, TARGET
+
+SHARE_A_LIMIT = (MOTOR, TARGET, FRICTION)
+"""Kinds whose force has a limit in all directions, which two rows share."""
+Flags = NDArray[np.bool_]
+MAX_COLORS = 62
+"""Joints that find no colour below this are swept one by one, as all other joints of a net."""
+
+ANCHOR_AX = 0 * LANES
+ANCHOR_AY = 1 * LANES
+ANCHOR_BX = 2 * LANES
+ANCHOR_BY = 3 * LANES
+CENTER_X = 4 * LANES
+"""From the centre of a to that of b when the step began."""
+CENTER_Y = 5 * LANES
+INVERSE_MASS_A = 6 * LANES
+INVERSE_INERTIA_A = 7 * LANES
+INVERSE_MASS_B = 8 * LANES
+INVERSE_INERTIA_B = 9 * LANES
+TOTAL_X = 10 * LANES
+"""Impulse over the step so far."""
+TOTAL_Y = 11 * LANES
+IMPULSE_X = 12 * LANES
+"""Of a hinge; what rods have follows in its place."""
+IMPULSE_Y = 13 * LANES
+HINGE_BLOCK_SIZE = 14 * LANES
+IMPULSE = 12 * LANES
+"""Along a rod or spring."""
+LENGTH = 13 * LANES
+"""At rest."""
+HERTZ = 14 * LANES
+"""Of a spring; -1 of a rod."""
+DAMPING_RATIO = 15 * LANES
+AXIS_X = 16 * LANES
+"""From anchor a to anchor b when last looked at."""
+AXIS_Y = 17 * LANES
+ROD_BLOCK_SIZE = 18 * LANES
+
+NET_JOINT = Table(
+    "net_joint",
+    (
+        Field("joint", "-", "row in the joint table", "i8"),
+        Field("member_a", "-", "", "i8"),
+        Field("member_b", "-", "", "i8"),
+    ),
+)
+"""Joints in the order in which they are solved: part by part, colour by colour, hinges before rods and springs."""
+
+NET_BLOCK = Table(
+    "net_block",
+    (
+        Field("first", "-", "its first joint", "i8"),
+        Field("count", "-", "lanes in use, 1..4", "i8"),
+        Field("place", "-", "of its first field in `lanes`", "i8"),
+        Field("rods", "-", "1 when they are rods or springs, 0 when they are hinges", "i8"),
+        Field("before", "-", "blocks of the same part, colour and kind before it", "i8"),
+        Field("left", "-", "blocks of them from it on", "i8"),
+    ),
+)
+
+
+class NetLanes(NamedTuple):
+    """The joints of nets that are solved side by side."""
+
+    joints: Records
+    blocks: Records
+    lanes: Floats
+
+
+def lay_lanes(joints: Records, members: Records, constraints: Records, parts: Records) -> NetLanes:
+    """Colour the plain joints of nets, greedily in the order of their constraints, and cut every colour into blocks.
+
+    Notes in the constraints which of them lie in lanes, and in the parts which blocks are theirs, and of what kind
+    their other joints are.
+    """
+    kind = joints.kind[constraints.joint]
+    coupled = np.zeros(len(constraints), bool)
+    for column in (constraints.constraint_1, constraints.constraint_2):
+        coupled[column[kind == GEAR]] = True
+    rod = (kind == DISTANCE) & (constraints.row_count == 1) & (joints.limit[constraints.joint] == 0)
+    hinge = (kind == REVOLUTE) & (constraints.row_count == 2) & ~coupled
+    plain = (parts.direct[constraints.part] == 0) & (rod | hinge)
+    colors = np.full(len(constraints), MAX_COLORS)
+    if plain.any():
+        colors[plain] = _colors(members, constraints[plain])
+    constraints.in_lane = colors < MAX_COLORS
+    numbers = np.arange(len(parts))
+    parts.swept = np.isin(numbers, constraints.part[constraints.in_lane == 0]) & (parts.direct == 0)
+    parts.geared = np.isin(numbers, constraints.part[kind == GEAR]) & (parts.direct == 0)
+    parts.capped = np.isin(numbers, constraints.part[np.isin(kind, SHARE_A_LIMIT)]) & (parts.direct == 0)
+    laid = np.flatnonzero(constraints.in_lane)
+    laid = laid[np.lexsort((laid, rod[laid], colors[laid], constraints.part[laid]))]
+    found = NET_JOINT.zeros(len(laid))
+    for name in ("joint", "member_a", "member_b"):
+        found[name] = constraints[name][laid]
+    blocks = _blocks(constraints.part[laid], colors[laid], rod[laid])
+    of_part = constraints.part[laid][blocks.first]
+    parts.first_block = np.searchsorted(of_part, numbers)
+    parts.block_end = np.searchsorted(of_part, numbers, side="right")
+    return NetLanes(found, blocks, lanes_for(blocks))
+
+
+def lanes_for(blocks: Records) -> Floats:
+    """Memory for blocks, and the place of each in it."""
+    sizes = np.where(blocks.rods == 1, ROD_BLOCK_SIZE, HINGE_BLOCK_SIZE)
+    blocks.place = np.cumsum(sizes) - sizes
+    return aligned_zeros(int(sizes.sum()), np.float64)
+
+
+def _colors(members: Records, joints: Records) -> Integers:
+    """For each joint the lowest colour that no earlier one has at a member which joints can move."""
+    moves = (members.part >= 0).tolist()
+    taken = [0] * len(members)
+    found = []
+    for a, b in zip(joints.member_a.tolist(), joints.member_b.tolist(), strict=True):
+        both = (taken[a] if moves[a] else 0) | (taken[b] if moves[b] else 0)
+        color = (~both & (both + 1)).bit_length() - 1
+        found.append(min(color, MAX_COLORS))
+        taken[a] |= 1 << color
+        taken[b] |= 1 << color
+    return np.array(found, np.int64)
+
+
+def _blocks(part: Integers, color: Integers, rods: Flags) -> Records:
+    """Blocks of up to four neighbours that have all of these in common."""
+    count = len(part)
+    change = np.ones(count, bool)
+    change[1:] = (part[1:] != part[:-1]) | (color[1:] != color[:-1]) | (rods[1:] != rods[:-1])
+    starts = np.flatnonzero(change)
+    since = np.arange(count) - np.repeat(starts, np.diff([*starts, count]))
+    first = np.flatnonzero(since % LANES == 0)
+    table = NET_BLOCK.zeros(len(first))
+    table.first, table.count = first, np.diff([*first, count])
+    table.rods = rods[first]
+    table.before = since[first] // LANES
+    last = np.append(table.before[1:] == 0, True)[: len(first)]
+    table.left = np.repeat(table.before[last] + 1, table.before[last] + 1) - table.before
+    return table

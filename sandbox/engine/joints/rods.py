@@ -1,0 +1,90 @@
+"""The law of the rods and springs of nets, four side by side: soft joints as in `gauss_seidel`."""
+
+from __future__ import annotations
+
+from sandbox._jit import inlined_kernel, kernel
+from sandbox._vectors import Mask, load, select, store
+from sandbox.engine.contact_solver.law import Anchors, PairVelocity, apply_impulse
+from sandbox.engine.joints import net_lanes as nl
+from sandbox.engine.joints.laws import along, length_and_direction, own_stiffness, share_within, spring_law
+from sandbox.engine.joints.net_blocks import Gap, Members, SoftJoint, block_masses, gap_of
+from sandbox.tables import Floats, Records
+
+ROD = -1.0
+"""In the place of a frequency: it is no spring."""
+
+
+@kernel
+def load_rod(v: Floats, k: int, joint: Records) -> None:
+    """Fill lane `k` of a block with lanes `v` with what rods and springs alone have."""
+    v[nl.IMPULSE + k] = joint.impulse_3 if joint.spring == 1 else joint.impulse_0
+    v[nl.LENGTH + k] = joint.length
+    v[nl.HERTZ + k] = joint.hertz if joint.spring == 1 else ROD
+    v[nl.DAMPING_RATIO + k] = joint.damping_ratio
+
+
+@inlined_kernel
+def warm_rods(v: Floats, of: Members, spins: Mask) -> PairVelocity:
+    """The velocities after the impulses of the substep before, which are forgotten where something `spins`."""
+    gap = gap_of(v, of.pose)
+    _, x, y = length_and_direction(gap.x, gap.y, 1.0)
+    impulse = select(spins, 0.0, load(v, nl.IMPULSE))
+    store(v, nl.IMPULSE, impulse)
+    return apply_impulse(of.velocity, block_masses(v), _pushed_at(gap), impulse * x, impulse * y)
+
+
+@inlined_kernel
+def _pushed_at(gap: Gap) -> Anchors:
+    """Both bodies are pushed at anchor b: no angular momentum comes out of nothing."""
+    return Anchors(gap.ax + gap.x, gap.ay + gap.y, gap.bx, gap.by)
+
+
+@inlined_kernel
+def swept_rods(v: Floats, of: Members, soft: SoftJoint) -> PairVelocity:
+    """The velocities after a sweep over a block of rods and springs with lanes `v`, whose impulses it changes.
+
+    Springs have had their say once nothing is pushed any more.
+    """
+    u = of.velocity
+    gap = gap_of(v, of.pose)
+    masses = block_masses(v)
+    length, x, y = length_and_direction(gap.x, gap.y, 1.0)
+    store(v, nl.AXIS_X, x)
+    store(v, nl.AXIS_Y, y)
+    j = along(gap.ax, gap.ay, gap.bx, gap.by, gap.x, gap.y, x, y)
+    stiffness = own_stiffness(masses.mass_a, masses.inertia_a, masses.mass_b, masses.inertia_b, j)
+    error = length - load(v, nl.LENGTH)
+    hertz = load(v, nl.HERTZ)
+    sprung = hertz >= 0.0
+    share = share_within(error, soft.most)
+    bias = soft.push * share * error
+    softness = soft.give * share * stiffness
+    acts = stiffness > 0.0
+    if soft.push > 0.0:
+        spring_bias, softer = spring_law(error, hertz, load(v, nl.DAMPING_RATIO), stiffness, soft.seconds)
+        bias = select(sprung, spring_bias, bias)
+        softness = select(sprung, softer, softness)
+    else:
+        acts = acts & ~sprung
+    impulse = load(v, nl.IMPULSE)
+    speed = j[0] * u.ax + j[1] * u.ay + j[2] * u.aw + j[3] * u.bx + j[4] * u.by + j[5] * u.bw
+    change = select(acts, -(speed + bias + softness * impulse) / select(acts, stiffness + softness, 1.0), 0.0)
+    store(v, nl.IMPULSE, impulse + change)
+    return apply_impulse(u, masses, _pushed_at(gap), change * x, change * y)
+
+
+@kernel
+def accumulate_rod_block(v: Floats) -> None:
+    """Add the impulses of a substep to those of the step."""
+    impulse = load(v, nl.IMPULSE)
+    store(v, nl.TOTAL_X, load(v, nl.TOTAL_X) + impulse * load(v, nl.AXIS_X))
+    store(v, nl.TOTAL_Y, load(v, nl.TOTAL_Y) + impulse * load(v, nl.AXIS_Y))
+
+
+@kernel
+def report_rod(v: Floats, k: int, joint: Records) -> None:
+    """Write the impulse of lane `k` into the joint table."""
+    if joint.spring == 1:
+        joint.impulse_3 = v[nl.IMPULSE + k]
+    else:
+        joint.impulse_0 = v[nl.IMPULSE + k]
