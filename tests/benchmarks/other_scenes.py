@@ -1,0 +1,207 @@
+"""Scenes that nobody tuned the engine for, each in any size: what people build that no engine's own benchmarks have.
+
+A scene of size 1 has some hundreds to thousands of bodies, one of size n about n times as many.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Callable, Iterable
+from typing import Any
+
+import sandbox
+
+Words = dict[str, Any]
+Parts = tuple[list[Words], list[Words]]
+"""Bodies and joints."""
+
+
+def pit(width: float, **surface: float) -> list[Words]:
+    """A floor at height 0 and two walls."""
+    sides = [
+        (-0.5 * width - 1.0, 100.0, 2.0, 200.0),
+        (0.5 * width + 1.0, 100.0, 2.0, 200.0),
+        (0.0, -1.0, width + 4, 2.0),
+    ]
+    return [
+        {"id": f"side{k}", "type": "static", "position": [x, y], "shapes": [{"box": [w, h], **surface}]}
+        for k, (x, y, w, h) in enumerate(sides)
+    ]
+
+
+def heap(shapes: Iterable[Words], width: float, pitch: float, **surface: float) -> list[Words]:
+    """Bodies of one shape each, row upon row in a pit."""
+    across = int(width / pitch) - 1
+    found = pit(width, **surface)
+    for k, shape in enumerate(shapes):
+        x, y = (k % across - 0.5 * across + 0.5) * pitch, (k // across + 0.5) * pitch
+        found.append({"id": f"b{k}", "position": [x + 0.01 * (k % 7), y], "shapes": [{**shape, **surface}]})
+    return found
+
+
+def hinge(name: str, bodies: list[str], x: float, y: float) -> Words:
+    return {"id": name, "type": "revolute", "bodies": bodies, "anchor": [x, y]}
+
+
+def rope(name: str, links: int, x: float, y: float, down: bool) -> Parts:
+    """Links of 0.25 m from a hinge in the world on, straight down or level."""
+    bodies, joints = [], []
+    for k in range(links):
+        along = 0.25 * (k + 0.5)
+        place = [x, y - along] if down else [x + along, y]
+        end = [0.0, 0.1] if down else [0.1, 0.0]
+        capsule = {"capsule": [[-end[0], -end[1]], end], "radius": 0.05}
+        bodies.append({"id": f"{name}-{k}", "position": place, "shapes": [capsule]})
+        held = [f"{name}-{k - 1}", f"{name}-{k}"] if k else [f"{name}-0"]
+        joints.append(hinge(f"{name}-j{k}", held, x if down else x + 0.25 * k, y - 0.25 * k if down else y))
+    return bodies, joints
+
+
+def together(parts: Iterable[Parts]) -> Parts:
+    bodies, joints = [], []
+    for more, links in parts:
+        bodies += more
+        joints += links
+    return bodies, joints
+
+
+def ropes(size: int) -> Parts:
+    """Side by side, each swung a little: some touch."""
+    bodies, joints = together(rope(f"r{q}", 40, 0.6 * q, 0.0, True) for q in range(50 * size))
+    push = random.Random(5)
+    for body in bodies:
+        body["velocity"] = [push.uniform(-3.0, 3.0), 0.0]
+    return bodies, joints
+
+
+def one_rope(size: int) -> Parts:
+    return rope("r", 1000 * size, 0.0, 0.0, False)
+
+
+def cloth(size: int, **spring: float) -> Parts:
+    """Discs in a square net of rods or springs, that hangs from every fifth disc of its upper edge."""
+    n = int(50 * math.sqrt(size))
+    bodies: list[Words] = []
+    joints: list[Words] = []
+    for a in range(n):
+        for b in range(n):
+            fixed = b == 0 and a % 5 == 0
+            here = [0.5 * a, -0.5 * b]
+            kind = "static" if fixed else "dynamic"
+            bodies.append({"id": f"c{a}-{b}", "type": kind, "position": here, "shapes": [{"circle": 0.1}]})
+            for da, db in ((1, 0), (0, 1)):
+                if a >= da and b >= db:
+                    ends = [f"c{a - da}-{b - db}", f"c{a}-{b}"]
+                    anchors = [[here[0] - 0.5 * da, here[1] + 0.5 * db], here]
+                    joints.append(
+                        {"id": f"{ends[0]}:{ends[1]}", "type": "distance", "bodies": ends, "anchors": anchors, **spring}
+                    )
+    return bodies, joints
+
+
+def spring_net(size: int) -> Parts:
+    return cloth(size, hertz=8.0, damping_ratio=0.1)
+
+
+def loops(size: int) -> Parts:
+    """Closed chains of 60 links that hold balls together."""
+    return together(_loop(f"l{q}", 12.0 * q) for q in range(10 * size))
+
+
+def _loop(name: str, x: float) -> Parts:
+    count, radius = 60, 30.0 / (2.0 * math.pi)
+    outer = radius / math.cos(math.pi / count)
+    bodies: list[Words] = [
+        {"id": f"{name}-ground", "type": "static", "position": [x, -0.5], "shapes": [{"box": [12, 1]}]}
+    ]
+    joints = []
+    for k in range(count):
+        at, between = 2.0 * math.pi * k / count, 2.0 * math.pi * (k - 0.5) / count
+        place = [x + radius * math.cos(at), 6.0 + radius * math.sin(at)]
+        capsule = {"capsule": [[-0.2, 0.0], [0.2, 0.0]], "radius": 0.08}
+        bodies.append({"id": f"{name}-{k}", "position": place, "angle": math.degrees(at) + 90.0, "shapes": [capsule]})
+        held = [f"{name}-{(k - 1) % count}", f"{name}-{k}"]
+        joints.append(hinge(f"{name}-j{k}", held, x + outer * math.cos(between), 6.0 + outer * math.sin(between)))
+    for k in range(30):
+        place = [x + 0.9 * (k % 6) - 2.25, 4.0 + 0.9 * (k // 6)]
+        bodies.append({"id": f"{name}-ball{k}", "position": place, "shapes": [{"circle": 0.4}]})
+    return bodies, joints
+
+
+def welded_triples(size: int) -> Parts:
+    bodies, joints = pit(60.0 * size), []
+    for k in range(250 * size):
+        x, y = 2.2 * (k % (25 * size)) - 27.0 * size, 1.0 + 1.1 * (k // (25 * size))
+        names = [f"w{k}-{part}" for part in range(3)]
+        bodies += [
+            {"id": name, "position": [x + 0.6 * part, y], "shapes": [{"box": [0.5, 0.5]}]}
+            for part, name in enumerate(names)
+        ]
+        joints += [
+            {
+                "id": f"j{k}-{part}",
+                "type": "weld",
+                "bodies": names[part : part + 2],
+                "anchor": [x + 0.6 * part + 0.3, y],
+            }
+            for part in range(2)
+        ]
+    return bodies, joints
+
+
+def bouncing_pit(size: int) -> Parts:
+    return heap([{"circle": 0.5}] * (2000 * size), 60.0 * size, 1.1, restitution=0.8), []
+
+
+def sizes_mixed(size: int) -> Parts:
+    """Discs, boxes and capsules, the largest 20 times as wide as the least."""
+    chance = random.Random(5)
+    radii = [0.08 * 20.0 ** chance.random() for _ in range(1500 * size)]
+    shapes: list[Words] = []
+    for k, r in enumerate(radii):
+        box, capsule = {"box": [1.8 * r, 1.4 * r]}, {"capsule": [[-0.5 * r, 0.0], [0.5 * r, 0.0]], "radius": 0.4 * r}
+        shapes.append([{"circle": r}, box, capsule][k % 3])
+    return heap(shapes, 120.0 * size, 3.3), []
+
+
+def heavy_on_light(size: int) -> Parts:
+    bodies = heap([{"circle": 0.5}] * (3000 * size), 80.0 * size, 1.02)
+    return [*bodies, {"id": "heavy", "position": [0, 60], "shapes": [{"circle": 4, "density": 20}]}], []
+
+
+def needles(size: int) -> Parts:
+    return heap([{"box": [5, 0.08]}] * (1000 * size), 120.0 * size, 5.2), []
+
+
+def stars(size: int) -> Parts:
+    """Concave outlines, each of several parts."""
+    tips = [(math.cos(math.pi * k / 5), math.sin(math.pi * k / 5), 1.0 if k % 2 == 0 else 0.45) for k in range(10)]
+    return heap([{"polygon": [[r * c, r * s] for c, s, r in tips]}] * (500 * size), 60.0 * size, 2.2), []
+
+
+def tiles(size: int) -> Parts:
+    """Capsules that walk on waves of static boxes."""
+    chance = random.Random(5)
+    across = 200 * size
+    bodies: list[Words] = []
+    for k in range(20_000 * size):
+        place = [float(k % across), 6.0 * (k // across) - 0.5 + math.sin(0.3 * (k % across))]
+        bodies.append({"id": f"t{k}", "type": "static", "position": place, "shapes": [{"box": [1, 1]}]})
+    for k in range(500 * size):
+        capsule = {"capsule": [[0.0, -0.3], [0.0, 0.3]], "radius": 0.3}
+        place, speed = [7.3 * k % across, 6.0 * (13 * k % 100) + 2.2], [chance.uniform(-5.0, 5.0), 0.0]
+        bodies.append({"id": f"w{k}", "position": place, "velocity": speed, "shapes": [capsule]})
+    return bodies, []
+
+
+SCENES: tuple[Callable[[int], Parts], ...] = (
+    ropes, one_rope, cloth, spring_net, loops, welded_triples, bouncing_pit, sizes_mixed, heavy_on_light, needles,
+    stars, tiles,
+)  # fmt: skip
+
+
+def scene_of(build: Callable[[int], Parts], size: int) -> sandbox.Scene:
+    """The scene of that size; nothing in it falls asleep, as in the other engines."""
+    bodies, joints = build(size)
+    return sandbox.Scene(bodies=bodies, joints=joints, settings={"sleeping": False})
