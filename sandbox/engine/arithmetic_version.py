@@ -57,6 +57,7 @@ NOTES: dict[int, str] = {
     "those of its hinges as well",
     26: "rods and springs of nets are solved side by side, colour by colour, as hinges are; their force is the mean "
     "over the step of where it acted, no longer along where they lie last",
+    27: "welds of nets are solved side by side as well, the anchors of each at once",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

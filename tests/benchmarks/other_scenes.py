@@ -104,6 +104,23 @@ def spring_net(size: int) -> Parts:
     return cloth(size, hertz=8.0, damping_ratio=0.1)
 
 
+def weld_net(size: int) -> Parts:
+    """A wall of boxes, each welded to its neighbours, that sticks out of another wall."""
+    across, down = int(60 * math.sqrt(size)), int(40 * math.sqrt(size))
+    bodies: list[Words] = []
+    joints: list[Words] = []
+    for a in range(across):
+        for b in range(down):
+            name = f"c{a}-{b}"
+            bodies.append({"id": name, "position": [a, -b], "shapes": [{"box": [0.8, 0.8]}]})
+            left = [f"c{a - 1}-{b}", name] if a else [name]
+            joints.append({"id": f"h{a}-{b}", "type": "weld", "bodies": left, "anchor": [a - 0.5, -b]})
+            if b:
+                above = [f"c{a}-{b - 1}", name]
+                joints.append({"id": f"v{a}-{b}", "type": "weld", "bodies": above, "anchor": [a, 0.5 - b]})
+    return bodies, joints
+
+
 def loops(size: int) -> Parts:
     """Closed chains of 60 links that hold balls together."""
     return together(_loop(f"l{q}", 12.0 * q) for q in range(10 * size))
@@ -196,8 +213,8 @@ def tiles(size: int) -> Parts:
 
 
 SCENES: tuple[Callable[[int], Parts], ...] = (
-    ropes, one_rope, cloth, spring_net, loops, welded_triples, bouncing_pit, sizes_mixed, heavy_on_light, needles,
-    stars, tiles,
+    ropes, one_rope, cloth, spring_net, weld_net, loops, welded_triples, bouncing_pit, sizes_mixed, heavy_on_light,
+    needles, stars, tiles,
 )  # fmt: skip
 
 

@@ -114,7 +114,7 @@ def test_a_net_swings_as_a_factorised_one_does(monkeypatch, kind):
 
 
 @pytest.mark.usefixtures("never_factorised")
-@pytest.mark.parametrize("kind", ["hinge", "rod", "spring"])
+@pytest.mark.parametrize("kind", ["hinge", "rod", "spring", "weld"])
 def test_free_nets_keep_their_momentum(kind):
     world = net(14, 14, kind, "nothing")
     world.state.settings.gravity_y = 0.0

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from sandbox._jit import inlined_kernel, kernel
-from sandbox._vectors import Mask, load, select, store
-from sandbox.engine.contact_solver.law import Anchors, PairVelocity, apply_impulse, relative_velocity
+from sandbox._vectors import Mask, Vector, load, select, store
+from sandbox.engine.contact_solver.law import Anchors, PairMass, PairVelocity, apply_impulse, relative_velocity
 from sandbox.engine.joints import net_lanes as nl
 from sandbox.engine.joints.laws import is_close, share_within
 from sandbox.engine.joints.net_blocks import Gap, Members, SoftJoint, block_masses, gap_of
@@ -25,48 +27,88 @@ def warm_hinges(v: Floats, of: Members, spins: Mask) -> PairVelocity:
     y = select(spins, 0.0, load(v, nl.IMPULSE_Y))
     store(v, nl.IMPULSE_X, x)
     store(v, nl.IMPULSE_Y, y)
-    return apply_impulse(of.velocity, block_masses(v), _pushed_at(gap_of(v, of.pose)), x, y)
+    return apply_impulse(of.velocity, block_masses(v), pushed_at(gap_of(v, of.pose)), x, y)
 
 
 @inlined_kernel
-def _pushed_at(gap: Gap) -> Anchors:
+def pushed_at(gap: Gap) -> Anchors:
     """Both are pushed at b's anchor, unless that is further off than half of the longer arm; see `jacobian`."""
     close = is_close(gap.ax, gap.ay, gap.bx, gap.by, gap.x, gap.y)
     return Anchors(gap.ax + select(close, gap.x, 0.0), gap.ay + select(close, gap.y, 0.0), gap.bx, gap.by)
 
 
+class PointMatrix(NamedTuple):
+    """J M^-1 J^T of both rows of an anchor point, 1/kg."""
+
+    xx: Vector
+    yy: Vector
+    xy: Vector
+
+
+class PointLaw(NamedTuple):
+    """What both rows strive for: speed + bias (m/s) + give (1/kg) * impulse = 0."""
+
+    bias_x: Vector
+    bias_y: Vector
+    give_x: Vector
+    give_y: Vector
+
+
 @inlined_kernel
-def swept_hinges(v: Floats, of: Members, soft: SoftJoint) -> PairVelocity:
-    """The velocities after a sweep over a block of hinges with lanes `v`, whose impulses it changes."""
-    velocity = of.velocity
-    gap = gap_of(v, of.pose)
-    r = _pushed_at(gap)
-    masses = block_masses(v)
+def point_matrix(masses: PairMass, r: Anchors) -> PointMatrix:
+    """How easily the anchors move away from each other."""
     ia = masses.inertia_a
     ib = masses.inertia_b
     mass = masses.mass_a + masses.mass_b
     xx = mass + ia * r.ay * r.ay + ib * r.by * r.by
     yy = mass + ia * r.ax * r.ax + ib * r.bx * r.bx
-    xy = -(ia * r.ax * r.ay) - ib * r.bx * r.by
+    return PointMatrix(xx, yy, -(ia * r.ax * r.ay) - ib * r.bx * r.by)
+
+
+@inlined_kernel
+def rigid_law(gap: Gap, matrix: PointMatrix, soft: SoftJoint) -> PointLaw:
+    """The law of anchors that are kept together."""
     share_x = share_within(gap.x, soft.most)
     share_y = share_within(gap.y, soft.most)
-    give_x = soft.give * xx * share_x
-    give_y = soft.give * yy * share_y
-    impulse_x = load(v, nl.IMPULSE_X)
-    impulse_y = load(v, nl.IMPULSE_Y)
-    x, y = relative_velocity(velocity, r)
-    x = x + soft.push * share_x * gap.x + give_x * impulse_x
-    y = y + soft.push * share_y * gap.y + give_y * impulse_y
-    soft_xx = xx + give_x
-    soft_yy = yy + give_y
-    determinant = soft_xx * soft_yy - xy * xy
+    return PointLaw(
+        soft.push * share_x * gap.x,
+        soft.push * share_y * gap.y,
+        soft.give * matrix.xx * share_x,
+        soft.give * matrix.yy * share_y,
+    )
+
+
+@inlined_kernel
+def point_change(v: Floats, u: PairVelocity, r: Anchors, matrix: PointMatrix, law: PointLaw) -> tuple[Vector, Vector]:
+    """The changes of the impulses of a block with lanes `v` that both rows strive for at the velocities `u`."""
+    x, y = relative_velocity(u, r)
+    x = x + law.bias_x + law.give_x * load(v, nl.IMPULSE_X)
+    y = y + law.bias_y + law.give_y * load(v, nl.IMPULSE_Y)
+    xx = matrix.xx + law.give_x
+    yy = matrix.yy + law.give_y
+    determinant = xx * yy - matrix.xy * matrix.xy
     regular = determinant > 0.0
     inverse = select(regular, 1.0 / select(regular, determinant, 1.0), 0.0)
-    change_x = -inverse * (soft_yy * x - xy * y)
-    change_y = -inverse * (soft_xx * y - xy * x)
-    store(v, nl.IMPULSE_X, impulse_x + change_x)
-    store(v, nl.IMPULSE_Y, impulse_y + change_y)
-    return apply_impulse(velocity, masses, r, change_x, change_y)
+    return -inverse * (yy * x - matrix.xy * y), -inverse * (xx * y - matrix.xy * x)
+
+
+@inlined_kernel
+def push_point(v: Floats, u: PairVelocity, masses: PairMass, r: Anchors, x: Vector, y: Vector) -> PairVelocity:
+    """Add to the impulses of a block with lanes `v`, and to the velocities."""
+    store(v, nl.IMPULSE_X, load(v, nl.IMPULSE_X) + x)
+    store(v, nl.IMPULSE_Y, load(v, nl.IMPULSE_Y) + y)
+    return apply_impulse(u, masses, r, x, y)
+
+
+@inlined_kernel
+def swept_hinges(v: Floats, of: Members, soft: SoftJoint) -> PairVelocity:
+    """The velocities after a sweep over a block of hinges with lanes `v`, whose impulses it changes."""
+    gap = gap_of(v, of.pose)
+    r = pushed_at(gap)
+    masses = block_masses(v)
+    matrix = point_matrix(masses, r)
+    x, y = point_change(v, of.velocity, r, matrix, rigid_law(gap, matrix, soft))
+    return push_point(v, of.velocity, masses, r, x, y)
 
 
 @kernel

@@ -1,7 +1,7 @@
 """How the joints of nets lie in memory: blocks of four lanes, as contacts do (`contact_solver/blocks.py`).
 
 Joints of one colour share no body that they move, so that they can be solved side by side. Only plain ones lie here, in
-parts that are not factorised: hinges without spring, stop or motor, and rods and springs without stops.
+parts that are not factorised: hinges without spring, stop or motor, rods and springs without stops, and welds.
 """
 
 from __future__ import annotations
@@ -9,15 +9,13 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from sandbox.engine.contact_solver.blocks import LANES
 from sandbox.tables import Field, Floats, Integers, Records, Table, aligned_zeros
-from sandbox.world.joint_records import DISTANCE, FRICTION, GEAR, MOTOR, REVOLUTE, TARGET
+from sandbox.world.joint_records import DISTANCE, FRICTION, GEAR, MOTOR, REVOLUTE, TARGET, WELD
 
 SHARE_A_LIMIT = (MOTOR, TARGET, FRICTION)
 """Kinds whose force has a limit in all directions, which two rows share."""
-Flags = NDArray[np.bool_]
 MAX_COLORS = 62
 """Joints that find no colour below this are swept one by one, as all other joints of a net."""
 
@@ -36,7 +34,7 @@ TOTAL_X = 10 * LANES
 """Impulse over the step so far."""
 TOTAL_Y = 11 * LANES
 IMPULSE_X = 12 * LANES
-"""Of a hinge; what rods have follows in its place."""
+"""Of a hinge or weld; what rods have instead follows below."""
 IMPULSE_Y = 13 * LANES
 HINGE_BLOCK_SIZE = 14 * LANES
 IMPULSE = 12 * LANES
@@ -50,6 +48,19 @@ AXIS_X = 16 * LANES
 """From anchor a to anchor b when last looked at."""
 AXIS_Y = 17 * LANES
 ROD_BLOCK_SIZE = 18 * LANES
+IMPULSE_W = 14 * LANES
+"""Of a weld, as all that follows."""
+TOTAL_W = 15 * LANES
+REFERENCE_ANGLE = 16 * LANES
+WELD_HERTZ = 17 * LANES
+"""0 of a rigid one."""
+WELD_DAMPING_RATIO = 18 * LANES
+ANGULAR_HERTZ = 19 * LANES
+ANGULAR_DAMPING_RATIO = 20 * LANES
+WELD_BLOCK_SIZE = 22 * LANES
+
+HINGES, RODS, WELDS = range(3)
+"""Kinds of blocks."""
 
 NET_JOINT = Table(
     "net_joint",
@@ -59,7 +70,7 @@ NET_JOINT = Table(
         Field("member_b", "-", "", "i8"),
     ),
 )
-"""Joints in the order in which they are solved: part by part, colour by colour, hinges before rods and springs."""
+"""Joints in the order in which they are solved: part by part, colour by colour, kind by kind."""
 
 NET_BLOCK = Table(
     "net_block",
@@ -67,7 +78,7 @@ NET_BLOCK = Table(
         Field("first", "-", "its first joint", "i8"),
         Field("count", "-", "lanes in use, 1..4", "i8"),
         Field("place", "-", "of its first field in `lanes`", "i8"),
-        Field("rods", "-", "1 when they are rods or springs, 0 when they are hinges", "i8"),
+        Field("kind", "-", "`HINGES`, `RODS`, springs included, or `WELDS`", "i8"),
         Field("before", "-", "blocks of the same part, colour and kind before it", "i8"),
         Field("left", "-", "blocks of them from it on", "i8"),
     ),
@@ -94,7 +105,9 @@ def lay_lanes(joints: Records, members: Records, constraints: Records, parts: Re
         coupled[column[kind == GEAR]] = True
     rod = (kind == DISTANCE) & (constraints.row_count == 1) & (joints.limit[constraints.joint] == 0)
     hinge = (kind == REVOLUTE) & (constraints.row_count == 2) & ~coupled
-    plain = (parts.direct[constraints.part] == 0) & (rod | hinge)
+    weld = kind == WELD
+    plain = (parts.direct[constraints.part] == 0) & (rod | hinge | weld)
+    block_kind = np.where(rod, RODS, np.where(weld, WELDS, HINGES))
     colors = np.full(len(constraints), MAX_COLORS)
     if plain.any():
         colors[plain] = _colors(members, constraints[plain])
@@ -104,11 +117,11 @@ def lay_lanes(joints: Records, members: Records, constraints: Records, parts: Re
     parts.geared = np.isin(numbers, constraints.part[kind == GEAR]) & (parts.direct == 0)
     parts.capped = np.isin(numbers, constraints.part[np.isin(kind, SHARE_A_LIMIT)]) & (parts.direct == 0)
     laid = np.flatnonzero(constraints.in_lane)
-    laid = laid[np.lexsort((laid, rod[laid], colors[laid], constraints.part[laid]))]
+    laid = laid[np.lexsort((laid, block_kind[laid], colors[laid], constraints.part[laid]))]
     found = NET_JOINT.zeros(len(laid))
     for name in ("joint", "member_a", "member_b"):
         found[name] = constraints[name][laid]
-    blocks = _blocks(constraints.part[laid], colors[laid], rod[laid])
+    blocks = _blocks(constraints.part[laid], colors[laid], block_kind[laid])
     of_part = constraints.part[laid][blocks.first]
     parts.first_block = np.searchsorted(of_part, numbers)
     parts.block_end = np.searchsorted(of_part, numbers, side="right")
@@ -117,7 +130,7 @@ def lay_lanes(joints: Records, members: Records, constraints: Records, parts: Re
 
 def lanes_for(blocks: Records) -> Floats:
     """Memory for blocks, and the place of each in it."""
-    sizes = np.where(blocks.rods == 1, ROD_BLOCK_SIZE, HINGE_BLOCK_SIZE)
+    sizes = np.array([HINGE_BLOCK_SIZE, ROD_BLOCK_SIZE, WELD_BLOCK_SIZE])[blocks.kind]
     blocks.place = np.cumsum(sizes) - sizes
     return aligned_zeros(int(sizes.sum()), np.float64)
 
@@ -136,17 +149,17 @@ def _colors(members: Records, joints: Records) -> Integers:
     return np.array(found, np.int64)
 
 
-def _blocks(part: Integers, color: Integers, rods: Flags) -> Records:
+def _blocks(part: Integers, color: Integers, kind: Integers) -> Records:
     """Blocks of up to four neighbours that have all of these in common."""
     count = len(part)
     change = np.ones(count, bool)
-    change[1:] = (part[1:] != part[:-1]) | (color[1:] != color[:-1]) | (rods[1:] != rods[:-1])
+    change[1:] = (part[1:] != part[:-1]) | (color[1:] != color[:-1]) | (kind[1:] != kind[:-1])
     starts = np.flatnonzero(change)
     since = np.arange(count) - np.repeat(starts, np.diff([*starts, count]))
     first = np.flatnonzero(since % LANES == 0)
     table = NET_BLOCK.zeros(len(first))
     table.first, table.count = first, np.diff([*first, count])
-    table.rods = rods[first]
+    table.kind = kind[first]
     table.before = since[first] // LANES
     last = np.append(table.before[1:] == 0, True)[: len(first)]
     table.left = np.repeat(table.before[last] + 1, table.before[last] + 1) - table.before

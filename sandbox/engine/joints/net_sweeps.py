@@ -11,6 +11,7 @@ from sandbox.engine.joints.net_blocks import SoftJoint, gather_block, scatter_bl
 from sandbox.engine.joints.net_lanes import NetLanes
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.joints.rods import accumulate_rod_block, load_rod, report_rod, swept_rods, warm_rods
+from sandbox.engine.joints.welds import accumulate_weld_block, load_weld, report_weld, swept_welds, warm_welds
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
 from sandbox.engine.workers.task_kinds import FASTEST, GIVE, MOST, PUSH, SECONDS, SWEEP_NETS, WARM_START_NETS
@@ -41,8 +42,10 @@ def load_nets(work: JointWork) -> None:
             v[nl.INVERSE_INERTIA_B + k] = b.inverse_inertia
             v[nl.TOTAL_X + k] = 0.0
             v[nl.TOTAL_Y + k] = 0.0
-            if block.rods == 1:
+            if block.kind == nl.RODS:
                 load_rod(v, k, joint)
+            elif block.kind == nl.WELDS:
+                load_weld(v, k, joint)
             else:
                 load_hinge(v, k, joint)
 
@@ -65,12 +68,18 @@ def warm_start_nets(work: JointWork, part: Records, seconds: float, far: float, 
 @kernel
 def warm_start_net_blocks(h: NetLanes, members: Records, first: int, end: int, fastest: float) -> None:
     """The same for blocks of one colour and kind, but at what turns faster than `fastest` rad/s."""
+    kind = h.blocks[first].kind
     for n in range(first, end):
         block = h.blocks[n]
         v = h.lanes[block.place :]
         of = gather_block(members, h, block)
         spins = (absolute(of.velocity.aw) > fastest) | (absolute(of.velocity.bw) > fastest)
-        velocity = warm_rods(v, of, spins) if block.rods == 1 else warm_hinges(v, of, spins)
+        if kind == nl.RODS:
+            velocity = warm_rods(v, of, spins)
+        elif kind == nl.WELDS:
+            velocity = warm_welds(v, of, spins)
+        else:
+            velocity = warm_hinges(v, of, spins)
         scatter_block(members, of, velocity, block.count)
 
 
@@ -98,12 +107,40 @@ def sweep_nets(work: JointWork, part: Records, soft: SoftJoint, backwards: bool,
 @kernel
 def sweep_net_blocks(h: NetLanes, members: Records, first: int, end: int, soft: SoftJoint) -> None:
     """The same for blocks of one colour and kind."""
+    kind = h.blocks[first].kind
+    if kind == nl.RODS:
+        _sweep_rods(h, members, first, end, soft)
+    elif kind == nl.WELDS:
+        _sweep_welds(h, members, first, end, soft)
+    else:
+        _sweep_hinges(h, members, first, end, soft)
+
+
+@kernel
+def _sweep_hinges(h: NetLanes, members: Records, first: int, end: int, soft: SoftJoint) -> None:
     for n in range(first, end):
         block = h.blocks[n]
         v = h.lanes[block.place :]
         of = gather_block(members, h, block)
-        velocity = swept_rods(v, of, soft) if block.rods == 1 else swept_hinges(v, of, soft)
-        scatter_block(members, of, velocity, block.count)
+        scatter_block(members, of, swept_hinges(v, of, soft), block.count)
+
+
+@kernel
+def _sweep_rods(h: NetLanes, members: Records, first: int, end: int, soft: SoftJoint) -> None:
+    for n in range(first, end):
+        block = h.blocks[n]
+        v = h.lanes[block.place :]
+        of = gather_block(members, h, block)
+        scatter_block(members, of, swept_rods(v, of, soft), block.count)
+
+
+@kernel
+def _sweep_welds(h: NetLanes, members: Records, first: int, end: int, soft: SoftJoint) -> None:
+    for n in range(first, end):
+        block = h.blocks[n]
+        v = h.lanes[block.place :]
+        of = gather_block(members, h, block)
+        scatter_block(members, of, swept_welds(members, v, of, soft), block.count)
 
 
 @kernel
@@ -113,8 +150,10 @@ def accumulate_nets(work: JointWork, part: Records) -> None:
     for n in range(part.first_block, part.block_end):
         block = h.blocks[n]
         v = h.lanes[block.place :]
-        if block.rods == 1:
+        if block.kind == nl.RODS:
             accumulate_rod_block(v)
+        elif block.kind == nl.WELDS:
+            accumulate_weld_block(v)
         else:
             accumulate_hinge_block(v)
 
@@ -128,8 +167,13 @@ def report_nets(work: JointWork, part: Records, seconds: float, counter: Records
         v = h.lanes[block.place :]
         for k in range(block.count):
             joint = work.joints[h.joints[block.first + k].joint]
-            if block.rods == 1:
+            turning = 0.0
+            if block.kind == nl.RODS:
                 report_rod(v, k, joint)
+            elif block.kind == nl.WELDS:
+                turning = report_weld(v, k, joint)
             else:
                 report_hinge(v, k, joint)
-            finish_report(joint, v[nl.TOTAL_X + k] / seconds, v[nl.TOTAL_Y + k] / seconds, 0.0, counter)
+            force_x = v[nl.TOTAL_X + k] / seconds
+            force_y = v[nl.TOTAL_Y + k] / seconds
+            finish_report(joint, force_x, force_y, turning / seconds, counter)

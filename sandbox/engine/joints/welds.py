@@ -1,0 +1,130 @@
+"""The law of the welds of nets, four side by side: that of hinges, then the angle; either may be a spring."""
+
+from __future__ import annotations
+
+from sandbox._jit import inlined_kernel, kernel
+from sandbox._vectors import Mask, Vector, load, select, store
+from sandbox.engine.contact_solver.gather import PairRows, gather_fields
+from sandbox.engine.contact_solver.law import PairMass, PairVelocity
+from sandbox.engine.joints import net_lanes as nl
+from sandbox.engine.joints.hinges import (
+    PointLaw,
+    accumulate_hinge_block,
+    load_hinge,
+    point_change,
+    point_matrix,
+    push_point,
+    pushed_at,
+    report_hinge,
+    rigid_law,
+    warm_hinges,
+)
+from sandbox.engine.joints.laws import share_within, spring_law
+from sandbox.engine.joints.net_blocks import Members, SoftJoint, block_masses, gap_of
+from sandbox.tables import Floats, Records
+
+_BEFORE_ANGLE = 13
+"""Number of a field of the table of members: the third one after it is the angle."""
+
+
+@kernel
+def load_weld(v: Floats, k: int, joint: Records) -> None:
+    """Fill lane `k` of a block with lanes `v` with what welds alone have."""
+    load_hinge(v, k, joint)
+    v[nl.IMPULSE_W + k] = joint.impulse_2
+    v[nl.TOTAL_W + k] = 0.0
+    v[nl.REFERENCE_ANGLE + k] = joint.reference_angle
+    v[nl.WELD_HERTZ + k] = joint.hertz
+    v[nl.WELD_DAMPING_RATIO + k] = joint.damping_ratio
+    v[nl.ANGULAR_HERTZ + k] = joint.angular_hertz
+    v[nl.ANGULAR_DAMPING_RATIO + k] = joint.angular_damping_ratio
+
+
+@inlined_kernel
+def warm_welds(v: Floats, of: Members, spins: Mask) -> PairVelocity:
+    """The velocities after the impulses of the substep before, which are forgotten where something `spins`."""
+    impulse = select(spins, 0.0, load(v, nl.IMPULSE_W))
+    store(v, nl.IMPULSE_W, impulse)
+    return _turned_by(warm_hinges(v, of, spins), block_masses(v), impulse)
+
+
+@inlined_kernel
+def _turned_by(u: PairVelocity, masses: PairMass, impulse: Vector) -> PairVelocity:
+    """The velocities after an angular impulse (N m s) on b, and the opposite on a."""
+    return PairVelocity(u.ax, u.ay, u.aw - masses.inertia_a * impulse, u.bx, u.by, u.bw + masses.inertia_b * impulse)
+
+
+@inlined_kernel
+def swept_welds(members: Records, v: Floats, of: Members, soft: SoftJoint) -> PairVelocity:
+    """The velocities after a sweep over a block of welds with lanes `v`, whose impulses it changes.
+
+    Springs have had their say once nothing is pushed any more.
+    """
+    gap = gap_of(v, of.pose)
+    r = pushed_at(gap)
+    masses = block_masses(v)
+    matrix = point_matrix(masses, r)
+    law = rigid_law(gap, matrix, soft)
+    hertz = load(v, nl.WELD_HERTZ)
+    sprung = hertz > 0.0
+    if soft.push > 0.0:
+        ratio = load(v, nl.WELD_DAMPING_RATIO)
+        bias_x, give_x = spring_law(gap.x, hertz, ratio, matrix.xx, soft.seconds)
+        bias_y, give_y = spring_law(gap.y, hertz, ratio, matrix.yy, soft.seconds)
+        law = PointLaw(
+            select(sprung, bias_x, law.bias_x),
+            select(sprung, bias_y, law.bias_y),
+            select(sprung, give_x, law.give_x),
+            select(sprung, give_y, law.give_y),
+        )
+    x, y = point_change(v, of.velocity, r, matrix, law)
+    if soft.push == 0.0:
+        x = select(sprung, 0.0, x)
+        y = select(sprung, 0.0, y)
+    u = push_point(v, of.velocity, masses, r, x, y)
+    change = _turning_change(v, u, masses, _turn(members, v, of.rows), soft)
+    store(v, nl.IMPULSE_W, load(v, nl.IMPULSE_W) + change)
+    return _turned_by(u, masses, change)
+
+
+@inlined_kernel
+def _turn(members: Records, v: Floats, rows: PairRows) -> Vector:
+    """Angle (rad) of b less angle of a, less the reference angle."""
+    _, _, _, angle_a = gather_fields(members, rows.a, _BEFORE_ANGLE)
+    _, _, _, angle_b = gather_fields(members, rows.b, _BEFORE_ANGLE)
+    return angle_b - angle_a - load(v, nl.REFERENCE_ANGLE)
+
+
+@inlined_kernel
+def _turning_change(v: Floats, u: PairVelocity, masses: PairMass, turn: Vector, soft: SoftJoint) -> Vector:
+    """The change of the angular impulse that the angle strives for."""
+    stiffness = masses.inertia_a + masses.inertia_b
+    share = share_within(turn, soft.most)
+    bias = soft.push * share * turn
+    give = soft.give * stiffness * share
+    hertz = load(v, nl.ANGULAR_HERTZ)
+    sprung = hertz > 0.0
+    acts = stiffness > 0.0
+    if soft.push > 0.0:
+        spring_bias, softer = spring_law(turn, hertz, load(v, nl.ANGULAR_DAMPING_RATIO), stiffness, soft.seconds)
+        bias = select(sprung, spring_bias, bias)
+        give = select(sprung, softer, give)
+    else:
+        acts = acts & ~sprung
+    wanted = u.bw - u.aw + bias + give * load(v, nl.IMPULSE_W)
+    return select(acts, -wanted / select(acts, stiffness + give, 1.0), 0.0)
+
+
+@kernel
+def accumulate_weld_block(v: Floats) -> None:
+    """Add the impulses of a substep to those of the step."""
+    accumulate_hinge_block(v)
+    store(v, nl.TOTAL_W, load(v, nl.TOTAL_W) + load(v, nl.IMPULSE_W))
+
+
+@kernel
+def report_weld(v: Floats, k: int, joint: Records) -> float:
+    """Write the impulses of lane `k` into the joint table; the angular impulse (N m s) of the step."""
+    report_hinge(v, k, joint)
+    joint.impulse_2 = v[nl.IMPULSE_W + k]
+    return float(v[nl.TOTAL_W + k])
