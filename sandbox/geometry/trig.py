@@ -8,9 +8,12 @@ from __future__ import annotations
 
 import math
 
-from sandbox._jit import kernel
+from sandbox._jit import inlined_kernel, kernel
+from sandbox._vectors import Number
 
 PI = 3.141592653589793
+NEAR_ZERO = 0.75
+"""Angles (rad) up to this need no reduction."""
 _HALF_PI_HIGH = 1.5707963267341256
 _HALF_PI_MIDDLE = 6.077100506303966e-11
 _HALF_PI_LOW = 2.0222662487959506e-21
@@ -18,20 +21,10 @@ _TWO_OVER_PI = 0.6366197723675814
 _TAN_PI_8 = 0.41421356237309503
 
 
-@kernel
-def cos_sin(angle: float) -> tuple[float, float]:
-    """(cosine, sine) of an angle in radians; error below 2e-16 up to 1e6 rad.
-
-    Cody-Waite reduction to [-pi/4, pi/4], then the polynomials of fdlibm's `__kernel_cos` and `__kernel_sin`.
-    """
-    x = angle
-    quadrant = 0
-    if angle < -0.75 or angle > 0.75:
-        turns = math.floor(angle * _TWO_OVER_PI + 0.5)
-        x = angle - turns * _HALF_PI_HIGH
-        x = x - turns * _HALF_PI_MIDDLE
-        x = x - turns * _HALF_PI_LOW
-        quadrant = int(turns) & 3
+@inlined_kernel
+def cos_sin_near_zero(x: Number) -> tuple[Number, Number]:
+    """(cosine, sine) of an angle of up to `NEAR_ZERO` rad, or of one in each lane of a vector: the polynomials of
+    fdlibm's `__kernel_cos` and `__kernel_sin`."""
     z = x * x
     tail = -2.50507602534068634195e-08 + z * 1.58969099521155010221e-10
     tail = 2.75573137070700676789e-06 + z * tail
@@ -43,7 +36,24 @@ def cos_sin(angle: float) -> tuple[float, float]:
     tail = 2.48015872894767294178e-05 + z * tail
     tail = -1.38888888888741095749e-03 + z * tail
     tail = 4.16666666666666019037e-02 + z * tail
-    cosine = 1.0 - (0.5 * z - z * z * tail)
+    return 1.0 - (0.5 * z - z * z * tail), sine
+
+
+@kernel
+def cos_sin(angle: float) -> tuple[float, float]:
+    """(cosine, sine) of an angle in radians; error below 2e-16 up to 1e6 rad.
+
+    Cody-Waite reduction to [-pi/4, pi/4], then `cos_sin_near_zero`.
+    """
+    x = angle
+    quadrant = 0
+    if angle < -NEAR_ZERO or angle > NEAR_ZERO:
+        turns = math.floor(angle * _TWO_OVER_PI + 0.5)
+        x = angle - turns * _HALF_PI_HIGH
+        x = x - turns * _HALF_PI_MIDDLE
+        x = x - turns * _HALF_PI_LOW
+        quadrant = int(turns) & 3
+    cosine, sine = cos_sin_near_zero(x)
     if quadrant == 0:
         return cosine, sine
     if quadrant == 1:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox._vectors import WIDTH, load, store
+from sandbox._vectors import WIDTH, absolute, any_lane, load, store
 from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.records import Batches
-from sandbox.geometry.trig import cos_sin
+from sandbox.geometry.trig import NEAR_ZERO, cos_sin, cos_sin_near_zero
 from sandbox.tables import Records
 
 
@@ -79,11 +79,13 @@ def look_ahead(d: Batches, batch: Records, ahead: float) -> None:
         store(v, place + at.AHEAD_Y, load(v, place + at.DELTA_Y) + ahead * load(v, place + at.VELOCITY_Y))
         store(v, place + at.ANGLE, load(v, seat + at.START_ANGLE) + turn)
         if ahead != 0.0:
-            store(v, place + at.SIN, turn)
-            for k in range(WIDTH):
-                v[place + at.COS + k], v[place + at.SIN + k] = cos_sin(v[place + at.SIN + k])
-            c = load(v, place + at.COS)
-            s = load(v, place + at.SIN)
+            c, s = cos_sin_near_zero(turn)
+            if any_lane(absolute(turn) > NEAR_ZERO):
+                store(v, place + at.SIN, turn)
+                for k in range(WIDTH):
+                    v[place + at.COS + k], v[place + at.SIN + k] = cos_sin(v[place + at.SIN + k])
+                c = load(v, place + at.COS)
+                s = load(v, place + at.SIN)
         else:
             c = load(v, place + at.DELTA_COS)
             s = load(v, place + at.DELTA_SIN)
