@@ -58,6 +58,7 @@ NOTES: dict[int, str] = {
     26: "rods and springs of nets are solved side by side, colour by colour, as hinges are; their force is the mean "
     "over the step of where it acted, no longer along where they lie last",
     27: "welds of nets are solved side by side as well, the anchors of each at once",
+    28: "where the push of a weld's angle is cut in a net, a product is taken in the order that rods have",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

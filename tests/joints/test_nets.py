@@ -153,3 +153,31 @@ def test_a_rod_in_a_lane_does_what_one_that_is_swept_alone_does(monkeypatch, spr
             for name in one.dtype.names:
                 if name not in ("force_x", "force_y"):  # a swept one tells its size along where it lies last
                     assert np.allclose(one[name], other[name], rtol=1e-9, atol=1e-9), name
+
+
+@pytest.mark.parametrize("kind", ["rod", "weld", "hinge"])
+def test_joints_in_lanes_tell_the_weight_that_hangs_on_them(monkeypatch, kind):
+    """Three boxes below each other, of which a weld holds the last by its side: the joint above bears all of them."""
+    monkeypatch.setattr(part_layout, "UPDATES_A_ROW", -(10**6))
+    boxes = tuple(body(f"b{k}", box(0.8, 0.8), position=(0.0, -1.0 * k)) for k in range(3))
+    side = body("side", box(0.8, 0.8), position=(1.0, -2.0))
+    links = []
+    for k in range(3):
+        above = f"b{k - 1}" if k else None
+        if kind == "rod":
+            ends = {"anchor_a": (0.0, 0.6 - k), "anchor_b": (0.0, 0.4 - k)}
+            links.append(joint(f"j{k}", "distance", above, f"b{k}", **ends))
+        else:
+            links.append(joint(f"j{k}", at=(0.0, 0.5 - k), a=above, b=f"b{k}", **KINDS[kind]))
+    if kind == "weld":
+        links.append(joint("arm", at=(0.5, -2.0), a="b2", b="side", **KINDS[kind]))
+        boxes = (*boxes, side)
+    world = jointed(boxes, tuple(links))
+    assert len(world.scratch.joints.side_by_side.joints) == len(links)
+    world.step(1200)
+    mass = float(world.state.bodies.mass[0])
+    joints = world.state.joints
+    assert float(joints.force_y[0]) == pytest.approx(len(boxes) * mass * G, rel=1e-3)
+    if kind == "weld":
+        assert float(joints.force_y[3]) == pytest.approx(mass * G, rel=1e-3)
+        assert float(joints.torque[3]) == pytest.approx(0.5 * mass * G, rel=0.02)  # it swings down a little

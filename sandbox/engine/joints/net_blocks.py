@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel
-from sandbox._vectors import Vector, load
+from sandbox._vectors import Mask, Vector, load, select
 from sandbox.engine.contact_solver.gather import PairPose, PairRows, gather_fields, scatter_fields
 from sandbox.engine.contact_solver.law import PairMass, PairVelocity
 from sandbox.engine.joints import net_lanes as nl
-from sandbox.engine.joints.laws import turned
+from sandbox.engine.joints.laws import share_within, spring_law, turned
 from sandbox.engine.joints.net_lanes import NetLanes
 from sandbox.tables import Floats, Records
 
@@ -46,6 +46,23 @@ class Gap(NamedTuple):
     y: Vector
 
 
+class Spring(NamedTuple):
+    """Where a row is a spring, its frequency (1/s) and damping ratio."""
+
+    sprung: Mask
+    hertz: Vector
+    ratio: Vector
+
+
+class Row(NamedTuple):
+    """What a row of joints is at: how far it is from being kept (m or rad), J M^-1 J^T (1/kg), speed, and impulse."""
+
+    error: Vector
+    stiffness: Vector
+    speed: Vector
+    impulse: Vector
+
+
 _VELOCITY, _DISPLACEMENT = 4, 12
 """Numbers of fields of the table of members: velocity_x and displacement_x, each before what belongs to it."""
 
@@ -74,6 +91,23 @@ def scatter_block(members: Records, of: Members, v: PairVelocity, count: int) ->
     """Write the velocities of `count` joints back to the rows they came from."""
     scatter_fields(members, of.rows.a, _VELOCITY, (v.ax, v.ay, v.aw, of.start_cos_a), 0, count)
     scatter_fields(members, of.rows.b, _VELOCITY, (v.bx, v.by, v.bw, of.start_cos_b), 0, count)
+
+
+@inlined_kernel
+def row_change(row: Row, spring: Spring, soft: SoftJoint) -> Vector:
+    """The change of its impulse that a row strives for. Springs have had their say once nothing is pushed any more."""
+    share = share_within(row.error, soft.most)
+    bias = soft.push * share * row.error
+    give = soft.give * share * row.stiffness
+    acts = row.stiffness > 0.0
+    if soft.push > 0.0:
+        soft_bias, softer = spring_law(row.error, spring.hertz, spring.ratio, row.stiffness, soft.seconds)
+        bias = select(spring.sprung, soft_bias, bias)
+        give = select(spring.sprung, softer, give)
+    else:
+        acts = acts & ~spring.sprung
+    wanted = row.speed + bias + give * row.impulse
+    return select(acts, -wanted / select(acts, row.stiffness + give, 1.0), 0.0)
 
 
 @inlined_kernel

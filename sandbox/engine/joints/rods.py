@@ -6,8 +6,8 @@ from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import Mask, load, select, store
 from sandbox.engine.contact_solver.law import Anchors, PairVelocity, apply_impulse
 from sandbox.engine.joints import net_lanes as nl
-from sandbox.engine.joints.laws import along, length_and_direction, own_stiffness, share_within, spring_law
-from sandbox.engine.joints.net_blocks import Gap, Members, SoftJoint, block_masses, gap_of
+from sandbox.engine.joints.laws import along, length_and_direction, own_stiffness
+from sandbox.engine.joints.net_blocks import Gap, Members, Row, SoftJoint, Spring, block_masses, gap_of, row_change
 from sandbox.tables import Floats, Records
 
 ROD = -1.0
@@ -41,10 +41,7 @@ def _pushed_at(gap: Gap) -> Anchors:
 
 @inlined_kernel
 def swept_rods(v: Floats, of: Members, soft: SoftJoint) -> PairVelocity:
-    """The velocities after a sweep over a block of rods and springs with lanes `v`, whose impulses it changes.
-
-    Springs have had their say once nothing is pushed any more.
-    """
+    """The velocities after a sweep over a block of rods and springs with lanes `v`, whose impulses it changes."""
     u = of.velocity
     gap = gap_of(v, of.pose)
     masses = block_masses(v)
@@ -53,22 +50,11 @@ def swept_rods(v: Floats, of: Members, soft: SoftJoint) -> PairVelocity:
     store(v, nl.AXIS_Y, y)
     j = along(gap.ax, gap.ay, gap.bx, gap.by, gap.x, gap.y, x, y)
     stiffness = own_stiffness(masses.mass_a, masses.inertia_a, masses.mass_b, masses.inertia_b, j)
-    error = length - load(v, nl.LENGTH)
-    hertz = load(v, nl.HERTZ)
-    sprung = hertz >= 0.0
-    share = share_within(error, soft.most)
-    bias = soft.push * share * error
-    softness = soft.give * share * stiffness
-    acts = stiffness > 0.0
-    if soft.push > 0.0:
-        spring_bias, softer = spring_law(error, hertz, load(v, nl.DAMPING_RATIO), stiffness, soft.seconds)
-        bias = select(sprung, spring_bias, bias)
-        softness = select(sprung, softer, softness)
-    else:
-        acts = acts & ~sprung
-    impulse = load(v, nl.IMPULSE)
     speed = j[0] * u.ax + j[1] * u.ay + j[2] * u.aw + j[3] * u.bx + j[4] * u.by + j[5] * u.bw
-    change = select(acts, -(speed + bias + softness * impulse) / select(acts, stiffness + softness, 1.0), 0.0)
+    hertz = load(v, nl.HERTZ)
+    impulse = load(v, nl.IMPULSE)
+    row = Row(length - load(v, nl.LENGTH), stiffness, speed, impulse)
+    change = row_change(row, Spring(hertz >= 0.0, hertz, load(v, nl.DAMPING_RATIO)), soft)
     store(v, nl.IMPULSE, impulse + change)
     return apply_impulse(u, masses, _pushed_at(gap), change * x, change * y)
 

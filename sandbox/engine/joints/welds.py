@@ -19,8 +19,8 @@ from sandbox.engine.joints.hinges import (
     rigid_law,
     warm_hinges,
 )
-from sandbox.engine.joints.laws import share_within, spring_law
-from sandbox.engine.joints.net_blocks import Members, SoftJoint, block_masses, gap_of
+from sandbox.engine.joints.laws import spring_law
+from sandbox.engine.joints.net_blocks import Members, Row, SoftJoint, Spring, block_masses, gap_of, row_change
 from sandbox.tables import Floats, Records
 
 _BEFORE_ANGLE = 13
@@ -82,8 +82,11 @@ def swept_welds(members: Records, v: Floats, of: Members, soft: SoftJoint) -> Pa
         x = select(sprung, 0.0, x)
         y = select(sprung, 0.0, y)
     u = push_point(v, of.velocity, masses, r, x, y)
-    change = _turning_change(v, u, masses, _turn(members, v, of.rows), soft)
-    store(v, nl.IMPULSE_W, load(v, nl.IMPULSE_W) + change)
+    hertz = load(v, nl.ANGULAR_HERTZ)
+    impulse = load(v, nl.IMPULSE_W)
+    row = Row(_turn(members, v, of.rows), masses.inertia_a + masses.inertia_b, u.bw - u.aw, impulse)
+    change = row_change(row, Spring(hertz > 0.0, hertz, load(v, nl.ANGULAR_DAMPING_RATIO)), soft)
+    store(v, nl.IMPULSE_W, impulse + change)
     return _turned_by(u, masses, change)
 
 
@@ -93,26 +96,6 @@ def _turn(members: Records, v: Floats, rows: PairRows) -> Vector:
     _, _, _, angle_a = gather_fields(members, rows.a, _BEFORE_ANGLE)
     _, _, _, angle_b = gather_fields(members, rows.b, _BEFORE_ANGLE)
     return angle_b - angle_a - load(v, nl.REFERENCE_ANGLE)
-
-
-@inlined_kernel
-def _turning_change(v: Floats, u: PairVelocity, masses: PairMass, turn: Vector, soft: SoftJoint) -> Vector:
-    """The change of the angular impulse that the angle strives for."""
-    stiffness = masses.inertia_a + masses.inertia_b
-    share = share_within(turn, soft.most)
-    bias = soft.push * share * turn
-    give = soft.give * stiffness * share
-    hertz = load(v, nl.ANGULAR_HERTZ)
-    sprung = hertz > 0.0
-    acts = stiffness > 0.0
-    if soft.push > 0.0:
-        spring_bias, softer = spring_law(turn, hertz, load(v, nl.ANGULAR_DAMPING_RATIO), stiffness, soft.seconds)
-        bias = select(sprung, spring_bias, bias)
-        give = select(sprung, softer, give)
-    else:
-        acts = acts & ~sprung
-    wanted = u.bw - u.aw + bias + give * load(v, nl.IMPULSE_W)
-    return select(acts, -wanted / select(acts, stiffness + give, 1.0), 0.0)
 
 
 @kernel
