@@ -187,6 +187,60 @@ def heavy_on_light(size: int) -> Parts:
     return [*bodies, {"id": "heavy", "position": [0, 60], "shapes": [{"circle": 4, "density": 20}]}], []
 
 
+def columns(size: int) -> Parts:
+    """Balls in straight columns of 22 that do not touch each other, as a grid of them begins."""
+    across = 90 * size
+    found = pit(100.0 * size)
+    for k in range(2000 * size):
+        place = [1.1 * (k % across) - 49.0 * size, 2.0 + 1.5 * (k // across)]
+        found.append({"id": f"b{k}", "position": place, "shapes": [{"circle": 0.45}]})
+    return found, []
+
+
+def ragdolls(size: int) -> Parts:
+    """Six bodies each, with limits, thrown on a heap."""
+    rows = [
+        _ragdoll(f"r{k}", 3.2 * (k % (15 * size)) - 24.0 * size, 2.0 + 3.0 * (k // (15 * size)))
+        for k in range(150 * size)
+    ]
+    return together([(pit(50.0 * size), []), *rows])
+
+
+def _ragdoll(name: str, x: float, y: float) -> Parts:
+    bodies: list[Words] = [
+        {"id": f"{name}-trunk", "position": [x, y], "shapes": [{"capsule": [[0, -0.4], [0, 0.4]], "radius": 0.25}]},
+        {"id": f"{name}-head", "position": [x, y + 0.9], "shapes": [{"circle": 0.22}]},
+    ]
+    joints = [{**hinge(f"{name}-neck", [f"{name}-trunk", f"{name}-head"], x, y + 0.65), "lower": -40, "upper": 40}]
+    for part, dx, dy in (("arm1", -0.6, 0.3), ("arm2", 0.6, 0.3), ("leg1", -0.25, -0.95), ("leg2", 0.25, -0.95)):
+        level = dy > 0.0
+        limb = {"capsule": [[0, -0.25], [0, 0.25]], "radius": 0.12}
+        place, angle = [x + dx, y + dy], 90 if level else 0
+        bodies.append({"id": f"{name}-{part}", "position": place, "angle": angle, "shapes": [limb]})
+        joint = hinge(
+            f"{name}-{part}", [f"{name}-trunk", f"{name}-{part}"], x + 0.5 * dx, y + (dy if level else dy + 0.3)
+        )
+        joints.append({**joint, "lower": -60, "upper": 60})
+    return bodies, joints
+
+
+def cars(size: int) -> Parts:
+    """They drive over bumps, one behind the other."""
+    bumps = [[x - 50.0, 0.3 * math.sin(0.9 * x)] for x in range(100 + 800 * size)]
+    chains = [{"chain": bumps[k : k + 901], "friction": 0.9} for k in range(0, len(bumps) - 1, 900)]
+    bodies: list[Words] = [{"id": "hill", "type": "static", "shapes": chains}]
+    joints = []
+    for k in range(150 * size):
+        x = 5.0 * k
+        bodies.append({"id": f"c{k}", "position": [x, 1.6], "shapes": [{"box": [2.4, 0.6]}]})
+        for wheel in (-0.8, 0.8):
+            name, at = f"w{k}{wheel}", [x + wheel, 1.0]
+            bodies.append({"id": name, "position": at, "shapes": [{"circle": 0.45, "friction": 0.9}]})
+            drive = {"motor_speed": -300, "max_torque": 3, "hertz": 4, "damping_ratio": 0.7, "axis": [0, 1]}
+            joints.append({"id": f"j{name}", "type": "wheel", "bodies": [f"c{k}", name], "anchor": at, **drive})
+    return bodies, joints
+
+
 def needles(size: int) -> Parts:
     return heap([{"box": [5, 0.08]}] * (1000 * size), 120.0 * size, 5.2), []
 
@@ -214,7 +268,7 @@ def tiles(size: int) -> Parts:
 
 SCENES: tuple[Callable[[int], Parts], ...] = (
     ropes, one_rope, cloth, spring_net, weld_net, loops, welded_triples, bouncing_pit, sizes_mixed, heavy_on_light,
-    needles, stars, tiles,
+    columns, ragdolls, cars, needles, stars, tiles,
 )  # fmt: skip
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from sandbox.engine.commands.drags import StartDrag
@@ -46,6 +48,25 @@ def test_a_tower_that_has_landed_stands_as_one_that_was_put_down() -> None:
     w.step(360)
     assert abs(w.body("b39").position[0]) < 0.05
     assert abs(w.body("b39").position[1] - 39.5) < 0.1
+
+
+def test_stiffer_contacts_are_for_what_they_can_hold_up() -> None:
+    discs = [body(f"b{i}", circle(0.5), position=(0.0, 0.5 + i)) for i in range(40)]
+    assert finer_in(world(ground(), *discs, settings=AWAKE), 60) == 0  # two forces for each, which can roll off
+    upright = [replace(disc, fixed_rotation=True) for disc in discs]
+    assert finer_in(world(ground(), *upright, settings=AWAKE), 60) >= 50
+    rough = [replace(disc, shapes=(replace(disc.shapes[0], rolling_resistance=0.1),)) for disc in discs]
+    assert finer_in(world(ground(), *rough, settings=AWAKE), 60) >= 50
+    on_a_ball = [discs[0], *(replace(box, position=(0.0, box.position[1] + 1.0)) for box in tower(0.0, 39))]
+    assert finer_in(world(ground(), *on_a_ball, settings=AWAKE), 60) >= 50
+
+
+def test_a_column_of_discs_stands_as_long_as_it_is_straight() -> None:
+    discs = [body(f"b{i}", circle(0.5), position=(0.0, 0.5 + i)) for i in range(40)]
+    w = world(ground(), *discs, settings=AWAKE)
+    w.step(600)
+    assert abs(w.body("b39").position[0]) == 0.0
+    assert w.body("b39").position[1] == pytest.approx(39.5, abs=0.05)
 
 
 def test_a_tower_on_a_beam_that_welds_hold_takes_finer_substeps() -> None:

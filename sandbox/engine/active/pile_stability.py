@@ -3,7 +3,9 @@
 Soft contacts give way under load, so a slender pile buckles like a column of elastic joints, and one solver pass a
 substep cannot carry a heavy body through a light one. Both get better with the square of the substep rate. A column
 is safe while the sum of weight * height^2 over its bodies is less than 2.5 EI (A. G. Greenhill 1881; a load at the
-top is Euler's case), and contacts with the angular frequency w over a width W have EI of about m w^2 W^3.
+top is Euler's case), and contacts with the angular frequency w over a width W have EI of about m w^2 W^3. Stiffness
+only holds what is a frame: a pile with fewer forces, two at each contact point, than its bodies have degrees of freedom
+is a mechanism (J. C. Maxwell, "On the calculation of the equilibrium and stiffness of frames", 1864).
 """
 
 from __future__ import annotations
@@ -25,10 +27,14 @@ SAFE = 0.35
 """Largest share of the buckling load that an island bears at its level."""
 KEEPS = 0.5
 """Share of what an island could bear at a level up to which it goes back to that from a higher one."""
-RATIO = 30.0
+RATIO = 60.0
 """Largest ratio of what weighs on a body to its mass at level 0; four times as much at each level more."""
 SINK = 0.02
 """Largest depth, as a share of the lower body's extent, to which a body may sink into that."""
+SLOP = 0.005
+"""Depth (m) to which it may sink in any case, that of Box2D's linear slop, as long as that is not more than:"""
+MOST_SLOP = 0.1
+"""Share of the lower body's extent."""
 UPRIGHT = 0.5
 """Smallest cosine between a contact's normal and gravity at which one body counts as lying on the other."""
 
@@ -47,6 +53,8 @@ PILE = Table(
         Field("left", "m", "first contact point across gravity, from the root body"),
         Field("right", "m", "last contact point across gravity"),
         Field("bodies", "-", "how many", "i8"),
+        Field("forces", "-", "at its contacts, and three for each of its bodies that has joints", "i8"),
+        Field("freedoms", "-", "degrees of freedom of its bodies: three, two of what does not turn", "i8"),
         Field("heaviest", "kg", "of its bodies"),
         Field("bearer", "kg", "lightest body that another one lies on"),
         Field("slight", "m", "smallest extent of such a body"),
@@ -75,8 +83,10 @@ def masses_differ(bodies: Records, rows: Integers, gravity: float, omega: float)
 @kernel
 def bearable(slight: float, gravity: float, omega: float) -> float:
     """Largest ratio of a body's mass to that of one of that extent below it, at level 0."""
-    if SINK * slight * omega * omega < RATIO * gravity:
-        return SINK * slight * omega * omega / gravity
+    slop = SLOP if MOST_SLOP * slight > SLOP else MOST_SLOP * slight
+    deep = SINK * slight if SINK * slight > slop else slop
+    if deep * omega * omega < RATIO * gravity:
+        return deep * omega * omega / gravity
     return RATIO
 
 
@@ -84,7 +94,7 @@ def bearable(slight: float, gravity: float, omega: float) -> float:
 def measure_bodies(
     bodies: Records, rows: Integers, islands: Integers, piles: Records, joints: JointWork | None, load: Load
 ) -> None:
-    """Weight and height of piles of two or more; of width, foot, bearing body and ratio what is worst for each."""
+    """Weight and height of piles of two or more; of all else what is worst for each."""
     down_x = load.down_x
     down_y = load.down_y
     for i in rows:
@@ -100,6 +110,7 @@ def measure_bodies(
         if root == i:  # the first of its pile
             pile.weight = pile.moment = pile.second_moment = pile.heaviest = 0.0
             pile.hangs = 0
+            pile.forces = pile.freedoms = 0
             pile.bottom = pile.left = pile.bearer = pile.slight = _NONE
             pile.right = -_NONE
             pile.support = ALL
@@ -162,9 +173,14 @@ def measure_contacts(
     for i in rows:
         pile = piles[i]
         pile.ratio = 0.0
-        pile.level = 0
+        pile.level = pile.forces = pile.freedoms = 0
         pile.bottom = pile.left = pile.bearer = pile.slight = _NONE
         pile.right = -_NONE
+    for i in rows:
+        pile = piles[islands[i]]
+        pile.freedoms += 3 if bodies[i].inverse_inertia > 0.0 else 2
+        if joints is not None and joints.part_of[i] >= 0:
+            pile.forces += 3
     for slot in contacts.active[1 : 1 + contacts.active[0].contact]:
         contact = contacts.now[slot.contact]
         a = bodies[contact.body_a]
@@ -174,6 +190,7 @@ def measure_contacts(
         root = islands[contact.body_a] if is_active(a) else islands[contact.body_b]
         pile = piles[root]
         pile.level = contact.substep_level if contact.substep_level > pile.level else pile.level
+        pile.forces += 2 * contact.point_count + (1 if contact.rolling_resistance > 0.0 else 0)
         x = a.center_x - bodies[root].center_x
         y = a.center_y - bodies[root].center_y
         _add_point(pile, x + contact.anchor_ax1, y + contact.anchor_ay1, down_x, down_y)
@@ -220,6 +237,12 @@ def _add_bearer(pile: Records, lower: Records, upper: Records, weighs: float) ->
     pile.slight = lower.extent if lower.extent < pile.slight else pile.slight
 
 
+@inlined_kernel
+def is_frame(pile: Records) -> bool:
+    """Whether a pile has as many forces as can hold its bodies, by `measure_contacts`: a column of discs has not."""
+    return bool(pile.forces >= pile.freedoms)
+
+
 @kernel
 def level_for(pile: Records, omega: float, gravity: float) -> int:
     """How many times the substeps have to be doubled for this pile.
@@ -232,7 +255,7 @@ def level_for(pile: Records, omega: float, gravity: float) -> int:
     width = width if width > 0.5 * pile.slight else 0.5 * pile.slight
     foot = pile.bottom
     load = pile.second_moment - 2.0 * foot * pile.moment + foot * foot * pile.weight
-    load = load * share_supported(pile)
+    load = load * share_supported(pile) if is_frame(pile) else 0.0
     bears = SAFE * STIFFNESS * pile.bearer * omega * omega * width * width * width
     ratio = bearable(pile.slight, gravity, omega)
     level = pile.level - 1 if pile.level > 1 else 0

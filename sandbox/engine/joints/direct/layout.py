@@ -99,7 +99,16 @@ def _equations(
     below = np.diff(ends) - 1
     updates = below * (below + 1) // 2
     table.first_target = np.cumsum(updates) - updates
+    table.paired = _pairs([joint for joint, _ in rows])
     return table
+
+
+def _pairs(joints: Sequence[int]) -> list[bool]:
+    """Of rows of these joints, which begin a pair: every other row of a joint that is not its last."""
+    found: list[bool] = []
+    for joint, after in zip(joints, [*joints[1:], -1], strict=False):
+        found.append(joint == after and not (found and found[-1]))
+    return found
 
 
 def _entries(

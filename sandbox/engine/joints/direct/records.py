@@ -62,6 +62,7 @@ EQUATION = Table(
         Field("first_entry", "-", "its column of the factor, from the diagonal down", "i8"),
         Field("entry_end", "-", "", "i8"),
         Field("first_target", "-", "", "i8"),
+        Field("paired", "-", "1 when it is eliminated together with the next one, which is of the same joint", "i8"),
     ),
 )
 """The rows of a layout."""
