@@ -21,6 +21,10 @@ Floats: TypeAlias = NDArray[np.float64]
 Records: TypeAlias = "np.recarray[Any, Any]"
 """A one-dimensional record array: `bodies[3].velocity_x`, or `bodies.velocity_x` for the column."""
 
+FloatWords: TypeAlias = "memoryview[float]"
+WholeWords: TypeAlias = "memoryview[int]"
+"""The words of a row, by `row_words`."""
+
 _LINE = 64
 _base_of = np.ndarray.base.__get__
 """What a view is one of. Record arrays look through their columns for every attribute first: a microsecond."""
@@ -138,6 +142,15 @@ def plain(rows: Any) -> NDArray[Any]:
     """A table as a plain array, whose columns (`plain(rows)["mass"]`) are had ten times as fast."""
     base = _base_of(rows)
     return base if type(base) is np.ndarray and len(base) == len(rows) else np.asarray(rows)
+
+
+def row_words(rows: Records, row: int) -> tuple[FloatWords, WholeWords]:
+    """The words of a row as floats and as whole numbers, in the order of its table's fields, all of eight bytes.
+
+    For who asks for single numbers: a field of a record array takes eighty times as long.
+    """
+    words: Any = plain(rows)[row : row + 1].view(np.float64)
+    return words.data, words.view(np.int64).data
 
 
 def extended(rows: Records, more: NDArray[Any]) -> Records:

@@ -256,6 +256,31 @@ COUNTERS = Table(
 )
 
 
+class BodyPlace:
+    """Which word of a body's row is which, for who asks for single ones (`row_words`)."""
+
+    _ALL = tuple(field.name for field in BODY.fields)
+    POSITION_X = _ALL.index("position_x")
+    POSITION_Y = _ALL.index("position_y")
+    ANGLE = _ALL.index("angle")
+    VELOCITY_X = _ALL.index("velocity_x")
+    VELOCITY_Y = _ALL.index("velocity_y")
+    ANGULAR_VELOCITY = _ALL.index("angular_velocity")
+    CENTER_X = _ALL.index("center_x")
+    CENTER_Y = _ALL.index("center_y")
+    MASS = _ALL.index("mass")
+    INERTIA = _ALL.index("inertia")
+    INVERSE_MASS = _ALL.index("inverse_mass")
+    INVERSE_INERTIA = _ALL.index("inverse_inertia")
+    FORCE_X = _ALL.index("force_x")
+    FORCE_Y = _ALL.index("force_y")
+    TORQUE = _ALL.index("torque")
+    TYPE = _ALL.index("type")
+    AWAKE = _ALL.index("awake")
+    SLEEP_TIME = _ALL.index("sleep_time")
+    ISLAND = _ALL.index("island")
+
+
 class CounterPlace:
     """Which word of the row of counters is which, for who asks in every step."""
 

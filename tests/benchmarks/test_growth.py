@@ -151,6 +151,17 @@ def test_spawning_one_among_many() -> None:
     assert math.isfinite(tell("spawning one body among so many", seconds))
 
 
+def test_pushing_one_among_many() -> None:
+    """Each of a thousand bodies that are awake gets a velocity, as a game does in every step."""
+    seconds = {}
+    for count in PYRAMIDS:
+        world = sandbox.World(pyramids(count))
+        world.step(2)
+        commands = [sandbox.SetVelocity(name, (0.0, 0.0), 0.0) for name in world.names[1:] * 3][:1000]
+        seconds[count * BOXES] = fastest(lambda world=world, all_of=commands: [*map(world.apply, all_of)], 5) / 1000
+    assert math.isfinite(tell("setting the velocity of one body among so many", seconds))
+
+
 def test_deleting_one_among_many() -> None:
     seconds = {}
     for count in PYRAMIDS:

@@ -6,8 +6,11 @@ import math
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from sandbox import ApplyForce, EndDrag, MoveDrag, SetGravity, SetPose, SetSurface, SetVelocity, Spawn, StartDrag
+from sandbox.engine.commands import checks
 from sandbox.engine.world import World
 from sandbox.errors import CommandError, SandboxError, UnknownBodyError
 from tests.flat import body, box, circle, ground, world
@@ -107,6 +110,40 @@ def test_what_has_another_type_is_refused(command, told):
 @pytest.mark.parametrize("name", [None, 5, ["crate"]])
 def test_an_id_is_a_text(name):
     assert "an id is a text" in refused(small(), SetVelocity(name, (1.0, 0.0), 0.0), UnknownBodyError)
+
+
+NUMBERS = st.one_of(st.floats(), st.integers(-(2**70), 2**70), st.none(), st.booleans(), st.just("1"), st.just(1e9))
+PAIRS = st.one_of(NUMBERS, st.tuples(NUMBERS, NUMBERS), st.tuples(NUMBERS), st.lists(NUMBERS, max_size=3))
+
+
+@given(PAIRS, NUMBERS, PAIRS)
+def test_what_is_known_to_be_plain_at_one_look_is_so_at_a_closer_one(pair, number, point):
+    commands = (
+        SetVelocity("crate", pair, number), SetPose("crate", pair, number), ApplyForce("crate", pair, number, point),
+        StartDrag("crate", pair, number), SetSurface("crate", number, shape=number), SetGravity(pair),
+    )  # fmt: skip
+    for command in commands:
+        if checks._is_plain(command, type(command)):
+            with pytest.MonkeyPatch.context() as patch:
+                patch.setattr(checks, "_is_plain", lambda *_: False)
+                assert command.checked() == command
+            assert command.checked() is command
+
+
+def test_a_push_wakes_what_sleeps_and_leaves_the_rest_of_what_is_awake_as_it_is():
+    w = world(
+        ground(), body("low", box(1.0, 1.0), position=(0.0, 0.5)), body("high", box(1.0, 1.0), position=(0.0, 1.5))
+    )
+    w.step(300)
+    assert not w.body("low").awake
+    w.apply(SetVelocity("high", (0.0, 0.0), 0.0))
+    assert w.body("low").awake
+    assert w.body("high").awake
+    w.step(20)
+    times = w.state.bodies.sleep_time.tolist()
+    w.apply(ApplyForce("high", (0.0, 0.0)))
+    assert w.state.bodies.sleep_time.tolist() == [times[0], times[1], 0.0]
+    assert times[1] > 0.0
 
 
 def test_lists_and_numbers_of_numpy_will_do():

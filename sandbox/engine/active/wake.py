@@ -7,8 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from sandbox.tables import Integers, plain
+from sandbox.tables import FloatWords, Integers, WholeWords, plain
 from sandbox.world.records import DYNAMIC
+from sandbox.world.records import BodyPlace as At
 from sandbox.world.state import State
 
 
@@ -17,9 +18,17 @@ def wake_body(state: State, index: int) -> None:
     wake_bodies(state, [index])
 
 
+def keep_awake(numbers: FloatWords, flags: WholeWords) -> None:
+    """Let a body that is awake, by the words of its row, begin anew to count how long it has been slow."""
+    numbers[At.SLEEP_TIME], flags[At.ISLAND] = 0.0, 0
+
+
 def wake_bodies(state: State, rows: Sequence[int] | Integers) -> None:
     """Wake bodies with their islands, and the islands of all that touch them or are joined to them."""
     bodies, counter = plain(state.bodies), plain(state.counters)[0]
+    if counter["asleep_count"] == 0:
+        _rouse(bodies, np.unique(rows))
+        return
     contacts, joints = plain(state.contacts)[: counter["contact_count"]], plain(state.joints)
     chosen = np.zeros(len(bodies) + 1, np.bool_)  # -1, the world, is the last row
     chosen[rows] = True

@@ -6,13 +6,17 @@ from abc import abstractmethod
 from dataclasses import dataclass
 from typing import ClassVar
 
-from sandbox.engine.active.wake import wake_body
+from sandbox.engine.active.wake import keep_awake, wake_body
 from sandbox.engine.commands.base import Command, CommandTarget, Touched
 from sandbox.engine.commands.checks import title
 from sandbox.errors import CommandError
-from sandbox.tables import Records
+from sandbox.tables import WholeWords, row_words
 from sandbox.world.records import DYNAMIC
+from sandbox.world.records import BodyPlace as At
 from sandbox.world.state import State
+
+GOES_ON = Touched(active_set=False)
+"""What a command has touched that only pushes an awake body."""
 
 
 @dataclass(frozen=True)
@@ -27,18 +31,21 @@ class BodyCommand(Command):
     def apply(self, target: CommandTarget) -> Touched:
         """Change the body and wake it."""
         state, row = target.state, target.directory.body(self.body)
-        body = state.bodies[row]
-        goes_on = self.only_pushes and body.type == DYNAMIC and body.awake == 1
+        numbers, flags = row_words(state.bodies, row)
+        goes_on = self.only_pushes and flags[At.TYPE] == DYNAMIC and flags[At.AWAKE] == 1
         self.change(state, row)
+        if goes_on:  # so does all that it touches
+            keep_awake(numbers, flags)
+            return GOES_ON
         wake_body(state, row)
-        return Touched(active_set=not goes_on)
+        return Touched()
 
     @abstractmethod
     def change(self, state: State, row: int) -> None:
         """Change the body of that row. Raises `CommandError`, and changes nothing, if it cannot be done."""
 
 
-def needs_dynamic(body: Records, command: BodyCommand) -> None:
-    """Raise `CommandError` unless a body is dynamic."""
-    if body.type != DYNAMIC:
+def needs_dynamic(flags: WholeWords, command: BodyCommand) -> None:
+    """Raise `CommandError` unless a body, its row as whole numbers, is dynamic."""
+    if flags[At.TYPE] != DYNAMIC:
         raise CommandError(f"{title(command)}: only a dynamic body can be pushed or dragged")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Collection, Iterator
 from dataclasses import fields, replace
 from functools import cache
@@ -55,6 +56,8 @@ def checked(command: T, unlimited: Collection[str] = ()) -> T:
     that is `unlimited`, and within the limit of its field.
     """
     kind: Any = type(command)
+    if _is_plain(command, kind):
+        return command
     plain: dict[str, Any] = {}
     for name, types in _types(kind).items():
         value = getattr(command, name)
@@ -72,6 +75,35 @@ def checked(command: T, unlimited: Collection[str] = ()) -> T:
         plain[name] = _floats(value) if get_origin(fitting) is tuple else fitting(value)
     changed: Any = replace(command, **plain)  # type: ignore[type-var]
     return changed  # type: ignore[no-any-return]
+
+
+def _is_plain(command: Any, kind: Any) -> bool:
+    """Whether a command has nothing but floats, pairs of them, and None, of sizes that are right: most have, and need
+    no longer look. Others may be right as well."""
+    for name, optional, pair, most in _plain_fields(kind):
+        value = getattr(command, name)
+        if value is None and optional:
+            continue
+        if pair and (type(value) is not tuple or len(value) != 2):
+            return False
+        for number in value if pair else (value,):
+            if type(number) is not float or not -most <= number <= most:
+                return False
+    return True
+
+
+@cache
+def _plain_fields(kind: Any) -> list[tuple[str, bool, bool, float]]:
+    """The fields of a command but for ids: the name, whether it may be None, whether it is a pair of numbers, and the
+    largest size, which is below zero where more than the size decides."""
+    found = []
+    for name, types in _types(kind).items():
+        if name not in _IDS:
+            pair = types[0] == tuple[float, float]
+            plain = (pair or types[0] is float) and name not in _NOT_NEGATIVE
+            most = min(LIMITS.get(name, math.inf), sys.float_info.max) if plain else -1.0
+            found.append((name, type(None) in types, pair, most))
+    return found
 
 
 @cache

@@ -11,7 +11,9 @@ from sandbox.engine.commands.body_command import BodyCommand
 from sandbox.engine.commands.checks import title
 from sandbox.errors import CommandError
 from sandbox.geometry.trig import cos_sin
+from sandbox.tables import row_words
 from sandbox.world.records import STATIC
+from sandbox.world.records import BodyPlace as At
 from sandbox.world.state import State
 from sandbox.world.tiling import NO_TILES, neighbours, rejoin_around, tiles_of
 
@@ -29,8 +31,8 @@ class SetPose(BodyCommand):
     def apply(self, target: CommandTarget) -> Touched:
         """Move the body, and say where its centre was."""
         row = target.directory.body(self.body)
-        body = target.state.bodies[row]
-        center = float(body.center_x), float(body.center_y)
+        body, _ = row_words(target.state.bodies, row)
+        center = body[At.CENTER_X], body[At.CENTER_Y]
         return replace(super().apply(target), displaced=(row, center))
 
     def change(self, state: State, row: int) -> None:
@@ -59,8 +61,8 @@ class SetVelocity(BodyCommand):
 
     def change(self, state: State, row: int) -> None:
         """Write the velocity."""
-        body = state.bodies[row]
-        if body.type == STATIC:
+        body, flags = row_words(state.bodies, row)
+        if flags[At.TYPE] == STATIC:
             raise CommandError(f"{title(self)}: a static body has no velocity; make it kinematic in the scene")
-        body.velocity_x, body.velocity_y = self.velocity
-        body.angular_velocity = self.angular_velocity
+        body[At.VELOCITY_X], body[At.VELOCITY_Y] = self.velocity
+        body[At.ANGULAR_VELOCITY] = self.angular_velocity

@@ -9,7 +9,8 @@ from sandbox.engine.commands.base import Vec
 from sandbox.engine.commands.body_command import BodyCommand, needs_dynamic
 from sandbox.engine.commands.checks import SPEED_LIMIT, title
 from sandbox.errors import CommandError
-from sandbox.tables import Records
+from sandbox.tables import FloatWords, row_words
+from sandbox.world.records import BodyPlace as At
 from sandbox.world.state import State
 
 
@@ -28,15 +29,15 @@ class ApplyForce(BodyCommand):
 
     def change(self, state: State, row: int) -> None:
         """Add to what pushes the body during the next step."""
-        body = state.bodies[row]
-        needs_dynamic(body, self)
+        body, flags = row_words(state.bodies, row)
+        needs_dynamic(flags, self)
         x, y = self.force
-        force = (float(body.force_x) + x, float(body.force_y) + y)
-        torque = float(body.torque) + self.torque + _moment(body, self.force, self.point)
+        force = (body[At.FORCE_X] + x, body[At.FORCE_Y] + y)
+        torque = body[At.TORQUE] + self.torque + _moment(body, self.force, self.point)
         if not all(math.isfinite(value) for value in (*force, torque)):
             raise CommandError(f"{title(self)}: the forces on the body add up to infinity")
-        body.force_x, body.force_y = force
-        body.torque = torque
+        body[At.FORCE_X], body[At.FORCE_Y] = force
+        body[At.TORQUE] = torque
 
 
 @dataclass(frozen=True)
@@ -54,24 +55,24 @@ class ApplyImpulse(BodyCommand):
 
     def change(self, state: State, row: int) -> None:
         """Change the body's velocity."""
-        body = state.bodies[row]
-        needs_dynamic(body, self)
+        body, flags = row_words(state.bodies, row)
+        needs_dynamic(flags, self)
         x, y = self.impulse
         moment = self.angular_impulse + _moment(body, self.impulse, self.point)
         velocity = (
-            float(body.velocity_x) + x * float(body.inverse_mass),
-            float(body.velocity_y) + y * float(body.inverse_mass),
+            body[At.VELOCITY_X] + x * body[At.INVERSE_MASS],
+            body[At.VELOCITY_Y] + y * body[At.INVERSE_MASS],
         )
-        turning = float(body.angular_velocity) + moment * float(body.inverse_inertia)
+        turning = body[At.ANGULAR_VELOCITY] + moment * body[At.INVERSE_INERTIA]
         if not all(abs(speed) <= SPEED_LIMIT for speed in (*velocity, turning)):
             text = f"would make it faster than the limit of {SPEED_LIMIT:g} m/s or rad/s"
             raise CommandError(f"{title(self)}: {text}")
-        body.velocity_x, body.velocity_y = velocity
-        body.angular_velocity = turning
+        body[At.VELOCITY_X], body[At.VELOCITY_Y] = velocity
+        body[At.ANGULAR_VELOCITY] = turning
 
 
-def _moment(body: Records, push: Vec, point: Vec | None) -> float:
+def _moment(body: FloatWords, push: Vec, point: Vec | None) -> float:
     """Moment of a push at a place in the world about the body's centre of mass."""
     if point is None:
         return 0.0
-    return (point[0] - float(body.center_x)) * push[1] - (point[1] - float(body.center_y)) * push[0]
+    return (point[0] - body[At.CENTER_X]) * push[1] - (point[1] - body[At.CENTER_Y]) * push[0]

@@ -13,7 +13,9 @@ from sandbox.engine.commands.set_surface import SetSurface
 from sandbox.engine.views.base import ViewedWorld
 from sandbox.errors import UnknownBodyError
 from sandbox.geometry.shapes import Shape
+from sandbox.tables import FloatWords, WholeWords, row_words
 from sandbox.world.body_shapes import body_shapes
+from sandbox.world.records import BodyPlace as At
 
 _NAMES = {0: "static", 1: "kinematic", 2: "dynamic"}
 
@@ -26,13 +28,13 @@ class BodyView(FixedAttributes):
     if another one has its id.
     """
 
-    __slots__ = ("_layout", "_row", "_serial", "_world", "id")
+    __slots__ = ("_floats", "_layout", "_serial", "_wholes", "_world", "id")
 
     def __init__(self, world: ViewedWorld, row: int) -> None:
         self.id = world.state.census.bodies.names[row]
         self._world = world
         self._serial = world.state.census.bodies.serials[row]
-        self._layout, self._row = world.state.layout, world.state.bodies[row]
+        self._layout = -1
 
     @classmethod
     def _again(cls, world: ViewedWorld, name: str, serial: int) -> BodyView:
@@ -46,11 +48,24 @@ class BodyView(FixedAttributes):
         return BodyView._again, (self._world, self.id, self._serial)
 
     @property
-    def _record(self) -> Any:
+    def _numbers(self) -> FloatWords:
+        """Its row as floats, by `BodyPlace`."""
+        if self._layout != self._world.state.layout:
+            self._find()
+        return self._floats
+
+    @property
+    def _flags(self) -> WholeWords:
+        """Its row as whole numbers."""
+        if self._layout != self._world.state.layout:
+            self._find()
+        return self._wholes
+
+    def _find(self) -> None:
+        """Look up its row, which may be another one since bodies have come or gone."""
         state = self._world.state
-        if self._layout != state.layout:
-            self._layout, self._row = state.layout, state.bodies[self._index]
-        return self._row
+        self._floats, self._wholes = row_words(state.bodies, self._index)
+        self._layout = state.layout
 
     @property
     def _index(self) -> int:
@@ -60,18 +75,19 @@ class BodyView(FixedAttributes):
         return row
 
     def _apply(self, command: Command) -> None:
-        _ = self._record
+        _ = self._flags
         self._world.apply(command)
 
     @property
     def type(self) -> str:
         """`static`, `kinematic` or `dynamic`; a frozen body is static."""
-        return _NAMES[int(self._record.type)]
+        return _NAMES[self._flags[At.TYPE]]
 
     @property
     def position(self) -> tuple[float, float]:
         """Origin in metres."""
-        return float(self._record.position_x), float(self._record.position_y)
+        row = self._numbers
+        return row[At.POSITION_X], row[At.POSITION_Y]
 
     @position.setter
     def position(self, value: tuple[float, float]) -> None:
@@ -80,7 +96,7 @@ class BodyView(FixedAttributes):
     @property
     def angle(self) -> float:
         """Radians turned so far, not wrapped."""
-        return float(self._record.angle)
+        return self._numbers[At.ANGLE]
 
     @angle.setter
     def angle(self, value: float) -> None:
@@ -89,7 +105,8 @@ class BodyView(FixedAttributes):
     @property
     def velocity(self) -> tuple[float, float]:
         """Of the centre of mass, m/s."""
-        return float(self._record.velocity_x), float(self._record.velocity_y)
+        row = self._numbers
+        return row[At.VELOCITY_X], row[At.VELOCITY_Y]
 
     @velocity.setter
     def velocity(self, value: tuple[float, float]) -> None:
@@ -98,7 +115,7 @@ class BodyView(FixedAttributes):
     @property
     def angular_velocity(self) -> float:
         """Radians a second, counter-clockwise."""
-        return float(self._record.angular_velocity)
+        return self._numbers[At.ANGULAR_VELOCITY]
 
     @angular_velocity.setter
     def angular_velocity(self, value: float) -> None:
@@ -143,22 +160,23 @@ class BodyView(FixedAttributes):
     @property
     def center(self) -> tuple[float, float]:
         """Centre of mass in metres."""
-        return float(self._record.center_x), float(self._record.center_y)
+        row = self._numbers
+        return row[At.CENTER_X], row[At.CENTER_Y]
 
     @property
     def mass(self) -> float:
         """Kilograms; 0 for static and kinematic bodies."""
-        return float(self._record.mass)
+        return self._numbers[At.MASS]
 
     @property
     def inertia(self) -> float:
         """kg m^2 about the centre of mass; 0 where the body cannot turn."""
-        return float(self._record.inertia)
+        return self._numbers[At.INERTIA]
 
     @property
     def awake(self) -> bool:
         """Whether the body is simulated."""
-        return bool(self._record.awake)
+        return bool(self._flags[At.AWAKE])
 
     def __repr__(self) -> str:
         x, y = self.position
