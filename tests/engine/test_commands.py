@@ -13,6 +13,7 @@ from sandbox import ApplyForce, EndDrag, MoveDrag, SetGravity, SetPose, SetSurfa
 from sandbox.engine.commands import checks
 from sandbox.engine.world import World
 from sandbox.errors import CommandError, SandboxError, UnknownBodyError
+from sandbox.scene.flat import FlatSettings
 from tests.flat import body, box, circle, ground, world
 
 BAD = [math.nan, math.inf, -math.inf]
@@ -132,7 +133,10 @@ def test_what_is_known_to_be_plain_at_one_look_is_so_at_a_closer_one(pair, numbe
 
 def test_a_push_wakes_what_sleeps_and_leaves_the_rest_of_what_is_awake_as_it_is():
     w = world(
-        ground(), body("low", box(1.0, 1.0), position=(0.0, 0.5)), body("high", box(1.0, 1.0), position=(0.0, 1.5))
+        ground(),
+        body("low", box(1.0, 1.0), position=(0.0, 0.5)),
+        body("high", box(1.0, 1.0), position=(0.0, 1.5)),
+        settings=FlatSettings(),
     )
     w.step(300)
     assert not w.body("low").awake
