@@ -60,7 +60,8 @@ NOTES: dict[int, str] = {
     27: "welds of nets are solved side by side as well, the anchors of each at once",
     28: "where the push of a weld's angle is cut in a net, a product is taken in the order that rods have",
     29: "finer substeps only where stiffness can hold a pile up, no longer for columns of discs, and from 60 times the "
-    "mass on that weighs on a body, no longer 30, or from where it sinks in by 5 mm",
+    "mass on that weighs on a body, no longer 30, or from where it sinks in by 5 mm; what sleeps on a kinematic body "
+    "that a command sets in motion wakes in the step, no longer before it",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

@@ -150,6 +150,20 @@ def test_a_push_wakes_what_sleeps_and_leaves_the_rest_of_what_is_awake_as_it_is(
     assert times[1] > 0.0
 
 
+def test_what_sleeps_on_a_kinematic_body_wakes_in_the_step_once_that_moves():
+    floor = body("floor", box(20.0, 1.0), type="kinematic", position=(0.0, -0.5))
+    w = world(floor, body("crate", box(1.0, 1.0), position=(0.0, 0.5)), settings=FlatSettings())
+    w.step(300)
+    w.apply(SetVelocity("floor", (0.0, 0.0), 0.0))
+    w.step()
+    assert not w.body("crate").awake
+    w.apply(SetVelocity("floor", (1.0, 0.0), 0.0))
+    w.step()
+    assert w.body("crate").awake
+    w.step(60)
+    assert w.body("crate").position[0] == pytest.approx(w.body("floor").position[0], abs=0.2)
+
+
 def test_lists_and_numbers_of_numpy_will_do():
     one, two = small(), small()
     one.apply(SetVelocity("crate", (1.0, 2.0), 3.0))

@@ -11,7 +11,7 @@ from sandbox.engine.commands.base import Command, CommandTarget, Touched
 from sandbox.engine.commands.checks import title
 from sandbox.errors import CommandError
 from sandbox.tables import WholeWords, row_words
-from sandbox.world.records import DYNAMIC
+from sandbox.world.records import DYNAMIC, KINEMATIC
 from sandbox.world.records import BodyPlace as At
 from sandbox.world.state import State
 
@@ -34,10 +34,11 @@ class BodyCommand(Command):
         numbers, flags = row_words(state.bodies, row)
         goes_on = self.only_pushes and flags[At.TYPE] == DYNAMIC and flags[At.AWAKE] == 1
         self.change(state, row)
-        if goes_on:  # so does all that it touches
+        if goes_on:  # what it touches is awake
             keep_awake(numbers, flags)
             return GOES_ON
-        wake_body(state, row)
+        if not (self.only_pushes and flags[At.TYPE] == KINEMATIC):  # what that touches wakes in the step, if it moves
+            wake_body(state, row)
         return Touched()
 
     @abstractmethod
