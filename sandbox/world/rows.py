@@ -128,7 +128,8 @@ def remove_rows(state: State, directory: Directory, bodies: Flags, joints: Flags
     shapes = plain(state.shapes)
     gone = bodies[shapes["body"]]
     body_rows, shape_rows, joint_rows = (_new_rows(~marked) for marked in (bodies, gone, joints))
-    contacts = _remove_contacts(state, body_rows, shape_rows)
+    first = [int(marked.argmax()) if marked.any() else len(marked) for marked in (bodies, gone)]
+    contacts = _remove_contacts(state, body_rows, shape_rows, first[1])
     if len(joints):
         _remove_joints(state, ~joints, body_rows, joint_rows)
     beside = _remove_shapes(state, ~gone, body_rows, shape_rows) if gone.any() else np.zeros(0, np.int64)
@@ -138,7 +139,6 @@ def remove_rows(state: State, directory: Directory, bodies: Flags, joints: Flags
     names = state.census.bodies.remove(~bodies), state.census.joints.remove(~joints)
     directory.remove(*names)
     state.layout += 1
-    first = [int(marked.argmax()) if marked.any() else len(marked) for marked in (bodies, gone)]
     return Moved(body_rows, shape_rows, joint_rows, contacts, *first)
 
 
@@ -169,14 +169,17 @@ def _remove_sensings(state: State, left: Flags, body_rows: Integers) -> None:
         sensings[name] = body_rows[sensings[name]]
 
 
-def _remove_contacts(state: State, body_rows: Integers, shape_rows: Integers) -> Flags:
+def _remove_contacts(state: State, body_rows: Integers, shape_rows: Integers, first: int) -> Flags:
+    """Take out the contacts of what goes. Shapes before row `first` stay where they are, and with them their contacts:
+    those that have another shape behind it are the only ones to look at, as `shape_b` is behind `shape_a`."""
     used: Any = plain(state.contacts)[: int(state.counters[0].contact_count)]
-    left: Flags = (shape_rows[used["shape_a"]] >= 0) & (shape_rows[used["shape_b"]] >= 0)
-    used = used[: close_up(used, left)]
-    state.counters[0].contact_count = len(used)
+    moved = np.flatnonzero(used["shape_b"] >= first)
     for side in "ab":
-        used[f"shape_{side}"] = shape_rows[used[f"shape_{side}"]]
-        used[f"body_{side}"] = body_rows[used[f"body_{side}"]]
+        used[f"shape_{side}"][moved] = shape_rows[used[f"shape_{side}"][moved]]
+        used[f"body_{side}"][moved] = body_rows[used[f"body_{side}"][moved]]
+    left = np.ones(len(used), np.bool_)
+    left[moved] = (used["shape_a"][moved] >= 0) & (used["shape_b"][moved] >= 0)
+    state.counters[0].contact_count = close_up(used, left)
     return left
 
 

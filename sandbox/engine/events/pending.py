@@ -72,8 +72,9 @@ class PendingEvents:
     def note_going(self, state: State, gone: NDArray[np.bool_], sensed: Records | None) -> None:
         """Bodies will be deleted: what touches them, or is `sensed` with them, will do so no more."""
         contacts = plain(state.contacts)[: int(state.counters[0].contact_count)]
-        touching = contacts["touching"] == 1
-        touched = contacts.take(np.flatnonzero((gone[contacts["body_a"]] | gone[contacts["body_b"]]) & touching))
+        near = np.flatnonzero(contacts["body_b"] >= gone.argmax())  # which is no less than body_a
+        going = gone[contacts["body_a"][near]] | gone[contacts["body_b"][near]]
+        touched = contacts.take(near[going & (contacts["touching"][near] == 1)])
         if len(touched):
             self._next[0].extend(_contacts(state, touched))
         if sensed is not None:
