@@ -268,6 +268,10 @@ class BodyPlace:
     ANGULAR_VELOCITY = _ALL.index("angular_velocity")
     CENTER_X = _ALL.index("center_x")
     CENTER_Y = _ALL.index("center_y")
+    ROTATION_COS = _ALL.index("rotation_cos")
+    ROTATION_SIN = _ALL.index("rotation_sin")
+    LOCAL_CENTER_X = _ALL.index("local_center_x")
+    LOCAL_CENTER_Y = _ALL.index("local_center_y")
     MASS = _ALL.index("mass")
     INERTIA = _ALL.index("inertia")
     INVERSE_MASS = _ALL.index("inverse_mass")
@@ -279,6 +283,7 @@ class BodyPlace:
     AWAKE = _ALL.index("awake")
     SLEEP_TIME = _ALL.index("sleep_time")
     ISLAND = _ALL.index("island")
+    POSED = _ALL.index("posed")
 
 
 class CounterPlace:

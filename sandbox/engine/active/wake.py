@@ -27,7 +27,7 @@ def wake_bodies(state: State, rows: Sequence[int] | Integers) -> None:
     """Wake bodies with their islands, and the islands of all that touch them or are joined to them."""
     bodies, counter = plain(state.bodies), plain(state.counters)[0]
     if counter["asleep_count"] == 0:
-        _rouse(bodies, np.unique(rows))
+        _rouse(bodies, np.asarray(rows, np.int64))
         return
     contacts, joints = plain(state.contacts)[: counter["contact_count"]], plain(state.joints)
     chosen = np.zeros(len(bodies) + 1, np.bool_)  # -1, the world, is the last row

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from types import SimpleNamespace
+from typing import Any
 
 from sandbox._jit import interpreted
 from sandbox.engine.bodies.integrate import place_origin as place_origin_kernel
@@ -37,16 +39,21 @@ class SetPose(BodyCommand):
 
     def change(self, state: State, row: int) -> None:
         """Write the pose; tiles are joined anew where it was and where it is."""
-        body = state.bodies[row]
-        tiles = tiles_of(state, row) if body.type == STATIC else NO_TILES
+        body, flags = row_words(state.bodies, row)
+        tiles = tiles_of(state, row) if flags[At.TYPE] == STATIC else NO_TILES
         left = neighbours(state, tiles)
-        body.posed = 1
-        body.angle = self.angle
-        body.rotation_cos, body.rotation_sin = _cos_sin(self.angle)
-        x, y = body.local_center_x, body.local_center_y
-        body.center_x = self.position[0] + (body.rotation_cos * x - body.rotation_sin * y)
-        body.center_y = self.position[1] + (body.rotation_sin * x + body.rotation_cos * y)
-        _place_origin(body)
+        cos, sin = _cos_sin(self.angle)
+        x, y = body[At.LOCAL_CENTER_X], body[At.LOCAL_CENTER_Y]
+        center_x = self.position[0] + (cos * x - sin * y)
+        center_y = self.position[1] + (sin * x + cos * y)
+        pose: Any = SimpleNamespace(
+            rotation_cos=cos, rotation_sin=sin, local_center_x=x, local_center_y=y, center_x=center_x, center_y=center_y
+        )
+        _place_origin(pose)
+        flags[At.POSED] = 1
+        body[At.ANGLE], body[At.ROTATION_COS], body[At.ROTATION_SIN] = self.angle, cos, sin
+        body[At.CENTER_X], body[At.CENTER_Y] = center_x, center_y
+        body[At.POSITION_X], body[At.POSITION_Y] = pose.position_x, pose.position_y
         rejoin_around(state, tiles, left)
 
 
