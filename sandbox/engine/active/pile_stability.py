@@ -33,7 +33,7 @@ SINK = 0.02
 """Largest depth, as a share of the lower body's extent, to which a body may sink into that."""
 SLOP = 0.005
 """Depth (m) to which it may sink in any case, that of Box2D's linear slop, as long as that is not more than:"""
-MOST_SLOP = 0.1
+MOST_SLOP = 0.05
 """Share of the lower body's extent."""
 UPRIGHT = 0.5
 """Smallest cosine between a contact's normal and gravity at which one body counts as lying on the other."""
