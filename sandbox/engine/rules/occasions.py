@@ -17,6 +17,8 @@ from sandbox.world.build_fields import step_at
 from sandbox.world.rule_records import SENSING
 
 Vec = tuple[float, float]
+Pair = tuple[str, str, float, float]
+"""Ids, speed (m/s) and impulse (N s) of an event between two bodies."""
 
 
 @dataclass(frozen=True)
@@ -39,10 +41,35 @@ class Happened:
 
     def __init__(self, world: RuledWorld, sensed: tuple[Records, Records]) -> None:
         self._world, self._sensed = world, sensed
-        self._known: dict[str, list[tuple[str, str, float, float]]] = {}
+        self._known: dict[str, list[Pair]] = {}
+        self._numbers: dict[str, dict[str, list[int]]] = {}
 
-    def pairs(self, kind: str) -> list[tuple[str, str, float, float]]:
-        """Ids, speed (m/s) and impulse (N s) of all events of a kind between bodies that are there.
+    def about(self, kind: str, *sides: frozenset[str] | None) -> list[Pair]:
+        """Those of `pairs` in which some body of each side may have part, in their order; None is any body.
+
+        They are looked up by the ids of the side of which fewest are told, so that a rule does not go through what is
+        told of others.
+        """
+        pairs = self.pairs(kind)
+        if not pairs or all(side is None for side in sides):
+            return pairs
+        numbers = self._numbers_of(kind)
+        told = [[numbers[name] for name in side if name in numbers] for side in sides if side is not None]
+        fewest = min(told, key=lambda lists: sum(map(len, lists)))
+        return [pairs[n] for n in sorted({n for each in fewest for n in each})]
+
+    def _numbers_of(self, kind: str) -> dict[str, list[int]]:
+        """For each id, which of the pairs of a kind it has part in."""
+        if kind not in self._numbers:
+            found: dict[str, list[int]] = {}
+            for n, (a, b, _, _) in enumerate(self.pairs(kind)):
+                found.setdefault(a, []).append(n)
+                found.setdefault(b, []).append(n)
+            self._numbers[kind] = found
+        return self._numbers[kind]
+
+    def pairs(self, kind: str) -> list[Pair]:
+        """All events of a kind between bodies that are there.
 
         Hits are told once for two bodies, with the fastest of their points and all that these exert.
         """
@@ -56,7 +83,7 @@ class Happened:
         events = self._world.events
         return [events.joint_names[row] for row in events.joint_break.tolist()]
 
-    def _found(self, kind: str) -> Iterator[tuple[str, str, float, float]]:
+    def _found(self, kind: str) -> Iterator[Pair]:
         if kind in ("enter", "leave"):
             names = self._world.state.census.bodies.names
             for a, b in zip(*self._passed(kind == "enter"), strict=True):
@@ -76,7 +103,7 @@ class Happened:
         sensors, others = pairs_of(keys)
         return sensors.tolist(), others.tolist()
 
-    def _hits(self) -> Iterator[tuple[str, str, float, float]]:
+    def _hits(self) -> Iterator[Pair]:
         found: dict[tuple[str, str], tuple[float, float]] = {}
         for a, b, speed, impulse in self._found("hit"):
             fastest, total = found.get((a, b), (0.0, 0.0))
@@ -110,9 +137,10 @@ class Waiting:
         elif kind == "joint_break":
             yield from (Occasion(self._id) for name in happened.broken if name in self._first)
         else:
-            yield from self._pairs(happened.pairs(kind), kind in ("enter", "leave"))
+            pairs = happened.about(kind, self._first.ids, self._second.ids)
+            yield from self._pairs(pairs, kind in ("enter", "leave"))
 
-    def _pairs(self, pairs: list[tuple[str, str, float, float]], ordered: bool) -> Iterator[Occasion]:
+    def _pairs(self, pairs: list[Pair], ordered: bool) -> Iterator[Occasion]:
         trigger = self._trigger
         for a, b, speed, impulse in pairs:
             if trigger.kind == "hit" and (speed < trigger.speed or impulse < trigger.impulse):

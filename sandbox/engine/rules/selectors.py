@@ -32,6 +32,11 @@ class Selector:
         return found
 
     @property
+    def ids(self) -> frozenset[str] | None:
+        """All that it may mean; None if it has patterns."""
+        return None if self._patterns else self._exact
+
+    @property
     def is_several(self) -> bool:
         """Whether it has patterns."""
         return bool(self._patterns)
