@@ -129,11 +129,12 @@ def remove_rows(state: State, directory: Directory, bodies: Flags, joints: Flags
     gone = bodies[shapes["body"]]
     body_rows, shape_rows, joint_rows = (_new_rows(~marked) for marked in (bodies, gone, joints))
     first = [int(marked.argmax()) if marked.any() else len(marked) for marked in (bodies, gone)]
-    contacts = _remove_contacts(state, body_rows, shape_rows, first[1])
+    contacts = _remove_contacts(state, body_rows, shape_rows, first[0])
     if len(joints):
         _remove_joints(state, ~joints, body_rows, joint_rows)
-    beside = _remove_shapes(state, ~gone, body_rows, shape_rows) if gone.any() else np.zeros(0, np.int64)
+    beside = np.zeros(0, np.int64)
     if bodies.any():
+        beside = _remove_shapes(state, ~gone, body_rows, shape_rows)
         _remove_bodies(state, ~bodies, body_rows)
     rejoin(state, beside)
     names = state.census.bodies.remove(~bodies), state.census.joints.remove(~joints)
@@ -170,10 +171,10 @@ def _remove_sensings(state: State, left: Flags, body_rows: Integers) -> None:
 
 
 def _remove_contacts(state: State, body_rows: Integers, shape_rows: Integers, first: int) -> Flags:
-    """Take out the contacts of what goes. Shapes before row `first` stay where they are, and with them their contacts:
-    those that have another shape behind it are the only ones to look at, as `shape_b` is behind `shape_a`."""
+    """Take out the contacts of what goes, and name the others anew. Bodies before row `first` stay where they are, with
+    their shapes: only contacts whose `body_b`, which is no less than `body_a`, is not one of them are looked at."""
     used: Any = plain(state.contacts)[: int(state.counters[0].contact_count)]
-    moved = np.flatnonzero(used["shape_b"] >= first)
+    moved = np.flatnonzero(used["body_b"] >= first)
     for side in "ab":
         used[f"shape_{side}"][moved] = shape_rows[used[f"shape_{side}"][moved]]
         used[f"body_{side}"][moved] = body_rows[used[f"body_{side}"][moved]]

@@ -172,6 +172,17 @@ def test_what_rested_on_a_deleted_body_wakes_and_falls():
     assert all(world.body(name).position[1] < -0.5 + k for k, name in enumerate(world.names))
 
 
+def test_what_rests_stays_where_it_is_when_a_body_without_shapes_goes():
+    boxes = [body(f"b{k}", box(1.0, 1.0), position=(0.0, 0.5 + k)) for k in range(2)]
+    w = World(scene(body("nothing", type="static"), ground(), *boxes))
+    w.step(5)
+    w.apply(Delete("nothing"))
+    assert w.contacts.body_a.tolist() == [0, 1]
+    assert w.contacts.body_b.tolist() == [1, 2]
+    w.step(60)
+    assert w.body("b1").position == pytest.approx((0.0, 1.5), abs=1e-6)
+
+
 def test_only_the_island_of_a_deleted_body_wakes():
     crates = [body(f"crate-{k}", box(1.0, 1.0), position=(3.0 * k, 0.5)) for k in range(4)]
     world = World(scene(ground(), *crates, settings=sandbox.Scene().flatten().settings))

@@ -32,9 +32,9 @@ RATIO = 60.0
 SINK = 0.02
 """Largest depth, as a share of the lower body's extent, to which a body may sink into that."""
 SLOP = 0.005
-"""Depth (m) to which it may sink in any case, that of Box2D's linear slop, as long as that is not more than:"""
+"""Depth (m) to which it may sink in any case but where that is more than `MOST_SLOP`: Box2D's linear slop."""
 MOST_SLOP = 0.05
-"""Share of the lower body's extent."""
+"""Largest `SLOP`, as a share of the lower body's extent."""
 UPRIGHT = 0.5
 """Smallest cosine between a contact's normal and gravity at which one body counts as lying on the other."""
 
@@ -54,7 +54,7 @@ PILE = Table(
         Field("right", "m", "last contact point across gravity"),
         Field("bodies", "-", "how many", "i8"),
         Field("forces", "-", "at its contacts, and three for each of its bodies that has joints", "i8"),
-        Field("freedoms", "-", "degrees of freedom of its bodies: three, two of what does not turn", "i8"),
+        Field("degrees_of_freedom", "-", "of its bodies: three each, two of what does not turn", "i8"),
         Field("heaviest", "kg", "of its bodies"),
         Field("bearer", "kg", "lightest body that another one lies on"),
         Field("slight", "m", "smallest extent of such a body"),
@@ -110,7 +110,7 @@ def measure_bodies(
         if root == i:  # the first of its pile
             pile.weight = pile.moment = pile.second_moment = pile.heaviest = 0.0
             pile.hangs = 0
-            pile.forces = pile.freedoms = 0
+            pile.forces = pile.degrees_of_freedom = 0
             pile.bottom = pile.left = pile.bearer = pile.slight = _NONE
             pile.right = -_NONE
             pile.support = ALL
@@ -173,12 +173,12 @@ def measure_contacts(
     for i in rows:
         pile = piles[i]
         pile.ratio = 0.0
-        pile.level = pile.forces = pile.freedoms = 0
+        pile.level = pile.forces = pile.degrees_of_freedom = 0
         pile.bottom = pile.left = pile.bearer = pile.slight = _NONE
         pile.right = -_NONE
     for i in rows:
         pile = piles[islands[i]]
-        pile.freedoms += 3 if bodies[i].inverse_inertia > 0.0 else 2
+        pile.degrees_of_freedom += 3 if bodies[i].inverse_inertia > 0.0 else 2
         if joints is not None and joints.part_of[i] >= 0:
             pile.forces += 3
     for slot in contacts.active[1 : 1 + contacts.active[0].contact]:
@@ -240,7 +240,7 @@ def _add_bearer(pile: Records, lower: Records, upper: Records, weighs: float) ->
 @inlined_kernel
 def is_frame(pile: Records) -> bool:
     """Whether a pile has as many forces as can hold its bodies, by `measure_contacts`: a column of discs has not."""
-    return bool(pile.forces >= pile.freedoms)
+    return bool(pile.forces >= pile.degrees_of_freedom)
 
 
 @kernel
