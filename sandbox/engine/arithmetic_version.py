@@ -62,6 +62,8 @@ NOTES: dict[int, str] = {
     29: "finer substeps only where stiffness can hold a pile up, no longer for columns of discs, and from 60 times the "
     "mass on that weighs on a body, no longer 30, or from where it sinks in by 5 mm; what sleeps on a kinematic body "
     "that a command sets in motion wakes in the step, no longer before it",
+    30: "a spring and a limit or motor of one joint share an equation of the linear system, whose unknown is what both "
+    "give",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

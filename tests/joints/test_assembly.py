@@ -79,8 +79,8 @@ def decoded(work: Any, p: int) -> naive.Factor:
         for e in each
     ]
     below = [len(column) - 1 for column in columns]
-    ends = [int(row.first_target) + n * (n + 1) // 2 for row, n in zip(equations, below, strict=True)]
-    targets = d.targets[equations.first_target[0] : ends[-1]] if rows else np.zeros(0, np.int64)
+    ends = [int(row.first_target) + n * (n + 1) // 2 for row, n in zip(equations, below, strict=True) if n >= 0]
+    targets = d.targets[equations.first_target[0] : max(ends)] if rows else np.zeros(0, np.int64)
     return naive.Factor(rows, columns, products, ((targets - first) // WIDTH).tolist(), bool(layout.bounded))
 
 

@@ -69,6 +69,11 @@ def slots_of_joint(joint: Any) -> tuple[int, ...]:
     return slots_of(int(joint.kind), bool(joint.spring), bool(joint.limit), bool(joint.motor))
 
 
+def _without_shared(slots: tuple[int, ...]) -> tuple[int, ...]:
+    """Of the rows of a joint those with an equation: a limit and motor beside a spring share that one's."""
+    return tuple(slot for slot in slots if not (slot == 4 and 3 in slots))
+
+
 def _may_be_bounded(joint: Any, slot: int) -> bool:
     kind = int(joint.kind)
     brake = kind == kinds.WHEEL and slot == 2
@@ -167,7 +172,8 @@ class _Layout:
                 self._add_member(body, number)
         slots = {j: slots_of_joint(self.joints[j]) for j in part}
         neighbours = {j: sorted({k for body in self.touched[j] for k in self.of_body[body]} - {j}) for j in part}
-        order, direct = minimum_degree(part, neighbours, {j: len(slots[j]) for j in part}, UPDATES_A_ROW)
+        weights = {j: len(_without_shared(slots[j])) for j in part}
+        order, direct = minimum_degree(part, neighbours, weights, UPDATES_A_ROW)
         seats = [(j, slot) for j in order for slot in slots[j]]
         if direct:
             bounded = any(_may_be_bounded(self.joints[j], slot) for j, slot in seats)
@@ -197,7 +203,8 @@ class _Layout:
     ) -> Factor:
         """Columns of the factor and the pairs of rows that add to it."""
         rows = [Row(j, slot, tuple(self._sides(self.joints[j]))) for j, slot in seats]
-        numbers = {j: [r for r, row in enumerate(rows) if row.joint == j] for j in order}
+        slots = {j: _without_shared(slots_of_joint(self.joints[j])) for j in order}
+        numbers = {j: [r for r, row in enumerate(rows) if row.joint == j and row.slot in slots[j]] for j in order}
         place = {j: k for k, j in enumerate(order)}
         later = {j: [k for k in neighbours[j] if place[k] > place[j]] for j in order}
         pattern = Pattern()
@@ -208,7 +215,9 @@ class _Layout:
             for r in numbers[j]:
                 for s in (s for k in (j, *later[j]) for s in numbers[k] if s >= r):
                     products[entry[r, s]] += self._products(rows, r, s)
-        columns = [pattern.row_of[a:b] for a, b in pairwise(ends)]
+        own = sorted(r for each in numbers.values() for r in each)
+        of_row = dict(zip(own, pairwise(ends), strict=True))
+        columns = [pattern.row_of[slice(*of_row.get(r, (0, 0)))] for r in range(len(rows))]
         return Factor(rows, columns, products, pattern.targets, bounded)
 
     def _products(self, rows: list[Row], r: int, s: int) -> list[Product]:

@@ -114,6 +114,11 @@ def slots_of(kind: int, spring: bool, limit: bool, motor: bool) -> tuple[int, ..
     return base + ((3,) if spring and kind in _SPRUNG else ()) + ((4,) if driven else ())
 
 
+def shares_equation(slots: tuple[int, ...]) -> bool:
+    """Whether the last row of a joint, its limit and motor, acts on the same coordinate as its spring before it."""
+    return slots[-2:] == (3, 4)
+
+
 def _keeps_place(kind: int, slots: tuple[int, ...]) -> bool:
     """Whether a joint keeps a point or a length, whatever pulls at it."""
     return kind in (kinds.REVOLUTE, kinds.WELD, kinds.DISTANCE) and 0 in slots
@@ -130,7 +135,7 @@ def part_layout(key: bytes) -> PartLayout:
     slots = [slots_of(kind, bool(spring), bool(limit), bool(motor)) for kind, spring, limit, motor, *_ in joints]
     sides = [[member for member in joint[4:8] if member != NOBODY] for joint in joints]
     neighbours = _neighbours(sides)
-    weights = {j: len(each) for j, each in enumerate(slots)}
+    weights = {j: len(each) - (1 if shares_equation(each) else 0) for j, each in enumerate(slots)}
     order, direct = minimum_degree(range(len(joints)), neighbours, weights, UPDATES_A_ROW)
     seats = [(seat, slot) for seat, j in enumerate(order) for slot in slots[j]]
     anchored = any(WORLD in each for each in sides)
@@ -165,12 +170,13 @@ def _eliminate(
     sides: list[list[int]],
     neighbours: dict[int, list[int]],
 ) -> tuple[Pattern, list[Link]]:
-    """Columns of the factor and the pairs of rows that add to it."""
+    """Columns of the factor and the pairs of rows that add to it; what shares an equation has no column of its own."""
     rows: dict[int, list[int]] = {}
     count = 0
     for j in order:
-        rows[j] = list(range(count, count + len(slots[j])))
-        count += len(slots[j])
+        end = count + len(slots[j])
+        rows[j] = list(range(count, end - 1 if shares_equation(slots[j]) else end))
+        count = end
     place = {j: k for k, j in enumerate(order)}
     later = {j: [k for k in neighbours[j] if place[k] > place[j]] for j in order}
     pattern = Pattern()

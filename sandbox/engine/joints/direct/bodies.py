@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
-from sandbox._vectors import WIDTH, absolute, any_lane, load, store
+from sandbox._jit import inlined_kernel, kernel
+from sandbox._vectors import WIDTH, absolute, any_lane, lanes, load, select, spread, store, store_fields, transpose
+from sandbox.engine.contact_solver.gather import Rows, gather_fields
 from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.records import Batches
 from sandbox.geometry.trig import NEAR_ZERO, cos_sin, cos_sin_near_zero
@@ -18,39 +19,66 @@ def gather_bodies(d: Batches, batch: Records, motions: Records, free_motions: Re
     That is the velocity Verlet scheme: positions move by the velocity at the middle of the substep.
     """
     v = d.memory
-    layout = d.layouts[batch.layout]
-    for slot in range(layout.seats):
-        for k in range(WIDTH):
-            place = slot * at.SEAT_SIZE + k
-            seat = batch.seats + place
-            body = d.bodies[batch.bodies + slot * WIDTH + k]
-            if body < 0:
-                for field in range(at.SEAT_SIZE // WIDTH):
-                    v[place + field * WIDTH] = 0.0
-                v[place + at.DELTA_COS] = 1.0
-                continue
+    halves = load(v, batch.lanes + at.HALVES) == 1.0
+    for slot in range(d.layouts[batch.layout].seats):
+        place = slot * at.SEAT_SIZE
+        seat = batch.seats + place
+        rows = _rows_of(d, batch, slot)
+        if rows[0] < 0 or rows[1] < 0 or rows[2] < 0 or rows[3] < 0:
+            _gather_beside_world(d, batch, slot, motions)
+            continue
+        x, y, w, delta_x = gather_fields(motions, rows, 0)
+        delta_y, delta_cos, delta_sin, delta_angle = gather_fields(motions, rows, 4)
+        held = halves & (load(v, seat + at.INVERSE_MASS) != 0.0)
+        if any_lane(held):
+            if moving:
+                start_x, start_y, _, _ = gather_fields(free_motions, rows, 0)
+                start_w, free_x, free_y, free_w = gather_fields(free_motions, rows, 2)
+                store(v, seat + at.KICK_X, 0.5 * (free_x - start_x))
+                store(v, seat + at.KICK_Y, 0.5 * (free_y - start_y))
+                store(v, seat + at.KICK_W, 0.5 * (free_w - start_w))
+            sign = -1.0 if moving else 1.0
+            x = select(held, x + sign * load(v, seat + at.KICK_X), x)
+            y = select(held, y + sign * load(v, seat + at.KICK_Y), y)
+            w = select(held, w + sign * load(v, seat + at.KICK_W), w)
+        store(v, place + at.VELOCITY_X, x)
+        store(v, place + at.VELOCITY_Y, y)
+        store(v, place + at.VELOCITY_W, w)
+        store(v, place + at.DELTA_X, delta_x)
+        store(v, place + at.DELTA_Y, delta_y)
+        store(v, place + at.DELTA_ANGLE, delta_angle)
+        store(v, place + at.DELTA_COS, delta_cos)
+        store(v, place + at.DELTA_SIN, delta_sin)
+
+
+@inlined_kernel
+def _rows_of(d: Batches, batch: Records, slot: int) -> Rows:
+    """The bodies on a seat, in each lane; -1 is the world."""
+    first = batch.bodies + slot * WIDTH
+    return d.bodies[first], d.bodies[first + 1], d.bodies[first + 2], d.bodies[first + 3]
+
+
+@kernel
+def _gather_beside_world(d: Batches, batch: Records, slot: int, motions: Records) -> None:
+    """The same for a seat that joints cannot move and on which some part has the world, which stays where it is."""
+    v = d.memory
+    place = slot * at.SEAT_SIZE
+    for field in range(at.VELOCITY_X, at.TENSION, WIDTH):
+        store(v, place + field, spread(0.0))
+    for field in range(at.DELTA_X, at.AHEAD_X, WIDTH):
+        store(v, place + field, spread(1.0 if field == at.DELTA_COS else 0.0))
+    for k in range(batch.count):
+        body = d.bodies[batch.bodies + slot * WIDTH + k]
+        if body >= 0:
             motion = motions[body]
-            x = motion.velocity_x
-            y = motion.velocity_y
-            w = motion.angular_velocity
-            if v[batch.lanes + at.HALVES + k] == 1.0 and v[seat + at.INVERSE_MASS] != 0.0:
-                if moving:
-                    free_motion = free_motions[body]
-                    v[seat + at.KICK_X] = 0.5 * (free_motion.free_x - free_motion.start_x)
-                    v[seat + at.KICK_Y] = 0.5 * (free_motion.free_y - free_motion.start_y)
-                    v[seat + at.KICK_W] = 0.5 * (free_motion.free_w - free_motion.start_w)
-                sign = -1.0 if moving else 1.0
-                x += sign * v[seat + at.KICK_X]
-                y += sign * v[seat + at.KICK_Y]
-                w += sign * v[seat + at.KICK_W]
-            v[place + at.VELOCITY_X] = x
-            v[place + at.VELOCITY_Y] = y
-            v[place + at.VELOCITY_W] = w
-            v[place + at.DELTA_X] = motion.delta_x
-            v[place + at.DELTA_Y] = motion.delta_y
-            v[place + at.DELTA_ANGLE] = motion.delta_angle
-            v[place + at.DELTA_COS] = motion.delta_cos
-            v[place + at.DELTA_SIN] = motion.delta_sin
+            v[place + at.VELOCITY_X + k] = motion.velocity_x
+            v[place + at.VELOCITY_Y + k] = motion.velocity_y
+            v[place + at.VELOCITY_W + k] = motion.angular_velocity
+            v[place + at.DELTA_X + k] = motion.delta_x
+            v[place + at.DELTA_Y + k] = motion.delta_y
+            v[place + at.DELTA_ANGLE + k] = motion.delta_angle
+            v[place + at.DELTA_COS + k] = motion.delta_cos
+            v[place + at.DELTA_SIN + k] = motion.delta_sin
 
 
 @kernel
@@ -58,13 +86,22 @@ def scatter_bodies(d: Batches, batch: Records, motions: Records) -> None:
     """Give the velocities back."""
     v = d.memory
     for slot in range(d.layouts[batch.layout].moving):
-        for k in range(batch.count):
-            place = slot * at.SEAT_SIZE + k
-            if v[batch.seats + place + at.INVERSE_MASS] > 0.0:
-                motion = motions[d.bodies[batch.bodies + slot * WIDTH + k]]
-                motion.velocity_x = v[place + at.VELOCITY_X]
-                motion.velocity_y = v[place + at.VELOCITY_Y]
-                motion.angular_velocity = v[place + at.VELOCITY_W]
+        place = slot * at.SEAT_SIZE
+        row = _rows_of(d, batch, slot)
+        x = load(v, place + at.VELOCITY_X)
+        y = load(v, place + at.VELOCITY_Y)
+        w = load(v, place + at.VELOCITY_W)
+        motion = transpose(x, y, w, load(v, place + at.DELTA_X))
+        mass = lanes(load(v, batch.seats + place + at.INVERSE_MASS))
+        count = batch.count
+        if mass[0] > 0.0:
+            store_fields(motions, row[0], 0, motion[0])
+        if mass[1] > 0.0 and count > 1:
+            store_fields(motions, row[1], 0, motion[1])
+        if mass[2] > 0.0 and count > 2:
+            store_fields(motions, row[2], 0, motion[2])
+        if mass[3] > 0.0 and count > 3:
+            store_fields(motions, row[3], 0, motion[3])
 
 
 @kernel

@@ -9,10 +9,10 @@ tamed alike.
 from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox._vectors import WIDTH, Mask, Vector, absolute, load, select, spread, store
+from sandbox._vectors import WIDTH, Mask, Vector, absolute, any_lane, load, select, spread, store
 from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.pivoting import acting_time
-from sandbox.engine.joints.direct.records import Batches
+from sandbox.engine.joints.direct.records import TURN, Batches
 from sandbox.engine.joints.direct.rows import fill_stiffness
 from sandbox.tables import Floats, Records
 
@@ -29,18 +29,22 @@ def add_geometric_stiffness(d: Batches, batch: Records, seconds: float) -> None:
         frame = d.layout_frames[f]
         for r in range(frame.first_row, frame.row_end):
             row = d.equations[r]
-            if row.sides == 2:
+            if row.sides == 2 and row.axis != TURN:
                 stiff = load(v, batch.rows + row.kept + at.STIFFNESS) > 0.0
                 force = load(v, batch.rows + row.kept + at.IMPULSE) / acting
                 jacobian = row.place + at.JACOBIAN
                 _pull(v, row.seat_1, frame.place + at.ARM_AX, jacobian, force, stiff)
                 _pull(v, row.seat_2, frame.place + at.ARM_BX, jacobian + at.SIDE, force, stiff)
+    changed = spread(0.0) > 0.0
     for slot in range(layout.moving):
         seat = batch.seats + slot * at.SEAT_SIZE
         inertia = load(v, seat + at.INERTIA)
         least = 0.5 * seconds * seconds * absolute(load(v, slot * at.SEAT_SIZE + at.TENSION))
+        before = load(v, seat + at.INVERSE_INERTIA)
         _set_inertia(v, seat, inertia > 0.0, select(inertia > least, inertia, least))
-    fill_stiffness(d, batch)
+        changed = changed | (load(v, seat + at.INVERSE_INERTIA) != before)
+    if any_lane(changed):
+        fill_stiffness(d, batch)
 
 
 @inlined_kernel

@@ -4,19 +4,31 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import count
+from itertools import count, pairwise
 
 import numpy as np
 
 from sandbox._vectors import WIDTH
 from sandbox.engine.joints.direct import places as at
-from sandbox.engine.joints.direct.records import ENTRY, EQUATION, FRAME, LAYOUT, PRODUCT
+from sandbox.engine.joints.direct.records import (
+    ALONG_X,
+    ALONG_Y,
+    ANY_AXIS,
+    ENTRY,
+    EQUATION,
+    FRAME,
+    LAYOUT,
+    PRODUCT,
+    TURN,
+)
 from sandbox.engine.joints.symbolic import Pattern
 from sandbox.tables import Integers, Records
-from sandbox.world.joint_records import FRICTION, MOTOR, TARGET, WELD
+from sandbox.world.joint_records import DISTANCE, FRICTION, GEAR, MOTOR, PRISMATIC, PULLEY, TARGET, WELD, WHEEL
 
 SPRUNG_OR_WEAK = (WELD, MOTOR, TARGET, FRICTION)
 """Kinds of which also the rows that keep a place may be springs, or have a limit."""
+_SLIDES = (PRISMATIC, WHEEL)
+_UNKNOWN = 2
 Joint = tuple[int, bool, bool, int, int]
 """Kind, whether it has limits and a motor, and for gears the kinds of the joints it couples."""
 Link = tuple[int, int, int, int, int]
@@ -52,7 +64,7 @@ def direct_layout(
     seats = [[body if body >= 0 else next(taken) for body in each] for each in sides]
     frames = _frames(joints, seats, rows)
     equations = _equations(joints, seats, rows, pattern)
-    entries, products = _entries(seats, rows, links, pattern)
+    entries, products = _entries(joints, seats, rows, links, pattern)
     layout = LAYOUT.zeros(1)
     layout.seats, layout.moving = next(taken), moving
     layout.frame_end, layout.row_end, layout.joints = len(frames), len(equations), len(joints)
@@ -91,15 +103,19 @@ def _equations(
     table.bounded = [slot >= 2 or joints[j][0] in SPRUNG_OR_WEAK for j, slot in rows]
     table.slot = [slot for _, slot in rows]
     table.sides = [len(seats[j]) for j, _ in rows]
+    table.axis = [_axis(joints[j][0], slot) for j, slot in rows]
     for k in range(4):
         table[f"seat_{k + 1}"] = [seats[j][k] * at.SEAT_SIZE if k < len(seats[j]) else 0 for j, _ in rows]
     table.place, table.kept = np.arange(len(rows)) * at.ROW_SIZE, np.arange(len(rows)) * at.KEPT_SIZE
+    follows = [slot == 4 and (joint, 3) == before for before, (joint, slot) in pairwise([(-1, 0), *rows])]
+    own = np.flatnonzero(~np.array(follows, bool))
     ends = np.array([*pattern.starts, len(pattern.row_of)], np.int64)
-    table.first_entry, table.entry_end = ends[:-1], ends[1:]
+    table.first_entry[own], table.entry_end[own] = ends[:-1], ends[1:]
     below = np.diff(ends) - 1
     updates = below * (below + 1) // 2
-    table.first_target = np.cumsum(updates) - updates
-    table.paired = _pairs([joint for joint, _ in rows])
+    table.first_target[own] = np.cumsum(updates) - updates
+    table.paired[own] = _pairs([rows[r][0] for r in own.tolist()])
+    table.shares = [*follows[1:], False]
     return table
 
 
@@ -111,8 +127,32 @@ def _pairs(joints: Sequence[int]) -> list[bool]:
     return found
 
 
+def _axis(kind: int, slot: int) -> int:
+    """What is known of the Jacobian of a row before anything has moved."""
+    if kind in (DISTANCE, PULLEY, GEAR) or (kind in _SLIDES and slot not in (1, 2)):
+        return ANY_AXIS
+    if kind in _SLIDES or slot >= 2:
+        return TURN
+    return ALONG_X if slot == 0 else ALONG_Y
+
+
+def _linear(axis: int, side: int, other_axis: int, other_side: int) -> int:
+    """The product of what two rows do to the velocity of a body, on those of their sides."""
+    if TURN in (axis, other_axis):
+        return 0
+    if ANY_AXIS in (axis, other_axis):
+        return _UNKNOWN
+    if axis != other_axis:
+        return 0
+    return 1 if side == other_side else -1
+
+
 def _entries(
-    seats: Sequence[Sequence[int]], rows: Sequence[tuple[int, int]], links: Sequence[Link], pattern: Pattern
+    joints: Sequence[Joint],
+    seats: Sequence[Sequence[int]],
+    rows: Sequence[tuple[int, int]],
+    links: Sequence[Link],
+    pattern: Pattern,
 ) -> tuple[Records, Records]:
     """The entries of the factor and what is added up in each."""
     row, other, side, other_side, place = np.array(links, np.int64).reshape(-1, 5).T
@@ -120,6 +160,8 @@ def _entries(
     entries, products = ENTRY.zeros(len(pattern.row_of)), PRODUCT.zeros(len(links))
     products.one = (row * at.ROW_SIZE + at.JACOBIAN + (side - 1) * at.SIDE)[order]
     products.other = (other * at.ROW_SIZE + at.JACOBIAN + (other_side - 1) * at.SIDE)[order]
+    axes = [_axis(joints[j][0], slot) for j, slot in rows]
+    products.linear = np.array([_linear(axes[r], s, axes[t], u) for r, t, s, u, _ in links], np.int64)[order]
     products.seat = np.array([seats[rows[r][0]][s - 1] * at.SEAT_SIZE for r, _, s, _, _ in links], np.int64)[order]
     entries.place = entries.total = np.arange(len(entries)) * WIDTH
     entries.other = np.array(pattern.row_of, np.int64) * at.ROW_SIZE

@@ -1,16 +1,20 @@
 """The linear systems of a batch: sparse LDL^T of J M^-1 J^T + softness, along the pattern of their layout.
 
 T. Davis, "Direct Methods for Sparse Linear Systems", 2006; for jointed bodies D. Baraff, "Linear-Time Dynamics using
-Lagrange Multipliers", 1996. A row that is not active has the column of the unit matrix.
+Lagrange Multipliers", 1996. An equation none of whose rows is active has the column of the unit matrix.
+
+A spring and a limit or motor act on the same coordinate, so that their rows would be the same but for softness: they
+share an equation, whose unknown is what both give. While the limit is active, it alone says what the equation strives
+for, and the spring gives what its law asks for at the speed that comes of it.
 """
 
 from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox._vectors import WIDTH, Mask, Vector, load, select, spread, store
+from sandbox._vectors import WIDTH, Mask, Vector, any_lane, load, select, spread, store
 from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.records import Batches
-from sandbox.engine.joints.direct.rows import change_impulse, row_speed, side_product
+from sandbox.engine.joints.direct.rows import change_impulse, product_at, row_speed
 from sandbox.tables import Floats, Records
 
 _REDUNDANT = 1e-10
@@ -24,7 +28,9 @@ def assemble(d: Batches, batch: Records) -> None:
     r = layout.first_row
     while r < layout.row_end:
         row = d.equations[r]
-        if row.paired == 1:
+        if not has_equation(row):
+            r += 1
+        elif row.paired == 1:
             after = d.equations[r + 1]
             _sum_products(d, batch, row.first_entry, row.first_entry + 2)
             _sum_products(d, batch, after.first_entry, after.first_entry + 1)
@@ -43,8 +49,7 @@ def _sum_products(d: Batches, batch: Records, first: int, end: int) -> None:
         entry = d.entries[e]
         total = spread(0.0)
         for k in range(entry.first_product, entry.product_end):
-            product = d.products[k]
-            total = total + side_product(v, batch, product.one, product.other, product.seat)
+            total = total + product_at(v, batch, d.products[k])
         store(v, entry.total, total)
 
 
@@ -52,28 +57,32 @@ def _sum_products(d: Batches, batch: Records, first: int, end: int) -> None:
 def _sum_products_of_pair(d: Batches, batch: Records, row: Records, after: Records) -> None:
     """Work out the entries that two rows of one joint have below: they are products with the same rows."""
     v = d.memory
-    back = after.place - row.place
-    shift = d.entries[after.first_entry].total - d.entries[row.first_entry].total - WIDTH
+    first = row.first_entry + 2
     for e in range(after.first_entry + 1, after.entry_end):
         entry = d.entries[e]
+        before = d.entries[first]
         total = spread(0.0)
         total_after = spread(0.0)
+        back = before.first_product - entry.first_product
         for k in range(entry.first_product, entry.product_end):
-            product = d.products[k]
-            total = total + side_product(v, batch, product.one, product.other - back, product.seat)
-            total_after = total_after + side_product(v, batch, product.one, product.other, product.seat)
-        store(v, entry.total - shift, total)
+            total = total + product_at(v, batch, d.products[back + k])
+            total_after = total_after + product_at(v, batch, d.products[k])
+        store(v, before.total, total)
         store(v, entry.total, total_after)
+        first += 1
 
 
 @kernel
 def factorize(d: Batches, batch: Records) -> None:
     """Factorise the assembled matrices of a batch, less the rows that are not active."""
+    _unite_rows(d, batch)
     _choose_entries(d, batch)
     layout = d.layouts[batch.layout]
     r = layout.first_row
     while r < layout.row_end:
-        if d.equations[r].paired == 1:
+        if not has_equation(d.equations[r]):
+            r += 1
+        elif d.equations[r].paired == 1:
             _eliminate_pair(d, batch, d.equations[r], d.equations[r + 1])
             r += 2
         else:
@@ -83,8 +92,10 @@ def factorize(d: Batches, batch: Records) -> None:
 
 @kernel
 def _eliminate(d: Batches, batch: Records, row: Records) -> None:
-    """Subtract what a row says from all after it."""
+    """Subtract what a row says from all after it. Where it is in none of the systems it has nothing to say."""
     v = d.memory
+    if not _is_taken(v, row):
+        return
     targets = d.targets
     first, end = _column(d, row)
     inverse = _inverse(v, batch, row, first)
@@ -128,6 +139,12 @@ def _eliminate_pair(d: Batches, batch: Records, row: Records, after: Records) ->
 
 
 @inlined_kernel
+def _is_taken(v: Floats, row: Records) -> bool:
+    """Whether an equation is part of the linear system in some lane."""
+    return bool(any_lane(load(v, row.place + at.IN_SYSTEM) == 1.0))
+
+
+@inlined_kernel
 def _column(d: Batches, row: Records) -> tuple[int, int]:
     """Where a row's column of the factor begins and ends."""
     first = d.entries[row.first_entry].place
@@ -137,28 +154,54 @@ def _column(d: Batches, row: Records) -> tuple[int, int]:
 @inlined_kernel
 def _inverse(v: Floats, batch: Records, row: Records, pivot: int) -> Vector:
     """One divided by the pivot of a row; 0 where others have said what it says."""
-    active = load(v, row.place + at.ACTIVE) == 1.0
+    taken = load(v, row.place + at.IN_SYSTEM) == 1.0
     stiffness = load(v, batch.rows + row.kept + at.STIFFNESS)
-    whole = select(active, stiffness + load(v, row.place + at.SOFTNESS), 1.0)
+    whole = select(taken, stiffness + load(v, row.place + at.DIAGONAL), 1.0)
     left = load(v, pivot)
     sound = left > _REDUNDANT * whole
     return select(sound, 1.0 / select(sound, left, 1.0), 0.0)
 
 
+@inlined_kernel
+def has_equation(row: Records) -> bool:
+    """Whether a row has an equation of its own, or that which it shares is found here."""
+    return bool(row.entry_end > row.first_entry)
+
+
 @kernel
-def _choose_entries(d: Batches, batch: Records) -> None:
-    """Copy the entries between active rows to where they are factorised."""
+def _unite_rows(d: Batches, batch: Records) -> None:
+    """Which equations are part of the linear system, and how soft they are."""
     v = d.memory
     layout = d.layouts[batch.layout]
     for r in range(layout.first_row, layout.row_end):
         row = d.equations[r]
-        active = load(v, row.place + at.ACTIVE) == 1.0
+        taken = load(v, row.place + at.ACTIVE)
+        softness = load(v, row.place + at.SOFTNESS)
+        if row.shares == 1:
+            after = d.equations[r + 1].place
+            leads = load(v, after + at.ACTIVE) == 1.0
+            taken = select(leads, 1.0, taken)
+            softness = select(leads, load(v, after + at.SOFTNESS), softness)
+        store(v, row.place + at.IN_SYSTEM, taken)
+        store(v, row.place + at.DIAGONAL, softness)
+
+
+@kernel
+def _choose_entries(d: Batches, batch: Records) -> None:
+    """Copy the entries between equations of the system to where they are factorised."""
+    v = d.memory
+    layout = d.layouts[batch.layout]
+    for r in range(layout.first_row, layout.row_end):
+        row = d.equations[r]
+        if not has_equation(row):
+            continue
+        taken = load(v, row.place + at.IN_SYSTEM) == 1.0
         first = d.entries[row.first_entry]
-        whole = load(v, first.total) + load(v, row.place + at.SOFTNESS)
-        store(v, first.place, select(active, whole, 1.0))
+        whole = load(v, first.total) + load(v, row.place + at.DIAGONAL)
+        store(v, first.place, select(taken, whole, 1.0))
         for e in range(row.first_entry + 1, row.entry_end):
             entry = d.entries[e]
-            both = active & (load(v, entry.other + at.ACTIVE) == 1.0)
+            both = taken & (load(v, entry.other + at.IN_SYSTEM) == 1.0)
             store(v, entry.place, select(both, load(v, entry.total), 0.0))
 
 
@@ -169,13 +212,63 @@ def solve_directly(d: Batches, batch: Records, impulse: int, who: Mask) -> None:
     layout = d.layouts[batch.layout]
     for r in range(layout.first_row, layout.row_end):
         row = d.equations[r]
-        active = who & (load(v, row.place + at.ACTIVE) == 1.0)
-        current = load(v, batch.rows + row.kept + impulse)
-        wanted = row_speed(v, row) + load(v, row.place + at.BIAS) + load(v, row.place + at.SOFTNESS) * current
-        store(v, row.place + at.CHANGE, select(active, -wanted, 0.0))
+        if not has_equation(row):
+            continue
+        speed = row_speed(v, row)
+        taken = who & (load(v, row.place + at.IN_SYSTEM) == 1.0)
+        wanted = _unmet(v, batch, row, impulse, speed)
+        if row.shares == 1:
+            after = d.equations[r + 1]
+            leads = load(v, after.place + at.ACTIVE) == 1.0
+            wanted = select(leads, _unmet(v, batch, after, impulse, speed), wanted)
+        store(v, row.place + at.CHANGE, select(taken, -wanted, 0.0))
+    _substitute_all(d, batch)
+    for r in range(layout.first_row, layout.row_end):
+        row = d.equations[r]
+        if has_equation(row):
+            taken = who & (load(v, row.place + at.IN_SYSTEM) == 1.0)
+            change_impulse(v, batch, row, load(v, row.place + at.CHANGE), impulse, taken)
+    for r in range(layout.first_row, layout.row_end):
+        if d.equations[r].shares == 1:
+            _share_out(d, batch, r, impulse, who)
+
+
+@inlined_kernel
+def _unmet(v: Floats, batch: Records, row: Records, impulse: int, speed: Vector) -> Vector:
+    """What is left of the law of a row at that speed along it."""
+    current = load(v, batch.rows + row.kept + impulse)
+    return speed + load(v, row.place + at.BIAS) + load(v, row.place + at.SOFTNESS) * current
+
+
+@kernel
+def _share_out(d: Batches, batch: Records, r: int, impulse: int, who: Mask) -> None:
+    """Give the second of two rows that share an equation its part of the change, which the first one has got."""
+    v = d.memory
+    row = d.equations[r]
+    after = d.equations[r + 1]
+    leads = who & (load(v, after.place + at.ACTIVE) == 1.0)
+    if any_lane(leads):
+        first = batch.rows + row.kept + impulse
+        second = batch.rows + after.kept + impulse
+        got = load(v, first)
+        before = got - load(v, row.place + at.CHANGE)
+        yields = leads & (load(v, row.place + at.ACTIVE) == 1.0) & (load(v, row.place + at.SOFTNESS) > 0.0)
+        softness = select(yields, load(v, row.place + at.SOFTNESS), 1.0)
+        own = select(yields, -(row_speed(v, row) + load(v, row.place + at.BIAS)) / softness, before)
+        store(v, first, select(leads, own, got))
+        store(v, second, select(leads, load(v, second) + (got - own), load(v, second)))
+
+
+@kernel
+def _substitute_all(d: Batches, batch: Records) -> None:
+    """Forward and backward substitution."""
+    v = d.memory
+    layout = d.layouts[batch.layout]
     r = layout.first_row
     while r < layout.row_end:
-        if d.equations[r].paired == 1:
+        if not has_equation(d.equations[r]):
+            r += 1
+        elif d.equations[r].paired == 1:
             _substitute_pair(d, d.equations[r], d.equations[r + 1])
             r += 2
         else:
@@ -183,21 +276,21 @@ def solve_directly(d: Batches, batch: Records, impulse: int, who: Mask) -> None:
             r += 1
     for r in range(layout.row_end - 1, layout.first_row - 1, -1):
         row = d.equations[r]
+        if not (has_equation(row) and _is_taken(v, row)):
+            continue
         change = load(v, row.place + at.CHANGE) * load(v, d.entries[row.first_entry].place)
         for e in range(row.first_entry + 1, row.entry_end):
             entry = d.entries[e]
             change = change - load(v, entry.place) * load(v, entry.other + at.CHANGE)
         store(v, row.place + at.CHANGE, change)
-    for r in range(layout.first_row, layout.row_end):
-        row = d.equations[r]
-        active = who & (load(v, row.place + at.ACTIVE) == 1.0)
-        change_impulse(v, batch, row, load(v, row.place + at.CHANGE), impulse, active)
 
 
 @inlined_kernel
 def _substitute(d: Batches, row: Records) -> None:
     """Forward substitution of a row."""
     v = d.memory
+    if not _is_taken(v, row):
+        return
     change = load(v, row.place + at.CHANGE)
     for e in range(row.first_entry + 1, row.entry_end):
         entry = d.entries[e]

@@ -146,7 +146,11 @@ ASIDE = 21 * WIDTH
 """The impulse, while the recovery of a separated part is found."""
 CHANGE = 22 * WIDTH
 """Solution of the linear system."""
-ROW_SIZE = 23 * WIDTH
+IN_SYSTEM = 23 * WIDTH
+"""1 while its equation, which two rows may share, is part of the linear system."""
+DIAGONAL = 24 * WIDTH
+"""Softness of its equation."""
+ROW_SIZE = 25 * WIDTH
 
 # What is known of each part of a batch.
 HALVES = 0 * WIDTH

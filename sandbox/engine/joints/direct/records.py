@@ -12,6 +12,15 @@ from sandbox.tables import Field, Floats, Integers, Records, Table
 LEVELS = 5
 """Substep levels of islands, 0 to 4."""
 
+ANY_AXIS = 0
+"""`axis` of a row whose Jacobian may have any number."""
+ALONG_X = 1
+"""One that keeps two points together along x: it pushes the second body by 1 along x, the first by -1."""
+ALONG_Y = 2
+"""The same along y."""
+TURN = 3
+"""One that acts on the angle between its bodies alone."""
+
 LAYOUT = Table(
     "layout",
     (
@@ -55,11 +64,13 @@ EQUATION = Table(
     (
         Field("slot", "-", "0 to 2: what the kind keeps; 3: its spring; 4: its limit and motor", "i8"),
         Field("sides", "-", "members it acts on: 2, or 4 for a gear", "i8"),
+        Field("axis", "-", "what is known of its Jacobian for good: `ANY_AXIS`, `ALONG_X`, `ALONG_Y` or `TURN`", "i8"),
         *(Field(f"seat_{k}", "-", "place of the body in the batch's memory", "i8") for k in (1, 2, 3, 4)),
         Field("bounded", "-", "1 when its impulse may have bounds, 0 when it gives whatever is asked for", "i8"),
         Field("kept", "-", "place of what lasts of it in the batch's memory", "i8"),
         Field("place", "-", "in the working memory", "i8"),
-        Field("first_entry", "-", "its column of the factor, from the diagonal down", "i8"),
+        Field("shares", "-", "1 when the next row acts on the same coordinate and has no equation of its own", "i8"),
+        Field("first_entry", "-", "its column of the factor, from the diagonal down; nothing where it has none", "i8"),
         Field("entry_end", "-", "", "i8"),
         Field("first_target", "-", "", "i8"),
         Field("paired", "-", "1 when it is eliminated together with the next one, which is of the same joint", "i8"),
@@ -84,6 +95,7 @@ PRODUCT = Table(
         Field("one", "-", "place of the Jacobian of one row at a body", "i8"),
         Field("other", "-", "place of that of the other row at the same body", "i8"),
         Field("seat", "-", "place of the body", "i8"),
+        Field("linear", "-", "product of what both do to its velocity: -1, 0, 1, or 2 where it is not known", "i8"),
     ),
 )
 
@@ -98,6 +110,7 @@ BATCH = Table(
         Field("joints", "-", "where its joints begin", "i8"),
         Field("rows", "-", "where its rows begin", "i8"),
         Field("bodies", "-", "where its bodies are named", "i8"),
+        Field("foreseen", "-", "1 while its joints are measured where their present velocities lead", "i8"),
     ),
 )
 

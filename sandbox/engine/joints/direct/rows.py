@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox._vectors import WIDTH, Mask, Vector, any_lane, load, select, spread, store
+from sandbox._vectors import WIDTH, Mask, Vector, load, select, spread, store
 from sandbox.engine.joints.direct import places as at
-from sandbox.engine.joints.direct.records import Batches
+from sandbox.engine.joints.direct.records import ALONG_X, ALONG_Y, TURN, Batches
 from sandbox.engine.joints.laws import Jacobian, along, own_stiffness
 from sandbox.tables import Floats, Records
-from sandbox.world.joint_records import DISTANCE, FRICTION, GEAR, MOTOR, PRISMATIC, PULLEY, REVOLUTE, WHEEL
+from sandbox.world.joint_records import DISTANCE, GEAR, PRISMATIC, PULLEY
 
 
 @kernel
@@ -20,7 +20,11 @@ def fill_rows(d: Batches, batch: Records) -> None:
         frame = d.layout_frames[f]
         for r in range(frame.first_row, frame.row_end):
             row = d.equations[r]
-            if frame.kind == GEAR:
+            if row.axis == TURN:
+                _store(v, row.place + at.JACOBIAN, _about())
+            elif row.axis == ALONG_X or row.axis == ALONG_Y:
+                _store(v, row.place + at.JACOBIAN, _point(v, frame.place, row.axis))
+            elif frame.kind == GEAR:
                 _fill_gear(v, batch, frame, row)
             else:
                 _store(v, row.place + at.JACOBIAN, _jacobian(v, batch, frame, row.slot))
@@ -35,13 +39,14 @@ def fill_stiffness(d: Batches, batch: Records) -> None:
     layout = d.layouts[batch.layout]
     for r in range(layout.first_row, layout.row_end):
         row = d.equations[r]
-        found = own_stiffness(
-            load(v, batch.seats + row.seat_1 + at.INVERSE_MASS),
-            load(v, batch.seats + row.seat_1 + at.INVERSE_INERTIA),
-            load(v, batch.seats + row.seat_2 + at.INVERSE_MASS),
-            load(v, batch.seats + row.seat_2 + at.INVERSE_INERTIA),
-            _loaded(v, row.place + at.JACOBIAN),
-        )
+        inertia_a = load(v, batch.seats + row.seat_1 + at.INVERSE_INERTIA)
+        inertia_b = load(v, batch.seats + row.seat_2 + at.INVERSE_INERTIA)
+        if row.axis == TURN:
+            store(v, batch.rows + row.kept + at.STIFFNESS, inertia_a + inertia_b)
+            continue
+        mass_a = load(v, batch.seats + row.seat_1 + at.INVERSE_MASS)
+        mass_b = load(v, batch.seats + row.seat_2 + at.INVERSE_MASS)
+        found = own_stiffness(mass_a, inertia_a, mass_b, inertia_b, _loaded(v, row.place + at.JACOBIAN))
         if row.sides == 4:  # the same body may be on two of them
             for k in range(1, 5):
                 for m in range(1, 5):
@@ -80,53 +85,37 @@ def _store(v: Floats, place: int, j: Jacobian) -> None:
     store(v, place + 5 * WIDTH, j[5])
 
 
+@inlined_kernel
+def _point(v: Floats, f: int, axis: int) -> Jacobian:
+    """Way of the second anchor of a joint against the first along x or y, as `along` has it; where the anchors are
+    apart by more than a lever, each body is pushed at its own."""
+    together = load(v, f + at.LEVERED) != 0.0
+    one = spread(1.0)
+    none = spread(0.0)
+    if axis == ALONG_X:
+        arm = load(v, f + at.ARM_AY)
+        return -one, none, select(together, arm + load(v, f + at.GAP_Y), arm), one, none, -load(v, f + at.ARM_BY)
+    arm = load(v, f + at.ARM_AX)
+    return none, -one, -select(together, arm + load(v, f + at.GAP_X), arm), none, one, load(v, f + at.ARM_BX)
+
+
 @kernel
 def _jacobian(v: Floats, batch: Records, frame: Records, slot: int) -> Jacobian:
-    kind = frame.kind
-    f = frame.place
-    if kind == PULLEY:
+    """Of what slides, a rod or a pulley."""
+    if frame.kind == PULLEY:
         return _pulley(v, batch, frame)
-    slides = kind in (PRISMATIC, WHEEL)
-    if kind != DISTANCE and ((slides and (slot == 1 or slot == 2)) or (not slides and slot == 2)):
-        return _about()
-    if kind == REVOLUTE and slot >= 3:
-        return _about()
+    f = frame.place
     ax = load(v, f + at.ARM_AX)
     ay = load(v, f + at.ARM_AY)
     bx = load(v, f + at.ARM_BX)
     by = load(v, f + at.ARM_BY)
     x = load(v, f + at.ALONG_X)
     y = load(v, f + at.ALONG_Y)
-    if slides and slot == 0:
+    if slot == 0 and frame.kind != DISTANCE:  # across the slide
         turned_x = -y
         y = x
         x = turned_x
-    elif kind != DISTANCE and not slides:
-        x = spread(1.0 if slot == 0 else 0.0)
-        y = spread(0.0 if slot == 0 else 1.0)
-    j = along(ax, ay, bx, by, load(v, f + at.GAP_X), load(v, f + at.GAP_Y), x, y)
-    if kind in (DISTANCE, MOTOR, FRICTION) or slides:
-        return j
-    apart = load(v, f + at.LEVERED) == 0.0
-    if any_lane(apart):
-        one = spread(1.0)
-        none = spread(0.0)
-        if slot == 0:
-            return _either(apart, (-one, none, ay, one, none, -by), j)
-        return _either(apart, (none, -one, -ax, none, one, bx), j)
-    return j
-
-
-@inlined_kernel
-def _either(first: Mask, one: Jacobian, other: Jacobian) -> Jacobian:
-    return (
-        select(first, one[0], other[0]),
-        select(first, one[1], other[1]),
-        select(first, one[2], other[2]),
-        select(first, one[3], other[3]),
-        select(first, one[4], other[4]),
-        select(first, one[5], other[5]),
-    )
+    return along(ax, ay, bx, by, load(v, f + at.GAP_X), load(v, f + at.GAP_Y), x, y)
 
 
 @inlined_kernel
@@ -200,12 +189,33 @@ def side_product(v: Floats, batch: Records, one: int, other: int, seat: int) -> 
 
 
 @inlined_kernel
+def product_at(v: Floats, batch: Records, product: Records) -> Vector:
+    """The same for a product of which it may be known for good what the velocities of the body's centre add."""
+    if product.linear == 2:
+        return side_product(v, batch, product.one, product.other, product.seat)
+    w = load(v, product.one + 2 * WIDTH) * load(v, product.other + 2 * WIDTH)
+    turn = load(v, batch.seats + product.seat + at.INVERSE_INERTIA) * w
+    if product.linear == 0:
+        return turn
+    mass = load(v, batch.seats + product.seat + at.INVERSE_MASS)
+    return turn + mass if product.linear == 1 else turn - mass
+
+
+@inlined_kernel
 def row_speed(v: Floats, row: Records) -> Vector:
     """Speed of the bodies along a row, J v."""
     j = row.place + at.JACOBIAN
-    speed = _side_speed(v, j, row.seat_1) + load(v, j + at.SIDE) * load(v, row.seat_2 + at.VELOCITY_X)
-    speed = speed + load(v, j + at.SIDE + WIDTH) * load(v, row.seat_2 + at.VELOCITY_Y)
-    speed = speed + load(v, j + at.SIDE + 2 * WIDTH) * load(v, row.seat_2 + at.VELOCITY_W)
+    a = row.seat_1
+    b = row.seat_2
+    if row.axis == TURN:
+        return load(v, b + at.VELOCITY_W) - load(v, a + at.VELOCITY_W)
+    if row.axis == ALONG_X or row.axis == ALONG_Y:
+        way = at.VELOCITY_X if row.axis == ALONG_X else at.VELOCITY_Y
+        speed = load(v, j + 2 * WIDTH) * load(v, a + at.VELOCITY_W) - load(v, a + way)
+        return speed + load(v, b + way) + load(v, j + at.SIDE + 2 * WIDTH) * load(v, b + at.VELOCITY_W)
+    speed = _side_speed(v, j, a) + load(v, j + at.SIDE) * load(v, b + at.VELOCITY_X)
+    speed = speed + load(v, j + at.SIDE + WIDTH) * load(v, b + at.VELOCITY_Y)
+    speed = speed + load(v, j + at.SIDE + 2 * WIDTH) * load(v, b + at.VELOCITY_W)
     if row.sides == 4:
         for k in range(2, 4):
             side = j + k * at.SIDE
@@ -226,10 +236,22 @@ def _side_speed(v: Floats, side: int, seat: int) -> Vector:
 @kernel
 def change_impulse(v: Floats, batch: Records, row: Records, change: Vector, impulse: int, who: Mask) -> None:
     """Add to a row's impulse, which is its field `impulse`, and to the velocities of its bodies, where `who` says."""
+    batch.foreseen = 0
     kept = batch.rows + row.kept + impulse
     before = load(v, kept)
     store(v, kept, select(who, before + change, before))
     j = row.place + at.JACOBIAN
+    if row.axis == TURN:
+        _turn(v, batch, row.seat_1, -change, who)
+        _turn(v, batch, row.seat_2, change, who)
+        return
+    if row.axis == ALONG_X or row.axis == ALONG_Y:
+        way = at.VELOCITY_X if row.axis == ALONG_X else at.VELOCITY_Y
+        _shift(v, batch, row.seat_1, way, -change, who)
+        _turn(v, batch, row.seat_1, load(v, j + 2 * WIDTH) * change, who)
+        _shift(v, batch, row.seat_2, way, change, who)
+        _turn(v, batch, row.seat_2, load(v, j + at.SIDE + 2 * WIDTH) * change, who)
+        return
     _push(v, batch, row.seat_1, j, change, who)
     _push(v, batch, row.seat_2, j + at.SIDE, change, who)
     if row.sides == 4:
@@ -247,3 +269,18 @@ def _push(v: Floats, batch: Records, seat: int, side: int, impulse: Vector, who:
     store(v, seat + at.VELOCITY_X, select(who, x + mass * (load(v, side) * impulse), x))
     store(v, seat + at.VELOCITY_Y, select(who, y + mass * (load(v, side + WIDTH) * impulse), y))
     store(v, seat + at.VELOCITY_W, select(who, w + inertia * (load(v, side + 2 * WIDTH) * impulse), w))
+
+
+@inlined_kernel
+def _shift(v: Floats, batch: Records, seat: int, way: int, impulse: Vector, who: Mask) -> None:
+    """Push a body along x or y, of which `way` is its velocity."""
+    speed = load(v, seat + way)
+    store(v, seat + way, select(who, speed + load(v, batch.seats + seat + at.INVERSE_MASS) * impulse, speed))
+
+
+@inlined_kernel
+def _turn(v: Floats, batch: Records, seat: int, impulse: Vector, who: Mask) -> None:
+    """Turn a body."""
+    w = load(v, seat + at.VELOCITY_W)
+    inertia = load(v, batch.seats + seat + at.INVERSE_INERTIA)
+    store(v, seat + at.VELOCITY_W, select(who, w + inertia * impulse, w))

@@ -94,8 +94,7 @@ def _solve_positions(d: Batches, batch: Records, seconds: float) -> None:
     for _ in range(PRELOAD_TURNS if any_lane(put_down) else 0):
         take_as_preload(d, batch, seconds, put_down & settled)
         settled = (settled & ~put_down) | _solve(d, batch, seconds, False, put_down)
-    look_ahead(d, batch, seconds)
-    measure_frames(d, batch)
+    _foresee(d, batch, seconds)
     failed = who & ~separated & ~(settled & ~misses_targets(d, batch, seconds))
     if any_lane(failed):
         take_impulses_back(d, batch, failed)
@@ -117,7 +116,17 @@ def _update_rows(d: Batches, batch: Records) -> None:
     """Rows of the present pose."""
     look_ahead(d, batch, 0.0)
     measure_frames(d, batch)
+    batch.foreseen = 0
     fill_rows(d, batch)
+
+
+@kernel
+def _foresee(d: Batches, batch: Records, seconds: float) -> None:
+    """Measure the joints where the present velocities lead in so many seconds."""
+    if batch.foreseen == 0:
+        look_ahead(d, batch, seconds)
+        measure_frames(d, batch)
+        batch.foreseen = 1
 
 
 @kernel
@@ -168,8 +177,7 @@ def _solve(d: Batches, batch: Records, seconds: float, relaxing: bool, who: Mask
     again = settled
     for turn in range(_TURNS):
         if not relaxing:
-            look_ahead(d, batch, seconds)
-            measure_frames(d, batch)
+            _foresee(d, batch, seconds)
         changed = choose_rows(d, batch, seconds, relaxing, going)
         if turn > 0:
             settled = settled | (going & ~(changed | again))
