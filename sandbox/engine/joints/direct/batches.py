@@ -6,14 +6,21 @@ ever read from them.
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
-from sandbox._vectors import WIDTH
+from sandbox._jit import inlined_kernel, kernel
+from sandbox._vectors import WIDTH, Vector, load, select, spread, store
 from sandbox.engine.bodies.flags import is_active
+from sandbox.engine.contact_solver.gather import Rows, gather_fields
 from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.records import LEVELS, Batches
 from sandbox.engine.joints.joint_bodies import part_level
 from sandbox.engine.joints.records import JointWork
 from sandbox.tables import Floats, Records
+from sandbox.world.joint_records import JOINT
+
+_ANCHOR_AX, _AXIS_X, _RATIO, _POINT_BY, _ANGULAR_HERTZ, _LOWER, _MAX_MOTOR, _IMPULSE_0 = JOINT.places(
+    ("anchor_ax", "axis_x", "ratio", "point_by", "angular_hertz", "lower", "max_motor", "impulse_0"), 8
+)
+"""Numbers of fields of a joint from which on four are read at once."""
 
 
 @kernel
@@ -38,8 +45,8 @@ def fill_batches(work: JointWork, bodies: Records, free_motions: Records, new: b
             v[batch.lanes + at.SEPARATED + k] = 0.0
             v[batch.lanes + at.NEW + k] = 1.0 if new else 0.0
             _load_bodies(work, bodies, part, batch, k)
-            _load_joints(work, part, batch, k)
-            _load_rows(work, part, batch, k)
+        _load_joints(work, batch, n)
+        _load_rows(work, batch, n)
 
 
 @kernel
@@ -119,66 +126,95 @@ def _load_body(v: Floats, seat: int, bodies: Records, index: int) -> None:
 
 
 @kernel
-def _load_joints(work: JointWork, part: Records, batch: Records, k: int) -> None:
+def _load_joints(work: JointWork, batch: Records, n: int) -> None:
+    """The constants of the joints of batch n; in the joint table and here they stand in the same order."""
     d = work.direct
     v = d.memory
     layout = d.layouts[batch.layout]
     for f in range(layout.first_frame, layout.frame_end):
         frame = d.layout_frames[f]
-        number = work.constraints[part.first_constraint + frame.joint].joint
-        if frame.coupled != 0:
-            gear = work.joints[number]
-            number = gear.joint_1 if frame.coupled == 1 else gear.joint_2
-        joint = work.joints[number]
-        place = batch.joints + frame.constants + k
-        v[place + at.ANCHOR_AX] = joint.anchor_ax
-        v[place + at.ANCHOR_AY] = joint.anchor_ay
-        v[place + at.ANCHOR_BX] = joint.anchor_bx
-        v[place + at.ANCHOR_BY] = joint.anchor_by
-        v[place + at.AXIS_X] = joint.axis_x
-        v[place + at.AXIS_Y] = joint.axis_y
-        v[place + at.REFERENCE_ANGLE] = joint.reference_angle
-        v[place + at.LENGTH] = joint.length
-        v[place + at.RATIO] = joint.ratio
-        v[place + at.POINT_AX] = joint.point_ax
-        v[place + at.POINT_AY] = joint.point_ay
-        v[place + at.POINT_BX] = joint.point_bx
-        v[place + at.POINT_BY] = joint.point_by
-        v[place + at.HERTZ] = joint.hertz
-        v[place + at.DAMPING_RATIO] = joint.damping_ratio
-        v[place + at.ANGULAR_HERTZ] = joint.angular_hertz
-        v[place + at.ANGULAR_DAMPING_RATIO] = joint.angular_damping_ratio
-        v[place + at.REST] = joint.rest
-        v[place + at.LOWER] = joint.lower
-        v[place + at.UPPER] = joint.upper
-        v[place + at.MOTOR_SPEED] = joint.motor_speed
-        v[place + at.MAX_MOTOR] = joint.max_motor
-        v[place + at.MAX_FORCE] = joint.max_force
-        v[place + at.MAX_TORQUE] = joint.max_torque
-        v[place + at.END_ARM_X] = 0.0
-        v[place + at.END_ARM_Y] = 0.0
+        rows = joint_rows(work, batch, n, frame)
+        place = batch.joints + frame.constants
+        _store_four(v, place + at.ANCHOR_AX, gather_fields(work.joints, rows, _ANCHOR_AX))
+        _store_four(v, place + at.AXIS_X, gather_fields(work.joints, rows, _AXIS_X))
+        _store_four(v, place + at.RATIO, gather_fields(work.joints, rows, _RATIO))
+        point_by, _, hertz, damping_ratio = gather_fields(work.joints, rows, _POINT_BY)
+        store(v, place + at.POINT_BY, point_by)
+        store(v, place + at.HERTZ, hertz)
+        store(v, place + at.DAMPING_RATIO, damping_ratio)
+        angular_hertz, angular_damping_ratio, rest, _ = gather_fields(work.joints, rows, _ANGULAR_HERTZ)
+        store(v, place + at.ANGULAR_HERTZ, angular_hertz)
+        store(v, place + at.ANGULAR_DAMPING_RATIO, angular_damping_ratio)
+        store(v, place + at.REST, rest)
+        lower, upper, _, motor_speed = gather_fields(work.joints, rows, _LOWER)
+        store(v, place + at.LOWER, lower)
+        store(v, place + at.UPPER, upper)
+        store(v, place + at.MOTOR_SPEED, motor_speed)
+        max_motor, max_force, max_torque, _ = gather_fields(work.joints, rows, _MAX_MOTOR)
+        store(v, place + at.MAX_MOTOR, max_motor)
+        store(v, place + at.MAX_FORCE, max_force)
+        store(v, place + at.MAX_TORQUE, max_torque)
+        store(v, place + at.END_ARM_X, spread(0.0))
+        store(v, place + at.END_ARM_Y, spread(0.0))
+
+
+@inlined_kernel
+def _store_four(v: Floats, place: int, vectors: tuple[Vector, Vector, Vector, Vector]) -> None:
+    store(v, place, vectors[0])
+    store(v, place + WIDTH, vectors[1])
+    store(v, place + 2 * WIDTH, vectors[2])
+    store(v, place + 3 * WIDTH, vectors[3])
+
+
+@inlined_kernel
+def joint_rows(work: JointWork, batch: Records, n: int, frame: Records) -> Rows:
+    """Which joint each lane of batch n has for a frame of its layout."""
+    first = _joint_of(work, batch, n, frame, 0)
+    return (
+        first,
+        _joint_of(work, batch, n, frame, 1) if batch.count > 1 else first,
+        _joint_of(work, batch, n, frame, 2) if batch.count > 2 else first,
+        _joint_of(work, batch, n, frame, 3) if batch.count > 3 else first,
+    )
+
+
+@inlined_kernel
+def _joint_of(work: JointWork, batch: Records, n: int, frame: Records, k: int) -> int:
+    part = work.parts[work.direct.parts[n * WIDTH + k]]
+    number: int = work.constraints[part.first_constraint + frame.joint].joint
+    if frame.coupled != 0:
+        gear = work.joints[number]
+        number = gear.joint_1 if frame.coupled == 1 else gear.joint_2
+    return number
 
 
 @kernel
-def _load_rows(work: JointWork, part: Records, batch: Records, k: int) -> None:
-    """Impulses of the last step: half before and half after the move, or all of it before."""
+def _load_rows(work: JointWork, batch: Records, n: int) -> None:
+    """Impulses of the last step: half before and half after the move, or all of it before; and preloads.
+
+    The joint table has them for all slots, side by side: they pass through the working place of the joint.
+    """
     d = work.direct
     v = d.memory
     layout = d.layouts[batch.layout]
+    halves = load(v, batch.lanes + at.HALVES) == 1.0
     for f in range(layout.first_frame, layout.frame_end):
         frame = d.layout_frames[f]
         if frame.coupled != 0:
             continue
-        joint = work.joints[work.constraints[part.first_constraint + frame.joint].joint]
+        rows = joint_rows(work, batch, n, frame)
+        _store_four(v, frame.place, gather_fields(work.joints, rows, _IMPULSE_0))
+        _store_four(v, frame.place + 4 * WIDTH, gather_fields(work.joints, rows, _IMPULSE_0 + 4))
         for r in range(frame.first_row, frame.row_end):
-            equation = d.equations[r]
-            place = batch.rows + equation.kept + k
+            row = d.equations[r]
+            place = batch.rows + row.kept
             for field in range(at.KEPT_SIZE // WIDTH):
-                v[place + field * WIDTH] = 0.0
-            found = slot_impulse(joint, equation.slot)
-            v[place + at.IMPULSE] = 0.5 * found if part.halves == 1 else found
-            v[place + at.RELAXING] = 0.5 * found if part.halves == 1 else 0.0
-            v[place + at.PRELOAD] = slot_preload(joint, equation.slot)
+                store(v, place + field * WIDTH, spread(0.0))
+            found = load(v, frame.place + row.slot * WIDTH)
+            store(v, place + at.IMPULSE, select(halves, 0.5 * found, found))
+            store(v, place + at.RELAXING, select(halves, 0.5 * found, 0.0))
+            if row.slot <= 2:  # only rows that keep a place have a preload
+                store(v, place + at.PRELOAD, load(v, frame.place + (5 + row.slot) * WIDTH))
 
 
 @kernel
@@ -189,13 +225,3 @@ def slot_impulse(joint: Records, slot: int) -> float:
     if slot == 2:
         return float(joint.impulse_2)
     return float(joint.impulse_3 if slot == 3 else joint.impulse_4)
-
-
-@kernel
-def slot_preload(joint: Records, slot: int) -> float:
-    """What a row bears without giving way; only rows that keep a place have a preload."""
-    if slot > 2:
-        return 0.0
-    if slot == 2:
-        return float(joint.preload_2)
-    return float(joint.preload_0 if slot == 0 else joint.preload_1)

@@ -5,8 +5,10 @@ from __future__ import annotations
 import math
 
 from sandbox._jit import kernel
-from sandbox._vectors import WIDTH, load, store
+from sandbox._vectors import WIDTH, lanes, load, spread, store
+from sandbox.engine.contact_solver.gather import Rows
 from sandbox.engine.joints.direct import places as at
+from sandbox.engine.joints.direct.batches import joint_rows
 from sandbox.engine.joints.direct.records import Batches
 from sandbox.engine.joints.records import JointWork
 from sandbox.tables import Records
@@ -41,39 +43,41 @@ def report_batches(work: JointWork, seconds: float, counter: Records) -> None:
     for n in range(d.found[0]):
         batch = d.batches[n]
         layout = d.layouts[batch.layout]
-        for k in range(batch.count):
-            first = work.parts[d.parts[n * WIDTH + k]].first_constraint
-            for f in range(layout.first_frame, layout.frame_end):
-                frame = d.layout_frames[f]
-                if frame.coupled == 0:
-                    joint = work.joints[work.constraints[first + frame.joint].joint]
-                    _report(d, batch, frame, k, joint, seconds, counter)
+        for f in range(layout.first_frame, layout.frame_end):
+            frame = d.layout_frames[f]
+            if frame.coupled == 0:
+                _report(work, batch, frame, joint_rows(work, batch, n, frame), seconds, counter)
 
 
 @kernel
-def _report(
-    d: Batches, batch: Records, frame: Records, k: int, joint: Records, seconds: float, counter: Records
-) -> None:
-    """Mean force on b over the step, and torque on b about its anchor."""
+def _report(work: JointWork, batch: Records, frame: Records, joints: Rows, seconds: float, counter: Records) -> None:
+    """Mean force on b over the step, and torque on b about its anchor, of the joints of all lanes."""
+    d = work.direct
     v = d.memory
-    force_x = 0.0
-    force_y = 0.0
-    torque = 0.0
-    arm_x = v[batch.joints + frame.constants + at.END_ARM_X + k]
-    arm_y = v[batch.joints + frame.constants + at.END_ARM_Y + k]
+    force_x = spread(0.0)
+    force_y = spread(0.0)
+    torque = spread(0.0)
+    arm_x = load(v, batch.joints + frame.constants + at.END_ARM_X)
+    arm_y = load(v, batch.joints + frame.constants + at.END_ARM_Y)
     for r in range(frame.first_row, frame.row_end):
         row = d.equations[r]
-        kept = batch.rows + row.kept + k
-        set_slot_impulse(joint, row.slot, v[kept + at.IMPULSE] + v[kept + at.RELAXING])
-        if counter.step_count == 0:
-            set_slot_preload(joint, row.slot, v[kept + at.PRELOAD])
-        mean = v[kept + at.TOTAL] / seconds
-        x = v[kept + at.END_X]
-        y = v[kept + at.END_Y]
-        force_x += x * mean
-        force_y += y * mean
-        torque += (v[kept + at.END_W] - (arm_x * y - arm_y * x)) * mean
-    finish_report(joint, force_x, force_y, torque, counter)
+        kept = batch.rows + row.kept
+        for k in range(batch.count):
+            joint = work.joints[joints[k]]
+            set_slot_impulse(joint, row.slot, v[kept + at.IMPULSE + k] + v[kept + at.RELAXING + k])
+            if counter.step_count == 0:
+                set_slot_preload(joint, row.slot, v[kept + at.PRELOAD + k])
+        mean = load(v, kept + at.TOTAL) / seconds
+        x = load(v, kept + at.END_X)
+        y = load(v, kept + at.END_Y)
+        force_x = force_x + x * mean
+        force_y = force_y + y * mean
+        torque = torque + (load(v, kept + at.END_W) - (arm_x * y - arm_y * x)) * mean
+    x_of = lanes(force_x)
+    y_of = lanes(force_y)
+    torque_of = lanes(torque)
+    for k in range(batch.count):
+        finish_report(work.joints[joints[k]], x_of[k], y_of[k], torque_of[k], counter)
 
 
 @kernel
