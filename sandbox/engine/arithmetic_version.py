@@ -64,6 +64,7 @@ NOTES: dict[int, str] = {
     "that a command sets in motion wakes in the step, no longer before it",
     30: "a spring and a limit or motor of one joint share an equation of the linear system, whose unknown is what both "
     "give",
+    31: "jointed parts that nothing touches and that have no limits are relaxed in the last substep of a step alone",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

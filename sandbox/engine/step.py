@@ -100,7 +100,8 @@ def begin(
     info.substep_levels = assign_substep_levels(state, active, solver, piles, contacts, joints)
     info.impact_speed = flag_struck(bodies, contacts, solver.ccd, solver.struck, blocks.spare, info.fastest)
     if joints is not None:
-        begin_joints(joints, bodies, solver.free_motions, contacts, state.counters[0].step_count == 0)
+        new = state.counters[0].step_count == 0
+        begin_joints(joints, bodies, state.drags, solver.free_motions, contacts, new)
     clear_reports(contacts.reports, count)
 
 

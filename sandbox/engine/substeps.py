@@ -175,7 +175,7 @@ def run_substeps(
         if struck_count > 0:  # the relax pass would stop what now touches, a contact at a time
             stop_late(bodies, solver, struck, blocks, struck_count, workers, rigid)
         if joints is not None and rest:
-            relax_joints(joints, motions, free_motions, seconds, workers)
+            relax_joints(joints, motions, free_motions, seconds, substep + 1 == substeps, workers)
         if apart:
             turn_parts(touched, solver, workers)
         if setting.relax == 1:

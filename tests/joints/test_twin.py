@@ -18,7 +18,7 @@ from tests.examples import examples
 from tests.joints.lanes import kept_field, lane_rows, some_part_is_separated, strained_bodies
 from tests.joints.linkages import KINDS, SETTINGS, Linkage, force, linkages, parts, twin
 from tests.naive.joint_rows import Array, arms, jacobian
-from tests.naive.joints import Jointed, after_the_move, substep
+from tests.naive.joints import Jointed, after_the_move, substeps
 
 SECONDS = 1.0 / SETTINGS.step_rate
 RIGID = ["revolute", "weld", "prismatic", "distance", "pulley"]
@@ -70,8 +70,7 @@ def step_both(world: World) -> tuple[Jointed, float] | None:
         count = 1 << int(levels[group[0]])
         columns = [3 * k + i for k in group for i in range(3)]
         rows = [part.rows.index(row) for row in one.rows]
-        for _ in range(count):
-            substep(one, pull, SECONDS / count)
+        for _ in substeps(one, pull, SECONDS / count, count):
             fast = float(np.max(np.abs(one.velocity[columns])))
             miss += 2.0 * longest * SECONDS / count * one.reach * (one.reach + fast)
         after.pose[columns], after.velocity[columns] = one.pose[columns], one.velocity[columns]

@@ -3,11 +3,16 @@
 Half of the force acts before the move, half after it. Before it, impulses along the rows of now bring the members to
 where the joints are kept after it; after it, impulses along the rows of then make the speeds keep them, too. Springs
 follow the implicit midpoint rule: their force is that of the place and speed in the middle of the substep.
+
+Where no joint has limits, substeps that follow each other go from the middle of one to the middle of
+the next, with the whole force between them, and what springs have still to give of the first: speeds are made to keep
+the joints after the last one alone.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -45,15 +50,50 @@ class Jointed:
         return [(self.joints[j], slot) for j, slot in self.rows]
 
 
-def substep(part: Jointed, force: Array, seconds: float) -> None:
-    """Advance by `seconds` under an acceleration `force`."""
-    moved = part.velocity + 0.5 * seconds * force
-    part.before, moved = before_the_move(part, moved, seconds)
-    part.pose = part.pose + seconds * moved
-    part.after, part.velocity = after_the_move(part, moved + 0.5 * seconds * force, seconds)
+@dataclass(frozen=True)
+class Span:
+    """How long a substep is (s), for how long forces act before its move, and by which share rigid rows yield to what
+    they give in that time."""
+
+    seconds: float
+    acting: float
+    yields: float
 
 
-def before_the_move(part: Jointed, velocity: Array, seconds: float) -> tuple[Array, Array]:
+def half(seconds: float) -> Span:
+    """A substep of which half the force acts before the move."""
+    return Span(seconds, 0.5 * seconds, YIELD)
+
+
+def whole(seconds: float) -> Span:
+    """One whose velocities begin and end in the middle: twice the impulse for the same yield."""
+    return Span(seconds, seconds, 0.5 * YIELD)
+
+
+def substeps(part: Jointed, force: Array, seconds: float, count: int) -> Iterator[None]:
+    """Advance by `count` substeps under an acceleration `force`."""
+    weak = (kinds.MOTOR, kinds.TARGET, kinds.FRICTION)
+    staggered = not any(joint.kind in weak or joint.limit for joint, _ in part.row_joints())
+    springs = np.array([spring(joint, slot) is not None for joint, slot in part.row_joints()], bool)
+    for k in range(count):
+        between = staggered and k > 0
+        span = whole(seconds) if between else half(seconds)
+        moved = part.velocity + span.acting * force
+        if between:
+            moved = moved + part.inverse * (jacobian(part.pose, part.joints, part.rows).T @ (springs * part.before))
+            if k == 1:
+                part.before = np.where(springs, part.before, 2.0 * part.before)
+        part.before, moved = before_the_move(part, moved, span)
+        part.pose = part.pose + seconds * moved
+        if staggered and k + 1 < count:
+            part.velocity = moved
+        else:
+            part.before = np.where(springs, part.before, part.before * (0.5 * seconds / span.acting))
+            part.after, part.velocity = after_the_move(part, moved + 0.5 * seconds * force, seconds)
+        yield
+
+
+def before_the_move(part: Jointed, velocity: Array, span: Span) -> tuple[Array, Array]:
     """Impulses and velocities that bring the bodies to where their joints are kept.
 
     Where the joints will be is no linear function of the velocities: Newton's method, with the derivatives of now. It
@@ -64,6 +104,7 @@ def before_the_move(part: Jointed, velocity: Array, seconds: float) -> tuple[Arr
     matrix = rows @ push
     ease = np.diag(matrix).copy()
     now = errors(part.pose, part.joints, part.rows)
+    seconds = span.seconds
     found = part.before
     tried = velocity + push @ found
     for _ in range(1 if not any(map(may_be_bounded, *zip(*part.row_joints(), strict=True))) else NEWTON):
@@ -72,9 +113,9 @@ def before_the_move(part: Jointed, velocity: Array, seconds: float) -> tuple[Arr
         for r, (joint, slot) in enumerate(part.row_joints()):
             bent = (ahead[r] - now[r]) / seconds - rows[r] @ tried
             bend = bent if is_levered(part.pose, joint, slot) else 0.0
-            beyond = part.before[r] - 0.5 * seconds * preload(joint, slot)
-            kept = left_over(joint, slot, now[r], float(ease[r]) * beyond, seconds)
-            laws.append(_law_before(joint, slot, Ahead(now[r], bent, bend, kept, float(ease[r])), seconds))
+            beyond = part.before[r] - span.acting * preload(joint, slot)
+            kept = left_over(joint, slot, now[r], span.yields * float(ease[r]) * beyond, seconds)
+            laws.append(_law_before(joint, slot, Ahead(now[r], bent, bend, kept, float(ease[r])), span))
         last, found = found, impulses(matrix, rows @ velocity, laws)
         assert found is not None, "no choice of pieces fits"
         tried = velocity + push @ found
@@ -139,12 +180,12 @@ def preload(joint: Any, slot: int) -> float:
 def left_over(joint: Any, slot: int, error: float, push: float, seconds: float) -> float:
     """What a rigid row, or a limit that is overrun, may have left of its error: what is too much for one substep.
 
-    What it yields to the push that it has borne beyond its preload, the speed (m/s) of that by itself, is no error.
+    What it yields to the push that it has borne beyond its preload, as a speed (m/s), is no error.
     """
     if slot == DRIVE:
         error = max(error - float(joint.upper), 0.0) + min(error - float(joint.lower), 0.0) if joint.limit else 0.0
     else:
-        error = error + seconds * YIELD * push
+        error = error + seconds * push
     return math.copysign(max(abs(error) - DRAWN * seconds, 0.0), error)
 
 
@@ -160,8 +201,8 @@ class Ahead:
     ease: float
 
 
-def _law_before(joint: Any, slot: int, row: Ahead, seconds: float) -> Law:
-    acting = 0.5 * seconds
+def _law_before(joint: Any, slot: int, row: Ahead, span: Span) -> Law:
+    seconds, acting = span.seconds, span.acting
     if slot == DRIVE:
         slowest, fastest = -INF, INF
         if joint.limit:
@@ -173,10 +214,11 @@ def _law_before(joint: Any, slot: int, row: Ahead, seconds: float) -> Law:
         return striving(float(joint.motor_speed) if joint.kind == kinds.WHEEL else 0.0, 0.0, most)
     soft = spring(joint, slot)
     if soft is not None:
-        place = row.now - (_rest(joint) if slot == SPRING else 0.0) + acting * row.bend
-        return _midpoint(*soft, place, 1.0 / row.ease, acting, most)
-    borne = YIELD * row.ease * acting * preload(joint, slot)
-    return striving((row.kept - row.now) / seconds - row.bent + borne, YIELD * row.ease, most)
+        place = row.now - (_rest(joint) if slot == SPRING else 0.0) + 0.5 * seconds * row.bend
+        return _midpoint(*soft, place, 1.0 / row.ease, 0.5 * seconds, most)
+    softness = span.yields * row.ease
+    borne = softness * acting * preload(joint, slot)
+    return striving((row.kept - row.now) / seconds - row.bent + borne, softness, most)
 
 
 def _midpoint(hertz: float, ratio: float, place: float, mass: float, acting: float, strong: float) -> Law:

@@ -32,21 +32,28 @@ from sandbox.tables import Records
 
 
 @kernel
-def begin_joints(work: JointWork, bodies: Records, free_motions: Records, contacts: Contacts, new: bool) -> None:
-    """Load members, find out which parts something bears, and take over the impulses of the last step.
+def begin_joints(
+    work: JointWork, bodies: Records, drags: Records, free_motions: Records, contacts: Contacts, new: bool
+) -> None:
+    """Load members, find out which parts something bears or touches, and take over the impulses of the last step.
 
     In the first step of a world all is `new`.
     """
     load_members(work, bodies)
     for p in range(work.parts.shape[0]):
         work.parts[p].supported = 0
+        work.parts[p].free = 1
     for slot in contacts.active[1 : 1 + contacts.active[0].contact]:
-        contact = contacts.now[slot.contact]
-        if contact.normal_impulse1 > 0.0 or contact.normal_impulse2 > 0.0:
-            for side in range(2):
-                part = work.part_of[contact.body_a if side == 0 else contact.body_b]
-                if part >= 0:
+        for side in range(2):
+            part = work.part_of[slot.body_a if side == 0 else slot.body_b]
+            if part >= 0:
+                contact = contacts.now[slot.contact]
+                work.parts[part].free = 0
+                if contact.normal_impulse1 > 0.0 or contact.normal_impulse2 > 0.0:
                     work.parts[part].supported = 1
+    for k in range(drags.shape[0]):
+        if drags[k].body >= 0 and work.part_of[drags[k].body] >= 0:
+            work.parts[work.part_of[drags[k].body]].free = 0
     for p in range(work.parts.shape[0]):
         work.parts[p].halves = work.parts[p].direct * (1 - work.parts[p].supported)
     read_impulses(work)
@@ -84,8 +91,12 @@ def prepare_move(work: JointWork, motions: Records, free_motions: Records, secon
 
 
 @kernel
-def relax_joints(work: JointWork, motions: Records, free_motions: Records, seconds: float, workers: Workers) -> None:
-    """After the move: change velocities so that they keep the joints, too."""
+def relax_joints(
+    work: JointWork, motions: Records, free_motions: Records, seconds: float, last: bool, workers: Workers
+) -> None:
+    """After the move: change velocities so that they keep the joints, too. Some parts ask for that after the `last`
+    substep alone (`direct.stagger`)."""
+    work.direct.level[1] = 1 if last else 0
     gather_members(work, motions)
     for p in range(work.parts.shape[0]):
         part = work.parts[p]

@@ -34,7 +34,7 @@ def fill_batches(work: JointWork, bodies: Records, free_motions: Records, new: b
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
         if part.direct == 1 and part.awake == 1:
-            _join(d, p, part.layout, part_level(work, part, free_motions))
+            _join(d, p, part_level(work, part, free_motions), part)
     v = d.memory
     for n in range(d.found[0]):
         batch = d.batches[n]
@@ -59,13 +59,15 @@ def _empty(d: Batches) -> None:
 
 
 @kernel
-def _join(d: Batches, p: int, layout_number: int, level: int) -> None:
-    """Give part `p` a lane in the open batch of its layout and level, or in a new one."""
-    place = layout_number * LEVELS + level
+def _join(d: Batches, p: int, level: int, part: Records) -> None:
+    """Give part `p` a lane in the open batch of its layout and level, or in a new one. What is staggered is apart."""
+    staggered = part.free * d.layouts[part.layout].staggers
+    place = 2 * (part.layout * LEVELS + level) + staggered
     n = d.open[place]
     if n < 0 or d.batches[n].count == WIDTH:
         n = d.found[0]
-        _open(d, n, layout_number, level)
+        _open(d, n, part.layout, level)
+        d.batches[n].staggered = staggered
         d.open[place] = n
     batch = d.batches[n]
     d.parts[n * WIDTH + batch.count] = p
@@ -80,6 +82,7 @@ def _open(d: Batches, n: int, layout_number: int, level: int) -> None:
     batch.layout = layout_number
     batch.level = level
     batch.count = 0
+    batch.between = 0
     batch.foreseen = 0
     batch.bodies = d.found[2]
     batch.lanes = d.found[1]

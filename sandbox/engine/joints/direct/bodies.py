@@ -37,7 +37,7 @@ def gather_bodies(d: Batches, batch: Records, motions: Records, free_motions: Re
                 store(v, seat + at.KICK_X, 0.5 * (free_x - start_x))
                 store(v, seat + at.KICK_Y, 0.5 * (free_y - start_y))
                 store(v, seat + at.KICK_W, 0.5 * (free_w - start_w))
-            sign = -1.0 if moving else 1.0
+            sign = 1.0 if not moving else -1.0 if batch.between == 0 else 0.0
             x = select(held, x + sign * load(v, seat + at.KICK_X), x)
             y = select(held, y + sign * load(v, seat + at.KICK_Y), y)
             w = select(held, w + sign * load(v, seat + at.KICK_W), w)

@@ -11,7 +11,7 @@ from __future__ import annotations
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import WIDTH, Mask, Vector, absolute, any_lane, load, select, spread, store
 from sandbox.engine.joints.direct import places as at
-from sandbox.engine.joints.direct.pivoting import acting_time
+from sandbox.engine.joints.direct.acting_time import acting_time
 from sandbox.engine.joints.direct.records import TURN, Batches
 from sandbox.engine.joints.direct.rows import fill_stiffness
 from sandbox.tables import Floats, Records

@@ -25,7 +25,9 @@ from sandbox.engine.joints.symbolic import Pattern
 from sandbox.tables import Integers, Records
 from sandbox.world.joint_records import DISTANCE, FRICTION, GEAR, MOTOR, PRISMATIC, PULLEY, TARGET, WELD, WHEEL
 
-SPRUNG_OR_WEAK = (WELD, MOTOR, TARGET, FRICTION)
+_WEAK = (MOTOR, TARGET, FRICTION)
+"""Kinds of which two rows may have a limit together."""
+SPRUNG_OR_WEAK = (WELD, *_WEAK)
 """Kinds of which also the rows that keep a place may be springs, or have a limit."""
 _SLIDES = (PRISMATIC, WHEEL)
 _UNKNOWN = 2
@@ -69,6 +71,7 @@ def direct_layout(
     layout.seats, layout.moving = next(taken), moving
     layout.frame_end, layout.row_end, layout.joints = len(frames), len(equations), len(joints)
     layout.bounded = bounded
+    layout.staggers = not any(kind in _WEAK or limit for kind, limit, *_ in joints)
     return DirectLayout(layout, frames, equations, entries, products, np.array(pattern.targets, np.int64) * WIDTH)
 
 

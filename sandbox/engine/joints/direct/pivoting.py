@@ -9,6 +9,7 @@ from __future__ import annotations
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import Mask, Vector, any_lane, load, root, select, spread, store
 from sandbox.engine.joints.direct import places as at
+from sandbox.engine.joints.direct.acting_time import acting_time, spring_time
 from sandbox.engine.joints.direct.records import Batches
 from sandbox.engine.joints.direct.rows import change_impulse, row_error, row_speed
 from sandbox.engine.joints.direct.targets import strength, target_positions, target_velocities
@@ -50,6 +51,7 @@ def aim_rows(d: Batches, batch: Records, seconds: float, relaxing: bool, who: Ma
     halves = load(v, batch.lanes + at.HALVES) == 1.0
     separated = load(v, batch.lanes + at.SEPARATED) == 1.0
     acting = acting_time(v, batch, seconds)
+    springs_acting = spring_time(v, batch, seconds)
     for f in range(layout.first_frame, layout.frame_end):
         frame = d.layout_frames[f]
         for r in range(frame.first_row, frame.row_end):
@@ -60,7 +62,7 @@ def aim_rows(d: Batches, batch: Records, seconds: float, relaxing: bool, who: Ma
             else:
                 error = load(v, batch.rows + row.kept + at.ERROR)
                 ahead = select(separated, error + seconds * speed, row_error(v, frame, row))
-                law = target_positions(v, batch, frame, row, ahead, speed, seconds, acting)
+                law = target_positions(v, batch, frame, row, ahead, speed, seconds, acting, springs_acting)
             where = who & has_law(v, batch, row)
             _replace(v, row.place + at.BIAS, law.bias, where)
             _replace(v, row.place + at.SOFTNESS, law.softness, where)
@@ -68,12 +70,6 @@ def aim_rows(d: Batches, batch: Records, seconds: float, relaxing: bool, who: Ma
                 _replace(v, row.place + at.LOW, law.low, where)
                 _replace(v, row.place + at.HIGH, law.high, where)
                 _replace(v, batch.rows + row.kept + at.STOP, law.stop, where)
-
-
-@inlined_kernel
-def acting_time(v: Floats, batch: Records, seconds: float) -> Vector:
-    """For how long forces act before the move."""
-    return select(load(v, batch.lanes + at.HALVES) == 1.0, 0.5 * seconds, seconds)
 
 
 @inlined_kernel

@@ -10,7 +10,7 @@ from __future__ import annotations
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import Mask, Vector, absolute, load, select, store
 from sandbox.engine.joints.direct import places as at
-from sandbox.engine.joints.direct.pivoting import acting_time
+from sandbox.engine.joints.direct.acting_time import acting_time
 from sandbox.engine.joints.direct.records import Batches
 from sandbox.engine.joints.direct.rows import row_speed
 from sandbox.engine.joints.direct.targets import is_rigid

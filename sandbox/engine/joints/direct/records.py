@@ -32,6 +32,7 @@ LAYOUT = Table(
         Field("row_end", "-", "", "i8"),
         Field("joints", "-", "", "i8"),
         Field("bounded", "-", "1 when some row may have bounds", "i8"),
+        Field("staggers", "-", "1 when its parts may take the leapfrog, see `stagger`", "i8"),
     ),
 )
 
@@ -110,6 +111,8 @@ BATCH = Table(
         Field("joints", "-", "where its joints begin", "i8"),
         Field("rows", "-", "where its rows begin", "i8"),
         Field("bodies", "-", "where its bodies are named", "i8"),
+        Field("staggered", "-", "1 when its parts take the leapfrog", "i8"),
+        Field("between", "-", "1 while their velocities are those of the middle of a substep", "i8"),
         Field("foreseen", "-", "1 while its joints are measured where their present velocities lead", "i8"),
     ),
 )
@@ -120,11 +123,11 @@ class Batches(NamedTuple):
 
     Of layouts: `targets` are the entries from which the elimination of a row subtracts, in its order. `fixed` are the
     bodies on the fixed sides, part after part. Of batches: `found` is how many there are, where memory and names of
-    bodies in use end, and where the memory of the first begins; `level` is the substep level under way; `open` the
-    batch that takes the next part of each layout and level; `parts` says which part lies in each lane, `bodies` who has
-    each seat, in each lane. `memory` has a working place for each worker first: poses, frames, rows, factor, sums of
-    products; then the batches. `found` ends with the size of a working place. Places in it count from where it begins;
-    so do those in `own`, the batch that each worker is at.
+    bodies in use end, and where the memory of the first begins; `level` is the substep level under way, and whether the
+    substep is the last one; `open` the batch that takes the next part of each layout and level, staggered or not;
+    `parts` says which part lies in each lane, `bodies` who has each seat, in each lane. `memory` has a working place
+    for each worker first: poses, frames, rows, factor, sums of products; then the batches. `found` ends with the size
+    of a working place. Places in it count from where it begins; so do those in `own`, the batch that each worker is at.
     """
 
     layouts: Records

@@ -11,11 +11,12 @@ from __future__ import annotations
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import Mask, Vector, absolute, any_lane, load, select, spread, store
 from sandbox.engine.joints.direct import places as at
+from sandbox.engine.joints.direct.acting_time import compliance
 from sandbox.engine.joints.direct.preload import beyond_preload
 from sandbox.engine.joints.direct.records import Batches
 from sandbox.engine.joints.direct.rows import change_impulse, row_error
 from sandbox.engine.joints.direct.targets import is_rigid
-from sandbox.engine.joints.laws import COMPLIANCE, CORRECTION_SPEED, limited, overrun, without_yield
+from sandbox.engine.joints.laws import CORRECTION_SPEED, limited, overrun, without_yield
 from sandbox.tables import Floats, Records
 from sandbox.world.joint_records import MOTOR
 
@@ -79,7 +80,7 @@ def excess_error(v: Floats, batch: Records, frame: Records, row: Records, second
 def _yielded(v: Floats, batch: Records, row: Records, seconds: float) -> Vector:
     """Error that the softness of a rigid row leaves under the impulse of the last substep, and gives back."""
     kept = batch.rows + row.kept
-    return -seconds * COMPLIANCE * load(v, kept + at.STIFFNESS) * beyond_preload(v, batch, row, seconds)
+    return -seconds * compliance(batch) * load(v, kept + at.STIFFNESS) * beyond_preload(v, batch, row, seconds)
 
 
 @kernel

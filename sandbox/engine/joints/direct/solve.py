@@ -16,6 +16,7 @@ from sandbox.engine.joints.direct.records import Batches
 from sandbox.engine.joints.direct.reports import accumulate
 from sandbox.engine.joints.direct.rows import change_impulse, fill_rows
 from sandbox.engine.joints.direct.separated import detect_separation, misses_targets, take_impulses_back
+from sandbox.engine.joints.direct.stagger import is_spring, may_be_spring, return_from_between, stay_between
 from sandbox.engine.joints.direct.targets import may_be_sprung, row_hertz
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
@@ -53,6 +54,7 @@ def solve_some_batches(
     for n in range(first, end):
         if d.batches[n].level != d.level[0]:
             continue
+        stays = d.batches[n].staggered == 1 and d.level[1] == 0
         d.own[worker] = d.batches[n]
         batch.lanes -= begin
         batch.seats -= begin
@@ -61,7 +63,14 @@ def solve_some_batches(
         if task == SOLVE_BATCHES:
             gather_bodies(here, batch, motions, free_motions, True)
             _solve_positions(here, batch, seconds)
+        elif stays:
+            stay_between(here, batch)
+            d.batches[n].between = 1
+            continue
         else:
+            if batch.between == 1:
+                return_from_between(here, batch)
+                d.batches[n].between = 0
             gather_bodies(here, batch, motions, free_motions, False)
             _relax(here, batch, seconds)
         scatter_bodies(here, batch, motions)
@@ -160,6 +169,9 @@ def _start_warm(d: Batches, batch: Records, relaxing: bool) -> None:
                 store(v, kept + at.RELAXING, current)
                 store(v, kept + at.IMPULSE, spread(0.0))
                 change_impulse(v, batch, row, impulse, at.IMPULSE, halves | ~halves)
+                if batch.between == 1 and may_be_spring(frame.kind, row.slot):
+                    # what it has still to give of the substep before
+                    change_impulse(v, batch, row, impulse, at.RELAXING, is_spring(v, batch, frame, row))
 
 
 @kernel

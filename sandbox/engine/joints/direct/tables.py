@@ -47,19 +47,21 @@ def direct_tables(layouts: Sequence[DirectLayout], workers: int = 1) -> Batches:
 
 def with_room(tables: Batches, of_part: Integers, old: Batches | None = None) -> Batches:
     """Layouts with memory for as many batches as parts may make; `of_part` is the layout of each part, -1 where it is
-    not factorised. Each level may have one batch that is not full. The memory of `old` is used if it is large enough.
+    not factorised. Each level may have one batch that is not full, or two, of which one is staggered. The memory of
+    `old` is used if it is large enough.
     """
     layouts = tables.layouts
     count = np.bincount(of_part[of_part >= 0], minlength=len(layouts))
-    most = np.minimum(count, (count + LEVELS * (WIDTH - 1)) // WIDTH)
+    kinds = LEVELS * (1 + layouts.staggers)
+    most = np.minimum(count, (count + kinds * (WIDTH - 1)) // WIDTH)
     joints, rows = layouts.frame_end - layouts.first_frame, layouts.row_end - layouts.first_row
     size = at.LANE_SIZE + layouts.seats * at.SEAT_SIZE + joints * at.JOINT_SIZE + rows * at.KEPT_SIZE
     had = old or tables
     return tables._replace(
         batches=_with_rows(had.batches, int(most.sum())).view(np.recarray),
         found=tables.found.copy(),
-        level=np.zeros(1, np.int64),
-        open=_with_rows(had.open, len(layouts) * LEVELS),
+        level=np.zeros(2, np.int64),
+        open=_with_rows(had.open, 2 * len(layouts) * LEVELS),
         parts=_with_rows(had.parts, int(most.sum()) * WIDTH),
         bodies=_with_rows(had.bodies, int(most @ layouts.seats) * WIDTH),
         memory=_with_rows(had.memory, int(tables.found[3] + most @ size)),

@@ -10,6 +10,7 @@ from typing import NamedTuple
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import Mask, Vector, load, select, spread
 from sandbox.engine.joints.direct import places as at
+from sandbox.engine.joints.direct.acting_time import compliance
 from sandbox.engine.joints.laws import COMPLIANCE, INFINITE, drive, spring_law
 from sandbox.tables import Floats, Records
 from sandbox.world.joint_records import FRICTION, MOTOR, PRISMATIC, REVOLUTE, TARGET, WELD, WHEEL
@@ -35,11 +36,12 @@ def target_positions(
     speed: Vector,
     seconds: float,
     acting: Vector,
+    springs_acting: Vector,
 ) -> Law:
     """The law of a row while positions are solved.
 
     `ahead` is its error where the bodies will be at their present `speed` after `seconds`; forces act for `acting`
-    seconds of the substep, which is half of it where the other half follows after the move.
+    seconds of the substep before the move, springs for `springs_acting`.
     """
     joint = batch.joints + frame.constants
     kept = batch.rows + row.kept
@@ -52,21 +54,21 @@ def target_positions(
     if is_brake(frame.kind, row.slot):
         bias = -load(v, joint + at.MOTOR_SPEED) if frame.kind == WHEEL else spread(0.0)
         return Law(bias, spread(0.0), -limit, limit, stop)
-    softness = COMPLIANCE * stiffness
+    softness = compliance(batch) * stiffness
     bias = (ahead - load(v, row.place + at.MAY_LEAVE)) / seconds - speed
     bias = bias - softness * acting * load(v, kept + at.PRELOAD)
     if row.slot == 3:
         turns = frame.kind == REVOLUTE or frame.kind == PRISMATIC or frame.kind == WHEEL
         rest = rest - load(v, joint + (at.REST if turns else at.LENGTH))
         ratio = load(v, joint + at.DAMPING_RATIO)
-        bias, softness = spring_law(rest, load(v, joint + at.HERTZ), ratio, stiffness, acting)
+        bias, softness = spring_law(rest, load(v, joint + at.HERTZ), ratio, stiffness, springs_acting)
     elif may_be_sprung(frame.kind):
         if row.slot < 2:  # a gap turns with a, of which the speed along a row knows nothing
             levered = load(v, frame.place + at.LEVERED) == 1.0
-            rest = select(levered, rest + acting * ((ahead - rest) / seconds - speed), rest)
+            rest = select(levered, rest + springs_acting * ((ahead - rest) / seconds - speed), rest)
         ratio = load(v, joint + (at.ANGULAR_DAMPING_RATIO if row.slot == 2 else at.DAMPING_RATIO))
         hertz = row_hertz(v, joint, row.slot)
-        soft_bias, softer = spring_law(rest, hertz, ratio, stiffness, acting)
+        soft_bias, softer = spring_law(rest, hertz, ratio, stiffness, springs_acting)
         bias = select(hertz > 0.0, soft_bias, bias)
         softness = select(hertz > 0.0, softer, softness)
     return Law(bias, softness, -limit, limit, stop)
