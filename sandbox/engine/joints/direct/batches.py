@@ -84,6 +84,7 @@ def _open(d: Batches, n: int, layout_number: int, level: int) -> None:
     batch.count = 0
     batch.between = 0
     batch.foreseen = 0
+    batch.redundant = 0
     batch.bodies = d.found[2]
     batch.lanes = d.found[1]
     batch.seats = batch.lanes + at.LANE_SIZE

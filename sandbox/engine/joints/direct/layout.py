@@ -23,7 +23,18 @@ from sandbox.engine.joints.direct.records import (
 )
 from sandbox.engine.joints.symbolic import Pattern
 from sandbox.tables import Integers, Records
-from sandbox.world.joint_records import DISTANCE, FRICTION, GEAR, MOTOR, PRISMATIC, PULLEY, TARGET, WELD, WHEEL
+from sandbox.world.joint_records import (
+    DISTANCE,
+    FRICTION,
+    GEAR,
+    MOTOR,
+    PRISMATIC,
+    PULLEY,
+    REVOLUTE,
+    TARGET,
+    WELD,
+    WHEEL,
+)
 
 _WEAK = (MOTOR, TARGET, FRICTION)
 """Kinds of which two rows may have a limit together."""
@@ -71,6 +82,7 @@ def direct_layout(
     layout.seats, layout.moving = next(taken), moving
     layout.frame_end, layout.row_end, layout.joints = len(frames), len(equations), len(joints)
     layout.bounded = bounded
+    layout.hinged = not bounded and all(kind in (REVOLUTE, WELD) for kind, *_ in joints)
     layout.staggers = not any(kind in _WEAK or limit for kind, limit, *_ in joints)
     return DirectLayout(layout, frames, equations, entries, products, np.array(pattern.targets, np.int64) * WIDTH)
 

@@ -75,6 +75,7 @@ def _sum_products_of_pair(d: Batches, batch: Records, row: Records, after: Recor
 @kernel
 def factorize(d: Batches, batch: Records) -> None:
     """Factorise the assembled matrices of a batch, less the rows that are not active."""
+    batch.redundant = 0
     _unite_rows(d, batch)
     _choose_entries(d, batch)
     layout = d.layouts[batch.layout]
@@ -159,6 +160,8 @@ def _inverse(v: Floats, batch: Records, row: Records, pivot: int) -> Vector:
     whole = select(taken, stiffness + load(v, row.place + at.DIAGONAL), 1.0)
     left = load(v, pivot)
     sound = left > _REDUNDANT * whole
+    if any_lane(~sound):
+        batch.redundant = 1
     return select(sound, 1.0 / select(sound, left, 1.0), 0.0)
 
 

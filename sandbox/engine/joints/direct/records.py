@@ -32,6 +32,7 @@ LAYOUT = Table(
         Field("row_end", "-", "", "i8"),
         Field("joints", "-", "", "i8"),
         Field("bounded", "-", "1 when some row may have bounds", "i8"),
+        Field("hinged", "-", "1 when all joints are hinges and welds: only that bodies turn is not linear", "i8"),
         Field("staggers", "-", "1 when its parts may take the leapfrog, see `stagger`", "i8"),
     ),
 )
@@ -113,6 +114,7 @@ BATCH = Table(
         Field("bodies", "-", "where its bodies are named", "i8"),
         Field("staggered", "-", "1 when its parts take the leapfrog", "i8"),
         Field("between", "-", "1 while their velocities are those of the middle of a substep", "i8"),
+        Field("redundant", "-", "1 when a row of the last factor says what others say, in some lane", "i8"),
         Field("foreseen", "-", "1 while its joints are measured where their present velocities lead", "i8"),
     ),
 )

@@ -84,6 +84,36 @@ def _yielded(v: Floats, batch: Records, row: Records, seconds: float) -> Vector:
 
 
 @kernel
+def is_nearly_linear(d: Batches, batch: Records, seconds: float) -> bool:
+    """Whether no hinge can miss its aim by more than a substep could correct, as bodies hardly turn otherwise than when
+    they were looked at.
+
+    The system is solved for levers of now: an arm r that turns by b instead of a misses |b - a| max(|a|, |b|) |r|.
+    """
+    v = d.memory
+    layout = d.layouts[batch.layout]
+    turned = spread(0.0)
+    for slot in range(layout.seats):
+        place = slot * at.SEAT_SIZE
+        now = load(v, batch.seats + place + at.START_ANGLE) + load(v, place + at.DELTA_ANGLE)
+        before = absolute(load(v, place + at.ANGLE) - now)
+        then = seconds * load(v, place + at.VELOCITY_W)
+        change = absolute(then - (load(v, place + at.ANGLE) - now))
+        then = absolute(then)
+        missed = change * select(then > before, then, before)
+        turned = select(missed > turned, missed, turned)
+    longest = spread(0.0)
+    for f in range(layout.first_frame, layout.frame_end):
+        place = d.layout_frames[f].place
+        gap = absolute(load(v, place + at.GAP_X)) + absolute(load(v, place + at.GAP_Y))
+        arm_a = absolute(load(v, place + at.ARM_AX)) + absolute(load(v, place + at.ARM_AY))
+        arm_b = absolute(load(v, place + at.ARM_BX)) + absolute(load(v, place + at.ARM_BY))
+        reach = arm_a + arm_b + gap
+        longest = select(reach > longest, reach, longest)
+    return not any_lane(~(turned * longest < CORRECTION_SPEED * seconds))
+
+
+@kernel
 def misses_targets(d: Batches, batch: Records, seconds: float) -> Mask:
     """In which parts some joint, at the predicted pose, misses its aim by more than a substep could correct."""
     v = d.memory
