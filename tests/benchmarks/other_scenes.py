@@ -266,10 +266,71 @@ def tiles(size: int) -> Parts:
     return bodies, []
 
 
+def _tumbled(shapes: Iterable[Words], size: int, pitch: float) -> Parts:
+    """Bodies that fall any way up into a pit: after some seconds a heap that has come to rest."""
+    chance = random.Random(7)
+    width = 60.0 * size
+    across = int(width / pitch) - 1
+    found = pit(width, friction=0.5)
+    for k, shape in enumerate(shapes):
+        x, y = (k % across - 0.5 * across + 0.5) * pitch, (k // across + 0.5) * pitch
+        place = {"position": [x + chance.uniform(-0.1, 0.1), y], "angle": chance.uniform(0.0, 360.0)}
+        found.append({"id": f"b{k}", **place, "shapes": [{**shape, "friction": 0.5}]})
+    return found, []
+
+
+def heap_of_balls(size: int) -> Parts:
+    return _tumbled([{"circle": 0.5}] * (3000 * size), size, 1.2)
+
+
+def heap_of_boxes(size: int) -> Parts:
+    return _tumbled([{"box": [1, 1]}] * (3000 * size), size, 1.6)
+
+
+def heap_of_capsules(size: int) -> Parts:
+    return _tumbled([{"capsule": [[-0.3, 0], [0.3, 0]], "radius": 0.25}] * (3000 * size), size, 1.4)
+
+
+def heap_of_polygons(size: int) -> Parts:
+    """Of three to eight corners on circles of different sizes."""
+    chance = random.Random(3)
+    shapes = []
+    for k in range(3000 * size):
+        corners, r, turn = 3 + k % 6, chance.uniform(0.35, 0.65), chance.uniform(0.0, 6.3)
+        angles = [turn + 2.0 * math.pi * (i + chance.uniform(-0.2, 0.2)) / corners for i in range(corners)]
+        shapes.append({"polygon": [[r * math.cos(angle), r * math.sin(angle)] for angle in angles]})
+    return _tumbled(shapes, size, 1.6)
+
+
+def small_pyramid(size: int) -> Parts:
+    """55 boxes, or as many beside them."""
+    bodies: list[Words] = [{"id": "ground", "type": "static", "position": [0, -1], "shapes": [{"box": [200, 2]}]}]
+    for n in range(size):
+        for row in range(10):
+            for k in range(10 - row):
+                place = [20.0 * n + (k - 0.5 * (9 - row)) * 1.1, 0.5 + row]
+                bodies.append({"id": f"b{n}-{row}-{k}", "position": place, "shapes": [{"box": [1, 1]}]})
+    return bodies, []
+
+
+def pendulums(size: int) -> Parts:
+    """Of one, two and three rods."""
+    return together(
+        rope(f"p{n}-{links}", links, 5.0 * n, 10.0 * links, False) for n in range(size) for links in (1, 2, 3)
+    )
+
+
+def one_ragdoll(size: int) -> Parts:
+    return together([(pit(20.0 * size), []), *(_ragdoll(f"r{n}", 4.0 * n, 2.0) for n in range(size))])
+
+
 SCENES: tuple[Callable[[int], Parts], ...] = (
     ropes, one_rope, cloth, spring_net, weld_net, loops, welded_triples, bouncing_pit, sizes_mixed, heavy_on_light,
-    columns, ragdolls, cars, needles, stars, tiles,
+    columns, ragdolls, cars, needles, stars, tiles, heap_of_balls, heap_of_boxes, heap_of_capsules, heap_of_polygons,
+    small_pyramid, pendulums, one_ragdoll,
 )  # fmt: skip
+SETTLING = (heap_of_balls, heap_of_boxes, heap_of_capsules, heap_of_polygons)
+"""Those of interest when they have come to rest."""
 
 
 def scene_of(build: Callable[[int], Parts], size: int) -> sandbox.Scene:

@@ -12,11 +12,11 @@ import pytest
 
 from sandbox.bench.course import Course
 from sandbox.bench.race import run_race
-from tests.benchmarks.other_scenes import SCENES, Parts, scene_of
+from tests.benchmarks.other_scenes import SCENES, SETTLING, Parts, scene_of
 
 pytestmark = pytest.mark.benchmark
 ENGINES = ("sandbox", "pymunk", "box2d")
-STEPS = 240
+STEPS, SETTLED = 240, 900
 
 
 @pytest.mark.parametrize("build", SCENES)
@@ -24,7 +24,8 @@ def test_beside_other_engines(build: Callable[[int], Parts]) -> None:
     pytest.importorskip("pyb2d3")
     times = []
     for size in (1, 2):
-        race = run_race(Course(scene_of(build, size), build.__name__), ENGINES, STEPS, profile=False)
+        steps = SETTLED if build in SETTLING else STEPS
+        race = run_race(Course(scene_of(build, size), build.__name__), ENGINES, steps, profile=False)
         told = []
         for result in race.results:
             assert result.step is not None
