@@ -14,6 +14,7 @@ from sandbox.engine.joints.direct.records import (
     ALONG_X,
     ALONG_Y,
     ANY_AXIS,
+    ANY_PRODUCT,
     ENTRY,
     EQUATION,
     FRAME,
@@ -41,7 +42,6 @@ _WEAK = (MOTOR, TARGET, FRICTION)
 SPRUNG_OR_WEAK = (WELD, *_WEAK)
 """Kinds of which also the rows that keep a place may be springs, or have a limit."""
 _SLIDES = (PRISMATIC, WHEEL)
-_UNKNOWN = 2
 Joint = tuple[int, bool, bool, int, int]
 """Kind, whether it has limits and a motor, and for gears the kinds of the joints it couples."""
 Link = tuple[int, int, int, int, int]
@@ -156,7 +156,7 @@ def _linear(axis: int, side: int, other_axis: int, other_side: int) -> int:
     if TURN in (axis, other_axis):
         return 0
     if ANY_AXIS in (axis, other_axis):
-        return _UNKNOWN
+        return ANY_PRODUCT
     if axis != other_axis:
         return 0
     return 1 if side == other_side else -1

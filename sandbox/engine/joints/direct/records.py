@@ -20,6 +20,8 @@ ALONG_Y = 2
 """The same along y."""
 TURN = 3
 """One that acts on the angle between its bodies alone."""
+ANY_PRODUCT = 2
+"""`linear` of a product that is not known before its rows are."""
 
 LAYOUT = Table(
     "layout",
@@ -97,7 +99,7 @@ PRODUCT = Table(
         Field("one", "-", "place of the Jacobian of one row at a body", "i8"),
         Field("other", "-", "place of that of the other row at the same body", "i8"),
         Field("seat", "-", "place of the body", "i8"),
-        Field("linear", "-", "product of what both do to its velocity: -1, 0, 1, or 2 where it is not known", "i8"),
+        Field("linear", "-", "product of what both do to its velocity: -1, 0, 1 or `ANY_PRODUCT`", "i8"),
     ),
 )
 
