@@ -24,14 +24,14 @@ def chains(draw: st.DrawFn) -> list[tuple[float, float, float]]:
 
 
 def chain(speeds: list[tuple[float, float, float]]) -> World:
-    planks = [
-        body(f"p{k}", box(1.0, 0.2, mask=0), position=(k + 0.5, 0.0), velocity=(x, y), angular_velocity=w)
-        for k, (x, y, w) in enumerate(speeds)
-    ]
-    joints = [
-        joint(f"j{k}", "weld" if k % 3 == 2 else "revolute", f"p{k - 1}" if k else None, f"p{k}", (float(k), 0.0))
-        for k in range(len(speeds))
-    ]
+    """Such a chain, and one like it that is put down at rest and shares its batch."""
+    planks, joints = [], []
+    for name, share, height in (("p", 1.0, 0.0), ("q", 0.0, 50.0)):
+        for k, (x, y, w) in enumerate(speeds):
+            fast = {"velocity": (share * x, share * y), "angular_velocity": share * w}
+            planks.append(body(f"{name}{k}", box(1.0, 0.2, mask=0), position=(k + 0.5, height), **fast))
+            kind, before = "weld" if k % 3 == 2 else "revolute", f"{name}{k - 1}" if k else None
+            joints.append(joint(f"{name}j{k}", kind, before, f"{name}{k}", (float(k), height)))
     return jointed(tuple(planks), tuple(joints))
 
 

@@ -110,7 +110,8 @@ def _solve_positions(d: Batches, batch: Records, seconds: float) -> None:
         take_as_preload(d, batch, seconds, put_down & settled)
         settled = (settled & ~put_down) | _solve(d, batch, seconds, False, put_down)
     failed = who & ~separated & ~settled
-    if not (layout.hinged == 1 and batch.redundant == 0 and is_nearly_linear(d, batch, seconds)):
+    solved_once = layout.hinged == 1 and batch.redundant == 0 and not any_lane(put_down)
+    if not (solved_once and is_nearly_linear(d, batch, seconds)):
         _foresee(d, batch, seconds)
         failed = failed | (who & ~separated & misses_targets(d, batch, seconds))
     if any_lane(failed):
