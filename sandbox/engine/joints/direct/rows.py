@@ -5,7 +5,7 @@ from __future__ import annotations
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import WIDTH, Mask, Vector, load, select, spread, store
 from sandbox.engine.joints.direct import places as at
-from sandbox.engine.joints.direct.records import ALONG_X, ALONG_Y, ANY_PRODUCT, TURN, Batches
+from sandbox.engine.joints.direct.records import ALONG_X, ALONG_Y, TURN, Batches
 from sandbox.engine.joints.laws import Jacobian, along, own_stiffness
 from sandbox.tables import Floats, Records
 from sandbox.world.joint_records import DISTANCE, GEAR, PRISMATIC, PULLEY
@@ -186,19 +186,6 @@ def side_product(v: Floats, batch: Records, one: int, other: int, seat: int) -> 
     inertia = load(v, batch.seats + seat + at.INVERSE_INERTIA)
     linear = x * load(v, other) + y * load(v, other + WIDTH)
     return mass * linear + inertia * (w * load(v, other + 2 * WIDTH))
-
-
-@inlined_kernel
-def product_at(v: Floats, batch: Records, product: Records) -> Vector:
-    """The same for a product of which it may be known for good what the velocities of the body's centre add."""
-    if product.linear == ANY_PRODUCT:
-        return side_product(v, batch, product.one, product.other, product.seat)
-    w = load(v, product.one + 2 * WIDTH) * load(v, product.other + 2 * WIDTH)
-    turn = load(v, batch.seats + product.seat + at.INVERSE_INERTIA) * w
-    if product.linear == 0:
-        return turn
-    mass = load(v, batch.seats + product.seat + at.INVERSE_MASS)
-    return turn + mass if product.linear == 1 else turn - mass
 
 
 @inlined_kernel

@@ -5,10 +5,11 @@ from __future__ import annotations
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import Mask, any_lane, load, select, spread, store
 from sandbox.engine.joints.direct import places as at
+from sandbox.engine.joints.direct.assemble import assemble
 from sandbox.engine.joints.direct.bodies import gather_bodies, look_ahead, scatter_bodies
 from sandbox.engine.joints.direct.frames import measure_frames
 from sandbox.engine.joints.direct.geometric_stiffness import add_geometric_stiffness, remove_geometric_stiffness
-from sandbox.engine.joints.direct.ldl import assemble, factorize, solve_directly
+from sandbox.engine.joints.direct.ldl import factorize, solve_directly
 from sandbox.engine.joints.direct.pivoting import cap_pairs, choose_rows, clamp_rows, release_bounded
 from sandbox.engine.joints.direct.position_correction import find_corrections
 from sandbox.engine.joints.direct.preload import PRELOAD_TURNS, is_at_rest, take_as_preload
