@@ -23,6 +23,7 @@ from sandbox.engine.joints.reactions import finish_joints
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.joints.sleep import flag_joined
 from sandbox.engine.joints.solve import begin_joints
+from sandbox.engine.joints.touched_parts import flag_touched_parts
 from sandbox.engine.narrow_phase.find_contacts import find_contacts
 from sandbox.engine.narrow_phase.sleeping_contacts import begin_sleeping_contacts, end_sleeping_contacts
 from sandbox.engine.narrow_phase.speculative import mark_confined
@@ -97,11 +98,12 @@ def begin(
         begin_bodies(state, active, solver)
     if info.stale == 1:
         forget_posed(bodies, active)
+    if joints is not None:
+        flag_touched_parts(joints, contacts, state.drags)
     info.substep_levels = assign_substep_levels(state, active, solver, piles, contacts, joints)
     info.impact_speed = flag_struck(bodies, contacts, solver.ccd, solver.struck, blocks.spare, info.fastest)
     if joints is not None:
-        new = state.counters[0].step_count == 0
-        begin_joints(joints, bodies, state.drags, solver.free_motions, contacts, new)
+        begin_joints(joints, bodies, solver.free_motions, state.counters[0].step_count == 0)
     clear_reports(contacts.reports, count)
 
 

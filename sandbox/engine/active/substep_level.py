@@ -52,7 +52,7 @@ def assign_substep_levels(
     """
     used = _assign_to_piles(state, active, solver, piles, contacts, joints)
     if joints is not None:
-        used |= refine_small_parts(joints, state.bodies, solver.free_motions, contacts)
+        used |= refine_small_parts(joints, state.bodies, solver.free_motions)
     return used
 
 

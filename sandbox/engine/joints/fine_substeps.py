@@ -10,7 +10,6 @@ from __future__ import annotations
 from sandbox._jit import kernel
 from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.joints.records import JointWork
-from sandbox.engine.records.contacts import Contacts
 from sandbox.tables import Records
 
 FINE = 2
@@ -22,7 +21,7 @@ FEW = 256
 
 
 @kernel
-def refine_small_parts(work: JointWork, bodies: Records, free_motions: Records, contacts: Contacts) -> int:
+def refine_small_parts(work: JointWork, bodies: Records, free_motions: Records) -> int:
     """Give every small part of which no body has a contact the substep level `FINE`; return the levels given, as bits.
 
     As it has no contact, such a part is an island by itself.
@@ -31,12 +30,7 @@ def refine_small_parts(work: JointWork, bodies: Records, free_motions: Records, 
         return 0
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
-        part.fine = 1 if part.direct == 1 and part.member_end - part.first_member <= SMALL else 0
-    for slot in contacts.active[1 : 1 + contacts.active[0].contact]:
-        for k in range(2):
-            touched = work.part_of[slot.body_a if k == 0 else slot.body_b]
-            if touched >= 0:
-                work.parts[touched].fine = 0
+        part.fine = part.direct * part.free if part.member_end - part.first_member <= SMALL else 0
     used = 0
     for i in range(1, work.members.shape[0]):
         member = work.members[i]

@@ -104,7 +104,8 @@ PART = Table(
         Field("hung", "-", "1 when besides all its joints keep a point or a length: they bear its weight", "i8"),
         Field("current", "-", "1 while it is solved: awake, and its island has the substep level under way", "i8"),
         Field("supported", "-", "1 when something that is not joined to it bears it", "i8"),
-        Field("free", "-", "1 when it has no contact and is not dragged", "i8"),
+        Field("free", "-", "1 when it has no contact", "i8"),
+        Field("dragged", "-", "1 when a hand drags one of its bodies", "i8"),
         Field(
             "halves",
             "-",

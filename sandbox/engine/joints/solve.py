@@ -25,35 +25,18 @@ from sandbox.engine.joints.joint_bodies import (
 from sandbox.engine.joints.net_sweeps import accumulate_nets, load_nets
 from sandbox.engine.joints.reactions import accumulate, read_impulses
 from sandbox.engine.joints.records import JointWork
-from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.task_kinds import RELAX_BATCHES, SOLVE_BATCHES
 from sandbox.tables import Records
 
 
 @kernel
-def begin_joints(
-    work: JointWork, bodies: Records, drags: Records, free_motions: Records, contacts: Contacts, new: bool
-) -> None:
-    """Load members, find out which parts something bears or touches, and take over the impulses of the last step.
+def begin_joints(work: JointWork, bodies: Records, free_motions: Records, new: bool) -> None:
+    """Load members, choose whose forces act in halves, and take over the impulses of the last step.
 
     In the first step of a world all is `new`.
     """
     load_members(work, bodies)
-    for p in range(work.parts.shape[0]):
-        work.parts[p].supported = 0
-        work.parts[p].free = 1
-    for slot in contacts.active[1 : 1 + contacts.active[0].contact]:
-        for side in range(2):
-            part = work.part_of[slot.body_a if side == 0 else slot.body_b]
-            if part >= 0:
-                contact = contacts.now[slot.contact]
-                work.parts[part].free = 0
-                if contact.normal_impulse1 > 0.0 or contact.normal_impulse2 > 0.0:
-                    work.parts[part].supported = 1
-    for k in range(drags.shape[0]):
-        if drags[k].body >= 0 and work.part_of[drags[k].body] >= 0:
-            work.parts[work.part_of[drags[k].body]].free = 0
     for p in range(work.parts.shape[0]):
         work.parts[p].halves = work.parts[p].direct * (1 - work.parts[p].supported)
     read_impulses(work)

@@ -76,5 +76,5 @@ def _product(v: Floats, batch: Records, product: Records) -> Vector:
 
 @inlined_kernel
 def has_equation(row: Records) -> bool:
-    """Whether a row has an equation of its own, or that which it shares is found here."""
+    """Whether a row has a column of the factor: the second of two that share an equation has none."""
     return bool(row.entry_end > row.first_entry)

@@ -17,9 +17,10 @@ from sandbox.engine.joints.records import JointWork
 from sandbox.tables import Floats, Records
 from sandbox.world.joint_records import JOINT
 
-_ANCHOR_AX, _AXIS_X, _RATIO, _POINT_BY, _ANGULAR_HERTZ, _LOWER, _MAX_MOTOR, _IMPULSE_0 = JOINT.places(
-    ("anchor_ax", "axis_x", "ratio", "point_by", "angular_hertz", "lower", "max_motor", "impulse_0"), 8
+_ANCHOR_AX, _AXIS_X, _RATIO, _POINT_BY, _ANGULAR_HERTZ, _LOWER, _MAX_MOTOR = JOINT.places(
+    ("anchor_ax", "axis_x", "ratio", "point_by", "angular_hertz", "lower", "max_motor"), 8
 )
+_IMPULSE_0, _PRELOAD_0 = JOINT.places(("impulse_0", "preload_0"), 8)
 """Numbers of fields of a joint from which on four are read at once."""
 
 
@@ -61,7 +62,7 @@ def _empty(d: Batches) -> None:
 @kernel
 def _join(d: Batches, p: int, level: int, part: Records) -> None:
     """Give part `p` a lane in the open batch of its layout and level, or in a new one. What is staggered is apart."""
-    staggered = part.free * d.layouts[part.layout].staggers
+    staggered = part.free * (1 - part.dragged) * d.layouts[part.layout].staggers
     place = 2 * (part.layout * LEVELS + level) + staggered
     n = d.open[place]
     if n < 0 or d.batches[n].count == WIDTH:
@@ -218,7 +219,7 @@ def _load_rows(work: JointWork, batch: Records, n: int) -> None:
             store(v, place + at.IMPULSE, select(halves, 0.5 * found, found))
             store(v, place + at.RELAXING, select(halves, 0.5 * found, 0.0))
             if row.slot <= 2:  # only rows that keep a place have a preload
-                store(v, place + at.PRELOAD, load(v, frame.place + (5 + row.slot) * WIDTH))
+                store(v, place + at.PRELOAD, load(v, frame.place + (_PRELOAD_0 - _IMPULSE_0 + row.slot) * WIDTH))
 
 
 @kernel

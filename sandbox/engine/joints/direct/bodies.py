@@ -7,8 +7,13 @@ from sandbox._vectors import WIDTH, absolute, any_lane, lanes, load, select, spr
 from sandbox.engine.contact_solver.gather import Rows, gather_fields
 from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.records import Batches
+from sandbox.engine.records.bodies import FREE_MOTION, MOTION
 from sandbox.geometry.trig import NEAR_ZERO, cos_sin, cos_sin_near_zero
 from sandbox.tables import Records
+
+_VELOCITY_X, _DELTA_Y = MOTION.places(("velocity_x", "delta_y"), 8)
+_START_X, _START_W = FREE_MOTION.places(("start_x", "start_w"), 8)
+"""Numbers of fields of a motion, and of a free one, from which on four are read at once."""
 
 
 @kernel
@@ -27,17 +32,19 @@ def gather_bodies(d: Batches, batch: Records, motions: Records, free_motions: Re
         if rows[0] < 0 or rows[1] < 0 or rows[2] < 0 or rows[3] < 0:
             _gather_beside_world(d, batch, slot, motions)
             continue
-        x, y, w, delta_x = gather_fields(motions, rows, 0)
-        delta_y, delta_cos, delta_sin, delta_angle = gather_fields(motions, rows, 4)
+        x, y, w, delta_x = gather_fields(motions, rows, _VELOCITY_X)
+        delta_y, delta_cos, delta_sin, delta_angle = gather_fields(motions, rows, _DELTA_Y)
         held = halves & (load(v, seat + at.INVERSE_MASS) != 0.0)
         if any_lane(held):
             if moving:
-                start_x, start_y, _, _ = gather_fields(free_motions, rows, 0)
-                start_w, free_x, free_y, free_w = gather_fields(free_motions, rows, 2)
+                start_x, start_y, _, _ = gather_fields(free_motions, rows, _START_X)
+                start_w, free_x, free_y, free_w = gather_fields(free_motions, rows, _START_W)
                 store(v, seat + at.KICK_X, 0.5 * (free_x - start_x))
                 store(v, seat + at.KICK_Y, 0.5 * (free_y - start_y))
                 store(v, seat + at.KICK_W, 0.5 * (free_w - start_w))
-            sign = 1.0 if not moving else -1.0 if batch.between == 0 else 0.0
+            sign = 1.0
+            if moving:
+                sign = -1.0 if batch.between == 0 else 0.0
             x = select(held, x + sign * load(v, seat + at.KICK_X), x)
             y = select(held, y + sign * load(v, seat + at.KICK_Y), y)
             w = select(held, w + sign * load(v, seat + at.KICK_W), w)
@@ -95,13 +102,13 @@ def scatter_bodies(d: Batches, batch: Records, motions: Records) -> None:
         mass = lanes(load(v, batch.seats + place + at.INVERSE_MASS))
         count = batch.count
         if mass[0] > 0.0:
-            store_fields(motions, row[0], 0, motion[0])
+            store_fields(motions, row[0], _VELOCITY_X, motion[0])
         if mass[1] > 0.0 and count > 1:
-            store_fields(motions, row[1], 0, motion[1])
+            store_fields(motions, row[1], _VELOCITY_X, motion[1])
         if mass[2] > 0.0 and count > 2:
-            store_fields(motions, row[2], 0, motion[2])
+            store_fields(motions, row[2], _VELOCITY_X, motion[2])
         if mass[3] > 0.0 and count > 3:
-            store_fields(motions, row[3], 0, motion[3])
+            store_fields(motions, row[3], _VELOCITY_X, motion[3])
 
 
 @kernel

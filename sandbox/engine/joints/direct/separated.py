@@ -96,11 +96,10 @@ def is_nearly_linear(d: Batches, batch: Records, seconds: float) -> bool:
     for slot in range(layout.seats):
         place = slot * at.SEAT_SIZE
         now = load(v, batch.seats + place + at.START_ANGLE) + load(v, place + at.DELTA_ANGLE)
-        before = absolute(load(v, place + at.ANGLE) - now)
-        then = seconds * load(v, place + at.VELOCITY_W)
-        change = absolute(then - (load(v, place + at.ANGLE) - now))
-        then = absolute(then)
-        missed = change * select(then > before, then, before)
+        looked_at = load(v, place + at.ANGLE) - now
+        ahead = seconds * load(v, place + at.VELOCITY_W)
+        further = select(absolute(ahead) > absolute(looked_at), absolute(ahead), absolute(looked_at))
+        missed = absolute(ahead - looked_at) * further
         turned = select(missed > turned, missed, turned)
     longest = spread(0.0)
     for f in range(layout.first_frame, layout.frame_end):
