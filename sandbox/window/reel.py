@@ -33,11 +33,10 @@ class Reel:
         """Write the film. Raises `OSError`."""
         from PIL import Image
 
-        from sandbox.render.image import save_gif, shared_palette
+        from sandbox.render.image import save_gif, shared_palette, spread
 
         if not self._pictures:
             return
-        samples = self._pictures[:: max(len(self._pictures) // SAMPLES, 1)]
-        palette = shared_palette(samples, COLORS)
+        palette = shared_palette(spread(self._pictures, SAMPLES), COLORS)
         pictures = (picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in self._pictures)
         save_gif(pictures, self.path, SECONDS)
