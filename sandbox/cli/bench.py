@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from sandbox._atomic_write import write_text
 from sandbox.cli.options import SET, takes, values_set
+from sandbox.cli.output import FORCE, check_new
 from sandbox.errors import MissingDependencyError, SandboxError
 
 if TYPE_CHECKING:
@@ -32,6 +34,10 @@ _WORKERS = typer.Option(
 )
 _PROFILE = typer.Option("--profile", help="Show how long each part of our step takes.")
 _JSON = typer.Option("--json", help="Print one JSON document instead of the table.")
+_OUTPUT = typer.Option(
+    "-o", "--output", metavar="FILE", show_default=False,
+    help="Write the JSON document there as well, anew after each scene.",
+)  # fmt: skip
 _MOST_WORKERS = 64
 
 
@@ -46,6 +52,8 @@ class BenchOptions:
     profile: Annotated[bool, _PROFILE] = False
     set: Annotated[list[str] | None, SET] = None
     json: Annotated[bool, _JSON] = False
+    output: Annotated[Path | None, _OUTPUT] = None
+    force: Annotated[bool, FORCE] = False
 
 
 @takes(BenchOptions)
@@ -65,6 +73,8 @@ def bench(options: BenchOptions) -> None:
     from sandbox.cli.compiling import announce_compilation
     from sandbox.cli.failures import NOTHING
 
+    if options.output is not None:
+        check_new(options.output, options.force)
     wanted = _checked(options.engines)
     counts = _checked_workers(options.workers)
     files = _files(options.scenes or [])
@@ -137,15 +147,13 @@ def _run_for_people(files: Sequence[Path], engines: Sequence[str], options: Benc
 
 
 def _run_for_machines(files: Sequence[Path], engines: Sequence[str], options: BenchOptions) -> list[BenchResult]:
-    import json
-
     from rich.console import Console
 
     from sandbox.cli.bench_result import document
 
     start = time.perf_counter()
     results = _run_all(files, engines, options, Console(stderr=True), _report_error)
-    print(json.dumps(document(results, time.perf_counter() - start), indent=2, ensure_ascii=False, allow_nan=False))
+    print(document(results, time.perf_counter() - start))
     return results
 
 
@@ -163,13 +171,17 @@ def _run_all(
     console: Console,
     show: Callable[[BenchResult], None],
 ) -> list[BenchResult]:
+    from sandbox.cli.bench_result import document
     from sandbox.cli.progress import SceneProgress
 
-    results = []
+    results: list[BenchResult] = []
+    start = time.perf_counter()
     with SceneProgress(console, len(files)) as progress:
         for result in _results(files, engines, options, progress):
             show(result)
             results.append(result)
+            if options.output is not None:  # a run of an hour may be interrupted
+                write_text(options.output, document(results, time.perf_counter() - start) + "\n")
     return results
 
 

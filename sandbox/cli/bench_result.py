@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
@@ -31,15 +32,16 @@ def exit_code(results: Sequence[BenchResult]) -> int:
     return UNUSABLE if any(result.race is None for result in results) else HOLDS
 
 
-def document(results: Sequence[BenchResult], seconds: float) -> dict[str, Any]:
+def document(results: Sequence[BenchResult], seconds: float) -> str:
     """The whole outcome as the JSON document that `--json` prints; its keys only ever grow in number."""
-    return {
+    found = {
         "format": 1,
         "sandbox": __version__,
         "exit_code": exit_code(results),
         "seconds": round(seconds, 3),
         "scenes": [_scene_entry(result) for result in results],
     }
+    return json.dumps(found, indent=2, ensure_ascii=False, allow_nan=False)
 
 
 def _scene_entry(result: BenchResult) -> dict[str, Any]:

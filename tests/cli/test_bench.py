@@ -46,6 +46,21 @@ def test_the_table_and_the_profile(cli: Callable, write_scene: Callable) -> None
     assert "ms a step: collide " in done.out
 
 
+def test_the_document_is_kept_beside_the_table_and_over_nothing(cli: Callable, write_scene: Callable) -> None:
+    path = write_scene("a.scene.json")
+    file = path.with_name("found.json")
+    command = "bench", path, path.with_name("nowhere.json"), "--engines", "sandbox", "--steps", 3, "-o", file
+    done = cli(*command)
+    assert (done.code, "step ms    ratio" in done.out) == (2, True)
+    document = json.loads(file.read_text("utf-8"))
+    assert (document["exit_code"], [*map(len, document["scenes"])]) == (2, [8, 2])
+    again = cli(*command)
+    assert (again.code, "there is a file of that name already; --force writes over it" in again.err) == (2, True)
+    assert json.loads(file.read_text("utf-8")) == document
+    assert cli(*command[:2], *command[3:], "--force", "--json").code == 0
+    assert json.loads(file.read_text("utf-8"))["exit_code"] == 0
+
+
 def test_one_step_has_no_turns(cli: Callable, write_scene: Callable) -> None:
     done = cli("bench", write_scene("a.scene.json"), "--engines", "sandbox", "--steps", 1, "--json")
     (engine,) = json.loads(done.out)["scenes"][0]["engines"]
