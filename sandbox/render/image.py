@@ -43,8 +43,8 @@ def spread(pictures: Sequence[Any], most: int) -> Sequence[Any]:
 def shared_palette(samples: Sequence[Any], colors: int) -> Any:
     """A Pillow image whose palette of `colors` fits all of the samples, RGB images.
 
-    A colour weighs as much as the root of how often it is there: so the colour of a small body is kept beside all the
-    shades of a large background, and what is looked through are 50,000 pixels instead of ten million.
+    A colour weighs as much as the root of how often it is there: large plain areas leave some for what is small, and
+    what is looked through are some ten thousand pixels instead of millions.
     """
     counts: Counter[tuple[int, int, int]] = Counter()
     for sample in samples:
