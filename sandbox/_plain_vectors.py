@@ -30,14 +30,21 @@ def store(values: Any, at: int, vector: Vector) -> None:
 
 
 def load_fields(table: Any, row: int, first: int) -> Vector:
-    """Four fields of a row, one after the other from the one with number `first` on; all of them are floats."""
-    return np.array([table[row][name] for name in table.dtype.names[first : first + WIDTH]])
+    """Four fields of a row, one after the other from number `first` on, where each eight bytes are a field.
+
+    Those of whole numbers can be read with others and written back, but mean nothing as floats.
+    """
+    return _numbers_of(table)[row, first : first + WIDTH].copy()
 
 
 def store_fields(table: Any, row: int, first: int, vector: Vector) -> None:
     """The other way."""
-    for name, number in zip(table.dtype.names[first : first + WIDTH], vector.tolist(), strict=True):
-        table[row][name] = number
+    _numbers_of(table)[row, first : first + WIDTH] = vector
+
+
+def _numbers_of(table: Any) -> Any:
+    """The same memory, a row of numbers each."""
+    return np.ndarray((len(table), table.dtype.itemsize // 8), np.float64, table)
 
 
 def transpose(a: Vector, b: Vector, c: Vector, d: Vector) -> tuple[Vector, Vector, Vector, Vector]:

@@ -23,7 +23,8 @@ load = Instruction(plain.load, _EMITTER)
 store = Instruction(plain.store, _EMITTER)
 """Write a vector to a place of an array."""
 load_fields = Instruction(plain.load_fields, _EMITTER)
-"""The vector of four fields of a row, from the one with a number on. All of them are floats."""
+"""The vector of four fields of a row, from the one with a number on, where each eight bytes are a field. What is no
+float can only be written back."""
 store_fields = Instruction(plain.store_fields, _EMITTER)
 """Write a vector to four fields of a row."""
 transpose = Instruction(plain.transpose, _EMITTER)

@@ -143,12 +143,13 @@ def push_both(
 
 
 @inlined_kernel
-def effective_mass(m: PairMass, r: Anchors, x: float, y: float) -> float:
+def effective_mass(m: PairMass, r: Anchors, x: Number, y: Number) -> Number:
     """Effective mass (kg) of two bodies along the unit axis (x, y) at a point; 0 if neither moves."""
     turn_a = r.ax * y - r.ay * x
     turn_b = r.bx * y - r.by * x
     inverse = m.mass_a + m.mass_b + m.inertia_a * turn_a * turn_a + m.inertia_b * turn_b * turn_b
-    return 1.0 / inverse if inverse > 0.0 else 0.0
+    moves = inverse > 0.0
+    return select(moves, 1.0 / select(moves, inverse, 1.0), 0.0)
 
 
 @inlined_kernel

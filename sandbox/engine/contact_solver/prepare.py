@@ -6,28 +6,35 @@ from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._prefetch import AHEAD, prefetch_row
+from sandbox._vectors import Mask, Vector, any_lane, select, spread, store
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.closing_speed import both_meet
-from sandbox.engine.contact_solver.law import (
-    Anchors,
-    PairMass,
-    anchors_of,
-    bearing_anchors,
-    effective_mass,
-    levers_of,
-    pair_mass,
-    separation_of,
+from sandbox.engine.contact_solver.contact_rows import (
+    ANCHOR_AY_2,
+    ANCHORS_1,
+    KEPT_OF_POINT_1,
+    KEPT_OF_POINT_2,
+    NORMAL,
+    RESTITUTION,
+    SEPARATION_1,
+    contact_rows,
+    point_counts,
 )
-from sandbox.engine.contact_solver.rest_length import change_level, rest_length_of
+from sandbox.engine.contact_solver.gather import PairRows, Rows, gather_fields, rows_of
+from sandbox.engine.contact_solver.law import Anchors, PairMass, bearing_anchors, effective_mass, levers_of
+from sandbox.engine.contact_solver.rest_length import change_level
 from sandbox.engine.contact_solver.soft_constraint import Spring
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
 from sandbox.engine.workers.task_kinds import IMPACT_SPEED, IMPACTS, LEVEL, PREPARE_CONTACTS, STRUCK_BLOCKS
 from sandbox.tables import Floats, Records
+from sandbox.world.records import BODY
 
 BLOCK_SIZE = cb.BLOCK_SIZE
 LANES = cb.LANES
+(_INVERSE_MASS,) = BODY.places(("inverse_mass",), 8)
+"""Number of the field from which on four are read at once."""
 
 
 class ImpactCriteria(NamedTuple):
@@ -37,6 +44,26 @@ class ImpactCriteria(NamedTuple):
     some: bool
     struck_blocks: int
     speed: float
+
+
+class Axes(NamedTuple):
+    """The unit normals of four contacts, from a to b, and the rounding (m) of their shapes."""
+
+    x: Vector
+    y: Vector
+    radius_a: Vector
+    radius_b: Vector
+
+
+class Points(NamedTuple):
+    """One of the two points of each of four contacts: its anchors and its gap (m), and what it kept of the step
+    before: impulses (N s) in a substep of level 0, the rest length (m)."""
+
+    anchors: Anchors
+    separation: Vector
+    load: Vector
+    tangent: Vector
+    rest_length: Vector
 
 
 @kernel
@@ -77,91 +104,174 @@ def prepare_blocks(
     for n in range(first, end):
         block = blocks.blocks[n]
         v = blocks.lanes[n * BLOCK_SIZE : (n + 1) * BLOCK_SIZE]
-        if block.count < LANES:
-            _clear(v)
-        _begin_block(block)
-        for k in range(block.count):
-            at = block.first + k
-            if at + AHEAD < blocks.slots.shape[0]:
-                prefetch_row(contacts, blocks.slots[at + AHEAD].contact)
-            slot = blocks.slots[at]
-            contact = contacts[slot.contact]
-            _note_bodies(block, k, slot.body_a, slot.body_b)
-            _note_traits(block, contact)
-            _prepare_lane(bodies[slot.body_a], bodies[slot.body_b], contact, spring.share, v[k:])
-            if contact.substep_level != spring.level:
-                change_level(contact, spring, v[k:])
+        for at in range(block.first + AHEAD, block.first + AHEAD + LANES):
+            if at < blocks.slots.shape[0]:
+                prefetch_row(contacts, blocks.slots[at].contact)
+        _note_bodies(block, blocks.slots)
+        rows = contact_rows(block, blocks.slots)
+        _fill_lanes(block, v, contacts, rows, _masses_of(bodies, rows_of(block)), spring.share)
+        for k in range(block.count, LANES):
+            _clear(v[k:])
+        block.strikes = 0
         for k in range(block.count):
             slot = blocks.slots[block.first + k]
+            contact = contacts[slot.contact]
+            if contact.substep_level != spring.level:
+                change_level(contact, spring, v[k:])
+            struck = n < criteria.struck_blocks
             a = bodies[slot.body_a]
             b = bodies[slot.body_b]
-            contact = contacts[slot.contact]
-            _prepare_traits(block, a, b, contact, spring.share, v[k:])
-            if criteria.some and _may_impact(a, b, contact, criteria.speed, n < criteria.struck_blocks):
+            if criteria.some and _may_impact(a, b, contact, criteria.speed, struck):
                 _note_impact(block, v, k)
 
 
 @inlined_kernel
-def _clear(v: Floats) -> None:
-    """Zero a block with lanes that no contact fills but the arithmetic runs over."""
-    for k in range(BLOCK_SIZE):
-        v[k] = 0.0
+def _note_bodies(block: Records, slots: Records) -> None:
+    """Note the bodies of the lanes of a block; those that are not used have those of the first one."""
+    first = block.first
+    one = slots[first]
+    two = slots[first + 1 if block.count > 1 else first]
+    three = slots[first + 2 if block.count > 2 else first]
+    four = slots[first + 3 if block.count > 3 else first]
+    block.a0 = one.body_a
+    block.a1 = two.body_a
+    block.a2 = three.body_a
+    block.a3 = four.body_a
+    block.b0 = one.body_b
+    block.b1 = two.body_b
+    block.b2 = three.body_b
+    block.b3 = four.body_b
 
 
 @inlined_kernel
-def _begin_block(block: Records) -> None:
-    block.frictional = 0
-    block.rolling = 0
-    block.driven = 0
-    block.rounded = 0
-    block.strikes = 0
-    block.single = 1
+def _masses_of(bodies: Records, rows: PairRows) -> PairMass:
+    """The inverse masses of four pairs of bodies."""
+    mass_a, inertia_a, _, _ = gather_fields(bodies, rows.a, _INVERSE_MASS)
+    mass_b, inertia_b, _, _ = gather_fields(bodies, rows.b, _INVERSE_MASS)
+    return PairMass(mass_a, inertia_a, mass_b, inertia_b)
 
 
 @inlined_kernel
-def _note_bodies(block: Records, k: int, a: int, b: int) -> None:
-    """Let lane k and all behind it have these bodies: those that are not used are gathered as well."""
-    if k == 0:
-        block.a0 = a
-        block.b0 = b
-    if k <= 1:
-        block.a1 = a if k == 1 else block.a0
-        block.b1 = b if k == 1 else block.b0
-    if k <= 2:
-        block.a2 = a if k == 2 else block.a0
-        block.b2 = b if k == 2 else block.b0
-    block.a3 = a if k == 3 else block.a0
-    block.b3 = b if k == 3 else block.b0
+def _fill_lanes(block: Records, v: Floats, contacts: Records, rows: Rows, mass: PairMass, share: float) -> None:
+    """Fill the lanes of a block from its contacts."""
+    _, surface_speed, friction, rolling_resistance = gather_fields(contacts, rows, RESTITUTION)
+    axes = Axes(*gather_fields(contacts, rows, NORMAL))
+    anchors = Anchors(*gather_fields(contacts, rows, ANCHORS_1))
+    separation1, ax, _, _ = gather_fields(contacts, rows, SEPARATION_1)
+    ay, bx, by, separation2 = gather_fields(contacts, rows, ANCHOR_AY_2)
+    load, tangent, rest_length, _ = gather_fields(contacts, rows, KEPT_OF_POINT_1)
+    one = Points(anchors, separation1, load, tangent, rest_length)
+    load, tangent, rest_length, rolling_impulse = gather_fields(contacts, rows, KEPT_OF_POINT_2)
+    both = point_counts(contacts, rows) == 2.0
+    block.single = 0 if any_lane(both) else 1
+    # A second point at the place of the first, without mass, never pushes.
+    anchors = Anchors(
+        select(both, ax, one.anchors.ax),
+        select(both, ay, one.anchors.ay),
+        select(both, bx, one.anchors.bx),
+        select(both, by, one.anchors.by),
+    )
+    separation2 = select(both, separation2, separation1)
+    two = Points(anchors, separation2, load, tangent, select(both, rest_length, one.rest_length))
+    store(v, cb.NORMAL_X, axes.x)
+    store(v, cb.NORMAL_Y, axes.y)
+    store(v, cb.INVERSE_MASS_A, mass.mass_a)
+    store(v, cb.INVERSE_INERTIA_A, mass.inertia_a)
+    store(v, cb.INVERSE_MASS_B, mass.mass_b)
+    store(v, cb.INVERSE_INERTIA_B, mass.inertia_b)
+    # The first warm start applies what the last step accumulated; that belongs to no substep of this one.
+    store(v, cb.TOTAL_IMPULSE, -share * (one.load + two.load))
+    store(v, cb.POINT_1 + cb.NORMAL_MASS, _fill_points(v, cb.POINT_1, one, axes, mass, share))
+    store(v, cb.POINT_2 + cb.NORMAL_MASS, select(both, _fill_points(v, cb.POINT_2, two, axes, mass, share), 0.0))
+    _fill_friction(block, v, friction, one, two, both, axes, mass, share)
+    _fill_traits(block, v, surface_speed, rolling_resistance, rolling_impulse, axes, mass, share)
 
 
 @inlined_kernel
-def _note_traits(block: Records, contact: Records) -> None:
-    """Note what some contact of a block has, and all others need not be asked for."""
-    if _has_friction(contact):
-        block.frictional = 1
-    if contact.rolling_resistance > 0.0 or contact.rolling_impulse != 0.0:
-        block.rolling = 1
-    if contact.surface_speed != 0.0:
-        block.driven = 1
-    if contact.radius_a != 0.0 or contact.radius_b != 0.0:
-        block.rounded = 1
-    if contact.point_count == 2:
-        block.single = 0
+def _fill_points(v: Floats, point: int, of: Points, axes: Axes, mass: PairMass, share: float) -> Vector:
+    """Fill `POINT_1` or `POINT_2` of a block, but for the effective masses (kg), which are returned."""
+    r = of.anchors
+    store(v, point + cb.ANCHOR_AX, r.ax)
+    store(v, point + cb.ANCHOR_AY, r.ay)
+    store(v, point + cb.ANCHOR_BX, r.bx)
+    store(v, point + cb.ANCHOR_BY, r.by)
+    # During the substeps the gap is this plus the displacement of two points of the cores along the normal. The core
+    # turns with the body; the rounding around it does not: wherever a disc has turned to, it touches below its middle.
+    cores = (r.bx - r.ax) * axes.x + (r.by - r.ay) * axes.y + axes.radius_a + axes.radius_b
+    store(v, point + cb.SEPARATION, of.separation - cores - of.rest_length)
+    store(v, point + cb.NORMAL_IMPULSE, share * of.load)
+    return effective_mass(mass, r, axes.x, axes.y)
 
 
 @inlined_kernel
-def _prepare_traits(block: Records, a: Records, b: Records, contact: Records, share: float, v: Floats) -> None:
-    """Fill what some contact of a block has, for one of them with lane `v`."""
+def _fill_friction(
+    block: Records,
+    v: Floats,
+    friction: Vector,
+    one: Points,
+    two: Points,
+    both: Mask,
+    axes: Axes,
+    mass: PairMass,
+    share: float,
+) -> None:
+    """Fill what friction asks for, or zeros where there is none and was none in the step before."""
+    rubs = (friction > 0.0) | (one.tangent != 0.0) | (two.tangent != 0.0)
+    block.frictional = 1 if any_lane(rubs) else 0
+    r = _friction_anchors(one, two, both)
+    levers = levers_of(r, axes.y, -axes.x)
+    store(v, cb.FRICTION, friction)
+    store(v, cb.TANGENT_IMPULSE, select(rubs, share * (one.tangent + two.tangent), 0.0))
+    store(v, cb.TANGENT_MASS, select(rubs, effective_mass(mass, r, axes.y, -axes.x), 0.0))
+    store(v, cb.TANGENT_LEVER_A, select(rubs, levers.a, 0.0))
+    store(v, cb.TANGENT_LEVER_B, select(rubs, levers.b, 0.0))
+
+
+@inlined_kernel
+def _friction_anchors(one: Points, two: Points, both: Mask) -> Anchors:
+    """Where the friction of contacts acts in a step: in the middle of what their points bore in the step before; where
+    they bore nothing, at the one that is nearer, or midway."""
+    gap1 = one.separation - one.rest_length
+    gap2 = two.separation - two.rest_length
+    idle = both & (one.load + two.load <= 0.0)
+    load1 = select(idle, select(gap1 <= gap2, spread(1.0), 0.0), one.load)
+    load2 = select(idle, select(gap2 <= gap1, spread(1.0), 0.0), two.load)
+    return bearing_anchors(one.anchors, two.anchors, load1, load2)
+
+
+@inlined_kernel
+def _fill_traits(
+    block: Records,
+    v: Floats,
+    surface_speed: Vector,
+    rolling_resistance: Vector,
+    rolling_impulse: Vector,
+    axes: Axes,
+    mass: PairMass,
+    share: float,
+) -> None:
+    """Fill what few contacts have, if some of the block has it: the others need not be asked for it."""
+    block.rolling = 1 if any_lane((rolling_resistance > 0.0) | (rolling_impulse != 0.0)) else 0
+    block.driven = 1 if any_lane(surface_speed != 0.0) else 0
+    block.rounded = 1 if any_lane((axes.radius_a != 0.0) | (axes.radius_b != 0.0)) else 0
     if block.rolling == 1:
-        turning = a.inverse_inertia + b.inverse_inertia
-        v[cb.ROLLING_RESISTANCE] = contact.rolling_resistance
-        v[cb.ROLLING_MASS] = 1.0 / turning if turning > 0.0 else 0.0
-        v[cb.ROLLING_IMPULSE] = share * contact.rolling_impulse
+        turning = mass.inertia_a + mass.inertia_b
+        turns = turning > 0.0
+        store(v, cb.ROLLING_RESISTANCE, rolling_resistance)
+        store(v, cb.ROLLING_MASS, select(turns, 1.0 / select(turns, turning, 1.0), 0.0))
+        store(v, cb.ROLLING_IMPULSE, share * rolling_impulse)
     if block.driven == 1:
-        v[cb.SURFACE_SPEED] = contact.surface_speed
+        store(v, cb.SURFACE_SPEED, surface_speed)
     if block.rounded == 1:
-        v[cb.RADIUS_A] = contact.radius_a
-        v[cb.RADIUS_B] = contact.radius_b
+        store(v, cb.RADIUS_A, axes.radius_a)
+        store(v, cb.RADIUS_B, axes.radius_b)
+
+
+@inlined_kernel
+def _clear(v: Floats) -> None:
+    """Zero a lane that no contact fills but the arithmetic runs over."""
+    for field in range(0, BLOCK_SIZE - LANES + 1, LANES):
+        v[field] = 0.0
 
 
 @inlined_kernel
@@ -178,74 +288,3 @@ def _note_impact(block: Records, v: Floats, k: int) -> None:
         for lane in range(LANES):
             v[cb.MAY_IMPACT + lane] = 0.0
     v[cb.MAY_IMPACT + k] = 1.0
-
-
-@inlined_kernel
-def _prepare_lane(a: Records, b: Records, contact: Records, share: float, v: Floats) -> None:
-    mass = pair_mass(a, b)
-    v[cb.NORMAL_X] = contact.normal_x
-    v[cb.NORMAL_Y] = contact.normal_y
-    v[cb.INVERSE_MASS_A] = mass.mass_a
-    v[cb.INVERSE_INERTIA_A] = mass.inertia_a
-    v[cb.INVERSE_MASS_B] = mass.mass_b
-    v[cb.INVERSE_INERTIA_B] = mass.inertia_b
-    v[cb.FRICTION] = contact.friction
-    # The first warm start applies what the last step accumulated; that belongs to no substep of this one.
-    v[cb.TOTAL_IMPULSE] = -share * (contact.normal_impulse1 + contact.normal_impulse2)
-    one = contact.point_count == 1
-    second = 1 if one else 2  # a second point at the place of the first, without mass, never pushes
-    v[cb.TANGENT_IMPULSE] = v[cb.TANGENT_MASS] = v[cb.TANGENT_LEVER_A] = v[cb.TANGENT_LEVER_B] = 0.0
-    if _has_friction(contact):
-        _prepare_friction(mass, contact, second, share, v)
-    _prepare_point(mass, contact, 1, v[cb.POINT_1 :])
-    _prepare_point(mass, contact, second, v[cb.POINT_2 :])
-    if one:
-        v[cb.POINT_2 + cb.NORMAL_MASS] = 0.0
-    v[cb.POINT_1 + cb.NORMAL_IMPULSE] = share * contact.normal_impulse1
-    v[cb.POINT_2 + cb.NORMAL_IMPULSE] = share * contact.normal_impulse2
-
-
-@inlined_kernel
-def _has_friction(contact: Records) -> bool:
-    """Whether there is friction at a contact, or was in the step before."""
-    return bool(contact.friction > 0.0 or contact.tangent_impulse1 != 0.0 or contact.tangent_impulse2 != 0.0)
-
-
-@inlined_kernel
-def _prepare_friction(mass: PairMass, contact: Records, second: int, share: float, v: Floats) -> None:
-    r = _friction_anchors(contact, second)
-    levers = levers_of(r, contact.normal_y, -contact.normal_x)
-    v[cb.TANGENT_IMPULSE] = share * (contact.tangent_impulse1 + contact.tangent_impulse2)
-    v[cb.TANGENT_MASS] = effective_mass(mass, r, contact.normal_y, -contact.normal_x)
-    v[cb.TANGENT_LEVER_A] = levers.a
-    v[cb.TANGENT_LEVER_B] = levers.b
-
-
-@inlined_kernel
-def _friction_anchors(contact: Records, second: int) -> Anchors:
-    """Where the friction of a contact acts in a step: in the middle of what its points bore in the step before; where
-    they bore nothing, at the one that is nearer, or midway."""
-    load1 = contact.normal_impulse1
-    load2 = contact.normal_impulse2
-    if load1 + load2 <= 0.0 and second == 2:
-        gap1 = separation_of(contact, 1) - rest_length_of(contact, 1)
-        gap2 = separation_of(contact, 2) - rest_length_of(contact, 2)
-        load1 = 1.0 if gap1 <= gap2 else 0.0
-        load2 = 1.0 if gap2 <= gap1 else 0.0
-    return bearing_anchors(anchors_of(contact, 1), anchors_of(contact, second), load1, load2)
-
-
-@inlined_kernel
-def _prepare_point(mass: PairMass, contact: Records, point: int, v: Floats) -> None:
-    nx = contact.normal_x
-    ny = contact.normal_y
-    r = anchors_of(contact, point)
-    v[cb.ANCHOR_AX] = r.ax
-    v[cb.ANCHOR_AY] = r.ay
-    v[cb.ANCHOR_BX] = r.bx
-    v[cb.ANCHOR_BY] = r.by
-    # During the substeps the gap is this plus the displacement of two points of the cores along the normal. The core
-    # turns with the body; the rounding around it does not: wherever a disc has turned to, it touches below its middle.
-    cores = (r.bx - r.ax) * nx + (r.by - r.ay) * ny + contact.radius_a + contact.radius_b
-    v[cb.SEPARATION] = separation_of(contact, point) - cores - rest_length_of(contact, point)
-    v[cb.NORMAL_MASS] = effective_mass(mass, r, nx, ny)

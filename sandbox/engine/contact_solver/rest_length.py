@@ -13,6 +13,7 @@ it. A length below zero, which comes of that, is given back slowly, or when the 
 from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
+from sandbox._vectors import Number, Vector, select
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.soft_constraint import Spring
 from sandbox.tables import Floats, Records
@@ -26,15 +27,10 @@ RETURNS = 0.05
 
 
 @inlined_kernel
-def sink(spring: Spring, impulse: float, mass: float) -> float:
+def sink(spring: Spring, impulse: Number, mass: Number) -> Number:
     """How far (m) a spring of an effective mass (kg) sinks under a load, the impulse (N s) in a substep of level 0."""
-    return spring.yields * impulse / mass if mass > 0.0 else 0.0
-
-
-@inlined_kernel
-def rest_length_of(contact: Records, point: int) -> float:
-    """The rest length (m) of the spring of point 1 or 2."""
-    return float(contact.rest_length1 if point == 1 else contact.rest_length2)
+    yields = mass > 0.0
+    return select(yields, spring.yields * impulse / select(yields, mass, 1.0), 0.0)
 
 
 @kernel
@@ -64,16 +60,10 @@ def _change(length: float, load: float, times: float, spring: Spring, v: Floats)
 
 
 @inlined_kernel
-def keep_length(contact: Records, spring: Spring, v: Floats) -> None:
-    """Let the springs of a contact with lane `v` be as long in the next step as the loads that they bear now allow."""
-    contact.rest_length1 = _next_length(contact.rest_length1, contact.normal_impulse1, spring, v[cb.POINT_1 :])
-    contact.rest_length2 = _next_length(contact.rest_length2, contact.normal_impulse2, spring, v[cb.POINT_2 :])
-
-
-@inlined_kernel
-def _next_length(length: float, load: float, spring: Spring, v: Floats) -> float:
-    if length < 0.0:
-        return length - RETURNS * length
-    asked = sink(spring, load, v[cb.NORMAL_MASS])
-    length = length if length < MOST * asked else MOST * asked
-    return length - (FORGETS * (length - asked) if length > asked else 0.0)
+def next_length(length: Vector, load: Vector, spring: Spring, mass: Vector) -> Vector:
+    """How long (m) springs of these effective masses (kg) are in the next step, as the loads (N s) that they bear now
+    allow."""
+    asked = sink(spring, load, mass)
+    most = select(length < MOST * asked, length, MOST * asked)
+    given = most - select(most > asked, FORGETS * (most - asked), 0.0)
+    return select(length < 0.0, length - RETURNS * length, given)

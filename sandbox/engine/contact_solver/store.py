@@ -4,19 +4,23 @@ from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._prefetch import AHEAD, prefetch_head
+from sandbox._vectors import Mask, Vector, load, select, spread
 from sandbox.engine.bodies.flags import flag_contact
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.closing_speed import closing_speed
-from sandbox.engine.contact_solver.rest_length import keep_length
+from sandbox.engine.contact_solver.contact_rows import KEPT_OF_POINT_1, KEPT_OF_POINT_2, contact_rows, point_counts
+from sandbox.engine.contact_solver.gather import Rows, gather_fields, scatter_fields
+from sandbox.engine.contact_solver.rest_length import next_length
 from sandbox.engine.contact_solver.soft_constraint import Spring
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import color_count, first_part_of_color, next_part
 from sandbox.engine.workers.task_kinds import LEVEL, STORE_IMPULSES
-from sandbox.tables import Integers, Records
+from sandbox.tables import Floats, Integers, Records
 
 BLOCK_SIZE = cb.BLOCK_SIZE
+LANES = cb.LANES
 
 
 @kernel
@@ -63,44 +67,64 @@ def store_blocks(
     The bodies still have the velocities with which the step began: a point that begins to push has closed in at them.
     What they bear is flagged as supported.
     """
-    lanes = blocks.lanes
-    substeps = 1.0 / spring.share
     for n in range(first, end):
-        for k in range(blocks.blocks[n].count):
-            slot = blocks.slots[blocks.blocks[n].first + k]
+        block = blocks.blocks[n]
+        v = blocks.lanes[n * BLOCK_SIZE : (n + 1) * BLOCK_SIZE]
+        for at in range(block.first + AHEAD, block.first + AHEAD + LANES):
+            if at < blocks.slots.shape[0]:
+                prefetch_head(contacts.now, blocks.slots[at].contact)
+        for k in range(block.count):
+            slot = blocks.slots[block.first + k]
             contact = contacts.now[slot.contact]
-            if blocks.blocks[n].first + k + AHEAD < blocks.slots.shape[0]:
-                prefetch_head(contacts.now, blocks.slots[blocks.blocks[n].first + k + AHEAD].contact)
-            report = contacts.reports[slot.contact]
-            at = n * BLOCK_SIZE + k
-            normal1 = lanes[at + cb.POINT_1 + cb.NORMAL_IMPULSE]
-            normal2 = lanes[at + cb.POINT_2 + cb.NORMAL_IMPULSE]
-            total = lanes[at + cb.TOTAL_IMPULSE] + normal1 + normal2
-            report.total_impulse = contact.impact_impulse + (total if total > 0.0 else 0.0)
-            if report.total_impulse > 0.0:
-                contact.touching = 1
-                if contact.impact_impulse > 0.0 or contact.normal_impulse1 == 0.0 or contact.normal_impulse2 == 0.0:
-                    report.hit_speed = _hit_speed(bodies[contact.body_a], bodies[contact.body_b], contact)
-            elif contact.separation1 < 0.0 or contact.separation2 < 0.0:
-                contact.touching = 1
-            if blocks.blocks[n].rolling == 1:
-                contact.rolling_impulse = substeps * lanes[at + cb.ROLLING_IMPULSE]
-            contact.normal_impulse1 = substeps * normal1
-            contact.normal_impulse2 = substeps * normal2
-            keep_length(contact, spring, lanes[at:])
-            if blocks.blocks[n].frictional == 1:
-                _share_friction(contact, substeps * lanes[at + cb.TANGENT_IMPULSE])
-            pushes = normal1 > 0.0 or normal2 > 0.0
+            _report(bodies, contact, contacts.reports[slot.contact], v[k:])
+            pushes = v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] > 0.0 or v[cb.POINT_2 + cb.NORMAL_IMPULSE + k] > 0.0
             flag_contact(flags, slot.body_a, slot.body_b, pushes, contact.surface_speed)
+        _keep(block, v, contacts.now, contact_rows(block, blocks.slots), spring)
 
 
 @inlined_kernel
-def _share_friction(contact: Records, tangent: float) -> None:
-    """Report the friction of both points (N s) at each, by what it bears."""
-    load = contact.normal_impulse1 + contact.normal_impulse2
-    both = contact.point_count == 2
-    contact.tangent_impulse1 = tangent * (contact.normal_impulse1 / load if load > 0.0 else (0.5 if both else 1.0))
-    contact.tangent_impulse2 = tangent * (contact.normal_impulse2 / load if load > 0.0 else (0.5 if both else 0.0))
+def _report(bodies: Records, contact: Records, report: Records, v: Floats) -> None:
+    """Report on a contact with lane `v`, which still has the impulses of the step before."""
+    total = v[cb.TOTAL_IMPULSE] + v[cb.POINT_1 + cb.NORMAL_IMPULSE] + v[cb.POINT_2 + cb.NORMAL_IMPULSE]
+    impulse = float(contact.impact_impulse + (total if total > 0.0 else 0.0))
+    report.total_impulse = impulse
+    if impulse > 0.0:
+        contact.touching = 1
+        if contact.impact_impulse > 0.0 or contact.normal_impulse1 == 0.0 or contact.normal_impulse2 == 0.0:
+            report.hit_speed = _hit_speed(bodies[contact.body_a], bodies[contact.body_b], contact)
+    elif contact.separation1 < 0.0 or contact.separation2 < 0.0:
+        contact.touching = 1
+
+
+@inlined_kernel
+def _keep(block: Records, v: Floats, contacts: Records, rows: Rows, spring: Spring) -> None:
+    """Write what the contacts of a block keep for the next step: impulses, and lengths of springs that suit them."""
+    substeps = 1.0 / spring.share
+    load1 = substeps * load(v, cb.POINT_1 + cb.NORMAL_IMPULSE)
+    load2 = substeps * load(v, cb.POINT_2 + cb.NORMAL_IMPULSE)
+    _, tangent1, length1, feature = gather_fields(contacts, rows, KEPT_OF_POINT_1)
+    _, tangent2, length2, rolling = gather_fields(contacts, rows, KEPT_OF_POINT_2)
+    length1 = next_length(length1, load1, spring, load(v, cb.POINT_1 + cb.NORMAL_MASS))
+    length2 = next_length(length2, load2, spring, load(v, cb.POINT_2 + cb.NORMAL_MASS))
+    if block.frictional == 1:
+        tangent = substeps * load(v, cb.TANGENT_IMPULSE)
+        tangent1, tangent2 = _share_friction(tangent, load1, load2, point_counts(contacts, rows) == 2.0)
+    if block.rolling == 1:
+        rolling = substeps * load(v, cb.ROLLING_IMPULSE)
+    scatter_fields(contacts, rows, KEPT_OF_POINT_1, (load1, tangent1, length1, feature), 0, block.count)
+    scatter_fields(contacts, rows, KEPT_OF_POINT_2, (load2, tangent2, length2, rolling), 0, block.count)
+
+
+@inlined_kernel
+def _share_friction(tangent: Vector, load1: Vector, load2: Vector, both: Mask) -> tuple[Vector, Vector]:
+    """The friction of both points (N s) at each, by what it bears."""
+    total = load1 + load2
+    bears = total > 0.0
+    total = select(bears, total, 1.0)
+    return (
+        tangent * select(bears, load1 / total, select(both, spread(0.5), 1.0)),
+        tangent * select(bears, load2 / total, select(both, spread(0.5), 0.0)),
+    )
 
 
 @kernel
