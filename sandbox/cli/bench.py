@@ -143,17 +143,15 @@ def _run_for_people(files: Sequence[Path], engines: Sequence[str], options: Benc
     out.width = max(out.width, WIDTH)
     # On one terminal the bar and the table must share a console, or they would overwrite each other.
     bar = out if out.is_terminal else Console(stderr=True)
-    return _run_all(files, engines, options, bar, lambda result: show(out, result))
+    results, _ = _run_all(files, engines, options, bar, lambda result: show(out, result))
+    return results
 
 
 def _run_for_machines(files: Sequence[Path], engines: Sequence[str], options: BenchOptions) -> list[BenchResult]:
     from rich.console import Console
 
-    from sandbox.cli.bench_result import document
-
-    start = time.perf_counter()
-    results = _run_all(files, engines, options, Console(stderr=True), _report_error)
-    print(document(results, time.perf_counter() - start))
+    results, told = _run_all(files, engines, options, Console(stderr=True), _report_error)
+    print(told)
     return results
 
 
@@ -170,19 +168,22 @@ def _run_all(
     options: BenchOptions,
     console: Console,
     show: Callable[[BenchResult], None],
-) -> list[BenchResult]:
+) -> tuple[list[BenchResult], str]:
+    """Run all scenes; returns what became of them, also as the JSON document."""
     from sandbox.cli.bench_result import document
     from sandbox.cli.progress import SceneProgress
 
     results: list[BenchResult] = []
+    told = document(results, 0.0)
     start = time.perf_counter()
     with SceneProgress(console, len(files)) as progress:
         for result in _results(files, engines, options, progress):
             show(result)
             results.append(result)
+            told = document(results, time.perf_counter() - start)
             if options.output is not None:  # a run of an hour may be interrupted
-                write_text(options.output, document(results, time.perf_counter() - start) + "\n")
-    return results
+                write_text(options.output, told + "\n")
+    return results, told
 
 
 def _results(

@@ -57,8 +57,8 @@ def test_the_document_is_kept_beside_the_table_and_over_nothing(cli: Callable, w
     again = cli(*command)
     assert (again.code, "there is a file of that name already; --force writes over it" in again.err) == (2, True)
     assert json.loads(file.read_text("utf-8")) == document
-    assert cli(*command[:2], *command[3:], "--force", "--json").code == 0
-    assert json.loads(file.read_text("utf-8"))["exit_code"] == 0
+    machine = cli(*command[:2], *command[3:], "--force", "--json")
+    assert (machine.code, machine.out) == (0, file.read_text("utf-8"))
 
 
 def test_one_step_has_no_turns(cli: Callable, write_scene: Callable) -> None:
