@@ -168,9 +168,9 @@ def test_one_line_of_the_solver_is_found_by_replay(tmp_path: Path) -> None:
     shutil.copytree(package, tmp_path / "sandbox", ignore=shutil.ignore_patterns("__pycache__"))
     source = tmp_path / "sandbox" / "engine" / "contact_solver" / "prepare.py"
     text = source.read_text(encoding="utf-8")
-    line = "v[cb.FRICTION] = contact.friction\n"
+    line = "store(v, cb.FRICTION, friction)\n"
     assert text.count(line) == 1
-    source.write_text(text.replace(line, line.rstrip() + " * 0.99\n"), encoding="utf-8")
+    source.write_text(text.replace(line, line.replace("friction)", "0.99 * friction)")), encoding="utf-8")
     slide = {
         "bodies": [
             {"id": "ground", "type": "static", "shapes": [{"box": [40, 1]}], "position": [0, -0.5]},
