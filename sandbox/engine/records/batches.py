@@ -8,7 +8,7 @@ from sandbox.engine.contact_solver.blocks import ALL_COLORS, LANES
 from sandbox.tables import Field, Floats, Integers, Records, Table
 
 SIZE = 2048
-"""Bodies and contacts of a batch: contacts take 320 bytes each, so that it has two thirds of a megabyte at most."""
+"""Bodies and contacts of a batch: contacts take 336 bytes each, so that it has two thirds of a megabyte at most."""
 BLOCKS = SIZE // LANES + ALL_COLORS
 """That many contacts fill no more blocks: every colour has one that is not full, settled or not."""
 
