@@ -14,11 +14,11 @@ from sandbox.engine.active.substep_level import assign_substep_levels
 from sandbox.engine.active.wake_islands import wake_touched
 from sandbox.engine.bodies.begin_and_finish import begin_bodies, finish_bodies, forget_posed
 from sandbox.engine.bodies.integrate import rewind_driven
-from sandbox.engine.broad_phase.pairs import sort_pairs
+from sandbox.engine.broad_phase.active_shapes import order_shapes, outdated_shapes
+from sandbox.engine.broad_phase.pair_cache import select_pairs, update_pair_cache
 from sandbox.engine.broad_phase.proxies import bound_shapes
-from sandbox.engine.broad_phase.resting_grid import find_all_pairs, order_shapes, outdated_shapes
 from sandbox.engine.contact_solver.store import clear_reports
-from sandbox.engine.joints.pair_filter import JointFilter, filter_joined_pairs
+from sandbox.engine.joints.pair_filter import JointFilter
 from sandbox.engine.joints.reactions import finish_joints
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.joints.sleep import flag_joined
@@ -60,15 +60,16 @@ def collide(
     update_active_set(state.bodies, active, solver)
     info = active.info[0]
     changed = order_shapes(state.shapes, active)
-    outdated = outdated_shapes(info, changed, state.shapes.shape[0])
-    bound_shapes(state, active.shapes[:outdated], changed != 0, colliders, workers)
-    pair_count = find_all_pairs(colliders, active, state.shapes.shape[0], changed, grid)
+    outdated = active.shapes[: outdated_shapes(info, changed, state.shapes.shape[0])]
+    bound_shapes(state, outdated, changed != 0, colliders, grid, workers)
     kept = counter.contact_count if counter.asleep_count > 0 else 0
+    seconds = state.settings[0].step_seconds
+    pair_count = update_pair_cache(colliders, outdated, state.shapes.shape[0], seconds, joint_filter, grid)
+    if pair_count > 0:
+        return pair_count + kept
+    pair_count = select_pairs(colliders, joint_filter, grid)
     if pair_count + kept > grid.pairs.shape[0]:
         return pair_count + kept
-    sort_pairs(grid.pairs, pair_count, grid.sorted_pairs, grid.heads, state.shapes.shape[0])
-    if joint_filter.bonds.shape[0] > 0:
-        pair_count = filter_joined_pairs(joint_filter, state.shapes, grid.pairs, pair_count)
     mark_confined(colliders, active, solver.ccd)
     counter.pair_count = pair_count
     begin_sleeping_contacts(contacts.cursor[0], info.generation)

@@ -140,6 +140,7 @@ class Stepper:
     def move_rows(self, moved: Moved) -> None:
         """Rows have gone, and others have moved into their places."""
         self.scratch.follow_rows(self._state, moved.first_body, moved.first_shape)
+        plain(self.scratch.grid.cache.info)["valid"] = 0  # shapes have other rows
         close_up(plain(self.scratch.contacts.reports)[: len(moved.contacts)], moved.contacts)
         scratch, joints = self.scratch, self.scratch.joints
         if joints is None and len(moved.joints) == 0:
@@ -232,6 +233,7 @@ class Stepper:
     def _prepare_calls(self) -> None:
         """The calls of a step: some for even and some for odd steps, as the contact tables swap places."""
         state, scratch = self._state, self.scratch
+        plain(scratch.grid.cache.info)["valid"] = 0
         self._crowded = len(state.shapes) > _FEW
         self.counters = plain(state.counters).view(np.int64).data
         self._compiled = False

@@ -78,11 +78,8 @@ class Observer:
 
     def _search_boxes(self, poses: Poses) -> Floats:
         """The step's own boxes, which cover margins and ways, widened where a shape sticks out of its box."""
-        rows: Any = self.world.scratch.grid.ordered[
-            : len(poses.shapes)
-        ]  # as the grid had them: `boxes` may have grown since
-        boxes = np.zeros((len(rows), 4))
-        boxes[rows.shape_index] = np.stack([rows.lower_x, rows.lower_y, rows.upper_x, rows.upper_y], axis=1)
+        rows: Any = self.world.scratch.colliders.boxes[: len(poses.shapes)]
+        boxes = np.stack([rows.lower_x, rows.lower_y, rows.upper_x, rows.upper_y], axis=1)
         tight, slack = poses.boxes, ROUNDING * np.abs(poses.boxes).max(axis=1, keepdims=True, initial=0.0)
         lower, upper = tight[:, :2] + slack, tight[:, 2:] - slack
         return np.concatenate([np.minimum(boxes[:, :2], lower), np.maximum(boxes[:, 2:], upper)], axis=1)

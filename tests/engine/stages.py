@@ -13,7 +13,7 @@ import numpy as np
 from sandbox._jit import kernel_argument
 from sandbox.engine.active import active_set, islands
 from sandbox.engine.bodies import integrate
-from sandbox.engine.broad_phase import grid, pairs, proxies
+from sandbox.engine.broad_phase import grid, pair_cache, pairs, proxies
 from sandbox.engine.contact_solver import fill_blocks as filling
 from sandbox.engine.contact_solver import (
     graph_coloring,
@@ -30,7 +30,7 @@ from sandbox.engine.contact_solver.blocks import LANES
 from sandbox.engine.memory.scratch import Scratch
 from sandbox.engine.narrow_phase import find_contacts as narrow_phase
 from sandbox.engine.narrow_phase import speculative
-from sandbox.engine.records.colliders import BOX, FILTER, PAIR
+from sandbox.engine.records.colliders import FILTER, GRID_BOX, GRID_INFO, PAIR
 from sandbox.engine.records.contact_blocks import BlockRanges, SoftContact
 from sandbox.engine.records.state import StateTables
 from sandbox.engine.restitution import impacts
@@ -71,6 +71,8 @@ def prepare_forces(bodies: Any, rows: Any, solver: Any, level: int, settings: An
 
 update_active_set = stage(active_set.update_active_set)
 bound_shapes = stage(proxies.bound_shapes)
+update_pair_cache = stage(pair_cache.update_pair_cache)
+select_pairs = stage(pair_cache.select_pairs)
 find_pairs = stage(pairs.find_pairs)
 sort_pairs = stage(pairs.sort_pairs)
 mark_confined = stage(speculative.mark_confined)
@@ -102,8 +104,8 @@ class Grid:
 
     def __init__(self, boxes: Sequence[Box], capacity: int = 100_000) -> None:
         self.count = len(boxes)
-        self.boxes, self.filters = BOX.zeros(self.count), FILTER.zeros(self.count)
-        self.ordered = BOX.zeros(self.count)
+        self.boxes, self.filters = GRID_BOX.zeros(self.count), FILTER.zeros(self.count)
+        self.ordered = GRID_BOX.zeros(self.count)
         self.pairs, self.buffer = PAIR.zeros(capacity), PAIR.zeros(capacity)
         buckets = 128
         while buckets < 2 * self.count:
@@ -120,7 +122,8 @@ class Grid:
 
     def find(self) -> int:
         """Run the grid; the number of pairs it counted."""
-        return int(find_pairs(self.boxes, self.filters, self.ordered, self.heads, self.levels, self.pairs))
+        info = GRID_INFO.zeros(1)
+        return int(find_pairs(self.boxes, self.filters, self.ordered, self.heads, self.levels, info, self.pairs))
 
     def found(self, count: int) -> list[Pair]:
         """The pairs written, in the order of the grid."""
@@ -170,11 +173,12 @@ class Paused:
         self.survey()
         m.active.shapes[:] = np.arange(len(s.shapes))
         m.active.info.moving = len(s.shapes)
-        bound_shapes(self.tables, m.active.shapes, True, m.colliders, m.workers)
+        bound_shapes(self.tables, m.active.shapes, True, m.colliders, m.grid, m.workers)
         g = m.grid
-        count = find_pairs(m.colliders.boxes, m.colliders.filters, g.ordered, g.heads, g.levels, g.pairs)
+        g.cache.info.valid = 0
+        assert update_pair_cache(m.colliders, m.active.shapes, len(s.shapes), self.seconds, m.joint_filter, g) == 0
+        count = select_pairs(m.colliders, m.joint_filter, g)
         assert count <= len(g.pairs)
-        sort_pairs(g.pairs, count, g.sorted_pairs, g.heads, len(s.shapes))
         mark_confined(m.colliders, m.active, m.solver.ccd)
         s.counters[0].pair_count = count
         self.count = find_contacts(

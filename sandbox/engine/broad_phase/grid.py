@@ -101,6 +101,27 @@ def box_level(box: Records, base: float) -> int:
     return 0 if 0.25 < ratio <= 1.0 else octave(ratio)
 
 
+@inlined_kernel
+def place(box: Records, level: int, inverse: float) -> None:
+    """Give a box its cell on a level with `inverse` cells a metre."""
+    box.level = level
+    box.cell_x = math.floor(0.5 * (box.lower_x + box.upper_x) * inverse)
+    box.cell_y = math.floor(0.5 * (box.lower_y + box.upper_y) * inverse)
+
+
+@inlined_kernel
+def first_cell(lower: float, inverse: float) -> int:
+    """The first cell along an axis, on a level with `inverse` cells a metre, that may hold the middle of a box which
+    reaches as far as `lower` (m): middles are at most half a cell outside of what they overlap."""
+    return math.floor(lower * inverse - 0.5)
+
+
+@inlined_kernel
+def last_cell(upper: float, inverse: float) -> int:
+    """The last such cell, for `upper` (m)."""
+    return math.floor(upper * inverse + 0.5)
+
+
 @kernel
 def _assign_cells(
     boxes: Records, base: float, finest: int, population: Integers, levels: Integers, heads: Integers
@@ -120,9 +141,7 @@ def _assign_cells(
         if level != known:
             known = level
             inverse = cells_per_metre(base, level)
-        box.level = level
-        box.cell_x = math.floor(0.5 * (box.lower_x + box.upper_x) * inverse)
-        box.cell_y = math.floor(0.5 * (box.lower_y + box.upper_y) * inverse)
+        place(box, level, inverse)
         population[level - LOWEST] += 1
         heads[bucket(box.cell_x, box.cell_y, level, heads)] += 1
     used = 0

@@ -2,11 +2,20 @@
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox.engine.broad_phase.grid import LEVELS, LOWEST, base_cell, boxes_overlap, bucket, cells_per_metre, fill_grid
+from sandbox.engine.broad_phase.grid import (
+    LEVELS,
+    LOWEST,
+    base_cell,
+    boxes_overlap,
+    bucket,
+    cells_per_metre,
+    fill_grid,
+    first_cell,
+    last_cell,
+)
 from sandbox.engine.broad_phase.proxies import ACTIVE, DRIVEN, SLEEPS
 from sandbox.tables import Integers, Records
 
@@ -22,16 +31,28 @@ class Cells(NamedTuple):
 
 @kernel
 def find_pairs(
-    boxes: Records, filters: Records, ordered: Records, heads: Integers, levels: Integers, pairs: Records
+    boxes: Records,
+    filters: Records,
+    ordered: Records,
+    heads: Integers,
+    levels: Integers,
+    grid_info: Records,
+    pairs: Records,
 ) -> int:
-    """Write every pair of overlapping boxes that may collide, each once, shape_a < shape_b; return how many.
+    """Lay boxes into the grid and write every pair of them that overlaps and may collide, each once, shape_a < shape_b;
+    return how many.
 
     Pairs past the capacity of `pairs` are counted but not written. `ordered`, `heads` and `levels` (`LEVEL_SPACE`
-    items) are scratch. The order of the pairs follows the grid: see `sort_pairs`.
+    items) get the grid, `grid_info` (one row) what is known of it. The order of the pairs follows the grid: see
+    `sort_pairs`.
     """
     sparse = levels[2 * LEVELS :]
     base = base_cell(boxes, levels)
     used, sparse_count = fill_grid(boxes, base, LOWEST, ordered, heads, levels)
+    info = grid_info[0]
+    info.cell = base
+    info.used = used
+    info.sparse = sparse_count
     count = 0
     for i in range(ordered.shape[0]):
         count = _pairs_on_own_level(ordered, filters, i, heads, pairs, count)
@@ -82,11 +103,9 @@ def pairs_on_level(
 ) -> int:
     """Pairs of a box with the boxes of another level, which has `inverse` cells a metre: their middles are at most half
     a cell outside of it."""
-    first_x = math.floor(box.lower_x * inverse - 0.5)
-    first_y = math.floor(box.lower_y * inverse - 0.5)
-    last_x = math.floor(box.upper_x * inverse + 0.5)
-    last_y = math.floor(box.upper_y * inverse + 0.5)
-    for y in range(first_y, last_y + 1):
+    first_x = first_cell(box.lower_x, inverse)
+    last_x = last_cell(box.upper_x, inverse)
+    for y in range(first_cell(box.lower_y, inverse), last_cell(box.upper_y, inverse) + 1):
         count = _pairs_in_cells(box, ordered, filters, Cells(first_x, last_x, y, level), heads, 0, pairs, count)
     return count
 
@@ -149,9 +168,6 @@ def propose(filters: Records, i: int, j: int, pairs: Records, count: int) -> int
     if count < pairs.shape[0]:
         pairs[count].shape_a = i if i < j else j
         pairs[count].shape_b = j if i < j else i
-    if a.moves & b.moves & ACTIVE == 0:
-        a.confined = 1
-        b.confined = 1
     return count + 1
 
 
@@ -192,6 +208,12 @@ def insert_in_order(pairs: Records, count: int) -> None:
             k -= 1
         pairs[k].shape_a = a
         pairs[k].shape_b = b
+
+
+@inlined_kernel
+def comes_after(pair: Records, other: Records) -> bool:
+    """Whether a pair comes after another one in the order of (shape_a, shape_b)."""
+    return bool(pair.shape_a > other.shape_a or (pair.shape_a == other.shape_a and pair.shape_b > other.shape_b))
 
 
 @kernel

@@ -6,7 +6,7 @@ import math
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.broad_phase.margins import shape_margin
-from sandbox.engine.records.colliders import Colliders
+from sandbox.engine.records.colliders import Colliders, Grid
 from sandbox.engine.records.state import StateTables
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
@@ -65,29 +65,32 @@ def _how_it_moves(body: Records) -> int:
 
 
 @kernel
-def bound_shapes(state: StateTables, rows: Integers, anew: bool, colliders: Colliders, workers: Workers) -> None:
+def bound_shapes(
+    state: StateTables, rows: Integers, anew: bool, colliders: Colliders, grid: Grid, workers: Workers
+) -> None:
     """Turn the cores of the first shapes of `active.shapes` and bound them: core, radius, margin, and the displacement
-    of a step.
+    of a step. `grid.outgrown` tells who has left its fat box, or has other pairs than before.
 
     Their `FILTER` and `PROXY` rows are filled in `anew` where somebody has come, changed, woken or fallen asleep.
     """
     workers.numbers[ANEW] = 1.0 if anew else 0.0
     first, end = first_part(workers, BOUND_SHAPES, 0, rows.shape[0])
     while first < end:
-        bound_some_shapes(state, rows[first:end], anew, colliders)
+        bound_some_shapes(state, rows[first:end], anew, colliders, grid)
         first, end = next_part(workers, first, end)
 
 
 @kernel
-def bound_some_shapes(state: StateTables, rows: Integers, anew: bool, colliders: Colliders) -> None:
+def bound_some_shapes(state: StateTables, rows: Integers, anew: bool, colliders: Colliders, grid: Grid) -> None:
     """The same for some of them."""
     cores = colliders.cores
     seconds = state.settings[0].step_seconds
     for i in rows:
         proxy = colliders.proxies[i]
+        other = False
         if anew:
             body_index = state.shapes[i].body
-            _describe_shape(state.bodies[body_index], state.shapes[i], colliders.filters[i], proxy)
+            other = _describe_shape(state.bodies[body_index], state.shapes[i], colliders.filters[i], proxy)
         body = state.bodies[proxy.body]
         _turn_core(body, proxy, state.vertices, cores)
         lower_x, lower_y, upper_x, upper_y = core_bounds(cores, core_of(proxy))
@@ -103,23 +106,35 @@ def bound_some_shapes(state: StateTables, rows: Integers, anew: bool, colliders:
         box.lower_y = body.center_y + lower_y - grow + (travel_y if travel_y < 0.0 else 0.0)
         box.upper_x = body.center_x + upper_x + grow + (travel_x if travel_x > 0.0 else 0.0)
         box.upper_y = body.center_y + upper_y + grow + (travel_y if travel_y > 0.0 else 0.0)
-        box.shape_index = i
+        grid.outgrown[i] = 0 if _lies_within(box, grid.fat_boxes[i]) and not other else 1
         if proxy.traits & FIXED:
             loose = _LOOSE * state.shapes[i].thin
             proxy.traits |= SLANTING if upper_x - lower_x > loose and upper_y - lower_y > loose else 0
 
 
 @inlined_kernel
-def _describe_shape(body: Records, shape: Records, filter: Records, proxy: Records) -> None:
-    """What the grid and the narrow phase ask of a shape and its body that stays from step to step."""
+def _lies_within(box: Records, fat: Records) -> bool:
+    """Whether a box lies within another one. One branch, as most do."""
+    inside_x = (box.lower_x >= fat.lower_x) & (box.upper_x <= fat.upper_x)
+    return bool(inside_x & (box.lower_y >= fat.lower_y) & (box.upper_y <= fat.upper_y))
+
+
+@inlined_kernel
+def _describe_shape(body: Records, shape: Records, filter: Records, proxy: Records) -> bool:
+    """What the grid and the narrow phase ask of a shape and its body that stays from step to step; whether the grid
+    has asked with something else."""
     moves = _how_it_moves(body)
+    # Nothing is in category 0, so that the grid proposes no pairs of a sensor.
+    category = shape.category if shape.sensor == 0 else 0
+    group = shape.group if shape.sensor == 0 else 0
+    same = filter.body == shape.body and filter.moves == moves
+    same = same and filter.category == category and filter.mask == shape.mask and filter.group == group
     filter.body = shape.body
     filter.moves = moves
     filter.confined = 0
-    # Nothing is in category 0, so that the grid proposes no pairs of a sensor.
-    filter.category = shape.category if shape.sensor == 0 else 0
+    filter.category = category
     filter.mask = shape.mask
-    filter.group = shape.group if shape.sensor == 0 else 0
+    filter.group = group
     fixed = FIXED if body.type == STATIC else 0
     proxy.body = shape.body
     proxy.traits = shape.traits | moves | fixed | (BULLET if body.bullet == 1 else 0)
@@ -132,6 +147,7 @@ def _describe_shape(body: Records, shape: Records, filter: Records, proxy: Recor
     proxy.restitution = shape.restitution
     proxy.rolling_resistance = shape.rolling_resistance
     proxy.surface_speed = shape.surface_speed
+    return not same
 
 
 @inlined_kernel

@@ -47,18 +47,18 @@ def solve_continuous(
     The bodies are at the end of the step, cores and boxes of its beginning, the motions lie between.
     """
     tables = SweepTables(state.bodies, state.shapes, solver.motions, colliders.cores, solver.ccd, ccd)
-    swept = grid.sorted_pairs
+    swept = grid.cache.spare
     count = _list_swept(solver.ccd, colliders.proxies, grid.pairs, state.counters[0].pair_count, swept)
     forget_hits(ccd)
     for k in range(count):
         carry_bullet(tables, swept[k])
     bullets = False
-    static_count = -1
+    strays = False
     threshold = state.settings[0].restitution_threshold
     for round in range(SLIDES + 1):
         for k in range(count):
             bullets |= stop_at_static(tables, swept[k], round)
-        static_count = stop_strays(tables, active, colliders, grid, count, joint_filter, static_count, round)
+        strays = stop_strays(tables, active, colliders, grid, count, joint_filter, strays, round)
         if round == SLIDES or not slide_all(state.bodies, solver.motions, ccd, threshold, round):
             break
     if bullets:

@@ -16,18 +16,6 @@ class JointFilter(NamedTuple):
 
 
 @kernel
-def filter_joined_pairs(joint_filter: JointFilter, shapes: Records, pairs: Records, count: int) -> int:
-    """Take out of `pairs[:count]` those whose bodies a joint keeps from colliding; return how many are left."""
-    kept = 0
-    for i in range(count):
-        pair = pairs[i]
-        if not are_joined(joint_filter, shapes[pair.shape_a].body, shapes[pair.shape_b].body):
-            pairs[kept] = pair
-            kept += 1
-    return kept
-
-
-@kernel
 def are_joined(joint_filter: JointFilter, a: int, b: int) -> bool:
     """Whether a joint keeps two bodies from colliding."""
     if joint_filter.joined[a] == 0 or joint_filter.joined[b] == 0:

@@ -8,9 +8,10 @@ import numpy as np
 
 from sandbox.engine.active.active_set import new_active_set
 from sandbox.engine.broad_phase.grid import LEVEL_SPACE, head_count
+from sandbox.engine.broad_phase.pair_cache import AHEAD
 from sandbox.engine.contact_solver.blocks import ALL_COLORS, BLOCK_SIZE, MAX_COLORS
 from sandbox.engine.contact_solver.further_colors import MOST_WORDS
-from sandbox.engine.memory.limit import most_batches, most_blocks
+from sandbox.engine.memory.limit import FAT_PAIRS, most_batches, most_blocks
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.batches import BLOCKS, IMPACT, SIZE, STRUCK_BODY, Batches
 from sandbox.engine.records.bodies import (
@@ -22,7 +23,18 @@ from sandbox.engine.records.bodies import (
     SolverBodies,
 )
 from sandbox.engine.records.ccd import CCD_BODY, CCD_IMPACT, Ccd
-from sandbox.engine.records.colliders import BOX, FILTER, PAIR, PROXY, RESTING_GRID, Colliders, Grid, RestingGrid
+from sandbox.engine.records.colliders import (
+    BOX,
+    FILTER,
+    GRID_BOX,
+    GRID_INFO,
+    PAIR,
+    PAIR_CACHE,
+    PROXY,
+    Colliders,
+    Grid,
+    PairCache,
+)
 from sandbox.engine.records.contact_blocks import BLOCK, ContactBlocks
 from sandbox.engine.records.contacts import REPORT, SLEEPING_CURSOR, SLEEPING_RUN, SLOT, Contacts
 from sandbox.geometry.manifold import MANIFOLD
@@ -92,21 +104,30 @@ def collider_memory(room: Room) -> Colliders:
 
 def grid_memory(shapes: int, pairs: int) -> Grid:
     """The grids of boxes, and the pairs that they find."""
+    buckets = head_count(shapes)
     return Grid(
-        spare_boxes=BOX.zeros(shapes),
-        ordered=BOX.zeros(shapes),
-        heads=np.zeros(head_count(shapes), np.int64),
+        info=GRID_INFO.zeros(1),
+        fat_boxes=GRID_BOX.zeros(shapes),
+        outgrown=np.zeros(shapes, np.int64),
+        asking=np.zeros(shapes, np.int64),
+        ordered=GRID_BOX.zeros(shapes),
+        heads=np.zeros(buckets, np.int64),
         levels=np.zeros(LEVEL_SPACE, np.int64),
-        resting=_resting_memory(shapes),
-        apart=_resting_memory(shapes),
+        moved_heads=np.zeros(buckets, np.int64),
+        moved_next=np.zeros(shapes, np.int64),
+        counts=np.zeros(shapes + 1, np.int64),
+        cache=cache_memory(pairs),
         pairs=PAIR.zeros(pairs),
-        sorted_pairs=PAIR.zeros(pairs + 1),  # continuous collision keeps one pair apart
     )
 
 
-def _resting_memory(shapes: int) -> RestingGrid:
-    heads, levels = np.zeros(head_count(shapes), np.int64), np.zeros(LEVEL_SPACE, np.int64)
-    return RestingGrid(RESTING_GRID.zeros(1), heads, levels)
+def cache_memory(pairs: int) -> PairCache:
+    """The pairs of fat boxes where there are so many pairs of boxes."""
+    fat = FAT_PAIRS * pairs
+    info = PAIR_CACHE.zeros(1)
+    info.ahead = AHEAD
+    # Continuous collision keeps one pair apart.
+    return PairCache(info=info, pairs=PAIR.zeros(fat), spare=PAIR.zeros(fat + 1))
 
 
 def contact_memory(state: State, pairs: int) -> Contacts:
@@ -164,7 +185,7 @@ def ccd_memory(room: Room) -> Ccd:
     impacts.time = 1.0
     impacts.stopped = -1
     hit = np.zeros(room.bodies + 1, np.int64)
-    return Ccd(impacts, hit, SWEEP.zeros(1), VERTEX.zeros(POSED_ROWS), MANIFOLD.zeros(2))
+    return Ccd(impacts, hit, GRID_BOX.zeros(room.shapes), SWEEP.zeros(1), VERTEX.zeros(POSED_ROWS), MANIFOLD.zeros(2))
 
 
 def measure_thin(bodies: Records, state: State, first: int, first_shape: int) -> None:

@@ -18,10 +18,12 @@ MAX_STEP_BYTES = 4 * 1024**3
 _LEAST = 256
 """A world that has outgrown its first memory for pairs takes room for so many: a few at a time is as often anew."""
 _WORD = 8
-_PAIR_BYTES = 3 * _WORD + sum(
+FAT_PAIRS = 2
+"""Pairs of fat boxes for which there is memory, for each pair of boxes."""
+_PAIR_BYTES = 3 * _WORD + 2 * FAT_PAIRS * PAIR.dtype.itemsize + sum(
     table.dtype.itemsize
     for table in (
-        CONTACT, CONTACT, PAIR, PAIR, SLEEPING_RUN, SLEEPING_RUN, SLEEPING_RUN, REPORT, SLOT, SLOT, SLOT, SLOT, IMPACT,
+        CONTACT, CONTACT, PAIR, SLEEPING_RUN, SLEEPING_RUN, SLEEPING_RUN, REPORT, SLOT, SLOT, SLOT, SLOT, IMPACT,
     )
 )  # fmt: skip
 _BLOCK_BYTES = BLOCK.dtype.itemsize + _WORD * BLOCK_SIZE

@@ -17,6 +17,7 @@ from sandbox.engine.memory.bundles import (
     active_memory,
     batch_memory,
     block_memory,
+    cache_memory,
     ccd_memory,
     collider_memory,
     contact_memory,
@@ -121,7 +122,7 @@ class Scratch:
 
     def make_room_for_pairs(self, state: State, pairs: int, workers: int) -> None:
         """Take memory for so many pairs; what is known of bodies, shapes and joints is kept."""
-        self.grid = self.grid._replace(pairs=PAIR.zeros(pairs), sorted_pairs=PAIR.zeros(pairs + 1))
+        self.grid = self.grid._replace(cache=cache_memory(pairs), pairs=PAIR.zeros(pairs))
         self.contacts = contact_memory(state, pairs)
         self.blocks = block_memory(pairs, batch_memory(self.room.bodies, pairs, workers))
 
@@ -144,7 +145,6 @@ class Scratch:
         batches = self.blocks.batches._replace(bodies=np.zeros(room.bodies, np.int64), struck=more)
         self.blocks = self.blocks._replace(batches=batches)
         self.colliders = collider_memory(room)
-        shapes = grid_memory(room.shapes, 0)
-        self.grid = shapes._replace(pairs=self.grid.pairs, sorted_pairs=self.grid.sorted_pairs)
+        self.grid = grid_memory(room.shapes, 0)._replace(cache=self.grid.cache, pairs=self.grid.pairs)
         self.ccd = ccd_memory(room)
         self.fields = Fields.for_state(state, room.bodies)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.engine.broad_phase.grid import LEVEL_SPACE, LEVELS, head_count
-from sandbox.engine.records.colliders import BOX
+from sandbox.engine.records.colliders import GRID_BOX
 from sandbox.tables import Field, Integers, Records, Table
 from sandbox.world.records import VERTEX
 from sandbox.world.state import State
@@ -140,9 +140,9 @@ class Memory(NamedTuple):
         shapes = len(state.shapes)
         return cls(
             cores=VERTEX.zeros(len(state.vertices) + SPARE_CORES),
-            boxes=BOX.zeros(shapes),
+            boxes=GRID_BOX.zeros(shapes),
             grid=QueryGrid(
-                ordered=BOX.zeros(shapes),
+                ordered=GRID_BOX.zeros(shapes),
                 heads=np.zeros(head_count(shapes), np.int64),
                 levels=np.zeros(LEVEL_SPACE, np.int64),
                 regions=REGION.zeros(LEVELS + 1),

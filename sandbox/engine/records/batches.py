@@ -26,10 +26,10 @@ STRUCK_BODY = Table(
 IMPACT = Table(
     "impact",
     (
-        Field("contact", "-", "row in the contact table", "i8"),
-        Field("body_a", "-", "", "i8"),
-        Field("body_b", "-", "", "i8"),
-        Field("group", "-", "the lowest body of those with which it strikes together; -1 before it has struck", "i8"),
+        Field("contact", "-", "row in the contact table", "i4"),
+        Field("body_a", "-", "", "i4"),
+        Field("body_b", "-", "", "i4"),
+        Field("group", "-", "the lowest body of those with which it strikes together; -1 before it has struck", "i4"),
         Field("further", "-", "how many further on the next one of its group is, or 0", "i8"),
         Field("impulse", "N s", "of the contact before the impacts of the substep"),
         Field("load1", "N s", "normal impulse at point 1, of the group's impact"),

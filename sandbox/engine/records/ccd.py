@@ -52,12 +52,14 @@ CCD_IMPACT = Table(
 class Ccd(NamedTuple):
     """Memory of continuous collision, beside `SolverBodies.ccd`.
 
-    `hit[1:]` are the rows of the bodies whose impacts say anything, `hit[0]` is how many those are. `sweep` has one
-    row, `posed` the cores as they lie at the time looked at.
+    `hit[1:]` are the rows of the bodies whose impacts say anything, `hit[0]` is how many those are. `boxes` has a row
+    for each shape: of strays, that of their true displacement. `sweep` has one row, `posed` the cores as they lie at
+    the time looked at.
     """
 
     impacts: Records
     hit: Integers
+    boxes: Records
     sweep: Records
     posed: Records
     manifold: Records

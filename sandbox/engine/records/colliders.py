@@ -13,13 +13,24 @@ BOX = Table(
         Field("lower_y", "m", ""),
         Field("upper_x", "m", ""),
         Field("upper_y", "m", ""),
+    ),
+)
+"""One row a shape: pairs whose boxes overlap are decided."""
+
+GRID_BOX = Table(
+    "grid_box",
+    (
+        Field("lower_x", "m", "bounds of a box, or of the fat box in which it may move"),
+        Field("lower_y", "m", ""),
+        Field("upper_x", "m", ""),
+        Field("upper_y", "m", ""),
         Field("cell_x", "-", "cell of the box's middle, on the grid of its level", "i8"),
         Field("cell_y", "-", "", "i8"),
         Field("level", "-", "cells of its grid are 2**level m wide", "i8"),
         Field("shape_index", "-", "row of the shape", "i8"),
     ),
 )
-"""One row a shape, one cache line: all that the grid looks at before it finds an overlap."""
+"""One row a box in the grid, one cache line: all that is looked at before an overlap is found."""
 
 FILTER = Table(
     "filter",
@@ -58,21 +69,33 @@ PROXY = Table(
 )
 """One row a shape, two cache lines: all that the narrow phase asks of the shapes of a slow pair and their bodies."""
 
-RESTING_GRID = Table(
-    "resting_grid",
+GRID_INFO = Table(
+    "grid_info",
     (
-        Field("cell", "m", "width of the cells of its level 0"),
-        Field("used", "-", "its levels with many boxes", "i8"),
-        Field("sparse", "-", "its boxes on other levels", "i8"),
-        Field("lower_x", "m", "bounds of all its boxes"),
-        Field("lower_y", "m", ""),
-        Field("upper_x", "m", ""),
-        Field("upper_y", "m", ""),
+        Field("cell", "m", "width of the cells of level 0"),
+        Field("used", "-", "levels with many boxes", "i8"),
+        Field("sparse", "-", "boxes on other levels", "i8"),
+        Field("shapes", "-", "boxes in it", "i8"),
+        Field("moved", "-", "boxes that have moved since it was laid", "i8"),
+        Field("others", "-", "those of them on levels that had few boxes", "i8"),
     ),
 )
-"""One row: what is known of a grid that is kept."""
+"""One row: what is known of the grid."""
 
 PAIR = Table("pair", (Field("shape_a", "-", "", "i4"), Field("shape_b", "-", "", "i4")))
+
+PAIR_CACHE = Table(
+    "pair_cache",
+    (
+        Field("count", "-", "pairs in it", "i8"),
+        Field("valid", "-", "1 while it has all pairs of boxes that lie in their fat boxes", "i8"),
+        Field("selected", "-", "pairs whose boxes overlapped in the last step", "i8"),
+        Field("ahead", "-", "for how many further steps fat boxes cover what velocities lead to; 0: they have no fat"),
+        Field("age", "-", "steps since the grid was laid", "i8"),
+        Field("wait", "-", "how often it is to be laid until it is tried again to look ahead", "i8"),
+    ),
+)
+"""One row: what is known of the pairs that are kept from step to step."""
 
 
 class Colliders(NamedTuple):
@@ -84,26 +107,34 @@ class Colliders(NamedTuple):
     proxies: Records
 
 
-class RestingGrid(NamedTuple):
-    """A grid that is kept as long as its shapes rest: `info` is one row, the others are as those of a `Grid`."""
+class PairCache(NamedTuple):
+    """The pairs of fat boxes, which are kept from step to step: `info` is one row, `pairs` are sorted, `spare` is
+    scratch for as many."""
 
     info: Records
-    heads: Integers
-    levels: Integers
+    pairs: Records
+    spare: Records
 
 
 class Grid(NamedTuple):
     """The uniform grid and the pairs that it proposes.
 
-    `ordered` has boxes bucket by bucket, `heads` where each bucket begins, `levels` the levels in use. Where it is
-    split, those of `apart` come first, then those of `resting`. `spare_boxes` and `sorted_pairs` are scratch.
+    `info` is one row. `fat_boxes` has a row for each shape, `outgrown` a 1 for each that has left its fat box or has
+    other pairs than before; `asking` lists these. `ordered` has the boxes as they were laid, bucket by bucket, `heads`
+    where each bucket begins, `levels` the levels in use. `moved_heads` has the first of the boxes of each bucket that
+    have moved since, `moved_next` which one follows (`moved_boxes.py`). `pairs` are those that are decided in this
+    step, sorted. `counts` is scratch.
     """
 
-    spare_boxes: Records
+    info: Records
+    fat_boxes: Records
+    outgrown: Integers
+    asking: Integers
     ordered: Records
     heads: Integers
     levels: Integers
-    resting: RestingGrid
-    apart: RestingGrid
+    moved_heads: Integers
+    moved_next: Integers
+    counts: Integers
+    cache: PairCache
     pairs: Records
-    sorted_pairs: Records

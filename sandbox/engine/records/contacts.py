@@ -9,9 +9,9 @@ from sandbox.tables import Field, Integers, Records, Table
 SLEEPING_RUN = Table(
     "sleeping_run",
     (
-        Field("first", "-", "row of its first contact", "i8"),
-        Field("end", "-", "row after its last one", "i8"),
-        Field("rank", "-", "contacts kept before it in the table", "i8"),
+        Field("first", "-", "row of its first contact", "i4"),
+        Field("end", "-", "row after its last one", "i4"),
+        Field("rank", "-", "contacts kept before it in the table", "i4"),
     ),
 )
 """Contacts among sleeping bodies, one after the other in a table of contacts."""

@@ -92,7 +92,7 @@ def serve(
             if words[TASK] <= WRITE_CONTACTS:
                 _do_pairs(state, colliders, grid, contacts, workers, decisions, first, end)
             elif words[TASK] >= BOUND_SHAPES:
-                _do_rows(state, active, solver, colliders, workers, first, end)
+                _do_rows(state, active, solver, colliders, grid, workers, first, end)
             elif words[TASK] == SOLVE_ISLANDS:
                 share = told_share(workers)
                 solve_batches(state, active, solver, contacts, blocks, joints, workers, share, first, end)
@@ -137,13 +137,14 @@ def _do_rows(
     active: ActiveSet,
     solver: SolverBodies,
     colliders: Colliders,
+    grid: Grid,
     workers: Workers,
     first: int,
     end: int,
 ) -> None:
     """Do a task for active shapes or bodies in the order of `active`."""
     if workers.words[TASK] == BOUND_SHAPES:
-        bound_some_shapes(state, active.shapes[first:end], workers.numbers[ANEW] > 0.0, colliders)
+        bound_some_shapes(state, active.shapes[first:end], workers.numbers[ANEW] > 0.0, colliders, grid)
     else:
         finish_some_bodies(state, active.bodies[1 + first : 1 + end], solver, active, workers)
 

@@ -11,7 +11,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from sandbox.engine.broad_phase.grid import LEVELS, LOWEST, SPARSE
 from sandbox.render.camera import Floats
 from sandbox.render.geometry import Ints
 from sandbox.render.overlays.look import Look
@@ -57,34 +56,11 @@ def proposed_pairs(look: Look) -> Ints:
 
 
 def grid_cells(look: Look) -> GridCells:
-    """The cells of the uniform grid that hold boxes; where most shapes rest there are up to three, in one list here."""
+    """The cells of the uniform grid that hold boxes, as they were laid and have moved since."""
     _, trusted = fat_boxes(look)
-    info = plain(look.world.scratch.active.info)[0]
     grid = look.world.scratch.grid
-    ordered = plain(grid.ordered)[: len(trusted)]
-    apart = int(info["apart"]) if info["split"] else 0
-    resting = len(trusted) - int(info["moving"]) if info["split"] else 0
-    base = np.full(len(ordered), float(plain(grid.apart.info)["cell"][0]))
-    base[apart:resting] = plain(grid.resting.info)["cell"][0]
-    base[resting:] = base_cell(ordered[resting:])
-    sound = trusted[np.clip(ordered["shape_index"], 0, max(len(trusted) - 1, 0))] if len(trusted) else np.zeros(0, bool)
-    ordered, base = ordered[sound], base[sound]
-    keys = np.column_stack([base, ordered["level"], ordered["cell_x"], ordered["cell_y"]])
+    boxes = plain(grid.fat_boxes)[: len(trusted)][trusted]
+    keys = np.column_stack([boxes["level"], boxes["cell_x"], boxes["cell_y"]])
     cells, count = np.unique(keys, axis=0, return_counts=True)
-    size = np.ldexp(cells[:, 0], cells[:, 1].astype(int))[:, None]
-    return GridCells(cells[:, 1].astype(np.int64), cells[:, 2:] * size, (cells[:, 2:] + 1.0) * size, count)
-
-
-def base_cell(boxes: NDArray[np.void]) -> float:
-    """Width of the cells of level 0, as the kernel of that name finds it: it fits the octave of most boxes."""
-    if len(boxes) == 0:
-        return 1.0
-    width, height = boxes["upper_x"] - boxes["lower_x"], boxes["upper_y"] - boxes["lower_y"]
-    reach = sum(np.abs(boxes[name]) for name in ("lower_x", "upper_x", "lower_y", "upper_y"))
-    size = np.maximum(width, height) * 1.01 + 1e-14 * reach
-    octaves = np.clip(np.frexp(size)[1], LOWEST, LOWEST + LEVELS - 1)
-    count = np.bincount(octaves - LOWEST, minlength=LEVELS + 1)
-    most = int(count.argmax())
-    most += count[most + 1] > SPARSE
-    largest = float(size[octaves == most + LOWEST].max())
-    return largest if largest > 0.0 else 1.0
+    size = np.ldexp(float(plain(grid.info)["cell"][0]), cells[:, 0])[:, None]
+    return GridCells(cells[:, 0], cells[:, 1:] * size, (cells[:, 1:] + 1.0) * size, count)

@@ -1,14 +1,9 @@
 from __future__ import annotations
 
-import numpy as np
 import pytest
 
-from sandbox._jit import kernel_argument
-from sandbox.engine.broad_phase import grid
 from sandbox.engine.world import World
-from sandbox.render.overlays.memory import base_cell, fat_boxes, grid_cells, proposed_pairs
-from sandbox.tables import plain
-from tests.kernels import called_from_python
+from sandbox.render.overlays.memory import fat_boxes, grid_cells, proposed_pairs
 from tests.naive.grid import Box, all_pairs
 from tests.render.overlays.looks import GROUND, crate, look_at, shipped_world, world_of
 
@@ -76,14 +71,6 @@ def test_every_shape_is_in_one_cell_that_holds_the_middle_of_its_box(scene: str)
         inside = (cells.low <= point).all(axis=1) & (point <= cells.high).all(axis=1)
         wide = (cells.high - cells.low)[:, 0] >= own
         assert (inside & wide).any()
-
-
-def test_the_base_cell_is_that_of_the_kernel() -> None:
-    kernel = called_from_python(grid.base_cell)
-    for scene in SCENES:
-        world = shipped_world(scene, 5)
-        boxes = kernel_argument(world.scratch.colliders.boxes[: len(world.state.shapes)])
-        assert base_cell(plain(boxes)) == kernel(boxes, np.zeros(grid.LEVEL_SPACE, np.int64))
 
 
 def test_before_the_first_step_and_after_a_restore_no_box_is_trusted_that_is_elsewhere() -> None:

@@ -1,0 +1,171 @@
+"""Pairs that persist are those of a look at all boxes, after any step, whoever moves, comes, goes, sleeps or wakes."""
+
+from __future__ import annotations
+
+import contextlib
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import sandbox
+from sandbox import ApplyImpulse, Delete, SetGravity, SetPose, SetVelocity, Spawn
+from sandbox.engine.broad_phase.proxies import ACTIVE, DRIVEN, SLEEPS
+from sandbox.engine.world import World
+from sandbox.errors import SandboxError
+from sandbox.tables import plain
+from tests.examples import examples
+from tests.naive.grid import Box, may_meet
+
+TILES, DISCS, LINKS = 60, 24, 5
+
+
+def crowd() -> sandbox.Scene:
+    """Discs of many sizes fall on static tiles, past a chain and a driven bar; one of them only meets tiles."""
+    tiles = [
+        {"id": f"tile{k}", "type": "static", "shapes": [{"box": [1, 1]}], "position": [1.1 * k - 33, -0.5]}
+        for k in range(TILES)
+    ]
+    discs = [
+        {
+            "id": f"disc{k}",
+            "shapes": [{"circle": 0.05 * 1.25 ** (k % 12), "mask": 1 if k == 7 else 0xFFFF, "category": 1 + k % 2}],
+            "position": [1.7 * (k % 8) - 6, 1.5 + 1.7 * (k // 8)],
+        }
+        for k in range(DISCS)
+    ]
+    links = [{"id": f"link{k}", "shapes": [{"box": [0.6, 0.2]}], "position": [12 + 0.5 * k, 4]} for k in range(LINKS)]
+    hinges = [
+        {"id": f"hinge{k}", "type": "revolute", "bodies": [f"link{k}", f"link{k + 1}"], "anchor": [12.25 + 0.5 * k, 4]}
+        for k in range(LINKS - 1)
+    ]
+    bar = {"id": "bar", "type": "kinematic", "shapes": [{"box": [4, 0.2]}], "position": [0, 8], "angular_velocity": 90}
+    return sandbox.Scene(bodies=[*tiles, *discs, *links, bar], joints=hinges)
+
+
+names = st.sampled_from([f"disc{k}" for k in range(DISCS)] + ["bar", "link0", "tile30", "tile31"])
+places = st.tuples(st.floats(-40, 40), st.floats(-3, 30))
+speeds = st.tuples(st.floats(-60, 60), st.floats(-60, 60))
+commands = st.one_of(
+    st.builds(SetPose, names, places, st.floats(-3, 3)),
+    st.builds(SetVelocity, names, speeds, st.floats(-20, 20)),
+    st.builds(ApplyImpulse, names, speeds, st.floats(-1, 1)),
+    st.builds(SetGravity, st.tuples(st.floats(-1, 1), st.floats(-12, 2))),
+    st.builds(Delete, names),
+    st.builds(
+        lambda at, size: Spawn({"id": "one", "shapes": [{"circle": size}], "position": list(at)}),
+        places,
+        st.floats(0.02, 8),
+    ),
+    st.builds(Delete, st.just("one")),
+)
+sequences = st.lists(st.tuples(st.integers(1, 30), commands), max_size=10)
+
+
+def proposed(world: World) -> list[tuple[int, int]]:
+    pairs = plain(world.scratch.grid.pairs)[: int(world.state.counters[0].pair_count)]
+    return list(zip(pairs["shape_a"].tolist(), pairs["shape_b"].tolist(), strict=True))
+
+
+def overlapping(world: World) -> list[tuple[int, int]]:
+    """All pairs of boxes that overlap and matter, by looking at all of them, without those of joined bodies."""
+    count = len(world.state.shapes)
+    boxes, filters = plain(world.scratch.colliders.boxes)[:count], plain(world.scratch.colliders.filters)[:count]
+    bonds = {(int(each.low), int(each.high)) for each in world.scratch.joint_filter.bonds}
+    meets = np.ones((count, count), bool)
+    for low, high in (("lower_x", "upper_x"), ("lower_y", "upper_y")):
+        meets &= (boxes[low][:, None] <= boxes[high][None, :]) & (boxes[low][None, :] <= boxes[high][:, None])
+    return [pair for pair in zip(*map(np.ndarray.tolist, np.nonzero(np.triu(meets, 1))), strict=True)
+            if _matters(*(filters[k] for k in pair), bonds)]  # fmt: skip
+
+
+def _matters(a: Any, b: Any, bonds: set[tuple[int, int]]) -> bool:
+    bodies = sorted((int(a["body"]), int(b["body"])))
+    moves = int(a["moves"]) | int(b["moves"])
+    lively = moves & ACTIVE or moves == SLEEPS | DRIVEN
+    one, other = (
+        Box((0, 0), (0, 0), 0, True, int(each["category"]), int(each["mask"]), int(each["group"])) for each in (a, b)
+    )
+    return bool(bodies[0] != bodies[1] and lively and may_meet(one, other) and tuple(bodies) not in bonds)
+
+
+def check(world: World, steps: int) -> None:
+    for _ in range(steps):
+        world.step()
+        assert proposed(world) == overlapping(world)
+
+
+def tell(world: World, command: Any) -> None:
+    with contextlib.suppress(SandboxError):  # that body is not there
+        world.apply(command)
+
+
+@given(sequences, st.integers(0, 200))
+@examples(40)
+def test_cached_pairs_are_those_of_all_boxes(sequence: list[tuple[int, Any]], before: int) -> None:
+    world = World(crowd())
+    world.step(before)
+    for steps, command in [*sequence, (30, SetVelocity("disc3", (30.0, 5.0), 9.0))]:
+        tell(world, command)
+        check(world, steps)
+
+
+@given(sequences)
+@examples(15)
+def test_a_restored_world_finds_the_pairs_of_its_boxes(sequence: list[tuple[int, Any]]) -> None:
+    world = World(crowd())
+    world.step(40)
+    snapshot = world.snapshot()
+    for steps, command in sequence:
+        tell(world, command)
+        world.step(steps)
+    world.restore(snapshot)
+    check(world, 5)
+
+
+def laid(world: World, steps: int) -> list[bool]:
+    """Whether the grid was laid anew, step by step."""
+    found = []
+    for _ in range(steps):
+        age = int(world.scratch.grid.cache.info[0].age)
+        world.step()
+        found.append(int(world.scratch.grid.cache.info[0].age) <= age)
+    return found
+
+
+def test_a_pyramid_at_rest_needs_the_grid_once() -> None:
+    pyramid = sandbox.Scene(
+        bodies=[{"id": "ground", "type": "static", "shapes": [{"box": [60, 1]}], "position": [0, -0.5]}],
+        generate=[{"id": "p", "pyramid": "box", "rows": 10, "at": [0, 0.5]}],
+        prefabs={"box": {"shapes": [{"box": [1, 1]}]}},
+        settings={"sleeping": False},
+    )
+    world = World(pyramid)
+    world.step(20)
+    assert not any(laid(world, 200))
+
+
+def test_one_that_moves_asks_alone() -> None:
+    world = World(crowd())
+    world.step(400)
+    assert world.awake_count < 10
+    tell(world, SetVelocity("disc3", (0.0, 8.0), 0.0))
+    assert not any(laid(world, 60))
+    assert world.scratch.grid.info[0].moved > 0
+
+
+@pytest.mark.parametrize("size", [0.01, 1.0, 300.0])
+def test_where_all_sizes_are_one_a_box_may_become_any_other(size: float) -> None:
+    """A level that had few boxes when the grid was laid gets many: all discs are thrown at once, ever faster."""
+    discs = [
+        {"id": f"disc{k}", "shapes": [{"circle": size}], "position": [3 * size * (k % 10), 3 * size * (k // 10)]}
+        for k in range(60)
+    ]
+    world = World(sandbox.Scene(bodies=discs, gravity=[0, 0]))
+    for round in range(4):
+        for k in range(10 * round, 10 * round + 10):
+            speed = size * 4.0**round
+            world.apply(SetVelocity(f"disc{k}", (speed, 0.3 * speed * (-1) ** k), 0.0))
+        check(world, 8)
