@@ -26,7 +26,8 @@ SLACK = 0.1
 SLACK_SHARE = 0.1
 """The same for small bodies, as a share of their extent."""
 AHEAD = 8.0
-"""For so many further steps at most a fat box covers what the velocity leads to: fewer where many pairs come of it."""
+"""For so many further steps at most (a power of two) a fat box covers what the velocity leads to: fewer where many
+pairs come of it."""
 _MANY = 4
 """The grid is laid anew when more than one in so many shapes would ask."""
 _NEEDLESS = 0.5
@@ -120,7 +121,7 @@ def _adapt(info: Records, shapes: int) -> None:
     if needless > most:
         _look_less_far(cache)
     elif 4 * needless < most and cache.ahead < AHEAD:
-        cache.ahead = min(2.0 * cache.ahead, AHEAD)
+        cache.ahead *= 2.0
     elif cache.age < _LASTING:
         cache.ahead = 0.0
     if cache.ahead == 0.0:
@@ -142,7 +143,8 @@ def _fatten(colliders: Colliders, i: int, ahead: float, fat: Records) -> None:
     if ahead > 0.0 and colliders.filters[i].moves & (ACTIVE | DRIVEN):
         extent = proxy.extent
         slack = SLACK_SHARE * extent
-        grow = (slack if slack < SLACK else SLACK) + min(2.0 * extent, ahead * proxy.swing)
+        swing = ahead * proxy.swing
+        grow = (slack if slack < SLACK else SLACK) + (swing if swing < 2.0 * extent else 2.0 * extent)
         x = ahead * proxy.velocity_x
         y = ahead * proxy.velocity_y
     fat.lower_x = box.lower_x + (x if x < 0.0 else 0.0) - grow

@@ -19,6 +19,9 @@ from sandbox.engine.broad_phase.grid import (
 from sandbox.engine.broad_phase.proxies import ACTIVE, DRIVEN, SLEEPS
 from sandbox.tables import Integers, Records
 
+_FEW = 4
+"""Pairs are sorted by themselves where there are more than so many shapes for each."""
+
 
 class Cells(NamedTuple):
     """Cells of a level that lie side by side in a row, from `first` to `last`."""
@@ -183,10 +186,10 @@ def may_collide(category_a: int, mask_a: int, group_a: int, category_b: int, mas
 def sort_pairs(pairs: Records, count: int, buffer: Records, heads: Integers, shapes: int) -> None:
     """Sort `pairs[:count]` by (shape_a, shape_b): two stable counting passes. `heads` needs `shapes + 1` items.
 
-    A few pairs among many shapes are inserted one by one: counting goes through all shapes four times.
+    A few pairs among many shapes are sorted by themselves: counting goes through all shapes four times.
     """
-    if count * count < 4 * shapes:
-        insert_in_order(pairs, count)
+    if _FEW * count < shapes:
+        sort_few_pairs(pairs, count)
         return
     for turn in range(2):
         if turn == 0:
@@ -196,18 +199,22 @@ def sort_pairs(pairs: Records, count: int, buffer: Records, heads: Integers, sha
 
 
 @kernel
-def insert_in_order(pairs: Records, count: int) -> None:
-    """Sort a few pairs by (shape_a, shape_b)."""
-    for n in range(1, count):
-        a = pairs[n].shape_a
-        b = pairs[n].shape_b
-        k = n
-        while k > 0 and (pairs[k - 1].shape_a > a or (pairs[k - 1].shape_a == a and pairs[k - 1].shape_b > b)):
-            pairs[k].shape_a = pairs[k - 1].shape_a
-            pairs[k].shape_b = pairs[k - 1].shape_b
-            k -= 1
-        pairs[k].shape_a = a
-        pairs[k].shape_b = b
+def sort_few_pairs(pairs: Records, count: int) -> None:
+    """Sort pairs by (shape_a, shape_b): Shell's method with Knuth's gaps (The Art of Computer Programming 3, 5.2.1)."""
+    gap = 1
+    while 3 * gap + 1 < count:
+        gap = 3 * gap + 1
+    while gap > 0:
+        for n in range(gap, count):
+            a = pairs[n].shape_a
+            b = pairs[n].shape_b
+            k = n - gap
+            while k >= 0 and (pairs[k].shape_a > a or (pairs[k].shape_a == a and pairs[k].shape_b > b)):
+                pairs[k + gap] = pairs[k]
+                k -= gap
+            pairs[k + gap].shape_a = a
+            pairs[k + gap].shape_b = b
+        gap //= 3
 
 
 @inlined_kernel

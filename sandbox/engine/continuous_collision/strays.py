@@ -10,7 +10,7 @@ from typing import Any
 from sandbox._jit import kernel
 from sandbox.engine.broad_phase.grid import boxes_overlap
 from sandbox.engine.broad_phase.moved_boxes import pairs_near
-from sandbox.engine.broad_phase.pairs import insert_in_order, propose
+from sandbox.engine.broad_phase.pairs import propose, sort_few_pairs
 from sandbox.engine.broad_phase.proxies import ACTIVE, SLEEPS
 from sandbox.engine.continuous_collision.hit import list_hit
 from sandbox.engine.continuous_collision.relative_sweep import SweepTables
@@ -75,7 +75,7 @@ def _list_near(filters: Records, grid: Grid, box: Records, count: int) -> int:
     count = pairs_near(box, filters, grid, pairs, count)
     if count <= pairs.shape[0]:
         found: Any = pairs[first:count]
-        insert_in_order(found, count - first)
+        sort_few_pairs(found, count - first)
     return count
 
 

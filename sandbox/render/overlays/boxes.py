@@ -1,4 +1,4 @@
-"""The axis-aligned box of every shape, and the fat one that the broad phase had of it."""
+"""The axis-aligned box of every shape, and the wider one by which the broad phase chose its pairs."""
 
 from __future__ import annotations
 
@@ -6,23 +6,23 @@ import numpy as np
 
 from sandbox.render.marks import Marks
 from sandbox.render.overlays.look import Look, Overlay
-from sandbox.render.overlays.memory import fat_boxes
+from sandbox.render.overlays.memory import step_boxes
 from sandbox.render.overlays.pen import Pen
 
 LEAST_PIXELS = 3.0
-"""Smaller boxes are not drawn, and fat ones only where they are wider by a pixel and a half."""
+"""Smaller boxes are not drawn, and wide ones only where they are wider by a pixel and a half."""
 
 
 def _draw(look: Look) -> Marks:
     pen, color = Pen(look), look.palette
     tight = look.shape_boxes
-    fat, trusted = fat_boxes(look)
+    wide, trusted = step_boxes(look)
     scale = look.camera.scale
     large = (tight[:, 2:] - tight[:, :2]).max(axis=1) * scale > LEAST_PIXELS
     seen = look.visible_boxes(tight) & large
-    wider = np.abs(fat - tight).max(axis=1) * scale > 1.5
+    wider = np.abs(wide - tight).max(axis=1) * scale > 1.5
     far = seen & trusted & wider
-    for boxes, rows, ink, width, opacity in ((fat, far, color.orange, 1.0, 0.8), (tight, seen, color.blue, 1.25, 1.0)):
+    for boxes, rows, ink, width, opacity in ((wide, far, color.orange, 1.0, 0.8), (tight, seen, color.blue, 1.25, 1.0)):
         low, high = look.camera.to_screen(boxes[rows, :2]), look.camera.to_screen(boxes[rows, 2:])
         pen.boxes(low, high, width, ink, opacity)
     pen.legend(color.blue, "box of a shape")
@@ -31,4 +31,6 @@ def _draw(look: Look) -> Marks:
     return pen.marks()
 
 
-OVERLAY = Overlay("boxes", "Bounding boxes", "The box of each shape, and the wider one that the grid was given.", _draw)
+OVERLAY = Overlay(
+    "boxes", "Bounding boxes", "The box of each shape, and the wider one by which pairs are chosen.", _draw
+)

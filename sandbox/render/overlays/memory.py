@@ -30,7 +30,7 @@ class GridCells:
     count: Ints
 
 
-def fat_boxes(look: Look) -> tuple[Floats, NDArray[np.bool_]]:
+def step_boxes(look: Look) -> tuple[Floats, NDArray[np.bool_]]:
     """The boxes (s, 4) that the broad phase had of all shapes in the last step, metres, and which are of this time."""
     scratch, count = look.world.scratch, len(look.shape_boxes)
     table = plain(scratch.colliders.boxes)[:count]
@@ -49,7 +49,7 @@ def proposed_pairs(look: Look) -> Ints:
     count = int(look.world.state.counters[0].pair_count)
     table = plain(look.world.scratch.grid.pairs)[:count]
     pairs = np.column_stack([table["shape_a"], table["shape_b"]])
-    _, trusted = fat_boxes(look)
+    _, trusted = step_boxes(look)
     pairs = pairs[(pairs < len(trusted)).all(axis=1)]
     sound: Ints = pairs[trusted[pairs].all(axis=1)]
     return sound
@@ -57,7 +57,7 @@ def proposed_pairs(look: Look) -> Ints:
 
 def grid_cells(look: Look) -> GridCells:
     """The cells of the uniform grid that hold boxes, as they were laid and have moved since."""
-    _, trusted = fat_boxes(look)
+    _, trusted = step_boxes(look)
     grid = look.world.scratch.grid
     boxes = plain(grid.fat_boxes)[: len(trusted)][trusted]
     keys = np.column_stack([boxes["level"], boxes["cell_x"], boxes["cell_y"]])

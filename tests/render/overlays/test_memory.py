@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from sandbox.engine.world import World
-from sandbox.render.overlays.memory import fat_boxes, grid_cells, proposed_pairs
+from sandbox.render.overlays.memory import grid_cells, proposed_pairs, step_boxes
 from tests.naive.grid import Box, all_pairs
 from tests.render.overlays.looks import GROUND, crate, look_at, shipped_world, world_of
 
@@ -15,7 +15,7 @@ CALM = ["pile", "crates-on-a-ramp", "pyramid-10"]
 @pytest.mark.parametrize("scene", CALM)
 def test_boxes_hold_their_shapes(scene: str) -> None:
     look = look_at(shipped_world(scene, 40))
-    boxes, _ = fat_boxes(look)
+    boxes, _ = step_boxes(look)
     tight = look.shape_boxes
     assert (boxes[:, :2] <= tight[:, :2] + 1e-2).all()
     assert (boxes[:, 2:] >= tight[:, 2:] - 1e-2).all()
@@ -24,7 +24,7 @@ def test_boxes_hold_their_shapes(scene: str) -> None:
 @pytest.mark.parametrize("scene", CALM)
 def test_pairs_are_those_whose_boxes_overlap(scene: str) -> None:
     look = look_at(shipped_world(scene, 40))
-    boxes, _ = fat_boxes(look)
+    boxes, _ = step_boxes(look)
     filters = look.world.scratch.colliders.filters[: len(boxes)]
     naive = [
         Box(
@@ -47,7 +47,7 @@ def test_pairs_are_those_whose_boxes_overlap(scene: str) -> None:
 
 @pytest.mark.parametrize("scene", SCENES)
 def test_after_a_step_all_boxes_are_of_this_time(scene: str) -> None:
-    assert fat_boxes(look_at(shipped_world(scene, 40)))[1].all()
+    assert step_boxes(look_at(shipped_world(scene, 40)))[1].all()
 
 
 def tiles() -> World:
@@ -63,7 +63,7 @@ def tiles() -> World:
 def test_every_shape_is_in_one_cell_that_holds_the_middle_of_its_box(scene: str) -> None:
     look = look_at(tiles() if scene == "tiles" else shipped_world(scene, 40))
     assert scene != "tiles" or 0 < look.world.scratch.active.info[0].moving < 10
-    cells, (boxes, _) = grid_cells(look), fat_boxes(look)
+    cells, (boxes, _) = grid_cells(look), step_boxes(look)
     assert cells.count.sum() == len(boxes)
     middle = 0.5 * (boxes[:, :2] + boxes[:, 2:])
     size = (boxes[:, 2:] - boxes[:, :2]).max(axis=1)
@@ -75,10 +75,10 @@ def test_every_shape_is_in_one_cell_that_holds_the_middle_of_its_box(scene: str)
 
 def test_before_the_first_step_and_after_a_restore_no_box_is_trusted_that_is_elsewhere() -> None:
     world = world_of(GROUND, crate("a", 0, 30), crate("b", 4, 0.6))
-    assert not fat_boxes(look_at(world))[1].any()
+    assert not step_boxes(look_at(world))[1].any()
     start = world.snapshot()
     world.step(60)
     world.restore(start)
-    trusted = fat_boxes(look_at(world))[1]
+    trusted = step_boxes(look_at(world))[1]
     assert trusted.tolist() == [True, False, False]
     assert {0, 1} not in map(set, proposed_pairs(look_at(world)).tolist())
