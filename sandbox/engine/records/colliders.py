@@ -20,17 +20,18 @@ BOX = Table(
 GRID_BOX = Table(
     "grid_box",
     (
+        Field("shape_index", "-", "row of the shape", "i8"),
+        Field("level", "-", "cells of its grid are 2**level m wide", "i8"),
+        Field("cell_x", "-", "cell of the box's middle, on the grid of its level", "i8"),
+        Field("cell_y", "-", "", "i8"),
         Field("lower_x", "m", "bounds of a box, or of the fat box in which it may move"),
         Field("lower_y", "m", ""),
         Field("upper_x", "m", ""),
         Field("upper_y", "m", ""),
-        Field("cell_x", "-", "cell of the box's middle, on the grid of its level", "i8"),
-        Field("cell_y", "-", "", "i8"),
-        Field("level", "-", "cells of its grid are 2**level m wide", "i8"),
-        Field("shape_index", "-", "row of the shape", "i8"),
     ),
 )
-"""One row a box in the grid, one cache line: all that is looked at before an overlap is found."""
+"""One row a box in the grid, one cache line: all that is looked at before an overlap is found. It does not begin as a
+`BOX` does: numba would take it for one, and say so."""
 
 FILTER = Table(
     "filter",
