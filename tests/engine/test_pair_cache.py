@@ -125,8 +125,8 @@ def test_a_restored_world_finds_the_pairs_of_its_boxes(sequence: list[tuple[int,
     check(world, 5)
 
 
-def laid(world: World, steps: int) -> list[bool]:
-    """Whether the grid was laid anew, step by step."""
+def rebuilt(world: World, steps: int) -> list[bool]:
+    """Whether the grid was rebuilt, step by step."""
     found = []
     for _ in range(steps):
         age = int(world.scratch.grid.cache.info[0].age)
@@ -144,21 +144,21 @@ def test_a_pyramid_at_rest_needs_the_grid_once() -> None:
     )
     world = World(pyramid)
     world.step(20)
-    assert not any(laid(world, 200))
+    assert not any(rebuilt(world, 200))
 
 
-def test_one_that_moves_asks_alone() -> None:
+def test_one_that_moves_is_looked_up_alone() -> None:
     world = World(crowd())
     world.step(400)
     assert world.awake_count < 10
     tell(world, SetVelocity("disc3", (0.0, 8.0), 0.0))
-    assert not any(laid(world, 60))
+    assert not any(rebuilt(world, 60))
     assert world.scratch.grid.info[0].moved > 0
 
 
 @pytest.mark.parametrize("size", [0.01, 1.0, 300.0])
 def test_where_all_sizes_are_one_a_box_may_become_any_other(size: float) -> None:
-    """A level that had few boxes when the grid was laid gets many: all discs are thrown at once, ever faster."""
+    """A level that had few boxes when the grid was built gets many: all discs are thrown at once, ever faster."""
     discs = [
         {"id": f"disc{k}", "shapes": [{"circle": size}], "position": [3 * size * (k % 10), 3 * size * (k // 10)]}
         for k in range(60)

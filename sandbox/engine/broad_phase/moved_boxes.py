@@ -1,4 +1,4 @@
-"""The grid between two layings: boxes that have moved since are taken out of it and kept in lists, one for each bucket.
+"""The grid after it was built: boxes that have moved since are taken out of it and kept in lists, one for each bucket.
 
 A box that leaves its cell costs the same however many others there are, as in a grid of linked lists; the others stay
 side by side in memory.
@@ -32,7 +32,7 @@ END, ORDERED, ABSENT = -1, -2, -3
 
 @kernel
 def forget_moved(shapes: int, grid: Grid) -> None:
-    """The boxes of so many shapes have just been laid: none has moved."""
+    """The grid has just been built of the boxes of so many shapes: none has moved."""
     info = grid.info[0]
     info.shapes = shapes
     info.moved = info.others = 0
@@ -44,7 +44,7 @@ def forget_moved(shapes: int, grid: Grid) -> None:
 
 
 @kernel
-def take_out(i: int, grid: Grid) -> None:
+def remove_box(i: int, grid: Grid) -> None:
     """Take the fat box of a shape out of the grid."""
     fat = grid.fat_boxes[i]
     following = grid.moved_next[i]
@@ -53,10 +53,10 @@ def take_out(i: int, grid: Grid) -> None:
     if following == ORDERED:
         k = bucket(fat.cell_x, fat.cell_y, fat.level, grid.heads)
         for n in range(grid.heads[k], grid.heads[k + 1]):
-            laid = grid.ordered[n]
-            if laid.shape_index == i:  # nothing overlaps what ends before it begins
-                laid.lower_x = laid.lower_y = math.inf
-                laid.upper_x = laid.upper_y = -math.inf
+            box = grid.ordered[n]
+            if box.shape_index == i:  # nothing overlaps what ends before it begins
+                box.lower_x = box.lower_y = math.inf
+                box.upper_x = box.upper_y = -math.inf
         return
     k = _list_of(fat, grid)
     _count(k, -1, grid)
@@ -70,7 +70,7 @@ def take_out(i: int, grid: Grid) -> None:
 
 
 @kernel
-def put_in(i: int, grid: Grid) -> None:
+def insert_box(i: int, grid: Grid) -> None:
     """Put the fat box of a shape into the list of its bucket."""
     fat = grid.fat_boxes[i]
     info = grid.info[0]
@@ -98,7 +98,7 @@ def _list_of(fat: Records, grid: Grid) -> int:
 
 
 @kernel
-def pairs_near(box: Records, filters: Records, grid: Grid, pairs: Records, count: int) -> int:
+def query_pairs(box: Records, filters: Records, grid: Grid, pairs: Records, count: int) -> int:
     """Append the pairs of a shape's box with all fat boxes in the grid that it overlaps; return the new count.
 
     Cell by cell, or with all of them if it covers more cells than that.

@@ -1,8 +1,9 @@
-"""Stage: pairs that persist. The grid is asked with fat boxes, so that what it has found holds for several steps.
+"""Stage: pairs that persist. The grid is built of fat boxes, so that what it finds holds for several steps.
 
 A fat box is the box of a shape with room to move in. As long as all boxes lie in their fat boxes, those that overlap
 are among the pairs of fat boxes, and a step looks at these alone. Shapes that have outgrown theirs, or are others than
-before, ask anew; where they are many, the grid is laid anew. The same pairs come out as if it were in every step.
+before, get new ones and are looked up alone; where they are many, the grid is rebuilt. The same pairs come out as if
+it were in every step.
 
 Source: L. Verlet, Computer "Experiments" on Classical Fluids (Physical Review 159, 1967), where it is a list of
 neighbours; fat boxes as in the trees of Bullet and Box2D.
@@ -12,33 +13,22 @@ from __future__ import annotations
 
 from typing import Any
 
-from sandbox._jit import inlined_kernel, kernel
+from sandbox._jit import kernel
+from sandbox.engine.broad_phase.fat_boxes import adapt_fat, fatten, look_less_far
 from sandbox.engine.broad_phase.grid import boxes_overlap
-from sandbox.engine.broad_phase.moved_boxes import ABSENT, forget_moved, pairs_near, put_in, take_out
-from sandbox.engine.broad_phase.pairs import comes_after, find_pairs, sort_pairs
-from sandbox.engine.broad_phase.proxies import ACTIVE, DRIVEN
+from sandbox.engine.broad_phase.moved_boxes import ABSENT, forget_moved, insert_box, query_pairs, remove_box
+from sandbox.engine.broad_phase.pairs import comes_before, find_pairs, sort_pairs
+from sandbox.engine.broad_phase.proxies import ACTIVE
 from sandbox.engine.joints.pair_filter import JointFilter, are_joined
 from sandbox.engine.records.colliders import Colliders, Grid, PairCache
 from sandbox.tables import Integers, Records
 
-SLACK = 0.1
-"""Most room (m) that a fat box leaves on each side."""
-SLACK_SHARE = 0.1
-"""The same for small bodies, as a share of their extent."""
-AHEAD = 8.0
-"""For so many further steps at most (a power of two) a fat box covers what the velocity leads to: fewer where many
-pairs come of it."""
 _MANY = 4
-"""The grid is laid anew when more than one in so many shapes would ask."""
-_NEEDLESS = 0.5
-"""Boxes look less far ahead when the cache has more needless pairs than so many for each shape and each pair that is
-selected, and further again when it has a fourth of that."""
-_LASTING = 3
-"""Pairs of fat boxes are worth it if they hold for so many steps: to find them takes up to twice as long."""
-_WAIT = 32
-"""How often the grid is laid without fat boxes once they have not been worth it."""
+"""The grid is rebuilt when the fat boxes of more than one in so many shapes have to be enlarged,"""
+_MOVED = 2
+"""when more than one in so many has been since it was built,"""
 _OTHERS = 32
-"""The same when so many boxes have got sizes of which there were few."""
+"""or when so many of these have got sizes of which there were few."""
 
 
 @kernel
@@ -49,20 +39,22 @@ def update_pair_cache(
 
     Returns 0, or for how many pairs there has to be room.
     """
-    if grid.cache.info[0].valid == 1:
-        grid.cache.info[0].age += 1
-        asking = _list_outgrown(bounded, shapes, grid)
-        if asking == 0:
+    info = grid.info[0]
+    cache = grid.cache.info[0]
+    if cache.valid == 1:
+        cache.age += 1
+        count = _list_outgrown(bounded, shapes, grid)
+        if count == 0:
             return 0
-        few = _MANY * asking <= shapes and 2 * grid.info[0].moved <= shapes and grid.info[0].others <= _OTHERS
-        if few and _ask(colliders, asking, shapes, seconds, joint_filter, grid):
+        few = _MANY * count <= shapes and _MOVED * info.moved <= shapes and info.others <= _OTHERS
+        if few and _enlarge(colliders, count, shapes, seconds, joint_filter, grid):
             return 0
-    return _lay_anew(colliders, shapes, seconds, joint_filter, grid)
+    return _rebuild(colliders, shapes, seconds, joint_filter, grid)
 
 
 @kernel
 def _list_outgrown(bounded: Integers, shapes: int, grid: Grid) -> int:
-    """List in `grid.asking` the shapes that have outgrown their fat boxes or are new; return how many."""
+    """List in `grid.enlarged` the shapes that have outgrown their fat boxes or are new; return how many."""
     info = grid.info[0]
     for i in range(info.shapes, shapes):
         grid.outgrown[i] = 1
@@ -71,35 +63,35 @@ def _list_outgrown(bounded: Integers, shapes: int, grid: Grid) -> int:
     count = 0
     for i in bounded:
         if grid.outgrown[i] != 0:
-            grid.asking[count] = i
+            grid.enlarged[count] = i
             count += 1
     return count
 
 
 @kernel
-def _lay_anew(colliders: Colliders, shapes: int, seconds: float, joint_filter: JointFilter, grid: Grid) -> int:
-    """Lay the grid and find all pairs; returns 0, or for how many there has to be room.
+def _rebuild(colliders: Colliders, shapes: int, seconds: float, joint_filter: JointFilter, grid: Grid) -> int:
+    """Build the grid and find all pairs; returns 0, or for how many there has to be room.
 
     Where there is no room for the pairs of fat boxes, they look less far ahead; at last, boxes get no fat.
     """
     cache = grid.cache.info[0]
     room = grid.cache.pairs.shape[0]
     if cache.valid == 1:
-        _adapt(grid.cache.info, shapes)
+        adapt_fat(grid.cache.info, shapes)
     cache.age = 0
     boxes: Any = grid.fat_boxes[:shapes]
     ordered: Any = grid.ordered[:shapes]
     found = 0
     while True:
         for i in range(shapes):
-            _fatten(colliders, i, seconds * cache.ahead, boxes[i])
+            fatten(colliders, i, seconds * cache.ahead, boxes[i])
         found = find_pairs(boxes, colliders.filters, ordered, grid.heads, grid.levels, grid.info, grid.cache.pairs)
         if found <= room:
             break
         cache.valid = 0
         if cache.ahead == 0.0:
             return found
-        _look_less_far(cache)
+        look_less_far(cache)
     forget_moved(shapes, grid)
     sort_pairs(grid.cache.pairs, found, grid.cache.spare, grid.counts, shapes)
     cache.count = _drop_joined(joint_filter, colliders.filters, grid.cache.pairs, found)
@@ -107,66 +99,22 @@ def _lay_anew(colliders: Colliders, shapes: int, seconds: float, joint_filter: J
     return 0
 
 
-@inlined_kernel
-def _adapt(info: Records, shapes: int) -> None:
-    """Look less far ahead, or further: to pass over a needless pair costs a tenth of what it costs to ask anew. Where
-    pairs hold for less than `_LASTING` steps, it is some time until that is tried again."""
-    cache = info[0]
-    needless = cache.count - cache.selected
-    most = _NEEDLESS * (cache.selected + shapes)
-    if cache.ahead == 0.0:
-        cache.wait -= 1
-        cache.ahead = 1.0 if cache.wait <= 0 else 0.0
-        return
-    if needless > most:
-        _look_less_far(cache)
-    elif 4 * needless < most and cache.ahead < AHEAD:
-        cache.ahead *= 2.0
-    elif cache.age < _LASTING:
-        cache.ahead = 0.0
-    if cache.ahead == 0.0:
-        cache.wait = _WAIT
-
-
-@inlined_kernel
-def _look_less_far(cache: Records) -> None:
-    cache.ahead = 0.5 * cache.ahead if cache.ahead > 1.0 else 0.0
-
-
-@inlined_kernel
-def _fatten(colliders: Colliders, i: int, ahead: float, fat: Records) -> None:
-    """Write the fat box of a shape: what moves gets room where its velocity leads to within a time `ahead` (s), and a
-    little on all sides; none if that is 0."""
-    box = colliders.boxes[i]
-    proxy = colliders.proxies[i]
-    grow = x = y = 0.0
-    if ahead > 0.0 and colliders.filters[i].moves & (ACTIVE | DRIVEN):
-        extent = proxy.extent
-        slack = SLACK_SHARE * extent
-        swing = ahead * proxy.swing
-        grow = (slack if slack < SLACK else SLACK) + (swing if swing < 2.0 * extent else 2.0 * extent)
-        x = ahead * proxy.velocity_x
-        y = ahead * proxy.velocity_y
-    fat.lower_x = box.lower_x + (x if x < 0.0 else 0.0) - grow
-    fat.lower_y = box.lower_y + (y if y < 0.0 else 0.0) - grow
-    fat.upper_x = box.upper_x + (x if x > 0.0 else 0.0) + grow
-    fat.upper_y = box.upper_y + (y if y > 0.0 else 0.0) + grow
-    fat.shape_index = i
-
-
 @kernel
-def _ask(colliders: Colliders, asking: int, shapes: int, seconds: float, joint_filter: JointFilter, grid: Grid) -> bool:
-    """Find the pairs of the first shapes of `grid.asking` anew; False if there is no room for them."""
+def _enlarge(
+    colliders: Colliders, enlarged: int, shapes: int, seconds: float, joint_filter: JointFilter, grid: Grid
+) -> bool:
+    """Give the first shapes of `grid.enlarged` new fat boxes and find their pairs anew; False if there is no room for
+    them."""
     cache = grid.cache.info[0]
-    rows = grid.asking[:asking]
+    rows = grid.enlarged[:enlarged]
     for i in rows:
-        take_out(i, grid)
-        _fatten(colliders, i, seconds * cache.ahead, grid.fat_boxes[i])
-        put_in(i, grid)
+        remove_box(i, grid)
+        fatten(colliders, i, seconds * cache.ahead, grid.fat_boxes[i])
+        insert_box(i, grid)
     fresh: Any = grid.pairs  # they are written in this step after all others
     count = 0
     for i in rows:
-        count = pairs_near(grid.fat_boxes[i], colliders.filters, grid, fresh, count)
+        count = query_pairs(grid.fat_boxes[i], colliders.filters, grid, fresh, count)
     if count > fresh.shape[0]:
         return False
     sort_pairs(fresh, count, grid.cache.spare, grid.counts, shapes)
@@ -183,10 +131,10 @@ def _ask(colliders: Colliders, asking: int, shapes: int, seconds: float, joint_f
 
 @kernel
 def _drop_doubles(pairs: Records, count: int) -> int:
-    """Take out of the sorted `pairs[:count]` what is there twice, as both have asked; return how many are left."""
+    """Take out of the sorted `pairs[:count]` what is there twice, found by both; return how many are left."""
     kept = 0
     for n in range(count):
-        if kept == 0 or comes_after(pairs[n], pairs[kept - 1]):
+        if kept == 0 or comes_before(pairs[kept - 1], pairs[n].shape_a, pairs[n].shape_b):
             pairs[kept] = pairs[n]
             kept += 1
     return kept
@@ -210,7 +158,7 @@ def _drop_joined(joint_filter: JointFilter, filters: Records, pairs: Records, co
 
 @kernel
 def _drop_outgrown(pairs: Records, count: int, outgrown: Integers) -> int:
-    """Take out of `pairs[:count]` those of shapes that have asked anew; return how many are left."""
+    """Take out of `pairs[:count]` those of shapes that are enlarged; return how many are left."""
     kept = 0
     for n in range(count):
         pair = pairs[n]
@@ -226,7 +174,7 @@ def _merge(pairs: Records, count: int, fresh: Records, more: int) -> None:
     n = count - 1
     k = more - 1
     while k >= 0:
-        if n >= 0 and comes_after(pairs[n], fresh[k]):
+        if n >= 0 and comes_before(fresh[k], pairs[n].shape_a, pairs[n].shape_b):
             pairs[n + k + 1] = pairs[n]
             n -= 1
         else:

@@ -209,7 +209,7 @@ def sort_few_pairs(pairs: Records, count: int) -> None:
             a = pairs[n].shape_a
             b = pairs[n].shape_b
             k = n - gap
-            while k >= 0 and (pairs[k].shape_a > a or (pairs[k].shape_a == a and pairs[k].shape_b > b)):
+            while k >= 0 and not comes_before(pairs[k], a, b):
                 pairs[k + gap] = pairs[k]
                 k -= gap
             pairs[k + gap].shape_a = a
@@ -218,9 +218,10 @@ def sort_few_pairs(pairs: Records, count: int) -> None:
 
 
 @inlined_kernel
-def comes_after(pair: Records, other: Records) -> bool:
-    """Whether a pair comes after another one in the order of (shape_a, shape_b)."""
-    return bool(pair.shape_a > other.shape_a or (pair.shape_a == other.shape_a and pair.shape_b > other.shape_b))
+def comes_before(pair: Records, shape_a: int, shape_b: int) -> bool:
+    """Whether a pair, or the contact of one, has its place before another pair of shapes."""
+    first = pair.shape_a
+    return bool(first < shape_a or (first == shape_a and pair.shape_b < shape_b))
 
 
 @kernel

@@ -9,7 +9,7 @@ from typing import Any
 
 from sandbox._jit import kernel
 from sandbox.engine.broad_phase.grid import boxes_overlap
-from sandbox.engine.broad_phase.moved_boxes import pairs_near
+from sandbox.engine.broad_phase.moved_boxes import query_pairs
 from sandbox.engine.broad_phase.pairs import propose, sort_few_pairs
 from sandbox.engine.broad_phase.proxies import ACTIVE, SLEEPS
 from sandbox.engine.continuous_collision.hit import list_hit
@@ -72,7 +72,7 @@ def _list_near(filters: Records, grid: Grid, box: Records, count: int) -> int:
     how many there are then, also those for which there is no room."""
     pairs = grid.cache.spare
     first = count
-    count = pairs_near(box, filters, grid, pairs, count)
+    count = query_pairs(box, filters, grid, pairs, count)
     if count <= pairs.shape[0]:
         found: Any = pairs[first:count]
         sort_few_pairs(found, count - first)

@@ -7,8 +7,8 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.engine.active.active_set import new_active_set
+from sandbox.engine.broad_phase.fat_boxes import AHEAD
 from sandbox.engine.broad_phase.grid import LEVEL_SPACE, head_count
-from sandbox.engine.broad_phase.pair_cache import AHEAD
 from sandbox.engine.contact_solver.blocks import ALL_COLORS, BLOCK_SIZE, MAX_COLORS
 from sandbox.engine.contact_solver.further_colors import MOST_WORDS
 from sandbox.engine.memory.limit import FAT_PAIRS, most_batches, most_blocks
@@ -109,7 +109,7 @@ def grid_memory(shapes: int, pairs: int) -> Grid:
         info=GRID_INFO.zeros(1),
         fat_boxes=GRID_BOX.zeros(shapes),
         outgrown=np.zeros(shapes, np.int64),
-        asking=np.zeros(shapes, np.int64),
+        enlarged=np.zeros(shapes, np.int64),
         ordered=GRID_BOX.zeros(shapes),
         heads=np.zeros(buckets, np.int64),
         levels=np.zeros(LEVEL_SPACE, np.int64),

@@ -8,13 +8,14 @@ from typing import Any, NamedTuple
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._prefetch import prefetch_head
 from sandbox.engine.broad_phase.margins import allowed_depth
+from sandbox.engine.broad_phase.pairs import comes_before
 from sandbox.engine.broad_phase.proxies import FIXED, SLANTING
 from sandbox.engine.contact_solver.closing_speed import SLOW
 from sandbox.engine.contact_solver.law import Anchors, pair_velocity, relative_velocity
 from sandbox.engine.narrow_phase.internal_edges import PlacedPair, fix_internal_edge
 from sandbox.engine.narrow_phase.one_way import holds, leads_on
 from sandbox.engine.narrow_phase.outline import EdgeTables
-from sandbox.engine.narrow_phase.sleeping_contacts import comes_before, first_not_before
+from sandbox.engine.narrow_phase.sleeping_contacts import first_not_before
 from sandbox.engine.narrow_phase.speculative import closing_distance, speculative_impact
 from sandbox.engine.records.ccd import NEW, OVERLAPS
 from sandbox.engine.records.colliders import Colliders

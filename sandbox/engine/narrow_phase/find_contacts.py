@@ -6,8 +6,9 @@ from typing import Any
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.active.active_set import list_row
+from sandbox.engine.broad_phase.pairs import comes_before
 from sandbox.engine.narrow_phase.decide_pairs import decide_pairs
-from sandbox.engine.narrow_phase.sleeping_contacts import comes_before, keep_sleeping_before
+from sandbox.engine.narrow_phase.sleeping_contacts import keep_sleeping_before
 from sandbox.engine.narrow_phase.write_contacts import write_contacts
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.ccd import NEW, OVERLAPS

@@ -6,9 +6,10 @@ A run of kept rows that has its old place is there already: nothing is copied, n
 
 from __future__ import annotations
 
-from sandbox._jit import inlined_kernel, kernel
+from sandbox._jit import kernel
 from sandbox.engine.active.active_set import ASLEEP, AWAKE, list_contact
 from sandbox.engine.bodies.flags import is_active
+from sandbox.engine.broad_phase.pairs import comes_before
 from sandbox.engine.records.contacts import Contacts
 from sandbox.tables import Integers, Records
 
@@ -70,13 +71,6 @@ def keep_sleeping_before(
             count = _keep_one(bodies, activity, contacts, k, count)
             k += 1
     return k, count
-
-
-@inlined_kernel
-def comes_before(contact: Records, shape_a: int, shape_b: int) -> bool:
-    """Whether a contact has its place before a pair of shapes."""
-    first = contact.shape_a
-    return bool(first < shape_a or (first == shape_a and contact.shape_b < shape_b))
 
 
 @kernel

@@ -77,7 +77,7 @@ GRID_INFO = Table(
         Field("used", "-", "levels with many boxes", "i8"),
         Field("sparse", "-", "boxes on other levels", "i8"),
         Field("shapes", "-", "boxes in it", "i8"),
-        Field("moved", "-", "boxes that have moved since it was laid", "i8"),
+        Field("moved", "-", "boxes that have moved since it was built", "i8"),
         Field("others", "-", "those of them on levels that had few boxes", "i8"),
     ),
 )
@@ -92,8 +92,8 @@ PAIR_CACHE = Table(
         Field("valid", "-", "1 while it has all pairs of boxes that lie in their fat boxes", "i8"),
         Field("selected", "-", "pairs whose boxes overlapped in the last step", "i8"),
         Field("ahead", "-", "for how many further steps fat boxes cover what velocities lead to; 0: they have no fat"),
-        Field("age", "-", "steps since the grid was laid", "i8"),
-        Field("wait", "-", "how often it is to be laid until it is tried again to look ahead", "i8"),
+        Field("age", "-", "steps since the grid was built", "i8"),
+        Field("wait", "-", "how often it is to be built until it is tried again to look ahead", "i8"),
     ),
 )
 """One row: what is known of the pairs that are kept from step to step."""
@@ -121,16 +121,16 @@ class Grid(NamedTuple):
     """The uniform grid and the pairs that it proposes.
 
     `info` is one row. `fat_boxes` has a row for each shape, `outgrown` a 1 for each that has left its fat box or has
-    other pairs than before; `asking` lists these. `ordered` has the boxes as they were laid, bucket by bucket, `heads`
-    where each bucket begins, `levels` the levels in use. `moved_heads` has the first of the boxes of each bucket that
-    have moved since, `moved_next` which one follows (`moved_boxes.py`). `pairs` are those that are decided in this
-    step, sorted. `counts` is scratch.
+    other pairs than before; `enlarged` lists these. `ordered` has the boxes as the grid was built, bucket by bucket,
+    `heads` where each bucket begins, `levels` the levels in use. `moved_heads` has the first of the boxes of each
+    bucket that have moved since, `moved_next` which one follows (`moved_boxes.py`). `pairs` are those that are decided
+    in this step, sorted. `counts` is scratch.
     """
 
     info: Records
     fat_boxes: Records
     outgrown: Integers
-    asking: Integers
+    enlarged: Integers
     ordered: Records
     heads: Integers
     levels: Integers
