@@ -65,6 +65,7 @@ NOTES: dict[int, str] = {
     30: "a spring and a limit or motor of one joint share an equation of the linear system, whose unknown is what both "
     "give",
     31: "jointed parts that nothing touches and that have no limits are relaxed in the last substep of a step alone",
+    32: "anchors of nets are turned from where they were when the step began, as those of contacts are",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

@@ -87,6 +87,7 @@ def begin(
     contacts: Contacts,
     blocks: ContactBlocks,
     joints: JointWork | None,
+    workers: Workers,
 ) -> None:
     """Wake what is touched, choose substep levels, and make bodies, contacts and joints ready for the substeps."""
     bodies = state.bodies
@@ -104,7 +105,8 @@ def begin(
     info.substep_levels = assign_substep_levels(state, active, solver, piles, contacts, joints)
     info.impact_speed = flag_struck(bodies, contacts, solver.ccd, solver.struck, blocks.spare, info.fastest)
     if joints is not None:
-        begin_joints(joints, bodies, solver.free_motions, state.counters[0].step_count == 0)
+        new = state.counters[0].step_count == 0
+        begin_joints(joints, bodies, solver.motions, solver.free_motions, new, workers)
     clear_reports(contacts.reports, count)
 
 
@@ -149,7 +151,7 @@ def finish(
     """
     counter = state.counters[0]
     if joints is not None:
-        finish_joints(joints, state.settings[0].step_seconds, counter)
+        finish_joints(joints, state.settings[0].step_seconds, counter, workers)
         flag_joined(solver.flags, joints)
     count = finish_bodies(state, active, solver, workers)
     if count.rested > 0 and state.settings[0].sleeping == 1:

@@ -15,8 +15,10 @@ from sandbox.engine.contact_solver.soft_constraint import contact_spring
 from sandbox.engine.contact_solver.solve import solve_again, solve_contacts
 from sandbox.engine.contact_solver.velocity_parts import add_parts, begin_parts, turn_parts
 from sandbox.engine.contact_solver.warm_start import forget_impulses, warm_start
+from sandbox.engine.joints.direct.position_correction import apply_corrections
+from sandbox.engine.joints.joint_bodies import move_by_end_velocity
 from sandbox.engine.joints.records import JointWork
-from sandbox.engine.joints.solve import prepare_move, relax_joints, select_parts, solve_joints
+from sandbox.engine.joints.solve import relax_joints, select_parts, solve_joints
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contact_blocks import BlockRanges, ContactBlocks, SoftContact
@@ -126,6 +128,8 @@ def run_substeps(
     if joints is not None and rest:
         select_parts(joints, free_motions, level)
     prepare_forces(bodies, rows, solver, level, setting, seconds, workers)
+    if joints is not None and rest:
+        move_by_end_velocity(joints, solver.forces)
     flight = Flight(substeps, seconds, gravity, todo.impacts)
     now = state.counters[0].step_count
     struck: Any = blocks.batches.struck[blocks.batches.first_body[todo.batch] :]
@@ -165,7 +169,7 @@ def run_substeps(
         soft = SoftContact(closing, spring.bias, spring.softness, -setting.push_out_speed, 0.0, 0.0, sums, False)
         solve_contacts(motions, blocks, 0, count, workers, soft)
         if joints is not None and rest:
-            prepare_move(joints, motions, free_motions, seconds)
+            apply_corrections(joints.direct, motions, seconds)
         integrate_positions(rows, solver, gravity, seconds, todo.impacts, workers)
         apart = warm and (todo.impacts or (joints is not None and rest))
         if apart:

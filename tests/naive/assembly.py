@@ -232,7 +232,7 @@ class _Layout:
         members, constraints = MEMBER.zeros(len(self.members)), CONSTRAINT.zeros(len(self.constraints))
         rows, parts = ROW.zeros(len(self.rows)), PART.zeros(len(self.parts))
         members.body, members.part = (list(column) for column in zip(*self.members, strict=True))
-        members.cos = 1.0
+        members.start_cos = members.cos = 1.0
         seat_of = {j: k for k, j in enumerate(self.constraints)}
         part_of_seat = [
             n for n, part in enumerate(self.parts) for _ in range(part["first_constraint"], part["constraint_end"])

@@ -104,6 +104,7 @@ def prepare_some_forces(
         body = bodies[i]
         force = solver.forces[i]
         force.moves = SOLVED if body.type == DYNAMIC else LED
+        force.by_end = 0
         if (
             body.type == STATIC
             or body.awake == 0
@@ -185,6 +186,7 @@ def integrate_some_positions(
     The mean is exact under constant acceleration, so free flight follows the parabola to rounding. A body in
     contact keeps the direction of its end velocity, which is what the solver made safe, but where it is only slowed
     or sped up, by no more than forces do (`gravity` in m/s^2 is the measure), it moves by the mean velocity along it.
+    What joints hold moves by the end velocity (`forces.by_end`).
     Before `late_impacts`, what the solver moves notes the velocity it has.
     """
     for i in rows:
@@ -212,25 +214,30 @@ def note_velocity(free_motion: Records, motion: Records) -> None:
 @inlined_kernel
 def integrate_position(force: Records, free_motion: Records, motion: Records, gravity: float, seconds: float) -> None:
     """The same for one body, but for the cosine and sine of what it has turned by."""
-    gentle = 4.0 * seconds * gravity
     vx = motion.velocity_x
     vy = motion.velocity_y
     w = motion.angular_velocity
-    touched = abs(vx - free_motion.free_x) + abs(vy - free_motion.free_y) + force.extent * abs(w - free_motion.free_w)
-    if force.moves == SOLVED and touched <= UNTOUCHED:
-        vx = 0.5 * (free_motion.start_x + vx)
-        vy = 0.5 * (free_motion.start_y + vy)
-        w = 0.5 * (free_motion.start_w + w)
-    elif force.moves == SOLVED:
-        share = _mean_share(free_motion.start_x - vx, free_motion.start_y - vy, vx, vy, gentle)
-        vx = vx * share
-        vy = vy * share
-        change = free_motion.start_w - w
-        if abs(change) * force.extent <= gentle and abs(change) <= 0.5 * abs(w):
-            w = w + 0.5 * change
+    if force.moves == SOLVED and force.by_end == 0:
+        vx, vy, w = _mean_velocity(force, free_motion, vx, vy, w, 4.0 * seconds * gravity)
     motion.delta_x += seconds * vx
     motion.delta_y += seconds * vy
     motion.delta_angle += seconds * w
+
+
+@inlined_kernel
+def _mean_velocity(
+    force: Records, free_motion: Records, vx: float, vy: float, w: float, gentle: float
+) -> tuple[float, float, float]:
+    """The velocity by which a body moves that has (vx, vy) and w in the end; `gentle` (m/s) is the change up to which
+    it is only slowed or sped up."""
+    touched = abs(vx - free_motion.free_x) + abs(vy - free_motion.free_y) + force.extent * abs(w - free_motion.free_w)
+    if touched <= UNTOUCHED:
+        return 0.5 * (free_motion.start_x + vx), 0.5 * (free_motion.start_y + vy), 0.5 * (free_motion.start_w + w)
+    share = _mean_share(free_motion.start_x - vx, free_motion.start_y - vy, vx, vy, gentle)
+    change = free_motion.start_w - w
+    if abs(change) * force.extent <= gentle and abs(change) <= 0.5 * abs(w):
+        w = w + 0.5 * change
+    return vx * share, vy * share, w
 
 
 @kernel

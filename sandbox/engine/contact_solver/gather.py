@@ -43,7 +43,7 @@ class Gathered(NamedTuple):
 
 @inlined_kernel
 def rows_of(block: Records) -> PairRows:
-    """The bodies of a block of contacts."""
+    """The bodies of a block of contacts or joints."""
     return PairRows((block.a0, block.a1, block.a2, block.a3), (block.b0, block.b1, block.b2, block.b3))
 
 
@@ -90,9 +90,16 @@ def gather_velocities(motions: Records, rows: PairRows) -> Gathered:
 @inlined_kernel
 def gather_poses(motions: Records, rows: PairRows, of: Gathered) -> PairPose:
     """How far four pairs of bodies have moved and turned since the step began."""
-    ay, cos_a, sin_a, _ = gather_fields(motions, rows.a, _POSE)
-    by, cos_b, sin_b, _ = gather_fields(motions, rows.b, _POSE)
-    return PairPose(of.delta_bx - of.delta_ax, by - ay, cos_a, sin_a, cos_b, sin_b)
+    pose, _ = gather_poses_and_turns(motions, rows, of)
+    return pose
+
+
+@inlined_kernel
+def gather_poses_and_turns(motions: Records, rows: PairRows, of: Gathered) -> tuple[PairPose, Vector]:
+    """The same, and by how much b has turned against a (rad)."""
+    ay, cos_a, sin_a, angle_a = gather_fields(motions, rows.a, _POSE)
+    by, cos_b, sin_b, angle_b = gather_fields(motions, rows.b, _POSE)
+    return PairPose(of.delta_bx - of.delta_ax, by - ay, cos_a, sin_a, cos_b, sin_b), angle_b - angle_a
 
 
 @inlined_kernel

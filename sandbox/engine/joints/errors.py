@@ -18,7 +18,7 @@ from sandbox.world.joint_records import (
 
 
 @kernel
-def measure_errors(work: JointWork, constraint: Records, joint: Records) -> None:
+def measure_errors(work: JointWork, motions: Records, constraint: Records, joint: Records) -> None:
     """Anchors, gap and errors of a joint; a gear builds on those of two others."""
     if joint.kind == GEAR:
         first = _coordinate(work, constraint.constraint_1)
@@ -26,12 +26,16 @@ def measure_errors(work: JointWork, constraint: Records, joint: Records) -> None
         return
     a = work.members[constraint.member_a]
     b = work.members[constraint.member_b]
-    _place_anchors(constraint, joint, a, b)
-    _find_errors(constraint, joint, a, b)
+    moved_a = motions[a.body]
+    moved_b = motions[b.body]
+    _place_anchors(constraint, joint, a, b, moved_a, moved_b)
+    _find_errors(constraint, joint, a, b, moved_a, moved_b)
 
 
 @kernel
-def _place_anchors(constraint: Records, joint: Records, a: Records, b: Records) -> None:
+def _place_anchors(
+    constraint: Records, joint: Records, a: Records, b: Records, moved_a: Records, moved_b: Records
+) -> None:
     """Arms, the gap between the anchors and the angle between the bodies."""
     ax = joint.anchor_ax
     ay = joint.anchor_ay
@@ -47,13 +51,15 @@ def _place_anchors(constraint: Records, joint: Records, a: Records, b: Records) 
     constraint.arm_ay = arm_ay
     constraint.arm_bx = arm_bx
     constraint.arm_by = arm_by
-    constraint.gap_x = gap(a.center_x, b.center_x, a.displacement_x, b.displacement_x, arm_ax, arm_bx)
-    constraint.gap_y = gap(a.center_y, b.center_y, a.displacement_y, b.displacement_y, arm_ay, arm_by)
+    constraint.gap_x = gap(a.center_x, b.center_x, moved_a.delta_x, moved_b.delta_x, arm_ax, arm_bx)
+    constraint.gap_y = gap(a.center_y, b.center_y, moved_a.delta_y, moved_b.delta_y, arm_ay, arm_by)
     constraint.turn = b.angle - a.angle - joint.reference_angle
 
 
 @kernel
-def _find_errors(constraint: Records, joint: Records, a: Records, b: Records) -> None:
+def _find_errors(
+    constraint: Records, joint: Records, a: Records, b: Records, moved_a: Records, moved_b: Records
+) -> None:
     kind = joint.kind
     constraint.error_0 = constraint.gap_x
     constraint.error_1 = constraint.gap_y
@@ -71,19 +77,21 @@ def _find_errors(constraint: Records, joint: Records, a: Records, b: Records) ->
         constraint.axis_y = y
         constraint.error_0 = constraint.place - joint.length
     elif kind == PULLEY:
-        _find_pulley_error(constraint, joint, a, b)
+        _find_pulley_error(constraint, joint, a, b, moved_a, moved_b)
 
 
 @kernel
-def _find_pulley_error(constraint: Records, joint: Records, a: Records, b: Records) -> None:
+def _find_pulley_error(
+    constraint: Records, joint: Records, a: Records, b: Records, moved_a: Records, moved_b: Records
+) -> None:
     """`axis` becomes the direction of the rope at a, `gap` that at b, both away from the wheels."""
-    x = rope(joint.point_ax, a.center_x, a.displacement_x, constraint.arm_ax)
-    y = rope(joint.point_ay, a.center_y, a.displacement_y, constraint.arm_ay)
+    x = rope(joint.point_ax, a.center_x, moved_a.delta_x, constraint.arm_ax)
+    y = rope(joint.point_ay, a.center_y, moved_a.delta_y, constraint.arm_ay)
     length_a, ux, uy = length_and_direction(x, y, 0.0)
     constraint.axis_x = ux
     constraint.axis_y = uy
-    x = rope(joint.point_bx, b.center_x, b.displacement_x, constraint.arm_bx)
-    y = rope(joint.point_by, b.center_y, b.displacement_y, constraint.arm_by)
+    x = rope(joint.point_bx, b.center_x, moved_b.delta_x, constraint.arm_bx)
+    y = rope(joint.point_by, b.center_y, moved_b.delta_y, constraint.arm_by)
     length_b, ux, uy = length_and_direction(x, y, 0.0)
     constraint.gap_x = ux
     constraint.gap_y = uy

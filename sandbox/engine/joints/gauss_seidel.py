@@ -40,43 +40,45 @@ def solve_softly(
     work: JointWork, part: Records, motions: Records, seconds: float, pushing: bool, workers: Workers
 ) -> None:
     """Sweep over the rows of a part: before the move with their push (`pushing`), and after it without."""
-    place_members(work, part, motions)
     bias_rate, mass_scale, impulse_scale = soft_coefficients(STIFFNESS / seconds, DAMPING_RATIO, seconds)
     push = bias_rate if pushing else 0.0
     give = impulse_scale / mass_scale if pushing else 0.0
     most = CORRECTION_SPEED / push if pushing else 0.0
     if part.swept == 1:
-        _prepare_rows(work, part, seconds, push, give)
+        place_members(work, part, motions)
+        _prepare_rows(work, motions, part, seconds, push, give)
     if pushing:
-        _warm_start(work, part, seconds)
-        warm_start_nets(work, part, seconds, FAR, workers)
+        _warm_start(work, motions, part, seconds)
+        warm_start_nets(work, motions, part, seconds, FAR, workers)
     for sweep in range(_sweeps(seconds)):
         if part.swept == 1:
-            _sweep_rows(work, part, seconds, push, give, sweep % 2 == 1)
+            _sweep_rows(work, motions, part, seconds, push, give, sweep % 2 == 1)
             if part.capped == 1:
-                _cap_pairs(work, part, seconds)
-        sweep_nets(work, part, SoftJoint(push, most, give, seconds), sweep % 2 == 1, workers)
+                _cap_pairs(work, motions, part, seconds)
+        sweep_nets(work, motions, part, SoftJoint(push, most, give, seconds), sweep % 2 == 1, workers)
 
 
 @kernel
-def _prepare_rows(work: JointWork, part: Records, seconds: float, push: float, give: float) -> None:
+def _prepare_rows(work: JointWork, motions: Records, part: Records, seconds: float, push: float, give: float) -> None:
     """Fill the rows of all joints of a part that lie in no lane; gears last, for they build on others."""
     for turn in range(2 if part.geared == 1 else 1):
         for k in range(part.first_constraint, part.constraint_end):
             constraint = work.constraints[k]
             joint = work.joints[constraint.joint]
             if constraint.in_lane == 0 and (joint.kind == GEAR) == (turn == 1):
-                measure_errors(work, constraint, joint)
+                measure_errors(work, motions, constraint, joint)
                 fill_rows(work, constraint, joint, seconds, push, give)
 
 
 @kernel
-def _sweep_rows(work: JointWork, part: Records, seconds: float, push: float, give: float, backwards: bool) -> None:
+def _sweep_rows(
+    work: JointWork, motions: Records, part: Records, seconds: float, push: float, give: float, backwards: bool
+) -> None:
     """One sweep over the rows of a part that lie in no lane."""
     for k in range(part.row_end - part.first_row):
         row = work.rows[part.row_end - 1 - k if backwards else part.first_row + k]
         if row.stiffness > 0.0:
-            _solve_row(work, row, seconds, push, give)
+            _solve_row(work, motions, row, seconds, push, give)
 
 
 @kernel
@@ -87,49 +89,49 @@ def _sweeps(seconds: float) -> int:
 
 
 @kernel
-def _warm_start(work: JointWork, part: Records, seconds: float) -> None:
+def _warm_start(work: JointWork, motions: Records, part: Records, seconds: float) -> None:
     """Apply the impulses of the substep before, but at what spins: there they would add energy."""
     if part.swept == 0:
         return
     for r in range(part.first_row, part.row_end):
         row = work.rows[r]
-        if row.stiffness == 0.0 or seconds * _spin(work.members, row) > FAR:
+        if row.stiffness == 0.0 or seconds * _spin(work.members, motions, row) > FAR:
             row.impulse = 0.0
         row.stop = 1 if row.impulse > 0.0 else (-1 if row.impulse < 0.0 else 0)
         if row.impulse != 0.0:
-            push_row(work.members, row, row.impulse)
+            push_row(work.members, motions, row, row.impulse)
 
 
 @kernel
-def _spin(members: Records, row: Records) -> float:
+def _spin(members: Records, motions: Records, row: Records) -> float:
     """The higher angular speed (rad/s) of the first two members of a row."""
-    a = abs(members[row.member_1].angular_velocity)
-    b = abs(members[row.member_2].angular_velocity)
+    a = abs(motions[members[row.member_1].body].angular_velocity)
+    b = abs(motions[members[row.member_2].body].angular_velocity)
     return float(a if a > b else b)
 
 
 @kernel
-def _solve_row(work: JointWork, row: Records, seconds: float, push: float, give: float) -> None:
+def _solve_row(work: JointWork, motions: Records, row: Records, seconds: float, push: float, give: float) -> None:
     """Give one row the impulse that it strives for, within its bounds."""
-    speed = row_speed(work.members, row)
+    speed = row_speed(work.members, motions, row)
     if row.steady == 0:
         joint = work.joints[work.constraints[row.constraint].joint]
         target_softly(row, joint, speed, seconds, push, give)
     after = row.impulse - (speed + row.bias + row.softness * row.impulse) / (row.stiffness + row.softness)
     after = after if after < row.high else row.high
     after = after if after > row.low else row.low
-    _change_impulse(work, row, after - row.impulse)
+    _change_impulse(work, motions, row, after - row.impulse)
 
 
 @kernel
-def _change_impulse(work: JointWork, row: Records, change: float) -> None:
+def _change_impulse(work: JointWork, motions: Records, row: Records, change: float) -> None:
     """Add to a row's impulse and to the velocities of its members."""
     row.impulse += change
-    push_row(work.members, row, change)
+    push_row(work.members, motions, row, change)
 
 
 @kernel
-def _cap_pairs(work: JointWork, part: Records, seconds: float) -> None:
+def _cap_pairs(work: JointWork, motions: Records, part: Records, seconds: float) -> None:
     """Shorten forces of two rows that are together past their limit."""
     for r in range(part.first_row, part.row_end):
         row = work.rows[r]
@@ -141,5 +143,5 @@ def _cap_pairs(work: JointWork, part: Records, seconds: float) -> None:
         size = math.sqrt(row.impulse * row.impulse + other.impulse * other.impulse)
         if size > most * seconds:
             share = most * seconds / size - 1.0
-            _change_impulse(work, row, share * row.impulse)
-            _change_impulse(work, other, share * other.impulse)
+            _change_impulse(work, motions, row, share * row.impulse)
+            _change_impulse(work, motions, other, share * other.impulse)

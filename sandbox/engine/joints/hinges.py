@@ -18,13 +18,21 @@ def load_hinge(v: Floats, k: int, joint: Records) -> None:
     """Fill lane `k` of a block with lanes `v` with what hinges alone have."""
     v[nl.IMPULSE_X + k] = joint.impulse_0
     v[nl.IMPULSE_Y + k] = joint.impulse_1
+    # The first warm start adds what the last substep gave; that belongs to no substep of this step.
+    v[nl.TOTAL_X + k] = -joint.impulse_0
+    v[nl.TOTAL_Y + k] = -joint.impulse_1
 
 
 @inlined_kernel
 def warm_hinges(v: Floats, of: Members, spins: Mask) -> PairVelocity:
-    """The velocities after the impulses of the substep before, which are forgotten where something `spins`."""
-    x = select(spins, 0.0, load(v, nl.IMPULSE_X))
-    y = select(spins, 0.0, load(v, nl.IMPULSE_Y))
+    """The velocities after the impulses of the substep before, which are forgotten where something `spins`; before that
+    they are added to those of the step."""
+    x = load(v, nl.IMPULSE_X)
+    y = load(v, nl.IMPULSE_Y)
+    store(v, nl.TOTAL_X, load(v, nl.TOTAL_X) + x)
+    store(v, nl.TOTAL_Y, load(v, nl.TOTAL_Y) + y)
+    x = select(spins, 0.0, x)
+    y = select(spins, 0.0, y)
     store(v, nl.IMPULSE_X, x)
     store(v, nl.IMPULSE_Y, y)
     return apply_impulse(of.velocity, block_masses(v), pushed_at(gap_of(v, of.pose)), x, y)
@@ -112,14 +120,8 @@ def swept_hinges(v: Floats, of: Members, soft: SoftJoint) -> PairVelocity:
 
 
 @kernel
-def accumulate_hinge_block(v: Floats) -> None:
-    """Add the impulses of a substep to those of the step."""
-    store(v, nl.TOTAL_X, load(v, nl.TOTAL_X) + load(v, nl.IMPULSE_X))
-    store(v, nl.TOTAL_Y, load(v, nl.TOTAL_Y) + load(v, nl.IMPULSE_Y))
-
-
-@kernel
-def report_hinge(v: Floats, k: int, joint: Records) -> None:
-    """Write the impulses of lane `k` into the joint table."""
+def report_hinge(v: Floats, k: int, joint: Records) -> tuple[float, float]:
+    """Write the impulses of lane `k` into the joint table; returns those of the step (N s)."""
     joint.impulse_0 = v[nl.IMPULSE_X + k]
     joint.impulse_1 = v[nl.IMPULSE_Y + k]
+    return v[nl.TOTAL_X + k] + v[nl.IMPULSE_X + k], v[nl.TOTAL_Y + k] + v[nl.IMPULSE_Y + k]

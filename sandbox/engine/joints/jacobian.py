@@ -187,32 +187,33 @@ def side_product(members: Records, row: Records, k: int, other: Records, m: int)
 
 
 @kernel
-def row_speed(members: Records, row: Records) -> float:
+def row_speed(members: Records, motions: Records, row: Records) -> float:
     """Speed of the members along a row, J v."""
-    a = members[row.member_1]
-    b = members[row.member_2]
+    a = motions[members[row.member_1].body]
+    b = motions[members[row.member_2].body]
     speed = row.x1 * a.velocity_x + row.y1 * a.velocity_y + row.w1 * a.angular_velocity
     speed = speed + row.x2 * b.velocity_x + row.y2 * b.velocity_y + row.w2 * b.angular_velocity
     if row.sides == 4:
-        a = members[row.member_3]
-        b = members[row.member_4]
+        a = motions[members[row.member_3].body]
+        b = motions[members[row.member_4].body]
         speed = speed + row.x3 * a.velocity_x + row.y3 * a.velocity_y + row.w3 * a.angular_velocity
         speed = speed + row.x4 * b.velocity_x + row.y4 * b.velocity_y + row.w4 * b.angular_velocity
     return float(speed)
 
 
 @kernel
-def push_row(members: Records, row: Records, impulse: float) -> None:
+def push_row(members: Records, motions: Records, row: Records, impulse: float) -> None:
     """Apply an impulse along a row to its members."""
-    _push(members[row.member_1], row.x1, row.y1, row.w1, impulse)
-    _push(members[row.member_2], row.x2, row.y2, row.w2, impulse)
+    _push(members[row.member_1], motions, row.x1, row.y1, row.w1, impulse)
+    _push(members[row.member_2], motions, row.x2, row.y2, row.w2, impulse)
     if row.sides == 4:
-        _push(members[row.member_3], row.x3, row.y3, row.w3, impulse)
-        _push(members[row.member_4], row.x4, row.y4, row.w4, impulse)
+        _push(members[row.member_3], motions, row.x3, row.y3, row.w3, impulse)
+        _push(members[row.member_4], motions, row.x4, row.y4, row.w4, impulse)
 
 
 @kernel
-def _push(member: Records, x: float, y: float, w: float, impulse: float) -> None:
-    member.velocity_x += member.inverse_mass * (x * impulse)
-    member.velocity_y += member.inverse_mass * (y * impulse)
-    member.angular_velocity += member.inverse_inertia * (w * impulse)
+def _push(member: Records, motions: Records, x: float, y: float, w: float, impulse: float) -> None:
+    motion = motions[member.body]
+    motion.velocity_x += member.inverse_mass * (x * impulse)
+    motion.velocity_y += member.inverse_mass * (y * impulse)
+    motion.angular_velocity += member.inverse_inertia * (w * impulse)

@@ -1,4 +1,4 @@
-"""Jointed bodies between the world and the joint solver: gathered before a pass, scattered after it."""
+"""What the joint solver asks of jointed bodies: their masses, where they are, whether they are awake."""
 
 from __future__ import annotations
 
@@ -9,8 +9,13 @@ from sandbox.tables import Records
 
 
 @kernel
-def load_members(work: JointWork, bodies: Records) -> None:
-    """Masses and first poses of a step; a part is awake if the solver moves any of its bodies."""
+def load_members(work: JointWork, bodies: Records, motions: Records) -> None:
+    """Masses and first poses of a step; a part is awake if the solver moves any of its bodies.
+
+    The world rests, whatever a body that was frozen for its speed has done to it.
+    """
+    world = motions[motions.shape[0] - 1]
+    world.velocity_x = world.velocity_y = world.angular_velocity = 0.0
     for p in range(work.parts.shape[0]):
         work.parts[p].awake = 0
     for i in range(1, work.members.shape[0]):
@@ -40,61 +45,19 @@ def part_level(work: JointWork, part: Records, free_motions: Records) -> int:
 
 
 @kernel
-def gather_members(work: JointWork, motions: Records) -> None:
-    """Take over the velocities of nets, and of what joints cannot move."""
-    i = 1
-    while i < work.members.shape[0] and work.members[i].part < 0:
-        _gather(work.members[i], motions)
-        i += 1
-    for p in range(work.parts.shape[0]):
-        part = work.parts[p]
-        if part.current == 1 and part.direct == 0:
-            for i in range(part.first_member, part.member_end):
-                _gather(work.members[i], motions)
-
-
-@kernel
-def _gather(member: Records, motions: Records) -> None:
-    motion = motions[member.body]
-    member.velocity_x = motion.velocity_x
-    member.velocity_y = motion.velocity_y
-    member.angular_velocity = motion.angular_velocity
-
-
-@kernel
-def scatter_members(work: JointWork, motions: Records) -> None:
-    """Give the velocities of nets back."""
-    for p in range(work.parts.shape[0]):
-        part = work.parts[p]
-        if part.current == 1 and part.direct == 0:
-            for i in range(part.first_member, part.member_end):
-                member = work.members[i]
-                if member.inverse_mass > 0.0:
-                    motion = motions[member.body]
-                    motion.velocity_x = member.velocity_x
-                    motion.velocity_y = member.velocity_y
-                    motion.angular_velocity = member.angular_velocity
-
-
-@kernel
-def move_by_end_velocity(work: JointWork, motions: Records, free_motions: Records) -> None:
-    """Let jointed bodies move by the velocity they have: `integrate_positions` takes the mean with the start."""
+def move_by_end_velocity(work: JointWork, forces: Records) -> None:
+    """Let the bodies of current parts move by the velocity they have; others move by its mean with the start."""
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
         if part.current == 1:
             for i in range(part.first_member, part.member_end):
-                member = work.members[i]
-                if member.inverse_mass > 0.0:
-                    motion = motions[member.body]
-                    free_motion = free_motions[member.body]
-                    free_motion.start_x = free_motion.free_x = motion.velocity_x
-                    free_motion.start_y = free_motion.free_y = motion.velocity_y
-                    free_motion.start_w = free_motion.free_w = motion.angular_velocity
+                if work.members[i].inverse_mass > 0.0:
+                    forces[work.members[i].body].by_end = 1
 
 
 @kernel
 def place_members(work: JointWork, part: Records, motions: Records) -> None:
-    """Present pose of the members of a net, and of what joints cannot move."""
+    """Present rotation of the members of a net, and of what joints cannot move."""
     i = 1
     while i < part.member_end:
         member = work.members[i]
@@ -102,8 +65,6 @@ def place_members(work: JointWork, part: Records, motions: Records) -> None:
             i = part.first_member
             continue
         motion = motions[member.body]
-        member.displacement_x = motion.delta_x
-        member.displacement_y = motion.delta_y
         c = motion.delta_cos
         s = motion.delta_sin
         member.cos = member.start_cos * c - member.start_sin * s

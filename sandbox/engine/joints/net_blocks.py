@@ -6,11 +6,18 @@ from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel
 from sandbox._vectors import Mask, Vector, load, select
-from sandbox.engine.contact_solver.gather import PairPose, PairRows, gather_fields, scatter_fields
+from sandbox.engine.contact_solver.gather import (
+    Gathered,
+    PairPose,
+    PairRows,
+    gather_poses_and_turns,
+    gather_velocities,
+    rows_of,
+    scatter_velocities,
+)
 from sandbox.engine.contact_solver.law import PairMass, PairVelocity
 from sandbox.engine.joints import net_lanes as nl
 from sandbox.engine.joints.laws import share_within, spring_law, turned
-from sandbox.engine.joints.net_lanes import NetLanes
 from sandbox.tables import Floats, Records
 
 
@@ -25,14 +32,14 @@ class SoftJoint(NamedTuple):
 
 
 class Members(NamedTuple):
-    """The bodies of the joints of a block: their rows in the table of members, their velocities and poses, and what
-    lies behind the velocities there."""
+    """The bodies of the joints of a block: their rows, their velocities, where they are, and by how much b has turned
+    against a since the step began (rad)."""
 
     rows: PairRows
+    of: Gathered
     velocity: PairVelocity
     pose: PairPose
-    start_cos_a: Vector
-    start_cos_b: Vector
+    turn: Vector
 
 
 class Gap(NamedTuple):
@@ -63,34 +70,19 @@ class Row(NamedTuple):
     impulse: Vector
 
 
-_VELOCITY, _DISPLACEMENT = 4, 12
-"""Numbers of fields of the table of members: velocity_x and displacement_x, each before what belongs to it."""
+@inlined_kernel
+def gather_block(motions: Records, block: Records) -> Members:
+    """The bodies of a block."""
+    rows = rows_of(block)
+    of = gather_velocities(motions, rows)
+    pose, turn = gather_poses_and_turns(motions, rows, of)
+    return Members(rows, of, of.velocity, pose, turn)
 
 
 @inlined_kernel
-def gather_block(members: Records, h: NetLanes, block: Records) -> Members:
-    """The bodies of a block; lanes that are not used have those of the first one."""
-    k0 = block.first
-    k1 = k0 + 1 if block.count > 1 else k0
-    k2 = k0 + 2 if block.count > 2 else k0
-    k3 = k0 + 3 if block.count > 3 else k0
-    rows = PairRows(
-        (h.joints[k0].member_a, h.joints[k1].member_a, h.joints[k2].member_a, h.joints[k3].member_a),
-        (h.joints[k0].member_b, h.joints[k1].member_b, h.joints[k2].member_b, h.joints[k3].member_b),
-    )
-    ax, ay, aw, start_cos_a = gather_fields(members, rows.a, _VELOCITY)
-    bx, by, bw, start_cos_b = gather_fields(members, rows.b, _VELOCITY)
-    from_x, from_y, cos_a, sin_a = gather_fields(members, rows.a, _DISPLACEMENT)
-    to_x, to_y, cos_b, sin_b = gather_fields(members, rows.b, _DISPLACEMENT)
-    pose = PairPose(to_x - from_x, to_y - from_y, cos_a, sin_a, cos_b, sin_b)
-    return Members(rows, PairVelocity(ax, ay, aw, bx, by, bw), pose, start_cos_a, start_cos_b)
-
-
-@inlined_kernel
-def scatter_block(members: Records, of: Members, v: PairVelocity, count: int) -> None:
+def scatter_block(motions: Records, members: Members, v: PairVelocity, count: int) -> None:
     """Write the velocities of `count` joints back to the rows they came from."""
-    scatter_fields(members, of.rows.a, _VELOCITY, (v.ax, v.ay, v.aw, of.start_cos_a), 0, count)
-    scatter_fields(members, of.rows.b, _VELOCITY, (v.bx, v.by, v.bw, of.start_cos_b), 0, count)
+    scatter_velocities(motions, members.rows, v, members.of, 0, count)
 
 
 @inlined_kernel

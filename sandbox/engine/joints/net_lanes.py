@@ -20,6 +20,7 @@ MAX_COLORS = 62
 """Joints that find no colour below this are swept one by one, as all other joints of a net."""
 
 ANCHOR_AX = 0 * LANES
+"""Anchors from the centres of their bodies, world axes when the step began."""
 ANCHOR_AY = 1 * LANES
 ANCHOR_BX = 2 * LANES
 ANCHOR_BY = 3 * LANES
@@ -51,7 +52,8 @@ ROD_BLOCK_SIZE = 18 * LANES
 IMPULSE_W = 14 * LANES
 """Of a weld, as all that follows."""
 TOTAL_W = 15 * LANES
-REFERENCE_ANGLE = 16 * LANES
+TURN = 16 * LANES
+"""Angle of b less angle of a, less the reference angle, when the step began."""
 WELD_HERTZ = 17 * LANES
 """0 of a rigid one."""
 WELD_DAMPING_RATIO = 18 * LANES
@@ -75,14 +77,20 @@ NET_JOINT = Table(
 NET_BLOCK = Table(
     "net_block",
     (
-        Field("first", "-", "its first joint", "i8"),
-        Field("count", "-", "lanes in use, 1..4", "i8"),
+        Field("first", "-", "its first joint", "i4"),
+        Field("count", "-", "lanes in use, 1..4", "i4"),
         Field("place", "-", "of its first field in `lanes`", "i8"),
-        Field("kind", "-", "`HINGES`, `RODS`, springs included, or `WELDS`", "i8"),
-        Field("before", "-", "blocks of the same part, colour and kind before it", "i8"),
+        Field("kind", "-", "`HINGES`, `RODS`, springs included, or `WELDS`", "i4"),
+        Field("before", "-", "blocks of the same part, colour and kind before it", "i4"),
         Field("left", "-", "blocks of them from it on", "i8"),
+        *(
+            Field(f"{side}{k}", "-", f"row of motions of body {side} of lane {k}", "i4")
+            for side in "ab"
+            for k in range(4)
+        ),
     ),
 )
+"""One cache line a block. Lanes that are not used have the bodies of the first one."""
 
 
 class NetLanes(NamedTuple):

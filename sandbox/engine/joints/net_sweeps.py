@@ -2,56 +2,103 @@
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
+from sandbox._atomics import atomic_add
+from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import absolute
 from sandbox.engine.joints import net_lanes as nl
 from sandbox.engine.joints.direct.reports import finish_report
-from sandbox.engine.joints.hinges import accumulate_hinge_block, load_hinge, report_hinge, swept_hinges, warm_hinges
+from sandbox.engine.joints.hinges import load_hinge, report_hinge, swept_hinges, warm_hinges
+from sandbox.engine.joints.laws import turned
 from sandbox.engine.joints.net_blocks import SoftJoint, gather_block, scatter_block
 from sandbox.engine.joints.net_lanes import NetLanes
 from sandbox.engine.joints.records import JointWork
-from sandbox.engine.joints.rods import accumulate_rod_block, load_rod, report_rod, swept_rods, warm_rods
-from sandbox.engine.joints.welds import accumulate_weld_block, load_weld, report_weld, swept_welds, warm_welds
-from sandbox.engine.records.workers import Workers
+from sandbox.engine.joints.rods import load_rod, report_rod, swept_rods, warm_rods
+from sandbox.engine.joints.welds import load_weld, report_weld, swept_welds, warm_welds
+from sandbox.engine.records.workers import BROKEN, Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
-from sandbox.engine.workers.task_kinds import FASTEST, GIVE, MOST, PUSH, SECONDS, SWEEP_NETS, WARM_START_NETS
+from sandbox.engine.workers.task_kinds import (
+    FASTEST,
+    GIVE,
+    LOAD_NETS,
+    MOST,
+    PUSH,
+    REPORT_NETS,
+    SECONDS,
+    SWEEP_NETS,
+    WARM_START_NETS,
+)
 from sandbox.tables import Records
 
 
 @kernel
-def load_nets(work: JointWork) -> None:
-    """Fill the lanes for a step: anchors, masses, and the impulses to start from."""
+def load_nets(work: JointWork, motions: Records, workers: Workers) -> None:
+    """Fill the blocks for a step: bodies, anchors, masses, and the impulses to start from."""
+    first, end = first_part(workers, LOAD_NETS, 0, work.side_by_side.blocks.shape[0])
+    while first < end:
+        load_net_blocks(work, motions, first, end)
+        first, end = next_part(workers, first, end)
+
+
+@kernel
+def load_net_blocks(work: JointWork, motions: Records, first: int, end: int) -> None:
+    """The same for the blocks first..end-1."""
     h = work.side_by_side
-    for n in range(h.blocks.shape[0]):
+    for n in range(first, end):
         block = h.blocks[n]
         v = h.lanes[block.place :]
+        _note_bodies(work, block, motions.shape[0] - 1)
         for k in range(block.count):
             each = h.joints[block.first + k]
             joint = work.joints[each.joint]
             a = work.members[each.member_a]
             b = work.members[each.member_b]
-            v[nl.ANCHOR_AX + k] = joint.anchor_ax
-            v[nl.ANCHOR_AY + k] = joint.anchor_ay
-            v[nl.ANCHOR_BX + k] = joint.anchor_bx
-            v[nl.ANCHOR_BY + k] = joint.anchor_by
+            ax, ay = turned(a.start_cos, a.start_sin, joint.anchor_ax, joint.anchor_ay)
+            bx, by = turned(b.start_cos, b.start_sin, joint.anchor_bx, joint.anchor_by)
+            v[nl.ANCHOR_AX + k] = ax
+            v[nl.ANCHOR_AY + k] = ay
+            v[nl.ANCHOR_BX + k] = bx
+            v[nl.ANCHOR_BY + k] = by
             v[nl.CENTER_X + k] = b.center_x - a.center_x
             v[nl.CENTER_Y + k] = b.center_y - a.center_y
             v[nl.INVERSE_MASS_A + k] = a.inverse_mass
             v[nl.INVERSE_INERTIA_A + k] = a.inverse_inertia
             v[nl.INVERSE_MASS_B + k] = b.inverse_mass
             v[nl.INVERSE_INERTIA_B + k] = b.inverse_inertia
-            v[nl.TOTAL_X + k] = 0.0
-            v[nl.TOTAL_Y + k] = 0.0
             if block.kind == nl.RODS:
                 load_rod(v, k, joint)
             elif block.kind == nl.WELDS:
-                load_weld(v, k, joint)
+                load_weld(v, k, joint, a, b)
             else:
                 load_hinge(v, k, joint)
 
 
+@inlined_kernel
+def _note_bodies(work: JointWork, block: Records, world: int) -> None:
+    """Note the bodies of the lanes of a block; `world` is the row of motions for what is no body."""
+    joints = work.side_by_side.joints
+    one = joints[block.first]
+    two = joints[block.first + 1] if block.count > 1 else one
+    three = joints[block.first + 2] if block.count > 2 else one
+    four = joints[block.first + 3] if block.count > 3 else one
+    block.a0 = _row_of(work.members[one.member_a], world)
+    block.a1 = _row_of(work.members[two.member_a], world)
+    block.a2 = _row_of(work.members[three.member_a], world)
+    block.a3 = _row_of(work.members[four.member_a], world)
+    block.b0 = _row_of(work.members[one.member_b], world)
+    block.b1 = _row_of(work.members[two.member_b], world)
+    block.b2 = _row_of(work.members[three.member_b], world)
+    block.b3 = _row_of(work.members[four.member_b], world)
+
+
+@inlined_kernel
+def _row_of(member: Records, world: int) -> int:
+    return int(member.body if member.body >= 0 else world)
+
+
 @kernel
-def warm_start_nets(work: JointWork, part: Records, seconds: float, far: float, workers: Workers) -> None:
+def warm_start_nets(
+    work: JointWork, motions: Records, part: Records, seconds: float, far: float, workers: Workers
+) -> None:
     """Apply the impulses of the substep before, but at what turns by more than `far` rad in this one."""
     workers.numbers[FASTEST] = far / seconds
     h = work.side_by_side
@@ -60,19 +107,19 @@ def warm_start_nets(work: JointWork, part: Records, seconds: float, far: float, 
         stop = at + h.blocks[at].left
         first, end = first_part(workers, WARM_START_NETS, at, stop)
         while first < end:
-            warm_start_net_blocks(h, work.members, first, end, far / seconds)
+            warm_start_net_blocks(h, motions, first, end, far / seconds)
             first, end = next_part(workers, first, end)
         at = stop
 
 
 @kernel
-def warm_start_net_blocks(h: NetLanes, members: Records, first: int, end: int, fastest: float) -> None:
+def warm_start_net_blocks(h: NetLanes, motions: Records, first: int, end: int, fastest: float) -> None:
     """The same for blocks of one colour and kind, but at what turns faster than `fastest` rad/s."""
     kind = h.blocks[first].kind
     for n in range(first, end):
         block = h.blocks[n]
         v = h.lanes[block.place :]
-        of = gather_block(members, h, block)
+        of = gather_block(motions, block)
         spins = (absolute(of.velocity.aw) > fastest) | (absolute(of.velocity.bw) > fastest)
         if kind == nl.RODS:
             velocity = warm_rods(v, of, spins)
@@ -80,11 +127,13 @@ def warm_start_net_blocks(h: NetLanes, members: Records, first: int, end: int, f
             velocity = warm_welds(v, of, spins)
         else:
             velocity = warm_hinges(v, of, spins)
-        scatter_block(members, of, velocity, block.count)
+        scatter_block(motions, of, velocity, block.count)
 
 
 @kernel
-def sweep_nets(work: JointWork, part: Records, soft: SoftJoint, backwards: bool, workers: Workers) -> None:
+def sweep_nets(
+    work: JointWork, motions: Records, part: Records, soft: SoftJoint, backwards: bool, workers: Workers
+) -> None:
     """One sweep over the joints of a part that lie in lanes: colour after colour, or from the last colour on."""
     n = workers.numbers
     n[PUSH] = soft.push
@@ -99,81 +148,79 @@ def sweep_nets(work: JointWork, part: Records, soft: SoftJoint, backwards: bool,
         stop = last + 1 if backwards else done + h.blocks[done].left
         first, end = first_part(workers, SWEEP_NETS, at, stop)
         while first < end:
-            sweep_net_blocks(h, work.members, first, end, soft)
+            sweep_net_blocks(h, motions, first, end, soft)
             first, end = next_part(workers, first, end)
         done += stop - at
 
 
 @kernel
-def sweep_net_blocks(h: NetLanes, members: Records, first: int, end: int, soft: SoftJoint) -> None:
+def sweep_net_blocks(h: NetLanes, motions: Records, first: int, end: int, soft: SoftJoint) -> None:
     """The same for blocks of one colour and kind."""
     kind = h.blocks[first].kind  # told apart once: within the loop it costs hinges 7 %
     if kind == nl.RODS:
-        _sweep_rods(h, members, first, end, soft)
+        _sweep_rods(h, motions, first, end, soft)
     elif kind == nl.WELDS:
-        _sweep_welds(h, members, first, end, soft)
+        _sweep_welds(h, motions, first, end, soft)
     else:
-        _sweep_hinges(h, members, first, end, soft)
+        _sweep_hinges(h, motions, first, end, soft)
 
 
 @kernel
-def _sweep_hinges(h: NetLanes, members: Records, first: int, end: int, soft: SoftJoint) -> None:
+def _sweep_hinges(h: NetLanes, motions: Records, first: int, end: int, soft: SoftJoint) -> None:
     for n in range(first, end):
         block = h.blocks[n]
         v = h.lanes[block.place :]
-        of = gather_block(members, h, block)
-        scatter_block(members, of, swept_hinges(v, of, soft), block.count)
+        of = gather_block(motions, block)
+        scatter_block(motions, of, swept_hinges(v, of, soft), block.count)
 
 
 @kernel
-def _sweep_rods(h: NetLanes, members: Records, first: int, end: int, soft: SoftJoint) -> None:
+def _sweep_rods(h: NetLanes, motions: Records, first: int, end: int, soft: SoftJoint) -> None:
     for n in range(first, end):
         block = h.blocks[n]
         v = h.lanes[block.place :]
-        of = gather_block(members, h, block)
-        scatter_block(members, of, swept_rods(v, of, soft), block.count)
+        of = gather_block(motions, block)
+        scatter_block(motions, of, swept_rods(v, of, soft), block.count)
 
 
 @kernel
-def _sweep_welds(h: NetLanes, members: Records, first: int, end: int, soft: SoftJoint) -> None:
+def _sweep_welds(h: NetLanes, motions: Records, first: int, end: int, soft: SoftJoint) -> None:
     for n in range(first, end):
         block = h.blocks[n]
         v = h.lanes[block.place :]
-        of = gather_block(members, h, block)
-        scatter_block(members, of, swept_welds(members, v, of, soft), block.count)
+        of = gather_block(motions, block)
+        scatter_block(motions, of, swept_welds(v, of, soft), block.count)
 
 
 @kernel
-def accumulate_nets(work: JointWork, part: Records) -> None:
-    """Add the impulses of a substep to those of the step."""
-    h = work.side_by_side
-    for n in range(part.first_block, part.block_end):
-        block = h.blocks[n]
-        v = h.lanes[block.place :]
-        if block.kind == nl.RODS:
-            accumulate_rod_block(v)
-        elif block.kind == nl.WELDS:
-            accumulate_weld_block(v)
-        else:
-            accumulate_hinge_block(v)
-
-
-@kernel
-def report_nets(work: JointWork, part: Records, seconds: float, counter: Records) -> None:
+def report_nets(work: JointWork, part: Records, seconds: float, counter: Records, workers: Workers) -> None:
     """Write impulses, mean forces on b over the step and breakage into the joint table."""
+    workers.numbers[SECONDS] = seconds
+    workers.words[BROKEN] = 0
+    first, end = first_part(workers, REPORT_NETS, part.first_block, part.block_end)
+    while first < end:
+        report_net_blocks(work, seconds, counter.step_count, workers, first, end)
+        first, end = next_part(workers, first, end)
+    counter.broken_count += workers.words[BROKEN]
+
+
+@kernel
+def report_net_blocks(work: JointWork, seconds: float, step_count: int, workers: Workers, first: int, end: int) -> None:
+    """The same for the blocks first..end-1; counts in `workers.words` how many joints broke."""
     h = work.side_by_side
-    for n in range(part.first_block, part.block_end):
+    broken = 0
+    for n in range(first, end):
         block = h.blocks[n]
         v = h.lanes[block.place :]
         for k in range(block.count):
             joint = work.joints[h.joints[block.first + k].joint]
             turning = 0.0
             if block.kind == nl.RODS:
-                report_rod(v, k, joint)
+                force_x, force_y = report_rod(v, k, joint)
             elif block.kind == nl.WELDS:
-                turning = report_weld(v, k, joint)
+                force_x, force_y, turning = report_weld(v, k, joint)
             else:
-                report_hinge(v, k, joint)
-            force_x = v[nl.TOTAL_X + k] / seconds
-            force_y = v[nl.TOTAL_Y + k] / seconds
-            finish_report(joint, force_x, force_y, turning / seconds, counter)
+                force_x, force_y = report_hinge(v, k, joint)
+            broken += finish_report(joint, force_x / seconds, force_y / seconds, turning / seconds, step_count)
+    if broken > 0:
+        atomic_add(workers.words, BROKEN, broken)

@@ -72,7 +72,7 @@ def _members(parts: Parts, bodies: int) -> tuple[Records, Integers]:
     moved = _as_met(parts.sides[parts.moves])
     members = MEMBER.zeros(1 + len(still) + len(moved))
     members.body = np.concatenate([[-1], still, moved])
-    members.cos = 1.0
+    members.start_cos = members.cos = 1.0  # of the world; others follow in each step
     number = np.zeros(bodies + 2, np.int64)
     number[members.body[1:]] = np.arange(1, len(members))
     seats = number[parts.sides]

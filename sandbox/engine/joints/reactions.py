@@ -7,6 +7,7 @@ from sandbox.engine.joints.direct.batches import slot_impulse
 from sandbox.engine.joints.direct.reports import finish_report, report_batches, set_slot_impulse
 from sandbox.engine.joints.net_sweeps import report_nets
 from sandbox.engine.joints.records import JointWork
+from sandbox.engine.records.workers import Workers
 from sandbox.tables import Records
 
 
@@ -32,14 +33,14 @@ def accumulate(work: JointWork, part: Records) -> None:
 
 
 @kernel
-def finish_joints(work: JointWork, seconds: float, counter: Records) -> None:
+def finish_joints(work: JointWork, seconds: float, counter: Records, workers: Workers) -> None:
     """Write impulses, forces and breakage of all joints that are awake into the joint table."""
     report_batches(work, seconds, counter)
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
         if part.awake == 0 or part.direct == 1:
             continue
-        report_nets(work, part, seconds, counter)
+        report_nets(work, part, seconds, counter, workers)
         for k in range(part.first_constraint, part.constraint_end if part.swept == 1 else part.first_constraint):
             constraint = work.constraints[k]
             if constraint.in_lane == 0:
@@ -59,4 +60,4 @@ def _report(work: JointWork, constraint: Records, joint: Records, seconds: float
         force_x += row.x2 * mean
         force_y += row.y2 * mean
         torque += (row.w2 - (constraint.arm_bx * row.y2 - constraint.arm_by * row.x2)) * mean
-    finish_report(joint, force_x, force_y, torque, counter)
+    counter.broken_count += finish_report(joint, force_x, force_y, torque, counter.step_count)

@@ -18,6 +18,8 @@ ROD = -1.0
 def load_rod(v: Floats, k: int, joint: Records) -> None:
     """Fill lane `k` of a block with lanes `v` with what rods and springs alone have."""
     v[nl.IMPULSE + k] = joint.impulse_3 if joint.spring == 1 else joint.impulse_0
+    v[nl.TOTAL_X + k] = v[nl.TOTAL_Y + k] = 0.0
+    v[nl.AXIS_X + k] = v[nl.AXIS_Y + k] = 0.0  # what the last step gave belongs to no substep of this one
     v[nl.LENGTH + k] = joint.length
     v[nl.HERTZ + k] = joint.hertz if joint.spring == 1 else ROD
     v[nl.DAMPING_RATIO + k] = joint.damping_ratio
@@ -25,10 +27,14 @@ def load_rod(v: Floats, k: int, joint: Records) -> None:
 
 @inlined_kernel
 def warm_rods(v: Floats, of: Members, spins: Mask) -> PairVelocity:
-    """The velocities after the impulses of the substep before, which are forgotten where something `spins`."""
+    """The velocities after the impulses of the substep before, which are forgotten where something `spins`; before that
+    they are added to those of the step."""
     gap = gap_of(v, of.pose)
     _, x, y = length_and_direction(gap.x, gap.y, 1.0)
-    impulse = select(spins, 0.0, load(v, nl.IMPULSE))
+    impulse = load(v, nl.IMPULSE)
+    store(v, nl.TOTAL_X, load(v, nl.TOTAL_X) + impulse * load(v, nl.AXIS_X))
+    store(v, nl.TOTAL_Y, load(v, nl.TOTAL_Y) + impulse * load(v, nl.AXIS_Y))
+    impulse = select(spins, 0.0, impulse)
     store(v, nl.IMPULSE, impulse)
     return apply_impulse(of.velocity, block_masses(v), _pushed_at(gap), impulse * x, impulse * y)
 
@@ -60,17 +66,11 @@ def swept_rods(v: Floats, of: Members, soft: SoftJoint) -> PairVelocity:
 
 
 @kernel
-def accumulate_rod_block(v: Floats) -> None:
-    """Add the impulses of a substep to those of the step."""
-    impulse = load(v, nl.IMPULSE)
-    store(v, nl.TOTAL_X, load(v, nl.TOTAL_X) + impulse * load(v, nl.AXIS_X))
-    store(v, nl.TOTAL_Y, load(v, nl.TOTAL_Y) + impulse * load(v, nl.AXIS_Y))
-
-
-@kernel
-def report_rod(v: Floats, k: int, joint: Records) -> None:
-    """Write the impulse of lane `k` into the joint table."""
+def report_rod(v: Floats, k: int, joint: Records) -> tuple[float, float]:
+    """Write the impulse of lane `k` into the joint table; returns those of the step (N s)."""
+    impulse = v[nl.IMPULSE + k]
     if joint.spring == 1:
-        joint.impulse_3 = v[nl.IMPULSE + k]
+        joint.impulse_3 = impulse
     else:
-        joint.impulse_0 = v[nl.IMPULSE + k]
+        joint.impulse_0 = impulse
+    return v[nl.TOTAL_X + k] + impulse * v[nl.AXIS_X + k], v[nl.TOTAL_Y + k] + impulse * v[nl.AXIS_Y + k]

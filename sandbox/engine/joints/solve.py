@@ -12,17 +12,13 @@ from __future__ import annotations
 
 from sandbox._jit import kernel
 from sandbox.engine.joints.direct.batches import fill_batches
-from sandbox.engine.joints.direct.position_correction import apply_corrections
 from sandbox.engine.joints.direct.solve import solve_batches
 from sandbox.engine.joints.gauss_seidel import solve_softly
 from sandbox.engine.joints.joint_bodies import (
-    gather_members,
     load_members,
-    move_by_end_velocity,
     part_level,
-    scatter_members,
 )
-from sandbox.engine.joints.net_sweeps import accumulate_nets, load_nets
+from sandbox.engine.joints.net_sweeps import load_nets
 from sandbox.engine.joints.reactions import accumulate, read_impulses
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.workers import Workers
@@ -31,16 +27,18 @@ from sandbox.tables import Records
 
 
 @kernel
-def begin_joints(work: JointWork, bodies: Records, free_motions: Records, new: bool) -> None:
+def begin_joints(
+    work: JointWork, bodies: Records, motions: Records, free_motions: Records, new: bool, workers: Workers
+) -> None:
     """Load members, choose whose forces act in halves, and take over the impulses of the last step.
 
     In the first step of a world all is `new`.
     """
-    load_members(work, bodies)
+    load_members(work, bodies, motions)
     for p in range(work.parts.shape[0]):
         work.parts[p].halves = work.parts[p].direct * (1 - work.parts[p].supported)
     read_impulses(work)
-    load_nets(work)
+    load_nets(work, motions, workers)
     fill_batches(work, bodies, free_motions, new)
 
 
@@ -57,20 +55,11 @@ def select_parts(work: JointWork, free_motions: Records, substep_level: int) -> 
 @kernel
 def solve_joints(work: JointWork, motions: Records, free_motions: Records, seconds: float, workers: Workers) -> None:
     """Before the move: change velocities so that joints will be kept after it."""
-    gather_members(work, motions)
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
         if part.current == 1 and part.direct == 0:
             solve_softly(work, part, motions, seconds, True, workers)
-    scatter_members(work, motions)
     solve_batches(work.direct, motions, free_motions, seconds, SOLVE_BATCHES, workers)
-
-
-@kernel
-def prepare_move(work: JointWork, motions: Records, free_motions: Records, seconds: float) -> None:
-    """Make `integrate_positions` move members by the velocities that the joints count on; correct what is separated."""
-    move_by_end_velocity(work, motions, free_motions)
-    apply_corrections(work.direct, motions, seconds)
 
 
 @kernel
@@ -80,12 +69,9 @@ def relax_joints(
     """After the move: change velocities so that they keep the joints, too. Some parts ask for that after the `last`
     substep alone (`direct.stagger`)."""
     work.direct.level[1] = 1 if last else 0
-    gather_members(work, motions)
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
         if part.current == 1 and part.direct == 0:
             solve_softly(work, part, motions, seconds, False, workers)
             accumulate(work, part)
-            accumulate_nets(work, part)
-    scatter_members(work, motions)
     solve_batches(work.direct, motions, free_motions, seconds, RELAX_BATCHES, workers)

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import Mask, Vector, load, select, store
-from sandbox.engine.contact_solver.gather import PairRows, gather_fields
 from sandbox.engine.contact_solver.law import PairMass, PairVelocity
 from sandbox.engine.joints import net_lanes as nl
 from sandbox.engine.joints.hinges import (
     PointLaw,
-    accumulate_hinge_block,
     load_hinge,
     point_change,
     point_matrix,
@@ -23,17 +21,14 @@ from sandbox.engine.joints.laws import spring_law
 from sandbox.engine.joints.net_blocks import Members, Row, SoftJoint, Spring, block_masses, gap_of, row_change
 from sandbox.tables import Floats, Records
 
-_BEFORE_ANGLE = 13
-"""Number of a field of the table of members: the third one after it is the angle."""
-
 
 @kernel
-def load_weld(v: Floats, k: int, joint: Records) -> None:
-    """Fill lane `k` of a block with lanes `v` with what welds alone have."""
+def load_weld(v: Floats, k: int, joint: Records, a: Records, b: Records) -> None:
+    """Fill lane `k` of a block with lanes `v` with what welds alone have; a and b are its members."""
     load_hinge(v, k, joint)
     v[nl.IMPULSE_W + k] = joint.impulse_2
-    v[nl.TOTAL_W + k] = 0.0
-    v[nl.REFERENCE_ANGLE + k] = joint.reference_angle
+    v[nl.TOTAL_W + k] = -joint.impulse_2
+    v[nl.TURN + k] = b.start_angle - a.start_angle - joint.reference_angle
     v[nl.WELD_HERTZ + k] = joint.hertz
     v[nl.WELD_DAMPING_RATIO + k] = joint.damping_ratio
     v[nl.ANGULAR_HERTZ + k] = joint.angular_hertz
@@ -42,8 +37,11 @@ def load_weld(v: Floats, k: int, joint: Records) -> None:
 
 @inlined_kernel
 def warm_welds(v: Floats, of: Members, spins: Mask) -> PairVelocity:
-    """The velocities after the impulses of the substep before, which are forgotten where something `spins`."""
-    impulse = select(spins, 0.0, load(v, nl.IMPULSE_W))
+    """The velocities after the impulses of the substep before, which are forgotten where something `spins`; before that
+    they are added to those of the step."""
+    impulse = load(v, nl.IMPULSE_W)
+    store(v, nl.TOTAL_W, load(v, nl.TOTAL_W) + impulse)
+    impulse = select(spins, 0.0, impulse)
     store(v, nl.IMPULSE_W, impulse)
     return _turned_by(warm_hinges(v, of, spins), block_masses(v), impulse)
 
@@ -55,7 +53,7 @@ def _turned_by(u: PairVelocity, masses: PairMass, impulse: Vector) -> PairVeloci
 
 
 @inlined_kernel
-def swept_welds(members: Records, v: Floats, of: Members, soft: SoftJoint) -> PairVelocity:
+def swept_welds(v: Floats, of: Members, soft: SoftJoint) -> PairVelocity:
     """The velocities after a sweep over a block of welds with lanes `v`, whose impulses it changes.
 
     Springs have had their say once nothing is pushed any more.
@@ -84,30 +82,15 @@ def swept_welds(members: Records, v: Floats, of: Members, soft: SoftJoint) -> Pa
     u = push_point(v, of.velocity, masses, r, x, y)
     hertz = load(v, nl.ANGULAR_HERTZ)
     impulse = load(v, nl.IMPULSE_W)
-    row = Row(_turn(members, v, of.rows), masses.inertia_a + masses.inertia_b, u.bw - u.aw, impulse)
+    row = Row(load(v, nl.TURN) + of.turn, masses.inertia_a + masses.inertia_b, u.bw - u.aw, impulse)
     change = row_change(row, Spring(hertz > 0.0, hertz, load(v, nl.ANGULAR_DAMPING_RATIO)), soft)
     store(v, nl.IMPULSE_W, impulse + change)
     return _turned_by(u, masses, change)
 
 
-@inlined_kernel
-def _turn(members: Records, v: Floats, rows: PairRows) -> Vector:
-    """Angle (rad) of b less angle of a, less the reference angle."""
-    _, _, _, angle_a = gather_fields(members, rows.a, _BEFORE_ANGLE)
-    _, _, _, angle_b = gather_fields(members, rows.b, _BEFORE_ANGLE)
-    return angle_b - angle_a - load(v, nl.REFERENCE_ANGLE)
-
-
 @kernel
-def accumulate_weld_block(v: Floats) -> None:
-    """Add the impulses of a substep to those of the step."""
-    accumulate_hinge_block(v)
-    store(v, nl.TOTAL_W, load(v, nl.TOTAL_W) + load(v, nl.IMPULSE_W))
-
-
-@kernel
-def report_weld(v: Floats, k: int, joint: Records) -> float:
-    """Write the impulses of lane `k` into the joint table; the angular impulse (N m s) of the step."""
-    report_hinge(v, k, joint)
+def report_weld(v: Floats, k: int, joint: Records) -> tuple[float, float, float]:
+    """Write the impulses of lane `k` into the joint table; returns those of the step, the third in N m s."""
+    x, y = report_hinge(v, k, joint)
     joint.impulse_2 = v[nl.IMPULSE_W + k]
-    return float(v[nl.TOTAL_W + k])
+    return x, y, v[nl.TOTAL_W + k] + v[nl.IMPULSE_W + k]

@@ -77,8 +77,10 @@ def solver_memory(state: State, bodies: int) -> SolverBodies:
     """What the solver has beside the body table, with so many rows."""
     ccd = CCD_BODY.zeros(bodies)
     measure_thin(ccd, state, 0, 0)
+    motions = MOTION.zeros(bodies + 1)
+    motions.delta_cos = 1.0
     return SolverBodies(
-        motions=MOTION.zeros(bodies),
+        motions=motions,
         free_motions=FREE_MOTION.zeros(bodies),
         forces=BODY_FORCES.zeros(bodies),
         before_impacts=BEFORE_IMPACTS.zeros(bodies),

@@ -19,7 +19,8 @@ MOTION = Table(
         Field("delta_angle", "rad", "rotation since the step began"),
     ),
 )
-"""One row a body, one cache line: all that the solver gathers and scatters."""
+"""One row a body, one cache line: all that the solver gathers and scatters. A last one is that of the world, at rest:
+some joints hold bodies to it."""
 
 IMPACT_VELOCITIES = (
     Field("start_x", "m/s", "velocity when the substep began"),
@@ -51,7 +52,7 @@ BODY_FORCES = Table(
         Field("angular_decay", "1", "share of the angular velocity that damping leaves"),
         Field("extent", "m", "that of the body"),
         Field("moves", "-", "1 when the solver moves it, 2 when it is kinematic, 0 for the others", "i8"),
-        Field("spare", "-", "fills the cache line", "i8"),
+        Field("by_end", "-", "1 when it moves by the velocity at the end of a substep, as its joints count on", "i8"),
     ),
 )
 """One row a body, one cache line: all that the substeps ask of the body itself."""

@@ -14,8 +14,9 @@ SIZE = 0
 """Word: how many workers take part in a step."""
 NUMBERS = 24
 """Numbers that a worker tells the others, or itself when it is alone."""
-FROZEN, AWAKE, DRIVEN, RESTED, FAST = 4, 5, 6, 7, 8
-"""Words: how many bodies were frozen, are awake, driven and moving, slow long enough to sleep, and to be swept."""
+FROZEN, AWAKE, DRIVEN, RESTED, FAST, BROKEN = 4, 5, 6, 7, 8, 9
+"""Words: how many bodies were frozen, are awake, driven and moving, slow long enough to sleep, and to be swept; and how
+many joints broke."""
 
 
 class Workers(NamedTuple):

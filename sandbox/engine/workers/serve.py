@@ -22,7 +22,7 @@ from sandbox.engine.contact_solver.velocity_parts import add_some_parts, turn_so
 from sandbox.engine.contact_solver.warm_start import warm_start_blocks
 from sandbox.engine.joints.direct.solve import solve_some_batches
 from sandbox.engine.joints.net_blocks import SoftJoint
-from sandbox.engine.joints.net_sweeps import sweep_net_blocks, warm_start_net_blocks
+from sandbox.engine.joints.net_sweeps import load_net_blocks, report_net_blocks, sweep_net_blocks, warm_start_net_blocks
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.narrow_phase.decide_pairs import decide_pairs
 from sandbox.engine.narrow_phase.write_contacts import write_contacts
@@ -50,10 +50,12 @@ from sandbox.engine.workers.task_kinds import (
     INTEGRATE_POSITIONS,
     INTEGRATE_VELOCITIES,
     LEVEL,
+    LOAD_NETS,
     MOST,
     PREPARE_CONTACTS,
     PREPARE_FORCES,
     PUSH,
+    REPORT_NETS,
     SECONDS,
     SOLVE_AGAIN,
     SOLVE_BATCHES,
@@ -68,6 +70,7 @@ from sandbox.engine.workers.task_kinds import (
     WRITE_CONTACTS,
     told_soft,
 )
+from sandbox.tables import Records
 
 
 @entry_point
@@ -99,7 +102,7 @@ def serve(
             elif words[TASK] < SOLVE_BATCHES:
                 _do_bodies(state, active, solver, contacts, blocks, workers, first, end)
             elif joints is not None and words[TASK] >= WARM_START_NETS:
-                _do_nets(joints, workers, first, end)
+                _do_nets(state, joints, solver.motions, workers, first, end)
             elif joints is not None:
                 free_motions, seconds = solver.free_motions, workers.numbers[SECONDS]
                 d = joints.direct
@@ -150,15 +153,19 @@ def _do_rows(
 
 
 @kernel
-def _do_nets(joints: JointWork, workers: Workers, first: int, end: int) -> None:
+def _do_nets(state: StateTables, joints: JointWork, motions: Records, workers: Workers, first: int, end: int) -> None:
     """Do a task for the joints of a net."""
     n = workers.numbers
     h = joints.side_by_side
-    if workers.words[TASK] == SWEEP_NETS:
+    if workers.words[TASK] == LOAD_NETS:
+        load_net_blocks(joints, motions, first, end)
+    elif workers.words[TASK] == REPORT_NETS:
+        report_net_blocks(joints, n[SECONDS], state.counters[0].step_count, workers, first, end)
+    elif workers.words[TASK] == SWEEP_NETS:
         soft = SoftJoint(n[PUSH], n[MOST], n[GIVE], n[SECONDS])
-        sweep_net_blocks(h, joints.members, first, end, soft)
+        sweep_net_blocks(h, motions, first, end, soft)
     else:
-        warm_start_net_blocks(h, joints.members, first, end, n[FASTEST])
+        warm_start_net_blocks(h, motions, first, end, n[FASTEST])
 
 
 @kernel

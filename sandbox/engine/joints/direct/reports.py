@@ -77,19 +77,21 @@ def _report(work: JointWork, batch: Records, frame: Records, joints: Rows, secon
     y_of = lanes(force_y)
     torque_of = lanes(torque)
     for k in range(batch.count):
-        finish_report(work.joints[joints[k]], x_of[k], y_of[k], torque_of[k], counter)
+        joint = work.joints[joints[k]]
+        counter.broken_count += finish_report(joint, x_of[k], y_of[k], torque_of[k], counter.step_count)
 
 
 @kernel
-def finish_report(joint: Records, force_x: float, force_y: float, torque: float, counter: Records) -> None:
-    """Write what a joint gives, and whether it breaks by it."""
+def finish_report(joint: Records, force_x: float, force_y: float, torque: float, step_count: int) -> int:
+    """Write what a joint gives, and whether it breaks by it; returns 1 if it does."""
     joint.force_x = force_x
     joint.force_y = force_y
     joint.torque = torque
     force = math.sqrt(force_x * force_x + force_y * force_y)
     if force > joint.break_force or abs(torque) > joint.break_torque:
-        joint.broken_step = counter.step_count
-        counter.broken_count += 1
+        joint.broken_step = step_count
+        return 1
+    return 0
 
 
 @kernel
