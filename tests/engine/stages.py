@@ -36,7 +36,7 @@ from sandbox.engine.records.state import StateTables
 from sandbox.engine.restitution import impacts
 from sandbox.engine.restitution.impacts import ImpactList
 from sandbox.engine.world import World
-from sandbox.tables import Integers
+from sandbox.tables import Integers, Records
 from sandbox.world.build import build_state
 from sandbox.world.records import BODY, DYNAMIC
 from sandbox.world.state import State
@@ -154,6 +154,12 @@ class Paused:
         """Rows of the bodies that the step may move."""
         rows: Integers = self.scratch.active.bodies
         return rows[1 : 1 + int(rows[0])]
+
+    @property
+    def motions(self) -> Records:
+        """Those of the bodies: the last one in memory is the world's."""
+        rows: Records = self.scratch.solver.motions[: len(self.state.bodies)]
+        return rows
 
     @property
     def active_contacts(self) -> Integers:

@@ -73,7 +73,7 @@ def test_a_disc_strikes_the_corner_of_a_box(va, vb, wa, wb, e, friction, angle, 
     before = [np.array(v) for v in (va, vb)]
     p = struck(w)
     assume(p.count == 1)
-    contact, (a, b), (ma, mb) = p.scratch.contacts.now[0], p.state.bodies, p.scratch.solver.motions
+    contact, (a, b), (ma, mb) = p.scratch.contacts.now[0], p.state.bodies, p.motions
     assume(abs(contact.separation1) < 1e-9)
     n = np.array([contact.normal_x, contact.normal_y])
     t = np.array([n[1], -n[0]])
@@ -116,7 +116,7 @@ def test_a_flat_box_rebounds_at_both_corners(e, fall, spin):
         gravity=(0.0, 0.0),
     )  # fmt: skip
     p = struck(w)
-    motion = p.scratch.solver.motions[1]
+    motion = p.motions[1]
     before = [fall - 0.5 * spin, fall + 0.5 * spin]
     after = [motion.velocity_y - 0.5 * motion.angular_velocity, motion.velocity_y + 0.5 * motion.angular_velocity]
     assume(all(abs(v + 0.2) > 1e-6 for v in before))
@@ -138,7 +138,7 @@ def test_slow_impacts_do_not_bounce():
         gravity=(0.0, 0.0),
     )
     p = struck(w)
-    assert p.scratch.solver.motions[1].velocity_y == -0.19
+    assert p.motions[1].velocity_y == -0.19
 
 
 def test_a_body_that_moves_away_is_not_struck():
@@ -147,7 +147,7 @@ def test_a_body_that_moves_away_is_not_struck():
         body("a", circle(0.5), position=(0.0, 0.5), velocity=(0.0, 3.0)),
         gravity=(0.0, 0.0),
     )
-    assert struck(w).scratch.solver.motions[1].velocity_y == 3.0
+    assert struck(w).motions[1].velocity_y == 3.0
 
 
 def test_an_impact_within_the_substep_only():
@@ -155,9 +155,7 @@ def test_an_impact_within_the_substep_only():
     speeds = []
     for gap in (0.02, 0.03):
         ball = body("a", circle(0.5), position=(0.0, 0.5 + gap), velocity=(0.0, -5.0))
-        speeds.append(
-            float(struck(world(ground(restitution=1.0), ball, gravity=(0, 0))).scratch.solver.motions[1].velocity_y)
-        )
+        speeds.append(float(struck(world(ground(restitution=1.0), ball, gravity=(0, 0))).motions[1].velocity_y))
     assert speeds == pytest.approx([5.0, -5.0])
 
 
@@ -172,7 +170,7 @@ def test_impacts_in_a_row_of_boxes_keep_momentum_and_never_gain_energy(seed, e, 
         for i in range(4)
     ]  # fmt: skip
     p = struck(world(*boxes, gravity=(0.0, 0.0)))
-    bodies, motions = p.state.bodies, p.scratch.solver.motions
+    bodies, motions = p.state.bodies, p.motions
     for way in ("velocity_x", "velocity_y"):
         assert np.sum(bodies.mass * motions[way]) == pytest.approx(np.sum(bodies.mass * bodies[way]), abs=1e-11)
     before = sum(energy(b, b) for b in bodies)
@@ -201,7 +199,7 @@ def light_between(ratio: float, e: float, flip: float = 1.0):
 
 def highest_closing_speed(p) -> float:
     """Over all points of contacts."""
-    motions, worst = p.scratch.solver.motions, 0.0
+    motions, worst = p.motions, 0.0
     for contact in p.scratch.contacts.now[: p.count]:
         a, b = motions[contact.body_a], motions[contact.body_b]
         va, vb = (np.array([m.velocity_x, m.velocity_y]) for m in (a, b))
@@ -218,12 +216,12 @@ def highest_closing_speed(p) -> float:
 def test_impacts_end_whatever_the_masses(meet, ratio, e):
     """No contact closes faster than the threshold; energy does not rise; what is mirrored has the mirrored outcome."""
     p, mirrored = struck(meet(ratio, e)), struck(meet(ratio, e, -1.0))
-    bodies, motions = p.state.bodies, p.scratch.solver.motions
+    bodies, motions = p.state.bodies, p.motions
     assert highest_closing_speed(p) <= 0.2 + 1e-9
     before = sum(energy(b, b) for b in bodies if b.mass > 0.0)
     after = sum(energy(b, m) for b, m in zip(bodies, motions, strict=True) if b.mass > 0.0)
     assert after <= before * (1.0 + 1e-9)
-    other = mirrored.scratch.solver.motions
+    other = mirrored.motions
     assert other.velocity_y == pytest.approx(motions.velocity_y, abs=1e-6)
     assert other.velocity_x == pytest.approx(-motions.velocity_x, abs=1e-6)
     assert other.angular_velocity == pytest.approx(-motions.angular_velocity, abs=1e-6)
@@ -234,7 +232,7 @@ def test_impacts_end_whatever_the_masses(meet, ratio, e):
 def test_what_is_heavy_rebounds_from_light_ones_with_the_restitution(ratio, e):
     for meet, row, way in ((heavy_on_light, -1, "velocity_y"), (light_between, 2, "velocity_x")):
         w = meet(ratio, e)
-        assert struck(w).scratch.solver.motions[row][way] == pytest.approx(5.0 * e, abs=0.05)
+        assert struck(w).motions[row][way] == pytest.approx(5.0 * e, abs=0.05)
 
 
 @pytest.mark.parametrize("ratio", [1.0, 300.0])

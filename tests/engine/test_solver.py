@@ -97,7 +97,7 @@ def twin(p: Paused, bouncy: bool = False) -> tuple[list[Body], list[Waiting]]:
         Body(float(b.inverse_mass), float(b.inverse_inertia), vector(m, "velocity_x", "velocity_y"),
              float(m.angular_velocity), moved=vector(m, "delta_x", "delta_y"),
              turned=vector(m, "delta_cos", "delta_sin"))
-        for b, m in zip(p.state.bodies, p.scratch.solver.motions, strict=True)
+        for b, m in zip(p.state.bodies, p.motions, strict=True)
     ]  # fmt: skip
     contacts = []
     for slot in slots(p):
@@ -142,7 +142,7 @@ def slots(p: Paused) -> list[int]:
 
 def assert_same(p: Paused, bodies: list[Body], contacts: list[Waiting]) -> None:
     """Velocities and impulses agree to rounding."""
-    motions = p.scratch.solver.motions
+    motions = p.motions
     assert motions.velocity_x == pytest.approx(np.array([b.velocity.real for b in bodies]), abs=1e-11)
     assert motions.velocity_y == pytest.approx(np.array([b.velocity.imag for b in bodies]), abs=1e-11)
     assert motions.angular_velocity == pytest.approx(np.array([b.angular for b in bodies]), abs=1e-10)
@@ -176,7 +176,7 @@ def test_a_substep_of_the_solver(paused, bouncy):
         solve(contacts, Pass(rate, *soft, 3.0), 0.0)
         assert_same(paused, bodies, contacts)
         paused.move()
-        for body, motion in zip(bodies, paused.scratch.solver.motions, strict=True):
+        for body, motion in zip(bodies, paused.motions, strict=True):
             body.moved, body.turned = vector(motion, "delta_x", "delta_y"), vector(motion, "delta_cos", "delta_sin")
         paused.solve(0.0, 0.0, 0.0, 1e30, OVER_RELAXATION)
         for contact in contacts:
@@ -197,7 +197,7 @@ def test_warm_starting_by_bodies_is_warm_starting_by_contacts(paused):
     for _ in range(3):
         paused.solve(0.0, 0.0, 0.0, 1e30, OVER_RELAXATION)
     paused.turn_parts()
-    motions = plain(paused.scratch.solver.motions)
+    motions = plain(paused.motions)
     ended = motions.copy()
     paused.warm()
     by_contacts = motions.copy()
@@ -218,7 +218,7 @@ def run(p: Paused) -> tuple[list[list[float]], list[list[float]]]:
         p.move()
         p.solve(0.0, 0.0, 0.0)
     p.store()
-    return p.scratch.solver.motions.tolist(), p.scratch.contacts.now[: p.count].tolist()
+    return p.motions.tolist(), p.scratch.contacts.now[: p.count].tolist()
 
 
 @pytest.mark.parametrize("make", WORLDS.values(), ids=WORLDS)
