@@ -143,7 +143,7 @@ def run_substeps(
             stop_struck(bodies, solver, struck, blocks, struck_count, workers, rigid)
         if rest:
             solve_mouse_joints(state, solver, level, seconds)
-        frozen += guard_velocities(bodies, rows, motions, solver.forces, active.info, now)
+        frozen += guard_velocities(bodies, rows, solver, active.info, now, workers)
         if warm and substep == 0:
             begin_parts(touched, solver)
             warm_start(motions, blocks, count, workers)

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.bodies.integrate import SOLVED, integrate_position, integrate_velocity, note_velocity
-from sandbox.engine.bodies.quarantine import MAX_SPEED, freeze_in_step, slowed
+from sandbox.engine.bodies.quarantine import freeze_in_step, is_slow, slowed
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
@@ -94,7 +94,7 @@ def fly_some(
 
 @inlined_kernel
 def _coast(force: Records, motion: Records, free_motion: Records, flight: Flight) -> bool:
-    """Move a body that never gets faster than `MAX_SPEED`, in registers. False, with nothing done, for any other."""
+    """Move a body that never gets too fast, in registers. False, with nothing done, for any other."""
     seconds = flight.seconds
     vx = start_x = motion.velocity_x
     vy = start_y = motion.velocity_y
@@ -118,7 +118,7 @@ def _coast(force: Records, motion: Records, free_motion: Records, flight: Flight
         y += seconds * (0.5 * (start_y + vy))
         angle += seconds * (0.5 * (start_w + w))
     # A substep leaves the faster of two velocities the faster one, so all lie between the first and the last.
-    if not (_is_slow(motion.velocity_x, motion.velocity_y, motion.angular_velocity) and _is_slow(vx, vy, w)):
+    if not (is_slow(motion.velocity_x, motion.velocity_y, motion.angular_velocity) and is_slow(vx, vy, w)):
         return False
     motion.velocity_x = vx
     motion.velocity_y = vy
@@ -133,11 +133,6 @@ def _coast(force: Records, motion: Records, free_motion: Records, flight: Flight
     free_motion.free_y = vy
     free_motion.free_w = w
     return True
-
-
-@inlined_kernel
-def _is_slow(vx: float, vy: float, w: float) -> bool:
-    return bool((abs(vx) <= MAX_SPEED) & (abs(vy) <= MAX_SPEED) & (abs(w) <= MAX_SPEED))
 
 
 @kernel

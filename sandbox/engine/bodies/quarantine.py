@@ -7,6 +7,10 @@ would go. What contacts and joints make too fast is slowed down to the highest s
 from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
+from sandbox.engine.records.bodies import SolverBodies
+from sandbox.engine.records.workers import Workers
+from sandbox.engine.workers.parallel_for import first_part, next_part
+from sandbox.engine.workers.task_kinds import GUARD_VELOCITIES
 from sandbox.tables import Integers, Records
 from sandbox.world.records import STATIC
 
@@ -47,18 +51,41 @@ def guard_forces(
 
 @kernel
 def guard_velocities(
-    bodies: Records, active_bodies: Integers, motions: Records, forces: Records, active_info: Records, step_count: int
+    bodies: Records, rows: Integers, solver: SolverBodies, active_info: Records, step_count: int, workers: Workers
 ) -> int:
     """Slow down what the solver made too fast, before it can pass that on, and freeze what has no velocity at all.
 
-    Returns how many were frozen.
+    Returns how many this worker has frozen.
     """
     frozen = 0
-    for i in active_bodies:
-        if forces[i].moves != 0 and not slowed(motions[i]):
-            freeze_in_step(bodies[i], motions[i], forces[i], active_info, step_count)
+    first, end = first_part(workers, GUARD_VELOCITIES, 0, rows.shape[0])
+    while first < end:
+        frozen += guard_some_velocities(bodies, rows[first:end], solver, active_info, step_count)
+        first, end = next_part(workers, first, end)
+    return frozen
+
+
+@kernel
+def guard_some_velocities(
+    bodies: Records, rows: Integers, solver: SolverBodies, active_info: Records, step_count: int
+) -> int:
+    """The same for some bodies."""
+    frozen = 0
+    for i in rows:
+        motion = solver.motions[i]
+        if is_slow(motion.velocity_x, motion.velocity_y, motion.angular_velocity):
+            continue
+        force = solver.forces[i]
+        if force.moves != 0 and not slowed(motion):
+            freeze_in_step(bodies[i], motion, force, active_info, step_count)
             frozen += 1
     return frozen
+
+
+@inlined_kernel
+def is_slow(vx: float, vy: float, w: float) -> bool:
+    """Whether velocities are numbers within `MAX_SPEED`."""
+    return bool((abs(vx) <= MAX_SPEED) & (abs(vy) <= MAX_SPEED) & (abs(w) <= MAX_SPEED))
 
 
 @kernel

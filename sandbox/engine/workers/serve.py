@@ -13,6 +13,7 @@ from sandbox.engine.bodies.integrate import (
     integrate_some_velocities,
     prepare_some_forces,
 )
+from sandbox.engine.bodies.quarantine import guard_some_velocities
 from sandbox.engine.broad_phase.proxies import bound_some_shapes
 from sandbox.engine.contact_solver.prepare import ImpactCriteria, prepare_blocks
 from sandbox.engine.contact_solver.soft_constraint import contact_spring
@@ -45,6 +46,7 @@ from sandbox.engine.workers.task_kinds import (
     FLY,
     GIVE,
     GRAVITY,
+    GUARD_VELOCITIES,
     IMPACT_SPEED,
     IMPACTS,
     INTEGRATE_POSITIONS,
@@ -205,6 +207,11 @@ def _do_bodies(
         rows = blocks.batches.bodies[first:end]
         now = state.counters[0].step_count
         frozen = fly_some(state.bodies, rows, solver, active.info, now, told_flight(n))
+        if frozen > 0:
+            atomic_add(workers.words, FROZEN, frozen)
+    elif task == GUARD_VELOCITIES:
+        rows = blocks.batches.bodies[first:end]
+        frozen = guard_some_velocities(state.bodies, rows, solver, active.info, state.counters[0].step_count)
         if frozen > 0:
             atomic_add(workers.words, FROZEN, frozen)
     elif task == PREPARE_CONTACTS:
