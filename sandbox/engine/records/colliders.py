@@ -83,7 +83,9 @@ GRID_INFO = Table(
 )
 """One row: what is known of the grid."""
 
-PAIR = Table("pair", (Field("shape_a", "-", "", "i4"), Field("shape_b", "-", "", "i4")))
+PAIR = Table("pair", (Field("shape_b", "-", "", "i4"), Field("shape_a", "-", "", "i4")))
+"""Two shapes, the lower row first. It does not begin as `CONTACT` does: numba would take a contact for one, and say
+so."""
 
 PAIR_CACHE = Table(
     "pair_cache",
