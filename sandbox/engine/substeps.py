@@ -101,7 +101,7 @@ def run_substeps(
     todo: Pass,
 ) -> int:
     """Integrate, solve and relax the islands of a batch, whose bodies `rows` are, in as many substeps as their level
-    asks for. Returns how many bodies were frozen.
+    asks for. Returns how many bodies this worker has frozen.
 
     The settings may switch off any technique of the contact solver.
     """

@@ -14,6 +14,7 @@ import sandbox
 from sandbox._atomics import atomic_load
 from sandbox._jit import Call, entry_point, jit_enabled, kernel_argument
 from sandbox.engine import stepper
+from sandbox.engine.joints import part_layout
 from sandbox.engine.memory import limit
 from sandbox.engine.records.workers import SIZE, workers_memory
 from sandbox.engine.workers.parallel_for import CLOSED, first_part, next_part, note_done, take
@@ -117,6 +118,47 @@ def test_shipped_scenes_go_the_same_way(name, share_all):
 @pytest.mark.parametrize("made", [busy, jointed])
 def test_a_busy_scene_with_commands_goes_the_same_way(made, share_all):
     assert made.digests(World(made.scene(), 3)) == made.digests(World(made.scene()))
+
+
+def net(size: int) -> sandbox.Scene:
+    """A square net of boxes with joints of all kinds that lie in lanes. It hangs on the world and on a lift, and tears
+    where that pulls."""
+    kinds = ({"type": "revolute"}, {"type": "distance"}, {"type": "distance", "hertz": 8.0}, {"type": "weld"})
+    lift = {"id": "lift", "type": "kinematic", "position": [2.0 * size, 2.0], "velocity": [4.0, 1.0]}
+    bodies = [{**lift, "shapes": [{"box": [1, 1]}]}]
+    joints: list[dict[str, object]] = []
+
+    def join(above: str | None, below: str, x: float, y: float, **way: object) -> None:
+        kind = kinds[len(joints) % 4]
+        ends = {"anchors": [[x, y + 0.2], [x, y - 0.2]]} if kind["type"] == "distance" else {"anchor": [x, y]}
+        names = [above, below] if above else [below]
+        joints.append({"id": f"j{len(joints)}", "bodies": names, **kind, **ends, **way})
+
+    for row in range(size):
+        for column in range(size):
+            name, x, y = f"b{row}-{column}", float(column), -float(row)
+            bodies.append({"id": name, "position": [x, y], "shapes": [{"box": [0.6, 0.6], "mask": []}]})
+            if row == 0:
+                join("lift" if 2 * column > size else None, name, x, 0.5, break_force=60.0 if column % 3 else 1e6)
+            else:
+                join(f"b{row - 1}-{column}", name, x, y + 0.5)
+            if column > 0:
+                join(f"b{row}-{column - 1}", name, x - 0.5, y)
+    return sandbox.Scene(bodies=bodies, joints=joints)
+
+
+@compiled_only
+def test_nets_that_hang_and_tear_go_the_same_way(share_all, monkeypatch):
+    monkeypatch.setattr(part_layout, "UPDATES_A_ROW", -1000)  # none is factorised
+    one, several = World(net(12)), World(net(12), 3)
+    assert len(one.scratch.joints.side_by_side.joints) == 12 * 23
+    for _ in range(40):
+        one.step()
+        several.step()
+        assert several.digest() == one.digest()
+    broken = int(one.state.counters[0].broken_count)
+    assert 0 < broken == int(several.state.counters[0].broken_count)
+    assert float(one.body("lift").velocity[0]) == 4.0
 
 
 @compiled_only

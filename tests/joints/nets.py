@@ -25,10 +25,13 @@ KINDS = {
 """Words of each kind of joint in a net."""
 
 
-def net(across: int, down: int, kind: str, hung: str = "top", substeps: int = 4, braced: bool = False) -> World:
+def net(
+    across: int, down: int, kind: str, hung: str = "top", substeps: int = 4, braced: bool = False, post: bool = False
+) -> World:
     """A net of boxes of 0.8 m, 1 m apart, that hangs from its "top", its "middle", its "corner", or "nothing".
 
-    `braced` adds diagonals, which say what others say already.
+    `braced` adds diagonals, which say what others say already; with a `post` it hangs on a static body, not on the
+    world.
     """
     places = {(r, c): (float(c), -float(r)) for r in range(down) for c in range(across)}
     bodies = [body(_name(at), box(0.8, 0.8, mask=0), position=place) for at, place in places.items()]
@@ -42,6 +45,9 @@ def net(across: int, down: int, kind: str, hung: str = "top", substeps: int = 4,
         steps = ((-1, 0), (0, -1), *(((-1, -1), (-1, 1)) if braced else ()))
         pairs += [((r + y, c + x), (r, c)) for y, x in steps if (r + y, c + x) in places]
     joints = [_link(f"j{k}", places, a, b, **KINDS[kind]) for k, (a, b) in enumerate(pairs)]
+    if post:
+        bodies.append(body("post", box(0.5, 0.5, mask=0), type="static", position=(3.0, 7.0)))
+        joints = [dataclasses.replace(each, body_a="post") if each.body_a is None else each for each in joints]
     return jointed(tuple(bodies), tuple(joints), settings=dataclasses.replace(AWAKE, substeps=substeps))
 
 

@@ -155,6 +155,19 @@ def test_a_rod_in_a_lane_does_what_one_that_is_swept_alone_does(monkeypatch, spr
                     assert np.allclose(one[name], other[name], rtol=1e-9, atol=1e-9), name
 
 
+@pytest.mark.usefixtures("never_factorised")
+@pytest.mark.parametrize("kind", ["rod", "spring", "weld", "hinge", "slider"])
+def test_what_hangs_on_the_world_moves_as_what_hangs_on_something_static(kind):
+    worlds = [net(8, 8, kind, "corner"), net(8, 8, kind, "corner", post=True)]
+    assert [soft_parts(world) for world in worlds] == [1, 1]
+    for _ in range(10):
+        for world in worlds:
+            world.step(6)
+        free, held = (np.array(world.bodies.position)[:64] for world in worlds)
+        assert np.allclose(free, held, rtol=0.0, atol=1e-9)
+    assert np.abs(free - np.array(net(8, 8, kind, "corner").bodies.position)).max() > 0.1
+
+
 @pytest.mark.parametrize("kind", ["rod", "weld", "hinge"])
 def test_joints_in_lanes_tell_the_weight_that_hangs_on_them(monkeypatch, kind):
     """Three boxes below each other, of which a weld holds the last by its side: the joint above bears all of them."""

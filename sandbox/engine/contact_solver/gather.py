@@ -16,7 +16,7 @@ _VELOCITY, _POSE = 0, 4
 
 
 class PairRows(NamedTuple):
-    """The rows of the bodies a and b of four contacts."""
+    """The rows of the bodies a and b of four contacts or joints."""
 
     a: Rows
     b: Rows
@@ -45,6 +45,13 @@ class Gathered(NamedTuple):
 def rows_of(block: Records) -> PairRows:
     """The bodies of a block of contacts or joints."""
     return PairRows((block.a0, block.a1, block.a2, block.a3), (block.b0, block.b1, block.b2, block.b3))
+
+
+@inlined_kernel
+def note_rows(block: Records, rows: PairRows) -> None:
+    """Note the bodies of a block, for `rows_of`."""
+    block.a0, block.a1, block.a2, block.a3 = rows.a
+    block.b0, block.b1, block.b2, block.b3 = rows.b
 
 
 @inlined_kernel

@@ -20,7 +20,7 @@ from sandbox.engine.contact_solver.contact_rows import (
     contact_rows,
     point_counts,
 )
-from sandbox.engine.contact_solver.gather import PairRows, Rows, gather_fields, rows_of
+from sandbox.engine.contact_solver.gather import PairRows, Rows, gather_fields, note_rows, rows_of
 from sandbox.engine.contact_solver.law import Anchors, PairMass, bearing_anchors, effective_mass, levers_of
 from sandbox.engine.contact_solver.rest_length import change_level
 from sandbox.engine.contact_solver.soft_constraint import Spring
@@ -133,14 +133,8 @@ def _note_bodies(block: Records, slots: Records) -> None:
     two = slots[first + 1 if block.count > 1 else first]
     three = slots[first + 2 if block.count > 2 else first]
     four = slots[first + 3 if block.count > 3 else first]
-    block.a0 = one.body_a
-    block.a1 = two.body_a
-    block.a2 = three.body_a
-    block.a3 = four.body_a
-    block.b0 = one.body_b
-    block.b1 = two.body_b
-    block.b2 = three.body_b
-    block.b3 = four.body_b
+    a = (one.body_a, two.body_a, three.body_a, four.body_a)
+    note_rows(block, PairRows(a, (one.body_b, two.body_b, three.body_b, four.body_b)))
 
 
 @inlined_kernel

@@ -9,7 +9,7 @@ from sandbox._vectors import Mask, Vector, load, select, store
 from sandbox.engine.contact_solver.law import Anchors, PairMass, PairVelocity, apply_impulse, relative_velocity
 from sandbox.engine.joints import net_lanes as nl
 from sandbox.engine.joints.laws import is_close, share_within
-from sandbox.engine.joints.net_blocks import Gap, Members, SoftJoint, block_masses, gap_of
+from sandbox.engine.joints.net_blocks import BlockBodies, Gap, SoftJoint, block_masses, gap_of
 from sandbox.tables import Floats, Records
 
 
@@ -24,7 +24,7 @@ def load_hinge(v: Floats, k: int, joint: Records) -> None:
 
 
 @inlined_kernel
-def warm_hinges(v: Floats, of: Members, spins: Mask) -> PairVelocity:
+def warm_hinges(v: Floats, of: BlockBodies, spins: Mask) -> PairVelocity:
     """The velocities after the impulses of the substep before, which are forgotten where something `spins`; before that
     they are added to those of the step."""
     x = load(v, nl.IMPULSE_X)
@@ -35,7 +35,7 @@ def warm_hinges(v: Floats, of: Members, spins: Mask) -> PairVelocity:
     y = select(spins, 0.0, y)
     store(v, nl.IMPULSE_X, x)
     store(v, nl.IMPULSE_Y, y)
-    return apply_impulse(of.velocity, block_masses(v), pushed_at(gap_of(v, of.pose)), x, y)
+    return apply_impulse(of.gathered.velocity, block_masses(v), pushed_at(gap_of(v, of.pose)), x, y)
 
 
 @inlined_kernel
@@ -109,14 +109,14 @@ def push_point(v: Floats, u: PairVelocity, masses: PairMass, r: Anchors, x: Vect
 
 
 @inlined_kernel
-def swept_hinges(v: Floats, of: Members, soft: SoftJoint) -> PairVelocity:
+def swept_hinges(v: Floats, of: BlockBodies, soft: SoftJoint) -> PairVelocity:
     """The velocities after a sweep over a block of hinges with lanes `v`, whose impulses it changes."""
     gap = gap_of(v, of.pose)
     r = pushed_at(gap)
     masses = block_masses(v)
     matrix = point_matrix(masses, r)
-    x, y = point_change(v, of.velocity, r, matrix, rigid_law(gap, matrix, soft))
-    return push_point(v, of.velocity, masses, r, x, y)
+    x, y = point_change(v, of.gathered.velocity, r, matrix, rigid_law(gap, matrix, soft))
+    return push_point(v, of.gathered.velocity, masses, r, x, y)
 
 
 @kernel

@@ -1,4 +1,4 @@
-"""What the joint solver asks of jointed bodies: their masses, where they are, whether they are awake."""
+"""What the joint solver asks of jointed bodies, masses and where they are, and by which velocity it has them move."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from sandbox.tables import Records
 def load_members(work: JointWork, bodies: Records, motions: Records) -> None:
     """Masses and first poses of a step; a part is awake if the solver moves any of its bodies.
 
-    The world rests, whatever a body that was frozen for its speed has done to it.
+    The world is put to rest: an impulse that is not a number would leave it without a velocity.
     """
     world = motions[motions.shape[0] - 1]
     world.velocity_x = world.velocity_y = world.angular_velocity = 0.0

@@ -31,13 +31,12 @@ class SoftJoint(NamedTuple):
     seconds: float
 
 
-class Members(NamedTuple):
+class BlockBodies(NamedTuple):
     """The bodies of the joints of a block: their rows, their velocities, where they are, and by how much b has turned
     against a since the step began (rad)."""
 
     rows: PairRows
-    of: Gathered
-    velocity: PairVelocity
+    gathered: Gathered
     pose: PairPose
     turn: Vector
 
@@ -71,18 +70,18 @@ class Row(NamedTuple):
 
 
 @inlined_kernel
-def gather_block(motions: Records, block: Records) -> Members:
+def gather_block(motions: Records, block: Records) -> BlockBodies:
     """The bodies of a block."""
     rows = rows_of(block)
-    of = gather_velocities(motions, rows)
-    pose, turn = gather_poses_and_turns(motions, rows, of)
-    return Members(rows, of, of.velocity, pose, turn)
+    gathered = gather_velocities(motions, rows)
+    pose, turn = gather_poses_and_turns(motions, rows, gathered)
+    return BlockBodies(rows, gathered, pose, turn)
 
 
 @inlined_kernel
-def scatter_block(motions: Records, members: Members, v: PairVelocity, count: int) -> None:
+def scatter_block(motions: Records, of: BlockBodies, v: PairVelocity, count: int) -> None:
     """Write the velocities of `count` joints back to the rows they came from."""
-    scatter_velocities(motions, members.rows, v, members.of, 0, count)
+    scatter_velocities(motions, of.rows, v, of.gathered, 0, count)
 
 
 @inlined_kernel

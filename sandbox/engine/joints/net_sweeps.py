@@ -5,6 +5,7 @@ from __future__ import annotations
 from sandbox._atomics import atomic_add
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import absolute
+from sandbox.engine.contact_solver.gather import PairRows, note_rows
 from sandbox.engine.joints import net_lanes as nl
 from sandbox.engine.joints.direct.reports import finish_report
 from sandbox.engine.joints.hinges import load_hinge, report_hinge, swept_hinges, warm_hinges
@@ -80,14 +81,20 @@ def _note_bodies(work: JointWork, block: Records, world: int) -> None:
     two = joints[block.first + 1] if block.count > 1 else one
     three = joints[block.first + 2] if block.count > 2 else one
     four = joints[block.first + 3] if block.count > 3 else one
-    block.a0 = _row_of(work.members[one.member_a], world)
-    block.a1 = _row_of(work.members[two.member_a], world)
-    block.a2 = _row_of(work.members[three.member_a], world)
-    block.a3 = _row_of(work.members[four.member_a], world)
-    block.b0 = _row_of(work.members[one.member_b], world)
-    block.b1 = _row_of(work.members[two.member_b], world)
-    block.b2 = _row_of(work.members[three.member_b], world)
-    block.b3 = _row_of(work.members[four.member_b], world)
+    m = work.members
+    a = (
+        _row_of(m[one.member_a], world),
+        _row_of(m[two.member_a], world),
+        _row_of(m[three.member_a], world),
+        _row_of(m[four.member_a], world),
+    )
+    b = (
+        _row_of(m[one.member_b], world),
+        _row_of(m[two.member_b], world),
+        _row_of(m[three.member_b], world),
+        _row_of(m[four.member_b], world),
+    )
+    note_rows(block, PairRows(a, b))
 
 
 @inlined_kernel
@@ -120,7 +127,7 @@ def warm_start_net_blocks(h: NetLanes, motions: Records, first: int, end: int, f
         block = h.blocks[n]
         v = h.lanes[block.place :]
         of = gather_block(motions, block)
-        spins = (absolute(of.velocity.aw) > fastest) | (absolute(of.velocity.bw) > fastest)
+        spins = (absolute(of.gathered.velocity.aw) > fastest) | (absolute(of.gathered.velocity.bw) > fastest)
         if kind == nl.RODS:
             velocity = warm_rods(v, of, spins)
         elif kind == nl.WELDS:
@@ -193,11 +200,11 @@ def _sweep_welds(h: NetLanes, motions: Records, first: int, end: int, soft: Soft
 
 
 @kernel
-def report_nets(work: JointWork, part: Records, seconds: float, counter: Records, workers: Workers) -> None:
-    """Write impulses, mean forces on b over the step and breakage into the joint table."""
+def report_nets(work: JointWork, seconds: float, counter: Records, workers: Workers) -> None:
+    """Write impulses, mean forces on b over the step and breakage of what is awake into the joint table."""
     workers.numbers[SECONDS] = seconds
     workers.words[BROKEN] = 0
-    first, end = first_part(workers, REPORT_NETS, part.first_block, part.block_end)
+    first, end = first_part(workers, REPORT_NETS, 0, work.side_by_side.blocks.shape[0])
     while first < end:
         report_net_blocks(work, seconds, counter.step_count, workers, first, end)
         first, end = next_part(workers, first, end)
@@ -211,6 +218,8 @@ def report_net_blocks(work: JointWork, seconds: float, step_count: int, workers:
     broken = 0
     for n in range(first, end):
         block = h.blocks[n]
+        if work.parts[_part_of(work, h.joints[block.first])].awake == 0:
+            continue
         v = h.lanes[block.place :]
         for k in range(block.count):
             joint = work.joints[h.joints[block.first + k].joint]
@@ -224,3 +233,11 @@ def report_net_blocks(work: JointWork, seconds: float, step_count: int, workers:
             broken += finish_report(joint, force_x / seconds, force_y / seconds, turning / seconds, step_count)
     if broken > 0:
         atomic_add(workers.words, BROKEN, broken)
+
+
+@inlined_kernel
+def _part_of(work: JointWork, joint: Records) -> int:
+    """The part of a joint: that of the body that it moves, or of both."""
+    a = work.members[joint.member_a].part
+    b = work.members[joint.member_b].part
+    return int(a if a >= 0 else b)

@@ -36,12 +36,12 @@ def accumulate(work: JointWork, part: Records) -> None:
 def finish_joints(work: JointWork, seconds: float, counter: Records, workers: Workers) -> None:
     """Write impulses, forces and breakage of all joints that are awake into the joint table."""
     report_batches(work, seconds, counter)
+    report_nets(work, seconds, counter, workers)
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
-        if part.awake == 0 or part.direct == 1:
+        if part.awake == 0 or part.swept == 0:
             continue
-        report_nets(work, part, seconds, counter, workers)
-        for k in range(part.first_constraint, part.constraint_end if part.swept == 1 else part.first_constraint):
+        for k in range(part.first_constraint, part.constraint_end):
             constraint = work.constraints[k]
             if constraint.in_lane == 0:
                 _report(work, constraint, work.joints[constraint.joint], seconds, counter)

@@ -1,6 +1,6 @@
 """Scratch memory of the joint solver: never hashed, never saved; a pure function of the joint and body tables.
 
-Jointed bodies are gathered into *members*, joints into *constraints*, and every scalar constraint is a *row*. What
+Jointed bodies are *members*, joints *constraints*, and every scalar constraint is a *row*. What
 hangs together by joints is a *part*; it is solved as one linear system (`direct`) or, if too dense for that, by sweeps.
 """
 

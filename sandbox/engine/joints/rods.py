@@ -7,7 +7,7 @@ from sandbox._vectors import Mask, load, select, store
 from sandbox.engine.contact_solver.law import Anchors, PairVelocity, apply_impulse
 from sandbox.engine.joints import net_lanes as nl
 from sandbox.engine.joints.laws import along, length_and_direction, own_stiffness
-from sandbox.engine.joints.net_blocks import Gap, Members, Row, SoftJoint, Spring, block_masses, gap_of, row_change
+from sandbox.engine.joints.net_blocks import BlockBodies, Gap, Row, SoftJoint, Spring, block_masses, gap_of, row_change
 from sandbox.tables import Floats, Records
 
 ROD = -1.0
@@ -26,7 +26,7 @@ def load_rod(v: Floats, k: int, joint: Records) -> None:
 
 
 @inlined_kernel
-def warm_rods(v: Floats, of: Members, spins: Mask) -> PairVelocity:
+def warm_rods(v: Floats, of: BlockBodies, spins: Mask) -> PairVelocity:
     """The velocities after the impulses of the substep before, which are forgotten where something `spins`; before that
     they are added to those of the step."""
     gap = gap_of(v, of.pose)
@@ -36,7 +36,7 @@ def warm_rods(v: Floats, of: Members, spins: Mask) -> PairVelocity:
     store(v, nl.TOTAL_Y, load(v, nl.TOTAL_Y) + impulse * load(v, nl.AXIS_Y))
     impulse = select(spins, 0.0, impulse)
     store(v, nl.IMPULSE, impulse)
-    return apply_impulse(of.velocity, block_masses(v), _pushed_at(gap), impulse * x, impulse * y)
+    return apply_impulse(of.gathered.velocity, block_masses(v), _pushed_at(gap), impulse * x, impulse * y)
 
 
 @inlined_kernel
@@ -46,9 +46,9 @@ def _pushed_at(gap: Gap) -> Anchors:
 
 
 @inlined_kernel
-def swept_rods(v: Floats, of: Members, soft: SoftJoint) -> PairVelocity:
+def swept_rods(v: Floats, of: BlockBodies, soft: SoftJoint) -> PairVelocity:
     """The velocities after a sweep over a block of rods and springs with lanes `v`, whose impulses it changes."""
-    u = of.velocity
+    u = of.gathered.velocity
     gap = gap_of(v, of.pose)
     masses = block_masses(v)
     length, x, y = length_and_direction(gap.x, gap.y, 1.0)

@@ -14,10 +14,7 @@ from sandbox._jit import kernel
 from sandbox.engine.joints.direct.batches import fill_batches
 from sandbox.engine.joints.direct.solve import solve_batches
 from sandbox.engine.joints.gauss_seidel import solve_softly
-from sandbox.engine.joints.joint_bodies import (
-    load_members,
-    part_level,
-)
+from sandbox.engine.joints.joint_bodies import load_members, part_level
 from sandbox.engine.joints.net_sweeps import load_nets
 from sandbox.engine.joints.reactions import accumulate, read_impulses
 from sandbox.engine.joints.records import JointWork

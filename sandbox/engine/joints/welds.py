@@ -18,7 +18,7 @@ from sandbox.engine.joints.hinges import (
     warm_hinges,
 )
 from sandbox.engine.joints.laws import spring_law
-from sandbox.engine.joints.net_blocks import Members, Row, SoftJoint, Spring, block_masses, gap_of, row_change
+from sandbox.engine.joints.net_blocks import BlockBodies, Row, SoftJoint, Spring, block_masses, gap_of, row_change
 from sandbox.tables import Floats, Records
 
 
@@ -36,7 +36,7 @@ def load_weld(v: Floats, k: int, joint: Records, a: Records, b: Records) -> None
 
 
 @inlined_kernel
-def warm_welds(v: Floats, of: Members, spins: Mask) -> PairVelocity:
+def warm_welds(v: Floats, of: BlockBodies, spins: Mask) -> PairVelocity:
     """The velocities after the impulses of the substep before, which are forgotten where something `spins`; before that
     they are added to those of the step."""
     impulse = load(v, nl.IMPULSE_W)
@@ -53,7 +53,7 @@ def _turned_by(u: PairVelocity, masses: PairMass, impulse: Vector) -> PairVeloci
 
 
 @inlined_kernel
-def swept_welds(v: Floats, of: Members, soft: SoftJoint) -> PairVelocity:
+def swept_welds(v: Floats, of: BlockBodies, soft: SoftJoint) -> PairVelocity:
     """The velocities after a sweep over a block of welds with lanes `v`, whose impulses it changes.
 
     Springs have had their say once nothing is pushed any more.
@@ -75,11 +75,11 @@ def swept_welds(v: Floats, of: Members, soft: SoftJoint) -> PairVelocity:
             select(sprung, give_x, law.give_x),
             select(sprung, give_y, law.give_y),
         )
-    x, y = point_change(v, of.velocity, r, matrix, law)
+    x, y = point_change(v, of.gathered.velocity, r, matrix, law)
     if soft.push == 0.0:
         x = select(sprung, 0.0, x)
         y = select(sprung, 0.0, y)
-    u = push_point(v, of.velocity, masses, r, x, y)
+    u = push_point(v, of.gathered.velocity, masses, r, x, y)
     hertz = load(v, nl.ANGULAR_HERTZ)
     impulse = load(v, nl.IMPULSE_W)
     row = Row(load(v, nl.TURN) + of.turn, masses.inertia_a + masses.inertia_b, u.bw - u.aw, impulse)

@@ -78,7 +78,7 @@ def solver_memory(state: State, bodies: int) -> SolverBodies:
     ccd = CCD_BODY.zeros(bodies)
     measure_thin(ccd, state, 0, 0)
     motions = MOTION.zeros(bodies + 1)
-    motions.delta_cos = 1.0
+    motions.delta_cos = 1.0  # of the world; that of bodies is set in each step
     return SolverBodies(
         motions=motions,
         free_motions=FREE_MOTION.zeros(bodies),

@@ -77,7 +77,7 @@ Impacts that do not end one by one are taken back.
 
 
 class SolverBodies(NamedTuple):
-    """Scratch memory with a row for each body, beside the body table of the state.
+    """Scratch memory with a row for each body, and one more of motions, beside the body table of the state.
 
     `parts` holds one of the two parts of each velocity (`contact_solver/velocity_parts.py`), `flags` the bits of
     `bodies/flags.py`, `colors` the colours that the contacts of a body have, `struck` how many contacts the stage of

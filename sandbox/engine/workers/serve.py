@@ -158,16 +158,15 @@ def _do_rows(
 def _do_nets(state: StateTables, joints: JointWork, motions: Records, workers: Workers, first: int, end: int) -> None:
     """Do a task for the joints of a net."""
     n = workers.numbers
-    h = joints.side_by_side
     if workers.words[TASK] == LOAD_NETS:
         load_net_blocks(joints, motions, first, end)
     elif workers.words[TASK] == REPORT_NETS:
         report_net_blocks(joints, n[SECONDS], state.counters[0].step_count, workers, first, end)
     elif workers.words[TASK] == SWEEP_NETS:
         soft = SoftJoint(n[PUSH], n[MOST], n[GIVE], n[SECONDS])
-        sweep_net_blocks(h, motions, first, end, soft)
+        sweep_net_blocks(joints.side_by_side, motions, first, end, soft)
     else:
-        warm_start_net_blocks(h, motions, first, end, n[FASTEST])
+        warm_start_net_blocks(joints.side_by_side, motions, first, end, n[FASTEST])
 
 
 @kernel
@@ -185,6 +184,8 @@ def _do_bodies(
     task = workers.words[TASK]
     n = workers.numbers
     motions = solver.motions
+    now = state.counters[0].step_count
+    frozen = 0
     if task == SOLVE_CONTACTS:
         solve_blocks(motions, blocks, first, end, told_soft(n))
     elif task == SOLVE_AGAIN:
@@ -205,15 +206,10 @@ def _do_bodies(
         prepare_some_forces(state.bodies, rows, solver, int(n[LEVEL]), state.settings[0], n[SECONDS])
     elif task == FLY:
         rows = blocks.batches.bodies[first:end]
-        now = state.counters[0].step_count
         frozen = fly_some(state.bodies, rows, solver, active.info, now, told_flight(n))
-        if frozen > 0:
-            atomic_add(workers.words, FROZEN, frozen)
     elif task == GUARD_VELOCITIES:
         rows = blocks.batches.bodies[first:end]
-        frozen = guard_some_velocities(state.bodies, rows, solver, active.info, state.counters[0].step_count)
-        if frozen > 0:
-            atomic_add(workers.words, FROZEN, frozen)
+        frozen = guard_some_velocities(state.bodies, rows, solver, active.info, now)
     elif task == PREPARE_CONTACTS:
         spring = contact_spring(state.settings[0], int(n[LEVEL]))
         criteria = ImpactCriteria(n[IMPACTS] > 0.0, int(n[STRUCK_BLOCKS]), n[IMPACT_SPEED])
@@ -221,3 +217,5 @@ def _do_bodies(
     elif task == STORE_IMPULSES:
         spring = contact_spring(state.settings[0], int(n[LEVEL]))
         store_blocks(state.bodies, solver.flags, contacts, blocks, first, end, spring)
+    if frozen > 0:
+        atomic_add(workers.words, FROZEN, frozen)
