@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Integers: TypeAlias = NDArray[np.int64]
+Integers32: TypeAlias = NDArray[np.int32]
 Floats: TypeAlias = NDArray[np.float64]
 Records: TypeAlias = "np.recarray[Any, Any]"
 """A one-dimensional record array: `bodies[3].velocity_x`, or `bodies.velocity_x` for the column."""

@@ -23,7 +23,7 @@ from sandbox.engine.joints.direct.records import (
     TURN,
 )
 from sandbox.engine.joints.symbolic import Pattern
-from sandbox.tables import Integers, Records
+from sandbox.tables import Integers32, Records
 from sandbox.world.joint_records import (
     DISTANCE,
     FRICTION,
@@ -57,7 +57,7 @@ class DirectLayout:
     equations: Records
     entries: Records
     products: Records
-    targets: Integers
+    targets: Integers32
 
 
 def direct_layout(
@@ -84,7 +84,7 @@ def direct_layout(
     layout.bounded = bounded
     layout.hinged = not bounded and all(kind in (REVOLUTE, WELD) for kind, *_ in joints)
     layout.staggers = not any(kind in _WEAK or limit for kind, limit, *_ in joints)
-    return DirectLayout(layout, frames, equations, entries, products, np.array(pattern.targets, np.int64) * WIDTH)
+    return DirectLayout(layout, frames, equations, entries, products, np.array(pattern.targets, np.int32) * WIDTH)
 
 
 def _frames(joints: Sequence[Joint], seats: Sequence[Sequence[int]], rows: Sequence[tuple[int, int]]) -> Records:

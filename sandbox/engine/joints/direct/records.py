@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from sandbox.tables import Field, Floats, Integers, Records, Table
+from sandbox.tables import Field, Floats, Integers, Integers32, Records, Table
 
 LEVELS = 5
 """Substep levels of islands, 0 to 4."""
@@ -26,39 +26,39 @@ ANY_PRODUCT = 2
 LAYOUT = Table(
     "layout",
     (
-        Field("seats", "-", "bodies of a part: first those that joints move, then one for each fixed side", "i8"),
-        Field("moving", "-", "how many of them joints move", "i8"),
-        Field("first_frame", "-", "", "i8"),
-        Field("frame_end", "-", "", "i8"),
-        Field("first_row", "-", "", "i8"),
-        Field("row_end", "-", "", "i8"),
-        Field("joints", "-", "", "i8"),
-        Field("bounded", "-", "1 when some row may have bounds", "i8"),
-        Field("hinged", "-", "1 when all joints are hinges and welds: only that bodies turn is not linear", "i8"),
-        Field("staggers", "-", "1 when its parts may take the leapfrog, see `stagger`", "i8"),
+        Field("seats", "-", "bodies of a part: first those that joints move, then one for each fixed side", "i4"),
+        Field("moving", "-", "how many of them joints move", "i4"),
+        Field("first_frame", "-", "", "i4"),
+        Field("frame_end", "-", "", "i4"),
+        Field("first_row", "-", "", "i4"),
+        Field("row_end", "-", "", "i4"),
+        Field("joints", "-", "", "i4"),
+        Field("bounded", "-", "1 when some row may have bounds", "i4"),
+        Field("hinged", "-", "1 when all joints are hinges and welds: only that bodies turn is not linear", "i4"),
+        Field("staggers", "-", "1 when its parts may take the leapfrog, see `stagger`", "i4"),
     ),
 )
 
 FRAME = Table(
     "frame",
     (
-        Field("kind", "-", "as in the joint table", "i8"),
-        Field("seat_a", "-", "place of its first body in the batch's memory", "i8"),
-        Field("seat_b", "-", "", "i8"),
-        Field("slot_a", "-", "the same bodies as numbers of seats", "i8"),
-        Field("slot_b", "-", "", "i8"),
-        Field("place", "-", "in the working memory", "i8"),
-        Field("constants", "-", "place in the batch's memory of joints", "i8"),
-        Field("joint", "-", "which of the part's joints it is, in the order of elimination", "i8"),
-        Field("coupled", "-", "1 or 2: not that joint, a gear, but the first or second one that it couples", "i8"),
-        Field("coordinate_1", "-", "gear: places of the two frames that it couples; others: its own", "i8"),
-        Field("coordinate_2", "-", "", "i8"),
-        Field("kind_1", "-", "gear: their kinds", "i8"),
-        Field("kind_2", "-", "", "i8"),
-        Field("limit", "-", "1 when it has limits", "i8"),
-        Field("motor", "-", "1 when it has a motor", "i8"),
-        Field("first_row", "-", "", "i8"),
-        Field("row_end", "-", "", "i8"),
+        Field("kind", "-", "as in the joint table", "i4"),
+        Field("seat_a", "-", "place of its first body in the batch's memory", "i4"),
+        Field("seat_b", "-", "", "i4"),
+        Field("slot_a", "-", "the same bodies as numbers of seats", "i4"),
+        Field("slot_b", "-", "", "i4"),
+        Field("place", "-", "in the working memory", "i4"),
+        Field("constants", "-", "place in the batch's memory of joints", "i4"),
+        Field("joint", "-", "which of the part's joints it is, in the order of elimination", "i4"),
+        Field("coupled", "-", "1 or 2: not that joint, a gear, but the first or second one that it couples", "i4"),
+        Field("coordinate_1", "-", "gear: places of the two frames that it couples; others: its own", "i4"),
+        Field("coordinate_2", "-", "", "i4"),
+        Field("kind_1", "-", "gear: their kinds", "i4"),
+        Field("kind_2", "-", "", "i4"),
+        Field("limit", "-", "1 when it has limits", "i4"),
+        Field("motor", "-", "1 when it has a motor", "i4"),
+        Field("first_row", "-", "", "i4"),
+        Field("row_end", "-", "", "i4"),
     ),
 )
 """The joints of a layout, in the order of elimination; after a gear come two more, of the joints that it couples."""
@@ -66,18 +66,18 @@ FRAME = Table(
 EQUATION = Table(
     "equation",
     (
-        Field("slot", "-", "0 to 2: what the kind keeps; 3: its spring; 4: its limit and motor", "i8"),
-        Field("sides", "-", "members it acts on: 2, or 4 for a gear", "i8"),
-        Field("axis", "-", "what is known of its Jacobian for good: `ANY_AXIS`, `ALONG_X`, `ALONG_Y` or `TURN`", "i8"),
-        *(Field(f"seat_{k}", "-", "place of the body in the batch's memory", "i8") for k in (1, 2, 3, 4)),
-        Field("bounded", "-", "1 when its impulse may have bounds, 0 when it gives whatever is asked for", "i8"),
-        Field("kept", "-", "place of what lasts of it in the batch's memory", "i8"),
-        Field("place", "-", "in the working memory", "i8"),
-        Field("shares", "-", "1 when the next row acts on the same coordinate and has no equation of its own", "i8"),
-        Field("first_entry", "-", "its column of the factor, from the diagonal down; nothing where it has none", "i8"),
-        Field("entry_end", "-", "", "i8"),
-        Field("first_target", "-", "", "i8"),
-        Field("paired", "-", "1 when it is eliminated together with the next one, which is of the same joint", "i8"),
+        Field("slot", "-", "0 to 2: what the kind keeps; 3: its spring; 4: its limit and motor", "i4"),
+        Field("sides", "-", "members it acts on: 2, or 4 for a gear", "i4"),
+        Field("axis", "-", "what is known of its Jacobian for good: `ANY_AXIS`, `ALONG_X`, `ALONG_Y` or `TURN`", "i4"),
+        *(Field(f"seat_{k}", "-", "place of the body in the batch's memory", "i4") for k in (1, 2, 3, 4)),
+        Field("bounded", "-", "1 when its impulse may have bounds, 0 when it gives whatever is asked for", "i4"),
+        Field("kept", "-", "place of what lasts of it in the batch's memory", "i4"),
+        Field("place", "-", "in the working memory", "i4"),
+        Field("shares", "-", "1 when the next row acts on the same coordinate and has no equation of its own", "i4"),
+        Field("first_entry", "-", "its column of the factor, from the diagonal down; nothing where it has none", "i4"),
+        Field("entry_end", "-", "", "i4"),
+        Field("first_target", "-", "", "i4"),
+        Field("paired", "-", "1 when it is eliminated together with the next one, which is of the same joint", "i4"),
     ),
 )
 """The rows of a layout."""
@@ -85,21 +85,21 @@ EQUATION = Table(
 ENTRY = Table(
     "entry",
     (
-        Field("place", "-", "in the factor", "i8"),
-        Field("total", "-", "where the sum of its products is kept", "i8"),
-        Field("other", "-", "place of the row below the diagonal", "i8"),
-        Field("first_product", "-", "", "i8"),
-        Field("product_end", "-", "", "i8"),
+        Field("place", "-", "in the factor", "i4"),
+        Field("total", "-", "where the sum of its products is kept", "i4"),
+        Field("other", "-", "place of the row below the diagonal", "i4"),
+        Field("first_product", "-", "", "i4"),
+        Field("product_end", "-", "", "i4"),
     ),
 )
 
 PRODUCT = Table(
     "product",
     (
-        Field("one", "-", "place of the Jacobian of one row at a body", "i8"),
-        Field("other", "-", "place of that of the other row at the same body", "i8"),
-        Field("seat", "-", "place of the body", "i8"),
-        Field("linear", "-", "product of what both do to its velocity: -1, 0, 1 or `ANY_PRODUCT`", "i8"),
+        Field("one", "-", "place of the Jacobian of one row at a body", "i4"),
+        Field("other", "-", "place of that of the other row at the same body", "i4"),
+        Field("seat", "-", "place of the body", "i4"),
+        Field("linear", "-", "product of what both do to its velocity: -1, 0, 1 or `ANY_PRODUCT`", "i4"),
     ),
 )
 
@@ -139,7 +139,7 @@ class Batches(NamedTuple):
     equations: Records
     entries: Records
     products: Records
-    targets: Integers
+    targets: Integers32
     fixed: Integers
     batches: Records
     own: Records

@@ -83,7 +83,7 @@ def _joined(layouts: Sequence[DirectLayout]) -> DirectLayout:
         _all(EQUATION, [each.equations for each in layouts]),
         _all(ENTRY, [each.entries for each in layouts]),
         _all(PRODUCT, [each.products for each in layouts]),
-        np.concatenate([np.zeros(0, np.int64), *(each.targets for each in layouts)]),
+        np.concatenate([np.zeros(0, np.int32), *(each.targets for each in layouts)]),
     )
     one = [1] * len(layouts)
     frames, rows = [len(each.frames) for each in layouts], [len(each.equations) for each in layouts]
