@@ -14,6 +14,8 @@ from sandbox._vectors import Number
 PI = 3.141592653589793
 NEAR_ZERO = 0.75
 """Angles (rad) up to this need no reduction."""
+_TINY = 2.0**-27
+"""Below it cosine and sine round to 1 and the angle: in a heap at rest most bodies turn by less in a substep."""
 _HALF_PI_HIGH = 1.5707963267341256
 _HALF_PI_MIDDLE = 6.077100506303966e-11
 _HALF_PI_LOW = 2.0222662487959506e-21
@@ -45,6 +47,8 @@ def cos_sin(angle: float) -> tuple[float, float]:
 
     Cody-Waite reduction to [-pi/4, pi/4], then `cos_sin_near_zero`.
     """
+    if -_TINY < angle < _TINY:
+        return 1.0, angle + 0.0  # of -0 the polynomial makes 0
     x = angle
     quadrant = 0
     if angle < -NEAR_ZERO or angle > NEAR_ZERO:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import mpmath
+import numpy as np
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
@@ -49,6 +50,18 @@ def test_a_rotation_is_one_at_any_angle_a_body_may_have(angle):
 def test_cosine_is_even_and_sine_is_odd(angle):
     cosine, sine = cos_sin(angle)
     assert cos_sin(-angle) == (cosine, -sine)
+
+
+near_zero = called_from_python(trig.cos_sin_near_zero)
+
+
+@given(st.floats(-(2.0**-27), 2.0**-27))
+@examples(1000)
+@example(-0.0)
+@example(5e-324)
+@example(2.0**-27)
+def test_angles_hardly_there_have_the_bits_that_the_polynomials_give(angle):
+    assert np.array(cos_sin(angle)).tobytes() == np.array(near_zero(angle)).tobytes()
 
 
 def test_no_turn_is_exactly_no_turn():
