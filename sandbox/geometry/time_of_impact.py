@@ -8,6 +8,7 @@ from sandbox._jit import kernel
 from sandbox.geometry.closest_features import closest_features
 from sandbox.geometry.core import CoreRows
 from sandbox.geometry.manifold import collide_cores
+from sandbox.geometry.swept_circles import pass_by
 from sandbox.geometry.trig import cos_sin
 from sandbox.tables import Field, Records, Table
 
@@ -61,7 +62,11 @@ def time_of_impact(cores: Records, a: CoreRows, b: CoreRows, sweep: Records, pos
     no more than the rest of a step. `posed` (`POSED_ROWS` vertices) and `out` (a `MANIFOLD` row) are scratch.
     """
     s = sweep[0]
-    rims = abs(s.rotation_a) * _rim(cores, a) + abs(s.rotation_b) * _rim(cores, b)
+    rim_a = _rim(cores, a)
+    rim_b = _rim(cores, b)
+    if pass_by(cores, a, b, s, rim_a, rim_b):
+        return -1.0
+    rims = abs(s.rotation_a) * rim_a + abs(s.rotation_b) * rim_b
     deep = s.deep
     near = _NEAR * deep
     t = 0.0
