@@ -66,6 +66,9 @@ NOTES: dict[int, str] = {
     "give",
     31: "jointed parts that nothing touches and that have no limits are relaxed in the last substep of a step alone",
     32: "anchors of nets are turned from where they were when the step began, as those of contacts are",
+    33: "what follows a body that runs into something slow is looked at as if that body were stopped within the "
+    "step, as what follows one near something immovable was, so that rows which fall one after the other no "
+    "longer overlap deeply",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

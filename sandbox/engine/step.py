@@ -26,7 +26,7 @@ from sandbox.engine.joints.solve import begin_joints
 from sandbox.engine.joints.touched_parts import flag_touched_parts
 from sandbox.engine.narrow_phase.find_contacts import find_contacts
 from sandbox.engine.narrow_phase.sleeping_contacts import begin_sleeping_contacts, end_sleeping_contacts
-from sandbox.engine.narrow_phase.speculative import mark_confined
+from sandbox.engine.narrow_phase.speculative import mark_may_stop
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.colliders import Colliders, Grid
@@ -67,10 +67,10 @@ def collide(
     pair_count = update_pair_cache(colliders, outdated, state.shapes.shape[0], seconds, joint_filter, grid)
     if pair_count > 0:
         return pair_count + kept
-    pair_count = select_pairs(colliders, joint_filter, grid)
+    pair_count = select_pairs(colliders, seconds, joint_filter, grid)
     if pair_count + kept > grid.pairs.shape[0]:
         return pair_count + kept
-    mark_confined(colliders, active, solver.ccd)
+    mark_may_stop(colliders, active, solver.ccd)
     counter.pair_count = pair_count
     begin_sleeping_contacts(contacts.cursor[0], info.generation)
     counter.found_count = find_contacts(state, active, colliders, grid.pairs, contacts, solver.ccd, workers, decisions)

@@ -58,8 +58,9 @@ def broad_phase(state, active, colliders, joint_filter, grid, valid):
     shapes = state.shapes.shape[0]
     bound_some_shapes(state, active.shapes, True, colliders, grid)
     grid.cache.info[0].valid = valid
-    update_pair_cache(colliders, active.shapes, shapes, state.settings[0].step_seconds, joint_filter, grid)
-    return select_pairs(colliders, joint_filter, grid)
+    seconds = state.settings[0].step_seconds
+    update_pair_cache(colliders, active.shapes, shapes, seconds, joint_filter, grid)
+    return select_pairs(colliders, seconds, joint_filter, grid)
 
 
 def fastest(run: Callable[[], object], turns: int = TURNS) -> float:

@@ -75,7 +75,7 @@ update_pair_cache = stage(pair_cache.update_pair_cache)
 select_pairs = stage(pair_cache.select_pairs)
 find_pairs = stage(pairs.find_pairs)
 sort_pairs = stage(pairs.sort_pairs)
-mark_confined = stage(speculative.mark_confined)
+mark_may_stop = stage(speculative.mark_may_stop)
 find_contacts = stage(narrow_phase.find_contacts)
 color_contacts = stage(graph_coloring.color_contacts)
 sort_contacts = stage(filling.sort_contacts)
@@ -183,9 +183,9 @@ class Paused:
         g = m.grid
         g.cache.info.valid = 0
         assert update_pair_cache(m.colliders, m.active.shapes, len(s.shapes), self.seconds, m.joint_filter, g) == 0
-        count = select_pairs(m.colliders, m.joint_filter, g)
+        count = select_pairs(m.colliders, self.seconds, m.joint_filter, g)
         assert count <= len(g.pairs)
-        mark_confined(m.colliders, m.active, m.solver.ccd)
+        mark_may_stop(m.colliders, m.active, m.solver.ccd)
         s.counters[0].pair_count = count
         self.count = find_contacts(
             self.tables, m.active, m.colliders, g.pairs, m.contacts, m.solver.ccd, m.workers, m.decisions

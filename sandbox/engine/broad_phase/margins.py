@@ -10,6 +10,12 @@ MARGIN = 0.02
 MARGIN_SHARE = 0.1
 """The same for small bodies, as a share of their extent."""
 
+DEEPLY = 0.1
+"""Share of the smaller body's extent past which an overlap is deep."""
+
+SLOW_SHARE = 1.0 / 3.0
+"""What has less than this share of another's speed may stop it: what both are about as fast goes on, if otherwise."""
+
 DEEP = 0.005
 """Overlap that is let pass, in metres: it is pushed out in time."""
 DEEP_SHARE = 0.25
@@ -30,6 +36,18 @@ def pair_margin(a: Records, b: Records) -> float:
     margin_a = shape_margin(a.extent)
     margin_b = shape_margin(b.extent)
     return 2.0 * (margin_a if margin_a < margin_b else margin_b)
+
+
+@inlined_kernel
+def runs_into(a: Records, b: Records, seconds: float) -> bool:
+    """Whether the body of proxy a may be stopped in this step by that of b, which is slow against it: so hard that what
+    follows it closely would overlap it deeply."""
+    x = b.center_x - a.center_x
+    y = b.center_y - a.center_y
+    nearer = -seconds * (x * (b.velocity_x - a.velocity_x) + y * (b.velocity_y - a.velocity_y))
+    deep = DEEPLY * (a.extent if a.extent < b.extent else b.extent)
+    hard = (nearer > 0.0) & (nearer * nearer > deep * deep * (x * x + y * y))
+    return bool(hard & (b.speed < SLOW_SHARE * a.speed))
 
 
 @kernel

@@ -16,6 +16,7 @@ from typing import Any
 from sandbox._jit import kernel
 from sandbox.engine.broad_phase.fat_boxes import adapt_fat, fatten, look_less_far
 from sandbox.engine.broad_phase.grid import boxes_overlap
+from sandbox.engine.broad_phase.margins import runs_into
 from sandbox.engine.broad_phase.moved_boxes import ABSENT, forget_moved, insert_box, query_pairs, remove_box
 from sandbox.engine.broad_phase.pairs import comes_before, find_pairs, sort_pairs
 from sandbox.engine.broad_phase.proxies import ACTIVE
@@ -183,10 +184,12 @@ def _merge(pairs: Records, count: int, fresh: Records, more: int) -> None:
 
 
 @kernel
-def select_pairs(colliders: Colliders, joint_filter: JointFilter, grid: Grid) -> int:
+def select_pairs(colliders: Colliders, seconds: float, joint_filter: JointFilter, grid: Grid) -> int:
     """Write the cached pairs whose boxes overlap in this step to `grid.pairs`; return how many, also those for which
-    there is no room. Marks the shapes that something immovable may stop."""
+    there is no room. Marks the shapes that something may stop in a step of so many seconds: what is immovable, or what
+    they run into."""
     filters = colliders.filters
+    proxies = colliders.proxies
     pairs = grid.pairs
     bonds = joint_filter.bonds.shape[0] > 0
     cache = grid.cache.info[0]
@@ -200,10 +203,14 @@ def select_pairs(colliders: Colliders, joint_filter: JointFilter, grid: Grid) ->
         a = filters[pair.shape_a]
         b = filters[pair.shape_b]
         if a.moves & b.moves & ACTIVE == 0:
-            a.confined = 1
-            b.confined = 1
+            a.may_stop = 1
+            b.may_stop = 1
             if bonds and are_joined(joint_filter, a.body, b.body):
                 continue
+        elif runs_into(proxies[pair.shape_a], proxies[pair.shape_b], seconds):
+            a.may_stop = 1
+        elif runs_into(proxies[pair.shape_b], proxies[pair.shape_a], seconds):
+            b.may_stop = 1
         if count < pairs.shape[0]:
             pairs[count] = pair
         count += 1

@@ -27,8 +27,8 @@ FIXED = 32
 """Its body is static."""
 BULLET = 64
 """Its body does not pass through moving bodies either."""
-CONFINED = 128
-"""Something immovable may stop its body during the step."""
+MAY_STOP = 128
+"""Something may stop its body during the step: what is immovable, or what it runs into."""
 SLANTING = 256
 """It is static and slender and lies aslant, so that its box says little of where it is."""
 _LOOSE = 4.0
@@ -131,7 +131,7 @@ def _describe_shape(body: Records, shape: Records, filter: Records, proxy: Recor
     same = same and filter.category == category and filter.mask == shape.mask and filter.group == group
     filter.body = shape.body
     filter.moves = moves
-    filter.confined = 0
+    filter.may_stop = 0
     filter.category = category
     filter.mask = shape.mask
     filter.group = group
@@ -159,4 +159,4 @@ def _follow_body(body: Records, spin: float, proxy: Records) -> None:
     proxy.velocity_y = body.velocity_y
     proxy.speed = math.sqrt(body.velocity_x * body.velocity_x + body.velocity_y * body.velocity_y)
     proxy.swing = spin * (proxy.extent - proxy.radius)
-    proxy.traits &= ~CONFINED
+    proxy.traits &= ~MAY_STOP

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._prefetch import prefetch_head
-from sandbox.engine.broad_phase.margins import allowed_depth
+from sandbox.engine.broad_phase.margins import DEEPLY, allowed_depth
 from sandbox.engine.broad_phase.pairs import comes_before
 from sandbox.engine.broad_phase.proxies import FIXED, SLANTING
 from sandbox.engine.contact_solver.closing_speed import SLOW
@@ -30,8 +30,6 @@ FACE_BIAS = 1e-4
 """A face of b has to beat the best face of a by this many metres, so that resting contacts keep their face."""
 TOUCHING = 1e-6
 """Bodies put onto each other may be so far apart, by rounding (m)."""
-DEEPLY = 0.1
-"""Share of the smaller body's extent past which an overlap is deep."""
 _SHALLOW = -1e-3
 """Separation (m) that spares the question how large the bodies are."""
 

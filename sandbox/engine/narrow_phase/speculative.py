@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox.engine.broad_phase.proxies import ACTIVE, BULLET, CONFINED, FIXED
+from sandbox.engine.broad_phase.proxies import ACTIVE, BULLET, FIXED, MAY_STOP
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.colliders import Colliders
 from sandbox.geometry.core import core_of
@@ -22,33 +22,33 @@ _SLOP_SHARE = 0.05
 
 
 @kernel
-def mark_confined(colliders: Colliders, active: ActiveSet, ccd_bodies: Records) -> None:
-    """Tell the proxies of moving shapes whether something immovable may stop their body; the grid knows of which.
+def mark_may_stop(colliders: Colliders, active: ActiveSet, ccd_bodies: Records) -> None:
+    """Tell the proxies of moving shapes whether something may stop their body; `select_pairs` has marked of which.
 
-    The velocities of two such bodies may change within the step: their difference says too little.
+    The velocity of such a body may change within the step: what it has against another says too little.
     """
     filters = colliders.filters
     moving = active.shapes[: active.info[0].moving]
     found = False
     for i in moving:
-        if filters[i].confined == 1:
-            filters[i].confined = 0
-            ccd_bodies[filters[i].body].confined = 1
+        if filters[i].may_stop == 1:
+            filters[i].may_stop = 0
+            ccd_bodies[filters[i].body].may_stop = 1
             found = True
     if not found:
         return
     for i in moving:
-        if ccd_bodies[filters[i].body].confined == 1:
-            colliders.proxies[i].traits |= CONFINED
+        if ccd_bodies[filters[i].body].may_stop == 1:
+            colliders.proxies[i].traits |= MAY_STOP
     for i in moving:
-        ccd_bodies[filters[i].body].confined = 0
+        ccd_bodies[filters[i].body].may_stop = 0
 
 
 @inlined_kernel
 def closing_distance(a: Records, b: Records, vx: float, vy: float, seconds: float) -> float:
     """Most (m) that two proxies can close in within the step; (vx, vy) is the velocity of b against a."""
     speed = math.sqrt(vx * vx + vy * vy)
-    if (a.traits | b.traits) & CONFINED and a.traits & b.traits & ACTIVE:
+    if (a.traits | b.traits) & MAY_STOP and a.traits & b.traits & ACTIVE:
         speed = speed + a.speed
         speed = speed + b.speed
     return float(seconds * speed + seconds * (a.swing + b.swing))
@@ -85,7 +85,7 @@ def speculative_impact(
     offset = (b.center_x - a.center_x, b.center_y - a.center_y)
     start = features_apart(cores, core_a, core_b, offset[0], offset[1])
     t = linear_cast(cores, core_a, core_b, start, offset, (vx, vy), seconds, slop)
-    if t < 0.0 and (a.traits | b.traits) & CONFINED and a.traits & b.traits & ACTIVE:
+    if t < 0.0 and (a.traits | b.traits) & MAY_STOP and a.traits & b.traits & ACTIVE:
         # Either of them may be stopped within the step: what if only the other one moves?
         for only_a in range(2):
             if t < 0.0:

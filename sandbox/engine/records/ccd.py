@@ -22,7 +22,7 @@ CCD_BODY = Table(
         Field("struck_y", "m/s", "of that velocity"),
         Field("struck_mass", "kg", "of it and what comes along with it"),
         Field("fast", "-", "1 when it has to be swept along its displacement", "i8"),
-        Field("confined", "-", "1 while it is told to its shapes that something immovable may stop it", "i8"),
+        Field("may_stop", "-", "1 while it is told to its shapes that something may stop it during the step", "i8"),
     ),
 )
 """One row a body: what continuous collision asks of it. By itself, as most steps hardly look at it."""

@@ -41,7 +41,12 @@ FILTER = Table(
         Field("category", "-", "", "i8"),
         Field("mask", "-", "", "i8"),
         Field("group", "-", "", "i8"),
-        Field("confined", "-", "1 when it may meet something immovable during the step", "i8"),
+        Field(
+            "may_stop",
+            "-",
+            "1 when something may stop it during the step: what is immovable, or what it runs into",
+            "i8",
+        ),
     ),
 )
 """One row a shape: what decides whether two overlapping boxes are a pair."""
