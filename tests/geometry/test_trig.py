@@ -18,6 +18,7 @@ from tests.kernels import called_from_python
 mpmath.mp.dps = 60
 
 arctan2, cos_sin = called_from_python(trig.arctan2), called_from_python(trig.cos_sin)
+near_zero = called_from_python(trig.cos_sin_near_zero)
 moderate = st.floats(-1e6, 1e6)
 coordinates = st.floats(-1e9, 1e9)
 
@@ -50,9 +51,6 @@ def test_a_rotation_is_one_at_any_angle_a_body_may_have(angle):
 def test_cosine_is_even_and_sine_is_odd(angle):
     cosine, sine = cos_sin(angle)
     assert cos_sin(-angle) == (cosine, -sine)
-
-
-near_zero = called_from_python(trig.cos_sin_near_zero)
 
 
 @given(st.floats(-(2.0**-27), 2.0**-27))

@@ -37,7 +37,7 @@ def test_a_column_that_closes_up_hardly_overlaps(kind):
     assert deepest(w) < 0.03
 
 
-def test_what_falls_side_by_side_is_left_alone():
+def test_what_falls_together_is_left_alone():
     """Nobody is stopped, so nobody is looked at as if: there are no contacts."""
     w = column("boxes", 10, lowest=50.0, speed=20.0)
     w.step(20)

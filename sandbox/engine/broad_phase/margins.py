@@ -39,15 +39,14 @@ def pair_margin(a: Records, b: Records) -> float:
 
 
 @inlined_kernel
-def runs_into(a: Records, b: Records, seconds: float) -> bool:
-    """Whether the body of proxy a may be stopped in this step by that of b, which is slow against it: so hard that what
-    follows it closely would overlap it deeply."""
+def meet_hard(a: Records, b: Records, seconds: float) -> bool:
+    """Whether the bodies of two proxies come nearer by so much in a step that, if one of them is stopped by the other,
+    what follows it closely would overlap it deeply."""
     x = b.center_x - a.center_x
     y = b.center_y - a.center_y
     nearer = -seconds * (x * (b.velocity_x - a.velocity_x) + y * (b.velocity_y - a.velocity_y))
     deep = DEEPLY * (a.extent if a.extent < b.extent else b.extent)
-    hard = (nearer > 0.0) & (nearer * nearer > deep * deep * (x * x + y * y))
-    return bool(hard & (b.speed < SLOW_SHARE * a.speed))
+    return bool((nearer > 0.0) & (nearer * nearer > deep * deep * (x * x + y * y)))
 
 
 @kernel

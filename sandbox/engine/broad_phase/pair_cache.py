@@ -16,7 +16,7 @@ from typing import Any
 from sandbox._jit import kernel
 from sandbox.engine.broad_phase.fat_boxes import adapt_fat, fatten, look_less_far
 from sandbox.engine.broad_phase.grid import boxes_overlap
-from sandbox.engine.broad_phase.margins import runs_into
+from sandbox.engine.broad_phase.margins import SLOW_SHARE, meet_hard
 from sandbox.engine.broad_phase.moved_boxes import ABSENT, forget_moved, insert_box, query_pairs, remove_box
 from sandbox.engine.broad_phase.pairs import comes_before, find_pairs, sort_pairs
 from sandbox.engine.broad_phase.proxies import ACTIVE
@@ -207,10 +207,11 @@ def select_pairs(colliders: Colliders, seconds: float, joint_filter: JointFilter
             b.may_stop = 1
             if bonds and are_joined(joint_filter, a.body, b.body):
                 continue
-        elif runs_into(proxies[pair.shape_a], proxies[pair.shape_b], seconds):
-            a.may_stop = 1
-        elif runs_into(proxies[pair.shape_b], proxies[pair.shape_a], seconds):
-            b.may_stop = 1
+        elif meet_hard(proxies[pair.shape_a], proxies[pair.shape_b], seconds):
+            speed_a = proxies[pair.shape_a].speed
+            speed_b = proxies[pair.shape_b].speed
+            a.may_stop |= speed_b < SLOW_SHARE * speed_a
+            b.may_stop |= speed_a < SLOW_SHARE * speed_b
         if count < pairs.shape[0]:
             pairs[count] = pair
         count += 1
