@@ -10,7 +10,7 @@ import math
 from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox.geometry.closest import closest_vertices
+from sandbox.geometry.closest_vertices import closest_vertices
 from sandbox.geometry.core import CoreRows
 from sandbox.geometry.sat import face_separation, pair_size
 from sandbox.tables import Records
@@ -65,9 +65,11 @@ def closest_features(
         # to rounding: only a clear overlap of the cores rules their corners out.
         slack = _ROUNDING * pair_size(cores, a, b, dx, dy)
         if distance > -slack:
-            corner, i, j, nx, ny, length = closest_vertices(cores, a, b, dx, dy)
             # Faces flat on each other are as close at their corners: there the face gives the better manifold.
-            if corner and length > distance + 3.0 * slack + face_bias:
+            least = distance + 3.0 * slack + face_bias
+            face = face_b if flip else face_a
+            corner, i, j, nx, ny, length = closest_vertices(cores, a, b, dx, dy, flip, face, least)
+            if corner:
                 owner = APART if length > reach else VERTICES
                 return Features(owner, i, j, nx, ny, length, length - a.radius - b.radius)
     row = cores[b.start + face_b if flip else a.start + face_a]

@@ -11,14 +11,13 @@ from sandbox._jit import kernel_argument
 from sandbox.geometry import closest, sat
 from sandbox.geometry.core import CoreRows
 from sandbox.geometry.sat import FAR
-from tests.geometry.convex_cases import Case, angles, cases, cores, numbers, random_cases
+from tests.geometry.convex_cases import Case, angles, cases, cores, numbers
 from tests.kernels import called_from_python
 from tests.naive import convex
 
 face_separation = called_from_python(sat.face_separation)
 facing_edge = called_from_python(sat.facing_edge)
 support_vertex = called_from_python(sat.support_vertex)
-closest_vertices = called_from_python(closest.closest_vertices)
 nearest_on_edges = called_from_python(closest.nearest_on_edges)
 
 
@@ -80,22 +79,3 @@ def test_nearest_on_edges_is_the_nearest_boundary_point(core, x, y):
     else:
         nearest = convex.nearest_on_segment(p, convex.edges(shape)[feature])
         assert convex.square_between(nearest, convex.exact([(qx, qy)])[0]) < 1e-24
-
-
-@given(random_cases)
-def test_closest_vertices_are_the_closest_features_or_none(case):
-    a, b = exact_pair(case)
-    square = convex.square_distance(a, b)
-    assume(square > 1e-12)
-    table = kernel_argument(case.table())
-    yes, i, j, nx, ny, distance = closest_vertices(table, *case.cores(), *case.way)
-    apart = min(convex.square_between(p, q) for p in a for q in b)
-    if apart > square * (1 + convex.Fraction(1, 10**9)):
-        assert not yes, "an edge is clearly nearer than any pair of vertices"
-        return
-    if yes:
-        assert distance == pytest.approx(convex.root(square), rel=1e-9)
-        assert convex.square_between(a[i], b[j]) <= square * (1 + convex.Fraction(1, 10**9))
-        way = float(b[j][0] - a[i][0]), float(b[j][1] - a[i][1])
-        assert (nx * distance, ny * distance) == pytest.approx(way, abs=1e-12)
-        assert math.hypot(nx, ny) == pytest.approx(1.0, abs=1e-15)
