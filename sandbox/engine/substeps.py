@@ -7,7 +7,8 @@ from typing import Any, NamedTuple
 
 from sandbox._jit import kernel
 from sandbox.engine.bodies.free_flight import Flight, fly
-from sandbox.engine.bodies.integrate import integrate_positions, integrate_velocities, prepare_forces
+from sandbox.engine.bodies.integrate import integrate_velocities, prepare_forces
+from sandbox.engine.bodies.integrate_positions import integrate_positions
 from sandbox.engine.bodies.quarantine import guard_velocities
 from sandbox.engine.contact_solver.mouse_joint import solve_mouse_joints
 from sandbox.engine.contact_solver.put_down import put_down

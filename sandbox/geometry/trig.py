@@ -9,13 +9,11 @@ from __future__ import annotations
 import math
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox._vectors import Number
+from sandbox._vectors import Number, Vector, absolute, any_lane, lanes, spread, transpose
 
 PI = 3.141592653589793
 NEAR_ZERO = 0.75
 """Angles (rad) up to this need no reduction."""
-_TINY = 2.0**-27
-"""Below it cosine and sine round to 1 and the angle: in a heap at rest most bodies turn by less in a substep."""
 _HALF_PI_HIGH = 1.5707963267341256
 _HALF_PI_MIDDLE = 6.077100506303966e-11
 _HALF_PI_LOW = 2.0222662487959506e-21
@@ -47,8 +45,6 @@ def cos_sin(angle: float) -> tuple[float, float]:
 
     Cody-Waite reduction to [-pi/4, pi/4], then `cos_sin_near_zero`.
     """
-    if -_TINY < angle < _TINY:
-        return 1.0, angle + 0.0  # of -0 the polynomial makes 0
     x = angle
     quadrant = 0
     if angle < -NEAR_ZERO or angle > NEAR_ZERO:
@@ -65,6 +61,23 @@ def cos_sin(angle: float) -> tuple[float, float]:
     if quadrant == 2:
         return -cosine, -sine
     return sine, -cosine
+
+
+@inlined_kernel
+def cos_sin_lanes(angles: Vector) -> tuple[Vector, Vector]:
+    """(cosines, sines) of four angles in radians, as `cos_sin` has them."""
+    if any_lane(absolute(angles) > NEAR_ZERO):
+        return _one_by_one(angles)
+    return cos_sin_near_zero(angles)
+
+
+@kernel
+def _one_by_one(angles: Vector) -> tuple[Vector, Vector]:
+    first, second, third, fourth = lanes(angles)
+    a, b, c, d = cos_sin(first), cos_sin(second), cos_sin(third), cos_sin(fourth)
+    cosines, _, _, _ = transpose(spread(a[0]), spread(b[0]), spread(c[0]), spread(d[0]))
+    sines, _, _, _ = transpose(spread(a[1]), spread(b[1]), spread(c[1]), spread(d[1]))
+    return cosines, sines
 
 
 @kernel

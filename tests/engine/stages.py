@@ -13,6 +13,7 @@ import numpy as np
 from sandbox._jit import kernel_argument
 from sandbox.engine.active import active_set, islands
 from sandbox.engine.bodies import integrate
+from sandbox.engine.bodies import integrate_positions as positions
 from sandbox.engine.broad_phase import grid, pair_cache, pairs, proxies
 from sandbox.engine.contact_solver import fill_blocks as filling
 from sandbox.engine.contact_solver import (
@@ -91,7 +92,7 @@ solve_contacts = stage(solve.solve_contacts)
 begin_motions = stage(integrate.begin_motions)
 prepare_setting = stage(prepare_forces)
 integrate_velocities = stage(integrate.integrate_velocities)
-integrate_positions = stage(integrate.integrate_positions)
+integrate_positions = stage(positions.integrate_positions)
 list_bodies = stage(nesterov.list_bodies)
 resolve_impacts = stage(impacts.resolve_impacts)
 list_impact_contacts = stage(impacts.list_impact_contacts)

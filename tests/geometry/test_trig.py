@@ -10,17 +10,26 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
+from sandbox._jit import entry_point
+from sandbox._vectors import WIDTH, load, store
 from sandbox.geometry import trig
 from sandbox.geometry.trig import PI
+from sandbox.tables import Floats
 from tests.examples import examples
 from tests.kernels import called_from_python
 
 mpmath.mp.dps = 60
 
 arctan2, cos_sin = called_from_python(trig.arctan2), called_from_python(trig.cos_sin)
-near_zero = called_from_python(trig.cos_sin_near_zero)
 moderate = st.floats(-1e6, 1e6)
 coordinates = st.floats(-1e9, 1e9)
+
+
+@entry_point
+def side_by_side(angles: Floats, found: Floats) -> None:
+    cosines, sines = trig.cos_sin_lanes(load(angles, 0))
+    store(found, 0, cosines)
+    store(found, WIDTH, sines)
 
 
 def quarters(k: int) -> float:
@@ -53,13 +62,13 @@ def test_cosine_is_even_and_sine_is_odd(angle):
     assert cos_sin(-angle) == (cosine, -sine)
 
 
-@given(st.floats(-(2.0**-27), 2.0**-27))
-@examples(1000)
-@example(-0.0)
-@example(5e-324)
-@example(2.0**-27)
-def test_angles_hardly_there_have_the_bits_that_the_polynomials_give(angle):
-    assert np.array(cos_sin(angle)).tobytes() == np.array(near_zero(angle)).tobytes()
+@given(st.lists(moderate | st.floats(-1.0, 1.0) | st.just(-0.0), min_size=WIDTH, max_size=WIDTH))
+@example([0.5, -0.75, 0.75, -0.0])
+@example([0.5, 0.76, -1e6, 0.0])
+def test_four_angles_have_the_bits_that_each_has_alone(angles):
+    found = np.zeros((2, WIDTH))
+    side_by_side(np.array(angles), found.reshape(-1))
+    assert found.T.tobytes() == np.array([cos_sin(each) for each in angles]).tobytes()
 
 
 def test_no_turn_is_exactly_no_turn():

@@ -82,7 +82,7 @@ def _list_loose(bodies: Records, active: ActiveSet, solver: SolverBodies) -> Non
 @kernel
 def _lay_to_rest(bodies: Records, i: int, solver: SolverBodies) -> None:
     _rest(bodies[i], solver.motions[i], solver.free_motions[i])
-    solver.forces[i].moves = 0
+    solver.forces[i].moves = 0.0
     solver.flags[i] = 0
     solver.colors[i] = IMMOVABLE
     solver.batches[i] = 0

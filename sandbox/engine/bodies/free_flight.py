@@ -9,7 +9,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox.engine.bodies.integrate import SOLVED, integrate_position, integrate_velocity, note_velocity
+from sandbox.engine.bodies.integrate import SOLVED, integrate_velocity
+from sandbox.engine.bodies.integrate_positions import Velocity, mean_velocity
 from sandbox.engine.bodies.quarantine import freeze_in_step, is_slow, slowed
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.workers import Workers
@@ -88,7 +89,7 @@ def fly_some(
         if motion.delta_angle != angle:
             motion.delta_cos, motion.delta_sin = cos_sin(motion.delta_angle)
         if flight.late_impacts:
-            note_velocity(free_motion, motion)
+            _note_velocity(free_motion, motion)
     return frozen
 
 
@@ -142,5 +143,25 @@ def _slow_down(force: Records, motion: Records, free_motion: Records, flight: Fl
         integrate_velocity(force, free_motion, motion)
         if not slowed(motion):
             return False
-        integrate_position(force, free_motion, motion, flight.gravity, flight.seconds)
+        _move(force, free_motion, motion, flight.gravity, flight.seconds)
     return True
+
+
+@inlined_kernel
+def _move(force: Records, free_motion: Records, motion: Records, gravity: float, seconds: float) -> None:
+    """As `integrate_positions` does, but for the cosine and sine of what the body has turned by."""
+    start = Velocity(free_motion.start_x, free_motion.start_y, free_motion.start_w)
+    free = Velocity(free_motion.free_x, free_motion.free_y, free_motion.free_w)
+    end = Velocity(motion.velocity_x, motion.velocity_y, motion.angular_velocity)
+    mean = mean_velocity(start, free, end, force.extent, 4.0 * seconds * gravity)
+    motion.delta_x += seconds * mean.x
+    motion.delta_y += seconds * mean.y
+    motion.delta_angle += seconds * mean.w
+
+
+@inlined_kernel
+def _note_velocity(free_motion: Records, motion: Records) -> None:
+    """Let the velocity of now be that with which impacts begin."""
+    free_motion.start_x = free_motion.free_x = motion.velocity_x
+    free_motion.start_y = free_motion.free_y = motion.velocity_y
+    free_motion.start_w = free_motion.free_w = motion.angular_velocity

@@ -1,4 +1,4 @@
-"""Stages: velocities from forces, positions from velocities, and the new poses at the end of a step."""
+"""Stages: velocities from forces, and the new poses at the end of a step."""
 
 from __future__ import annotations
 
@@ -6,28 +6,15 @@ from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
-from sandbox.engine.workers.task_kinds import (
-    GRAVITY,
-    IMPACTS,
-    INTEGRATE_POSITIONS,
-    INTEGRATE_VELOCITIES,
-    LEVEL,
-    PREPARE_FORCES,
-    SECONDS,
-)
+from sandbox.engine.workers.task_kinds import INTEGRATE_VELOCITIES, LEVEL, PREPARE_FORCES, SECONDS
 from sandbox.geometry.trig import cos_sin
 from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC, KINEMATIC, STATIC
 
-SOLVED = 1
+SOLVED = 1.0
 """`forces.moves` of a body that the solver moves."""
-LED = 2
+LED = 2.0
 """`forces.moves` of a body that follows a velocity of its own: kinematic."""
-STRAIGHT = 0.01
-"""Sine of the angle between change and velocity up to which a body starts or stops in a straight line: then the mean
-velocity holds also where all of the velocity is new."""
-UNTOUCHED = 1e-9
-"""Velocity (m/s) up to which what contacts have given and taken back again counts as nothing: it is rounding."""
 
 
 @kernel
@@ -104,13 +91,13 @@ def prepare_some_forces(
         body = bodies[i]
         force = solver.forces[i]
         force.moves = SOLVED if body.type == DYNAMIC else LED
-        force.by_end = 0
+        force.by_end = 0.0
         if (
             body.type == STATIC
             or body.awake == 0
             or (body.type == DYNAMIC and solver.free_motions[i].substep_level != substep_level)
         ):
-            force.moves = 0
+            force.moves = 0.0
             continue
         lag = 1.0 + 0.5 * seconds * body.linear_damping
         force.linear_decay = _decay(seconds * body.linear_damping)
@@ -161,96 +148,6 @@ def integrate_velocity(force: Records, free_motion: Records, motion: Records) ->
 def _decay(x: float) -> float:
     """exp(-x) to second order, for x >= 0: never negative, so that strong damping stays stable."""
     return 1.0 / (1.0 + x + 0.5 * x * x)
-
-
-@kernel
-def integrate_positions(
-    active_bodies: Integers, solver: SolverBodies, gravity: float, seconds: float, late_impacts: bool, workers: Workers
-) -> None:
-    """Move by the velocity the solver left, with all workers, as `integrate_some_positions` does."""
-    workers.numbers[SECONDS] = seconds
-    workers.numbers[GRAVITY] = gravity
-    workers.numbers[IMPACTS] = 1.0 if late_impacts else 0.0
-    first, end = first_part(workers, INTEGRATE_POSITIONS, 0, active_bodies.shape[0])
-    while first < end:
-        integrate_some_positions(active_bodies[first:end], solver, gravity, seconds, late_impacts)
-        first, end = next_part(workers, first, end)
-
-
-@kernel
-def integrate_some_positions(
-    rows: Integers, solver: SolverBodies, gravity: float, seconds: float, late_impacts: bool
-) -> None:
-    """Move bodies by the velocity the solver left; one that nothing touched moves by the mean of both ends.
-
-    The mean is exact under constant acceleration, so free flight follows the parabola to rounding. A body in
-    contact keeps the direction of its end velocity, which is what the solver made safe, but where it is only slowed
-    or sped up, by no more than forces do (`gravity` in m/s^2 is the measure), it moves by the mean velocity along it.
-    What joints hold moves by the end velocity (`forces.by_end`).
-    Before `late_impacts`, what the solver moves notes the velocity it has.
-    """
-    for i in rows:
-        force = solver.forces[i]
-        if force.moves == 0:
-            continue
-        motion = solver.motions[i]
-        angle = motion.delta_angle
-        free_motion = solver.free_motions[i]
-        integrate_position(force, free_motion, motion, gravity, seconds)
-        if motion.delta_angle != angle:
-            motion.delta_cos, motion.delta_sin = cos_sin(motion.delta_angle)
-        if late_impacts and force.moves == SOLVED:
-            note_velocity(free_motion, motion)
-
-
-@inlined_kernel
-def note_velocity(free_motion: Records, motion: Records) -> None:
-    """Let the velocity of now be that with which impacts begin."""
-    free_motion.start_x = free_motion.free_x = motion.velocity_x
-    free_motion.start_y = free_motion.free_y = motion.velocity_y
-    free_motion.start_w = free_motion.free_w = motion.angular_velocity
-
-
-@inlined_kernel
-def integrate_position(force: Records, free_motion: Records, motion: Records, gravity: float, seconds: float) -> None:
-    """The same for one body, but for the cosine and sine of what it has turned by."""
-    vx = motion.velocity_x
-    vy = motion.velocity_y
-    w = motion.angular_velocity
-    if force.moves == SOLVED and force.by_end == 0:
-        vx, vy, w = _mean_velocity(force, free_motion, vx, vy, w, 4.0 * seconds * gravity)
-    motion.delta_x += seconds * vx
-    motion.delta_y += seconds * vy
-    motion.delta_angle += seconds * w
-
-
-@inlined_kernel
-def _mean_velocity(
-    force: Records, free_motion: Records, vx: float, vy: float, w: float, gentle: float
-) -> tuple[float, float, float]:
-    """The velocity by which a body moves that has (vx, vy) and w in the end; `gentle` (m/s) is the change up to which
-    it is only slowed or sped up."""
-    touched = abs(vx - free_motion.free_x) + abs(vy - free_motion.free_y) + force.extent * abs(w - free_motion.free_w)
-    if touched <= UNTOUCHED:
-        return 0.5 * (free_motion.start_x + vx), 0.5 * (free_motion.start_y + vy), 0.5 * (free_motion.start_w + w)
-    share = _mean_share(free_motion.start_x - vx, free_motion.start_y - vy, vx, vy, gentle)
-    change = free_motion.start_w - w
-    if abs(change) * force.extent <= gentle and abs(change) <= 0.5 * abs(w):
-        w = w + 0.5 * change
-    return vx * share, vy * share, w
-
-
-@kernel
-def _mean_share(change_x: float, change_y: float, vx: float, vy: float, gentle: float) -> float:
-    """Factor that turns the end velocity into the mean velocity along it; 1 after a change that is not gentle."""
-    change = change_x * change_x + change_y * change_y
-    square = vx * vx + vy * vy
-    if change > gentle * gentle or change > square or square == 0.0:
-        return 1.0
-    turns = change_x * vy - change_y * vx
-    if change > 0.25 * square and turns * turns > STRAIGHT * STRAIGHT * change * square:
-        return 1.0
-    return 1.0 + 0.5 * (change_x * vx + change_y * vy) / square
 
 
 @kernel

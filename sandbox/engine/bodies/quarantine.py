@@ -76,7 +76,7 @@ def guard_some_velocities(
         if is_slow(motion.velocity_x, motion.velocity_y, motion.angular_velocity):
             continue
         force = solver.forces[i]
-        if force.moves != 0 and not slowed(motion):
+        if force.moves > 0.0 and not slowed(motion):
             freeze_in_step(bodies[i], motion, force, active_info, step_count)
             frozen += 1
     return frozen
@@ -94,7 +94,7 @@ def freeze_in_step(body: Records, motion: Records, force: Records, active_info: 
     active_info[0].stale = 1
     _freeze(body, step_count)
     _stop(motion)
-    force.moves = 0
+    force.moves = 0.0
 
 
 @kernel

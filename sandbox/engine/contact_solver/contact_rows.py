@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sandbox._jit import inlined_kernel
 from sandbox._vectors import Vector, spread, transpose
-from sandbox.engine.contact_solver.gather import Rows
+from sandbox.engine.records.gather_fields import Rows
 from sandbox.tables import Records
 from sandbox.world.records import CONTACT
 

@@ -20,11 +20,12 @@ from sandbox.engine.contact_solver.contact_rows import (
     contact_rows,
     point_counts,
 )
-from sandbox.engine.contact_solver.gather import PairRows, Rows, gather_fields, note_rows, rows_of
+from sandbox.engine.contact_solver.gather import PairRows, note_rows, rows_of
 from sandbox.engine.contact_solver.law import Anchors, PairMass, bearing_anchors, effective_mass, levers_of
 from sandbox.engine.contact_solver.rest_length import change_level
 from sandbox.engine.contact_solver.soft_constraint import Spring
 from sandbox.engine.records.contact_blocks import ContactBlocks
+from sandbox.engine.records.gather_fields import Rows, gather_fields
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
 from sandbox.engine.workers.task_kinds import IMPACT_SPEED, IMPACTS, LEVEL, PREPARE_CONTACTS, STRUCK_BLOCKS

@@ -9,11 +9,11 @@ from sandbox.engine.bodies.flags import flag_contact
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.closing_speed import closing_speed
 from sandbox.engine.contact_solver.contact_rows import KEPT_OF_POINT_1, KEPT_OF_POINT_2, contact_rows, point_counts
-from sandbox.engine.contact_solver.gather import Rows, gather_fields, scatter_fields
 from sandbox.engine.contact_solver.rest_length import next_length
 from sandbox.engine.contact_solver.soft_constraint import Spring
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.contacts import Contacts
+from sandbox.engine.records.gather_fields import Rows, gather_fields, scatter_fields
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import color_count, first_part_of_color, next_part
 from sandbox.engine.workers.task_kinds import LEVEL, STORE_IMPULSES

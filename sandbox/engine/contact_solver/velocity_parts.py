@@ -8,7 +8,8 @@ to add it, body by body, is the same, and a body has a third of the contacts and
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox.engine.records.bodies import SolverBodies
+from sandbox._vectors import lane_numbers, load_fields, select, store_fields
+from sandbox.engine.records.bodies import VELOCITY, SolverBodies
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
 from sandbox.engine.workers.task_kinds import ADD_PARTS, TURN_PARTS
@@ -19,11 +20,7 @@ from sandbox.tables import Integers
 def begin_parts(rows: Integers, solver: SolverBodies) -> None:
     """Contacts have given nothing yet: `solver.parts` gets all else."""
     for i in rows:
-        motion = solver.motions[i]
-        part = solver.parts[i]
-        part.velocity_x = motion.velocity_x
-        part.velocity_y = motion.velocity_y
-        part.angular_velocity = motion.angular_velocity
+        store_fields(solver.parts, i, 0, load_fields(solver.motions, i, VELOCITY))
 
 
 @kernel
@@ -39,11 +36,8 @@ def turn_parts(rows: Integers, solver: SolverBodies, workers: Workers) -> None:
 def turn_some_parts(rows: Integers, solver: SolverBodies) -> None:
     """The same for some bodies."""
     for i in rows:
-        motion = solver.motions[i]
-        part = solver.parts[i]
-        part.velocity_x = motion.velocity_x - part.velocity_x
-        part.velocity_y = motion.velocity_y - part.velocity_y
-        part.angular_velocity = motion.angular_velocity - part.angular_velocity
+        other = load_fields(solver.motions, i, VELOCITY) - load_fields(solver.parts, i, 0)
+        store_fields(solver.parts, i, 0, other)
 
 
 @kernel
@@ -58,15 +52,9 @@ def add_parts(rows: Integers, solver: SolverBodies, workers: Workers) -> None:
 @kernel
 def add_some_parts(rows: Integers, solver: SolverBodies) -> None:
     """The same for some bodies."""
+    is_velocity = lane_numbers() < 3.0  # behind it is a place
     for i in rows:
-        motion = solver.motions[i]
-        part = solver.parts[i]
-        vx = motion.velocity_x
-        vy = motion.velocity_y
-        w = motion.angular_velocity
-        motion.velocity_x = vx + part.velocity_x
-        motion.velocity_y = vy + part.velocity_y
-        motion.angular_velocity = w + part.angular_velocity
-        part.velocity_x = vx
-        part.velocity_y = vy
-        part.angular_velocity = w
+        velocity = load_fields(solver.motions, i, VELOCITY)
+        sum_of_both = select(is_velocity, velocity + load_fields(solver.parts, i, 0), velocity)
+        store_fields(solver.motions, i, VELOCITY, sum_of_both)
+        store_fields(solver.parts, i, 0, velocity)

@@ -52,7 +52,7 @@ def move_by_end_velocity(work: JointWork, forces: Records) -> None:
         if part.current == 1:
             for i in range(part.first_member, part.member_end):
                 if work.members[i].inverse_mass > 0.0:
-                    forces[work.members[i].body].by_end = 1
+                    forces[work.members[i].body].by_end = 1.0
 
 
 @kernel

@@ -21,6 +21,8 @@ MOTION = Table(
 )
 """One row a body, one cache line: all that the solver gathers and scatters. A last one is that of the world, at rest:
 some joints hold bodies to it."""
+VELOCITY, POSE = MOTION.places(("velocity_x", "delta_y"), 8)
+"""Numbers of the first field of either half of such a row."""
 
 IMPACT_VELOCITIES = (
     Field("start_x", "m/s", "velocity when the substep began"),
@@ -51,11 +53,11 @@ BODY_FORCES = Table(
         Field("linear_decay", "1", "share of the velocity that damping leaves"),
         Field("angular_decay", "1", "share of the angular velocity that damping leaves"),
         Field("extent", "m", "that of the body"),
-        Field("moves", "-", "1 when the solver moves it, 2 when it is kinematic, 0 for the others", "i8"),
-        Field("by_end", "-", "1 when it moves by the velocity at the end of a substep, as its joints count on", "i8"),
+        Field("moves", "-", "1 when the solver moves it, 2 when it is kinematic, 0 for the others"),
+        Field("by_end", "-", "1 when it moves by the velocity at the end of a substep, as its joints count on"),
     ),
 )
-"""One row a body, one cache line: all that the substeps ask of the body itself."""
+"""One row a body, one cache line: all that the substeps ask of the body itself; floats, which vectors can hold."""
 
 
 VELOCITY_PART = Table(

@@ -8,11 +8,8 @@ from sandbox._atomics import atomic_add, atomic_load
 from sandbox._jit import entry_point, kernel
 from sandbox.engine.bodies.begin_and_finish import finish_some_bodies
 from sandbox.engine.bodies.free_flight import fly_some, told_flight
-from sandbox.engine.bodies.integrate import (
-    integrate_some_positions,
-    integrate_some_velocities,
-    prepare_some_forces,
-)
+from sandbox.engine.bodies.integrate import integrate_some_velocities, prepare_some_forces
+from sandbox.engine.bodies.integrate_positions import integrate_some_positions
 from sandbox.engine.bodies.quarantine import guard_some_velocities
 from sandbox.engine.broad_phase.proxies import bound_some_shapes
 from sandbox.engine.contact_solver.prepare import ImpactCriteria, prepare_blocks

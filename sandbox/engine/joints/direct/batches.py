@@ -9,11 +9,11 @@ from __future__ import annotations
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import WIDTH, Vector, load, select, spread, store
 from sandbox.engine.bodies.flags import is_active
-from sandbox.engine.contact_solver.gather import Rows, gather_fields
 from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.records import LEVELS, Batches
 from sandbox.engine.joints.joint_bodies import part_level
 from sandbox.engine.joints.records import JointWork
+from sandbox.engine.records.gather_fields import Rows, gather_fields
 from sandbox.tables import Floats, Records
 from sandbox.world.joint_records import JOINT
 

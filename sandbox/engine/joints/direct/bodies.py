@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox._vectors import WIDTH, absolute, any_lane, lanes, load, select, spread, store, store_fields, transpose
-from sandbox.engine.contact_solver.gather import Rows, gather_fields
+from sandbox._vectors import WIDTH, any_lane, lanes, load, select, spread, store, store_fields, transpose
 from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.records import Batches
-from sandbox.engine.records.bodies import FREE_MOTION, MOTION
-from sandbox.geometry.trig import NEAR_ZERO, cos_sin, cos_sin_near_zero
+from sandbox.engine.records.bodies import FREE_MOTION, POSE, VELOCITY
+from sandbox.engine.records.gather_fields import Rows, gather_fields
+from sandbox.geometry.trig import cos_sin_lanes
 from sandbox.tables import Records
 
-_VELOCITY_X, _DELTA_Y = MOTION.places(("velocity_x", "delta_y"), 8)
 _START_X, _START_W = FREE_MOTION.places(("start_x", "start_w"), 8)
-"""Numbers of fields of a motion, and of a free one, from which on four are read at once."""
+"""Numbers of fields of a free motion, from which on four are read at once."""
 
 
 @kernel
@@ -32,8 +31,8 @@ def gather_bodies(d: Batches, batch: Records, motions: Records, free_motions: Re
         if rows[0] < 0 or rows[1] < 0 or rows[2] < 0 or rows[3] < 0:
             _gather_beside_world(d, batch, slot, motions)
             continue
-        x, y, w, delta_x = gather_fields(motions, rows, _VELOCITY_X)
-        delta_y, delta_cos, delta_sin, delta_angle = gather_fields(motions, rows, _DELTA_Y)
+        x, y, w, delta_x = gather_fields(motions, rows, VELOCITY)
+        delta_y, delta_cos, delta_sin, delta_angle = gather_fields(motions, rows, POSE)
         held = halves & (load(v, seat + at.INVERSE_MASS) != 0.0)
         if any_lane(held):
             if moving:
@@ -102,13 +101,13 @@ def scatter_bodies(d: Batches, batch: Records, motions: Records) -> None:
         mass = lanes(load(v, batch.seats + place + at.INVERSE_MASS))
         count = batch.count
         if mass[0] > 0.0:
-            store_fields(motions, row[0], _VELOCITY_X, motion[0])
+            store_fields(motions, row[0], VELOCITY, motion[0])
         if mass[1] > 0.0 and count > 1:
-            store_fields(motions, row[1], _VELOCITY_X, motion[1])
+            store_fields(motions, row[1], VELOCITY, motion[1])
         if mass[2] > 0.0 and count > 2:
-            store_fields(motions, row[2], _VELOCITY_X, motion[2])
+            store_fields(motions, row[2], VELOCITY, motion[2])
         if mass[3] > 0.0 and count > 3:
-            store_fields(motions, row[3], _VELOCITY_X, motion[3])
+            store_fields(motions, row[3], VELOCITY, motion[3])
 
 
 @kernel
@@ -123,13 +122,7 @@ def look_ahead(d: Batches, batch: Records, ahead: float) -> None:
         store(v, place + at.AHEAD_Y, load(v, place + at.DELTA_Y) + ahead * load(v, place + at.VELOCITY_Y))
         store(v, place + at.ANGLE, load(v, seat + at.START_ANGLE) + turn)
         if ahead != 0.0:
-            c, s = cos_sin_near_zero(turn)
-            if any_lane(absolute(turn) > NEAR_ZERO):
-                store(v, place + at.SIN, turn)
-                for k in range(WIDTH):
-                    v[place + at.COS + k], v[place + at.SIN + k] = cos_sin(v[place + at.SIN + k])
-                c = load(v, place + at.COS)
-                s = load(v, place + at.SIN)
+            c, s = cos_sin_lanes(turn)
         else:
             c = load(v, place + at.DELTA_COS)
             s = load(v, place + at.DELTA_SIN)

@@ -1,0 +1,128 @@
+"""Stage: positions from velocities, four bodies side by side."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from sandbox._jit import inlined_kernel, kernel
+from sandbox._vectors import WIDTH, Number, absolute, any_lane, select
+from sandbox.engine.bodies.integrate import SOLVED
+from sandbox.engine.records.bodies import BODY_FORCES, FREE_MOTION, POSE, VELOCITY, SolverBodies
+from sandbox.engine.records.gather_fields import Rows, gather_fields, scatter_fields
+from sandbox.engine.records.workers import Workers
+from sandbox.engine.workers.parallel_for import first_part, next_part
+from sandbox.engine.workers.task_kinds import GRAVITY, IMPACTS, INTEGRATE_POSITIONS, SECONDS
+from sandbox.geometry.trig import cos_sin_lanes
+from sandbox.tables import Integers
+
+STRAIGHT = 0.01
+"""Sine of the angle between change and velocity up to which a body starts or stops in a straight line: then the mean
+velocity holds also where all of the velocity is new."""
+UNTOUCHED = 1e-9
+"""Velocity (m/s) up to which what contacts have given and taken back again counts as nothing: it is rounding."""
+_START, _FREE_Y = FREE_MOTION.places(("start_x", "free_y"), 8)
+(_ANGULAR_DECAY,) = BODY_FORCES.places(("angular_decay",), 8)
+"""Numbers of fields, from which on four are read at once."""
+
+
+class Velocity(NamedTuple):
+    """Of a body, in m/s and rad/s."""
+
+    x: Number
+    y: Number
+    w: Number
+
+
+@kernel
+def integrate_positions(
+    active_bodies: Integers, solver: SolverBodies, gravity: float, seconds: float, late_impacts: bool, workers: Workers
+) -> None:
+    """Move by the velocity the solver left, with all workers, as `integrate_some_positions` does."""
+    workers.numbers[SECONDS] = seconds
+    workers.numbers[GRAVITY] = gravity
+    workers.numbers[IMPACTS] = 1.0 if late_impacts else 0.0
+    first, end = first_part(workers, INTEGRATE_POSITIONS, 0, active_bodies.shape[0])
+    while first < end:
+        integrate_some_positions(active_bodies[first:end], solver, gravity, seconds, late_impacts)
+        first, end = next_part(workers, first, end)
+
+
+@kernel
+def integrate_some_positions(
+    rows: Integers, solver: SolverBodies, gravity: float, seconds: float, late_impacts: bool
+) -> None:
+    """Move bodies by the velocity the solver left; one that nothing touched moves by the mean of both ends.
+
+    The mean is exact under constant acceleration, so free flight follows the parabola to rounding. A body in
+    contact keeps the direction of its end velocity, which is what the solver made safe, but where it is only slowed
+    or sped up, by no more than forces do (`gravity` in m/s^2 is the measure), it moves by the mean velocity along it.
+    What joints hold moves by the end velocity (`forces.by_end`).
+    Before `late_impacts`, what the solver moves notes the velocity it has.
+    """
+    last = rows.shape[0] - 1
+    for k in range(0, rows.shape[0], WIDTH):
+        # Behind the last body it comes again, which moves it no further: all are read before any is written.
+        four: Rows = (
+            rows[k],
+            rows[k + 1 if k + 1 < last else last],
+            rows[k + 2 if k + 2 < last else last],
+            rows[k + 3 if k + 3 < last else last],
+        )
+        _integrate_four(four, solver, gravity, seconds, late_impacts)
+
+
+@inlined_kernel
+def _integrate_four(rows: Rows, solver: SolverBodies, gravity: float, seconds: float, late_impacts: bool) -> None:
+    vx, vy, w, x = gather_fields(solver.motions, rows, VELOCITY)
+    y, cosine, sine, angle = gather_fields(solver.motions, rows, POSE)
+    start_x, start_y, start_w, free_x = gather_fields(solver.free_motions, rows, _START)
+    free_y, free_w, level, buoyed = gather_fields(solver.free_motions, rows, _FREE_Y)
+    _, extent, moves, by_end = gather_fields(solver.forces, rows, _ANGULAR_DECAY)
+    start = Velocity(start_x, start_y, start_w)
+    mean = mean_velocity(start, Velocity(free_x, free_y, free_w), Velocity(vx, vy, w), extent, 4.0 * seconds * gravity)
+    solved = moves == SOLVED
+    by_mean = solved & (by_end == 0.0)
+    moving = moves > 0.0
+    x = select(moving, x + seconds * select(by_mean, mean.x, vx), x)
+    y = select(moving, y + seconds * select(by_mean, mean.y, vy), y)
+    after = select(moving, angle + seconds * select(by_mean, mean.w, w), angle)
+    turned = after != angle
+    if any_lane(turned):
+        new_cosine, new_sine = cos_sin_lanes(after)
+        cosine = select(turned, new_cosine, cosine)
+        sine = select(turned, new_sine, sine)
+    scatter_fields(solver.motions, rows, VELOCITY, (vx, vy, w, x), 0, WIDTH)
+    scatter_fields(solver.motions, rows, POSE, (y, cosine, sine, after), 0, WIDTH)
+    if late_impacts:
+        first = (select(solved, vx, start_x), select(solved, vy, start_y), select(solved, w, start_w))
+        noted = select(solved, vx, free_x), select(solved, vy, free_y), select(solved, w, free_w)
+        scatter_fields(solver.free_motions, rows, _START, (first[0], first[1], first[2], noted[0]), 0, WIDTH)
+        scatter_fields(solver.free_motions, rows, _FREE_Y, (noted[1], noted[2], level, buoyed), 0, WIDTH)
+
+
+@inlined_kernel
+def mean_velocity(start: Velocity, free: Velocity, end: Velocity, extent: Number, gentle: float) -> Velocity:
+    """The velocity by which bodies move that have `end` in the end, and would have `free` if nothing touched them;
+    `gentle` (m/s) is the change up to which they are only slowed or sped up."""
+    turns = absolute(end.w - free.w)
+    untouched = absolute(end.x - free.x) + absolute(end.y - free.y) + extent * turns <= UNTOUCHED
+    share = _mean_share(start.x - end.x, start.y - end.y, end.x, end.y, gentle)
+    change = start.w - end.w
+    gently = (absolute(change) * extent <= gentle) & (absolute(change) <= 0.5 * absolute(end.w))
+    return Velocity(
+        select(untouched, 0.5 * (start.x + end.x), end.x * share),
+        select(untouched, 0.5 * (start.y + end.y), end.y * share),
+        select(untouched, 0.5 * (start.w + end.w), select(gently, end.w + 0.5 * change, end.w)),
+    )
+
+
+@inlined_kernel
+def _mean_share(change_x: Number, change_y: Number, vx: Number, vy: Number, gentle: float) -> Number:
+    """Factor that turns the end velocity into the mean velocity along it; 1 after a change that is not gentle."""
+    change = change_x * change_x + change_y * change_y
+    square = vx * vx + vy * vy
+    harsh = (change > gentle * gentle) | (change > square) | (square == 0.0)
+    turns = change_x * vy - change_y * vx
+    bends = (change > 0.25 * square) & (turns * turns > STRAIGHT * STRAIGHT * change * square)
+    share = 1.0 + 0.5 * (change_x * vx + change_y * vy) / select(square == 0.0, 1.0, square)
+    return select(harsh | bends, 1.0, share)
