@@ -108,7 +108,6 @@ def find_events(
     """
     counter, bodies = state.counters[0], plain(state.bodies)
     centers, lookup = _centers(bodies, pending), RowLookup(state, ids[0])
-    ends, leaves = _deleted(CONTACT_EVENT, pending.ends, lookup), _deleted(SENSOR_EVENT, pending.leaves, lookup)
     enter, leave = _entered_and_left(*sensed)
     now: Any = plain(state.contacts)[: int(counter.contact_count)]
     old: Any = plain(before)[: int(counter.old_contact_count)]
@@ -117,14 +116,16 @@ def find_events(
     did: Any = plain(reports)[: len(now)]
     struck = np.flatnonzero(did["hit_speed"] >= HIT_SPEED)
     fresh, ended = touches[~among(keys, old_keys)], touched[~among(old_keys, keys)]
+    end = _followed_by(_contact_rows(old, ended, None, centers), pending.ends, CONTACT_EVENT, lookup)
+    leave = _followed_by(leave, pending.leaves, SENSOR_EVENT, lookup)
     return Events(
         int(counter.step_count),
         lookup.names,
-        _contact_rows(now.take(fresh), did.take(fresh), centers),
-        _followed_by(_contact_rows(old.take(ended), None, centers), ends),
-        _contact_rows(now.take(struck), did.take(struck), centers),
+        _contact_rows(now, fresh, did, centers),
+        end,
+        _contact_rows(now, struck, did, centers),
         enter,
-        _followed_by(leave, leaves),
+        leave,
         np.flatnonzero(bodies["stirred"] == -1),
         np.flatnonzero(bodies["stirred"] == 1),
         np.flatnonzero(bodies["frozen_step"] == counter.step_count - 1),
@@ -135,6 +136,8 @@ def find_events(
 
 def _entered_and_left(before: Any, after: Any) -> tuple[Records, Records]:
     """`SENSOR_EVENT` rows that are new, and those that are gone."""
+    if len(before) == len(after) == 0:  # as in most scenes
+        return _NO_SENSORS, _NO_SENSORS
     old, new = _pair_keys(before), _pair_keys(after)
     entered, left = np.flatnonzero(~among(new, old)), np.flatnonzero(~among(old, new))
     return as_table(plain(after).take(entered)), as_table(plain(before).take(left))
@@ -151,24 +154,25 @@ def _centers(bodies: Any, pending: PendingEvents) -> dict[str, Any]:
     return centers
 
 
-def _deleted(table: Table, pairs: list[DeletedPair], lookup: RowLookup) -> Records:
-    """Both tables begin with two bodies and two shapes; a contact goes on with its place and normal."""
-    rows = table.zeros(len(pairs))
-    if pairs:
-        figures = zip(*(pair.figures for pair in pairs), strict=True)
-        for name, column in zip(table.dtype.names or (), (*lookup.rows(pairs), *figures), strict=False):
-            plain(rows)[name] = column
-    return rows
+def _followed_by(rows: Records, pairs: list[DeletedPair], table: Table, lookup: RowLookup) -> Records:
+    """The rows of an event table, and after them those of pairs that were deleted, whose names `lookup` learns.
+
+    Such tables begin with two bodies and two shapes; a contact goes on with its place and normal.
+    """
+    if not pairs:
+        return rows
+    more = table.zeros(len(pairs))
+    figures = zip(*(pair.figures for pair in pairs), strict=True)
+    for name, column in zip(table.dtype.names or (), (*lookup.rows(pairs), *figures), strict=False):
+        plain(more)[name] = column
+    return np.concatenate([rows, more]).view(np.recarray)
 
 
-def _followed_by(rows: Records, more: Records) -> Records:
-    return np.concatenate([rows, more]).view(np.recarray) if len(more) else rows
-
-
-def _contact_rows(contacts: Any, did: Any, centers: dict[str, Any]) -> Records:
+def _contact_rows(contacts: Any, which: Integers, did: Any, centers: dict[str, Any]) -> Records:
+    if not len(which):
+        return _NO_CONTACTS
+    contacts = contacts.take(which)
     table = CONTACT_EVENT.zeros(len(contacts))
-    if not len(table):
-        return table
     rows = plain(table)
     for name in ("body_a", "body_b", "shape_a", "shape_b", "normal_x", "normal_y"):
         rows[name] = contacts[name]
@@ -177,7 +181,7 @@ def _contact_rows(contacts: Any, did: Any, centers: dict[str, Any]) -> Records:
         first, second = contacts[f"anchor_a{axis}1"], contacts[f"anchor_a{axis}2"]
         rows[axis] = centers[axis][contacts["body_a"]] + np.where(two, 0.5 * (first + second), first)
     if did is not None:
-        rows["impulse"], rows["speed"] = did["total_impulse"], did["hit_speed"]
+        rows["impulse"], rows["speed"] = did["total_impulse"][which], did["hit_speed"][which]
     return table
 
 
