@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from sandbox.engine.events.sensors import SensorOverlaps
 
 Vec = tuple[float, float]
+_NOBODY = SENSOR_EVENT.zeros(0)
 
 
 class KeptEvents(NamedTuple):
@@ -46,8 +47,8 @@ class EventLog:
     def events(self, scratch: Scratch) -> Events:
         """The events of the last step, worked out when they are asked for; `scratch` is what that step left."""
         if self._events is None:
-            sensors, nobody = self._sensors, SENSOR_EVENT.zeros(0)
-            sensed = (sensors.before, sensors.now) if sensors is not None else (nobody, nobody)
+            sensors = self._sensors
+            sensed = (sensors.before, sensors.now) if sensors is not None else (_NOBODY, _NOBODY)
             contacts = scratch.contacts
             ids = self._state.names, self._state.joint_names
             if self._counts is not None:

@@ -106,11 +106,12 @@ def find_events(
     `ids` are those of the bodies and of the joints after that step, `sensed` is what sensors overlapped before and
     after it; `pending` tells what was deleted before the step, and who was put elsewhere since.
     """
-    counter, bodies = state.counters[0], plain(state.bodies)
+    counter, bodies = plain(state.counters)[0], plain(state.bodies)
+    step = int(counter["step_count"])
     centers, lookup = _centers(bodies, pending), RowLookup(state, ids[0])
     enter, leave = _entered_and_left(*sensed)
-    now: Any = plain(state.contacts)[: int(counter.contact_count)]
-    old: Any = plain(before)[: int(counter.old_contact_count)]
+    now: Any = plain(state.contacts)[: int(counter["contact_count"])]
+    old: Any = plain(before)[: int(counter["old_contact_count"])]
     touched, touches = (np.flatnonzero(contacts["touching"] == 1) for contacts in (old, now))
     old_keys, keys = _keys(old, touched), _keys(now, touches)
     did: Any = plain(reports)[: len(now)]
@@ -119,7 +120,7 @@ def find_events(
     end = _followed_by(_contact_rows(old, ended, None, centers), pending.ends, CONTACT_EVENT, lookup)
     leave = _followed_by(leave, pending.leaves, SENSOR_EVENT, lookup)
     return Events(
-        int(counter.step_count),
+        step,
         lookup.names,
         _contact_rows(now, fresh, did, centers),
         end,
@@ -128,8 +129,8 @@ def find_events(
         leave,
         np.flatnonzero(bodies["stirred"] == -1),
         np.flatnonzero(bodies["stirred"] == 1),
-        np.flatnonzero(bodies["frozen_step"] == counter.step_count - 1),
-        np.flatnonzero(plain(state.joints)["broken_step"] == counter.step_count - 1),
+        np.flatnonzero(bodies["frozen_step"] == step - 1),
+        np.flatnonzero(plain(state.joints)["broken_step"] == step - 1),
         ids[1],
     )
 

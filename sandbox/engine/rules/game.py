@@ -20,6 +20,8 @@ from sandbox.world.rule_records import LOST, OPEN, WON
 
 MOST_AT_ONCE = 100
 """So many times a rule is followed in one step."""
+_MARKS = ["pressed", "released", "value"]
+"""What is asked of a control before each step."""
 
 
 class Game:
@@ -30,7 +32,11 @@ class Game:
         flat = world.state.census.scene
         self._rules, self._controls = flat.rules, flat.controls
         rate = flat.settings.step_rate
-        self._waiting = [Waiting(rule, rate) for rule in flat.rules]
+        self._waiting = [
+            (number, Waiting(rule, rate))
+            for number, rule in enumerate(flat.rules)
+            if rule.when.kind not in ("count", "press")  # those are followed as soon as it comes about
+        ]
         self._cooldowns = [step_at(rule.cooldown, rate) for rule in flat.rules]
         self._touching = {
             rule.condition.touches: (Selector((rule.condition.touches[0],)), Selector((rule.condition.touches[1],)))
@@ -51,17 +57,24 @@ class Game:
         """What is pressed, held and let go acts."""
         self._actor.begin()
         controls = plain(self._world.state.controls)
-        marks = [tuple(int(row[name]) for name in ("pressed", "released")) for row in controls]
+        marks = controls[_MARKS].tolist()
+        if any(map(any, marks)):  # as seldom as somebody plays
+            self._obey(marks)
+        self._settle()
+
+    def _obey(self, marks: Sequence[tuple[int, int, float]]) -> None:
+        """Do what belongs to the controls, of which each was pressed, was let go, or holds a value."""
+        controls = plain(self._world.state.controls)
         controls["pressed"] = controls["released"] = 0
-        held = [bool(value) for value in controls["value"].tolist()]
+        pressed = [mark[0] == 1 for mark in marks]
+        held = [bool(mark[2]) for mark in marks]
         # A control that was pressed and let go since the last step lets go after it has acted.
-        taps = [pressed == 1 and not holds for (pressed, _), holds in zip(marks, held, strict=True)]
-        self._use("release", [released == 1 and not tap for (_, released), tap in zip(marks, taps, strict=True)])
-        self._use("press", [pressed == 1 for pressed, _ in marks])
-        self._follow_presses([pressed == 1 for pressed, _ in marks])
+        taps = [press and not holds for press, holds in zip(pressed, held, strict=True)]
+        self._use("release", [mark[1] == 1 and not tap for mark, tap in zip(marks, taps, strict=True)])
+        self._use("press", pressed)
+        self._follow_presses(pressed)
         self._use("hold", held)
         self._use("release", taps)
-        self._settle()
 
     def after_step(self, sensed: Records | None) -> Sequence[Happening]:
         """Rules follow what happened; `sensed` is what sensors overlap now. Returns what is to be told since the last
@@ -71,10 +84,10 @@ class Game:
         state.sensings = now
         if self._waiting:
             happened = Happened(self._world, (before, now))
-            step = int(state.counters[0].step_count)
+            step = int(plain(state.counters)["step_count"][0])
             # All occasions are known before anything is done on any of them.
-            found = [list(islice(each.occasions(happened, step), MOST_AT_ONCE)) for each in self._waiting]
-            for number, occasions in enumerate(found):
+            found = [(n, list(islice(each.occasions(happened, step), MOST_AT_ONCE))) for n, each in self._waiting]
+            for number, occasions in found:
                 for occasion in occasions:
                     self._follow(number, occasion)
         self._settle()

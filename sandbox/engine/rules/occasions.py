@@ -16,6 +16,7 @@ from sandbox.tables import Integers, Records, plain
 from sandbox.world.build_fields import step_at
 from sandbox.world.rule_records import SENSING
 
+_NOTHING_SENSED = SENSING.zeros(0)
 Vec = tuple[float, float]
 Pair = tuple[str, str, float, float]
 """Ids, speed (m/s) and impulse (N s) of an event between two bodies."""
@@ -98,6 +99,8 @@ class Happened:
 
     def _passed(self, entered: bool) -> tuple[list[int], list[int]]:
         """The bodies of sensors that others have entered, or left, and those others."""
+        if not any(map(len, self._sensed)):
+            return [], []
         before, now = (np.sort(_sensing_keys(rows), kind="stable") for rows in self._sensed)
         keys = now[~among(now, before)] if entered else before[~among(before, now)]
         sensors, others = pairs_of(keys)
@@ -117,7 +120,7 @@ def _columns(rows: Records, *names: str) -> list[list[Any]]:
 
 
 class Waiting:
-    """What one rule waits for, ready to be compared with what happened."""
+    """What one rule waits for that is no count and no press, ready to be compared with what happened."""
 
     def __init__(self, rule: FlatRule, step_rate: float) -> None:
         self._trigger, self._id = rule.when, rule.id
@@ -128,8 +131,6 @@ class Waiting:
     def occasions(self, happened: Happened, step: int) -> Iterator[Occasion]:
         """Each time that it came about in the step that led to `step`."""
         kind = self._trigger.kind
-        if kind in ("count", "press"):
-            return
         if kind == "time" or kind == "every":
             since = step - self._step
             if since == 0 or (kind == "every" and since > 0 and since % self._period == 0):
@@ -154,7 +155,7 @@ class Waiting:
 def sensing_rows(sensed: Records | None) -> Records:
     """Each pair of bodies of which one senses the other, once, in order: `SENSING` rows."""
     if sensed is None or not len(sensed):
-        return SENSING.zeros(0)
+        return _NOTHING_SENSED
     keys = np.sort(_sensing_keys(sensed), kind="stable")  # in order already, but for bodies with several sensors
     keys = keys[np.flatnonzero(np.diff(keys, prepend=-1))]
     table = SENSING.zeros(len(keys))

@@ -13,7 +13,7 @@ from zlib import crc32
 
 import numpy as np
 
-from sandbox.tables import Integers, Records, Table
+from sandbox.tables import Integers, Records, Table, plain
 from sandbox.world.joint_records import JOINT
 from sandbox.world.records import BODY, CONTACT, DRAG
 from sandbox.world.state import State
@@ -38,7 +38,7 @@ def columns(table: Table, group: str) -> list[str]:
 
 def fingerprint(state: State) -> str:
     """Four times four hex digits, in the order of `GROUPS`: `1a2b 3c4d 5e6f 7081`."""
-    contacts = _words(state.contacts)[: int(state.counters["contact_count"][0])]
+    contacts = _words(state.contacts)[: int(plain(state.counters)["contact_count"][0])]
     joints_and_drags = _crc(_words(state.drags), _DRAGS, _crc(_words(state.joints), _JOINTS))
     codes = (
         _crc(contacts, _CONTACT_PAIRS),
@@ -63,7 +63,7 @@ def _places(table: Table, group: str) -> Integers:
 
 def _words(rows: Records) -> Any:
     """The bits of a table as whole numbers, a row a record."""
-    return rows.view(np.ndarray).view(np.int64).reshape(len(rows), rows.itemsize // 8)
+    return np.ndarray((len(rows), rows.itemsize // 8), np.int64, rows)
 
 
 def _crc(words: Any, places: Integers, start: int = 0) -> int:
