@@ -47,6 +47,8 @@ _ROOMS = (
     "world/field_records.py",
     "engine",
 )
+WITHOUT_KERNELS = ("engine/commands/", "engine/rules/", "engine/views/")
+"""Folders in these that have no kernels, nor anything that kernels read: whoever works on them compiles nothing."""
 _SETTINGS = ("CPU_NAME", "CPU_FEATURES", "ENABLE_AVX", "OPT", "LOOP_VECTORIZE", "SLP_VECTORIZE")
 """Environment variables of numba, without `NUMBA_`, that change machine code."""
 _STALE_SECONDS = 14 * 24 * 3600
@@ -116,7 +118,9 @@ def sources_hash() -> str:
     for room in _ROOMS:
         path = package / room
         for file in sorted(path.rglob("*.py")) if path.is_dir() else [path]:
-            digest.update(file.relative_to(package).as_posix().encode() + b"\0" + file.read_bytes())
+            name = file.relative_to(package).as_posix()
+            if not name.startswith(WITHOUT_KERNELS):
+                digest.update(name.encode() + b"\0" + file.read_bytes())
     return digest.hexdigest()
 
 

@@ -291,15 +291,19 @@ def heap_of_capsules(size: int) -> Parts:
     return _tumbled([{"capsule": [[-0.3, 0], [0.3, 0]], "radius": 0.25}] * (3000 * size), size, 1.4)
 
 
-def heap_of_polygons(size: int) -> Parts:
+def heap_of_polygons(size: int, radius: float = 0.0) -> Parts:
     """Of three to eight corners on circles of different sizes."""
     chance = random.Random(3)
     shapes = []
     for k in range(3000 * size):
-        corners, r, turn = 3 + k % 6, chance.uniform(0.35, 0.65), chance.uniform(0.0, 6.3)
+        corners, r, turn = 3 + k % 6, chance.uniform(0.35, 0.65) - radius, chance.uniform(0.0, 6.3)
         angles = [turn + 2.0 * math.pi * (i + chance.uniform(-0.2, 0.2)) / corners for i in range(corners)]
-        shapes.append({"polygon": [[r * math.cos(angle), r * math.sin(angle)] for angle in angles]})
+        shapes.append({"polygon": [[r * math.cos(angle), r * math.sin(angle)] for angle in angles], "radius": radius})
     return _tumbled(shapes, size, 1.6)
+
+
+def heap_of_rounded_polygons(size: int) -> Parts:
+    return heap_of_polygons(size, 0.1)
 
 
 def small_pyramid(size: int) -> Parts:
@@ -327,9 +331,9 @@ def one_ragdoll(size: int) -> Parts:
 SCENES: tuple[Callable[[int], Parts], ...] = (
     ropes, one_rope, cloth, spring_net, weld_net, loops, welded_triples, bouncing_pit, sizes_mixed, heavy_on_light,
     columns, ragdolls, cars, needles, stars, tiles, heap_of_balls, heap_of_boxes, heap_of_capsules, heap_of_polygons,
-    small_pyramid, pendulums, one_ragdoll,
+    heap_of_rounded_polygons, small_pyramid, pendulums, one_ragdoll,
 )  # fmt: skip
-SETTLING = (heap_of_balls, heap_of_boxes, heap_of_capsules, heap_of_polygons)
+SETTLING = (heap_of_balls, heap_of_boxes, heap_of_capsules, heap_of_polygons, heap_of_rounded_polygons)
 """Those of interest when they have come to rest."""
 
 
