@@ -1,9 +1,10 @@
 """Whether two cores that are apart are closest at two vertices: the axis that rounded corners add to the test.
 
-The best face of the separating-axis test and the edge that faces it most nearly always have the closest points. Two
-vertices of theirs are the closest of all if each is nearer than both edges that it ends, as distances of convex shapes
-have no other least ones (M. Lin and J. Canny, "A fast algorithm for incremental distance calculation", 1991). What
-is left is found by brute force.
+Such vertices are ends of the best face of the separating-axis test and of the edge that faces it most: in the Minkowski
+difference, the edge farthest from the origin ends in the vertex nearest to it. Rounding (of slivers) and a bias may
+choose another face. So two vertices count if each is nearer to the other than the rest of both edges that it ends: they
+are in each other's Voronoi regions (M. Lin and J. Canny, "A fast algorithm for incremental distance calculation",
+1991). Else brute force finds what is closest.
 """
 
 from __future__ import annotations
@@ -24,12 +25,13 @@ def closest_vertices(
     """Whether two disjoint cores are closest at two vertices that are farther apart than `least` metres:
     (yes, vertex of a, vertex of b, axis x, y, distance).
 
-    `face` is the best one of the separating-axis test, of b if `flip`. The unit axis points from a to b. When a vertex
-    faces the inside of an edge instead, that edge's normal already is the right axis and the answer is no.
+    `face` is the best one of the separating-axis test, of b if `flip`; another one only takes longer. The unit axis
+    points from a to b. When a vertex faces the inside of an edge instead, that edge's normal already is the right axis
+    and the answer is no.
     """
     square, both, i, j = _closest_of_edges(cores, a, b, dx, dy, flip, face)
-    all_there_is = a.vertex_count <= 2 and b.vertex_count <= 2
-    if square > least * least and not (all_there_is or (both and _nearest_of_all(cores, a, b, dx, dy, i, j))):
+    lines = a.vertex_count <= 2 and b.vertex_count <= 2  # they have no other edges
+    if square > least * least and not (lines or (both and _nearest_of_all(cores, a, b, dx, dy, i, j))):
         square, _ax, _ay, _bx, _by, both, i, j = closest_points(cores, a, b, dx, dy)
     if not both or square <= least * least:
         return False, 0, 0, 0.0, 0.0, 0.0

@@ -11,6 +11,7 @@ from hypothesis import assume, given
 from sandbox._jit import kernel_argument
 from sandbox.geometry import closest, closest_vertices, sat
 from sandbox.geometry.sat import FAR
+from tests.examples import examples
 from tests.geometry.convex_cases import Case, cases, random_cases
 from tests.kernels import called_from_python
 from tests.naive import convex
@@ -57,7 +58,8 @@ def test_closest_vertices_are_the_closest_features_or_none(case):
         assert math.hypot(nx, ny) == pytest.approx(1.0, abs=1e-15)
 
 
-@given(cases)
+@given(random_cases | cases)
+@examples(400)
 def test_the_same_vertices_as_of_all_features(case):
     assert_as_brute_force(case)
 
@@ -74,7 +76,7 @@ def test_the_same_vertices_as_of_all_features_of_boxes_that_lie_flat():
 
 
 def assert_as_brute_force(case: Case) -> bool:
-    """Returns whether the case has closest vertices."""
+    """With the best face and with any other. Returns whether the case has closest vertices."""
     best = best_face(case)
     if best is None or best[0] < 0.0:
         return False
@@ -82,12 +84,15 @@ def assert_as_brute_force(case: Case) -> bool:
     square, _ax, _ay, _bx, _by, both, i, j = closest_points(table, *case.cores(), *case.way)
     distance = math.sqrt(square)
     least = best[0] + SLIGHTLY
-    found = vertices_of(table, *case.cores(), *case.way, best[1], best[2], least)
-    if not both or distance <= least:
-        assert not found[0] or found[5] <= distance * (1.0 + 1e-12)
-        return False
-    assert found[0]
-    assert found[5] == pytest.approx(distance, rel=1e-12)
-    others = math.dist(case.a[found[1]], (case.b[found[2]][0] + case.way[0], case.b[found[2]][1] + case.way[1]))
-    assert (found[1], found[2]) == (i, j) or others == pytest.approx(distance, rel=1e-12)
-    return True
+    expected = both and distance > least
+    for flip, core in ((False, case.a), (True, case.b)):
+        for face in range(len(core) if len(core) > 1 else 0):
+            found = vertices_of(table, *case.cores(), *case.way, flip, face, least)
+            assert found[0] == expected or distance == pytest.approx(least, rel=1e-12)
+            if not (found[0] and expected):
+                continue
+            assert found[5] == pytest.approx(distance, rel=1e-12)
+            way = case.b[found[2]][0] + case.way[0], case.b[found[2]][1] + case.way[1]
+            as_near = math.dist(case.a[found[1]], way) == pytest.approx(distance, rel=1e-12)
+            assert as_near or (found[1], found[2]) == (i, j)
+    return expected
