@@ -22,6 +22,7 @@ import numpy as np
 
 from sandbox import _compiling
 from sandbox._argument_words import unbundled
+from sandbox._calls import handle
 from sandbox._kernel_cache import is_filled, kept_file
 from sandbox._kernel_cache import read as read_kept
 from sandbox._kernel_cache import write as write_kept
@@ -147,7 +148,7 @@ class Call:
     `unlocked` calls let other threads of Python run meanwhile.
     """
 
-    __slots__ = ("_arguments", "_block", "_call", "_code", "_enter", "_entry", "_unlocked")
+    __slots__ = ("__weakref__", "_arguments", "_block", "_call", "_code", "_enter", "_entry", "_unlocked")
 
     def __init__(self, entry: Callable[..., Any], arguments: tuple[Any, ...], unlocked: bool = False) -> None:
         self._entry, self._unlocked = entry, unlocked
@@ -163,11 +164,11 @@ class Call:
     def machine(self) -> tuple[int, int]:
         """The addresses of the machine code and of the block of arguments, for a kernel that calls it (`_calls.py`).
 
-        The second holds until other arguments are taken, and both as long as this is there. Needs the compiler.
+        The second holds until other arguments are taken, and both as long as this is there. Without the compiler a
+        `handle` of this.
         """
         self.bind()
-        assert self._block is not None
-        return self._code, self._block.address
+        return (self._code, self._block.address) if self._block is not None else (handle(self), 0)
 
     def bind(self) -> Callable[..., Any]:
         """What this calls: machine code that is there, compiled now if need be."""

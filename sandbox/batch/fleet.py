@@ -14,9 +14,10 @@ from sandbox._jit import Call, jit_enabled
 from sandbox.batch.likeness import are_alike
 from sandbox.engine.commands.base import Command
 from sandbox.engine.fields.records import last_switch
-from sandbox.engine.lanes.advance import APART, DONE, NEXT, REDO, STEPS, Rows
+from sandbox.engine.lanes.advance import APART, NEXT, REDO, STEPS, Rows
 from sandbox.engine.lanes.lane_world import LaneWorld, room_for_contacts
 from sandbox.engine.lanes.row_layout import RowLayout
+from sandbox.engine.run_step import DONE
 from sandbox.engine.world import World
 from sandbox.scene import Scene
 from sandbox.tables import Integers

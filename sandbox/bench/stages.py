@@ -7,10 +7,14 @@ from collections import Counter, defaultdict
 from collections.abc import Callable
 from typing import Any, Self
 
-from sandbox._jit import Call
-from sandbox.engine.stepper import Stepper
+from sandbox._calls import handle
+from sandbox._jit import Call, interpreted
+from sandbox.engine.run_step import run_step
+from sandbox.engine.stepper import PARTS_OF_STEP, Stepper
 from sandbox.engine.world import World
 from sandbox.world.state import State
+
+_run_in_python = interpreted(run_step)
 
 
 class TimedStepper(Stepper):
@@ -23,6 +27,7 @@ class TimedStepper(Stepper):
     def __init__(self, state: State, workers: int = 1) -> None:
         self.seconds: defaultdict[str, float] = defaultdict(float)
         self.calls: Counter[str] = Counter()
+        self._timed: dict[tuple[int, int], Callable[[], Any]] = {}
         self._clock = time.process_time if workers == 1 else time.perf_counter
         super().__init__(state, workers)
 
@@ -47,6 +52,16 @@ class TimedStepper(Stepper):
         """Begin to count anew."""
         self.seconds.clear()
         self.calls.clear()
+
+    def _run(self, first: int) -> int:
+        return _run_in_python(self._parts[self._turn], first)
+
+    def _machine(self, row: int, turn: int) -> tuple[int, int]:
+        machine = super()._machine(row, turn)
+        if machine == (0, 0):
+            return machine
+        run = self._timed[row, turn] = self._watched(PARTS_OF_STEP[row], self._calls[PARTS_OF_STEP[row], turn])
+        return handle(run), 0
 
     def _watched(self, part: Any, call: Call) -> Callable[[], Any]:
         name = str(part.__name__)

@@ -11,6 +11,7 @@ _WORDS = {
     "sandbox.engine.step.begin": "substep levels",
     "sandbox.engine.step.solve": "solver",
     "sandbox.engine.step.finish": "sleep",
+    "sandbox.engine.run_step.": "step",
     "sandbox.engine.continuous_collision.": "continuous collision",
     "sandbox.engine.fields.": "fields",
     "sandbox.engine.workers.": "workers",

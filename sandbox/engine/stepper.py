@@ -20,14 +20,17 @@ from sandbox.engine.memory.binding import contact_arguments, parameters, scratch
 from sandbox.engine.memory.bundles import Room
 from sandbox.engine.memory.limit import room_for
 from sandbox.engine.memory.scratch import Scratch
+from sandbox.engine.run_step import COLLIDE, CONTINUOUS, DONE, FIELDS, FINISH, TO_COMPILE, run_step
 from sandbox.engine.workers.serve import serve
 from sandbox.engine.workers.threads import WorkerThreads
 from sandbox.errors import CapacityError
-from sandbox.tables import Records, close_up, copy_rows, plain
+from sandbox.tables import Integers, Records, close_up, copy_rows, plain
 from sandbox.world.records import CONTACT, CounterPlace
 from sandbox.world.rows import Added, Moved
 from sandbox.world.state import State
 
+PARTS_OF_STEP: tuple[Callable[..., Any], ...] = (apply_fields, *PARTS)
+"""What the rows of a table of parts are, for `run_step`."""
 _FEW = 1000
 """So many shapes never make too many pairs."""
 _WORTH_SHARING = 8000
@@ -49,10 +52,18 @@ class Stepper:
         self._threads = WorkerThreads(self.workers - 1) if self.workers > 1 else None
         self._turn = self._lost = 0
         self._jointed = self._compiled = False
+        self._last = FINISH
         self._room = Room.of(state)
-        self._calls: dict[tuple[Any, int], tuple[Call, Callable[[], Any]]] = {}
+        self._calls: dict[tuple[Any, int], Call] = {}
         self._bundles: dict[tuple[str, int], Bundle] = {}
         self._layouts = PartLayouts(self.workers)
+        self._parts: Integers = np.zeros((2, len(PARTS_OF_STEP), 2), np.int64)
+        self._runs: dict[tuple[int, int], Callable[[], int]] = {}
+        self._run_calls = {
+            (turn, first): Call(run_step, (parts, first), self.workers > 1)
+            for turn, parts in enumerate(self._parts)
+            for first in (FIELDS, COLLIDE, CONTINUOUS)
+        }
         self.renew()
 
     def compile(self) -> None:
@@ -62,14 +73,16 @@ class Stepper:
         compile_step(self.scratch.joints is not None)
         if len(self._state.bodies) + len(self._state.joints) >= _WORTH_SHARING // 4:  # else it may never be needed
             self.bind_workers()
+        for turn, parts in enumerate(self._parts):
+            for row in range(self._last + 1):
+                parts[row] = self._machine(row, turn)
+        self._runs = {key: call.bind() for key, call in self._run_calls.items()}
         self._compiled = True
 
-    def machine(self) -> list[list[tuple[int, int]]]:
-        """Where the machine code of fields and of the `PARTS` of a step is, and the arguments of each (`Call.machine`),
-        for even and for odd steps; zeros for fields that there are none of."""
-        parts = (apply_fields, *PARTS)
-        calls = [[self._calls.get((part, turn)) for part in parts] for turn in (0, 1)]
-        return [[(0, 0) if call is None else call[0].machine() for call in row] for row in calls]
+    def machine(self) -> Integers:
+        """The table of parts for even and for odd steps (`run_step`), none of which is to be compiled any more."""
+        self._compile_continuous()
+        return self._parts
 
     @property
     def turn(self) -> int:
@@ -91,12 +104,10 @@ class Stepper:
 
         Raises `CapacityError`, and leaves the state as it was, if there are too many pairs.
         """
-        before = self._state.bodies.tobytes() if self._crowded and self._fields[0] else None
-        for apply in self._fields[self._turn]:
-            apply()
+        self.compile()
+        before = self._state.bodies.tobytes() if self._crowded and self._has_fields else None
         try:
-            while not self._advance():
-                pass
+            self._advance()
         except CapacityError:
             if before is not None:  # of what the state has only fields have changed something by then
                 self._state.bodies[:] = np.frombuffer(before, self._state.bodies.dtype)
@@ -106,7 +117,7 @@ class Stepper:
         self._turn = 1 - self._turn
         self._state.contacts = self.scratch.contacts.now
         self.scratch.contacts = self._contacts[self._turn]
-        if self._lost != self._count_lost():
+        if self._lost != self.counters[CounterPlace.BROKEN] + self.counters[CounterPlace.FROZEN]:
             self.assemble_joints()
 
     def renew(self) -> None:
@@ -183,37 +194,47 @@ class Stepper:
             self.assemble_joints()
         if self.scratch.fields.edges is not self._state.edges:
             self.follow_regions()
-        self._lost = self._count_lost()
+        self._count_lost()
         self.forget()
 
-    def _count_lost(self) -> int:
-        """How many joints have broken, and bodies been frozen: what hangs together has changed where there are more."""
-        return self.counters[CounterPlace.BROKEN] + self.counters[CounterPlace.FROZEN]
+    def _count_lost(self) -> None:
+        """Note how many joints have broken, and bodies been frozen: what hangs together has changed where there are
+        more."""
+        self._lost = self.counters[CounterPlace.BROKEN] + self.counters[CounterPlace.FROZEN]
 
-    def _advance(self) -> bool:
-        """Take a step; False if it lacked scratch memory, which it has now: then nothing else has changed."""
-        collide, begin, solve, finish, solve_continuous = self._parts[self._turn]
-        fast = False
-        if self._threads is None or not self._is_worth_sharing():
-            lacking_pairs = collide()
-            if not lacking_pairs:
-                begin()
-                solve()
-                fast = finish()
-        else:
-            with self._threads.serving(self.scratch.workers, self.bind_workers()):
-                lacking_pairs = collide()
-                if not lacking_pairs:
-                    begin()
-                    solve()
-                    fast = finish()
-        if lacking_pairs:
-            self._make_room(lacking_pairs)
-            return False
-        if fast:
-            compile_continuous()
-            solve_continuous()
-        return True
+    def _advance(self) -> None:
+        """Run the parts of a step."""
+        first = FIELDS
+        while True:
+            if self._threads is None or not self._is_worth_sharing():
+                came = self._run(first)
+            else:
+                with self._threads.serving(self.scratch.workers, self.bind_workers()):
+                    came = self._run(first)
+            if came == DONE:
+                return
+            first = self._provide(came)
+
+    def _provide(self, lacking: int) -> int:
+        """See to what the parts of a step lack; returns which one to go on from."""
+        if lacking == TO_COMPILE:
+            self._compile_continuous()
+            return CONTINUOUS
+        self._make_room(lacking)
+        self.compile()
+        return COLLIDE
+
+    def _run(self, first: int) -> int:
+        """Run the parts of this step from the `first` one on: `run_step`."""
+        came: int = self._runs[self._turn, first]()
+        return came
+
+    def _compile_continuous(self) -> None:
+        """Compile the last part of a step, which few steps need."""
+        compile_continuous()
+        self._last = CONTINUOUS
+        self._compiled = False
+        self.compile()
 
     def _is_worth_sharing(self) -> bool:
         """Whether so much was awake in the last step that this one is sooner done by several workers."""
@@ -237,7 +258,7 @@ class Stepper:
         self._crowded = len(state.shapes) > _FEW
         self.counters = plain(state.counters).view(np.int64).data
         self._compiled = False
-        self._lost = self._count_lost()
+        self._count_lost()
         here = scratch.contacts._replace(before=state.contacts)
         there = here._replace(now=here.before, before=here.now)
         self._contacts = (here, there) if self._turn == 0 else (there, here)
@@ -246,34 +267,33 @@ class Stepper:
             self._calls.clear()
             self._bundles.clear()
         named = self._bundled(state_arguments(state) | scratch_arguments(scratch))
-        self._parts, self._fields, self._served = [], [], []
+        self._has_fields = has_fields(state)
+        self._served = []
         for turn, contacts in enumerate(self._contacts):
             named |= self._bundled(contact_arguments(contacts), turn)
-            self._parts.append([self._bound(part, turn, named) for part in PARTS])
+            for part in PARTS:
+                self._call(part, turn, named)
+            if self._has_fields:
+                self._call(apply_fields, turn, named)
             self._served.append([self._serving(worker, turn, named) for worker in range(1, self.workers)])
-            self._fields.append([self._bound(apply_fields, turn, named)] if has_fields(state) else [])
 
-    def _bound(self, part: Any, turn: int, named: Mapping[str, Any]) -> Callable[[], Any]:
-        """A call of an entry point with what is `named` now."""
-        names = parameters(part)
-        if (part, turn) not in self._calls:
-            call = Call(part, tuple(named[name] for name in names), self.workers > 1)
-            self._calls[part, turn] = call, self._watched(part, call)
-        call, run = self._calls[part, turn]
-        call.exchange(names, named)
-        return run
+    def _call(self, part: Any, turn: int, named: Mapping[str, Any], worker: int = 0) -> Call:
+        """The call of an entry point with what is `named` now, by a worker."""
+        names, key = parameters(part), (worker or part, turn)
+        if key not in self._calls:
+            self._calls[key] = Call(part, tuple(named[name] for name in names), self.workers > 1)
+        self._calls[key].exchange(names, named)
+        return self._calls[key]
 
     def _serving(self, worker: int, turn: int, named: Mapping[str, Any]) -> Call:
         """A call of `serve` with what is `named` now, for a worker."""
-        names = parameters(serve)
         number = {"workers": kernel_argument(self.scratch.workers._replace(number=worker))}
-        named = {**named, **self._bundled(number, worker)}
-        if (worker, turn) not in self._calls:
-            call = Call(serve, tuple(named[name] for name in names), unlocked=True)
-            self._calls[worker, turn] = call, call
-        call, _ = self._calls[worker, turn]
-        call.exchange(names, named)
-        return call
+        return self._call(serve, turn, {**named, **self._bundled(number, worker)}, worker)
+
+    def _machine(self, row: int, turn: int) -> tuple[int, int]:
+        """Where the machine code of a part and its arguments are, compiled if need be; zeros for fields if there are
+        none."""
+        return (0, 0) if row == FIELDS and not self._has_fields else self._calls[PARTS_OF_STEP[row], turn].machine()
 
     def _bundled(self, named: Mapping[str, Any], turn: int = 0) -> dict[str, Any]:
         """What is named, tuples as the bundles that all calls share; contacts have one for each turn."""
@@ -291,15 +311,11 @@ class Stepper:
         state = self._state
         self._crowded = len(state.shapes) > _FEW
         self._compiled = False
-        if has_fields(state) != bool(self._fields[0]):
+        if has_fields(state) != self._has_fields:
             self._prepare_calls()
             return
         named = self._bundled(state_arguments(state))
         if has_fields(state):
             self._bundled({"fields": kernel_argument(self.scratch.fields)})
             for turn in (0, 1):  # they alone ask for a table of the state by itself
-                self._calls[apply_fields, turn][0].exchange(parameters(apply_fields), named)
-
-    def _watched(self, part: Any, call: Call) -> Callable[[], Any]:
-        """What to run for a call of an entry point."""
-        return call
+                self._calls[apply_fields, turn].exchange(parameters(apply_fields), named)

@@ -93,14 +93,14 @@ def test_nobody_is_asked_again_for_one_that_comes(monkeypatch: pytest.MonkeyPatc
     world.spawn(ball(0))
     world.spawn(ball(1))
     census, calls = world.state.census, world._stepper._calls
-    held = (id(census.bodies.items), id(census.bodies.names), {key: call for key, (call, _) in calls.items()})
+    held = (id(census.bodies.items), id(census.bodies.names), dict(calls))
     for name in ("renew", "assemble_joints", "_prepare_calls"):
         monkeypatch.setattr(world._stepper, name, lambda *_: pytest.fail("made anew"))
     monkeypatch.setattr("sandbox.engine.events.event_log.find_events", lambda *_: pytest.fail("worked out"))
     monkeypatch.setattr("sandbox.world.patterns.build_patterns", lambda *_: pytest.fail("built again"))
     monkeypatch.setattr("sandbox.world.tiling.find_tiles", lambda *_: pytest.fail("looked for"))
     world.spawn(ball(2))
-    now = (id(census.bodies.items), id(census.bodies.names), {key: call for key, (call, _) in calls.items()})
+    now = (id(census.bodies.items), id(census.bodies.names), dict(calls))
     assert now == held
     assert world.names[-1] == "ball-2"
     assert world.body("ball-2").position == (0.0, 5.0)

@@ -39,6 +39,8 @@ class EventLog:
     def __init__(self, state: State) -> None:
         self._state = state
         self._events: Events | None = None
+        self._quiet = True
+        """Whether nothing happened in the last step, which takes no looking."""
         self._counts: tuple[int, int] | None = None
         """How many bodies and joints there were after the last step, if some have come since."""
         self._sensors: SensorOverlaps | None = None
@@ -47,13 +49,7 @@ class EventLog:
     def events(self, scratch: Scratch) -> Events:
         """The events of the last step, worked out when they are asked for; `scratch` is what that step left."""
         if self._events is None:
-            sensors = self._sensors
-            sensed = (sensors.before, sensors.now) if sensors is not None else (_NOBODY, _NOBODY)
-            contacts = scratch.contacts
-            ids = self._state.names, self._state.joint_names
-            if self._counts is not None:
-                ids = ids[0][: self._counts[0]], ids[1][: self._counts[1]]
-            self._events = find_events(self._state, ids, contacts.now, contacts.reports, sensed, self._pending)
+            self._events = self._quiet_step() if self._quiet else self._found(scratch)
         return self._events
 
     @property
@@ -63,14 +59,14 @@ class EventLog:
 
     def note_step(self) -> None:
         """A step was taken."""
-        self._events = self._counts = None
+        self._forget(quiet=False)
         self._pending.begin_step()
         if self._sensors is not None:
             self._sensors.update()
 
     def note_quiet_steps(self) -> None:
         """Steps were taken in which everybody slept."""
-        self._events = self._no_events()
+        self._forget(quiet=True)
 
     def note_happenings(self, scratch: Scratch, happenings: Sequence[Happening]) -> None:
         """Rules and controls have done something in the last step, or before it."""
@@ -101,7 +97,8 @@ class EventLog:
 
     def clear(self, rows_moved: bool) -> None:
         """Begin anew: the state is a new one, or was restored."""
-        self._events, self._pending, self._counts = self._no_events(), PendingEvents(), None
+        self._forget(quiet=True)
+        self._pending = PendingEvents()
         if rows_moved:
             self._sensors = self._find_sensors()
         if self._sensors is not None:
@@ -117,8 +114,23 @@ class EventLog:
         if self._sensors is not None and kept.sensed is not None:
             self._sensors.now = self._sensors.before = kept.sensed
 
-    def _no_events(self) -> Events:
-        return no_events(int(self._state.counters[0].step_count), self._state.names)
+    def _forget(self, quiet: bool) -> None:
+        """The last step is another one; in a `quiet` one nothing happened."""
+        self._events = self._counts = None
+        self._quiet = quiet
+
+    def _quiet_step(self) -> Events:
+        return no_events(int(self._state.counters[0].step_count), self._ids()[0])
+
+    def _found(self, scratch: Scratch) -> Events:
+        sensors, contacts = self._sensors, scratch.contacts
+        sensed = (sensors.before, sensors.now) if sensors is not None else (_NOBODY, _NOBODY)
+        return find_events(self._state, self._ids(), contacts.now, contacts.reports, sensed, self._pending)
+
+    def _ids(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        """Of bodies and of joints, as they were after the last step."""
+        ids = self._state.names, self._state.joint_names
+        return ids if self._counts is None else (ids[0][: self._counts[0]], ids[1][: self._counts[1]])
 
     def _find_sensors(self) -> SensorOverlaps | None:
         if not self._has_sensors():

@@ -8,21 +8,18 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from sandbox._atomics import atomic_add
-from sandbox._calls import call_nothing, call_number, call_truth
 from sandbox._jit import entry_point, kernel
+from sandbox.engine.run_step import DONE, FIELDS, run_step
 from sandbox.tables import Integers
 
-DONE, REDO, APART = 0, 1, 2
-"""What a world's `verdicts` say: it was stepped; it has to be stepped again, by Python, from its row; it has no row."""
+REDO, APART = 1, 2
+"""What a world's `verdicts` say, if not `DONE`: it has to be stepped again, by Python, from its row; it has no row."""
 
 AT_ONCE = 4
 """Worlds that a thread takes from the queue at a time."""
 
 NEXT, STEPS = 0, 1
 """What a queue says: the world that is taken next, and how many steps each goes."""
-
-FIELDS, COLLIDE, BEGIN, SOLVE, FINISH, CONTINUOUS = 0, 1, 2, 3, 4, 5
-CODE, BLOCK = 0, 1
 
 
 class Rows(NamedTuple):
@@ -99,15 +96,8 @@ def _advance(rows: Rows, lane: Lane, at: Words, turn: int, steps: int, world: in
         if words[at.still] != 0 and words[at.step_count] > rows.last_switches[world]:
             words[at.step_count] += steps - step  # all asleep: nothing else would change
             break
-        parts = lane.machine[turn]
-        if parts[FIELDS, CODE] != 0:
-            call_nothing(parts[FIELDS, CODE], parts[FIELDS, BLOCK])
-        if call_number(parts[COLLIDE, CODE], parts[COLLIDE, BLOCK]) != 0:
+        if run_step(lane.machine[turn], FIELDS) != DONE:
             return REDO
-        call_nothing(parts[BEGIN, CODE], parts[BEGIN, BLOCK])
-        call_nothing(parts[SOLVE, CODE], parts[SOLVE, BLOCK])
-        if call_truth(parts[FINISH, CODE], parts[FINISH, BLOCK]):
-            call_nothing(parts[CONTINUOUS, CODE], parts[CONTINUOUS, BLOCK])
         turn = 1 - turn
         if words[at.broken_count] + words[at.frozen_count] != lost:
             return REDO

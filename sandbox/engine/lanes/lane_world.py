@@ -84,9 +84,8 @@ class LaneWorld(World):
         """The call that steps worlds from a queue through this one's memory, for as long as `rows` stay where they are
         and nothing else is done with this world."""
         even, odd = (_flat(table) for table in self._stepper.contact_tables)
-        machine = np.array(self._stepper.machine(), np.int64)
         active = plain(kernel_argument(self.scratch.active.info)).view(np.int64)
-        lane = Lane(self._words, even, odd, active, machine)
+        lane = Lane(self._words, even, odd, active, self._stepper.machine())
         arguments = rows, lane, _words(RowLayout.of(self.state)), queue, self._stepper.turn
         return Call(advance_rows, arguments, unlocked=True)
 

@@ -1,0 +1,41 @@
+"""A step in one call: its parts (`step.py`) one after another, each by the address of its machine code (`_calls.py`).
+
+In a scene of a few bodies, Python takes as long from one part to the next as all parts together.
+"""
+
+from __future__ import annotations
+
+from sandbox._calls import call_nothing, call_number, call_truth
+from sandbox._jit import entry_point
+from sandbox.tables import Integers
+
+FIELDS, COLLIDE, BEGIN, SOLVE, FINISH, CONTINUOUS = 0, 1, 2, 3, 4, 5
+"""Rows of a table of parts: `apply_fields`, then `compile_step.PARTS`."""
+CODE, BLOCK = 0, 1
+"""Its columns: the addresses of machine code and of the block of arguments (`Call.machine`)."""
+DONE, TO_COMPILE = 0, -1
+"""What came of it, if no number of pairs."""
+
+
+@entry_point
+def run_step(parts: Integers, first: int) -> int:
+    """Run the `parts` [part, CODE or BLOCK] of a step from the `first` one on; fields without code are left out.
+
+    Returns `DONE`, or where to go on from: a number of pairs that scratch memory must have room for before `COLLIDE`
+    is run again, or `TO_COMPILE` if `CONTINUOUS` is needed and has no code.
+    """
+    fast = first == CONTINUOUS
+    if first == FIELDS and parts[FIELDS, CODE] != 0:
+        call_nothing(parts[FIELDS, CODE], parts[FIELDS, BLOCK])
+    if first <= COLLIDE:
+        lacking_pairs = call_number(parts[COLLIDE, CODE], parts[COLLIDE, BLOCK])
+        if lacking_pairs != 0:
+            return lacking_pairs
+        call_nothing(parts[BEGIN, CODE], parts[BEGIN, BLOCK])
+        call_nothing(parts[SOLVE, CODE], parts[SOLVE, BLOCK])
+        fast = call_truth(parts[FINISH, CODE], parts[FINISH, BLOCK])
+    if fast:
+        if parts[CONTINUOUS, CODE] == 0:
+            return TO_COMPILE
+        call_nothing(parts[CONTINUOUS, CODE], parts[CONTINUOUS, BLOCK])
+    return DONE
