@@ -24,7 +24,7 @@ Records: TypeAlias = "np.recarray[Any, Any]"
 
 FloatWords: TypeAlias = "memoryview[float]"
 WholeWords: TypeAlias = "memoryview[int]"
-"""The words of a row, by `row_words`."""
+"""The words of a table or of a row of it, by `words`."""
 
 _LINE = 64
 _base_of = np.ndarray.base.__get__
@@ -145,13 +145,14 @@ def plain(rows: Any) -> NDArray[Any]:
     return base if type(base) is np.ndarray and len(base) == len(rows) else np.asarray(rows)
 
 
-def row_words(rows: Records, row: int) -> tuple[FloatWords, WholeWords]:
-    """The words of a row as floats and as whole numbers, in the order of its table's fields, all of eight bytes.
+def words(rows: Records) -> tuple[FloatWords, WholeWords]:
+    """The words of a table as floats and as whole numbers, row after row, in the order of its fields, all of eight
+    bytes.
 
     For who asks for single numbers: a field of a record array takes eighty times as long.
     """
-    words: Any = plain(rows)[row : row + 1].view(np.float64)
-    return words.data, words.view(np.int64).data
+    flat: Any = plain(rows).view(np.float64)
+    return flat.data, flat.view(np.int64).data
 
 
 def extended(rows: Records, more: NDArray[Any]) -> Records:

@@ -133,7 +133,7 @@ class World(Readings, Shown, FixedAttributes):
         """
         if not isinstance(command, Command):
             raise CommandError(f"{shown(command)} is no command; commands are such as sandbox.SetPose")
-        self._changes += 1
+        object.__setattr__(self, "_changes", self._changes + 1)  # as in a step
         command = command.checked()
         going = command.going(self)
         if going is not None:

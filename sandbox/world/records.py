@@ -256,8 +256,11 @@ COUNTERS = Table(
 )
 
 
+BODY_WORDS = BODY.dtype.itemsize // 8
+
+
 class BodyPlace:
-    """Which word of a body's row is which, for who asks for single ones (`row_words`)."""
+    """Which word of a body's row is which, for who asks for single ones (`State.body_words`)."""
 
     _ALL = tuple(field.name for field in BODY.fields)
     POSITION_X = _ALL.index("position_x")

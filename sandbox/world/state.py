@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from sandbox.tables import Records
+from sandbox.tables import FloatWords, Records, WholeWords, words
 from sandbox.world.census import Census
 from sandbox.world.patterns import KnownPatterns
+from sandbox.world.records import BODY_WORDS
 from sandbox.world.roster import Roster
 from sandbox.world.tile_rows import Tiling
 
@@ -52,6 +53,16 @@ class State:
     layout: int = 0
     tiling: Tiling | None = None
     patterns: KnownPatterns = field(default_factory=KnownPatterns)
+    _body_words: tuple[Records, FloatWords, WholeWords] | None = field(default=None, init=False, repr=False)
+    """The words of a table of bodies, which is another one when bodies have come or gone."""
+
+    def body_words(self, row: int) -> tuple[FloatWords, WholeWords]:
+        """The words of a body's row as floats and as whole numbers, by `BodyPlace`."""
+        known = self._body_words
+        if known is None or known[0] is not self.bodies:
+            known = self._body_words = self.bodies, *words(self.bodies)
+        own = slice(row * BODY_WORDS, (row + 1) * BODY_WORDS)
+        return known[1][own], known[2][own]
 
     @property
     def roster(self) -> Roster:

@@ -10,7 +10,7 @@ from sandbox.engine.active.wake import keep_awake, wake_body
 from sandbox.engine.commands.base import Command, CommandTarget, Touched
 from sandbox.engine.commands.checks import title
 from sandbox.errors import CommandError
-from sandbox.tables import WholeWords, row_words
+from sandbox.tables import WholeWords
 from sandbox.world.records import DYNAMIC, KINEMATIC
 from sandbox.world.records import BodyPlace as At
 from sandbox.world.state import State
@@ -31,7 +31,7 @@ class BodyCommand(Command):
     def apply(self, target: CommandTarget) -> Touched:
         """Change the body and wake it."""
         state, row = target.state, target.directory.body(self.body)
-        numbers, flags = row_words(state.bodies, row)
+        numbers, flags = state.body_words(row)
         goes_on = self.only_pushes and flags[At.TYPE] == DYNAMIC and flags[At.AWAKE] == 1
         self.change(state, row)
         if goes_on:  # what it touches is awake

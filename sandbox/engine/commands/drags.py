@@ -10,7 +10,6 @@ from sandbox.engine.commands.base import Vec
 from sandbox.engine.commands.body_command import BodyCommand, needs_dynamic
 from sandbox.engine.commands.checks import title
 from sandbox.errors import CommandError
-from sandbox.tables import row_words
 from sandbox.world.state import State
 
 DRAG_HERTZ = 5.0
@@ -32,7 +31,7 @@ class StartDrag(BodyCommand):
     def change(self, state: State, row: int) -> None:
         """Begin a drag, or take hold anew of a body that is dragged."""
         body = state.bodies[row]
-        needs_dynamic(row_words(state.bodies, row)[1], self)
+        needs_dynamic(state.body_words(row)[1], self)
         rows = [drag for drag in state.drags if drag.body == row] or [drag for drag in state.drags if drag.body < 0]
         if not rows:
             raise CommandError(f"{title(self)}: {len(state.drags)} bodies are dragged already; end one first")

@@ -13,7 +13,6 @@ from sandbox.engine.commands.body_command import BodyCommand
 from sandbox.engine.commands.checks import title
 from sandbox.errors import CommandError
 from sandbox.geometry.trig import cos_sin
-from sandbox.tables import row_words
 from sandbox.world.records import STATIC
 from sandbox.world.records import BodyPlace as At
 from sandbox.world.state import State
@@ -33,13 +32,13 @@ class SetPose(BodyCommand):
     def apply(self, target: CommandTarget) -> Touched:
         """Move the body, and say where its centre was."""
         row = target.directory.body(self.body)
-        body, _ = row_words(target.state.bodies, row)
+        body, _ = target.state.body_words(row)
         center = body[At.CENTER_X], body[At.CENTER_Y]
         return replace(super().apply(target), displaced=(row, center))
 
     def change(self, state: State, row: int) -> None:
         """Write the pose; tiles are joined anew where it was and where it is."""
-        body, flags = row_words(state.bodies, row)
+        body, flags = state.body_words(row)
         tiles = tiles_of(state, row) if flags[At.TYPE] == STATIC else NO_TILES
         left = neighbours(state, tiles)
         cos, sin = _cos_sin(self.angle)
@@ -68,7 +67,7 @@ class SetVelocity(BodyCommand):
 
     def change(self, state: State, row: int) -> None:
         """Write the velocity."""
-        body, flags = row_words(state.bodies, row)
+        body, flags = state.body_words(row)
         if flags[At.TYPE] == STATIC:
             raise CommandError(f"{title(self)}: a static body has no velocity; make it kinematic in the scene")
         body[At.VELOCITY_X], body[At.VELOCITY_Y] = self.velocity

@@ -9,7 +9,7 @@ from sandbox.engine.commands.base import Vec
 from sandbox.engine.commands.body_command import BodyCommand, needs_dynamic
 from sandbox.engine.commands.checks import SPEED_LIMIT, title
 from sandbox.errors import CommandError
-from sandbox.tables import FloatWords, row_words
+from sandbox.tables import FloatWords
 from sandbox.world.records import BodyPlace as At
 from sandbox.world.state import State
 
@@ -29,7 +29,7 @@ class ApplyForce(BodyCommand):
 
     def change(self, state: State, row: int) -> None:
         """Add to what pushes the body during the next step."""
-        body, flags = row_words(state.bodies, row)
+        body, flags = state.body_words(row)
         needs_dynamic(flags, self)
         x, y = self.force
         force = (body[At.FORCE_X] + x, body[At.FORCE_Y] + y)
@@ -55,7 +55,7 @@ class ApplyImpulse(BodyCommand):
 
     def change(self, state: State, row: int) -> None:
         """Change the body's velocity."""
-        body, flags = row_words(state.bodies, row)
+        body, flags = state.body_words(row)
         needs_dynamic(flags, self)
         x, y = self.impulse
         moment = self.angular_impulse + _moment(body, self.impulse, self.point)

@@ -13,7 +13,7 @@ from sandbox.engine.commands.set_surface import SetSurface
 from sandbox.engine.views.base import ViewedWorld
 from sandbox.errors import UnknownBodyError
 from sandbox.geometry.shapes import Shape
-from sandbox.tables import FloatWords, WholeWords, row_words
+from sandbox.tables import FloatWords, WholeWords
 from sandbox.world.body_shapes import body_shapes
 from sandbox.world.records import BodyPlace as At
 
@@ -64,7 +64,7 @@ class BodyView(FixedAttributes):
     def _find(self) -> None:
         """Look up its row, which may be another one since bodies have come or gone."""
         state = self._world.state
-        self._floats, self._wholes = row_words(state.bodies, self._index)
+        self._floats, self._wholes = state.body_words(self._index)
         self._layout = state.layout
 
     @property
