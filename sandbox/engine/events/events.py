@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from sandbox.engine.events.happening import HAPPENINGS, Happening
-from sandbox.engine.events.pair_keys import among, pair_keys
+from sandbox.engine.events.pair_keys import differences, pair_keys
 from sandbox.engine.events.pending import DeletedPair, PendingEvents, RowLookup
 from sandbox.engine.events.records import CONTACT_EVENT, SENSOR_EVENT
 from sandbox.tables import Integers, Records, Table, as_table, plain
@@ -116,7 +116,9 @@ def find_events(
     old_keys, keys = _keys(old, touched), _keys(now, touches)
     did: Any = plain(reports)[: len(now)]
     struck = np.flatnonzero(did["hit_speed"] >= HIT_SPEED)
-    fresh, ended = touches[~among(keys, old_keys)], touched[~among(old_keys, keys)]
+    began, went = differences(keys, old_keys)
+    fresh, ended = touches[began], touched[went]
+    stirred = np.flatnonzero(bodies["stirred"])
     end = _followed_by(_contact_rows(old, ended, None, centers), pending.ends, CONTACT_EVENT, lookup)
     leave = _followed_by(leave, pending.leaves, SENSOR_EVENT, lookup)
     return Events(
@@ -127,10 +129,10 @@ def find_events(
         _contact_rows(now, struck, did, centers),
         enter,
         leave,
-        np.flatnonzero(bodies["stirred"] == -1),
-        np.flatnonzero(bodies["stirred"] == 1),
-        np.flatnonzero(bodies["frozen_step"] == step - 1),
-        np.flatnonzero(plain(state.joints)["broken_step"] == step - 1),
+        stirred[bodies["stirred"][stirred] == -1],
+        stirred[bodies["stirred"][stirred] == 1],
+        np.flatnonzero(bodies["frozen_step"] == step - 1) if counter["frozen_count"] else _NO_BODIES,
+        np.flatnonzero(plain(state.joints)["broken_step"] == step - 1) if counter["broken_count"] else _NO_BODIES,
         ids[1],
     )
 
@@ -139,8 +141,7 @@ def _entered_and_left(before: Any, after: Any) -> tuple[Records, Records]:
     """`SENSOR_EVENT` rows that are new, and those that are gone."""
     if len(before) == len(after) == 0:  # as in most scenes
         return _NO_SENSORS, _NO_SENSORS
-    old, new = _pair_keys(before), _pair_keys(after)
-    entered, left = np.flatnonzero(~among(new, old)), np.flatnonzero(~among(old, new))
+    entered, left = differences(_pair_keys(after), _pair_keys(before))
     return as_table(plain(after).take(entered)), as_table(plain(before).take(left))
 
 

@@ -24,6 +24,16 @@ def pairs_of(keys: Integers) -> tuple[Integers, Integers]:
     return keys >> _BITS, keys & ((1 << _BITS) - 1)
 
 
+def differences(keys: Integers, others: Integers) -> tuple[Integers, Integers]:
+    """The places of sorted keys that are not in `others`, and those of `others`, which are sorted, not in `keys`."""
+    if np.array_equal(keys, others):  # as in most steps
+        return _NONE, _NONE
+    return np.flatnonzero(~among(keys, others)), np.flatnonzero(~among(others, keys))
+
+
+_NONE: Integers = np.zeros(0, np.int64)
+
+
 def among(keys: Integers, others: Integers) -> NDArray[np.bool_]:
     """Which of the keys are also in `others`, which are sorted."""
     place = np.searchsorted(others, keys)
