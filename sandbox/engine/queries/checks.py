@@ -13,6 +13,7 @@ from sandbox.geometry.checks import FARTHEST, checked_point
 from sandbox.tables import Floats
 
 Vec = tuple[float, float]
+_NUMBERS = (float, int)
 _THIN = 1e-100
 """Sides shorter than this (m) have no length: their squares could underflow."""
 
@@ -28,8 +29,8 @@ def checked_place(query: str, name: str, value: Sequence[float]) -> Vec:
     """A pair (x, y) in metres, within the limits of a world. Raises `QueryError`."""
     if type(value) is tuple and len(value) == 2:  # the common case, in a hurry
         x, y = value
-        if type(x) is float and type(y) is float and abs(x) <= FARTHEST and abs(y) <= FARTHEST:
-            return x, y
+        if type(x) in _NUMBERS and type(y) in _NUMBERS and abs(x) <= FARTHEST and abs(y) <= FARTHEST:
+            return float(x), float(y)
     try:
         return checked_point(query, name, value)
     except ShapeError as error:

@@ -217,6 +217,8 @@ class Queries(FixedAttributes):
         if self._laid_out != self._world.changes:
             self._refresh()
         seen = seen or _EVERYTHING
+        if self._asked is not None and self._asked[0] is subject and self._asked[1] is seen:
+            return
         if self._asked is None or self._asked[0] is not subject:
             write_subject(self._memory, subject)
         if self._asked is None or self._asked[1] != seen:
