@@ -29,6 +29,8 @@ def fill_blocks(taken: Integers, blocks: ContactBlocks, batch: int) -> BlockRang
     heads = blocks.heads[ALL_COLORS * batch :]
     used = struck = deep_first = deep_end = unsettled = 0
     blocks.starts[0] = 0
+    if heads[0] == heads[ALL_COLORS]:  # no contacts, as where bodies fly or only joints hold them
+        return BlockRanges(0, 0, 0, 0, 0)
     for kind in range(0, ALL_COLORS, KIND):
         for c in range(kind, kind + MAX_COLORS):
             if heads[c] < heads[c + 1]:  # few colours have contacts
@@ -56,6 +58,8 @@ def sort_contacts(contacts: Contacts, of_body: Integers, blocks: ContactBlocks, 
     heads = blocks.heads
     for c in range(ALL_COLORS * batch_count + 1):
         heads[c] = 0
+    if listed.shape[0] == 0:
+        return
     for k in range(listed.shape[0]):
         if colors[k] >= 0:
             heads[_key(listed[k], of_body, colors[k], batch_count)] += 1
