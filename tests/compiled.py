@@ -65,10 +65,16 @@ def _once(part: Any, of: FlatScene) -> None:
     part(*bind(part, state, Scratch.for_state(state, 16)))
 
 
+def _bind_workers(of: FlatScene) -> None:
+    Stepper(build_state(of), 2).bind_workers()
+
+
 def _solve() -> None:
-    """What moves bodies, without joints and with them, and the stages of it that are tested by themselves."""
+    """What moves bodies, without joints and with them, what other workers do of a step with joints, which takes as long
+    to compile, and the stages that are tested by themselves."""
     for of in (busy.scene(), jointed.scene()):
         _once(solve, of)
+    _bind_workers(jointed.scene())
     stages = Paused(World(busy.scene()))
     stages.lay_out()
     stages.begin()
@@ -82,7 +88,8 @@ def _solve() -> None:
 
 
 def _others() -> None:
-    """What finds contacts and takes back who went too far, and whatever else is called from Python."""
+    """What finds contacts and takes back who went too far, what other workers do of a step without joints, and whatever
+    else is called from Python."""
     _once(collide, busy.scene())
     for part in (begin, finish):
         for of in (busy.scene(), jointed.scene()):
@@ -90,8 +97,7 @@ def _others() -> None:
     Paused(World(busy.scene())).detect()
     _once(solve_continuous, busy.scene())
     _once(apply_fields, floating.scene())
-    for of in (busy.scene(), jointed.scene()):
-        Stepper(build_state(of), 2).bind_workers()
+    _bind_workers(busy.scene())
     pair = pair_of(Box(1.0, 1.0), Box(1.0, 1.0, (2.0, 0.0)))
     pair.manifold(0.0)
     pair.nearest()

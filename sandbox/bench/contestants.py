@@ -8,7 +8,7 @@ from typing import Protocol
 import numpy as np
 
 from sandbox.bench.course import Change, Course
-from sandbox.bench.stages import TimedStepper
+from sandbox.bench.stages import TimedCalls
 from sandbox.engine.world import World
 from sandbox.reference.run import OtherRun, Pose
 
@@ -48,7 +48,7 @@ class Ours:
     def __init__(self, course: Course, profile: bool = False, workers: int = 1) -> None:
         self.label = "sandbox" if workers == 1 else f"sandbox, {workers} workers"
         self.world = World(course.scene, workers)
-        self.stages: TimedStepper | None = TimedStepper.in_place(self.world) if profile else None
+        self.stages: TimedCalls | None = TimedCalls.in_place(self.world) if profile else None
         self.step: Callable[[], None] = self.world.step
 
     def apply(self, change: Change) -> None:

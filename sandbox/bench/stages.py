@@ -10,51 +10,52 @@ from typing import Any, Self
 from sandbox._calls import handle
 from sandbox._jit import Call, interpreted
 from sandbox.engine.run_step import run_step
-from sandbox.engine.stepper import PARTS_OF_STEP, Stepper
+from sandbox.engine.step_calls import PARTS_OF_STEP, StepCalls
+from sandbox.engine.stepper import Stepper
 from sandbox.engine.world import World
-from sandbox.world.state import State
 
 _run_in_python = interpreted(run_step)
 
 
-class TimedStepper(Stepper):
-    """A stepper whose calls of entry points (`apply_fields` and `compile_step.PARTS`) are timed.
+class TimedCalls(StepCalls):
+    """Calls of the parts of a step (`PARTS_OF_STEP`) that are timed.
 
     `seconds` are those of the process's CPU time that each took until now, with several workers those of a clock, and
-    `calls` how often it was called.
+    `counts` how often it was called.
     """
 
-    def __init__(self, state: State, workers: int = 1) -> None:
+    def __init__(self, workers: int) -> None:
+        super().__init__(workers)
         self.seconds: defaultdict[str, float] = defaultdict(float)
-        self.calls: Counter[str] = Counter()
+        self.counts: Counter[str] = Counter()
         self._timed: dict[tuple[int, int], Callable[[], Any]] = {}
         self._clock = time.process_time if workers == 1 else time.perf_counter
-        super().__init__(state, workers)
 
     @classmethod
     def in_place(cls, world: World) -> Self:
-        """A timed stepper in the place of the one that a world has; its events are kept, and it goes on to the bit."""
+        """Timed calls in the place of those that a world has; its events are kept, and it goes on to the bit."""
         _ = world.events
-        stepper = cls(world.state, world.workers)
-        world._stepper = stepper
-        return stepper
+        calls = cls(world.workers)
+        world._stepper = Stepper(world.state, world.workers, calls)
+        return calls
 
     @classmethod
     def of(cls, world: World, clock: Callable[[], float]) -> Self:
-        """The timed stepper of a world, which it gets if it has none: one that goes by `clock`, in seconds."""
-        stepper = world._stepper
-        if not isinstance(stepper, cls):
-            stepper = cls.in_place(world)
-            stepper._clock = clock
-        return stepper
+        """The timed calls of a world, which it gets if it has none: some that go by `clock`, in seconds."""
+        calls = world._stepper.calls
+        if not isinstance(calls, cls):
+            calls = cls.in_place(world)
+            calls._clock = clock
+        return calls
 
     def forget_times(self) -> None:
         """Begin to count anew."""
         self.seconds.clear()
-        self.calls.clear()
+        self.counts.clear()
 
-    def _run(self, first: int) -> int:
-        return _run_in_python(self._parts[self._turn], first)
+    def run(self, turn: int, first: int) -> int:
+        """Run the parts of a step from Python, where the time between them can be told."""
+        return _run_in_python(self.parts[turn], first)
 
     def _machine(self, row: int, turn: int) -> tuple[int, int]:
         machine = super()._machine(row, turn)
@@ -70,7 +71,7 @@ class TimedStepper(Stepper):
             start = self._clock()
             result = call()
             self.seconds[name] += self._clock() - start
-            self.calls[name] += 1
+            self.counts[name] += 1
             return result
 
         return run

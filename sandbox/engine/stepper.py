@@ -1,27 +1,24 @@
-"""What steps one world: the calls of the compiled parts of the step, and the scratch memory they share."""
+"""What steps one world: the scratch memory of its steps, kept in order as rows come and go, and their calls."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 
-from sandbox._argument_words import Bundle
-from sandbox._jit import Call, jit_enabled, kernel_argument
-from sandbox.engine.compile_step import PARTS, compile_continuous, compile_step
-from sandbox.engine.fields.apply import apply_fields
+from sandbox._jit import jit_enabled
+from sandbox.engine.compile_step import compile_continuous, compile_step
 from sandbox.engine.fields.records import has_fields
 from sandbox.engine.joints.assembly import assemble, assemble_more
 from sandbox.engine.joints.fewer_parts import going_parts, without_parts
 from sandbox.engine.joints.part_layout import PartLayouts
 from sandbox.engine.joints.wiring import wiring
-from sandbox.engine.memory.binding import contact_arguments, parameters, scratch_arguments, state_arguments
 from sandbox.engine.memory.bundles import Room
 from sandbox.engine.memory.limit import room_for
 from sandbox.engine.memory.scratch import Scratch
-from sandbox.engine.run_step import COLLIDE, CONTINUOUS, DONE, FIELDS, FINISH, TO_COMPILE, run_step
-from sandbox.engine.workers.serve import serve
+from sandbox.engine.run_step import COLLIDE, CONTINUOUS, DONE, FIELDS, TO_COMPILE
+from sandbox.engine.step_calls import StepCalls
 from sandbox.engine.workers.threads import WorkerThreads
 from sandbox.errors import CapacityError
 from sandbox.tables import Integers, Records, close_up, copy_rows, plain
@@ -29,8 +26,6 @@ from sandbox.world.records import CONTACT, CounterPlace
 from sandbox.world.rows import Added, Moved
 from sandbox.world.state import State
 
-PARTS_OF_STEP: tuple[Callable[..., Any], ...] = (apply_fields, *PARTS)
-"""What the rows of a table of parts are, for `run_step`."""
 _FEW = 1000
 """So many shapes never make too many pairs."""
 _WORTH_SHARING = 8000
@@ -46,43 +41,29 @@ class Stepper:
     counters: memoryview
     """The row of counters as whole numbers, by the places in `CounterPlace`, which is five times faster to ask."""
 
-    def __init__(self, state: State, workers: int = 1) -> None:
+    def __init__(self, state: State, workers: int = 1, calls: StepCalls | None = None) -> None:
         self._state = state
         self.workers = workers if jit_enabled() else 1
         self._threads = WorkerThreads(self.workers - 1) if self.workers > 1 else None
         self._turn = self._lost = 0
-        self._jointed = self._compiled = False
-        self._last = FINISH
         self._room = Room.of(state)
-        self._calls: dict[tuple[Any, int], Call] = {}
-        self._bundles: dict[tuple[str, int], Bundle] = {}
         self._layouts = PartLayouts(self.workers)
-        self._parts: Integers = np.zeros((2, len(PARTS_OF_STEP), 2), np.int64)
-        self._runs: dict[tuple[int, int], Callable[[], int]] = {}
-        self._run_calls = {
-            (turn, first): Call(run_step, (parts, first), self.workers > 1)
-            for turn, parts in enumerate(self._parts)
-            for first in (FIELDS, COLLIDE, CONTINUOUS)
-        }
+        self.calls = calls or StepCalls(self.workers)
         self.renew()
 
     def compile(self) -> None:
         """Compile what the step needs, if it has not been on this machine: seconds."""
-        if self._compiled:
+        if self.calls.bound:
             return
         compile_step(self.scratch.joints is not None)
         if len(self._state.bodies) + len(self._state.joints) >= _WORTH_SHARING // 4:  # else it may never be needed
             self.bind_workers()
-        for turn, parts in enumerate(self._parts):
-            for row in range(self._last + 1):
-                parts[row] = self._machine(row, turn)
-        self._runs = {key: call.bind() for key, call in self._run_calls.items()}
-        self._compiled = True
+        self.calls.bind()
 
     def machine(self) -> Integers:
         """The table of parts for even and for odd steps (`run_step`), none of which is to be compiled any more."""
         self._compile_continuous()
-        return self._parts
+        return self.calls.parts
 
     @property
     def turn(self) -> int:
@@ -97,7 +78,7 @@ class Stepper:
 
     def bind_workers(self) -> Sequence[Callable[[], Any]]:
         """What the other workers run in the next step, compiled if need be."""
-        return [call.bind() for call in self._served[self._turn]]
+        return self.calls.bind_workers(self._turn)
 
     def step(self) -> None:
         """Take one step. Then `state.contacts` are those of it, `scratch.contacts.now` those of the step before.
@@ -105,7 +86,7 @@ class Stepper:
         Raises `CapacityError`, and leaves the state as it was, if there are too many pairs.
         """
         self.compile()
-        before = self._state.bodies.tobytes() if self._crowded and self._has_fields else None
+        before = self._state.bodies.tobytes() if self._crowded and self.calls.has_fields else None
         try:
             self._advance()
         except CapacityError:
@@ -207,10 +188,10 @@ class Stepper:
         first = FIELDS
         while True:
             if self._threads is None or not self._is_worth_sharing():
-                came = self._run(first)
+                came = self.calls.run(self._turn, first)
             else:
                 with self._threads.serving(self.scratch.workers, self.bind_workers()):
-                    came = self._run(first)
+                    came = self.calls.run(self._turn, first)
             if came == DONE:
                 return
             first = self._provide(came)
@@ -224,17 +205,11 @@ class Stepper:
         self.compile()
         return COLLIDE
 
-    def _run(self, first: int) -> int:
-        """Run the parts of this step from the `first` one on: `run_step`."""
-        came: int = self._runs[self._turn, first]()
-        return came
-
     def _compile_continuous(self) -> None:
         """Compile the last part of a step, which few steps need."""
-        compile_continuous()
-        self._last = CONTINUOUS
-        self._compiled = False
         self.compile()
+        compile_continuous()
+        self.calls.bind_all()
 
     def _is_worth_sharing(self) -> bool:
         """Whether so much was awake in the last step that this one is sooner done by several workers."""
@@ -252,70 +227,22 @@ class Stepper:
         self._prepare_calls()
 
     def _prepare_calls(self) -> None:
-        """The calls of a step: some for even and some for odd steps, as the contact tables swap places."""
+        """Other tables for the calls of a step, and pairs looked for anew."""
         state, scratch = self._state, self.scratch
         plain(scratch.grid.cache.info)["valid"] = 0
         self._crowded = len(state.shapes) > _FEW
         self.counters = plain(state.counters).view(np.int64).data
-        self._compiled = False
         self._count_lost()
         here = scratch.contacts._replace(before=state.contacts)
         there = here._replace(now=here.before, before=here.now)
         self._contacts = (here, there) if self._turn == 0 else (there, here)
-        if (scratch.joints is not None) != self._jointed:
-            self._jointed = not self._jointed  # other types, hence other versions of the machine code
-            self._calls.clear()
-            self._bundles.clear()
-        named = self._bundled(state_arguments(state) | scratch_arguments(scratch))
-        self._has_fields = has_fields(state)
-        self._served = []
-        for turn, contacts in enumerate(self._contacts):
-            named |= self._bundled(contact_arguments(contacts), turn)
-            for part in PARTS:
-                self._call(part, turn, named)
-            if self._has_fields:
-                self._call(apply_fields, turn, named)
-            self._served.append([self._serving(worker, turn, named) for worker in range(1, self.workers)])
-
-    def _call(self, part: Any, turn: int, named: Mapping[str, Any], worker: int = 0) -> Call:
-        """The call of an entry point with what is `named` now, by a worker."""
-        names, key = parameters(part), (worker or part, turn)
-        if key not in self._calls:
-            self._calls[key] = Call(part, tuple(named[name] for name in names), self.workers > 1)
-        self._calls[key].exchange(names, named)
-        return self._calls[key]
-
-    def _serving(self, worker: int, turn: int, named: Mapping[str, Any]) -> Call:
-        """A call of `serve` with what is `named` now, for a worker."""
-        number = {"workers": kernel_argument(self.scratch.workers._replace(number=worker))}
-        return self._call(serve, turn, {**named, **self._bundled(number, worker)}, worker)
-
-    def _machine(self, row: int, turn: int) -> tuple[int, int]:
-        """Where the machine code of a part and its arguments are, compiled if need be; zeros for fields if there are
-        none."""
-        return (0, 0) if row == FIELDS and not self._has_fields else self._calls[PARTS_OF_STEP[row], turn].machine()
-
-    def _bundled(self, named: Mapping[str, Any], turn: int = 0) -> dict[str, Any]:
-        """What is named, tuples as the bundles that all calls share; contacts have one for each turn."""
-        found = dict(named)
-        for name, value in named.items():
-            if isinstance(value, tuple):
-                if (name, turn) not in self._bundles:
-                    self._bundles[name, turn] = Bundle(value)
-                found[name] = self._bundles[name, turn]
-                found[name].fill(value)
-        return found
+        self.calls.fill(state, scratch, self._contacts)
 
     def _exchange_state(self) -> None:
         """Other rows of the state, and nothing else, for the calls of a step."""
         state = self._state
-        self._crowded = len(state.shapes) > _FEW
-        self._compiled = False
-        if has_fields(state) != self._has_fields:
+        if has_fields(state) != self.calls.has_fields:
             self._prepare_calls()
             return
-        named = self._bundled(state_arguments(state))
-        if has_fields(state):
-            self._bundled({"fields": kernel_argument(self.scratch.fields)})
-            for turn in (0, 1):  # they alone ask for a table of the state by itself
-                self._calls[apply_fields, turn].exchange(parameters(apply_fields), named)
+        self._crowded = len(state.shapes) > _FEW
+        self.calls.fill_state(state, self.scratch)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 
-from sandbox.bench.stages import TimedStepper
+from sandbox.bench.stages import TimedCalls
 from sandbox.engine.world import World
 
 STAGES = {
@@ -27,14 +27,14 @@ class StageTimes:
 
     def __init__(self) -> None:
         self._before: dict[str, float] = {}
-        self._of: TimedStepper | None = None
+        self._of: TimedCalls | None = None
 
     def take(self, world: World) -> dict[str, float]:
         """By the names in `STAGES`; empty at the first time, for then nothing has been timed."""
-        stepper = TimedStepper.of(world, time.perf_counter)
-        if stepper is not self._of:
-            self._of, self._before = stepper, dict(stepper.seconds)
+        calls = TimedCalls.of(world, time.perf_counter)
+        if calls is not self._of:
+            self._of, self._before = calls, dict(calls.seconds)
             return {}
-        took = {name: 1000.0 * (stepper.seconds[name] - self._before.get(name, 0.0)) for name in STAGES}
-        self._before = dict(stepper.seconds)
+        took = {name: 1000.0 * (calls.seconds[name] - self._before.get(name, 0.0)) for name in STAGES}
+        self._before = dict(calls.seconds)
         return took

@@ -15,7 +15,7 @@ import pytest
 
 import sandbox
 from sandbox._jit import entry_point, kernel_argument
-from sandbox.bench.stages import TimedStepper
+from sandbox.bench.stages import TimedCalls
 from sandbox.engine.broad_phase.pair_cache import select_pairs, update_pair_cache
 from sandbox.engine.broad_phase.proxies import bound_some_shapes
 from sandbox.engine.records.state import StateTables
@@ -46,7 +46,7 @@ def pyramids(count: int) -> sandbox.Scene:
 def settled(count: int) -> sandbox.World:
     """A world of pyramids after 20 steps, whose stages are timed."""
     world = sandbox.World(pyramids(count))
-    TimedStepper.in_place(world)
+    TimedCalls.in_place(world)
     world.step(20)
     return world
 
@@ -111,14 +111,14 @@ def test_half_of_the_step(part: str) -> None:
     seconds = {}
     for count in PYRAMIDS:
         world = settled(count)
-        stepper = world._stepper
-        assert isinstance(stepper, TimedStepper)
+        calls = world._stepper.calls
+        assert isinstance(calls, TimedCalls)
         times = []
         for _ in range(TURNS):
-            stepper.forget_times()
+            calls.forget_times()
             world.step()
-            times.append(stepper.seconds[part])
-            assert stepper.calls[part] == 1
+            times.append(calls.seconds[part])
+            assert calls.counts[part] == 1
         seconds[count * BOXES] = min(times)
     assert math.isfinite(tell(f"{part}, a step", seconds))
 

@@ -92,7 +92,7 @@ def test_nobody_is_asked_again_for_one_that_comes(monkeypatch: pytest.MonkeyPatc
     world = make(ZOO, JOINTS)
     world.spawn(ball(0))
     world.spawn(ball(1))
-    census, calls = world.state.census, world._stepper._calls
+    census, calls = world.state.census, world._stepper.calls._calls
     held = (id(census.bodies.items), id(census.bodies.names), dict(calls))
     for name in ("renew", "assemble_joints", "_prepare_calls"):
         monkeypatch.setattr(world._stepper, name, lambda *_: pytest.fail("made anew"))

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import sandbox
-from sandbox.bench.stages import TimedStepper
+from sandbox.bench.stages import TimedCalls
 from sandbox.resources import find_scene
 from sandbox.window.history import Branches, History, thinned
 from sandbox.window.panels.plots.quantities import BODY, CHARTS, WORLD, body_values, mechanics, world_values
@@ -128,7 +128,7 @@ def test_timing_in_the_middle_of_a_run_changes_no_bit(name: str) -> None:
     assert timed.digest() == plain.digest()
     assert set(took) == set(STAGES)
     assert took["solve"] > 0.0
-    assert isinstance(timed._stepper, TimedStepper)
+    assert isinstance(timed._stepper.calls, TimedCalls)
 
 
 def test_watchers_are_told_of_steps_that_are_shown() -> None:

@@ -1,0 +1,130 @@
+"""The calls of the parts of a step: for even and for odd steps, as the tables of contacts swap places between them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from sandbox._argument_words import Bundle
+from sandbox._jit import Call, kernel_argument
+from sandbox.engine.compile_step import PARTS
+from sandbox.engine.fields.apply import apply_fields
+from sandbox.engine.fields.records import has_fields
+from sandbox.engine.memory.binding import contact_arguments, parameters, scratch_arguments, state_arguments
+from sandbox.engine.memory.scratch import Scratch
+from sandbox.engine.records.contacts import Contacts
+from sandbox.engine.run_step import COLLIDE, CONTINUOUS, FIELDS, FINISH, run_step
+from sandbox.engine.workers.serve import serve
+from sandbox.tables import Integers
+from sandbox.world.state import State
+
+PARTS_OF_STEP: tuple[Callable[..., Any], ...] = (apply_fields, *PARTS)
+"""What the rows of a table of parts are, for `run_step`."""
+
+
+class StepCalls:
+    """Calls of the parts of a step with the tables of one world.
+
+    A call is made once, and then filled with other tables where some have been replaced.
+    """
+
+    def __init__(self, workers: int) -> None:
+        self._workers = workers
+        self._jointed = False
+        self._last = FINISH
+        self._calls: dict[tuple[Any, int], Call] = {}
+        self._bundles: dict[tuple[str, int], Bundle] = {}
+        self._served: list[list[Call]] = []
+        self.parts: Integers = np.zeros((2, len(PARTS_OF_STEP), 2), np.int64)
+        """The tables of parts for even and for odd steps (`run_step`), once they are `bound`."""
+        self.bound = False
+        """Whether the parts are compiled, and called with the tables there are."""
+        self.has_fields = False
+        self._runs: dict[tuple[int, int], Callable[[], int]] = {}
+        self._run_calls = {
+            (turn, first): Call(run_step, (parts, first), workers > 1)
+            for turn, parts in enumerate(self.parts)
+            for first in (FIELDS, COLLIDE, CONTINUOUS)
+        }
+
+    def fill(self, state: State, scratch: Scratch, contacts: tuple[Contacts, Contacts]) -> None:
+        """Call the parts with these tables; `contacts` are those of even and of odd steps."""
+        if (scratch.joints is not None) != self._jointed:
+            self._jointed = not self._jointed  # other types, hence other versions of the machine code
+            self._calls.clear()
+            self._bundles.clear()
+        self.bound = False
+        self.has_fields = has_fields(state)
+        named = self._bundled(state_arguments(state) | scratch_arguments(scratch))
+        self._served = []
+        for turn, tables in enumerate(contacts):
+            named |= self._bundled(contact_arguments(tables), turn)
+            for part in PARTS:
+                self._call(part, turn, named)
+            if self.has_fields:
+                self._call(apply_fields, turn, named)
+            of_workers = {worker: scratch.workers._replace(number=worker) for worker in range(1, self._workers)}
+            self._served.append([self._serving(worker, turn, named, own) for worker, own in of_workers.items()])
+
+    def fill_state(self, state: State, scratch: Scratch) -> None:
+        """Call the parts with other tables of the state, which still has fields or still has none, and the same scratch
+        memory but for its fields."""
+        self.bound = False
+        named = self._bundled(state_arguments(state))
+        if self.has_fields:
+            self._bundled({"fields": kernel_argument(scratch.fields)})
+            for turn in (0, 1):  # they alone ask for a table of the state by itself
+                self._calls[apply_fields, turn].exchange(parameters(apply_fields), named)
+
+    def bind(self) -> None:
+        """Compile the parts that are not yet, each in turn, but for the last one, which few steps need."""
+        for turn, parts in enumerate(self.parts):
+            for row in range(self._last + 1):
+                parts[row] = self._machine(row, turn)
+        self._runs = {key: call.bind() for key, call in self._run_calls.items()}
+        self.bound = True
+
+    def bind_all(self) -> None:
+        """The last part as well, from now on."""
+        self._last = CONTINUOUS
+        self.bind()
+
+    def bind_workers(self, turn: int) -> Sequence[Callable[[], Any]]:
+        """What the other workers run in an even (0) or odd (1) step, compiled if need be."""
+        return [call.bind() for call in self._served[turn]]
+
+    def run(self, turn: int, first: int) -> int:
+        """Run the parts of a step from the `first` one on: `run_step`."""
+        return self._runs[turn, first]()
+
+    def _machine(self, row: int, turn: int) -> tuple[int, int]:
+        """Where the machine code of a part and its arguments are, compiled if need be; zeros for fields if there are
+        none."""
+        return (0, 0) if row == FIELDS and not self.has_fields else self._calls[PARTS_OF_STEP[row], turn].machine()
+
+    def _call(self, part: Any, turn: int, named: Mapping[str, Any], worker: int = 0) -> Call:
+        """The call of an entry point with what is `named` now, by a worker."""
+        names, key = parameters(part), (worker or part, turn)
+        if key not in self._calls:
+            self._calls[key] = Call(part, tuple(named[name] for name in names), self._workers > 1)
+        self._calls[key].exchange(names, named)
+        return self._calls[key]
+
+    def _serving(self, worker: int, turn: int, named: Mapping[str, Any], own: Any) -> Call:
+        """A call of `serve` with what is `named` now, for a worker, whose number is in its `own` bundle."""
+        bundle = self._bundled({"workers": kernel_argument(own)}, worker)
+        return self._call(serve, turn, {**named, **bundle}, worker)
+
+    def _bundled(self, named: Mapping[str, Any], turn: int = 0) -> dict[str, Any]:
+        """What is named, tuples as the bundles that all calls share; contacts have one for each turn, and workers one
+        each."""
+        found = dict(named)
+        for name, value in named.items():
+            if isinstance(value, tuple):
+                if (name, turn) not in self._bundles:
+                    self._bundles[name, turn] = Bundle(value)
+                found[name] = self._bundles[name, turn]
+                found[name].fill(value)
+        return found
