@@ -6,6 +6,8 @@ import numpy as np
 
 from sandbox.engine.compile_step import compile_parts
 from sandbox.engine.events.sensors import SensorOverlaps
+from sandbox.engine.joints.elimination import FEW_JOINTS, minimum_degree
+from sandbox.engine.joints.net_lanes import color_joints
 from sandbox.engine.lanes.advance import Rows
 from sandbox.engine.lanes.lane_world import LaneWorld
 from sandbox.engine.stepper import Stepper
@@ -24,6 +26,7 @@ def call_every_entry_point() -> None:
     compile_parts()
     _share_a_step()
     _step_a_batch()
+    _lay_out_many_joints()
     _ask_about(_windy_world())
     _look_at_a_pair()
 
@@ -42,6 +45,13 @@ def _step_a_batch() -> None:
     lane = LaneWorld(FlatScene((ball,)))
     no_rows, none = np.zeros((0, 1), np.int64), np.zeros(0, np.int64)
     lane.call(Rows(no_rows, no_rows, none, none), np.zeros(2, np.int64))()
+
+
+def _lay_out_many_joints() -> None:
+    """What lays out so many joints that Python would take too long."""
+    minimum_degree(np.full((FEW_JOINTS + 1, 4), -1), np.ones(FEW_JOINTS + 1, np.int64), 1)
+    none = np.zeros(0, np.int64)
+    color_joints(none, none, none, none, none)
 
 
 def _windy_world() -> World:

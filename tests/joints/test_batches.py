@@ -11,10 +11,12 @@ from hypothesis import strategies as st
 
 from sandbox._vectors import WIDTH
 from sandbox.engine.active.pile_stability import MAX_LEVEL
-from sandbox.engine.joints.direct.layout import direct_layout
+from sandbox.engine.joints.direct.layout import JointRows, direct_layout
 from sandbox.engine.joints.direct.records import LEVELS
 from sandbox.engine.joints.direct.tables import direct_tables, with_room
-from sandbox.engine.joints.symbolic import Pattern
+from sandbox.engine.joints.elimination import minimum_degree
+from sandbox.engine.joints.part_layout import NOBODY, UPDATES_A_ROW, WORLD
+from sandbox.engine.joints.symbolic import symbolic
 from sandbox.scene.flat import FlatBody, FlatJoint, FlatSettings
 from sandbox.world.joint_records import TARGET
 from tests.examples import examples
@@ -134,9 +136,11 @@ def test_a_level_for_each_that_islands_may_have():
 
 @given(st.lists(st.integers(0, LEVELS - 1), min_size=1, max_size=70))
 def test_there_is_room_however_parts_spread_over_levels(levels):
-    pattern = Pattern([0, 2], [0, 1, 1], [0])
-    target = (TARGET, False, False, -1, -1)
-    one = direct_layout([target], [[-1, 0]], [(0, 0), (0, 1)], [], pattern, True)
+    sides = np.array([[WORLD, 0, NOBODY, NOBODY]])
+    found = minimum_degree(sides, np.array([2]), UPDATES_A_ROW)
+    assert found is not None
+    rows = JointRows(np.array([[TARGET, 0, 0, -1, -1]]), sides, np.array([0, 0]), np.array([0, 1]))
+    one = direct_layout(rows, symbolic(found, np.array([0]), np.array([2]), 2), True)
     d = with_room(direct_tables([one]), np.zeros(len(levels), np.int64))
     needed = sum(-(-levels.count(level) // WIDTH) for level in range(LEVELS))
     assert len(d.batches) >= needed

@@ -1,6 +1,6 @@
 """The tables of the joint solver for a whole world at once, joint by joint: the judge of `joints/assembly.py`.
 
-Only the elimination of a part (`symbolic.py`) is the engine's own; all numbers are those of the world from the start.
+All numbers are those of the world from the start.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ from sandbox.engine.joints.net_lanes import lay_lanes
 from sandbox.engine.joints.pair_filter import JointFilter
 from sandbox.engine.joints.part_layout import UPDATES_A_ROW, slots_of
 from sandbox.engine.joints.records import BOND, CONSTRAINT, MEMBER, PART, ROW
-from sandbox.engine.joints.symbolic import Pattern, minimum_degree, symbolic
 from sandbox.tables import Records
 from sandbox.world import joint_records as kinds
+from tests.naive.elimination import Pattern, minimum_degree, symbolic
 
 Pair = tuple[int, int]
 

@@ -14,7 +14,7 @@ from sandbox.engine.joints.part_layout import NOBODY, WORLD, PartLayouts
 from sandbox.engine.joints.part_tables import Parts, joint_work
 from sandbox.engine.joints.records import BOND, JointWork
 from sandbox.engine.joints.wiring import movable
-from sandbox.tables import Integers, Records, taken
+from sandbox.tables import Integers, Records, plain
 from sandbox.world import joint_records as kinds
 
 Flags = NDArray[np.bool_]
@@ -88,12 +88,13 @@ def _assembled(
 
 def _sides(joints: Records, held: Integers) -> Integers:
     """The bodies of each joint, -1 for the world: two, or the four of the joints that a gear couples; else -2."""
-    rows = taken(joints, held)
+    rows = plain(joints)
     sides = np.full((len(held), 4), NOBODY)
-    sides[:, 0], sides[:, 1] = rows.body_a, rows.body_b
-    gears = np.flatnonzero(rows.kind == kinds.GEAR)
-    for k, coupled in ((0, rows.joint_1[gears]), (2, rows.joint_2[gears])):
-        sides[gears, k], sides[gears, k + 1] = joints.body_a[coupled], joints.body_b[coupled]
+    sides[:, 0], sides[:, 1] = rows["body_a"][held], rows["body_b"][held]
+    gears = np.flatnonzero(rows["kind"][held] == kinds.GEAR)
+    for k, name in ((0, "joint_1"), (2, "joint_2")):
+        coupled = rows[name][held[gears]]
+        sides[gears, k], sides[gears, k + 1] = rows["body_a"][coupled], rows["body_b"][coupled]
     return sides
 
 
@@ -111,10 +112,13 @@ def _parts(held: Integers, sides: Integers, moves: Flags) -> Parts:
 
 def _bonds(sides: Integers, bodies: int) -> Records:
     """All pairs of bodies on different sides of a joint, each once, sorted."""
-    pairs = [sides[:, [a, b]] for a, b in combinations(range(4), 2)]
-    both = np.sort(np.concatenate(pairs), axis=1)
-    both = both[(both[:, 0] > WORLD) & (both[:, 0] < both[:, 1])]
-    keys = np.unique(both[:, 0] * bodies + both[:, 1])
+    gears = sides[sides[:, 3] > NOBODY]
+    pairs = [sides[:, :2], *(gears[:, pair] for pair in combinations(range(4), 2))]
+    one, two = np.concatenate(pairs).T
+    low, high = np.minimum(one, two), np.maximum(one, two)
+    bound = (low > WORLD) & (low < high)
+    keys = np.sort(low[bound] * bodies + high[bound])
+    keys = keys[np.diff(keys, prepend=-1) > 0]
     table = BOND.zeros(len(keys))
     table.low, table.high = keys // max(bodies, 1), keys % max(bodies, 1)
     return table

@@ -10,7 +10,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from sandbox._jit import entry_point, interpreted
 from sandbox.engine.contact_solver.blocks import LANES
+from sandbox.engine.joints.elimination import FEW_JOINTS
 from sandbox.tables import Field, Floats, Integers, Records, Table, aligned_zeros
 from sandbox.world.joint_records import DISTANCE, FRICTION, GEAR, MOTOR, REVOLUTE, TARGET, WELD
 
@@ -145,16 +147,27 @@ def lanes_for(blocks: Records) -> Floats:
 
 def _colors(members: Records, joints: Records) -> Integers:
     """For each joint the lowest colour that no earlier one has at a member which joints can move."""
-    moves = (members.part >= 0).tolist()
-    taken = [0] * len(members)
-    found = []
-    for a, b in zip(joints.member_a.tolist(), joints.member_b.tolist(), strict=True):
-        both = (taken[a] if moves[a] else 0) | (taken[b] if moves[b] else 0)
-        color = (~both & (both + 1)).bit_length() - 1
-        found.append(min(color, MAX_COLORS))
+    colors = np.zeros(len(joints), np.int64)
+    moves = (members.part >= 0).astype(np.int64)
+    run = color_joints if len(joints) > FEW_JOINTS else interpreted(color_joints)
+    a, b = (np.ascontiguousarray(each) for each in (joints.member_a, joints.member_b))
+    run(a, b, moves, np.zeros_like(moves), colors)
+    return colors
+
+
+@entry_point
+def color_joints(members_a: Integers, members_b: Integers, moves: Integers, taken: Integers, colors: Integers) -> None:
+    """Write the colours of joints between members, at most `MAX_COLORS`; `taken` are the colours at each, as bits."""
+    for j in range(colors.shape[0]):
+        a = members_a[j]
+        b = members_b[j]
+        both = taken[a] * moves[a] | taken[b] * moves[b]
+        color = 0
+        while color < MAX_COLORS and (both >> color) & 1 == 1:
+            color += 1
+        colors[j] = color
         taken[a] |= 1 << color
         taken[b] |= 1 << color
-    return np.array(found, np.int64)
 
 
 def _blocks(part: Integers, color: Integers, kind: Integers) -> Records:

@@ -12,10 +12,11 @@ from itertools import compress, pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from sandbox.engine.joints.direct.layout import DirectLayout, Link, direct_layout
+from sandbox.engine.joints.direct.layout import DirectLayout, JointRows, direct_layout
 from sandbox.engine.joints.direct.records import Batches
 from sandbox.engine.joints.direct.tables import direct_tables
-from sandbox.engine.joints.symbolic import Pattern, minimum_degree, symbolic
+from sandbox.engine.joints.elimination import minimum_degree
+from sandbox.engine.joints.symbolic import symbolic
 from sandbox.tables import Integers
 from sandbox.world import joint_records as kinds
 
@@ -119,79 +120,47 @@ def shares_equation(slots: tuple[int, ...]) -> bool:
     return slots[-2:] == (3, 4)
 
 
-def _keeps_place(kind: int, slots: tuple[int, ...]) -> bool:
-    """Whether a joint keeps a point or a length, whatever pulls at it."""
-    return kind in (kinds.REVOLUTE, kinds.WELD, kinds.DISTANCE) and 0 in slots
-
-
-def _may_be_bounded(kind: int, slot: int) -> bool:
-    brake = kind == kinds.WHEEL and slot == 2
-    return slot == 4 or brake or kind in (kinds.MOTOR, kinds.TARGET, kinds.FRICTION)
-
-
 def part_layout(key: bytes) -> PartLayout:
     """The layout of a part of those joints: rows of `COLUMNS` 32-bit numbers."""
-    joints: list[list[int]] = np.frombuffer(key, np.int32).reshape(-1, COLUMNS).tolist()
-    slots = [slots_of(kind, bool(spring), bool(limit), bool(motor)) for kind, spring, limit, motor, *_ in joints]
-    sides = [[member for member in joint[4:8] if member != NOBODY] for joint in joints]
-    neighbours = _neighbours(sides)
-    weights = {j: len(each) - (1 if shares_equation(each) else 0) for j, each in enumerate(slots)}
-    order, direct = minimum_degree(range(len(joints)), neighbours, weights, UPDATES_A_ROW)
-    seats = [(seat, slot) for seat, j in enumerate(order) for slot in slots[j]]
-    anchored = any(WORLD in each for each in sides)
-    hung = anchored and all(_keeps_place(joint[0], each) for joint, each in zip(joints, slots, strict=True))
-    columns = _column(order), _column([seat for seat, _ in seats]), _column([slot for _, slot in seats])
-    if not direct:
-        return PartLayout(*columns, anchored, hung, None)
-    pattern, links = _eliminate(order, slots, sides, neighbours)
-    bounded = any(_may_be_bounded(joint[0], slot) for joint, each in zip(joints, slots, strict=True) for slot in each)
-    kinds_of = [(joints[j][0], joints[j][2] != 0, joints[j][3] != 0, joints[j][8], joints[j][9]) for j in order]
-    found = direct_layout(kinds_of, [sides[j] for j in order], seats, links, pattern, bounded)
-    return PartLayout(*columns, anchored, hung, found)
+    joints = np.frombuffer(key, np.int32).reshape(-1, COLUMNS).astype(np.int64)
+    slots, shares = _slots(joints)
+    sides = joints[:, 4:8]
+    weights = (slots >= 0).sum(axis=1) - shares
+    found = minimum_degree(sides, weights, UPDATES_A_ROW)
+    order = np.arange(len(joints)) if found is None else found.order
+    seats, columns = np.nonzero(slots[order] >= 0)
+    of_row = slots[order][seats, columns]
+    anchored = bool((sides == WORLD).any())
+    hung = anchored and bool(_keep_place(joints[:, 0], slots).all())
+    if found is None:
+        return PartLayout(order, seats, of_row, anchored, hung, None)
+    counts = (slots[order] >= 0).sum(axis=1)
+    pattern = symbolic(found, np.cumsum(counts) - counts, weights[order], len(of_row))
+    bounded = _may_be_bounded(joints[order, 0][seats], of_row)
+    rows = JointRows(joints[order][:, [0, 2, 3, 8, 9]], sides[order], seats, of_row)
+    return PartLayout(order, seats, of_row, anchored, hung, direct_layout(rows, pattern, bool(bounded.any())))
 
 
-def _column(numbers: list[int]) -> Integers:
-    return np.array(numbers, np.int64)
+def _slots(joints: Integers) -> tuple[Integers, NDArray[np.bool_]]:
+    """The rows that each joint needs, then -1; and whether two of them share an equation."""
+    kind, spring, limit, motor = joints[:, :4].T
+    code = 8 * kind + 4 * (spring != 0) + 2 * (limit != 0) + (motor != 0)
+    counts = np.bincount(code)
+    table, shares = np.full((len(counts), 5), -1), np.zeros(len(counts), np.bool_)
+    for each in np.flatnonzero(counts).tolist():
+        slots = slots_of(each // 8, bool(each & 4), bool(each & 2), bool(each & 1))
+        table[each, : len(slots)] = slots
+        shares[each] = shares_equation(slots)
+    return table[code], shares[code]
 
 
-def _neighbours(sides: list[list[int]]) -> dict[int, list[int]]:
-    """For each joint the others that share a member with it, in ascending order."""
-    of_member: dict[int, list[int]] = {}
-    for j, members in enumerate(sides):
-        for member in dict.fromkeys(members):
-            of_member.setdefault(member, []).append(j)
-    of_member[WORLD] = []
-    return {j: sorted({k for member in each for k in of_member[member]} - {j}) for j, each in enumerate(sides)}
+def _keep_place(kind: Integers, slots: Integers) -> NDArray[np.bool_]:
+    """Whether joints keep a point or a length, whatever pulls at them."""
+    keeps: NDArray[np.bool_] = np.isin(kind, (kinds.REVOLUTE, kinds.WELD, kinds.DISTANCE)) & (slots == 0).any(axis=1)
+    return keeps
 
 
-def _eliminate(
-    order: list[int],
-    slots: list[tuple[int, ...]],
-    sides: list[list[int]],
-    neighbours: dict[int, list[int]],
-) -> tuple[Pattern, list[Link]]:
-    """Columns of the factor and the pairs of rows that add to it; what shares an equation has no column of its own."""
-    rows: dict[int, list[int]] = {}
-    count = 0
-    for j in order:
-        end = count + len(slots[j])
-        rows[j] = list(range(count, end - 1 if shares_equation(slots[j]) else end))
-        count = end
-    place = {j: k for k, j in enumerate(order)}
-    later = {j: [k for k in neighbours[j] if place[k] > place[j]] for j in order}
-    pattern = Pattern()
-    entry = symbolic([rows[j] for j in order], [[rows[k] for k in later[j]] for j in order], pattern)
-    links: list[Link] = []
-    for j in order:
-        for r in rows[j]:
-            for k in (j, *later[j]):
-                shared = _shared_sides(sides[j], sides[k])
-                links += [(s, r, b, a, entry[r, s]) for s in rows[k] if s >= r for a, b in shared]
-    return pattern, links
-
-
-def _shared_sides(one: list[int], two: list[int]) -> list[tuple[int, int]]:
-    """Sides, from 1, at which two joints have the same member that they move."""
-    return [
-        (a, b) for a, member in enumerate(one, 1) for b, other in enumerate(two, 1) if member == other and member >= 0
-    ]
+def _may_be_bounded(kind: Integers, slot: Integers) -> NDArray[np.bool_]:
+    brake = (kind == kinds.WHEEL) & (slot == 2)
+    bounded: NDArray[np.bool_] = (slot == 4) | brake | np.isin(kind, (kinds.MOTOR, kinds.TARGET, kinds.FRICTION))
+    return bounded

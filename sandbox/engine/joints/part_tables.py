@@ -133,10 +133,11 @@ def _rows(constraints: Records, parts: Parts, seats: Integers, found: Sequence[P
     place_of = np.zeros(int(parts.joints.max()) + 1, np.int64)
     place_of[parts.joints] = np.arange(len(parts.joints))
     places = place_of[constraints.joint[of_row]]
-    given = parts.sides[places] != NOBODY
-    rows.sides = given.sum(axis=1)
+    given = parts.sides != NOBODY
+    rows.sides = given.sum(axis=1)[places]
+    members = np.where(given, seats, 0)
     for k in range(4):
-        rows[f"member_{k + 1}"] = np.where(given[:, k], seats[places, k], 0)
+        rows[f"member_{k + 1}"] = members[places, k]
     return rows
 
 

@@ -1,80 +1,54 @@
-"""The symbolic half of a sparse LDL^T factorisation: elimination order and fill, found once a world.
-
-Minimum degree: W. Tinney, J. Walker, "Direct Solutions of Sparse Network Equations", 1967; ties go to the lowest
-number, so that the order is the same everywhere.
-"""
+"""The symbolic half of a sparse LDL^T factorisation: which entries the factor has, found once a world."""
 
 from __future__ import annotations
 
-import heapq
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
-_FREE_UPDATES = 2000
+import numpy as np
+
+from sandbox.engine.joints.elimination import Elimination
+from sandbox.tables import Integers
 
 
-@dataclass
+@dataclass(frozen=True)
 class Pattern:
-    """The lower triangles of all parts: column r begins at `starts[r]` with its diagonal; `row_of` names the row of
-    each entry. Eliminating a column with m entries below the diagonal subtracts from m (m + 1) / 2 others:
-    `targets` lists them in that order."""
+    """The lower triangle of a factor of `rows` rows: column r begins at `starts[r]` with its diagonal; `row_of` names
+    the row of each entry and `keys` column and row at once, ascending. Eliminating a column with m entries below the
+    diagonal subtracts from m (m + 1) / 2 others: `targets` lists them in that order."""
 
-    starts: list[int] = field(default_factory=list)
-    row_of: list[int] = field(default_factory=list)
-    targets: list[int] = field(default_factory=list)
+    rows: int
+    starts: Integers
+    row_of: Integers
+    keys: Integers
+    targets: Integers
 
-
-def minimum_degree(
-    nodes: Sequence[int], neighbours: Mapping[int, Sequence[int]], weights: Mapping[int, int], limit: int
-) -> tuple[list[int], bool]:
-    """Elimination order of a graph, and whether it takes at most about `limit` updates a row."""
-    left = {n: set(neighbours[n]) for n in nodes}
-    degrees = {n: sum(weights[k] for k in left[n]) for n in nodes}
-    heap = [(degree, n) for n, degree in degrees.items()]
-    heapq.heapify(heap)
-    budget = limit * sum(weights[n] for n in nodes) + _FREE_UPDATES
-    order: list[int] = []
-    while heap:
-        degree, n = heapq.heappop(heap)
-        if degrees.get(n) != degree:
-            continue
-        budget -= weights[n] * (degree + weights[n]) ** 2 // 2
-        if budget < 0:
-            return list(nodes), False
-        around = left.pop(n)
-        del degrees[n]
-        order.append(n)
-        for k in around:
-            new = around - left[k] - {k}
-            left[k] |= new
-            left[k].remove(n)
-            degrees[k] += sum(weights[m] for m in new) - weights[n]
-            heapq.heappush(heap, (degrees[k], k))
-    return order, True
+    def entries(self, columns: Integers, rows: Integers) -> Integers:
+        """Where entries lie."""
+        return np.searchsorted(self.keys, columns * self.rows + rows)
 
 
-def symbolic(
-    blocks: Sequence[Sequence[int]], below: Sequence[Sequence[Sequence[int]]], pattern: Pattern
-) -> dict[tuple[int, int], int]:
-    """Append the columns of one part to `pattern`; return where each pair (column, row) lies.
+def runs(first: Integers, counts: Integers) -> Integers:
+    """Numbers from each `first` on, so many each, one after another."""
+    ends = np.cumsum(counts)
+    return np.arange(int(ends[-1]) if len(ends) else 0) + np.repeat(first - ends + counts, counts)
 
-    `blocks` are the rows of each joint in elimination order, `below` the rows of later joints it shares bodies with.
-    """
-    block_of = {r: k for k, block in enumerate(blocks) for r in block}
-    filled = [sorted({block_of[rows[0]] for rows in group}) for group in below]
-    for later in filled:
-        if later:  # what is eliminated links all that it was linked to
-            filled[later[0]] = sorted({*filled[later[0]], *later[1:]})
-    entry: dict[tuple[int, int], int] = {}
-    columns: list[tuple[int, list[int]]] = []
-    for block, later in zip(blocks, filled, strict=True):
-        rows = [*block, *(r for m in later for r in blocks[m])]
-        for i, r in enumerate(block):
-            below_r = rows[i + 1 :]
-            pattern.starts.append(len(pattern.row_of))
-            for row in (r, *below_r):
-                entry[r, row] = len(pattern.row_of)
-                pattern.row_of.append(row)
-            columns.append((r, below_r))
-    pattern.targets += [entry[s, t] for _, rows in columns for i, s in enumerate(rows) for t in rows[i:]]
-    return entry
+
+def symbolic(elimination: Elimination, first: Integers, counts: Integers, rows: int) -> Pattern:
+    """The pattern of a factor of `rows` rows, of which joint after joint has `counts` from row `first` on, both in the
+    order of elimination. Rows of no joint have no column."""
+    # A joint's own rows, then those of the joints below it, are what all its columns are made of.
+    links = np.diff(elimination.ends, prepend=0)
+    begins = np.cumsum(links + 1) - links - 1
+    joints = np.insert(elimination.below, elimination.ends - links, np.arange(len(counts)))
+    lengths = np.add.reduceat(counts[joints], begins)
+    numbers = runs(first[joints], counts[joints])
+    column = runs(first, counts)
+    own = runs(np.zeros_like(counts), counts)  # of its joint's rows which a column is
+    sizes = np.repeat(lengths, counts) - own
+    row_of = numbers[runs(np.repeat(np.cumsum(lengths) - lengths, counts) + own, sizes)]
+    starts = np.cumsum(sizes) - sizes
+    keys = np.repeat(column, sizes) * rows + row_of
+    below = runs(starts + 1, sizes - 1)
+    left = np.repeat(starts + sizes, sizes - 1) - below
+    targets = np.repeat(row_of[below], left) * rows + row_of[runs(below, left)]
+    return Pattern(rows, starts, row_of, keys, np.searchsorted(keys, targets))

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import count, pairwise
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sandbox._vectors import WIDTH
 from sandbox.engine.joints.direct import places as at
@@ -22,8 +22,8 @@ from sandbox.engine.joints.direct.records import (
     PRODUCT,
     TURN,
 )
-from sandbox.engine.joints.symbolic import Pattern
-from sandbox.tables import Integers32, Records
+from sandbox.engine.joints.symbolic import Pattern, runs
+from sandbox.tables import Integers, Integers32, Records
 from sandbox.world.joint_records import (
     DISTANCE,
     FRICTION,
@@ -42,10 +42,32 @@ _WEAK = (MOTOR, TARGET, FRICTION)
 SPRUNG_OR_WEAK = (WELD, *_WEAK)
 """Kinds of which also the rows that keep a place may be springs, or have a limit."""
 _SLIDES = (PRISMATIC, WHEEL)
-Joint = tuple[int, bool, bool, int, int]
-"""Kind, whether it has limits and a motor, and for gears the kinds of the joints it couples."""
-Link = tuple[int, int, int, int, int]
-"""Two rows that have a body in common, on which of their sides it is, from 1, and the entry of the pair."""
+_FIXED = -1
+"""A side that joints cannot move; less is none."""
+
+
+class JointRows(NamedTuple):
+    """The joints of a part in the order of elimination, and which joint and slot each row has.
+
+    `joints` has their kind, whether they have limits and a motor, and for gears the kinds of the joints they couple;
+    `sides` up to four bodies, -1 where these are fixed, -2 where there is none.
+    """
+
+    joints: Integers
+    sides: Integers
+    joint: Integers
+    slot: Integers
+
+    @property
+    def kind(self) -> Integers:
+        """The kind of each joint."""
+        return self.joints[:, 0]
+
+    @property
+    def side_counts(self) -> Integers:
+        """How many sides each joint has."""
+        counts: Integers = (self.sides >= _FIXED).sum(axis=1)
+        return counts
 
 
 @dataclass(frozen=True)
@@ -60,127 +82,132 @@ class DirectLayout:
     targets: Integers32
 
 
-def direct_layout(
-    joints: Sequence[Joint],
-    sides: Sequence[Sequence[int]],
-    rows: Sequence[tuple[int, int]],
-    links: Sequence[Link],
-    pattern: Pattern,
-    bounded: bool,
-) -> DirectLayout:
-    """The tables of the joints of a part in the order of elimination.
-
-    `sides` are their bodies, less than zero where these are fixed; `rows` (joint, slot) each.
-    """
-    moving = max((body for each in sides for body in each), default=-1) + 1
-    taken = count(moving)
-    seats = [[body if body >= 0 else next(taken) for body in each] for each in sides]
-    frames = _frames(joints, seats, rows)
-    equations = _equations(joints, seats, rows, pattern)
-    entries, products = _entries(joints, seats, rows, links, pattern)
+def direct_layout(rows: JointRows, pattern: Pattern, bounded: bool) -> DirectLayout:
+    """The tables of the joints of a part, whose factor has that pattern; `bounded` if some row may have bounds."""
+    moving = int(rows.sides.max(initial=-1)) + 1
+    seats, fixed = rows.sides.copy(), rows.sides == _FIXED
+    seats[fixed] = moving + np.arange(int(fixed.sum()))
+    frames = _frames(rows, seats)
+    equations = _equations(rows, seats, pattern)
+    entries, products = _entries(rows, seats, pattern)
     layout = LAYOUT.zeros(1)
-    layout.seats, layout.moving = next(taken), moving
-    layout.frame_end, layout.row_end, layout.joints = len(frames), len(equations), len(joints)
+    layout.seats, layout.moving = moving + int(fixed.sum()), moving
+    layout.frame_end, layout.row_end, layout.joints = len(frames), len(equations), len(rows.joints)
     layout.bounded = bounded
-    layout.hinged = not bounded and all(kind in (REVOLUTE, WELD) for kind, *_ in joints)
-    layout.staggers = not any(kind in _WEAK or limit for kind, limit, *_ in joints)
-    return DirectLayout(layout, frames, equations, entries, products, np.array(pattern.targets, np.int32) * WIDTH)
+    layout.hinged = not bounded and bool(np.isin(rows.kind, (REVOLUTE, WELD)).all())
+    layout.staggers = not (np.isin(rows.kind, _WEAK) | (rows.joints[:, 1] != 0)).any()
+    return DirectLayout(layout, frames, equations, entries, products, (pattern.targets * WIDTH).astype(np.int32))
 
 
-def _frames(joints: Sequence[Joint], seats: Sequence[Sequence[int]], rows: Sequence[tuple[int, int]]) -> Records:
+def _frames(rows: JointRows, seats: Integers) -> Records:
     """After a gear come the two joints that it couples, which have no rows here."""
-    ends = np.cumsum(np.bincount([j for j, _ in rows], minlength=len(joints))).tolist()
-    found: list[tuple[int, ...]] = []
-    for j, (kind, limit, motor, kind_1, kind_2) in enumerate(joints):
-        each, first, end = seats[j], ends[j - 1] if j else 0, ends[j]
-        place = len(found)
-        coupled = (place + 1, place + 2) if len(each) == 4 else (place, place)
-        found.append((kind, *each[:2], j, 0, *coupled, kind_1, kind_2, limit, motor, first, end))
-        if len(each) == 4:
-            found.append((kind_1, *each[:2], j, 1, *coupled, 0, 0, 0, 0, end, end))
-            found.append((kind_2, *each[2:], j, 2, *coupled, 0, 0, 0, 0, end, end))
-    kind, slot_a, slot_b, joint, which, one, two, kind_1, kind_2, limit, motor, first, end = np.array(found).T
-    table = FRAME.zeros(len(found))
-    table.kind, table.joint, table.coupled, table.limit, table.motor = kind, joint, which, limit, motor
+    gear = rows.side_counts == 4
+    counts = np.where(gear, 3, 1)
+    first = np.cumsum(counts) - counts
+    joint = np.repeat(np.arange(len(counts)), counts)
+    which = runs(np.zeros_like(counts), counts)
+    own, second = which == 0, which == 2
+    slot_a, slot_b = (np.where(second, seats[joint, k + 2], seats[joint, k]) for k in (0, 1))
+    one, two = (first[joint] + np.where(gear[joint], k, 0) for k in (1, 2))
+    ends = np.cumsum(np.bincount(rows.joint, minlength=len(counts)))
+    kind, limit, motor, kind_1, kind_2 = rows.joints[joint].T
+    table = FRAME.zeros(len(joint))
+    table.kind = np.where(own, kind, np.where(second, kind_2, kind_1))
+    table.joint, table.coupled = joint, which
+    table.limit, table.motor = np.where(own, limit, 0), np.where(own, motor, 0)
     table.slot_a, table.slot_b = slot_a, slot_b
     table.seat_a, table.seat_b = slot_a * at.SEAT_SIZE, slot_b * at.SEAT_SIZE
-    table.place, table.constants = np.arange(len(found)) * at.FRAME_SIZE, np.arange(len(found)) * at.JOINT_SIZE
+    table.place, table.constants = np.arange(len(joint)) * at.FRAME_SIZE, np.arange(len(joint)) * at.JOINT_SIZE
     table.coordinate_1, table.coordinate_2 = one * at.FRAME_SIZE, two * at.FRAME_SIZE
-    table.kind_1, table.kind_2 = kind_1, kind_2
-    table.first_row, table.row_end = first, end
+    table.kind_1, table.kind_2 = np.where(own, kind_1, 0), np.where(own, kind_2, 0)
+    table.row_end = ends[joint]
+    table.first_row = np.where(own, np.append(0, ends)[joint], ends[joint])
     return table
 
 
-def _equations(
-    joints: Sequence[Joint], seats: Sequence[Sequence[int]], rows: Sequence[tuple[int, int]], pattern: Pattern
-) -> Records:
-    table = EQUATION.zeros(len(rows))
-    table.bounded = [slot >= 2 or joints[j][0] in SPRUNG_OR_WEAK for j, slot in rows]
-    table.slot = [slot for _, slot in rows]
-    table.sides = [len(seats[j]) for j, _ in rows]
-    table.axis = [_axis(joints[j][0], slot) for j, slot in rows]
+def _equations(rows: JointRows, seats: Integers, pattern: Pattern) -> Records:
+    table = EQUATION.zeros(len(rows.slot))
+    table.bounded = (rows.slot >= 2) | np.isin(rows.kind[rows.joint], SPRUNG_OR_WEAK)
+    table.slot = rows.slot
+    table.sides = rows.side_counts[rows.joint]
+    table.axis = _axes(rows)
     for k in range(4):
-        table[f"seat_{k + 1}"] = [seats[j][k] * at.SEAT_SIZE if k < len(seats[j]) else 0 for j, _ in rows]
-    table.place, table.kept = np.arange(len(rows)) * at.ROW_SIZE, np.arange(len(rows)) * at.KEPT_SIZE
-    follows = [slot == 4 and (joint, 3) == before for before, (joint, slot) in pairwise([(-1, 0), *rows])]
-    own = np.flatnonzero(~np.array(follows, bool))
-    ends = np.array([*pattern.starts, len(pattern.row_of)], np.int64)
+        seat = seats[rows.joint, k]
+        table[f"seat_{k + 1}"] = np.where(seat >= 0, seat * at.SEAT_SIZE, 0)
+    table.place, table.kept = np.arange(len(table)) * at.ROW_SIZE, np.arange(len(table)) * at.KEPT_SIZE
+    follows = np.zeros(len(table) + 1, np.bool_)
+    follows[1:-1] = (rows.slot[1:] == 4) & (rows.slot[:-1] == 3) & (rows.joint[1:] == rows.joint[:-1])
+    own = np.flatnonzero(~follows[:-1])
+    ends = np.append(pattern.starts, len(pattern.row_of))
     table.first_entry[own], table.entry_end[own] = ends[:-1], ends[1:]
     below = np.diff(ends) - 1
     updates = below * (below + 1) // 2
     table.first_target[own] = np.cumsum(updates) - updates
-    table.paired[own] = _pairs([rows[r][0] for r in own.tolist()])
-    table.shares = [*follows[1:], False]
+    table.paired[own] = _pairs(rows.joint[own])
+    table.shares = follows[1:]
     return table
 
 
-def _pairs(joints: Sequence[int]) -> list[bool]:
+def _pairs(joints: Integers) -> NDArray[np.bool_]:
     """Of rows of these joints, which begin a pair: every other row of a joint that is not its last."""
-    found: list[bool] = []
-    for joint, after in zip(joints, [*joints[1:], -1], strict=False):
-        found.append(joint == after and not (found and found[-1]))
-    return found
+    begins = np.append(True, joints[1:] != joints[:-1])[: len(joints)]
+    since = np.arange(len(joints)) - np.flatnonzero(begins)[np.cumsum(begins) - 1]
+    pairs: NDArray[np.bool_] = (since % 2 == 0) & ~np.append(begins[1:], True)[: len(joints)]
+    return pairs
 
 
-def _axis(kind: int, slot: int) -> int:
-    """What is known of the Jacobian of a row before anything has moved."""
-    if kind in (DISTANCE, PULLEY, GEAR) or (kind in _SLIDES and slot not in (1, 2)):
-        return ANY_AXIS
-    if kind in _SLIDES or slot >= 2:
-        return TURN
-    return ALONG_X if slot == 0 else ALONG_Y
+def _axes(rows: JointRows) -> Integers:
+    """What is known of the Jacobian of each row before anything has moved."""
+    kind, slot = rows.kind[rows.joint], rows.slot
+    slides = np.isin(kind, _SLIDES)
+    any_axis = np.isin(kind, (DISTANCE, PULLEY, GEAR)) | (slides & (slot != 1) & (slot != 2))
+    along: Integers = np.where(slot == 0, ALONG_X, ALONG_Y)
+    return np.where(any_axis, ANY_AXIS, np.where(slides | (slot >= 2), TURN, along))
 
 
-def _linear(axis: int, side: int, other_axis: int, other_side: int) -> int:
-    """The product of what two rows do to the velocity of a body, on those of their sides."""
-    if TURN in (axis, other_axis):
-        return 0
-    if ANY_AXIS in (axis, other_axis):
-        return ANY_PRODUCT
-    if axis != other_axis:
-        return 0
-    return 1 if side == other_side else -1
-
-
-def _entries(
-    joints: Sequence[Joint],
-    seats: Sequence[Sequence[int]],
-    rows: Sequence[tuple[int, int]],
-    links: Sequence[Link],
-    pattern: Pattern,
-) -> tuple[Records, Records]:
-    """The entries of the factor and what is added up in each."""
-    row, other, side, other_side, place = np.array(links, np.int64).reshape(-1, 5).T
-    order = np.argsort(place, kind="stable")
-    entries, products = ENTRY.zeros(len(pattern.row_of)), PRODUCT.zeros(len(links))
-    products.one = (row * at.ROW_SIZE + at.JACOBIAN + (side - 1) * at.SIDE)[order]
-    products.other = (other * at.ROW_SIZE + at.JACOBIAN + (other_side - 1) * at.SIDE)[order]
-    axes = [_axis(joints[j][0], slot) for j, slot in rows]
-    products.linear = np.array([_linear(axes[r], s, axes[t], u) for r, t, s, u, _ in links], np.int64)[order]
-    products.seat = np.array([seats[rows[r][0]][s - 1] * at.SEAT_SIZE for r, _, s, _, _ in links], np.int64)[order]
+def _entries(rows: JointRows, seats: Integers, pattern: Pattern) -> tuple[Records, Records]:
+    """The entries of the factor and what is added up in each: of each two rows what they have in common, at each body
+    by which they do."""
+    column, side, row, other_side = _links(rows, pattern)
+    place = pattern.entries(column, row)
+    order = np.lexsort((other_side, side, place))
+    column, side, row, other_side, place = (each[order] for each in (column, side, row, other_side, place))
+    axes = _axes(rows)
+    entries, products = ENTRY.zeros(len(pattern.row_of)), PRODUCT.zeros(len(place))
+    products.one = row * at.ROW_SIZE + at.JACOBIAN + other_side * at.SIDE
+    products.other = column * at.ROW_SIZE + at.JACOBIAN + side * at.SIDE
+    products.linear = _linear(axes[row], axes[column], side == other_side)
+    products.seat = seats[rows.joint[row], other_side] * at.SEAT_SIZE
     entries.place = entries.total = np.arange(len(entries)) * WIDTH
-    entries.other = np.array(pattern.row_of, np.int64) * at.ROW_SIZE
+    entries.other = pattern.row_of * at.ROW_SIZE
     counts = np.bincount(place, minlength=len(entries))
     entries.product_end = np.cumsum(counts)
     entries.first_product = entries.product_end - counts
     return entries, products
+
+
+def _links(rows: JointRows, pattern: Pattern) -> tuple[Integers, Integers, Integers, Integers]:
+    """Columns and rows of the factor, with the sides, from 0, on which they have a body in common that joints move."""
+    own = np.zeros(pattern.rows, np.bool_)
+    own[pattern.row_of] = True
+    row = np.flatnonzero(own)
+    at_row, side = np.nonzero(rows.sides[rows.joint[row]] >= 0)
+    row = row[at_row]
+    body = rows.sides[rows.joint[row], side]
+    order = np.argsort(body, kind="stable")
+    row, side = row[order], side[order]
+    counts = np.bincount(body)
+    first = np.cumsum(counts) - counts
+    of_body = body[order]
+    one = np.repeat(np.arange(len(row)), counts[of_body])
+    other = runs(first[of_body], counts[of_body])
+    one, other = one[row[other] >= row[one]], other[row[other] >= row[one]]
+    return row[one], side[one], row[other], side[other]
+
+
+def _linear(axis: Integers, other_axis: Integers, same_side: NDArray[np.bool_]) -> Integers:
+    """The products of what two rows each do to the velocity of a body, on the same side of both or not."""
+    turns = (axis == TURN) | (other_axis == TURN)
+    is_any = (axis == ANY_AXIS) | (other_axis == ANY_AXIS)
+    sign: Integers = np.where(same_side, 1, -1)
+    return np.where(turns, 0, np.where(is_any, ANY_PRODUCT, np.where(axis == other_axis, sign, 0)))
