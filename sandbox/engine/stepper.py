@@ -133,6 +133,7 @@ class Stepper:
         """Rows have gone, and others have moved into their places."""
         self.scratch.follow_rows(self._state, moved.first_body, moved.first_shape)
         plain(self.scratch.grid.cache.info)["valid"] = 0  # shapes have other rows
+        self.forget()
         close_up(plain(self.scratch.contacts.reports)[: len(moved.contacts)], moved.contacts)
         scratch, joints = self.scratch, self.scratch.joints
         if joints is None and len(moved.joints) == 0:

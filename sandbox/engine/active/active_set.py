@@ -28,16 +28,17 @@ def new_active_set() -> Records:
 def update_active_set(bodies: Records, active: ActiveSet, solver: SolverBodies) -> bool:
     """List the bodies that a step may move; lay the others to rest in the scratch memory, as no stage looks after them.
 
-    Nothing is done as long as nobody has woken, fallen asleep, or been changed by a command: returns whether. Only a
-    change from outside is a reason to look at bodies that stay where they are.
+    Nothing is done as long as nobody has come, woken, fallen asleep, or been changed by a command: returns whether.
+    Only a change from outside is a reason to look at bodies that stay where they are.
     """
     info = active.info[0]
-    if info.stale == 0 and info.shifted == 0:
+    if info.stale == 0 and info.shifted == 0 and info.bodies == bodies.shape[0]:
         return False
     info.generation += 1
     if info.stale == 1:
-        _list_loose(bodies, active, solver)
+        active.loose[0] = info.static = info.bodies = 0
         info.fixed_generation = info.generation
+    _list_loose(bodies, active, solver)
     count = 0
     asleep = 0
     posed = 0
@@ -64,11 +65,11 @@ def update_active_set(bodies: Records, active: ActiveSet, solver: SolverBodies) 
 
 @kernel
 def _list_loose(bodies: Records, active: ActiveSet, solver: SolverBodies) -> None:
-    """List the bodies that may move or sleep; lay the others to rest."""
-    count = 0
-    static = 0
-    for i in range(bodies.shape[0]):
-        static += 1 if bodies[i].type == STATIC else 0
+    """List the bodies that may move or sleep, of those that the lists do not know yet; lay the others to rest."""
+    info = active.info[0]
+    count = active.loose[0]
+    for i in range(info.bodies, bodies.shape[0]):
+        info.static += 1 if bodies[i].type == STATIC else 0
         if bodies[i].type == DYNAMIC or disturbs(bodies[i]):
             count += 1
             active.loose[count] = i
@@ -76,7 +77,7 @@ def _list_loose(bodies: Records, active: ActiveSet, solver: SolverBodies) -> Non
             active.activity[i] = 0
             _lay_to_rest(bodies, i, solver)
     active.loose[0] = count
-    active.info[0].static = static
+    info.bodies = bodies.shape[0]
 
 
 @kernel

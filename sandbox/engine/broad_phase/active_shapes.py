@@ -24,7 +24,9 @@ def order_shapes(shapes: Records, active: ActiveSet) -> int:
     if info.fixed_generation > info.shapes_generation:
         found = ALL
         _put_loose_aside(shapes, active)
+        info.shapes = shapes.shape[0]
     info.shapes_generation = info.generation
+    _add_shapes(shapes, active)
     moving = 0
     for i in active.loose_shapes[: info.loose]:
         if active.activity[shapes[i].body] == AWAKE:
@@ -53,6 +55,18 @@ def _put_loose_aside(shapes: Records, active: ActiveSet) -> None:
         if active.activity[shapes[i].body] == 0:
             active.shapes[last] = i
             last += 1
+
+
+@kernel
+def _add_shapes(shapes: Records, active: ActiveSet) -> None:
+    """List the shapes that have come, which are loose, behind the others of these. For each, one that is not makes
+    room."""
+    info = active.info[0]
+    for i in range(info.shapes, shapes.shape[0]):
+        active.loose_shapes[info.loose] = i
+        active.shapes[i] = active.shapes[info.loose]
+        info.loose += 1
+    info.shapes = shapes.shape[0]
 
 
 @kernel

@@ -72,7 +72,8 @@ class Spawn(Command):
             held = held[held < added.bodies]  # the others are awake
             if len(held):
                 wake_bodies(state, held)
-        return Touched(added=added)
+        only_dynamic = not (added.regions or found.joints) and all(body.type == "dynamic" for body in found.bodies)
+        return Touched(active_set=not only_dynamic, added=added)  # nobody else has changed for those who only come
 
 
 def _listed(part: Any) -> Any:

@@ -101,8 +101,8 @@ class Scratch:
     def follow_rows(self, state: State, bodies: int, shapes: int) -> bool:
         """Bring up to date what is known of the bodies and shapes from those rows on, which have come or moved.
 
-        If there are more of them than there is room for, memory for twice as many is taken; returns whether it was.
-        All of it has to be looked at anew (`active.info.stale`).
+        If there are more of them than there is room for, memory for twice as many is taken, and all has to be looked at
+        anew (`active.info.stale`); returns whether it was.
         """
         fits = self.room.holds(Room.of(state))
         if not fits:
@@ -110,7 +110,6 @@ class Scratch:
         else:
             measure_thin(self.solver.ccd, state, bodies, shapes)
         self.follow_fields(state)
-        plain(self.active.info)["stale"] = 1
         return not fits
 
     def follow_fields(self, state: State) -> None:
@@ -139,6 +138,7 @@ class Scratch:
         """Take memory for twice as many bodies and shapes as there are, or `_LEAST`; pairs and contacts keep theirs."""
         room = self.room = Room(*(max(_LEAST, 2 * count) for count in Room.of(state)))
         self.active = active_memory(room)._replace(info=self.active.info)
+        plain(self.active.info)["stale"] = 1
         self.solver = solver_memory(state, room.bodies)
         self.piles = PILE.zeros(room.bodies)
         more = STRUCK_BODY.zeros(room.bodies)

@@ -9,13 +9,15 @@ from sandbox.tables import Field, Integers, Records, Table
 ACTIVE_SET = Table(
     "active_set",
     (
-        Field("stale", "-", "1 when somebody may have come, gone or changed since the lists were made", "i8"),
+        Field("stale", "-", "1 when somebody may have gone or changed since the lists were made", "i8"),
         Field("shifted", "-", "1 when somebody has woken or fallen asleep since", "i8"),
+        Field("bodies", "-", "bodies in them: later rows are dynamic bodies that have come since", "i8"),
         Field("static", "-", "static bodies", "i8"),
         Field("asleep", "-", "dynamic bodies that slept when they were made", "i8"),
         Field("generation", "-", "counts how often they were made", "i8"),
         Field("fixed_generation", "-", "its value when it was last asked who stays where it is", "i8"),
         Field("shapes_generation", "-", "its value when the shapes were put in order", "i8"),
+        Field("shapes", "-", "shapes in that order", "i8"),
         Field("moving", "-", "shapes of bodies that may move", "i8"),
         Field("loose", "-", "shapes of bodies that may move or sleep", "i8"),
         Field("substep_levels", "-", "bit set of the levels that some body has in this step", "i8"),
