@@ -2,8 +2,8 @@
 
 Minimum degree: W. Tinney, J. Walker, "Direct Solutions of Sparse Network Equations", 1967; ties go to the lowest
 number, so that the order is the same everywhere. The graph is kept as cliques: at first the joints of each body, then
-what each eliminated joint leaves linked, in the place of the cliques that it was in (J. A. George, J. W. H. Liu, "The
-Evolution of the Minimum Degree Ordering Algorithm", 1989). So memory does not grow with fill.
+what each eliminated joint leaves linked, which is its column of the factor, in the place of the cliques that it was in
+(J. A. George, J. W. H. Liu, "The Evolution of the Minimum Degree Ordering Algorithm", 1989).
 """
 
 from __future__ import annotations
@@ -86,10 +86,11 @@ def eliminate(cliques: Cliques, weights: Integers, budget: int, order: Integers,
     joints: int = weights.shape[0]
     bodies = cliques.first.shape[0] - joints
     leaves = keys.shape[0] // 2
+    most = int(math.sqrt(2.0 * budget)) + 1 if budget > 0 else 0  # a joint linked to more rows is not eliminated
     stamp = 0
     for j in range(joints):
         stamp += 1
-        keys[leaves + j] = _degree(cliques, weights, seen, j, stamp) * joints + j
+        keys[leaves + j] = _degree(cliques, weights, seen, j, stamp, most) * joints + j
     for k in range(leaves - 1, 0, -1):
         keys[k] = keys[2 * k] if keys[2 * k] < keys[2 * k + 1] else keys[2 * k + 1]
     end = cliques.first[bodies - 1] + cliques.length[bodies - 1] if bodies > 0 else 0
@@ -109,13 +110,13 @@ def eliminate(cliques: Cliques, weights: Integers, budget: int, order: Integers,
             k = cliques.joints[i]
             _exchange(cliques, k, clique)
             stamp += 1
-            _set_key(keys, leaves + k, _degree(cliques, weights, seen, k, stamp) * joints + k)
+            _set_key(keys, leaves + k, _degree(cliques, weights, seen, k, stamp, most) * joints + k)
     return joints
 
 
 @kernel
-def _degree(cliques: Cliques, weights: Integers, seen: Integers, j: int, stamp: int) -> int:
-    """Rows of the joints that joint j is linked to."""
+def _degree(cliques: Cliques, weights: Integers, seen: Integers, j: int, stamp: int, most: int) -> int:
+    """Rows of the joints that joint j is linked to, or of some of them if that is more than `most`."""
     seen[j] = stamp
     total = 0
     for side in range(4):
@@ -126,6 +127,8 @@ def _degree(cliques: Cliques, weights: Integers, seen: Integers, j: int, stamp: 
                 if seen[k] != stamp:
                     seen[k] = stamp
                     total += weights[k]
+                    if total > most:
+                        return int(total)
     return total
 
 
