@@ -13,16 +13,13 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 import sandbox
 from sandbox._jit import jit_enabled
 from sandbox._kernel_cache import cache_folder
+from sandbox.cli.every_entry_point import lay_out_many_joints
 from sandbox.engine.continuous_collision.solve_continuous import solve_continuous
 from sandbox.engine.events.sensors import SensorOverlaps
 from sandbox.engine.fields.apply import apply_fields
-from sandbox.engine.joints.elimination import FEW_JOINTS, minimum_degree
-from sandbox.engine.joints.net_lanes import color_joints
 from sandbox.engine.memory.binding import bind
 from sandbox.engine.memory.scratch import Scratch
 from sandbox.engine.step import begin, collide, finish, solve
@@ -102,8 +99,7 @@ def _others() -> None:
     _once(solve_continuous, busy.scene())
     _once(apply_fields, floating.scene())
     _bind_workers(busy.scene())
-    minimum_degree(np.full((FEW_JOINTS + 1, 4), -1), np.ones(FEW_JOINTS + 1, np.int64), 1)
-    color_joints(*[np.zeros(0, np.int64)] * 5)
+    lay_out_many_joints()
     pair = pair_of(Box(1.0, 1.0), Box(1.0, 1.0, (2.0, 0.0)))
     pair.manifold(0.0)
     pair.nearest()

@@ -26,7 +26,7 @@ def call_every_entry_point() -> None:
     compile_parts()
     _share_a_step()
     _step_a_batch()
-    _lay_out_many_joints()
+    lay_out_many_joints()
     _ask_about(_windy_world())
     _look_at_a_pair()
 
@@ -47,7 +47,7 @@ def _step_a_batch() -> None:
     lane.call(Rows(no_rows, no_rows, none, none), np.zeros(2, np.int64))()
 
 
-def _lay_out_many_joints() -> None:
+def lay_out_many_joints() -> None:
     """What lays out so many joints that Python would take too long."""
     minimum_degree(np.full((FEW_JOINTS + 1, 4), -1), np.ones(FEW_JOINTS + 1, np.int64), 1)
     none = np.zeros(0, np.int64)

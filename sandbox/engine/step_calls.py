@@ -86,8 +86,8 @@ class StepCalls:
         self._runs = {key: call.bind() for key, call in self._run_calls.items()}
         self.bound = True
 
-    def bind_all(self) -> None:
-        """The last part as well, from now on."""
+    def bind_continuous(self) -> None:
+        """Compile the last part as well, from now on."""
         self._last = CONTINUOUS
         self.bind()
 

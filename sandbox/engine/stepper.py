@@ -210,7 +210,7 @@ class Stepper:
         """Compile the last part of a step, which few steps need."""
         self.compile()
         compile_continuous()
-        self.calls.bind_all()
+        self.calls.bind_continuous()
 
     def _is_worth_sharing(self) -> bool:
         """Whether so much was awake in the last step that this one is sooner done by several workers."""

@@ -43,9 +43,8 @@ def check(world: World) -> None:
     assert order[: info.moving].tolist() == np.flatnonzero(activity == 1).tolist()
     assert sorted(order[: info.loose].tolist()) == loose.tolist()
     assert info.static == (np.asarray(world.state.bodies.type) == 0).sum()
-    assert (
-        active.loose[1 : 1 + active.loose[0]].tolist() == np.flatnonzero(active.activity[: len(world.names)]).tolist()
-    )
+    listed = active.loose[1 : 1 + active.loose[0]]
+    assert listed.tolist() == np.flatnonzero(active.activity[: len(world.names)]).tolist()
 
 
 @examples(150)

@@ -14,8 +14,8 @@ from sandbox.engine.active.pile_stability import MAX_LEVEL
 from sandbox.engine.joints.direct.layout import JointRows, direct_layout
 from sandbox.engine.joints.direct.records import LEVELS
 from sandbox.engine.joints.direct.tables import direct_tables, with_room
-from sandbox.engine.joints.elimination import minimum_degree
-from sandbox.engine.joints.part_layout import NOBODY, UPDATES_A_ROW, WORLD
+from sandbox.engine.joints.elimination import NOBODY, WORLD, minimum_degree
+from sandbox.engine.joints.part_layout import UPDATES_A_ROW
 from sandbox.engine.joints.symbolic import symbolic
 from sandbox.scene.flat import FlatBody, FlatJoint, FlatSettings
 from sandbox.world.joint_records import TARGET

@@ -8,12 +8,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox.engine.joints import elimination
-from sandbox.engine.joints.elimination import minimum_degree
+from sandbox.engine.joints.elimination import NOBODY, WORLD, minimum_degree
 from sandbox.engine.joints.symbolic import symbolic
 from tests.examples import examples
 from tests.naive import elimination as naive
-
-NOBODY, WORLD = -2, -1
 
 
 @st.composite

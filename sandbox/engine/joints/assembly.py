@@ -8,9 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.engine.joints.components import components
+from sandbox.engine.joints.elimination import NOBODY, WORLD
 from sandbox.engine.joints.more_parts import with_more_bonds, with_more_parts
 from sandbox.engine.joints.pair_filter import JointFilter
-from sandbox.engine.joints.part_layout import NOBODY, WORLD, PartLayouts
+from sandbox.engine.joints.part_layout import PartLayouts
 from sandbox.engine.joints.part_tables import Parts, joint_work
 from sandbox.engine.joints.records import BOND, JointWork
 from sandbox.engine.joints.wiring import movable

@@ -16,6 +16,10 @@ import numpy as np
 from sandbox._jit import entry_point, interpreted, kernel
 from sandbox.tables import Integers
 
+WORLD = -1
+"""In the place of a member: something that joints cannot move."""
+NOBODY = -2
+"""In the place of a member: the joint has no such side."""
 _FREE_UPDATES = 2000
 FEW_JOINTS = 250
 """Up to so many joints Python is at the end before machine code is found."""
@@ -45,7 +49,7 @@ class Elimination(NamedTuple):
 
 def minimum_degree(sides: Integers, weights: Integers, updates: int) -> Elimination | None:
     """How to eliminate joints, of which each has up to four `sides`: bodies from 0 on, which link those that have them,
-    or less than 0. `weights` are how many rows each has, at least one.
+    `WORLD` or `NOBODY`. `weights` are how many rows each has, at least one.
 
     None if that takes more than about so many `updates` a row.
     """

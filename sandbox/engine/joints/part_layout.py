@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from sandbox.engine.joints.direct.layout import DirectLayout, JointRows, direct_layout
 from sandbox.engine.joints.direct.records import Batches
 from sandbox.engine.joints.direct.tables import direct_tables
-from sandbox.engine.joints.elimination import minimum_degree
+from sandbox.engine.joints.elimination import WORLD, minimum_degree
 from sandbox.engine.joints.symbolic import symbolic
 from sandbox.tables import Integers
 from sandbox.world import joint_records as kinds
@@ -27,10 +27,6 @@ _BASE_SLOTS = {
 _SPRUNG = (kinds.DISTANCE, kinds.REVOLUTE, kinds.PRISMATIC, kinds.WHEEL)
 UPDATES_A_ROW = 200
 """A part is factorised up to so many multiplications a row, and a few thousand more."""
-WORLD = -1
-"""In the place of a member: something that joints cannot move."""
-NOBODY = -2
-"""In the place of a member: the joint has no such side."""
 COLUMNS = 10
 """Columns of what a layout depends on, for each joint: kind, spring, limit, motor, the members of up to 4 sides, and
 for gears the kinds of the two joints that they couple."""

@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.engine.joints.direct.tables import with_room
+from sandbox.engine.joints.elimination import NOBODY, WORLD
 from sandbox.engine.joints.net_lanes import lay_lanes
-from sandbox.engine.joints.part_layout import COLUMNS, NOBODY, WORLD, PartLayout, PartLayouts
+from sandbox.engine.joints.part_layout import COLUMNS, PartLayout, PartLayouts
 from sandbox.engine.joints.records import CONSTRAINT, MEMBER, PART, ROW, JointWork
 from sandbox.tables import Integers, Records
 from sandbox.world.joint_records import GEAR

@@ -22,6 +22,7 @@ from sandbox.engine.joints.direct.records import (
     PRODUCT,
     TURN,
 )
+from sandbox.engine.joints.elimination import NOBODY, WORLD
 from sandbox.engine.joints.symbolic import Pattern, runs
 from sandbox.tables import Integers, Integers32, Records
 from sandbox.world.joint_records import (
@@ -42,15 +43,13 @@ _WEAK = (MOTOR, TARGET, FRICTION)
 SPRUNG_OR_WEAK = (WELD, *_WEAK)
 """Kinds of which also the rows that keep a place may be springs, or have a limit."""
 _SLIDES = (PRISMATIC, WHEEL)
-_FIXED = -1
-"""A side that joints cannot move; less is none."""
 
 
 class JointRows(NamedTuple):
     """The joints of a part in the order of elimination, and which joint and slot each row has.
 
     `joints` has their kind, whether they have limits and a motor, and for gears the kinds of the joints they couple;
-    `sides` up to four bodies, -1 where these are fixed, -2 where there is none.
+    `sides` up to four bodies, `WORLD` where these are fixed, else `NOBODY`.
     """
 
     joints: Integers
@@ -66,7 +65,7 @@ class JointRows(NamedTuple):
     @property
     def side_counts(self) -> Integers:
         """How many sides each joint has."""
-        counts: Integers = (self.sides >= _FIXED).sum(axis=1)
+        counts: Integers = (self.sides != NOBODY).sum(axis=1)
         return counts
 
 
@@ -85,7 +84,7 @@ class DirectLayout:
 def direct_layout(rows: JointRows, pattern: Pattern, bounded: bool) -> DirectLayout:
     """The tables of the joints of a part, whose factor has that pattern; `bounded` if some row may have bounds."""
     moving = int(rows.sides.max(initial=-1)) + 1
-    seats, fixed = rows.sides.copy(), rows.sides == _FIXED
+    seats, fixed = rows.sides.copy(), rows.sides == WORLD
     seats[fixed] = moving + np.arange(int(fixed.sum()))
     frames = _frames(rows, seats)
     equations = _equations(rows, seats, pattern)
