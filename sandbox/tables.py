@@ -185,10 +185,11 @@ def joined(parts: Sequence[NDArray[Any]]) -> NDArray[Any]:
     return whole
 
 
-def without(rows: Records, left: NDArray[np.bool_]) -> Records:
-    """A table without the rows that are not `left`: the others close up in its memory, those behind become spare."""
+def without(rows: Records, left: NDArray[np.bool_], start: int = 0) -> Records:
+    """A table without the rows that are not `left`, which tells of those from `start` on: the others close up in its
+    memory, those behind become spare."""
     own = plain(rows)
-    return as_table(own[: close_up(own, left)])
+    return as_table(own[: start + close_up(own[start:], left)])
 
 
 def close_up(rows: NDArray[Any], left: NDArray[np.bool_]) -> int:

@@ -98,7 +98,7 @@ def begin(
         update_active_set(bodies, active, solver)
         list_active_contacts(bodies, contacts, count)
         begin_bodies(state, active, solver)
-    if info.stale == 1:
+    if info.posed == 1:
         forget_posed(bodies, active)
     if joints is not None:
         flag_touched_parts(joints, contacts, state.drags)

@@ -232,7 +232,7 @@ class World(Readings, Shown, FixedAttributes):
         if self._paths is None and len(state.paths):
             from sandbox.engine.rules.paths import Paths
 
-            self._paths = Paths(state, lambda: self._note(Touched()))
+            self._paths = Paths(state, lambda row: self._note(Touched(fixed=(row,))))
 
     def _note(self, touched: Touched) -> None:
         """Bring up to date what is worked out from the records."""
@@ -255,8 +255,10 @@ class World(Readings, Shown, FixedAttributes):
             self._stepper.follow_regions()
         if touched.schedules or touched.regions:
             self._last_switch = last_switch(self.state)
-        if touched.active_set:
+        if touched.everybody:
             self._stepper.forget()
+        elif touched.active_set:
+            self._stepper.touch(touched.fixed)
         counters = self._stepper.counters
         counters[CounterPlace.STILL] = counters[CounterPlace.WATCH] = 0
 

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from sandbox.tables import Integers, Records, extended, plain, without
 from sandbox.world.flush import find_tiles
+from sandbox.world.new_rows import NewRows
 from sandbox.world.records import SEAM, SEAMED, STATIC
 from sandbox.world.runs import run_starts, runs
 from sandbox.world.shape_rows import Rows
@@ -32,14 +33,13 @@ def add_seams(state: State, bodies: Rows, shapes: Rows, seams: Rows) -> Integers
     single = fresh[shapes["part"][fresh] == 0]
     counts = shapes["vertex_count"][single]
     known = plain(state.shapes)
-    alone = tiling.joined if len(tiling.joined) == 1 else tiling.joined[:0]
+    alone = tiling.joined.copy() if len(tiling.joined) == 1 else tiling.joined[:0]
     if len(single) and len(tiling.joined) + len(single) > 1:
         counts = np.concatenate([known["vertex_count"][alone], counts])
         starts = len(state.seams) + run_starts(counts)
         state.seams = extended(state.seams, plain(SEAM.zeros(int(counts.sum()))))
         known["seam_start"][alone], shapes["seam_start"][single] = starts[: len(alone)], starts[len(alone) :]
-    tiling.rows = np.concatenate([tiling.rows, first + fresh])
-    tiling.joined = np.concatenate([tiling.joined, first + single])
+    tiling.add(first + fresh, first + single)
     return np.concatenate([alone, first + fresh])
 
 
@@ -53,42 +53,47 @@ def _insert(state: State, tiling: Tiling, seams: Rows) -> None:
         plain(state.shapes)["seam_start"][tiling.joined] += len(seams)
 
 
-def remove_seams(state: State, left: NDArray[np.bool_], shape_rows: Integers) -> Integers:
-    """Take out the rows of the shapes that are not `left`, before those go; `shape_rows` are the new rows of shapes.
+def remove_seams(state: State, rows: NewRows) -> Integers:
+    """Take out the rows of the shapes that are not left, before those go; `rows` are the new ones of shapes.
 
     Returns the tiles that have to be joined anew then, by their new rows.
     """
     tiling, shapes = tiling_of(state), plain(state.shapes)
-    going = tiling.rows[~left[tiling.rows]]
+    going = tiling.going(rows)
     beside = neighbours(state, going)
-    gone = np.flatnonzero(~left)
+    gone = rows.first + np.flatnonzero(~rows.left)
     own = gone[own_seams(shapes[gone])]
     single = going[shapes["part"][going] == 0] if len(tiling.joined) > 1 else going[:0]
     if len(own) or len(single):
-        _take_out(state, tiling, np.concatenate([own, single]))
+        _take_out(state, own, single)
         tiling.own -= int(shapes["vertex_count"][own].sum())
-    tiling.rows = shape_rows[tiling.rows[left[tiling.rows]]]
-    before, tiling.joined = tiling.joined, shape_rows[tiling.joined[left[tiling.joined]]]
-    if len(before) > 1 and len(tiling.joined) < 2:
-        _disband(state, tiling, before[left[before]], left)
-    again: Integers = shape_rows[beside[left[beside]]]
-    return again
+    before = tiling.joined[rows[tiling.joined] >= 0] if len(single) else tiling.joined
+    tiling.remove(rows)
+    if len(single) and len(tiling.joined) < 2:
+        _disband(state, tiling, before, rows)
+    again: Integers = rows[beside]
+    return again[again >= 0]
 
 
-def _take_out(state: State, tiling: Tiling, shapes: Integers) -> None:
-    """Take out the rows of some shapes, and point the others to where theirs are then."""
-    rows = plain(state.shapes)
-    kept = np.ones(len(state.seams), np.bool_)
-    kept[runs(rows["seam_start"][shapes], rows["vertex_count"][shapes])] = False
-    places = np.append(0, np.cumsum(kept))
-    state.seams = without(state.seams, kept)
-    rows["seam_start"] = places[rows["seam_start"]]
+def _take_out(state: State, own: Integers, single: Integers) -> None:
+    """Take out the rows of some shapes that came with theirs, and of some tiles; point the others to where theirs are
+    then."""
+    going = np.concatenate([own, single])
+    shapes = plain(state.shapes)[0 if len(own) else going.min() :]  # no shape before a tile has rows behind its own
+    places = runs(plain(state.shapes)["seam_start"][going], plain(state.shapes)["vertex_count"][going])
+    first = int(places.min())
+    kept = np.ones(len(state.seams) - first, np.bool_)
+    kept[places - first] = False
+    state.seams = without(state.seams, kept, first)
+    moved = np.flatnonzero(shapes["seam_start"] > first)
+    shapes["seam_start"][moved] = (first + np.append(0, np.cumsum(kept)))[shapes["seam_start"][moved] - first]
 
 
-def _disband(state: State, tiling: Tiling, alone: Integers, left: NDArray[np.bool_]) -> None:
+def _disband(state: State, tiling: Tiling, alone: Integers, rows: NewRows) -> None:
     """One tile, or none, is joined to nothing."""
     state.seams = without(state.seams, np.arange(len(state.seams)) < tiling.own)
     shapes = plain(state.shapes)
+    left = rows[np.arange(len(rows))] >= 0
     for row in alone.tolist():
         before = shapes[:row][left[:row]]
         shapes["traits"][row] &= ~SEAMED

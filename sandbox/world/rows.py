@@ -23,9 +23,10 @@ from sandbox.world.build_joints import build_joints
 from sandbox.world.build_rules import build_paths
 from sandbox.world.directory import Directory
 from sandbox.world.joint_pose import coordinate
+from sandbox.world.new_rows import NewRows
 from sandbox.world.region_rows import add_regions
 from sandbox.world.reseam import add_seams, remove_seams
-from sandbox.world.shape_rows import Rows
+from sandbox.world.shape_rows import Rows, first_shape
 from sandbox.world.state import State
 from sandbox.world.tiling import check_room, rejoin, rejoin_around
 
@@ -46,15 +47,14 @@ class Added:
 
 @dataclass(frozen=True)
 class Moved:
-    """Where rows have gone: the new row of each old body, shape and joint, -1 if it is gone, and which contacts are
-    left. `first_body` and `first_shape` are the first rows that have changed."""
+    """Where bodies, shapes and joints have gone, and which contacts are left. Of shapes the first is that of the first
+    body whose row has changed. `types` are what the bodies from that one on were."""
 
-    bodies: Integers
-    shapes: Integers
-    joints: Integers
+    bodies: NewRows
+    shapes: NewRows
+    joints: NewRows
     contacts: Flags
-    first_body: int
-    first_shape: int
+    types: Integers
 
 
 def add_rows(state: State, directory: Directory, found: Spawned) -> Added:
@@ -91,7 +91,8 @@ def _append_bodies(state: State, flat: Sequence[FlatBody]) -> None:
         paths["body"] += len(state.bodies)
         state.paths = extended(state.paths, paths)
     fixed = bodies["type"] != records.DYNAMIC
-    if fixed.any() and (plain(state.bodies)["awake"] == 0).any():
+    some_sleep = state.counters[0].asleep_count > 0 and (plain(state.bodies)["awake"] == 0).any()
+    if some_sleep and fixed.any():
         bodies["posed"][fixed] = 1  # what sleeps where it comes has to notice
     tiles = add_seams(state, bodies, shapes, seams)
     for name, count in (
@@ -125,56 +126,53 @@ def _append_joints(state: State, rows: Any) -> None:
 
 def remove_rows(state: State, directory: Directory, bodies: Flags, joints: Flags) -> Moved:
     """Take out the marked bodies and joints. Every joint of a marked body has to be marked as well."""
-    shapes = plain(state.shapes)
-    gone = bodies[shapes["body"]]
-    body_rows, shape_rows, joint_rows = (_new_rows(~marked) for marked in (bodies, gone, joints))
-    first = [int(marked.argmax()) if marked.any() else len(marked) for marked in (bodies, gone)]
-    contacts = _remove_contacts(state, body_rows, shape_rows, first[0])
+    first = int(bodies.argmax()) if bodies.any() else len(bodies)
+    tail = plain(state.shapes)[first_shape(state.shapes, first) :]
+    body_rows = NewRows.of(first, ~bodies[first:])
+    shape_rows = NewRows.of(len(state.shapes) - len(tail), ~bodies[tail["body"]])
+    joint_rows = NewRows.of(0, ~joints)
+    types = plain(state.bodies)["type"][first:].copy()
+    contacts = _remove_contacts(state, body_rows, shape_rows)
     if len(joints):
-        _remove_joints(state, ~joints, body_rows, joint_rows)
+        _remove_joints(state, body_rows, joint_rows)
     beside = np.zeros(0, np.int64)
     if bodies.any():
-        beside = _remove_shapes(state, ~gone, body_rows, shape_rows)
-        _remove_bodies(state, ~bodies, body_rows)
+        beside = _remove_shapes(state, body_rows, shape_rows)
+        _remove_bodies(state, body_rows)
     rejoin(state, beside)
     names = state.census.bodies.remove(~bodies), state.census.joints.remove(~joints)
     directory.remove(*names)
     state.layout += 1
-    return Moved(body_rows, shape_rows, joint_rows, contacts, *first)
+    return Moved(body_rows, shape_rows, joint_rows, contacts, types)
 
 
-def _remove_bodies(state: State, left: Flags, body_rows: Integers) -> None:
-    state.bodies = without(state.bodies, left)
-    island = plain(state.bodies)["island"]
+def _remove_bodies(state: State, rows: NewRows) -> None:
+    state.bodies = without(state.bodies, rows.left, rows.first)
+    island = plain(state.bodies)["island"][rows.first :]
     asleep = np.flatnonzero(island)
-    island[asleep] = body_rows[island[asleep] - 1] + 1
-    drags, thrusters = plain(state.drags), plain(state.thrusters)
-    held = drags["body"] >= 0
-    drags["body"][held] = body_rows[drags["body"][held]]
-    if len(thrusters):
-        state.thrusters = without(state.thrusters, left[thrusters["body"]])
-        thrusters = plain(state.thrusters)
-        thrusters["body"] = body_rows[thrusters["body"]]
-    if len(state.paths):
-        state.paths = without(state.paths, left[plain(state.paths)["body"]])
-        plain(state.paths)["body"] = body_rows[plain(state.paths)["body"]]
-    if len(state.sensings):
-        _remove_sensings(state, left, body_rows)
+    island[asleep] = rows[island[asleep] - 1] + 1
+    drags = plain(state.drags)
+    drags["body"] = rows[drags["body"]]
+    for name, columns in (("thrusters", ["body"]), ("paths", ["body"]), ("sensings", ["sensor_body", "body"])):
+        if len(getattr(state, name)):
+            _remove_of_bodies(state, name, columns, rows)
 
 
-def _remove_sensings(state: State, left: Flags, body_rows: Integers) -> None:
-    sensings = plain(state.sensings)
-    state.sensings = without(state.sensings, left[sensings["sensor_body"]] & left[sensings["body"]])
-    sensings = plain(state.sensings)
-    for name in ("sensor_body", "body"):
-        sensings[name] = body_rows[sensings[name]]
+def _remove_of_bodies(state: State, name: str, columns: Sequence[str], rows: NewRows) -> None:
+    """Take out of a table what belongs to bodies that go, by its columns with rows of bodies."""
+    table = plain(getattr(state, name))
+    for column in columns:
+        table[column] = rows[table[column]]
+    left = np.logical_and.reduce([table[column] >= 0 for column in columns])
+    setattr(state, name, without(getattr(state, name), left))
 
 
-def _remove_contacts(state: State, body_rows: Integers, shape_rows: Integers, first: int) -> Flags:
-    """Take out the contacts of what goes, and name the others anew. Bodies before row `first` stay where they are, with
-    their shapes: only contacts whose `body_b`, which is no less than `body_a`, is not one of them are looked at."""
+def _remove_contacts(state: State, body_rows: NewRows, shape_rows: NewRows) -> Flags:
+    """Take out the contacts of what goes, and name the others anew. Bodies before the first one that goes stay where
+    they are, with their shapes: only contacts whose `body_b`, which is no less than `body_a`, is none of them are
+    looked at."""
     used: Any = plain(state.contacts)[: int(state.counters[0].contact_count)]
-    moved = np.flatnonzero(used["body_b"] >= first)
+    moved = np.flatnonzero(used["body_b"] >= body_rows.first)
     for side in "ab":
         used[f"shape_{side}"][moved] = shape_rows[used[f"shape_{side}"][moved]]
         used[f"body_{side}"][moved] = body_rows[used[f"body_{side}"][moved]]
@@ -184,31 +182,25 @@ def _remove_contacts(state: State, body_rows: Integers, shape_rows: Integers, fi
     return left
 
 
-def _remove_joints(state: State, left: Flags, body_rows: Integers, rows: Integers) -> None:
-    state.joints = without(state.joints, left)
+def _remove_joints(state: State, body_rows: NewRows, rows: NewRows) -> None:
+    state.joints = without(state.joints, rows.left, rows.first)
     joints = plain(state.joints)
     for name, moved in (("body_a", body_rows), ("body_b", body_rows), ("joint_1", rows), ("joint_2", rows)):
-        joints[name] = np.append(moved, -1)[joints[name]]  # -1 stays -1
+        joints[name] = moved[joints[name]]
 
 
-def _remove_shapes(state: State, left: Flags, body_rows: Integers, shape_rows: Integers) -> Integers:
+def _remove_shapes(state: State, body_rows: NewRows, rows: NewRows) -> Integers:
     """Shapes with their vertices, outlines and seams, which lie in the order of the shapes. Returns the tiles that lay
     beside some of those."""
-    shapes = plain(state.shapes)
-    beside = remove_seams(state, left, shape_rows)
+    beside = remove_seams(state, rows)
+    shapes = plain(state.shapes)[rows.first :]
     for name, start, count in (
         ("vertices", "vertex_start", "vertex_count"), ("outlines", "outline_start", "outline_count"),
     ):  # fmt: skip
-        counts = shapes[count]
-        setattr(state, name, without(getattr(state, name), np.repeat(left, counts)))
-        shapes[start] -= np.cumsum(np.where(left, 0, counts))
-    state.shapes = without(state.shapes, left)
-    shapes = plain(state.shapes)
+        table, counts = getattr(state, name), shapes[count]
+        setattr(state, name, without(table, np.repeat(rows.left, counts), len(table) - int(counts.sum())))
+        shapes[start] -= np.cumsum(np.where(rows.left, 0, counts))
+    state.shapes = without(state.shapes, rows.left, rows.first)
+    shapes = plain(state.shapes)[rows.first :]
     shapes["body"] = body_rows[shapes["body"]]
     return beside
-
-
-def _new_rows(left: Flags) -> Integers:
-    """The new row of each old one; -1 for those that go."""
-    rows: Integers = np.where(left, np.cumsum(left) - 1, -1)
-    return rows

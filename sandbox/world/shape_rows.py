@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
 from functools import lru_cache
@@ -30,6 +31,11 @@ _SAME = (
 
 Rows: TypeAlias = NDArray[Any]
 """Rows of a table as a plain array."""
+
+
+def first_shape(shapes: Records, body: int) -> int:
+    """The row of the first shape of a body, or where it would be. `np.searchsorted` copies the column."""
+    return bisect_left(plain(shapes)["body"], body)
 
 
 @dataclass(frozen=True)

@@ -1,17 +1,94 @@
-"""Which shapes are tiles, and where their rows in the seam table are."""
+"""Which shapes are tiles, where they lie, and where their rows in the seam table are."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, field
 
-from sandbox.tables import Integers
+import numpy as np
+
+from sandbox.tables import Floats, Integers, aligned_zeros, close_up, longer
+from sandbox.world.new_rows import NewRows
+from sandbox.world.tile_outlines import Outlines
+
+NO_TILES: Integers = np.zeros(0, np.int64)
+
+
+def _nowhere() -> Floats:
+    return aligned_zeros(0, np.float64)
+
+
+@dataclass
+class TileBoxes:
+    """The boxes of the first tiles (m), as many as were asked for."""
+
+    left: Floats = field(default_factory=_nowhere)
+    low: Floats = field(default_factory=_nowhere)
+    right: Floats = field(default_factory=_nowhere)
+    high: Floats = field(default_factory=_nowhere)
+
+    def __len__(self) -> int:
+        return len(self.left)
+
+    def add(self, outlines: Outlines) -> None:
+        """Those of further tiles."""
+        for name, sides in _sides(outlines):
+            setattr(self, name, longer(getattr(self, name), sides))
+
+    def put(self, places: Integers, outlines: Outlines) -> None:
+        """Those of tiles that lie elsewhere now."""
+        for name, sides in _sides(outlines):
+            getattr(self, name)[places] = sides
+
+    def near(self, outlines: Outlines, slack: float) -> Integers:
+        """The places of those that reach into the box around some outlines, but for so many metres."""
+        near = (self.right >= outlines.x.min() - slack) & (self.left <= outlines.x.max() + slack)
+        near &= (self.high >= outlines.y.min() - slack) & (self.low <= outlines.y.max() + slack)
+        return np.flatnonzero(near)
+
+
+def _sides(outlines: Outlines) -> Iterator[tuple[str, Floats]]:
+    for name, farthest, corners in (
+        ("left", np.minimum, outlines.x), ("low", np.minimum, outlines.y),
+        ("right", np.maximum, outlines.x), ("high", np.maximum, outlines.y),
+    ):  # fmt: skip
+        yield name, farthest.reduceat(corners, outlines.starts)
 
 
 @dataclass
 class Tiling:
-    """The tiles of a state, `rows` of the shape table; `joined` are those that have rows in the seam table once there
-    are two of them: all but parts of concave polygons. They come after the `own` rows that shapes came with."""
+    """The tiles of a state, `rows` of the shape table, ascending; `joined` are those that have rows in the seam table
+    once there are two of them: all but parts of concave polygons. They come after the `own` rows that shapes came
+    with."""
 
     rows: Integers
     joined: Integers
     own: int
+    boxes: TileBoxes = field(default_factory=TileBoxes)
+
+    def add(self, rows: Integers, joined: Integers) -> None:
+        """Further tiles, after all others."""
+        self.rows, self.joined = longer(self.rows, rows), longer(self.joined, joined)
+
+    def going(self, rows: NewRows) -> Integers:
+        """The tiles that go when shapes get new rows."""
+        behind = self.rows[np.searchsorted(self.rows, rows.first) :]
+        return behind[rows[behind] < 0]
+
+    def remove(self, rows: NewRows) -> None:
+        """Shapes get new rows: some tiles go."""
+        first = int(np.searchsorted(self.rows, rows.first))
+        left = rows[self.rows[first:]] >= 0
+        for name, column in vars(self.boxes).items():
+            known = max(len(column) - first, 0)
+            setattr(self.boxes, name, column[: len(column) - known + close_up(column[first:], left[:known])])
+        self.rows, self.joined = (_renumbered(column, rows) for column in (self.rows, self.joined))
+
+
+def _renumbered(column: Integers, rows: NewRows) -> Integers:
+    """Ascending rows without those that go."""
+    first = int(np.searchsorted(column, rows.first))
+    later = rows[column[first:]]
+    later = later[later >= 0]
+    column[first : first + len(later)] = later
+    return column[: first + len(later)]

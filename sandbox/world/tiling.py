@@ -8,18 +8,14 @@ from sandbox.tables import Integers, Records, plain
 from sandbox.world.flush import check_crowd, find_tiles, join_some
 from sandbox.world.records import SEAMED
 from sandbox.world.runs import runs
+from sandbox.world.shape_rows import first_shape
 from sandbox.world.state import State
 from sandbox.world.tile_outlines import Outlines
 from sandbox.world.tile_pairs import meeting_tiles
 from sandbox.world.tile_rows import Tiling
 
-NO_TILES: Integers = np.zeros(0, np.int64)
-
 _NEAR = 1e-5
 """Farther apart than tiles may be that meet, in metres."""
-_ROUNDING = 1e-12
-_FEW = 64
-"""So many tiles are asked without a look at where they lie."""
 
 
 def tiling_of(state: State) -> Tiling:
@@ -71,34 +67,36 @@ def check_room(state: State, bodies: Records, shapes: Records, vertices: Records
     fresh = find_tiles(bodies, shapes)
     if len(fresh):
         outlines = Outlines.of(bodies, shapes, vertices, fresh)
-        near = _may_meet(state, tiling_of(state).rows, outlines)
+        near = _may_meet(state, outlines)
         check_crowd(outlines.with_others(Outlines.of(state.bodies, state.shapes, state.vertices, near)))
 
 
 def tiles_of(state: State, body: int) -> Integers:
     """The tiles of one body."""
     rows = tiling_of(state).rows
-    own: Integers = rows[plain(state.shapes)["body"][rows] == body]
-    return own
+    first, end = (first_shape(state.shapes, row) for row in (body, body + 1))
+    return rows[slice(*np.searchsorted(rows, (first, end)))].copy()
+
+
+def note_moved(state: State, tiles: Integers) -> None:
+    """Some tiles lie elsewhere now."""
+    tiling = tiling_of(state)
+    places = np.searchsorted(tiling.rows, tiles)
+    known = places < len(tiling.boxes)
+    tiling.boxes.put(places[known], Outlines.of(state.bodies, state.shapes, state.vertices, tiles[known]))
 
 
 def _around(state: State, tiles: Integers) -> tuple[Integers, Outlines]:
     """Some tiles and all that may meet them: their rows, ascending, and their outlines."""
-    outlines = Outlines.of(state.bodies, state.shapes, state.vertices, tiles)
-    near = _may_meet(state, tiling_of(state).rows, outlines)
+    near = _may_meet(state, Outlines.of(state.bodies, state.shapes, state.vertices, tiles))
     return near, Outlines.of(state.bodies, state.shapes, state.vertices, near)
 
 
-def _may_meet(state: State, rows: Integers, outlines: Outlines) -> Integers:
-    """Those of `rows` that reach into the box around some tiles. The extent of a body leaves its sensors out."""
-    if len(rows) <= _FEW:
-        return rows
-    bodies, shapes = plain(state.bodies), plain(state.shapes)
-    owner = shapes["body"][rows]
-    reach = np.where(shapes["sensor"][rows] == 1, np.inf, bodies["extent"][owner])
-    inside = np.ones(len(rows), np.bool_)
-    for center, corners in ((bodies["center_x"], outlines.x), (bodies["center_y"], outlines.y)):
-        low, high = float(corners.min()), float(corners.max())
-        slack = _NEAR + _ROUNDING * max(abs(low), abs(high))
-        inside &= (center[owner] + reach >= low - slack) & (center[owner] - reach <= high + slack)
-    return rows[inside]
+def _may_meet(state: State, outlines: Outlines) -> Integers:
+    """The tiles that reach into the box around some outlines."""
+    tiling = tiling_of(state)
+    known = len(tiling.boxes)
+    if known < len(tiling.rows):
+        fresh = tiling.rows[known:]
+        tiling.boxes.add(Outlines.of(state.bodies, state.shapes, state.vertices, fresh))
+    return tiling.rows[tiling.boxes.near(outlines, _NEAR)]

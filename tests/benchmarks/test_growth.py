@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import cache
 
 import numpy as np
@@ -214,3 +214,34 @@ def test_spawning_many_at_once() -> None:
         seconds[count * BOXES] = fastest(lambda fresh=fresh, many=many: next(fresh).spawn(many), turns=3)
         assert all(len(world.bodies) == BOXES + 1 + count * BOXES for world in worlds)
     assert math.isfinite(tell("spawning so many bodies at once", seconds))
+
+
+CHANGES: dict[str, Callable[[int], sandbox.Command]] = {
+    "spawning a ball": lambda k: sandbox.Spawn({"id": f"ball-{k}", "shapes": [{"circle": 0.3}], "position": [k, 9]}),
+    "spawning a tile": lambda k: sandbox.Spawn({"id": f"new-{k}", "prefab": "tile", "position": [k, 20]}),
+    "moving a tile": lambda k: sandbox.SetPose(f"tile-{k}", (float(k), 30.0), 0.0),
+    "deleting a ball": lambda k: sandbox.Delete(f"ball-{k}"),
+    "deleting the last tile": lambda k: sandbox.Delete(f"new-{k}"),
+    "deleting one of the first tiles": lambda k: sandbox.Delete(f"tile-{k}"),
+}
+
+
+def test_changes_among_static_tiles() -> None:
+    """Each with the step after it; a ball and the last tile go from the end of the tables, the first ones from where
+    all others close up."""
+    seconds: dict[str, dict[int, float]] = {name: {} for name in CHANGES}
+    for count in (2000, 4000, 8000, 16000, 32000):
+        tiles = [{"id": f"tile-{k}", "prefab": "tile", "position": [k % 200, -(k // 200)]} for k in range(count)]
+        prefabs = {"tile": {"type": "static", "shapes": [{"box": [1, 1]}]}}
+        world = sandbox.World(sandbox.Scene(prefabs=prefabs, bodies=tiles, settings={"sleeping": False}))
+        for name, make in CHANGES.items():
+            turn = iter(range(1000))
+
+            def change(world: sandbox.World = world, make: Callable = make, turn: Iterator[int] = turn) -> None:
+                world.apply(make(next(turn)))
+                world.step()
+
+            seconds[name][count] = fastest(change, turns=12)
+        assert len(world.bodies) == count - 13
+    for name, costs in seconds.items():
+        assert math.isfinite(tell(f"{name} among so many tiles, with a step", costs))

@@ -9,11 +9,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import sandbox
-from sandbox import Delete, Spawn
+from sandbox import Delete, SetPose, SetSurface, SetVelocity, Spawn
 from sandbox.engine.world import World
 from tests.examples import examples
 
 GROUND: dict[str, Any] = {"id": "ground", "type": "static", "shapes": [{"box": [60, 1]}], "position": [0, -0.5]}
+CHANGES = ("delete", "steps", "pose", "velocity", "surface")
 KINDS = ("ball", "pair", "sleeper", "tile", "goal", "platform")
 
 
@@ -34,52 +35,86 @@ def entry(kind: str, number: int) -> dict[str, Any]:
 def check(world: World) -> None:
     """The lists hold everybody once, in the order that they promise."""
     active, shapes = world.scratch.active, world.state.shapes
-    info, count = active.info[0], len(shapes)
-    activity = active.activity[shapes.body]
-    order = active.shapes[:count]
-    assert sorted(order.tolist()) == list(range(count))
-    loose = np.flatnonzero(activity != 0)
-    assert active.loose_shapes[: info.loose].tolist() == loose.tolist()
-    assert order[: info.moving].tolist() == np.flatnonzero(activity == 1).tolist()
-    assert sorted(order[: info.loose].tolist()) == loose.tolist()
-    assert info.static == (np.asarray(world.state.bodies.type) == 0).sum()
+    info, activity = active.info[0], active.activity[: len(world.names)]
     listed = active.loose[1 : 1 + active.loose[0]]
-    assert listed.tolist() == np.flatnonzero(active.activity[: len(world.names)]).tolist()
+    assert listed.tolist() == sorted(set(listed.tolist()))
+    assert set(np.flatnonzero(activity)) <= set(listed.tolist())
+    assert np.flatnonzero(activity == 1).tolist() == active.bodies[1 : 1 + active.bodies[0]].tolist()
+    order, loose = active.shapes[: info.loose], active.loose_shapes[: info.loose]
+    assert loose.tolist() == np.flatnonzero(np.isin(shapes.body, listed)).tolist()
+    assert sorted(order.tolist()) == loose.tolist()
+    assert order[: info.moving].tolist() == np.flatnonzero(activity[shapes.body] == 1).tolist()
+    assert info.static == (np.asarray(world.state.bodies.type) == 0).sum()
 
 
-@examples(150)
-@given(st.lists(st.tuples(st.sampled_from((*KINDS, "delete", "steps")), st.integers(0, 40)), max_size=25))
-def test_it_goes_on_as_if_everybody_had_been_looked_at(changes):
-    one, two = (World(sandbox.Scene(bodies=[GROUND])) for _ in range(2))
+def changed(world: World, what: str, number: int) -> None:
+    """Do one thing to a world of `GROUND` and others."""
+    name = world.names[number % len(world.names)]
+    if what == "steps":
+        world.step(number)
+    elif what == "pose":
+        world.apply(SetPose(name, (float(number % 13) - 6.0, 0.3 * (number % 5)), 0.1 * (number % 3)))
+    elif what == "velocity" and not name.startswith(("ground", "tile", "goal")):
+        world.apply(SetVelocity(name, (float(number % 5) - 2.0, 0.0), 0.0))
+    elif what == "surface":
+        world.apply(SetSurface(name, restitution=0.1 * (number % 9), surface_speed=float(number % 2)))
+    elif what == "delete" and name != "ground":
+        world.apply(Delete(name))
+
+
+@examples(300)
+@given(st.lists(st.tuples(st.sampled_from((*KINDS, *CHANGES)), st.integers(0, 40)), max_size=25), st.booleans())
+def test_it_goes_on_as_if_everybody_had_been_looked_at(changes, sleeping):
+    one, two = (World(sandbox.Scene(bodies=[GROUND], settings={"sleeping": sleeping})) for _ in range(2))
     for turn, (what, number) in enumerate(changes):
         for world in (one, two):
-            if what == "steps":
-                world.step(number)
-            elif what != "delete":
+            if what in KINDS:
                 world.apply(Spawn(entry(what, 50 * turn + number)))
-            elif len(world.names) > 1:
-                world.apply(Delete(world.names[1 + number % (len(world.names) - 1)]))
+            else:
+                changed(world, what, number)
+        if number % 4 != 0:  # else changes come together
+            continue
         two._stepper.forget()
+        two.scratch.grid.cache.info.valid = 0
         for world in (one, two):
             world.step()
             check(world)
         assert one.digest() == two.digest()
 
 
-def test_for_dynamic_bodies_nobody_is_looked_at_who_stays():
-    world = World(sandbox.Scene(bodies=[GROUND, entry("tile", 3), entry("ball", 1)]))
+def test_nobody_is_looked_at_who_stays():
+    tiles = [entry("tile", number) for number in range(20)]
+    world = World(sandbox.Scene(bodies=[GROUND, *tiles, entry("ball", 1)]))
     world.apply(Spawn(entry("ball", 5)))  # memory for more of them, of which all is new
     world.step(2)
     info = world.scratch.active.info[0]
     before = info.fixed_generation
-    for number, kind in enumerate(("ball", "pair", "sleeper", "ball")):
+    for number, kind in enumerate(("ball", "pair", "sleeper", "ball", "tile", "platform")):
         world.apply(Spawn([entry(kind, 50 * number + 10), entry(kind, 50 * number + 11)]))
-        if number < 2:
+        if number % 2:
             world.step(3)
+    world.apply(SetPose("tile-3", (-20.0, 5.0), 0.1))
     world.step(3)
+    assert len(world.names) - world.names.index("ball-5") < len(world.scratch.active.touched)
+    for name in ("ball-5", "tile-210", "tile-3"):
+        world.apply(Delete(name))
+        world.step(3)
+        check(world)
     assert info.fixed_generation == before
-    check(world)
-    world.apply(Spawn(entry("tile", 7)))
+
+
+def test_all_are_looked_at_anew_once_many_are_listed_that_stay():
+    world = World(sandbox.Scene(bodies=[GROUND]))
+    for number in range(300):
+        world.apply(Spawn(entry("tile", number)))
+        world.step()
+        check(world)
+        assert world.scratch.active.loose[0] <= len(world.scratch.active.touched)
+    for number in range(300):
+        world.apply(SetPose(f"tile-{number}", (float(number), 1.5), 0.0))
     world.step()
-    assert info.fixed_generation > before
+    for height in (2.5, 3.5):
+        world.apply(SetPose("tile-7", (7.0, height), 0.0))
+        world.step()
+    assert world.scratch.active.loose[0] == 1
     check(world)

@@ -5,12 +5,14 @@ What Box2D v3 keeps in its awake and its sleeping solver sets, these lists tell 
 
 from __future__ import annotations
 
+from typing import Any
+
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.bodies.flags import IMMOVABLE, disturbs, is_active
 from sandbox.engine.records.active_set import ACTIVE_SET, ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contacts import Contacts
-from sandbox.tables import Records
+from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC, STATIC
 
 AWAKE, ASLEEP = 1, 2
@@ -24,23 +26,33 @@ def new_active_set() -> Records:
     return info
 
 
+def most_touched(bodies: int) -> int:
+    """How many of so many bodies may be listed among the loose ones though they stay where they are: so many that to
+    list all anew, once there are more, costs little for each of them."""
+    return 64 + bodies // 16
+
+
 @kernel
 def update_active_set(bodies: Records, active: ActiveSet, solver: SolverBodies) -> bool:
     """List the bodies that a step may move; lay the others to rest in the scratch memory, as no stage looks after them.
 
     Nothing is done as long as nobody has come, woken, fallen asleep, or been changed by a command: returns whether.
-    Only a change from outside is a reason to look at bodies that stay where they are.
+    Bodies that stay where they are are only looked at when they come or are `touched`, or when all are listed anew.
     """
     info = active.info[0]
-    if info.stale == 0 and info.shifted == 0 and info.bodies == bodies.shape[0]:
+    if info.stale == 0 and info.shifted == 0 and active.touched[0] == 0 and info.bodies == bodies.shape[0]:
         return False
     info.generation += 1
-    if info.stale == 1:
-        active.loose[0] = info.static = info.bodies = 0
+    anew = info.stale == 1 or info.fixed >= active.touched.shape[0]
+    anew = anew or info.fixed_generation > info.shapes_generation  # the shapes of all are not in order yet
+    if anew:
+        info.static = info.bodies = active.loose[0] = active.touched[0] = 0
         info.fixed_generation = info.generation
-    _list_loose(bodies, active, solver)
+    _list_touched(active)
+    _list_loose(bodies, active, solver, anew)
     count = 0
     asleep = 0
+    fixed = 0
     posed = 0
     for i in active.loose[1 : 1 + active.loose[0]]:
         body = bodies[i]
@@ -55,22 +67,43 @@ def update_active_set(bodies: Records, active: ActiveSet, solver: SolverBodies) 
             asleep += 1
             body.stirred = body.was_asleep - 1
             body.was_asleep = 1
+        else:
+            fixed += 1
         _lay_to_rest(bodies, i, solver)
     active.bodies[0] = count
     info.asleep = asleep
-    info.shifted = 0
-    info.stale = posed  # who was put somewhere is active for one step
+    info.fixed = fixed
+    info.posed = posed
+    info.shifted = posed  # who was put somewhere is active for one step
+    info.stale = 0
     return True
 
 
 @kernel
-def _list_loose(bodies: Records, active: ActiveSet, solver: SolverBodies) -> None:
-    """List the bodies that may move or sleep, of those that the lists do not know yet; lay the others to rest."""
+def _list_touched(active: ActiveSet) -> None:
+    """List the touched bodies that the lists know, but not among the loose ones. `active.touched` has these alone then,
+    for `order_shapes`."""
+    loose: Any = active.loose[1 : 1 + active.loose[0]]
+    touched: Any = active.touched[1:]
+    count = 0
+    for k in range(active.touched[0]):
+        if touched[k] < active.info[0].bodies and not _holds(loose, touched[k]):
+            touched[count] = touched[k]
+            count += 1
+    _merge_rows(active.loose[1:], active.loose[0], touched, count)
+    active.loose[0] += count
+    active.touched[0] = count
+
+
+@kernel
+def _list_loose(bodies: Records, active: ActiveSet, solver: SolverBodies, anew: bool) -> None:
+    """List the bodies that may move or sleep, of those that the lists do not know yet; lay the others to rest, but list
+    them as well if they have come since all were listed `anew`."""
     info = active.info[0]
     count = active.loose[0]
     for i in range(info.bodies, bodies.shape[0]):
         info.static += 1 if bodies[i].type == STATIC else 0
-        if bodies[i].type == DYNAMIC or disturbs(bodies[i]):
+        if not anew or bodies[i].type == DYNAMIC or disturbs(bodies[i]):
             count += 1
             active.loose[count] = i
         else:
@@ -78,6 +111,34 @@ def _list_loose(bodies: Records, active: ActiveSet, solver: SolverBodies) -> Non
             _lay_to_rest(bodies, i, solver)
     active.loose[0] = count
     info.bodies = bodies.shape[0]
+
+
+@kernel
+def _holds(rows: Integers, row: int) -> bool:
+    """Whether a row is among ascending ones."""
+    low = 0
+    high = rows.shape[0]
+    while low < high:
+        middle = (low + high) // 2
+        if rows[middle] < row:
+            low = middle + 1
+        else:
+            high = middle
+    return bool(low < rows.shape[0] and rows[low] == row)
+
+
+@kernel
+def _merge_rows(rows: Integers, count: int, fresh: Integers, more: int) -> None:
+    """Put so many fresh rows among the first `count` ones, both ascending: from the end, as there is room behind."""
+    n = count - 1
+    k = more - 1
+    while k >= 0:
+        if n >= 0 and rows[n] > fresh[k]:
+            rows[n + k + 1] = rows[n]
+            n -= 1
+        else:
+            rows[n + k + 1] = fresh[k]
+            k -= 1
 
 
 @kernel

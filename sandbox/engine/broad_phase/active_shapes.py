@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from sandbox._jit import kernel
 from sandbox.engine.active.active_set import AWAKE
 from sandbox.engine.records.active_set import ActiveSet
@@ -13,27 +15,29 @@ LOOSE, ALL = 1, 2
 
 @kernel
 def order_shapes(shapes: Records, active: ActiveSet) -> int:
-    """Put the rows of the shapes that may move first into `active.shapes`, then the other loose ones, then the others.
+    """Put the rows of the shapes that may move first into `active.shapes`, then the other loose ones.
 
-    Returns what had to be put in order: 0, `LOOSE` or `ALL`. `active.info` then knows how many move.
+    Returns what had to be put in order: 0, `LOOSE` or `ALL`, where the others follow. `active.info` then knows how many
+    move.
     """
     info = active.info[0]
     if info.shapes_generation == info.generation:
         return 0
-    found = LOOSE
-    if info.fixed_generation > info.shapes_generation:
-        found = ALL
-        _put_loose_aside(shapes, active)
-        info.shapes = shapes.shape[0]
+    found = ALL if info.fixed_generation > info.shapes_generation else LOOSE
+    if found == ALL:
+        _list_loose_shapes(shapes, active)
+    else:
+        _list_touched_shapes(shapes, active)
+        _add_shapes(shapes, active)
     info.shapes_generation = info.generation
-    _add_shapes(shapes, active)
+    loose: Any = active.loose_shapes[: info.loose]
     moving = 0
-    for i in active.loose_shapes[: info.loose]:
+    for i in loose:
         if active.activity[shapes[i].body] == AWAKE:
             active.shapes[moving] = i
             moving += 1
     resting = moving
-    for i in active.loose_shapes[: info.loose]:
+    for i in loose:
         if active.activity[shapes[i].body] != AWAKE:
             active.shapes[resting] = i
             resting += 1
@@ -42,14 +46,15 @@ def order_shapes(shapes: Records, active: ActiveSet) -> int:
 
 
 @kernel
-def _put_loose_aside(shapes: Records, active: ActiveSet) -> None:
-    """List the loose shapes, and put the others last into `active.shapes`."""
+def _list_loose_shapes(shapes: Records, active: ActiveSet) -> None:
+    """List the loose shapes of all, and put the others last into `active.shapes`."""
     loose = 0
     for i in range(shapes.shape[0]):
         if active.activity[shapes[i].body] != 0:
             active.loose_shapes[loose] = i
             loose += 1
     active.info[0].loose = loose
+    active.info[0].shapes = shapes.shape[0]
     last = loose
     for i in range(shapes.shape[0]):
         if active.activity[shapes[i].body] == 0:
@@ -58,13 +63,48 @@ def _put_loose_aside(shapes: Records, active: ActiveSet) -> None:
 
 
 @kernel
+def _list_touched_shapes(shapes: Records, active: ActiveSet) -> None:
+    """List the shapes of the bodies that have become loose by being touched: from the end, as there is room behind."""
+    info = active.info[0]
+    touched: Any = active.touched[1 : 1 + active.touched[0]]
+    more = 0
+    for i in touched:
+        more += _first_shape(shapes, i + 1) - _first_shape(shapes, i)
+    n = info.loose - 1
+    info.loose += more
+    last = info.loose
+    for k in range(touched.shape[0] - 1, -1, -1):
+        first = _first_shape(shapes, touched[k])
+        while n >= 0 and active.loose_shapes[n] > first:
+            last -= 1
+            active.loose_shapes[last] = active.loose_shapes[n]
+            n -= 1
+        for i in range(_first_shape(shapes, touched[k] + 1) - 1, first - 1, -1):
+            last -= 1
+            active.loose_shapes[last] = i
+    active.touched[0] = 0
+
+
+@kernel
+def _first_shape(shapes: Records, body: int) -> int:
+    """The row of the first shape of a body, or where it would be."""
+    low = 0
+    high = shapes.shape[0]
+    while low < high:
+        middle = (low + high) // 2
+        if shapes[middle].body < body:
+            low = middle + 1
+        else:
+            high = middle
+    return low
+
+
+@kernel
 def _add_shapes(shapes: Records, active: ActiveSet) -> None:
-    """List the shapes that have come, which are loose, behind the others of these. For each, one that is not makes
-    room."""
+    """List the shapes that have come, which are loose, behind the others of these."""
     info = active.info[0]
     for i in range(info.shapes, shapes.shape[0]):
         active.loose_shapes[info.loose] = i
-        active.shapes[i] = active.shapes[info.loose]
         info.loose += 1
     info.shapes = shapes.shape[0]
 

@@ -34,7 +34,7 @@ END, ORDERED, ABSENT = -1, -2, -3
 def forget_moved(shapes: int, grid: Grid) -> None:
     """The grid has just been built of the boxes of so many shapes: none has moved."""
     info = grid.info[0]
-    info.shapes = shapes
+    info.shapes = info.known = shapes
     info.moved = info.others = 0
     for k in range(grid.moved_heads.shape[0]):
         grid.moved_heads[k] = END

@@ -44,8 +44,9 @@ def update_pair_cache(
     cache = grid.cache.info[0]
     if cache.valid == 1:
         cache.age += 1
+        same = info.known == info.shapes
         count = _list_outgrown(bounded, shapes, grid)
-        if count == 0:
+        if count == 0 and same:
             return 0
         few = _MANY * count <= shapes and _MOVED * info.moved <= shapes and info.others <= _OTHERS
         if few and _enlarge(colliders, count, shapes, seconds, joint_filter, grid):
@@ -55,12 +56,16 @@ def update_pair_cache(
 
 @kernel
 def _list_outgrown(bounded: Integers, shapes: int, grid: Grid) -> int:
-    """List in `grid.enlarged` the shapes that have outgrown their fat boxes or are new; return how many."""
+    """List in `grid.enlarged` the shapes that have outgrown their fat boxes or are new; return how many. The boxes of
+    those that have gone or have other rows are taken out of the grid."""
     info = grid.info[0]
-    for i in range(info.shapes, shapes):
+    for i in range(info.known, info.shapes):
+        remove_box(i, grid)
+        grid.outgrown[i] = 1
+    for i in range(info.known, shapes):
         grid.outgrown[i] = 1
         grid.moved_next[i] = ABSENT
-    info.shapes = shapes
+    info.shapes = info.known = shapes
     count = 0
     for i in bounded:
         if grid.outgrown[i] != 0:

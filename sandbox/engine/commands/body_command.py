@@ -39,7 +39,7 @@ class BodyCommand(Command):
             return GOES_ON
         if not (self.only_pushes and flags[At.TYPE] == KINEMATIC):  # what that touches wakes in the step, if it moves
             wake_body(state, row)
-        return Touched()
+        return Touched(fixed=() if flags[At.TYPE] == DYNAMIC else (row,))
 
     @abstractmethod
     def change(self, state: State, row: int) -> None:

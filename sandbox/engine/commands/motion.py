@@ -16,7 +16,8 @@ from sandbox.geometry.trig import cos_sin
 from sandbox.world.records import STATIC
 from sandbox.world.records import BodyPlace as At
 from sandbox.world.state import State
-from sandbox.world.tiling import NO_TILES, neighbours, rejoin_around, tiles_of
+from sandbox.world.tile_rows import NO_TILES
+from sandbox.world.tiling import neighbours, note_moved, rejoin_around, tiles_of
 
 _place_origin = interpreted(place_origin_kernel)
 _cos_sin = interpreted(cos_sin)
@@ -53,6 +54,7 @@ class SetPose(BodyCommand):
         body[At.ANGLE], body[At.ROTATION_COS], body[At.ROTATION_SIN] = self.angle, cos, sin
         body[At.CENTER_X], body[At.CENTER_Y] = center_x, center_y
         body[At.POSITION_X], body[At.POSITION_Y] = pose.position_x, pose.position_y
+        note_moved(state, tiles)
         rejoin_around(state, tiles, left)
 
 

@@ -50,7 +50,7 @@ class SetSettings(Command):
         if setting.substeps != before:
             _share_impulses(target.state, before / int(setting.substeps))
         wake_all(target.state)
-        return Touched()
+        return Touched(everybody=True)
 
 
 def _check(command: SetSettings, given: dict[str, Any]) -> None:

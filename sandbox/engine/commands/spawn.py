@@ -72,8 +72,7 @@ class Spawn(Command):
             held = held[held < added.bodies]  # the others are awake
             if len(held):
                 wake_bodies(state, held)
-        only_dynamic = not (added.regions or found.joints) and all(body.type == "dynamic" for body in found.bodies)
-        return Touched(active_set=not only_dynamic, added=added)  # nobody else has changed for those who only come
+        return Touched(added=added)
 
 
 def _listed(part: Any) -> Any:

@@ -42,12 +42,11 @@ def stop_strays(
     """
     filters = colliders.filters
     info = active.info[0]
-    shapes = tables.shapes.shape[0]
     known = info.shapes_generation == info.generation  # otherwise somebody has woken in this step
     if info.static == 0:
         return again
     found = again
-    for k in range(info.moving if known else shapes):
+    for k in range(info.moving if known else info.loose):
         i = active.shapes[k]
         body = filters[i].body
         if tables.ccd_bodies[body].fast == 0 or tables.ccd.impacts[body].round != round:

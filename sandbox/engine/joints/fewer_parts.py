@@ -18,12 +18,13 @@ from sandbox.engine.joints.pair_filter import JointFilter
 from sandbox.engine.joints.part_layout import PartLayouts
 from sandbox.engine.joints.records import JointWork
 from sandbox.tables import Integers, Records, plain, without
+from sandbox.world.new_rows import NewRows
 from sandbox.world.rows import Moved
 
 Flags = NDArray[np.bool_]
 
 
-def going_parts(work: JointWork, joints: Integers) -> Flags | None:
+def going_parts(work: JointWork, joints: NewRows) -> Flags | None:
     """Which parts go as joints do, whose new rows are `joints`; None if some part loses only some of its joints."""
     constraints = plain(work.constraints)
     lost = np.bincount(constraints["part"][joints[constraints["joint"]] < 0], minlength=len(work.parts))
@@ -101,7 +102,7 @@ class _Places:
         return np.where(rows >= 0, self._before[table][rows], rows)
 
 
-def _kept_bonds(bonds: Records, part_of: Integers, going: Flags, bodies: Integers) -> Records:
+def _kept_bonds(bonds: Records, part_of: Integers, going: Flags, bodies: NewRows) -> Records:
     low, high = plain(bonds)["low"], plain(bonds)["high"]
     gone = np.append(going, False)  # -1, no part, is the last one
     bonds = without(bonds, ~(gone[part_of[low]] | gone[part_of[high]]))

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sandbox.engine.active.active_set import new_active_set
+from sandbox.engine.active.active_set import most_touched, new_active_set
 from sandbox.engine.broad_phase.fat_boxes import AHEAD
 from sandbox.engine.broad_phase.grid import LEVEL_SPACE, head_count
 from sandbox.engine.contact_solver.blocks import ALL_COLORS, BLOCK_SIZE, MAX_COLORS
@@ -67,6 +67,7 @@ def active_memory(room: Room) -> ActiveSet:
         info=new_active_set(),
         bodies=np.zeros(room.bodies + 1, np.int64),
         loose=np.zeros(room.bodies + 1, np.int64),
+        touched=np.zeros(most_touched(room.bodies) + 1, np.int64),
         activity=np.zeros(room.bodies, np.int64),
         shapes=np.arange(room.shapes),
         loose_shapes=np.zeros(room.shapes, np.int64),

@@ -9,9 +9,11 @@ from sandbox.tables import Field, Integers, Records, Table
 ACTIVE_SET = Table(
     "active_set",
     (
-        Field("stale", "-", "1 when somebody may have gone or changed since the lists were made", "i8"),
-        Field("shifted", "-", "1 when somebody has woken or fallen asleep since", "i8"),
-        Field("bodies", "-", "bodies in them: later rows are dynamic bodies that have come since", "i8"),
+        Field("stale", "-", "1 when anybody may have changed since the lists were made", "i8"),
+        Field("shifted", "-", "1 when some of the loose bodies have woken, fallen asleep or changed since", "i8"),
+        Field("posed", "-", "1 when somebody was put somewhere before they were made", "i8"),
+        Field("bodies", "-", "bodies in them: later rows have come since", "i8"),
+        Field("fixed", "-", "loose bodies that neither moved nor slept then, but had come or were touched", "i8"),
         Field("static", "-", "static bodies", "i8"),
         Field("asleep", "-", "dynamic bodies that slept when they were made", "i8"),
         Field("generation", "-", "counts how often they were made", "i8"),
@@ -33,14 +35,16 @@ class ActiveSet(NamedTuple):
 
     `bodies[1:]` are the rows of the bodies that a step may move, ascending; `bodies[0]` is how many those are.
     `loose[1:]`, `loose[0]` of them, are the same with those that sleep: all but those that stay where they are until
-    something is changed from outside. `activity` tells for every body whether it is `AWAKE`, `ASLEEP` or stays where it
-    is (0). `shapes` are the rows of all shapes: those that may move, the other loose ones, the others. `loose_shapes`
-    are the first two of these in one.
+    something is changed from outside. `touched[1:]`, `touched[0]` of them, are those that were changed so since the
+    lists were made, ascending; they are loose from then on. `activity` tells for every body whether it is `AWAKE`,
+    `ASLEEP` or stays where it is (0). `shapes` are the rows of the loose shapes, those that may move first;
+    `loose_shapes` are the same, ascending.
     """
 
     info: Records
     bodies: Integers
     loose: Integers
+    touched: Integers
     activity: Integers
     shapes: Integers
     loose_shapes: Integers

@@ -82,6 +82,7 @@ GRID_INFO = Table(
         Field("used", "-", "levels with many boxes", "i8"),
         Field("sparse", "-", "boxes on other levels", "i8"),
         Field("shapes", "-", "boxes in it", "i8"),
+        Field("known", "-", "boxes of shapes that are still in their rows: the later ones have gone or moved", "i8"),
         Field("moved", "-", "boxes that have moved since it was built", "i8"),
         Field("others", "-", "those of them on levels that had few boxes", "i8"),
     ),

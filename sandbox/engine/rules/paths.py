@@ -71,9 +71,9 @@ _POSE = ["position_x", "position_y", "angle", "rotation_cos", "rotation_sin", "c
 
 
 class Paths:
-    """The paths of a world; `on_switch` hears when a driven body begins to move, or stops."""
+    """The paths of a world; `on_switch` hears of the row of a driven body that begins to move, or stops."""
 
-    def __init__(self, state: State, on_switch: Callable[[], None]) -> None:
+    def __init__(self, state: State, on_switch: Callable[[int], None]) -> None:
         self._state, self._on_switch = state, on_switch
         self._due: list[tuple[int, Pose]] = []
         """The rows of the paths that go on in this step, and where their bodies are when it ends."""
@@ -115,7 +115,7 @@ class Paths:
             velocities[row] = speed
             if any(before) != any(speed):
                 wake_body(self._state, row)
-                self._on_switch()
+                self._on_switch(row)
 
     def arrive(self) -> None:
         """Write the poses that were led to: exactly, whatever substeps rounded."""
