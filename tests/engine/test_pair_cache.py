@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 import sandbox
 from sandbox import ApplyImpulse, Delete, SetGravity, SetPose, SetVelocity, Spawn
+from sandbox.engine.broad_phase.moved_boxes import END
 from sandbox.engine.broad_phase.proxies import ACTIVE, DRIVEN, SLEEPS
 from sandbox.engine.world import World
 from sandbox.errors import SandboxError
@@ -22,7 +23,7 @@ from tests.naive.grid import Box, may_meet
 TILES, DISCS, LINKS = 60, 24, 5
 
 
-def crowd() -> sandbox.Scene:
+def crowd(hinged: bool = True) -> sandbox.Scene:
     """Discs of many sizes fall on static tiles, past a chain and a driven bar; one of them only meets tiles."""
     tiles = [
         {"id": f"tile{k}", "type": "static", "shapes": [{"box": [1, 1]}], "position": [1.1 * k - 33, -0.5]}
@@ -42,7 +43,7 @@ def crowd() -> sandbox.Scene:
         for k in range(LINKS - 1)
     ]
     bar = {"id": "bar", "type": "kinematic", "shapes": [{"box": [4, 0.2]}], "position": [0, 8], "angular_velocity": 90}
-    return sandbox.Scene(bodies=[*tiles, *discs, *links, bar], joints=hinges)
+    return sandbox.Scene(bodies=[*tiles, *discs, *links, bar], joints=hinges if hinged else [])
 
 
 names = st.sampled_from([f"disc{k}" for k in range(DISCS)] + ["bar", "link0", "tile30", "tile31"])
@@ -95,6 +96,20 @@ def check(world: World, steps: int) -> None:
     for _ in range(steps):
         world.step()
         assert proposed(world) == overlapping(world)
+        assert laid(world) == list(range(len(world.state.shapes)))
+
+
+def laid(world: World) -> list[int]:
+    """Whose boxes are in the grid: those of `ordered` that are not taken out, and those in the lists."""
+    grid = world.scratch.grid
+    count, ordered = int(grid.info[0].shapes), plain(grid.ordered)[: grid.heads[-1]]
+    rows: list[int] = ordered["shape_index"][ordered["lower_x"] <= ordered["upper_x"]].tolist()
+    for row in grid.moved_heads.tolist():
+        while row != END:
+            assert len(rows) <= count, "a list leads back into itself"
+            rows.append(row)
+            row = int(grid.moved_next[row])
+    return sorted(rows)
 
 
 def tell(world: World, command: Any) -> None:
@@ -102,10 +117,10 @@ def tell(world: World, command: Any) -> None:
         world.apply(command)
 
 
-@given(sequences, st.integers(0, 200))
-@examples(40)
-def test_cached_pairs_are_those_of_all_boxes(sequence: list[tuple[int, Any]], before: int) -> None:
-    world = World(crowd())
+@given(sequences, st.integers(0, 200), st.booleans())
+@examples(60)
+def test_cached_pairs_are_those_of_all_boxes(sequence: list[tuple[int, Any]], before: int, hinged: bool) -> None:
+    world = World(crowd(hinged))
     world.step(before)
     for steps, command in [*sequence, (30, SetVelocity("disc3", (30.0, 5.0), 9.0))]:
         tell(world, command)
@@ -123,6 +138,21 @@ def test_a_restored_world_finds_the_pairs_of_its_boxes(sequence: list[tuple[int,
         world.step(steps)
     world.restore(snapshot)
     check(world, 5)
+
+
+@pytest.mark.parametrize("name", ["last", "heap3", "disc5", "tile50"])
+def test_what_goes_leaves_nothing_in_the_grid(name: str) -> None:
+    world = World(crowd(hinged=False))
+    world.spawn([
+        {"id": each, "shapes": [{"circle": 0.5}], "position": [-20.0 + 0.9 * k, 0.5]}
+        for k, each in enumerate(["heap1", "heap2", "heap3", "last"])
+    ])  # fmt: skip
+    check(world, 60)
+    world.delete(name)
+    assert world.scratch.grid.cache.info[0].valid == 1
+    check(world, 3)
+    world.spawn({"id": "later", "shapes": [{"circle": 0.5}], "position": [-19.0, 3.0]})
+    check(world, 60)
 
 
 def rebuilt(world: World, steps: int) -> list[bool]:
