@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from sandbox._jit import jit_enabled
+from sandbox.engine.active.changes import forget, keep_what_stays, touch
 from sandbox.engine.compile_step import compile_continuous, compile_step
 from sandbox.engine.fields.records import has_fields
 from sandbox.engine.joints.assembly import assemble, assemble_more
@@ -22,7 +23,7 @@ from sandbox.engine.step_calls import StepCalls
 from sandbox.engine.workers.threads import WorkerThreads
 from sandbox.errors import CapacityError
 from sandbox.tables import Integers, Records, close_up, copy_rows, plain
-from sandbox.world.records import CONTACT, STATIC, CounterPlace
+from sandbox.world.records import CONTACT, CounterPlace
 from sandbox.world.rows import Added, Moved
 from sandbox.world.state import State
 
@@ -132,7 +133,7 @@ class Stepper:
     def move_rows(self, moved: Moved) -> None:
         """Rows have gone, and others have moved into their places."""
         self.scratch.follow_rows(self._state, moved.bodies.first, moved.shapes.first)
-        self._keep_first(moved)
+        keep_what_stays(self.scratch.active, self.scratch.grid, moved)
         close_up(plain(self.scratch.contacts.reports)[: len(moved.contacts)], moved.contacts)
         scratch, joints = self.scratch, self.scratch.joints
         if joints is None and len(moved.joints) == 0:
@@ -154,36 +155,11 @@ class Stepper:
 
     def forget(self) -> None:
         """Look anew at who may move: anything may have been changed from outside."""
-        plain(self.scratch.active.info)["stale"] = 1
+        forget(self.scratch.active)
 
     def touch(self, fixed: Sequence[int]) -> None:
         """Look anew at the bodies that may move, and at others in those rows: they were changed from outside."""
-        plain(self.scratch.active.info)["shifted"] = 1
-        if fixed:
-            touched = self.scratch.active.touched
-            rows = np.union1d(touched[1 : 1 + touched[0]], fixed)
-            if len(rows) < len(touched):
-                touched[0], touched[1 : 1 + len(rows)] = len(rows), rows
-            else:
-                self.forget()
-
-    def _keep_first(self, moved: Moved) -> None:
-        """What comes before the first row that has moved is still where it was; all else is as if it had come."""
-        active, body, shape = self.scratch.active, moved.bodies.first, moved.shapes.first
-        if len(self._state.bodies) - body >= len(active.touched):
-            self.forget()
-            plain(self.scratch.grid.cache.info)["valid"] = 0
-            return
-        for rows in (active.loose, active.touched):
-            rows[0] = np.searchsorted(rows[1 : 1 + rows[0]], body)
-        info, grid = plain(active.info)[0], plain(self.scratch.grid.info)[0]
-        known = int(info["bodies"])
-        if body < known:
-            info["bodies"] = body
-            info["static"] -= int((moved.types[: known - body] == STATIC).sum())
-        info["loose"] = np.searchsorted(active.loose_shapes[: info["loose"]], shape)
-        info["shapes"], grid["known"] = min(info["shapes"], shape), min(grid["known"], shape)
-        info["shifted"] = 1
+        touch(self.scratch.active, fixed)
 
     def assemble_joints(self) -> None:
         """Find out anew what hangs together by joints, after one of them broke or was switched."""

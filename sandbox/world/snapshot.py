@@ -66,9 +66,10 @@ def restore(state: State, data: bytes, read: Callable[[bytes], Roster]) -> None:
     if roster is not state.roster:
         state.census = Census(roster)
         state.layout += 1
-        state.tiling = None
     elif "shape" not in kept and not np.array_equal(rows["shape"]["density"], state.shapes.density):
         state.layout += 1  # centres of mass, from which vertices are measured, lie elsewhere
+    if "body" not in kept:
+        state.tiling = None  # tiles may be others, or lie elsewhere
     for table, name in zip(TABLES, ARRAYS, strict=True):
         if table.name in kept:
             continue

@@ -25,8 +25,8 @@ class State:
     `contacts` has spare rows; the first `counters[0].contact_count` are in use. `settings` and `counters` have one
     row each; `tallies` are the counters of the scene's rules. `census` says who is behind the rows, and `layout` counts
     how often they have moved, or centres of mass in their bodies: while it stays the same, row `i` is the same body,
-    and its shapes lie where they did. `tiling` says which shapes are tiles, once that was asked; `patterns` are those
-    of what was spawned.
+    and its shapes lie where they did. `tiling` says which shapes are tiles and where they lie, once that was asked;
+    `patterns` are those of what was spawned.
     """
 
     bodies: Records

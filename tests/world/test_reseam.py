@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 import sandbox
 from sandbox import Delete, SetPose, Spawn
+from sandbox.engine.lanes.lane_world import LaneWorld
 from sandbox.engine.world import World
 from sandbox.world.records import SEAMED
 from tests.engine.test_spawn import tables
@@ -73,6 +76,27 @@ def test_many_tiles_are_joined_where_some_come_and_go() -> None:
             theirs[table].tobytes() for table in ("shape", "seam")
         ]
         world.apply(Delete(name))
+
+
+def restored(world: World, other: World) -> None:
+    world.restore(other.snapshot())
+
+
+def loaded(world: LaneWorld, other: LaneWorld) -> None:
+    world.load(other.words, other.contact_words, other.last_switch)
+
+
+@pytest.mark.parametrize(("kind", "put_back"), [(World, restored), (LaneWorld, loaded)])
+def test_tiles_that_are_put_back_are_joined_where_they_are_then(kind: type, put_back: Callable[..., None]) -> None:
+    floor = [{"id": f"f{k}", "prefab": "tile", "position": [float(k), 0]} for k in range(100)]
+    world, other, fresh = (kind(sandbox.Scene(prefabs=PREFABS, bodies=floor)) for _ in range(3))
+    world.apply(SetPose("f10", (10.0, 5.0), 0.0))
+    put_back(world, other)
+    for each in (world, fresh):
+        each.apply(SetPose("f40", (10.0, 1.0), 0.0))
+        assert each.state.shapes.traits[10] & SEAMED
+    assert world.state.seams.tobytes() == fresh.state.seams.tobytes()
+    assert world.state.shapes.tobytes() == fresh.state.shapes.tobytes()
 
 
 def test_tiles_that_were_moved_are_joined_where_they_are() -> None:

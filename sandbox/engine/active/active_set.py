@@ -114,8 +114,8 @@ def _list_loose(bodies: Records, active: ActiveSet, solver: SolverBodies, anew: 
 
 
 @kernel
-def _holds(rows: Integers, row: int) -> bool:
-    """Whether a row is among ascending ones."""
+def first_from(rows: Integers, row: int) -> int:
+    """Where a row is among ascending ones, or where it would be."""
     low = 0
     high = rows.shape[0]
     while low < high:
@@ -124,7 +124,14 @@ def _holds(rows: Integers, row: int) -> bool:
             low = middle + 1
         else:
             high = middle
-    return bool(low < rows.shape[0] and rows[low] == row)
+    return low
+
+
+@kernel
+def _holds(rows: Integers, row: int) -> bool:
+    """Whether a row is among ascending ones."""
+    place = first_from(rows, row)
+    return bool(place < rows.shape[0] and rows[place] == row)
 
 
 @kernel

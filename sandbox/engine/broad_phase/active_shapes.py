@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from sandbox._jit import kernel
-from sandbox.engine.active.active_set import AWAKE
+from sandbox.engine.active.active_set import AWAKE, first_from
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.tables import Records
 
@@ -67,36 +67,23 @@ def _list_touched_shapes(shapes: Records, active: ActiveSet) -> None:
     """List the shapes of the bodies that have become loose by being touched: from the end, as there is room behind."""
     info = active.info[0]
     touched: Any = active.touched[1 : 1 + active.touched[0]]
+    owners: Any = shapes.body
     more = 0
     for i in touched:
-        more += _first_shape(shapes, i + 1) - _first_shape(shapes, i)
+        more += first_from(owners, i + 1) - first_from(owners, i)
     n = info.loose - 1
     info.loose += more
     last = info.loose
     for k in range(touched.shape[0] - 1, -1, -1):
-        first = _first_shape(shapes, touched[k])
+        first = first_from(owners, touched[k])
         while n >= 0 and active.loose_shapes[n] > first:
             last -= 1
             active.loose_shapes[last] = active.loose_shapes[n]
             n -= 1
-        for i in range(_first_shape(shapes, touched[k] + 1) - 1, first - 1, -1):
+        for i in range(first_from(owners, touched[k] + 1) - 1, first - 1, -1):
             last -= 1
             active.loose_shapes[last] = i
     active.touched[0] = 0
-
-
-@kernel
-def _first_shape(shapes: Records, body: int) -> int:
-    """The row of the first shape of a body, or where it would be."""
-    low = 0
-    high = shapes.shape[0]
-    while low < high:
-        middle = (low + high) // 2
-        if shapes[middle].body < body:
-            low = middle + 1
-        else:
-            high = middle
-    return low
 
 
 @kernel

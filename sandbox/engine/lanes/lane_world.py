@@ -73,6 +73,7 @@ class LaneWorld(World):
         """Be the world of that row, as after `restore`."""
         self._changes += 1
         self._words[:] = words
+        self.state.tiling = None  # tiles may lie elsewhere
         count = int(plain(self.state.counters)[0]["contact_count"]) * CONTACT_WORDS
         _flat(self.state.contacts)[:count] = contacts[:count]
         self._last_switch = last_switch
