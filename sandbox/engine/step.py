@@ -64,7 +64,7 @@ def collide(
     bound_shapes(state, outdated, changed != 0, colliders, grid, workers)
     kept = counter.contact_count if counter.asleep_count > 0 else 0
     seconds = state.settings[0].step_seconds
-    pair_count = update_pair_cache(colliders, outdated, state.shapes.shape[0], seconds, joint_filter, grid)
+    pair_count = update_pair_cache(colliders, outdated, state.shapes.shape[0], seconds, grid)
     if pair_count > 0:
         return pair_count + kept
     pair_count = select_pairs(colliders, seconds, joint_filter, grid)

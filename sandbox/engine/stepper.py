@@ -232,9 +232,8 @@ class Stepper:
         self._prepare_calls()
 
     def _prepare_calls(self) -> None:
-        """Other tables for the calls of a step, and pairs looked for anew."""
+        """Other tables for the calls of a step."""
         state, scratch = self._state, self.scratch
-        plain(scratch.grid.cache.info)["valid"] = 0
         self._crowded = len(state.shapes) > _FEW
         self.counters = plain(state.counters).view(np.int64).data
         self._count_lost()

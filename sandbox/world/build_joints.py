@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from sandbox.scene.flat import FlatJoint, Vec
-from sandbox.tables import Floats, Records, taken
+from sandbox.tables import Floats, Records, plain, taken
 from sandbox.world import joint_records as kinds
 from sandbox.world.joint_records import JOINT
 
@@ -71,7 +71,7 @@ def _measured(table: Records, joints: Sequence[FlatJoint], bodies: Records) -> R
     table.anchor_bx, table.anchor_by = frames.into(table.body_b, *anchors[1])
     table.axis_x, table.axis_y = frames.turned_back(table.body_a, *_points(joint.axis for joint in joints))
     angles = np.array([joint.angle for joint in joints], float)
-    table.reference_angle = frames.angles[table.body_b] - frames.angles[table.body_a] + angles
+    table.reference_angle = frames.angles(table.body_b) - frames.angles(table.body_a) + angles
     for k, joint in enumerate(joints):
         if joint.kind == "distance":
             own = joint.length
@@ -96,23 +96,29 @@ def _aim(row: Any, joint: FlatJoint, frames: _Frames) -> None:
 
 
 class _Frames:
-    """The frames of all bodies, and after them, in the row -1, that of the world."""
+    """The frames of bodies, and in the row -1 that of the world: of those that are asked for, not of all."""
 
     def __init__(self, bodies: Records) -> None:
-        world = (0.0, 0.0, 1.0, 0.0, 0.0)
-        names = ("center_x", "center_y", "rotation_cos", "rotation_sin", "angle")
-        columns = [np.append(bodies[name], value) for name, value in zip(names, world, strict=True)]
-        self._x, self._y, self._cos, self._sin, self.angles = columns
+        self._bodies = plain(bodies)
+
+    def angles(self, rows: Any) -> Any:
+        """Angles (rad) of bodies."""
+        return self._of("angle", rows, 0.0)
 
     def into(self, rows: Any, x: Any, y: Any) -> tuple[Any, Any]:
         """World points (m) from the centres of bodies, in their frames."""
-        inside: tuple[Any, Any] = self.turned_back(rows, x - self._x[rows], y - self._y[rows])
+        inside: tuple[Any, Any] = self.turned_back(
+            rows, x - self._of("center_x", rows, 0.0), y - self._of("center_y", rows, 0.0)
+        )
         return inside
 
     def turned_back(self, rows: Any, x: Any, y: Any) -> tuple[Any, Any]:
         """Directions in the frames of bodies."""
-        c, s = self._cos[rows], self._sin[rows]
+        c, s = self._of("rotation_cos", rows, 1.0), self._of("rotation_sin", rows, 0.0)
         return np.where(rows < 0, x, c * x + s * y), np.where(rows < 0, y, c * y - s * x)
+
+    def _of(self, name: str, rows: Any, world: float) -> Any:
+        return np.where(rows < 0, world, self._bodies[name][rows])
 
 
 def _points(points: Iterable[Vec]) -> tuple[Floats, Floats]:

@@ -183,7 +183,7 @@ class Paused:
         bound_shapes(self.tables, m.active.shapes, True, m.colliders, m.grid, m.workers)
         g = m.grid
         g.cache.info.valid = 0
-        assert update_pair_cache(m.colliders, m.active.shapes, len(s.shapes), self.seconds, m.joint_filter, g) == 0
+        assert update_pair_cache(m.colliders, m.active.shapes, len(s.shapes), self.seconds, g) == 0
         count = select_pairs(m.colliders, self.seconds, m.joint_filter, g)
         assert count <= len(g.pairs)
         mark_may_stop(m.colliders, m.active, m.solver.ccd)

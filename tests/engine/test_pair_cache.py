@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import sandbox
-from sandbox import ApplyImpulse, Delete, SetGravity, SetPose, SetVelocity, Spawn
+from sandbox import ApplyImpulse, Delete, DeleteJoint, SetGravity, SetJoint, SetPose, SetVelocity, Spawn
 from sandbox.engine.broad_phase.moved_boxes import END
 from sandbox.engine.broad_phase.proxies import ACTIVE, DRIVEN, SLEEPS
 from sandbox.engine.world import World
@@ -21,6 +21,10 @@ from tests.examples import examples
 from tests.naive.grid import Box, may_meet
 
 TILES, DISCS, LINKS = 60, 24, 5
+
+
+def hinge(name: str, one: str, other: str, at: tuple[float, float] = (0.0, 0.0)) -> dict[str, Any]:
+    return {"id": name, "type": "revolute", "bodies": [one, other], "anchor": list(at)}
 
 
 def crowd(hinged: bool = True) -> sandbox.Scene:
@@ -38,15 +42,13 @@ def crowd(hinged: bool = True) -> sandbox.Scene:
         for k in range(DISCS)
     ]
     links = [{"id": f"link{k}", "shapes": [{"box": [0.6, 0.2]}], "position": [12 + 0.5 * k, 4]} for k in range(LINKS)]
-    hinges = [
-        {"id": f"hinge{k}", "type": "revolute", "bodies": [f"link{k}", f"link{k + 1}"], "anchor": [12.25 + 0.5 * k, 4]}
-        for k in range(LINKS - 1)
-    ]
+    hinges = [hinge(f"hinge{k}", f"link{k}", f"link{k + 1}", (12.25 + 0.5 * k, 4)) for k in range(LINKS - 1)]
     bar = {"id": "bar", "type": "kinematic", "shapes": [{"box": [4, 0.2]}], "position": [0, 8], "angular_velocity": 90}
     return sandbox.Scene(bodies=[*tiles, *discs, *links, bar], joints=hinges if hinged else [])
 
 
 names = st.sampled_from([f"disc{k}" for k in range(DISCS)] + ["bar", "link0", "tile30", "tile31"])
+hinges = st.sampled_from([f"hinge{k}" for k in range(LINKS)])
 places = st.tuples(st.floats(-40, 40), st.floats(-3, 30))
 speeds = st.tuples(st.floats(-60, 60), st.floats(-60, 60))
 commands = st.one_of(
@@ -61,6 +63,11 @@ commands = st.one_of(
         st.floats(0.02, 8),
     ),
     st.builds(Delete, st.just("one")),
+    st.builds(SetJoint, hinges, enabled=st.booleans()),
+    st.builds(SetJoint, hinges, collide=st.booleans()),
+    st.builds(SetJoint, hinges, break_force=st.just(1e-3)),
+    st.builds(DeleteJoint, hinges),
+    st.builds(lambda name, one, other: Spawn(joints=hinge(name, one, other)), hinges, names, names),
 )
 sequences = st.lists(st.tuples(st.integers(1, 30), commands), max_size=10)
 
@@ -70,11 +77,14 @@ def proposed(world: World) -> list[tuple[int, int]]:
     return list(zip(pairs["shape_a"].tolist(), pairs["shape_b"].tolist(), strict=True))
 
 
-def overlapping(world: World) -> list[tuple[int, int]]:
+def bonds_of(world: World) -> set[tuple[int, int]]:
+    return {(int(each.low), int(each.high)) for each in world.scratch.joint_filter.bonds}
+
+
+def overlapping(world: World, bonds: set[tuple[int, int]]) -> list[tuple[int, int]]:
     """All pairs of boxes that overlap and matter, by looking at all of them, without those of joined bodies."""
     count = len(world.state.shapes)
     boxes, filters = plain(world.scratch.colliders.boxes)[:count], plain(world.scratch.colliders.filters)[:count]
-    bonds = {(int(each.low), int(each.high)) for each in world.scratch.joint_filter.bonds}
     meets = np.ones((count, count), bool)
     for low, high in (("lower_x", "upper_x"), ("lower_y", "upper_y")):
         meets &= (boxes[low][:, None] <= boxes[high][None, :]) & (boxes[low][None, :] <= boxes[high][:, None])
@@ -94,8 +104,9 @@ def _matters(a: Any, b: Any, bonds: set[tuple[int, int]]) -> bool:
 
 def check(world: World, steps: int) -> None:
     for _ in range(steps):
+        bonds = bonds_of(world)  # one may break at the end of the step
         world.step()
-        assert proposed(world) == overlapping(world)
+        assert proposed(world) == overlapping(world, bonds)
         assert laid(world) == list(range(len(world.state.shapes)))
 
 
@@ -153,6 +164,36 @@ def test_what_goes_leaves_nothing_in_the_grid(name: str) -> None:
     check(world, 3)
     world.spawn({"id": "later", "shapes": [{"circle": 0.5}], "position": [-19.0, 3.0]})
     check(world, 60)
+
+
+CHAIN = [f"new{k}" for k in range(3)]
+CHANGES: list[Any] = [
+    SetJoint("hinge1", enabled=False),
+    SetJoint("hinge1", enabled=True),
+    SetJoint("hinge2", collide=True),
+    SetJoint("hinge0", break_force=1e-3),
+    DeleteJoint("hinge3"),
+    Spawn(
+        [{"id": name, "shapes": [{"box": [0.6, 0.2]}], "position": [2 + 0.5 * k, 20]} for k, name in enumerate(CHAIN)],
+        [hinge(f"pin{k}", *CHAIN[k : k + 2], (2.25 + 0.5 * k, 20)) for k in range(2)],
+    ),
+    Delete("new2"),
+    Delete(["new0", "new1"]),
+    Delete("disc3"),
+]
+
+
+def test_whatever_becomes_of_joints_the_grid_stays() -> None:
+    world = World(crowd())
+    world.spawn({"id": "one", "shapes": [{"circle": 0.5}], "position": [30, 30]})  # takes memory for more
+    check(world, 30)
+    pairs = len(proposed(world))
+    for command in CHANGES:
+        world.apply(command)
+        assert world.scratch.grid.cache.info[0].valid == 1
+        check(world, 3)
+    assert world.joint("hinge0").broken
+    assert len(proposed(world)) > pairs  # links meet that were joined
 
 
 def rebuilt(world: World, steps: int) -> list[bool]:

@@ -28,9 +28,9 @@ JOINTED = [name for name in sorted(FILES) if shipped(name).flatten().joints]
 
 def same(joints: Any, bodies: Any, layouts: PartLayouts) -> None:
     """Both ways give the same tables, and what parts share says the same of every part."""
-    (bonds, joined), work = assemble(joints, bodies, layouts, len(bodies))
+    (bonds, first), work = assemble(joints, bodies, layouts, len(bodies))
     expected = naive.assemble(joints, bodies)
-    assert (bonds.tobytes(), joined.tobytes()) == (expected[0].bonds.tobytes(), expected[0].joined.tobytes())
+    assert (bonds.tobytes(), first.tobytes()) == (expected[0].bonds.tobytes(), expected[0].first.tobytes())
     assert (work is None) == (expected[1] is None)
     if work is None:
         return

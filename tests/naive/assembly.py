@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from sandbox.engine.joints.net_lanes import lay_lanes
-from sandbox.engine.joints.pair_filter import JointFilter
+from sandbox.engine.joints.pair_filter import NONE, JointFilter
 from sandbox.engine.joints.part_layout import UPDATES_A_ROW, slots_of
 from sandbox.engine.joints.records import BOND, CONSTRAINT, MEMBER, PART, ROW
 from sandbox.tables import Records
@@ -97,10 +97,11 @@ def assemble(joints: Records, bodies: Records) -> tuple[JointFilter, NaiveWork |
     """
     layout = _Layout(joints, bodies)
     tied, bound = layout.pairs()
-    joined = np.zeros(len(bodies), np.int64)
-    joined[[body for pair in bound for body in pair]] = 1
+    first = np.full(len(bodies), NONE)
+    for k, (low, _) in reversed(list(enumerate(sorted(bound)))):
+        first[low] = k
     work = layout.work(_pair_table(tied)) if layout.holding else None
-    return JointFilter(_pair_table(bound), joined), work
+    return JointFilter(_pair_table(bound), first), work
 
 
 class _Layout:

@@ -33,9 +33,7 @@ _OTHERS = 32
 
 
 @kernel
-def update_pair_cache(
-    colliders: Colliders, bounded: Integers, shapes: int, seconds: float, joint_filter: JointFilter, grid: Grid
-) -> int:
+def update_pair_cache(colliders: Colliders, bounded: Integers, shapes: int, seconds: float, grid: Grid) -> int:
     """Bring the pairs of `grid.cache` up to date for so many shapes, of which some have been `bounded` in this step.
 
     Returns 0, or for how many pairs there has to be room.
@@ -49,9 +47,9 @@ def update_pair_cache(
         if count == 0 and same:
             return 0
         few = _MANY * count <= shapes and _MOVED * info.moved <= shapes and info.others <= _OTHERS
-        if few and _enlarge(colliders, count, shapes, seconds, joint_filter, grid):
+        if few and _enlarge(colliders, count, shapes, seconds, grid):
             return 0
-    return _rebuild(colliders, shapes, seconds, joint_filter, grid)
+    return _rebuild(colliders, shapes, seconds, grid)
 
 
 @kernel
@@ -75,7 +73,7 @@ def _list_outgrown(bounded: Integers, shapes: int, grid: Grid) -> int:
 
 
 @kernel
-def _rebuild(colliders: Colliders, shapes: int, seconds: float, joint_filter: JointFilter, grid: Grid) -> int:
+def _rebuild(colliders: Colliders, shapes: int, seconds: float, grid: Grid) -> int:
     """Build the grid and find all pairs; returns 0, or for how many there has to be room.
 
     Where there is no room for the pairs of fat boxes, they look less far ahead; at last, boxes get no fat.
@@ -100,15 +98,13 @@ def _rebuild(colliders: Colliders, shapes: int, seconds: float, joint_filter: Jo
         look_less_far(cache)
     forget_moved(shapes, grid)
     sort_pairs(grid.cache.pairs, found, grid.cache.spare, grid.counts, shapes)
-    cache.count = _drop_joined(joint_filter, colliders.filters, grid.cache.pairs, found)
+    cache.count = found
     cache.valid = 1
     return 0
 
 
 @kernel
-def _enlarge(
-    colliders: Colliders, enlarged: int, shapes: int, seconds: float, joint_filter: JointFilter, grid: Grid
-) -> bool:
+def _enlarge(colliders: Colliders, enlarged: int, shapes: int, seconds: float, grid: Grid) -> bool:
     """Give the first shapes of `grid.enlarged` new fat boxes and find their pairs anew; False if there is no room for
     them."""
     cache = grid.cache.info[0]
@@ -124,7 +120,7 @@ def _enlarge(
     if count > fresh.shape[0]:
         return False
     sort_pairs(fresh, count, grid.cache.spare, grid.counts, shapes)
-    count = _drop_joined(joint_filter, colliders.filters, fresh, _drop_doubles(fresh, count))
+    count = _drop_doubles(fresh, count)
     kept = _drop_outgrown(grid.cache.pairs, cache.count, grid.outgrown)
     if kept + count > grid.cache.pairs.shape[0]:
         return False
@@ -141,22 +137,6 @@ def _drop_doubles(pairs: Records, count: int) -> int:
     kept = 0
     for n in range(count):
         if kept == 0 or comes_before(pairs[kept - 1], pairs[n].shape_a, pairs[n].shape_b):
-            pairs[kept] = pairs[n]
-            kept += 1
-    return kept
-
-
-@kernel
-def _drop_joined(joint_filter: JointFilter, filters: Records, pairs: Records, count: int) -> int:
-    """Take out of `pairs[:count]` those that both move and are kept from colliding by a joint; return how many are
-    left. The others are looked at in every step, as something immovable may stop what it is joined to."""
-    if joint_filter.bonds.shape[0] == 0:
-        return count
-    kept = 0
-    for n in range(count):
-        a = filters[pairs[n].shape_a]
-        b = filters[pairs[n].shape_b]
-        if a.moves & b.moves & ACTIVE == 0 or not are_joined(joint_filter, a.body, b.body):
             pairs[kept] = pairs[n]
             kept += 1
     return kept
@@ -190,9 +170,9 @@ def _merge(pairs: Records, count: int, fresh: Records, more: int) -> None:
 
 @kernel
 def select_pairs(colliders: Colliders, seconds: float, joint_filter: JointFilter, grid: Grid) -> int:
-    """Write the cached pairs whose boxes overlap in this step to `grid.pairs`; return how many, also those for which
-    there is no room. Marks the shapes that something may stop in a step of so many seconds: what is immovable, or what
-    they run into."""
+    """Write the cached pairs whose boxes overlap in this step to `grid.pairs`, but for those that joints keep from
+    colliding; return how many, also those for which there is no room. Marks the shapes that something may stop in a
+    step of so many seconds: what is immovable, or what they run into."""
     filters = colliders.filters
     proxies = colliders.proxies
     pairs = grid.pairs
@@ -207,16 +187,17 @@ def select_pairs(colliders: Colliders, seconds: float, joint_filter: JointFilter
         pair = overlapping[n]
         a = filters[pair.shape_a]
         b = filters[pair.shape_b]
-        if a.moves & b.moves & ACTIVE == 0:
+        joined = bonds and are_joined(joint_filter, a.body, b.body)
+        if a.moves & b.moves & ACTIVE == 0:  # something immovable may also stop what it is joined to
             a.may_stop = 1
             b.may_stop = 1
-            if bonds and are_joined(joint_filter, a.body, b.body):
-                continue
-        elif meet_hard(proxies[pair.shape_a], proxies[pair.shape_b], seconds):
+        elif not joined and meet_hard(proxies[pair.shape_a], proxies[pair.shape_b], seconds):
             speed_a = proxies[pair.shape_a].speed
             speed_b = proxies[pair.shape_b].speed
             a.may_stop |= speed_b < SLOW_SHARE * speed_a
             b.may_stop |= speed_a < SLOW_SHARE * speed_b
+        if joined:
+            continue
         if count < pairs.shape[0]:
             pairs[count] = pair
         count += 1

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from sandbox.engine.joints.components import components
 from sandbox.engine.joints.elimination import NOBODY, WORLD
-from sandbox.engine.joints.more_parts import with_more_bonds, with_more_parts
-from sandbox.engine.joints.pair_filter import JointFilter
+from sandbox.engine.joints.more_parts import with_more_pairs, with_more_parts
+from sandbox.engine.joints.pair_filter import NONE, JointFilter, note_first
 from sandbox.engine.joints.part_layout import PartLayouts
 from sandbox.engine.joints.part_tables import Parts, joint_work
 from sandbox.engine.joints.records import BOND, JointWork
@@ -38,7 +38,8 @@ def assemble(joints: Records, bodies: Records, layouts: PartLayouts, room: int) 
     bodies there is to be memory.
     """
     held = np.flatnonzero(holding(joints))
-    return _assembled(joints, bodies, layouts, room, (held, _sides(joints, held)))
+    bonds, work = _assembled(joints, bodies, layouts, room, (held, _sides(joints, held)))
+    return note_first(JointFilter(bonds, np.full(room, NONE))), work
 
 
 def assemble_more(
@@ -52,15 +53,11 @@ def assemble_more(
     held = first + np.flatnonzero(holding(joints)[first:])
     sides = _sides(joints, held)
     seen = sides[sides > WORLD]
-    apart = joint_filter.joined[seen] == 0
-    if work is not None:
-        apart &= work.part_of[seen] < 0
-    if not (apart.all() and movable(bodies)[seen].all()):
+    if not movable(bodies, seen).all() or (work is not None and (work.part_of[seen] >= 0).any()):
         return None
-    room = len(joint_filter.joined)
-    more_filter, more = _assembled(joints, bodies, layouts, room, (held, sides), others=work is not None)
-    joint_filter.joined[seen] |= more_filter.joined[seen]
-    joint_filter = JointFilter(with_more_bonds(joint_filter.bonds, more_filter.bonds), joint_filter.joined)
+    room = len(joint_filter.first)
+    bonds, more = _assembled(joints, bodies, layouts, room, (held, sides), others=work is not None)
+    joint_filter = with_more_pairs(joint_filter, bonds)
     if work is not None:
         return joint_filter, work._replace(joints=joints) if more is None else with_more_parts(work, more, joints)
     return joint_filter, more
@@ -73,18 +70,17 @@ def _assembled(
     room: int,
     holding: tuple[Integers, Integers],
     others: bool = False,
-) -> tuple[JointFilter, JointWork | None]:
-    """What `assemble` says of some joints that hold, given with the bodies on their sides."""
+) -> tuple[Records, JointWork | None]:
+    """The bonds and the memory of some joints that hold, given with the bodies on their sides."""
     held, sides = holding
     gear, collide = joints.kind[held] == kinds.GEAR, joints.collide[held] != 0
-    bound = _bonds(sides[~gear & ~collide], len(bodies))
-    joined = np.zeros(room, np.int64)
-    joined[bound.low] = joined[bound.high] = 1
+    bonds = _bonds(sides[~gear & ~collide], len(bodies))
     if not len(held):
-        return JointFilter(bound, joined), None
-    moves = np.append(movable(bodies), [False, False])  # nobody and the world are the last rows
-    parts = _parts(held, sides, moves[sides])
-    return JointFilter(bound, joined), joint_work(joints, parts, _bonds(sides, len(bodies)), room, layouts, others)
+        return bonds, None
+    moves = sides > WORLD
+    moves[moves] = movable(bodies, sides[moves])
+    parts = _parts(held, sides, moves)
+    return bonds, joint_work(joints, parts, _bonds(sides, len(bodies)), room, layouts, others)
 
 
 def _sides(joints: Records, held: Integers) -> Integers:

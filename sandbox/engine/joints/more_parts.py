@@ -8,6 +8,7 @@ import numpy as np
 
 from sandbox.engine.joints.direct.tables import with_room
 from sandbox.engine.joints.net_lanes import NetLanes, lanes_for
+from sandbox.engine.joints.pair_filter import JointFilter, note_first
 from sandbox.engine.joints.records import JointWork
 from sandbox.tables import Integers, Records, extended, longer, plain
 
@@ -57,6 +58,14 @@ def with_more_parts(work: JointWork, more: JointWork, joints: Records) -> JointW
             work.direct,
         ),
     )
+
+
+def with_more_pairs(joint_filter: JointFilter, more: Records) -> JointFilter:
+    """The pairs that are kept from colliding and others that come, of bodies that had none."""
+    known = joint_filter.bonds
+    bonds = with_more_bonds(known, more)
+    come_last = len(known) == 0 or len(more) == 0 or plain(known)["low"][-1] < plain(more)["low"][0]
+    return note_first(JointFilter(bonds, joint_filter.first), len(known) if come_last else 0)
 
 
 def with_more_bonds(bonds: Records, more: Records) -> Records:

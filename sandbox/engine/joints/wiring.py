@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
-from sandbox.tables import Records, plain
+from sandbox.tables import Integers, Records, plain
 from sandbox.world.joint_records import JOINT
 
 _WHOLE = [k for k, field in enumerate(JOINT.fields) if field.kind == "i8"]
@@ -18,8 +19,8 @@ def wiring(joints: Records, bodies: Records) -> bytes:
     return own.tobytes() + movable(bodies).tobytes()
 
 
-def movable(bodies: Records) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
-    """Which bodies joints can move: those with a mass, unless bad numbers froze them."""
-    rows = plain(bodies)
-    flags: np.ndarray[tuple[int], np.dtype[np.bool_]] = (rows["mass"] > 0.0) & (rows["frozen_step"] < 0)
+def movable(bodies: Records, rows: Integers | slice = slice(None)) -> NDArray[np.bool_]:
+    """Which bodies of some rows joints can move: those with a mass, unless bad numbers froze them."""
+    table = plain(bodies)
+    flags: NDArray[np.bool_] = (table["mass"][rows] > 0.0) & (table["frozen_step"][rows] < 0)
     return flags
