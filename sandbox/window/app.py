@@ -83,6 +83,7 @@ class App:
                 drawn, last = drawn + screen.counts, screen
         if self.options.screenshot is not None and last is not None:
             self._draw(last)  # once more: what is behind a shown picture is undefined
+            self._fill()
             self.canvas.display.save(self.options.screenshot)
 
     def _act(self, screen: Screen) -> bool:
@@ -103,11 +104,15 @@ class App:
     def _save_shots(self, screen: Screen) -> None:
         """The pictures that script and user ask for, before this one is shown: then it is undefined what is there."""
         while self._script is not None and self._script.shots:
+            self._fill()
             self.canvas.display.save(self._script.shots.pop(0))
         if self._script is not None and self._script.reel is not None:
+            if self._script.reel.due:
+                self._fill()
             self._script.reel.see(self.canvas.display)
         if not isinstance(screen, PlayScreen) or not screen.workspace.shots:
             return
+        self._fill()
         with screen.workspace.attempt("no picture saved", OSError):
             path = screen.workspace.shots.pop(0)
             self.canvas.display.save(path)
@@ -142,12 +147,19 @@ class App:
     def _draw(self, screen: Screen) -> None:
         if isinstance(screen, PlayScreen):
             screen.workspace.fps = self._clock.get_fps()
-        self.canvas.display.begin()
+        self.canvas.display.begin(fill=self.canvas.display.watched)
         self.canvas.gui.begin(self.canvas.display.size)
         screen.draw(self.canvas)
         if self._offered and screen.counts:
             self._offer(self._offered[0])
         self.canvas.gui.end()
+
+    def _fill(self) -> None:
+        """Fill in the pixels of the picture that has been drawn, as it is to be read."""
+        if not self.canvas.display.filled:
+            self.canvas.display.begin()
+            self.canvas.paint_again()
+            self.canvas.gui.draw_again()
 
     def _offer(self, leftover: Leftover) -> None:
         """Ask whether to go on with a session that ended without a goodbye."""

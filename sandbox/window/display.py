@@ -41,6 +41,11 @@ class Display:
             _open(size or first_size(self.screen, self.suited_scale), visible)
             pygame.display.set_caption(title)
             self.context = _context()
+            self.watched = visible or self.driver != "offscreen"
+            """Whether somebody may look at the window."""
+            self.filled = True
+            """Whether the pixels of the picture under way are filled in."""
+            self._shown: Size = (0, 0)
         except Exception as error:  # pygame, moderngl and the driver each have their own
             pygame.display.quit()
             raise no_window(error) from error
@@ -65,14 +70,20 @@ class Display:
         """Set the text of the title bar."""
         pygame.display.set_caption(text)
 
-    def begin(self) -> None:
-        """Start a picture: all of the window is drawn on."""
+    def begin(self, fill: bool = True) -> None:
+        """Start a picture: all of the window is drawn on. Without `fill` no pixel is filled in, which takes most of the
+        time where there is no graphics card."""
         self.context.screen.use()
         self.context.viewport = (0, 0, *self.size)
+        self.filled = fill
+        (self.context.disable if fill else self.context.enable)(moderngl.RASTERIZER_DISCARD)
 
     def show(self) -> None:
-        """Put the finished picture on screen."""
-        pygame.display.flip()
+        """Put the finished picture on screen, if there is one. What is drawn on takes the window's size by that."""
+        if self.filled or self._shown != self.size:
+            pygame.display.flip()
+            self._shown = self.size
+        self.context.disable(moderngl.RASTERIZER_DISCARD)
 
     def save(self, path: Path) -> None:
         """Write what was drawn last, before `show`, as a PNG file."""

@@ -66,6 +66,10 @@ class Gui:
     def end(self) -> None:
         """Draw the frame into the current framebuffer."""
         imgui.render()
+        self.draw_again()
+
+    def draw_again(self) -> None:
+        """Draw the last frame into the current framebuffer."""
         self._renderer.render(imgui.get_draw_data())
 
     def close(self) -> None:

@@ -23,9 +23,14 @@ class Reel:
         self._pictures: list[Any] = []
         self._seen = 0
 
+    @property
+    def due(self) -> bool:
+        """Whether the next picture is one of the film."""
+        return self._seen % EVERY == 0
+
     def see(self, display: Display) -> None:
         """A picture has been drawn, and is not shown yet."""
-        if self._seen % EVERY == 0:
+        if self.due:
             self._pictures.append(display.picture())
         self._seen += 1
 

@@ -37,24 +37,29 @@ class Canvas:
 
     def clear(self) -> None:
         """An empty picture."""
+        self._last = None
         self.display.context.clear(*self.theme.background)
 
     def paint(self, picture: DrawList, rect: tuple[int, int, int, int]) -> None:
         """Draw a picture into a part of the window: left, top, width, height in pixels. The rest is left empty.
 
-        The same picture as the last time is not drawn again: it was kept.
+        The same picture as the last time is not drawn again: it was kept. What is not to be filled in only waits for
+        `paint_again`.
         """
+        self._last = picture, rect
+        if not self.display.filled:
+            return
         size = self.display.size
         if self._kept is None or self._kept.size != size:
             self._kept = KeptPicture(self.display.context, size, self._kept)
-        self._last = picture, rect
         self._kept.show(picture, rect, self.display.begin, lambda: self._draw(picture, rect))
 
     def paint_again(self) -> None:
-        """The last picture of a scene once more, with nothing around it."""
+        """The picture of the scene that is shown once more, with nothing around it."""
+        last = self._last
         self.clear()
-        if self._last is not None:
-            self.paint(*self._last)
+        if last is not None:
+            self.paint(*last)
 
     def _draw(self, picture: DrawList, rect: tuple[int, int, int, int]) -> None:
         context, height = self.display.context, self.display.size[1]

@@ -22,6 +22,7 @@ def display() -> Iterator[object]:
         from tests.window.resizing import LARGEST, window_of
 
         opened = Display(LARGEST, "test", visible=False)
+        opened.watched = False  # of most pictures nobody reads a pixel
     except MissingDependencyError as error:
         pytest.skip(f"no window can be opened here: {error}")
     with opened, window_of(SIZE):

@@ -83,6 +83,7 @@ def test_pictures_go_on_while_an_act_waits_for_the_compiler(
 def test_the_box_stands_over_the_scene_and_the_panels_come_back(
     canvas: Canvas, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setattr(canvas.display, "watched", True)  # what stays is kept, and shown again to the last bit
     size = canvas.display.size
     seen: list[Any] = []
 
