@@ -14,6 +14,7 @@ from sandbox.render.camera import Vec
 from sandbox.render.theme import LIGHT
 from sandbox.window.actions.registry import BY_NAME
 from sandbox.window.compare import OWNER, begin_comparison, open_panel
+from sandbox.window.display import Display
 from sandbox.window.gallery import Gallery
 from sandbox.window.journal import Journal, ended_sessions
 from sandbox.window.leftover import Leftover, leftovers, read_session
@@ -83,8 +84,7 @@ class App:
                 drawn, last = drawn + screen.counts, screen
         if self.options.screenshot is not None and last is not None:
             self._draw(last)  # once more: what is behind a shown picture is undefined
-            self._fill()
-            self.canvas.display.save(self.options.screenshot)
+            self._filled().save(self.options.screenshot)
 
     def _act(self, screen: Screen) -> bool:
         """Let the script do what comes next; False once it is over."""
@@ -104,18 +104,15 @@ class App:
     def _save_shots(self, screen: Screen) -> None:
         """The pictures that script and user ask for, before this one is shown: then it is undefined what is there."""
         while self._script is not None and self._script.shots:
-            self._fill()
-            self.canvas.display.save(self._script.shots.pop(0))
+            self._filled().save(self._script.shots.pop(0))
         if self._script is not None and self._script.reel is not None:
-            if self._script.reel.due:
-                self._fill()
-            self._script.reel.see(self.canvas.display)
+            reel = self._script.reel
+            reel.see(self._filled() if reel.due else self.canvas.display)
         if not isinstance(screen, PlayScreen) or not screen.workspace.shots:
             return
-        self._fill()
         with screen.workspace.attempt("no picture saved", OSError):
             path = screen.workspace.shots.pop(0)
-            self.canvas.display.save(path)
+            self._filled().save(path)
             screen.workspace.say(f"saved {path.name}")
 
     def _update(self, screen: Screen, elapsed: float) -> Screen | None:
@@ -154,12 +151,13 @@ class App:
             self._offer(self._offered[0])
         self.canvas.gui.end()
 
-    def _fill(self) -> None:
-        """Fill in the pixels of the picture that has been drawn, as it is to be read."""
+    def _filled(self) -> Display:
+        """The window with the pixels of the picture that has been drawn, which is to be read."""
         if not self.canvas.display.filled:
             self.canvas.display.begin()
             self.canvas.paint_again()
             self.canvas.gui.draw_again()
+        return self.canvas.display
 
     def _offer(self, leftover: Leftover) -> None:
         """Ask whether to go on with a session that ended without a goodbye."""

@@ -61,7 +61,7 @@ def wait_for(work: Callable[[], None], canvas: Canvas) -> None:
 
 def _show_until_done(job: Job[None], canvas: Canvas) -> None:
     """Pictures by a context of their own: the panels may be in the middle of theirs."""
-    ours = imgui.get_current_context()
+    ours, fill = imgui.get_current_context(), canvas.display.filled
     gui = Gui(canvas.display.driver)
     begun, kept = time.perf_counter(), []
     try:
@@ -71,7 +71,7 @@ def _show_until_done(job: Job[None], canvas: Canvas) -> None:
     finally:
         gui.close()
         imgui.set_current_context(ours)
-        canvas.display.begin()
+        canvas.display.begin(fill)
         for event in kept:
             pygame.event.post(event)
 

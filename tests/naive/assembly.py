@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from sandbox.engine.joints.net_lanes import lay_lanes
-from sandbox.engine.joints.pair_filter import NONE, JointFilter
+from sandbox.engine.joints.pair_filter import NO_BOND, JointFilter
 from sandbox.engine.joints.part_layout import UPDATES_A_ROW, slots_of
 from sandbox.engine.joints.records import BOND, CONSTRAINT, MEMBER, PART, ROW
 from sandbox.tables import Records
@@ -97,7 +97,7 @@ def assemble(joints: Records, bodies: Records) -> tuple[JointFilter, NaiveWork |
     """
     layout = _Layout(joints, bodies)
     tied, bound = layout.pairs()
-    first = np.full(len(bodies), NONE)
+    first = np.full(len(bodies), NO_BOND)
     for k, (low, _) in reversed(list(enumerate(sorted(bound)))):
         first[low] = k
     work = layout.work(_pair_table(tied)) if layout.holding else None

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from sandbox.engine.joints.components import components
 from sandbox.engine.joints.elimination import NOBODY, WORLD
 from sandbox.engine.joints.more_parts import with_more_pairs, with_more_parts
-from sandbox.engine.joints.pair_filter import NONE, JointFilter, note_first
+from sandbox.engine.joints.pair_filter import NO_BOND, JointFilter, note_first
 from sandbox.engine.joints.part_layout import PartLayouts
 from sandbox.engine.joints.part_tables import Parts, joint_work
 from sandbox.engine.joints.records import BOND, JointWork
@@ -39,7 +39,7 @@ def assemble(joints: Records, bodies: Records, layouts: PartLayouts, room: int) 
     """
     held = np.flatnonzero(holding(joints))
     bonds, work = _assembled(joints, bodies, layouts, room, (held, _sides(joints, held)))
-    return note_first(JointFilter(bonds, np.full(room, NONE))), work
+    return note_first(JointFilter(bonds, np.full(room, NO_BOND))), work
 
 
 def assemble_more(

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from sandbox.engine.joints.direct.tables import with_room
 from sandbox.engine.joints.more_parts import ENDS, MEMBERS
 from sandbox.engine.joints.net_lanes import NetLanes, lanes_for
-from sandbox.engine.joints.pair_filter import NONE, JointFilter, note_first
+from sandbox.engine.joints.pair_filter import NO_BOND, JointFilter, note_first
 from sandbox.engine.joints.part_layout import PartLayouts
 from sandbox.engine.joints.records import JointWork
 from sandbox.tables import Integers, Records, plain, without
@@ -47,7 +47,7 @@ def without_parts(
     members["body"] = moved.bodies[members["body"]]
     fixed = work.direct.fixed
     fixed[fixed >= 0] = moved.bodies[fixed[fixed >= 0]]
-    part_of, first = np.full(len(work.part_of), -1), np.full(len(joint_filter.first), NONE)
+    part_of, first = np.full(len(work.part_of), -1), np.full(len(joint_filter.first), NO_BOND)
     part_of[members["body"]] = members["part"]
     return note_first(JointFilter(bonds, first)), work._replace(joints=joints, ties=ties, part_of=part_of)
 

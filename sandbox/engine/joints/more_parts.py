@@ -62,10 +62,11 @@ def with_more_parts(work: JointWork, more: JointWork, joints: Records) -> JointW
 
 def with_more_pairs(joint_filter: JointFilter, more: Records) -> JointFilter:
     """The pairs that are kept from colliding and others that come, of bodies that had none."""
+    if not len(more):
+        return joint_filter
     known = joint_filter.bonds
-    bonds = with_more_bonds(known, more)
-    come_last = len(known) == 0 or len(more) == 0 or plain(known)["low"][-1] < plain(more)["low"][0]
-    return note_first(JointFilter(bonds, joint_filter.first), len(known) if come_last else 0)
+    start = int(np.searchsorted(plain(known)["low"], plain(more)["low"][0]))
+    return note_first(JointFilter(with_more_bonds(known, more), joint_filter.first), start)
 
 
 def with_more_bonds(bonds: Records, more: Records) -> Records:

@@ -9,12 +9,12 @@ import numpy as np
 from sandbox._jit import kernel
 from sandbox.tables import Integers, Records, plain
 
-NONE = -1
+NO_BOND = -1
 
 
 class JointFilter(NamedTuple):
     """The pairs of bodies that joints keep from colliding, sorted by (low, high body), and for each body the first one
-    of which it is the low one, or `NONE`."""
+    of which it is the low one, or `NO_BOND`."""
 
     bonds: Records
     first: Integers
@@ -23,7 +23,7 @@ class JointFilter(NamedTuple):
 def note_first(joint_filter: JointFilter, start: int = 0) -> JointFilter:
     """Note which bonds from row `start` on are the first ones of bodies; none of these is the low one of others."""
     low = plain(joint_filter.bonds)["low"][start:]
-    begins = np.flatnonzero(np.diff(low, prepend=NONE))
+    begins = np.flatnonzero(np.diff(low, prepend=NO_BOND))
     joint_filter.first[low[begins]] = start + begins
     return joint_filter
 
@@ -35,7 +35,7 @@ def are_joined(joint_filter: JointFilter, a: int, b: int) -> bool:
     low = a if a < b else b
     high = b if a < b else a
     k = joint_filter.first[low]
-    if k == NONE:
+    if k == NO_BOND:
         return False
     end = bonds.shape[0]
     stride = 1  # most bodies have few, some thousands

@@ -9,7 +9,7 @@ import numpy as np
 from sandbox.engine.active.pile_stability import PILE
 from sandbox.engine.fields.records import Fields, has_fields
 from sandbox.engine.joints.assembly import assemble
-from sandbox.engine.joints.pair_filter import NONE, JointFilter
+from sandbox.engine.joints.pair_filter import NO_BOND, JointFilter
 from sandbox.engine.joints.part_layout import PartLayouts
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.memory.bundles import (
@@ -128,7 +128,7 @@ class Scratch:
     def make_room_for_joints(self) -> None:
         """Let the joint solver know as many bodies as there is room for."""
         lacking = self.room.bodies - len(self.joint_filter.first)
-        first = np.append(self.joint_filter.first, np.full(lacking, NONE))
+        first = np.append(self.joint_filter.first, np.full(lacking, NO_BOND))
         self.joint_filter = self.joint_filter._replace(first=first)
         if self.joints is not None:
             part_of = np.append(self.joints.part_of, np.full(lacking, -1))
