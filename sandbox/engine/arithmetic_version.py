@@ -69,6 +69,9 @@ NOTES: dict[int, str] = {
     33: "what follows a body that runs into something slow is looked at as if that body were stopped within the "
     "step, as what follows one near something immovable was, so that rows which fall one after the other no "
     "longer overlap deeply",
+    34: "impacts with restitution strike as they come about, first in, first out, no longer in the order of contacts, "
+    "so that a row of balls passes them on however long it is and whichever end is its first; a contact strikes 16 "
+    "times before its group strikes together, no longer in 32 sweeps",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

@@ -29,6 +29,7 @@ from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.state import StateTables
 from sandbox.engine.records.workers import FROZEN, NUMBERS, Workers
 from sandbox.engine.restitution.impacts import ImpactList, list_impact_contacts
+from sandbox.engine.restitution.worklist import link_contacts
 from sandbox.engine.substeps import Pass, run_substeps
 from sandbox.engine.workers.parallel_for import first_part, next_part
 from sandbox.engine.workers.task_kinds import IMPACT_SPEED, IMPACTS, LEVEL, SOLVE_ISLANDS, UNSETTLED
@@ -167,6 +168,7 @@ def solve_batches(
         rows: Any = batches.impacts[start:stop]
         slots: Any = batches.impact_slots[start:stop]
         impacts = ImpactList(rows, slots, stop - start, threshold)
+        link_contacts(bodies, slots, stop - start, solver)
         ranges = fill_blocks(solver.colors, own, batch)
         criteria = ImpactCriteria(share.impacts, ranges.struck, share.impact_speed)
         prepare_contacts(bodies, contacts.now, own, ranges.total, team, spring, criteria)

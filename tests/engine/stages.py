@@ -34,7 +34,7 @@ from sandbox.engine.narrow_phase import speculative
 from sandbox.engine.records.colliders import FILTER, GRID_BOX, GRID_INFO, PAIR
 from sandbox.engine.records.contact_blocks import BlockRanges, SoftContact
 from sandbox.engine.records.state import StateTables
-from sandbox.engine.restitution import impacts
+from sandbox.engine.restitution import impacts, worklist
 from sandbox.engine.restitution.impacts import ImpactList
 from sandbox.engine.world import World
 from sandbox.tables import Integers, Records
@@ -94,6 +94,7 @@ prepare_setting = stage(prepare_forces)
 integrate_velocities = stage(integrate.integrate_velocities)
 integrate_positions = stage(positions.integrate_positions)
 list_bodies = stage(nesterov.list_bodies)
+link_contacts = stage(worklist.link_contacts)
 resolve_impacts = stage(impacts.resolve_impacts)
 list_impact_contacts = stage(impacts.list_impact_contacts)
 solve_mouse_joints = stage(mouse_joint.solve_mouse_joints)
@@ -259,6 +260,7 @@ class Paused:
         count = list_impact_contacts(self.state.bodies, m.solver, m.contacts, 0, 1e9, 0.2, slots)
         for row, slot in zip(rows[:count], slots[:count], strict=True):
             row.contact, row.body_a, row.body_b = slot.contact, slot.body_a, slot.body_b
+        link_contacts(self.state.bodies, slots, count, m.solver)
         resolve_impacts(self.state.bodies, m.solver, m.contacts.now, ImpactList(rows, slots, count, 0.2), self.substep)
 
     def moved(self) -> list[int]:

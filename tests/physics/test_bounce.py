@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import random
 
 import pytest
 
@@ -139,6 +140,43 @@ def test_newtons_cradle_without_strings(incoming, gap):
     w.step(120)
     speeds = sorted(w.bodies.velocity[:, 0])
     assert speeds == pytest.approx([0.0] * (5 - incoming) + [3.0] * incoming, abs=1e-6)
+
+
+@pytest.mark.parametrize("order", ["as they lie", "reversed", "shuffled"])
+@pytest.mark.parametrize("count", [40, 150])
+def test_a_long_row_passes_an_impact_on_in_any_order_of_its_balls(count, order):
+    """Whichever is written down first, and so has the first contact."""
+    ball = circle(0.5, restitution=1.0, friction=0.0)
+    bodies = [body("in", ball, position=(-2.5, 0.0), velocity=(2.0, 0.0))]
+    bodies += [body(f"{i}", ball, position=(float(i), 0.0)) for i in range(count)]
+    if order == "reversed":
+        bodies.reverse()
+    elif order == "shuffled":
+        random.Random(count).shuffle(bodies)
+    w = world(*bodies, gravity=(0.0, 0.0))
+    w.step(120)
+    assert w.body(f"{count - 1}").velocity[0] == pytest.approx(2.0, abs=1e-9)
+    assert sorted(w.bodies.velocity[:, 0])[:-1] == pytest.approx([0.0] * count, abs=1e-9)
+
+
+@pytest.mark.parametrize("mass", [1.0, 3.0, 10.0, 30.0, 100.0])
+def test_a_heavy_ball_pushes_a_light_one_against_a_wall_as_often_as_billiards_do(mass):
+    """G. Galperin, Playing pool with pi (2003): with 100 times the mass they collide 31 times in all."""
+    ball = circle(0.5, friction=0.0, restitution=1.0)
+    wall = ground(restitution=1.0, friction=0.0)
+    light = body("light", ball, position=(0.0, 0.5), mass=1.0)
+    heavy = body("heavy", ball, position=(0.0, 2.5), velocity=(0.0, -5.0), mass=mass)
+    w = world(wall, light, heavy, gravity=(0.0, 0.0))
+    w.step(60)
+    fast, slow = 0.0, -5.0  # of the light one and the heavy one
+    while slow < fast or fast < 0.0:
+        if slow < fast:
+            change = 2.0 * (fast - slow) / (1.0 + mass)
+            fast, slow = fast - change * mass, slow + change
+        else:
+            fast = -fast
+    assert w.body("heavy").velocity[1] == pytest.approx(slow, rel=1e-9)
+    assert w.body("light").velocity[1] == pytest.approx(fast, abs=1e-8)
 
 
 def test_a_polygon_bounces_without_gaining_energy():

@@ -121,7 +121,10 @@ def sort_impacts(slots: Records, length: int, of_body: Integers, batches: Batche
         slot = slots[k]
         n = batch_of(slot, of_body) if count > 1 else 0
         first[n] -= 1
-        batches.impact_slots[first[n]] = slot
+        listed = batches.impact_slots[first[n]]
+        listed.contact = slot.contact
+        listed.body_a = slot.body_a
+        listed.body_b = slot.body_b
         impact = batches.impacts[first[n]]
         impact.contact = slot.contact
         impact.body_a = slot.body_a

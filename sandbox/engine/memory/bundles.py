@@ -13,7 +13,7 @@ from sandbox.engine.contact_solver.blocks import ALL_COLORS, BLOCK_SIZE, MAX_COL
 from sandbox.engine.contact_solver.further_colors import MOST_WORDS
 from sandbox.engine.memory.limit import FAT_PAIRS, most_batches, most_blocks
 from sandbox.engine.records.active_set import ActiveSet
-from sandbox.engine.records.batches import BLOCKS, IMPACT, SIZE, STRUCK_BODY, Batches
+from sandbox.engine.records.batches import BLOCKS, IMPACT, IMPACT_SLOT, SIZE, STRUCK_BODY, Batches
 from sandbox.engine.records.bodies import (
     BEFORE_IMPACTS,
     BODY_FORCES,
@@ -174,7 +174,7 @@ def batch_memory(bodies: int, pairs: int, workers: int) -> Batches:
         struck=STRUCK_BODY.zeros(bodies),
         first_body=np.zeros(batches + 1, np.int64),
         impacts=IMPACT.zeros(pairs),
-        impact_slots=SLOT.zeros(pairs),
+        impact_slots=IMPACT_SLOT.zeros(pairs),
         first_impact=np.zeros(batches + 1, np.int64),
         blocks=BLOCK.zeros(blocks),
         lanes=aligned_zeros(blocks * BLOCK_SIZE, np.float64),

@@ -6,7 +6,7 @@ Bodies in one place make as many pairs as the square of their number: asked for 
 from __future__ import annotations
 
 from sandbox.engine.contact_solver.blocks import ALL_COLORS, BLOCK_SIZE, LANES
-from sandbox.engine.records.batches import IMPACT, SIZE
+from sandbox.engine.records.batches import IMPACT, IMPACT_SLOT, SIZE
 from sandbox.engine.records.colliders import PAIR
 from sandbox.engine.records.contact_blocks import BLOCK
 from sandbox.engine.records.contacts import REPORT, SLEEPING_RUN, SLOT
@@ -23,7 +23,7 @@ FAT_PAIRS = 2
 _PAIR_BYTES = 3 * _WORD + 2 * FAT_PAIRS * PAIR.dtype.itemsize + sum(
     table.dtype.itemsize
     for table in (
-        CONTACT, CONTACT, PAIR, SLEEPING_RUN, SLEEPING_RUN, SLEEPING_RUN, REPORT, SLOT, SLOT, SLOT, SLOT, IMPACT,
+        CONTACT, CONTACT, PAIR, SLEEPING_RUN, SLEEPING_RUN, SLEEPING_RUN, REPORT, SLOT, SLOT, SLOT, IMPACT, IMPACT_SLOT,
     )
 )  # fmt: skip
 _BLOCK_BYTES = BLOCK.dtype.itemsize + _WORD * BLOCK_SIZE

@@ -43,13 +43,29 @@ IMPACT = Table(
 """Contacts with restitution that may have an impact, as they come, and what those have that strike together."""
 
 
+IMPACT_SLOT = Table(
+    "impact_slot",
+    (
+        Field("contact", "-", "row in the contact table", "i4"),
+        Field("body_a", "-", "", "i4"),
+        Field("body_b", "-", "", "i4"),
+        Field("next_a", "-", "the next contact of body a in the list; -1: none", "i4"),
+        Field("next_b", "-", "the same of body b", "i4"),
+        Field("following", "-", "the next one in the worklist; -1: none, -2: it is not in it", "i4"),
+        Field("strikes", "-", "how often it has struck in the substep", "i4"),
+        Field("spare", "-", "no row lies in two cache lines", "i4"),
+    ),
+)
+"""The same contacts for those who look for some of them, see `restitution/worklist.py`."""
+
+
 class Batches(NamedTuple):
     """The batches that the islands of a substep level fall into, see `active.island_batches`.
 
     `size[0]` is how many bodies and contacts one has at most. `bodies` has the bodies of batch n from `first_body[n]`
     to before `first_body[n + 1]`; `struck` has as many rows for each, filled by those that take part in an inelastic
     impact. `impacts` has the contacts that may have an impact, by `first_impact`, and `impact_slots` the same as
-    `SLOT` rows, for those who only look for some. `blocks`, `lanes` and `starts` are what `ContactBlocks` has, for each
+    `IMPACT_SLOT` rows. `blocks`, `lanes` and `starts` are what `ContactBlocks` has, for each
     worker but the first.
     """
 

@@ -12,8 +12,8 @@ from sandbox.engine.records.bodies import SolverBodies
 from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC
 
-NOT_STRUCK = -1
-"""`solver.struck` of a body that no impact of the substep has changed."""
+NOT_STRUCK, STRUCK = -1, 0
+"""`solver.struck` of a body before and after the first impact of the substep, until groups are formed."""
 ALONE = -1
 """`group` of an impact that has not struck."""
 STRIKES = 0
@@ -29,6 +29,7 @@ def note_first_strike(bodies: Records, solver: SolverBodies, contact: Records, s
     slot.impulse = contact.impact_impulse
     for i in (contact.body_a, contact.body_b):
         if bodies[i].type == DYNAMIC and solver.struck[i] == NOT_STRUCK:
+            solver.struck[i] = STRUCK
             _copy_velocities(solver.free_motions[i], solver.before_impacts[i])
 
 

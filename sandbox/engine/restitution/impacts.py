@@ -1,11 +1,11 @@
 """Stage: impacts. Those that fall into a substep are resolved before the solver makes them inelastic.
 
 Those without restitution are stopped all at once, afterwards (`inelastic.py`).
-Contacts strike one after the other until none closes faster than the threshold, so that an impact runs through a row
-of balls as it does through Newton's cradle. Where that does not end, as a light body rattles between heavy ones, those
-that have struck strike together instead (`simultaneous.py`). The two points of a manifold always do, so that a flat
-box leaves flat. The rebound speed comes from the energy at the surface, not at the place where the step happens to
-catch the body, so that a bounce neither gains nor loses height.
+Contacts strike one after the other until none closes faster than the threshold (`worklist.py`), so that an impact runs
+through a row of balls as it does through Newton's cradle. Where that does not end, as a light body rattles between
+heavy ones, those that have struck strike together instead (`simultaneous.py`). The two points of a manifold always do,
+so that a flat box leaves flat. The rebound speed comes from the energy at the surface, not at the place where the step
+happens to catch the body, so that a bounce neither gains nor loses height.
 """
 
 from __future__ import annotations
@@ -20,23 +20,25 @@ from sandbox.engine.contact_solver.law import anchors_of, separation_of, start_v
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.restitution.elastic import strike_elastic
-from sandbox.engine.restitution.groups import ALONE, form_groups, note_first_strike, starts_group
+from sandbox.engine.restitution.groups import ALONE, NOT_STRUCK, form_groups, note_first_strike, starts_group
 from sandbox.engine.restitution.impulses import free_velocity
 from sandbox.engine.restitution.simultaneous import strike_group
-from sandbox.tables import Integers, Records
+from sandbox.engine.restitution.worklist import END, add_all, add_contacts, take_first
+from sandbox.tables import Records
 from sandbox.world.records import DYNAMIC
 
 _MOST_WORK = 15_000
 """Passes times contacts of those that strike together in a substep: what is left goes to the contact solver."""
-_SWEEPS = 32
-"""In which contacts strike one by one: what goes on longer rattles between heavy bodies, and strikes together."""
+_STRIKES = 16
+"""Of a contact one by one, as many as a ball of 100 times the mass needs on a light one at a wall: what goes on longer
+rattles, and strikes together."""
 _ROUNDS = 32
 """In which groups strike together: most end with the first few."""
 
 
 class ImpactList(NamedTuple):
-    """The contacts that may have an impact in a step: `rows[:length]`, as `IMPACT`, and as `SLOT` in `slots`; and the
-    speed (m/s) below which none does."""
+    """The contacts that may have an impact in a step: `rows[:length]`, as `IMPACT`, and in `slots`, as `IMPACT_SLOT`;
+    and the speed (m/s) below which none does."""
 
     rows: Records
     slots: Records
@@ -105,30 +107,27 @@ def _strike_singly(
 ) -> bool:
     """Strike contacts one after the other; return whether that came to an end.
 
-    A contact is looked at again only if one of its bodies has been struck since: otherwise it would give the same
-    answer. Those that have struck have a `group` afterwards.
+    Those that have struck have a `group` afterwards.
     """
     slots = impacts.slots
-    length = impacts.length
-    struck_at = solver.struck
-    for k in range(length):
+    before = solver.before_impacts
+    for k in range(impacts.length):
         impacts.rows[k].group = ALONE
-        struck_at[slots[k].body_a] = struck_at[slots[k].body_b] = -1
-    look = 0
-    for _sweep in range(_SWEEPS):
-        struck = False
-        for k in range(length):
-            a = slots[k].body_a
-            b = slots[k].body_b
-            before = look - length  # when this contact was looked at in the sweep before
-            again = struck_at[a] >= before or struck_at[b] >= before
-            if again and _strike(bodies, solver, contacts, slots[k], impacts.rows[k], impacts.threshold, seconds):
-                _note_strike(bodies[a], bodies[b], slots[k], look, struck_at)
-                struck = True
-            look += 1
-        if not struck:
-            return True
-    return False
+        solver.struck[slots[k].body_a] = solver.struck[slots[k].body_b] = NOT_STRUCK
+    ended = True
+    first, last = add_all(slots, impacts.length)
+    while first != END:
+        k = first
+        slot = slots[k]
+        first, last = take_first(slots, first, last)
+        if slot.strikes == _STRIKES:
+            ended = False
+        elif _strike(bodies, solver, contacts, slot, impacts.rows[k], impacts.threshold, seconds):
+            slot.strikes += 1
+            for i in (slot.body_a, slot.body_b):
+                if bodies[i].type == DYNAMIC:
+                    first, last = add_contacts(slots, i, before[i].first_contact, first, last)
+    return ended
 
 
 @kernel
@@ -145,15 +144,6 @@ def _add_closing(bodies: Records, solver: SolverBodies, contacts: Records, impac
             note_first_strike(bodies, solver, contact, impacts.rows[k])
             found = True
     return found
-
-
-@kernel
-def _note_strike(a: Records, b: Records, slot: Records, look: int, struck_at: Integers) -> None:
-    """Note which bodies an impact has changed: not the ground, which many contacts share."""
-    if a.type == DYNAMIC:
-        struck_at[slot.body_a] = look
-    if b.type == DYNAMIC:
-        struck_at[slot.body_b] = look
 
 
 @kernel
