@@ -13,7 +13,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from sandbox._jit import kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.active.substep_level import contact_substep_level
 from sandbox.engine.contact_solver.closing_speed import opening_speed
 from sandbox.engine.contact_solver.law import anchors_of, separation_of, start_velocity
@@ -137,10 +137,8 @@ def _add_closing(bodies: Records, solver: SolverBodies, contacts: Records, impac
     for k in range(impacts.length):
         slot = impacts.slots[k]
         contact = contacts[slot.contact]
-        closes = _wanted_change(solver, contact, slot, 1, impacts.threshold, seconds) > 0.0
-        if contact.point_count == 2:
-            closes |= _wanted_change(solver, contact, slot, 2, impacts.threshold, seconds) > 0.0
-        if closes:
+        change1, change2 = _wanted_changes(solver, contact, slot, impacts.threshold, seconds)
+        if change1 > 0.0 or change2 > 0.0:
             note_first_strike(bodies, solver, contact, impacts.rows[k])
             found = True
     return found
@@ -158,10 +156,7 @@ def _strike(
 ) -> bool:
     """Resolve the impact of one contact, if there is one; both its points at once."""
     contact = contacts[slot.contact]
-    change1 = _wanted_change(solver, contact, slot, 1, threshold, seconds)
-    change2 = 0.0
-    if contact.point_count == 2:
-        change2 = _wanted_change(solver, contact, slot, 2, threshold, seconds)
+    change1, change2 = _wanted_changes(solver, contact, slot, threshold, seconds)
     if change1 <= 0.0 and change2 <= 0.0:
         return False
     note_first_strike(bodies, solver, contact, impact)
@@ -169,18 +164,32 @@ def _strike(
     return True
 
 
+@inlined_kernel
+def _wanted_changes(
+    solver: SolverBodies, contact: Records, slot: Records, threshold: float, seconds: float
+) -> tuple[float, float]:
+    """Change of normal velocity (m/s) that the impact at each point asks for; 0 where there is no impact."""
+    change1 = change2 = 0.0
+    start = start_velocity(solver.free_motions, slot)
+    opening = opening_speed(start, contact, 1)
+    if -opening > threshold:
+        change1 = _wanted_change(solver, contact, slot, 1, opening, seconds)
+    if contact.point_count == 2:
+        opening = opening_speed(start, contact, 2)
+        if -opening > threshold:
+            change2 = _wanted_change(solver, contact, slot, 2, opening, seconds)
+    return change1, change2
+
+
 @kernel
 def _wanted_change(
-    solver: SolverBodies, contact: Records, slot: Records, point: int, threshold: float, seconds: float
+    solver: SolverBodies, contact: Records, slot: Records, point: int, start: float, seconds: float
 ) -> float:
-    """Change of normal velocity (m/s) that the impact at one point asks for; 0 when there is no impact.
+    """The same for a point that opens at `start` (m/s) as the substep begins, which is fast enough for an impact.
 
     With the speed v at a gap s and the relative acceleration a along the normal, v^2 - 2 a s is the same at the
     surface: that is where restitution applies.
     """
-    start = opening_speed(start_velocity(solver.free_motions, slot), contact, point)
-    if -start <= threshold:
-        return 0.0
     free = opening_speed(free_velocity(solver.free_motions, slot), contact, point)
     gap = _gap(solver.motions[slot.body_a], solver.motions[slot.body_b], contact, point)
     other_end = gap + seconds * free
