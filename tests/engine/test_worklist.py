@@ -42,7 +42,7 @@ def test_contacts_come_out_as_they_went_in_and_none_is_in_twice(pairs, moves):
                 first, last = take_first(slots, first, last)
         elif any(i in pair for pair in pairs):
             queue.extend(k for k, pair in enumerate(pairs) if i in pair and k not in queue)
-            first, last = add_contacts(slots, i, solver.before_impacts[i].first_contact, first, last)
+            first, last = add_contacts(slots, i, solver.first_impact[i], first, last)
     while queue:
         assert first == queue.popleft()
         first, last = take_first(slots, first, last)

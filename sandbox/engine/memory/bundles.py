@@ -88,6 +88,7 @@ def solver_memory(state: State, bodies: int) -> SolverBodies:
         parts=VELOCITY_PART.zeros(bodies),
         flags=np.zeros(bodies, np.int64),
         colors=np.zeros(bodies, np.int64),
+        first_impact=np.zeros(bodies, np.int64),
         struck=np.zeros(bodies, np.int64),
         islands=np.zeros(bodies, np.int64),
         batches=np.zeros(bodies, np.int64),

@@ -8,7 +8,7 @@ from sandbox.engine.contact_solver.blocks import ALL_COLORS, LANES
 from sandbox.tables import Field, Floats, Integers, Records, Table
 
 SIZE = 2048
-"""Bodies and contacts of a batch: contacts take 336 bytes each, so that it has two thirds of a megabyte at most."""
+"""Bodies and contacts of a batch: contacts take 352 bytes each, so that it has 0.7 MB at most."""
 BLOCKS = SIZE // LANES + ALL_COLORS
 """That many contacts fill no more blocks: every colour has one that is not full, settled or not."""
 
@@ -65,8 +65,7 @@ class Batches(NamedTuple):
     `size[0]` is how many bodies and contacts one has at most. `bodies` has the bodies of batch n from `first_body[n]`
     to before `first_body[n + 1]`; `struck` has as many rows for each, filled by those that take part in an inelastic
     impact. `impacts` has the contacts that may have an impact, by `first_impact`, and `impact_slots` the same as
-    `IMPACT_SLOT` rows. `blocks`, `lanes` and `starts` are what `ContactBlocks` has, for each
-    worker but the first.
+    `IMPACT_SLOT` rows. `blocks`, `lanes` and `starts` are what `ContactBlocks` has, for each worker but the first.
     """
 
     size: Integers

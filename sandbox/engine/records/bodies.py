@@ -71,15 +71,8 @@ VELOCITY_PART = Table(
 )
 """One row a body: one of the two parts of its velocity in a substep, see `velocity_parts`."""
 
-BEFORE_IMPACTS = Table(
-    "before_impacts",
-    (
-        *IMPACT_VELOCITIES,
-        Field("first_contact", "-", "the first of the contacts of a dynamic body that may have an impact", "i8"),
-        Field("spare", "-", "no row lies in two cache lines"),
-    ),
-)
-"""One row a body: what one that has struck had before the impacts of the substep, and where its contacts are listed.
+BEFORE_IMPACTS = Table("before_impacts", IMPACT_VELOCITIES)
+"""One row a body: what one that has struck had before the impacts of the substep.
 
 Impacts that do not end one by one are taken back.
 """
@@ -89,9 +82,10 @@ class SolverBodies(NamedTuple):
     """Scratch memory with a row for each body, and one more of motions, beside the body table of the state.
 
     `parts` holds one of the two parts of each velocity (`contact_solver/velocity_parts.py`), `flags` the bits of
-    `bodies/flags.py`, `colors` the colours that the contacts of a body have, `struck` what has
-    had an impact, and then which group it is in, `islands` the lowest row of its island where that is known,
-    `batches` which batch that is in (0 for what does not move), `ccd` what continuous collision asks of bodies.
+    `bodies/flags.py`, `colors` the colours that the contacts of a body have, `first_impact` the first of the contacts
+    of a dynamic body that may have an impact, if there are any (`restitution/worklist.py`), `struck` whether it has had
+    one, and then which group it is in, `islands` the lowest row of its island where that is known, `batches` which
+    batch that is in (0 for what does not move), `ccd` what continuous collision asks of bodies.
     """
 
     motions: Records
@@ -101,6 +95,7 @@ class SolverBodies(NamedTuple):
     parts: Records
     flags: Integers
     colors: Integers
+    first_impact: Integers
     struck: Integers
     islands: Integers
     batches: Integers

@@ -110,7 +110,6 @@ def _strike_singly(
     Those that have struck have a `group` afterwards.
     """
     slots = impacts.slots
-    before = solver.before_impacts
     for k in range(impacts.length):
         impacts.rows[k].group = ALONE
         solver.struck[slots[k].body_a] = solver.struck[slots[k].body_b] = NOT_STRUCK
@@ -126,7 +125,7 @@ def _strike_singly(
             slot.strikes += 1
             for i in (slot.body_a, slot.body_b):
                 if bodies[i].type == DYNAMIC:
-                    first, last = add_contacts(slots, i, before[i].first_contact, first, last)
+                    first, last = add_contacts(slots, i, solver.first_impact[i], first, last)
     return ended
 
 

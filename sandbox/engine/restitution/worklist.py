@@ -20,20 +20,20 @@ DONE = -2
 @kernel
 def link_contacts(bodies: Records, slots: Records, length: int, solver: SolverBodies) -> None:
     """Link the contacts `slots[:length]` of every dynamic body, in their order."""
-    before = solver.before_impacts
+    heads = solver.first_impact
     for k in range(length):
         for i in (slots[k].body_a, slots[k].body_b):
             if bodies[i].type == DYNAMIC:
-                before[i].first_contact = END
+                heads[i] = END
     for k in range(length - 1, -1, -1):
         slot = slots[k]
         slot.next_a = slot.next_b = END
         if bodies[slot.body_a].type == DYNAMIC:
-            slot.next_a = before[slot.body_a].first_contact
-            before[slot.body_a].first_contact = k
+            slot.next_a = heads[slot.body_a]
+            heads[slot.body_a] = k
         if bodies[slot.body_b].type == DYNAMIC:
-            slot.next_b = before[slot.body_b].first_contact
-            before[slot.body_b].first_contact = k
+            slot.next_b = heads[slot.body_b]
+            heads[slot.body_b] = k
 
 
 @kernel
