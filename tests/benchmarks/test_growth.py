@@ -254,3 +254,22 @@ def test_changes_among_static_tiles() -> None:
         assert len(world.bodies) == count
     for name, costs in seconds.items():
         assert math.isfinite(tell(f"{name} among so many tiles, with a step", costs))
+
+
+@pytest.mark.parametrize("tiles", [2000, 20000])
+def test_steps_of_what_has_fallen_off_a_level(tiles: int) -> None:
+    """By how fast it falls, where all else lies still behind it: each doubling takes as many steps as all before."""
+    level = [
+        {"id": f"tile-{k}", "type": "static", "shapes": [{"box": [1, 1]}], "position": [k, 0]} for k in range(tiles)
+    ]
+    balls = [{"id": f"b{k}", "shapes": [{"circle": 0.5}], "position": [-10 - 2 * k, 5 + k % 7 * 3]} for k in range(200)]
+    world = sandbox.World(sandbox.Scene(bodies=[*level, *balls], settings={"sleeping": False}))
+    seconds: dict[int, float] = {}
+    for steps in (600, 1200, 2400, 4800, 9600):
+        world.step(steps - world.step_count - 200)
+        start = time.process_time()
+        world.step(200)
+        seconds[round(-world.body("b0").velocity[1])] = (time.process_time() - start) / 200
+    told = ", ".join(f"{speed:,} m/s: {1e6 * cost:,.0f}" for speed, cost in seconds.items())
+    print(f"\n200 balls that fall past {tiles:,} tiles, us a step: {told}")
+    assert max(seconds) > 10 * min(seconds)

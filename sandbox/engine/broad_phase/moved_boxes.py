@@ -21,7 +21,7 @@ from sandbox.engine.broad_phase.grid import (
     last_cell,
     place,
 )
-from sandbox.engine.broad_phase.pairs import pairs_on_level, propose
+from sandbox.engine.broad_phase.pairs import Window, pairs_on_level, propose
 from sandbox.engine.records.colliders import Grid
 from sandbox.tables import Records
 
@@ -36,6 +36,8 @@ def forget_moved(shapes: int, grid: Grid) -> None:
     info = grid.info[0]
     info.shapes = info.known = shapes
     info.moved = info.others = 0
+    for level in range(LEVELS):
+        grid.moved_on[level] = 0
     for k in range(grid.moved_heads.shape[0]):
         grid.moved_heads[k] = END
     for i in range(shapes):
@@ -59,7 +61,7 @@ def remove_box(i: int, grid: Grid) -> None:
                 box.upper_x = box.upper_y = -math.inf
         return
     k = _list_of(fat, grid)
-    _count(k, -1, grid)
+    _count(fat, k, -1, grid)
     if grid.moved_heads[k] == i:
         grid.moved_heads[k] = following
         return
@@ -77,14 +79,16 @@ def insert_box(i: int, grid: Grid) -> None:
     level = box_level(fat, info.cell)
     place(fat, level, cells_per_metre(info.cell, level))
     k = _list_of(fat, grid)
-    _count(k, 1, grid)
+    _count(fat, k, 1, grid)
     grid.moved_next[i] = grid.moved_heads[k]
     grid.moved_heads[k] = i
 
 
 @inlined_kernel
-def _count(k: int, more: int, grid: Grid) -> None:
+def _count(fat: Records, k: int, more: int, grid: Grid) -> None:
+    """So many boxes more in list k, like `fat`."""
     info = grid.info[0]
+    grid.moved_on[fat.level - LOWEST] += more
     info.moved += more
     info.others += more if k == grid.heads.shape[0] - 1 else 0
 
@@ -101,25 +105,26 @@ def _list_of(fat: Records, grid: Grid) -> int:
 def query_pairs(box: Records, filters: Records, grid: Grid, pairs: Records, count: int) -> int:
     """Append the pairs of a shape's box with all fat boxes in the grid that it overlaps; return the new count.
 
-    Cell by cell, or with all of them if it covers more cells than that.
+    Cell by cell, or with all of them if it covers more cells than that. What lies outside of all that the grid was
+    built of, as what has fallen off a level, looks into no cell of levels on which nothing has moved.
     """
     info = grid.info[0]
-    cells = 0.0
-    for k in range(info.used):
-        inverse = cells_per_metre(info.cell, grid.levels[k])
-        cells += (2.0 + (box.upper_x - box.lower_x) * inverse) * (2.0 + (box.upper_y - box.lower_y) * inverse)
-    if not cells <= info.shapes:
+    whole = Window(box.lower_x, box.lower_y, box.upper_x, box.upper_y)
+    window = _clipped(whole, info)
+    if not _cells_to_look_into(window, whole, grid) <= info.shapes:
         for j in range(info.shapes):
             if boxes_overlap(box, grid.fat_boxes[j]):
                 count = propose(filters, box.shape_index, j, pairs, count)
         return count
     ordered = grid.ordered
-    sparse = grid.levels[2 * LEVELS :]
     for k in range(info.used):
-        inverse = cells_per_metre(info.cell, grid.levels[k])
-        count = pairs_on_level(box, ordered, filters, inverse, grid.levels[k], grid.heads, pairs, count)
-        if info.moved > 0:
-            count = _pairs_with_moved(box, filters, inverse, grid.levels[k], grid, pairs, count)
+        level = grid.levels[k]
+        inverse = cells_per_metre(info.cell, level)
+        if not _is_empty(window):
+            count = pairs_on_level(box, window, ordered, filters, inverse, level, grid.heads, pairs, count)
+        if grid.moved_on[level - LOWEST] > 0:
+            count = _pairs_with_moved(box, filters, inverse, level, grid, pairs, count)
+    sparse = grid.levels[2 * LEVELS :]
     for k in range(info.sparse):
         if boxes_overlap(box, ordered[sparse[k]]):
             count = propose(filters, box.shape_index, ordered[sparse[k]].shape_index, pairs, count)
@@ -129,6 +134,40 @@ def query_pairs(box: Records, filters: Records, grid: Grid, pairs: Records, coun
             count = propose(filters, box.shape_index, j, pairs, count)
         j = grid.moved_next[j]
     return count
+
+
+@inlined_kernel
+def _cells_to_look_into(window: Window, whole: Window, grid: Grid) -> float:
+    """How many cells a query looks into, at most: those of what has moved in all of its box, of the others within a
+    window."""
+    info = grid.info[0]
+    cells = 0.0
+    for k in range(info.used):
+        inverse = cells_per_metre(info.cell, grid.levels[k])
+        cells += 0.0 if _is_empty(window) else _cells_in(window, inverse)
+        cells += _cells_in(whole, inverse) if grid.moved_on[grid.levels[k] - LOWEST] > 0 else 0.0
+    return cells
+
+
+@inlined_kernel
+def _cells_in(window: Window, inverse: float) -> float:
+    return (2.0 + (window.upper_x - window.lower_x) * inverse) * (2.0 + (window.upper_y - window.lower_y) * inverse)
+
+
+@inlined_kernel
+def _is_empty(window: Window) -> bool:
+    return window.lower_x > window.upper_x or window.lower_y > window.upper_y
+
+
+@inlined_kernel
+def _clipped(box: Window, info: Records) -> Window:
+    """What of a box lies within the bounds of the boxes that the grid was built of."""
+    return Window(
+        box.lower_x if box.lower_x > info.lower_x else info.lower_x,
+        box.lower_y if box.lower_y > info.lower_y else info.lower_y,
+        box.upper_x if box.upper_x < info.upper_x else info.upper_x,
+        box.upper_y if box.upper_y < info.upper_y else info.upper_y,
+    )
 
 
 @kernel

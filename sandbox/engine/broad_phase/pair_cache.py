@@ -11,6 +11,7 @@ neighbours; fat boxes as in the trees of Bullet and Box2D.
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from sandbox._jit import kernel
@@ -97,10 +98,27 @@ def _rebuild(colliders: Colliders, shapes: int, seconds: float, grid: Grid) -> i
             return found
         look_less_far(cache)
     forget_moved(shapes, grid)
+    _bound_all(boxes, grid.info)
     sort_pairs(grid.cache.pairs, found, grid.cache.spare, grid.counts, shapes)
     cache.count = found
     cache.valid = 1
     return 0
+
+
+@kernel
+def _bound_all(boxes: Records, info: Records) -> None:
+    """Note the bounds of all boxes."""
+    lower_x = lower_y = math.inf
+    upper_x = upper_y = -math.inf
+    for box in boxes:
+        lower_x = box.lower_x if box.lower_x < lower_x else lower_x
+        lower_y = box.lower_y if box.lower_y < lower_y else lower_y
+        upper_x = box.upper_x if box.upper_x > upper_x else upper_x
+        upper_y = box.upper_y if box.upper_y > upper_y else upper_y
+    info[0].lower_x = lower_x
+    info[0].lower_y = lower_y
+    info[0].upper_x = upper_x
+    info[0].upper_y = upper_y
 
 
 @kernel

@@ -23,6 +23,15 @@ _FEW = 4
 """Pairs are sorted by themselves where there are more than so many shapes for each."""
 
 
+class Window(NamedTuple):
+    """A part of the plane (m)."""
+
+    lower_x: float
+    lower_y: float
+    upper_x: float
+    upper_y: float
+
+
 class Cells(NamedTuple):
     """Cells of a level that lie side by side in a row, from `first` to `last`."""
 
@@ -64,7 +73,9 @@ def find_pairs(
         inverse = cells_per_metre(base, levels[k])
         for i in range(ordered.shape[0]):
             if levels[k] > ordered[i].level:
-                count = pairs_on_level(ordered[i], ordered, filters, inverse, levels[k], heads, pairs, count)
+                box = ordered[i]
+                window = Window(box.lower_x, box.lower_y, box.upper_x, box.upper_y)
+                count = pairs_on_level(box, window, ordered, filters, inverse, levels[k], heads, pairs, count)
     return count
 
 
@@ -96,6 +107,7 @@ def _pairs_on_sparse_levels(
 @kernel
 def pairs_on_level(
     box: Records,
+    window: Window,
     ordered: Records,
     filters: Records,
     inverse: float,
@@ -104,11 +116,11 @@ def pairs_on_level(
     pairs: Records,
     count: int,
 ) -> int:
-    """Pairs of a box with the boxes of another level, which has `inverse` cells a metre: their middles are at most half
-    a cell outside of it."""
-    first_x = first_cell(box.lower_x, inverse)
-    last_x = last_cell(box.upper_x, inverse)
-    for y in range(first_cell(box.lower_y, inverse), last_cell(box.upper_y, inverse) + 1):
+    """Pairs of a box with the boxes of another level, which has `inverse` cells a metre, as far as they overlap in a
+    window: their middles are at most half a cell outside of it."""
+    first_x = first_cell(window.lower_x, inverse)
+    last_x = last_cell(window.upper_x, inverse)
+    for y in range(first_cell(window.lower_y, inverse), last_cell(window.upper_y, inverse) + 1):
         count = _pairs_in_cells(box, ordered, filters, Cells(first_x, last_x, y, level), heads, 0, pairs, count)
     return count
 

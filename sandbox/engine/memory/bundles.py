@@ -8,7 +8,7 @@ import numpy as np
 
 from sandbox.engine.active.active_set import most_touched, new_active_set
 from sandbox.engine.broad_phase.fat_boxes import AHEAD
-from sandbox.engine.broad_phase.grid import LEVEL_SPACE, head_count
+from sandbox.engine.broad_phase.grid import LEVEL_SPACE, LEVELS, head_count
 from sandbox.engine.contact_solver.blocks import ALL_COLORS, BLOCK_SIZE, MAX_COLORS
 from sandbox.engine.contact_solver.further_colors import MOST_WORDS
 from sandbox.engine.memory.limit import FAT_PAIRS, most_batches, most_blocks
@@ -119,6 +119,7 @@ def grid_memory(shapes: int, pairs: int) -> Grid:
         levels=np.zeros(LEVEL_SPACE, np.int64),
         moved_heads=np.zeros(buckets, np.int64),
         moved_next=np.zeros(shapes, np.int64),
+        moved_on=np.zeros(LEVELS, np.int64),
         counts=np.zeros(shapes + 1, np.int64),
         cache=cache_memory(pairs),
         pairs=PAIR.zeros(pairs),

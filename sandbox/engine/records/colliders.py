@@ -85,6 +85,10 @@ GRID_INFO = Table(
         Field("known", "-", "boxes of shapes that are still in their rows: the later ones have gone or moved", "i8"),
         Field("moved", "-", "boxes that have moved since it was built", "i8"),
         Field("others", "-", "those of them on levels that had few boxes", "i8"),
+        Field("lower_x", "m", "bounds of all boxes when it was built"),
+        Field("lower_y", "m", ""),
+        Field("upper_x", "m", ""),
+        Field("upper_y", "m", ""),
     ),
 )
 """One row: what is known of the grid."""
@@ -131,8 +135,8 @@ class Grid(NamedTuple):
     `info` is one row. `fat_boxes` has a row for each shape, `outgrown` a 1 for each that has left its fat box or has
     other pairs than before; `enlarged` lists these. `ordered` has the boxes as the grid was built, bucket by bucket,
     `heads` where each bucket begins, `levels` the levels in use. `moved_heads` has the first of the boxes of each
-    bucket that have moved since, `moved_next` which one follows (`moved_boxes.py`). `pairs` are those that are decided
-    in this step, sorted. `counts` is scratch.
+    bucket that have moved since, `moved_next` which one follows, `moved_on` how many of them are on each level
+    (`moved_boxes.py`). `pairs` are those that are decided in this step, sorted. `counts` is scratch.
     """
 
     info: Records
@@ -144,6 +148,7 @@ class Grid(NamedTuple):
     levels: Integers
     moved_heads: Integers
     moved_next: Integers
+    moved_on: Integers
     counts: Integers
     cache: PairCache
     pairs: Records
