@@ -114,6 +114,8 @@ def shape_bounds(frame: Frame) -> Floats:
 
 NEAR, BELOW = 0.15, 2.0
 """How far around and below the moving bodies static ones count, in parts of the extent of the moving."""
+FAR_BELOW = 40.0
+"""How far below the nearest one is looked for, if there is none: what falls from there is still some pixels large."""
 
 
 def interesting_bounds(frame: Frame) -> Bounds:
@@ -126,12 +128,22 @@ def interesting_bounds(frame: Frame) -> Bounds:
     low, high = _hull(subject)
     extent = float((high - low).max())
     near = max(NEAR * extent, float(np.median(subject[:, 2:] - subject[:, :2])))
-    clipped = np.hstack([np.maximum(boxes[:, :2], low - (near, BELOW * extent + near)), boxes[:, 2:]])
+    below = _depth_shown(boxes[~moving], low, high, extent)
+    clipped = np.hstack([np.maximum(boxes[:, :2], low - (near, below + near)), boxes[:, 2:]])
     clipped[:, 2:] = np.minimum(clipped[:, 2:], high + near)
     clipped[:, 1] = np.maximum(clipped[:, 1], clipped[:, 3] - near)  # of thick ground, the surface is enough
     visible = clipped[~moving & (clipped[:, :2] <= clipped[:, 2:]).all(axis=1)]
     low, high = _hull(np.vstack([visible, [[*low - near / 2, *high + near / 2]]]))
     return float(low[0]), float(low[1]), float(high[0]), float(high[1])
+
+
+def _depth_shown(static: Floats, low: Floats, high: Floats, extent: float) -> float:
+    """How far (m) below the moving bodies, which lie within `low..high`, static ones are shown: down to the surface
+    onto which they will fall."""
+    under = (static[:, 0] <= high[0]) & (static[:, 2] >= low[0])
+    depths = (low[1] - static[:, 3])[under]
+    nearest = float(depths[depths >= 0.0].min(initial=np.inf))
+    return nearest if BELOW * extent < nearest <= FAR_BELOW * extent else BELOW * extent
 
 
 def _hull(boxes: Floats) -> tuple[Floats, Floats]:

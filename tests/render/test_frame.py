@@ -64,6 +64,18 @@ def test_the_view_does_not_shrink_bodies_to_show_all_of_a_huge_ground() -> None:
     assert y1 - y0 < 10.0
 
 
+@pytest.mark.parametrize(("height", "is_shown"), [(1.0, True), (5.0, True), (39.0, True), (200.0, False)])
+def test_a_lone_body_is_shown_with_the_floor_it_falls_on(height: float, is_shown: bool) -> None:
+    """As long as it is not a speck in that picture; and of another floor, far below, nothing."""
+    cellar = FlatBody("cellar", "static", (box(40.0, 1.0),), (0.0, -30.0))
+    aside = FlatBody("aside", "static", (box(1.0, 1.0),), (25.0, -10.0))
+    scene = FlatScene((ground(), cellar, aside, FlatBody("a", "dynamic", (box(1, 1),), (0.0, height))))
+    _, y0, _, y1 = interesting_bounds(capture(build_state(scene)))
+    assert (y0 < 0.0) == is_shown
+    assert y0 > -5.0
+    assert height + 0.5 < y1 < height + 3.0
+
+
 def test_an_empty_world_has_a_view() -> None:
     x0, y0, x1, y1 = interesting_bounds(capture(build_state(FlatScene(()))))
     assert x0 < x1
