@@ -12,6 +12,7 @@ from sandbox.world.build_rules import build_paths, build_rules
 from sandbox.world.census import Census
 from sandbox.world.flush import join_tiles, with_room_for_tiles
 from sandbox.world.roster import Roster
+from sandbox.world.snapshot import origin
 from sandbox.world.state import State
 
 _DRAGS = 8
@@ -51,6 +52,7 @@ def build_state(scene: FlatScene) -> State:
         outcome=played.outcome,
         paths=build_paths(scene.bodies, bodies),
         census=census,
+        origin=origin(scene, shapes, vertices),
     )
 
 

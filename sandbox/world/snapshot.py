@@ -12,14 +12,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.errors import SnapshotError
-from sandbox.tables import plain
+from sandbox.scene.flat import FlatBody, FlatJoint, FlatRegion, FlatScene
+from sandbox.tables import Records, plain
 from sandbox.world.census import Census
 from sandbox.world.records import TABLES
 from sandbox.world.roster import Roster
 from sandbox.world.soundness import check_tables
 from sandbox.world.state import ARRAYS, State
 
-_MAGIC = b"SBX2"
+_MAGIC = b"SBX3"
 
 
 def layout_hash() -> bytes:
@@ -34,22 +35,30 @@ _VARYING = ("contact", "sensing", "edge")
 
 
 def snapshot(state: State) -> bytes:
-    """Bytes of all records: magic, layout hash, checksum, then for each table its row count and its rows, and the
-    roster: its length and its text, which is empty while nothing has been spawned or deleted."""
+    """Bytes of all records: magic, layout hash, checksum, the world's origin, then for each table its row count and its
+    rows, and the roster: its length and its text, which is empty while nothing has been spawned or deleted."""
     parts: list[Any] = []
     for rows in _in_use(state):
         parts += [struct.pack("<q", len(rows)), rows.view(np.uint8)]
     text = state.roster.text
     parts += [struct.pack("<q", len(text)), text]
-    return b"".join([_MAGIC, _LAYOUT, checksum(*parts), *parts])
+    return b"".join([_MAGIC, _LAYOUT, checksum(*parts), state.origin, *parts])
 
 
 def checksum(*parts: Any) -> bytes:
-    """What tells a damaged snapshot: CRC-32, for it is quick; 8 bytes."""
+    """What tells a damaged snapshot, or one of another world: CRC-32, for it is quick; 4 bytes."""
     code = 0
     for part in parts:
         code = crc32(part, code)
-    return struct.pack("<q", code)
+    return struct.pack("<I", code)
+
+
+def origin(scene: FlatScene, shapes: Records, vertices: Records) -> bytes:
+    """What tells a world of this scene from others: who is in it, and the outlines of their shapes; 4 bytes."""
+    everybody: tuple[FlatBody | FlatJoint | FlatRegion, ...] = (*scene.bodies, *scene.joints, *scene.regions)
+    ids = "\n".join(each.id for each in everybody)
+    columns = (np.ascontiguousarray(plain(shapes)[name]) for name in ("body", "radius"))
+    return checksum(ids.encode(), *columns, plain(vertices).view(np.uint8))
 
 
 def restore(state: State, data: bytes, read: Callable[[bytes], Roster]) -> None:
@@ -57,7 +66,7 @@ def restore(state: State, data: bytes, read: Callable[[bytes], Roster]) -> None:
 
     Raises `SnapshotError`, and changes nothing, if it can't be done.
     """
-    rows, text = _parts(_checked_body(data))
+    rows, text = _parts(_checked_body(state, data))
     roster = state.roster if text == state.roster.text else read(text)
     _check(state, roster, rows)
     # What the world has in its tables is sound: most of them are as they were when the snapshot was taken.
@@ -146,7 +155,7 @@ def _count(body: memoryview, offset: int, size: int, what: str) -> int:
     return count
 
 
-def _checked_body(data: bytes) -> memoryview:
+def _checked_body(state: State, data: bytes) -> memoryview:
     header = len(_MAGIC) + 16
     if len(data) < header or data[:3] != _MAGIC[:3]:
         raise SnapshotError("this is not a snapshot of a sandbox world")
@@ -155,6 +164,8 @@ def _checked_body(data: bytes) -> memoryview:
     if data[len(_MAGIC) : len(_MAGIC) + 8] != _LAYOUT:
         raise SnapshotError("the snapshot was taken by a version with another record layout")
     body = memoryview(data)[header:]
-    if checksum(body) != data[header - 8 : header]:
+    if checksum(body) != data[header - 8 : header - 4]:
         raise SnapshotError("the snapshot is damaged: its checksum does not match")
+    if data[header - 4 : header] != state.origin:
+        raise SnapshotError("the snapshot is of a world of another scene: other bodies, joints, regions or shapes")
     return body

@@ -22,11 +22,12 @@ ARRAYS = (
 class State:
     """Everything that a step reads and writes, and nothing else. Scratch memory lives in the engine.
 
-    `contacts` has spare rows; the first `counters[0].contact_count` are in use. `settings` and `counters` have one
-    row each; `tallies` are the counters of the scene's rules. `census` says who is behind the rows, and `layout` counts
-    how often they have moved, or centres of mass in their bodies: while it stays the same, row `i` is the same body,
-    and its shapes lie where they did. `tiling` says which shapes are tiles and where they lie, once that was asked;
-    `patterns` are those of what was spawned.
+    `contacts` has spare rows; the first `counters[0].contact_count` are in use. `settings` and `counters` have one row
+    each; `tallies` are the counters of the scene's rules. `census` says who is behind the rows, `origin` tells the
+    world from those of other scenes (`snapshot.origin`), and `layout` counts how often the rows have moved, or centres
+    of mass in their bodies: while it stays the same, row `i` is the same body, and its shapes lie where they did.
+    `tiling` says which shapes are tiles and where they lie, once that was asked; `patterns` are those of what was
+    spawned.
     """
 
     bodies: Records
@@ -50,6 +51,7 @@ class State:
     paths: Records
     outcome: Records
     census: Census
+    origin: bytes
     layout: int = 0
     tiling: Tiling | None = None
     patterns: KnownPatterns = field(default_factory=KnownPatterns)

@@ -79,7 +79,7 @@ def run(case: dict[str, Any]) -> int:
 def _try(world: World, saved: bytes, payload: bytearray) -> None:
     before = world.snapshot()
     try:
-        world.restore(saved[:12] + checksum(payload) + bytes(payload))
+        world.restore(saved[:12] + checksum(payload) + saved[16:20] + bytes(payload))
     except SnapshotError as error:
         message = str(error)
         assert "\n" not in message

@@ -82,20 +82,20 @@ def test_foreign_bytes_are_refused(world, junk):
     refused(world, junk)
 
 
-def signed(payload: bytes) -> bytes:
+def signed(world: World, payload: bytes) -> bytes:
     """A payload with the header of an honest snapshot: what a checksum alone cannot catch."""
-    return b"SBX2" + layout_hash() + checksum(payload) + payload
+    return b"SBX3" + layout_hash() + checksum(payload) + world.state.origin + payload
 
 
 @given(st.binary(max_size=200))
 def test_well_signed_nonsense_is_refused(world, payload):
-    refused(world, signed(payload))
+    refused(world, signed(world, payload))
 
 
 @pytest.mark.parametrize("count", [-1, -(2**40), 2**40, 2**62, 10**6])
 def test_a_well_signed_wrong_row_count_is_refused(world, count):
     payload = world.snapshot()[20:]
-    refused(world, signed(struct.pack("<q", count) + payload[8:]))
+    refused(world, signed(world, struct.pack("<q", count) + payload[8:]))
 
 
 def test_a_well_signed_wrong_number_of_contacts_is_refused(world):
@@ -106,12 +106,20 @@ def test_a_well_signed_wrong_number_of_contacts_is_refused(world):
     offset = sum(8 + table.nbytes for table in before)
     assert struct.unpack_from("<q", honest, offset) == (2,)
     for count in (-1, 0, 1, 3, 2**40):
-        refused(world, signed(honest[:offset] + struct.pack("<q", count) + honest[offset + 8 :]))
+        refused(world, signed(world, honest[:offset] + struct.pack("<q", count) + honest[offset + 8 :]))
 
 
-def test_a_snapshot_of_another_scene_is_refused(world):
-    other = World(scene(ground(), body("ball", circle(0.5))))
-    refused(world, other.snapshot())
+OTHERS = {
+    "fewer bodies": (ground(), body("ball", circle(0.5))),
+    "another size": (ground(), body("ball", circle(0.6)), body("crate", box(1.0, 1.0))),
+    "another name": (ground(), body("ball", circle(0.5)), body("chest", box(1.0, 1.0))),
+}
+
+
+@pytest.mark.parametrize("other", OTHERS.values(), ids=list(OTHERS))
+def test_a_snapshot_of_another_scene_is_refused(other):
+    here = World(scene(ground(), body("ball", circle(0.5)), body("crate", box(1.0, 1.0))))
+    refused(here, World(scene(*other)).snapshot())
 
 
 def test_a_snapshot_of_another_layout_is_refused(world):
@@ -157,7 +165,7 @@ def with_roster(world: World, text: bytes) -> bytes:
     """A well-signed snapshot whose roster says something else."""
     payload = world.snapshot()[20:]
     own = world.state.roster.text
-    return signed(payload[: -8 - len(own)] + struct.pack("<q", len(text)) + text)
+    return signed(world, payload[: -8 - len(own)] + struct.pack("<q", len(text)) + text)
 
 
 def test_a_roster_goes_with_the_snapshot():

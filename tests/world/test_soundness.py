@@ -55,7 +55,7 @@ def changed(world: World, table: str, row: int, field: str, number: float) -> by
             place = offset + 8 + (row % count) * each.dtype.itemsize + start
             payload[place : place + kind.itemsize] = np.array(number, kind).tobytes()
         offset += 8 + count * each.dtype.itemsize
-    return saved[:12] + checksum(payload) + bytes(payload)
+    return saved[:12] + checksum(payload) + saved[16:20] + bytes(payload)
 
 
 CASES = [
