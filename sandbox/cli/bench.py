@@ -23,14 +23,16 @@ if TYPE_CHECKING:
 
 _SCENES = typer.Argument(
     metavar="[SCENE]...", show_default=False,
-    help="Scene files, or names of scenes that come with the package. [default: the benchmark scenes]",
+    help="Scene files, or names of scenes that come with the package. \\[default: the benchmark scenes]",
 )  # fmt: skip
 _ENGINES = typer.Option(metavar="NAMES", help="Who takes part, of sandbox, pymunk and box2d (needs pyb2d3).")
 _STEPS = typer.Option(
     min=1, max=10_000_000, metavar="N", show_default=False, help="Steps to run instead of a scene's own number."
 )
 _WORKERS = typer.Option(
-    "--workers", metavar="N,...", help="Threads that share a step of ours: one after another takes part. [times: clock]"
+    "--workers",
+    metavar="N,...",
+    help="Threads that share a step of ours: one after another takes part. \\[times: clock]",
 )
 _PROFILE = typer.Option("--profile", help="Show how long each part of our step takes.")
 _JSON = typer.Option("--json", help="Print one JSON document instead of the table.")

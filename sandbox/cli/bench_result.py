@@ -10,8 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sandbox._version import __version__
-from sandbox.cli.check_result import problems
-from sandbox.cli.failures import HOLDS, UNUSABLE
+from sandbox.cli.failures import HOLDS, UNUSABLE, problems
 
 if TYPE_CHECKING:
     from sandbox.bench.race import Race, Result

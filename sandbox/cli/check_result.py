@@ -8,8 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from sandbox._version import __version__
-from sandbox.cli.failures import FAILED, HOLDS, UNUSABLE
-from sandbox.errors import Problem, SceneError
+from sandbox.cli.failures import FAILED, HOLDS, UNUSABLE, problems
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -98,12 +97,6 @@ def _scene_entry(result: Result) -> dict[str, Any]:
         "unreached": run.unreached,
         "frozen": [{"body": body, "step": step} for body, step in run.frozen],
     }
-
-
-def problems(error: Exception | None) -> list[dict[str, Any]]:
-    """What kept a file from running, as entries of the JSON document."""
-    found = error.problems if isinstance(error, SceneError) else [Problem(str(error))]
-    return [asdict(problem) for problem in found]
 
 
 def _expectation_entry(result: Result, verdict: Verdict) -> dict[str, Any]:

@@ -8,8 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from sandbox._version import __version__
-from sandbox.cli.check_result import problems
-from sandbox.cli.failures import FAILED, HOLDS, UNUSABLE
+from sandbox.cli.failures import FAILED, HOLDS, UNUSABLE, problems
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

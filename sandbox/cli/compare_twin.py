@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from sandbox._printable import printable, told
 from sandbox._version import __version__
-from sandbox.cli.check_result import problems
-from sandbox.cli.failures import HOLDS, UNUSABLE, report
+from sandbox.cli.failures import HOLDS, UNUSABLE, problems, report
 from sandbox.errors import SandboxError
 
 if TYPE_CHECKING:
@@ -70,7 +69,7 @@ def _check_plot(plot: Path, files: Sequence[Path]) -> None:
 
     if len(files) > 1:
         raise SandboxError(f"--plot draws one scene; {len(files)} were given")
-    writable_picture(plot, SUFFIXES)
+    writable_picture(plot, SUFFIXES, files[0])
     require_matplotlib()
 
 

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import errno
+import json
 import os
 import sys
 import traceback
+from dataclasses import asdict
+from typing import Any
 
 from sandbox._printable import printable, printable_lines
-from sandbox.errors import FileError, SandboxError
+from sandbox.errors import FileError, Problem, SandboxError
 
 HOLDS, FAILED, UNUSABLE, NOTHING, BUG = 0, 1, 2, 5, 70
 """Exit codes: all fine; something failed; the input cannot be used; nothing was found; a mistake of this program."""
@@ -34,6 +37,26 @@ def report(error: Exception) -> int:
         _print_message(_bug_text(error))
         return BUG
     return UNUSABLE
+
+
+def problems(error: Exception | None) -> list[dict[str, Any]]:
+    """What kept a file from being used, as entries of a JSON document."""
+    found = error.problems if isinstance(error, FileError) else [Problem(str(error))]
+    return [asdict(problem) for problem in found]
+
+
+def error_document(error: Exception, code: int) -> str:
+    """The JSON document of a command that an error ended before it had one."""
+    told = problems(error if isinstance(error, SandboxError) else SandboxError(_words(error)))
+    if isinstance(error, FileError):  # no entry of the file is around it
+        told = [entry | {"source": entry["source"] or error.source} for entry in told]
+    return json.dumps({"format": 1, "exit_code": code, "problems": told}, indent=2, ensure_ascii=False)
+
+
+def _words(error: Exception) -> str:
+    if isinstance(error, OSError):
+        return f"{error.filename}: {error.strerror}" if error.filename is not None else str(error.strerror)
+    return _bug_text(error)
 
 
 def _bug_text(error: Exception) -> str:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 import typer
 
 from sandbox._printable import told
-from sandbox.cli.failures import FAILED, HOLDS, UNUSABLE
+from sandbox.cli.failures import FAILED, HOLDS, UNUSABLE, problems
 from sandbox.errors import SandboxError
 from sandbox.resources import SCENE_SUFFIX
 
@@ -110,8 +110,6 @@ def _print_lines(results: Sequence[Result], check: bool) -> None:
 
 def _print_document(results: Sequence[Result], code: int) -> None:
     import json
-
-    from sandbox.cli.check_result import problems
 
     entries = [_entry(result, problems(result.error) if result.error else None) for result in results]
     print(json.dumps({"format": 1, "exit_code": code, "files": entries}, indent=2, ensure_ascii=False))

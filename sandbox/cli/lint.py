@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from sandbox._printable import told
-from sandbox.cli.failures import FAILED, HOLDS, UNUSABLE
+from sandbox.cli.failures import FAILED, HOLDS, UNUSABLE, problems
 from sandbox.cli.options import SET, takes, values_set
 from sandbox.errors import ArgumentError, SandboxError
 from sandbox.resources import SCENE_SUFFIX
@@ -164,8 +164,6 @@ def _for_machines(files: Sequence[Path], look: Look) -> list[Result]:
 
 def _entry(result: Result) -> dict[str, Any]:
     from dataclasses import asdict
-
-    from sandbox.cli.check_result import problems
 
     entry = {"path": result.path.as_posix()}
     if result.error is not None:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Collection
 from pathlib import Path
 
-from sandbox._atomic_write import check_writable
+from sandbox._atomic_write import check_writable, is_same_file
 from sandbox._printable import told
 from sandbox.errors import SandboxError
 
@@ -25,12 +25,15 @@ def parse_size(text: str) -> tuple[int, int]:
     return width, height
 
 
-def writable_picture(path: Path, suffixes: Collection[str]) -> str:
-    """The lower-case suffix of a picture to write. Raises `SandboxError` or `OSError` if it cannot be."""
+def writable_picture(path: Path, suffixes: Collection[str], source: Path | None = None) -> str:
+    """The lower-case suffix of a picture to write. Raises `SandboxError` or `OSError` if it cannot be, or if it would
+    take the place of the `source` that it is made of: a drawing may be a scene too."""
     suffix = path.suffix.lower()
     if suffix not in suffixes:
         *others, last = sorted(suffixes)
         known = " or ".join([", ".join(others), last] if others else [last])
         raise SandboxError(f"{told(path)}: the name of a picture must end in {known}")
+    if source is not None and is_same_file(path, source):
+        raise SandboxError(f"{told(path)}: it would go over what it is made of; give it another name")
     check_writable(path)
     return suffix

@@ -24,7 +24,7 @@ _STEPS = typer.Option(
     min=1, max=1_000_000, metavar="N", show_default=False, help="Steps to run instead of the scene's own number."
 )
 _COMMANDS = typer.Option(
-    metavar="FILE", show_default=False, help='What to do to it: a JSON list of [step, "NAME", {...}], or a recording.'
+    metavar="FILE", show_default=False, help='What to do to it: a JSON list of \\[step, "NAME", {...}], or a recording.'
 )
 _EMBED = typer.Option("--embed", help="Put the whole scene into the file instead of its path and hash.")
 _FORCE = typer.Option("--force", help="Write over a file that is there.")

@@ -18,7 +18,7 @@ def render(options: RenderOptions) -> None:
     from sandbox.cli.render_page import write_page
     from sandbox.cli.render_pictures import write_film, write_still
 
-    suffix = writable_picture(options.output, (*STILLS, *FILMS, PAGE))
+    suffix = writable_picture(options.output, (*STILLS, *FILMS, PAGE), options.scene)
     if suffix == PAGE:
         write_page(options)
     elif suffix in STILLS:

@@ -12,8 +12,9 @@ from typing import TYPE_CHECKING
 from rich.console import Console
 
 from sandbox._printable import told
-from sandbox.cli.failures import FAILED, HOLDS, NOTHING, UNUSABLE
+from sandbox.cli.failures import FAILED, HOLDS, NOTHING, UNUSABLE, error_document
 from sandbox.cli.replay_options import ReplayOptions
+from sandbox.errors import SandboxError
 from sandbox.replay.golden.cases import Case, find_cases, shard
 from sandbox.replay.golden.examine import ReplaySettings, Report
 
@@ -35,8 +36,7 @@ def run(work: Work) -> int:
     """Do it; the exit code."""
     cases = _chosen(work)
     if not cases:
-        Console(stderr=True, soft_wrap=True, highlight=False).print(_nothing(work), markup=False)
-        return NOTHING
+        return _tell_nothing(work)
     with _other_engine(work) as other:
         start = time.perf_counter()
         reports = (_run_for_machines if work.options.json else _run_for_people)(work, cases, other)
@@ -66,11 +66,19 @@ def _chosen(work: Work) -> list[Case]:
     return only_failed(cases) if work.options.last_failed else cases
 
 
+def _tell_nothing(work: Work) -> int:
+    text = _nothing(work)
+    Console(stderr=True, soft_wrap=True, highlight=False).print(f"sandbox: {text}", markup=False)
+    if work.options.json:
+        print(error_document(SandboxError(text), NOTHING))
+    return NOTHING
+
+
 def _nothing(work: Work) -> str:
     where = ", ".join(told(path) for path in work.options.paths)
     if work.options.only:
         where += f" with {work.options.only!r} in the path"
-    return f"sandbox: nothing to replay: no recording, and no scene that expects something, in {where}"
+    return f"nothing to replay: no recording, and no scene that expects something, in {where}"
 
 
 def _run_for_people(work: Work, cases: Sequence[Case], other: Against | None) -> list[Report]:

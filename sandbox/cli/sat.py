@@ -86,15 +86,15 @@ def _check_options(options: SatOptions) -> None:
     if axis is not None and figure not in (None, "axis", "dot"):
         raise SandboxError(f"--axis is for --figure axis or dot, not for --figure {figure}")
     if svg is not None:
-        _check_picture(svg, figure)
+        _check_picture(svg, figure, options.scene)
 
 
-def _check_picture(svg: Path, figure: str | None) -> None:
+def _check_picture(svg: Path, figure: str | None, scene: Path) -> None:
     from sandbox.cli.picture_options import writable_picture
     from sandbox.render.sat_figure import FIGURES
     from sandbox.scene.near_names import did_you_mean
 
-    writable_picture(svg, {".svg"})
+    writable_picture(svg, {".svg"}, scene)
     if figure is not None and figure not in FIGURES:
         hint = did_you_mean(figure, FIGURES) or f"there are {', '.join(FIGURES)}"
         raise SandboxError(f"--figure {figure}: no figure of that name; {hint}")

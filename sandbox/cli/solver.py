@@ -96,7 +96,7 @@ def _check_options(options: SolverOptions) -> None:
         raise SandboxError(f"--figure {figure} is drawn {'without' if over_time else 'with'} --over-time")
     _check_name("--figure", figure, TIME_FIGURES if over_time else STEP_FIGURES)
     if svg is not None:
-        writable_picture(svg, {".svg"})
+        writable_picture(svg, {".svg"}, options.scene)
 
 
 def _check_name(option: str, name: str, known: Iterable[str]) -> None:

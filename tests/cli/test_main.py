@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import json
 import os
 import subprocess
 import sys
@@ -130,3 +131,39 @@ def test_check_runs_in_a_process_of_its_own(write_scene: Callable, tmp_path: Pat
     done = run_process("check", str(path))
     assert done.returncode == 0, done.stderr
     assert "1 scene: 1 hold" in done.stdout
+
+
+@pytest.mark.skipif(os.name != "posix", reason="a shell closes them")
+@pytest.mark.parametrize("closed", [">&-", "2>&-", "<&-", ">&- 2>&- <&-"])
+@pytest.mark.parametrize("command", ["check", "expand", "fmt"])
+def test_closed_streams_are_no_bug(write_scene: Callable, command: str, closed: str) -> None:
+    """Daemons start programs without some."""
+    scene = write_scene("a.scene.json")
+    call = f'"{sys.executable}" -m sandbox {command} "{scene}" {closed}'
+    done = subprocess.run(["sh", "-c", call], capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert json.loads(scene.read_text())["title"] == "a.scene.json"
+
+
+NOT_THERE = {
+    "render": ("nix.scene.json", "-o", "out.png"), "record": ("nix.scene.json", "-o", "out.replay.json"),
+    "expand": ("nix.scene.json",), "export": ("nix.scene.json", "-o", "out.json"), "events": ("nix.scene.json",),
+    "sat": ("nix.scene.json", "--bodies", "a", "b"), "solver": ("nix.scene.json",), "diff": ("nix.scene.json",) * 2,
+    "sweep": ("nix.scene.json", "--vary", "gravity.1=-9,-8"), "gallery": ("nix", "-o", "out.html"),
+    "list": ("--theme", "nix"), "check": (".",), "lint": (".",), "compare": (".",), "replay": (".",),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("command", NOT_THERE)
+def test_json_tells_also_why_there_is_nothing(
+    cli: Callable, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, command: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    has_json = () if command == "expand" else ("--json",)
+    done = cli(command, *NOT_THERE[command], *has_json)
+    assert done.code in (2, 5)
+    assert done.err
+    if has_json:
+        document = json.loads(done.out)
+        assert document["exit_code"] == done.code
+        assert any(entry["message"] in done.err for entry in document["problems"])

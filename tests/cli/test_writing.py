@@ -5,6 +5,9 @@ from __future__ import annotations
 import errno
 import json
 import os
+import signal
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -92,3 +95,43 @@ class TestRecordingOver:
         path.write_text("600 steps")
         assert cli("record", "a.scene.json", "-o", path, "--force").code == 0
         assert json.loads(path.read_text())["steps"] == 20
+
+
+DRAWING = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><rect id="crate" width="2" height="2"/></svg>'
+
+
+@pytest.mark.parametrize("command", ["render", "sat", "solver"])
+def test_no_picture_goes_over_the_drawing_that_it_is_made_of(cli: Callable, command: str) -> None:
+    Path("a.svg").write_text(DRAWING)
+    Path("other.svg").symlink_to("a.svg")
+    option = "-o" if command == "render" else "--svg"
+    done = cli(command, "a.svg", option, "other.svg", *(["--bodies", "crate", "crate"] if command == "sat" else []))
+    assert (done.code, Path("a.svg").read_text()) == (2, DRAWING)
+    assert "other.svg: it would go over what it is made of; give it another name" in done.err
+
+
+def test_a_schema_goes_over_no_scene(cli: Callable) -> None:
+    before = Path("a.scene.json").read_text()
+    done = cli("schema", "-o", "a.scene.json")
+    assert (done.code, Path("a.scene.json").read_text()) == (2, before)
+    assert "there is a file of that name already" in done.err
+    assert [cli("schema", "-o", "scene.schema.json").code for _ in range(2)] == [0, 0]
+
+
+@pytest.mark.skipif(os.name != "posix", reason="there are no such signals")
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGKILL])
+def test_processes_end_with_the_one_that_started_them(write_scene: Callable, number: int) -> None:
+    """Whoever reads what they print comes to its end."""
+    for name in ("b.scene.json", "c.scene.json"):
+        write_scene(name, settings={"steps": 1_000_000, "sleeping": False})
+    command = [sys.executable, "-m", "sandbox", "check", ".", "-j", "2"]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    line = process.stdout.readline()  # type: ignore[union-attr]
+    while "a.scene.json" not in line:
+        line = process.stdout.readline()  # type: ignore[union-attr]
+        assert line
+    process.send_signal(number)
+    _, told = process.communicate(timeout=1800)
+    assert process.returncode == (128 + number if number == signal.SIGTERM else -number)
+    if number == signal.SIGTERM:
+        assert told == ""
