@@ -72,6 +72,8 @@ NOTES: dict[int, str] = {
     34: "impacts with restitution strike as they come about, first in, first out, no longer in the order of contacts, "
     "so that a row of balls passes them on however long it is and whichever end is its first; a contact strikes 16 "
     "times before its group strikes together, no longer in 32 sweeps",
+    35: "friction acts within a blow with restitution, no longer after it, so that a rough corner rebounds as it "
+    "should",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

@@ -1,4 +1,4 @@
-"""Impacts with restitution: the normal impulses of both points at once, then the friction that they allow."""
+"""Impacts with restitution: the normal impulses of both points at once, with the friction that they allow."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from sandbox._jit import kernel
 from sandbox.engine.contact_solver.law import pair_mass
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.restitution.impulses import friction_impulse, push, push_points, put_back, rub_of, take
+from sandbox.engine.restitution.rough_blow import rough_blow
 from sandbox.engine.restitution.two_point_block import block_of, pair_impulses
 from sandbox.tables import Records
 
@@ -17,9 +18,15 @@ def strike_elastic(bodies: Records, solver: SolverBodies, contact: Records, chan
     load1, load2 = pair_impulses(block_of(contact, mass), change1, change2)
     if load1 <= 0.0 and load2 <= 0.0:
         return
-    put_back(solver, contact, push_points(take(solver.free_motions, contact), contact, mass, load1, load2))
+    struck = take(solver.free_motions, contact)
+    if contact.friction > 0.0:
+        rub = rub_of(bodies[contact.body_a], bodies[contact.body_b], contact, load1, load2)
+        blow = rough_blow(struck, contact, mass, rub, load1 + load2)
+        load1 *= blow.scale
+        load2 *= blow.scale
+        struck = push(struck, mass, rub.anchors, blow.tangent * rub.tangent_x, blow.tangent * rub.tangent_y)
+    put_back(solver, contact, push_points(struck, contact, mass, load1, load2))
     contact.impact_impulse += load1 + load2
-    rub_struck(bodies, solver, contact, load1, load2)
 
 
 @kernel

@@ -69,6 +69,33 @@ def rough(start: Engine) -> float:
     return worst
 
 
+@experiment("a box on a rough corner", "velocity and spin; it grips, restitution 0.5 and 1", bound=1e-12)
+def corner(start: Engine) -> float:
+    """Friction that holds takes its part while the blow lasts, so that the corner gives way along the ground: by
+    k_tn / k_tt of the blow, of the inverse masses of the corner."""
+    worst = 0.0
+    for e, angle in ((0.5, 0.35), (1.0, 0.35), (0.5, 0.6), (1.0, 0.6)):
+        ground = body("ground", box(40.0, 2.0, (0.0, -1.0), friction=2.0, restitution=e), type="static")
+        x = 0.5 * (math.sin(angle) - math.cos(angle))
+        y = -0.5 * (math.sin(angle) + math.cos(angle))
+        crate = box(1.0, 1.0, density=1.0, friction=2.0, restitution=e)
+        run = start(
+            scene(
+                ground,
+                body("crate", crate, position=(0.0, 0.03 - y), angle=angle, velocity=(0.0, -4.0)),
+                gravity=NOWHERE,
+            )
+        )
+        run.step(2)
+        inertia = 1.0 / 6.0
+        normal, tangent, both = 1.0 + x * x / inertia, 1.0 + y * y / inertia, -x * y / inertia
+        blow = (1.0 + e) * 4.0 / (normal - both * both / tangent)
+        rub = -both / tangent * blow
+        worst = max(worst, off_pair(run.velocity("crate"), (rub, blow - 4.0), 4.0))
+        worst = max(worst, off(run.spin("crate"), (x * blow - y * rub) / inertia))
+    return worst
+
+
 def _rod_and_ball(start: Engine, e: float, arm: float) -> Run:
     rod = body("rod", box(0.2, 2.0, density=5.0, friction=0.0, restitution=e))
     ball = circle(0.25, density=3.0, friction=0.0, restitution=e)

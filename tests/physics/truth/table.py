@@ -50,6 +50,7 @@ EXPERIMENTS: tuple[Experiment, ...] = (
     colliding.head_on,
     colliding.oblique,
     colliding.rough,
+    colliding.corner,
     colliding.rod_end,
     blows.rebound_from_pyramid,
     blows.pyramid_stays,
