@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import math
 from numbers import Integral
 from typing import Any
 
 from sandbox.errors import ArgumentError
 
 
-def checked_count(call: str, value: Any, what: str = "steps", least: int = 0) -> int:
-    """`value` as a whole number from `least`. Raises `ArgumentError`."""
-    if type(value) is int and value >= least:  # asking for an abstract type takes ten times as long
+def checked_count(call: str, value: Any, what: str = "steps", least: int = 0, most: float = math.inf) -> int:
+    """`value` as a whole number from `least` to `most`. Raises `ArgumentError`."""
+    if type(value) is int and least <= value <= most:  # asking for an abstract type takes ten times as long
         return value
-    if isinstance(value, bool) or not isinstance(value, Integral) or value < least:
-        raise ArgumentError(f"{call}: takes a whole number of {what} from {least}, not {shown(value)}")
+    if isinstance(value, bool) or not isinstance(value, Integral) or not least <= int(value) <= most:
+        bounds = f"from {least}" if most == math.inf else f"from {least} to {most}"
+        raise ArgumentError(f"{call}: takes a whole number of {what} {bounds}, not {shown(value)}")
     return int(value)
 
 

@@ -18,6 +18,7 @@ from sandbox.engine.stepper import Stepper
 from sandbox.engine.views.bodies import Bodies
 from sandbox.engine.views.body import BodyView
 from sandbox.engine.views.joint import JointView
+from sandbox.engine.workers.threads import MOST_WORKERS
 from sandbox.errors import ArgumentError, CapacityError, CommandError, SnapshotError
 from sandbox.notebook import Shown
 from sandbox.scene.flat import FlatScene
@@ -69,7 +70,7 @@ class World(Readings, Shown, FixedAttributes):
         self._spawning: Spawning | None = None
         self._queries: Queries | None = None
         self._events = EventLog(self.state)
-        self._stepper = Stepper(self.state, checked_count("World", workers, "workers", 1))
+        self._stepper = Stepper(self.state, checked_count("World", workers, "workers", 1, MOST_WORKERS))
         self._game: Game | None = None
         self._paths: Paths | None = None
         self._know_rows()

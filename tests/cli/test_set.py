@@ -26,6 +26,12 @@ def test_values_reach_the_commands(cli: Callable, scene: str) -> None:
     assert "Moon" in Path("x.svg").read_text(encoding="utf-8")
 
 
+def test_an_expression_is_a_value_also_where_the_scene_has_none(cli: Callable, write_scene: Callable) -> None:
+    plain = write_scene("plain.scene.json", {"at": 5, "rests": "crate"})
+    assert cli("expand", plain, "--set", "bodies.crate.mass==1 + 1").out.count('"mass": 2') == 1
+    assert 'no number is named "rows"' in cli("check", plain, "--set", "bodies.crate.mass==rows").err
+
+
 def test_a_recording_with_values_is_replayed(cli: Callable, scene: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("CI", raising=False)
     assert cli("record", scene, "-o", "a.replay.json", "--steps", "10", "--set", "vars.g=1.62").code == 0

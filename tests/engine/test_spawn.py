@@ -443,3 +443,15 @@ def test_commands_are_plain_data():
     one.apply(command)
     two.apply(again)
     same(one, two)
+
+
+def test_views_of_what_is_gone_say_so():
+    """A debugger shows them, and asks for no more."""
+    bodies = [{"id": name, "shapes": [{"circle": 0.2}], "position": [x, 0]} for name, x in (("a", 0), ("b", 1))]
+    world = World(
+        sandbox.Scene(bodies=bodies, joints=[{"id": "pin", "type": "revolute", "bodies": ["a", "b"], "anchor": [0, 0]}])
+    )
+    body, joint = world.body("a"), world.joint("pin")
+    assert (repr(body)[:17], repr(joint)[:22]) == ("<Body 'a' dynamic", "<Joint 'pin' revolute:")
+    world.apply(Delete("a"))
+    assert (repr(body), repr(joint)) == ("<Body 'a', deleted>", "<Joint 'pin', deleted>")

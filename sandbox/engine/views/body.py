@@ -179,5 +179,8 @@ class BodyView(FixedAttributes):
         return bool(self._flags[At.AWAKE])
 
     def __repr__(self) -> str:
-        x, y = self.position
+        try:
+            x, y = self.position
+        except UnknownBodyError:
+            return f"<Body {self.id!r}, deleted>"
         return f"<Body {self.id!r} {self.type} at ({x:.4g}, {y:.4g}) m, {self.angle:.4g} rad>"

@@ -171,5 +171,9 @@ class JointView(FixedAttributes):
         self._apply(BreakJoint(self.id))
 
     def __repr__(self) -> str:
-        condition = "broken" if self.broken else f"{math.hypot(*self.force):.4g} N, {self.torque:.4g} N m"
+        try:
+            broken = self.broken
+        except UnknownJointError:
+            return f"<Joint {self.id!r}, deleted>"
+        condition = "broken" if broken else f"{math.hypot(*self.force):.4g} N, {self.torque:.4g} N m"
         return f"<Joint {self.id!r} {self.type}: {condition}>"

@@ -30,7 +30,9 @@ class Document:
     @cached_property
     def calculates(self) -> bool:
         """Whether there can be expressions in it."""
-        return self.text is None or f'"{MARK}' in self.text or "\\u003d" in self.text.lower()
+        if self.text is None or self.changed:
+            return True
+        return f'"{MARK}' in self.text or "\\u003d" in self.text.lower()
 
     def value(self, path: Path) -> Any:
         """What stands at a path; None if nothing does."""
