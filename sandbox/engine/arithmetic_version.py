@@ -74,6 +74,8 @@ NOTES: dict[int, str] = {
     "times before its group strikes together, no longer in 32 sweeps",
     35: "friction acts within a blow with restitution, no longer after it, so that a rough corner rebounds as it "
     "should",
+    36: "springs of what something bears look ahead of a substep only where they are fast for it, so that they no "
+    "longer damp what they swing, and what is borne by them moves as they do, by the velocity at the end of a substep",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

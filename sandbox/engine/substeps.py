@@ -130,7 +130,9 @@ def run_substeps(
         select_parts(joints, free_motions, level)
     prepare_forces(bodies, rows, solver, level, setting, seconds, workers)
     if joints is not None and rest:
-        move_by_end_velocity(joints, solver.forces)
+        used = blocks.blocks[count - 1].first + blocks.blocks[count - 1].count if count > 0 else 0
+        in_contact: Any = blocks.slots[:used]
+        move_by_end_velocity(joints, bodies, solver.forces, in_contact, solver.struck)
     flight = Flight(substeps, seconds, gravity, todo.impacts)
     now = state.counters[0].step_count
     struck: Any = blocks.batches.struck[blocks.batches.first_body[todo.batch] :]

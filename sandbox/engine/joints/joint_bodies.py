@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
+from sandbox._jit import inlined_kernel, kernel
+from sandbox.engine.active.islands import root_of, unite
 from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.joints.records import JointWork
-from sandbox.tables import Records
+from sandbox.tables import Integers, Records
+
+BY_END = 1.0
+"""`forces.by_end` of a body that moves by its velocity at the end of a substep,"""
+DRIVES = 2.0
+"""and of one that a spring drives besides, or that touches one."""
 
 
 @kernel
@@ -45,14 +51,54 @@ def part_level(work: JointWork, part: Records, free_motions: Records) -> int:
 
 
 @kernel
-def move_by_end_velocity(work: JointWork, forces: Records) -> None:
-    """Let the bodies of current parts move by the velocity they have; others move by its mean with the start."""
+def move_by_end_velocity(work: JointWork, bodies: Records, forces: Records, slots: Records, lowest: Integers) -> None:
+    """Let the bodies of current parts move by the velocity they have; others move by its mean with the start.
+
+    What the contacts in `slots` hold together with springs moves as these do: else it would drive them. `lowest` is
+    scratch with a row a body.
+    """
+    springs = False
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
         if part.current == 1:
+            borne = part.direct == 1 and part.supported == 1 and _has_spring(work, part)
+            springs = springs or borne
             for i in range(part.first_member, part.member_end):
                 if work.members[i].inverse_mass > 0.0:
-                    forces[work.members[i].body].by_end = 1.0
+                    forces[work.members[i].body].by_end = DRIVES if borne else BY_END
+    if springs:
+        _spread_over_contacts(bodies, forces, slots, lowest)
+
+
+@kernel
+def _has_spring(work: JointWork, part: Records) -> bool:
+    for k in range(part.first_constraint, part.constraint_end):
+        joint = work.joints[work.constraints[k].joint]
+        if joint.hertz > 0.0 or joint.angular_hertz > 0.0:
+            return True
+    return False
+
+
+@kernel
+def _spread_over_contacts(bodies: Records, forces: Records, slots: Records, lowest: Integers) -> None:
+    """Whoever touches one that `DRIVES`, or one of those that touch it, moves by its end velocity as well."""
+    for slot in slots:
+        lowest[slot.body_a] = slot.body_a
+        lowest[slot.body_b] = slot.body_b
+    for slot in slots:
+        if _both_move(bodies, slot):
+            unite(lowest, slot.body_a, slot.body_b)
+    for slot in slots:
+        if _both_move(bodies, slot) and (forces[slot.body_a].by_end == DRIVES or forces[slot.body_b].by_end == DRIVES):
+            forces[root_of(lowest, slot.body_a)].by_end = DRIVES
+    for slot in slots:
+        if _both_move(bodies, slot) and forces[root_of(lowest, slot.body_a)].by_end == DRIVES:
+            forces[slot.body_a].by_end = forces[slot.body_b].by_end = DRIVES
+
+
+@inlined_kernel
+def _both_move(bodies: Records, slot: Records) -> bool:
+    return bool(bodies[slot.body_a].inverse_mass > 0.0 and bodies[slot.body_b].inverse_mass > 0.0)
 
 
 @kernel

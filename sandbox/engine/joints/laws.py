@@ -75,10 +75,13 @@ def own_stiffness(mass_a: Number, inertia_a: Number, mass_b: Number, inertia_b: 
 
 
 @inlined_kernel
-def spring_law(rest: Number, hertz: Number, ratio: Number, stiffness: Number, acting: Number) -> Pair:
-    """(bias, softness) of a spring that is so far from rest, by the implicit midpoint rule."""
+def spring_law(
+    rest: Number, hertz: Number, ratio: Number, stiffness: Number, acting: Number, ahead: Number = 1.0
+) -> Pair:
+    """(bias, softness) of a spring that is so far from rest, and whose force is that of where it will be after the time
+    `acting` (s), or after a share `ahead` of it."""
     omega = 2.0 * PI * hertz
-    lag = 2.0 * ratio + acting * omega
+    lag = 2.0 * ratio + ahead * (acting * omega)
     bias = select(lag > 0.0, omega * rest / select(lag > 0.0, lag, 1.0), 0.0)
     divisor = acting * omega * lag
     softness = select(divisor > 0.0, stiffness / select(divisor > 0.0, divisor, 1.0), INFINITE)

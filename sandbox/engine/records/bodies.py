@@ -54,7 +54,7 @@ BODY_FORCES = Table(
         Field("angular_decay", "1", "share of the angular velocity that damping leaves"),
         Field("extent", "m", "that of the body"),
         Field("moves", "-", "1 when the solver moves it, 2 when it is kinematic, 0 for the others"),
-        Field("by_end", "-", "1 when it moves by the velocity at the end of a substep, as its joints count on"),
+        Field("by_end", "-", "not 0 when it moves by the velocity at the end of a substep, as its joints count on"),
     ),
 )
 """One row a body, one cache line: all that the substeps ask of the body itself; floats, which vectors can hold."""

@@ -10,7 +10,7 @@ from typing import NamedTuple
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import Mask, Vector, load, select, spread
 from sandbox.engine.joints.direct import places as at
-from sandbox.engine.joints.direct.acting_time import compliance
+from sandbox.engine.joints.direct.acting_time import compliance, look_ahead_share
 from sandbox.engine.joints.laws import COMPLIANCE, INFINITE, drive, spring_law
 from sandbox.tables import Floats, Records
 from sandbox.world.joint_records import FRICTION, MOTOR, PRISMATIC, REVOLUTE, TARGET, WELD, WHEEL
@@ -61,14 +61,17 @@ def target_positions(
         turns = frame.kind == REVOLUTE or frame.kind == PRISMATIC or frame.kind == WHEEL
         rest = rest - load(v, joint + (at.REST if turns else at.LENGTH))
         ratio = load(v, joint + at.DAMPING_RATIO)
-        bias, softness = spring_law(rest, load(v, joint + at.HERTZ), ratio, stiffness, springs_acting)
+        hertz = load(v, joint + at.HERTZ)
+        ahead_of = look_ahead_share(v, batch, springs_acting, hertz)
+        bias, softness = spring_law(rest, hertz, ratio, stiffness, springs_acting, ahead_of)
     elif may_be_sprung(frame.kind):
         if row.slot < 2:  # a gap turns with a, of which the speed along a row knows nothing
             levered = load(v, frame.place + at.LEVERED) == 1.0
             rest = select(levered, rest + springs_acting * ((ahead - rest) / seconds - speed), rest)
         ratio = load(v, joint + (at.ANGULAR_DAMPING_RATIO if row.slot == 2 else at.DAMPING_RATIO))
         hertz = row_hertz(v, joint, row.slot)
-        soft_bias, softer = spring_law(rest, hertz, ratio, stiffness, springs_acting)
+        ahead_of = look_ahead_share(v, batch, springs_acting, hertz)
+        soft_bias, softer = spring_law(rest, hertz, ratio, stiffness, springs_acting, ahead_of)
         bias = select(hertz > 0.0, soft_bias, bias)
         softness = select(hertz > 0.0, softer, softness)
     return Law(bias, softness, -limit, limit, stop)
