@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 from typing import Any
 
 from sandbox.errors import ShapeError
@@ -62,6 +61,9 @@ def check_shapes(kind: str, *values: Any) -> None:
 
 
 def _listed(kind: str, wanted: str, value: Any) -> list[Any]:
-    if isinstance(value, str) or not isinstance(value, Iterable):
-        raise ShapeError(f"{kind}: {wanted}, not {value!r}")
-    return list(value)
+    try:
+        if not isinstance(value, str):
+            return list(value)
+    except TypeError:  # numpy's single numbers say that they could be gone through
+        pass
+    raise ShapeError(f"{kind}: {wanted}, not {value!r}")

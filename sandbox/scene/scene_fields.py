@@ -24,6 +24,7 @@ from sandbox.scene.limits import (
     MAX_RULES,
 )
 from sandbox.scene.material import Material
+from sandbox.scene.objects import known_as
 from sandbox.scene.play.control import InputControl
 from sandbox.scene.play.rule import Rule
 from sandbox.scene.prefab import Prefab
@@ -32,6 +33,7 @@ from sandbox.scene.regions import AnyRegion
 from sandbox.scene.settings import LintSettings, Settings, View
 
 
+@known_as("the scene itself")
 class SceneFields(Model):
     """All that an author writes; `Scene` adds what can be done with it."""
 

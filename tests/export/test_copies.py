@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sandbox import Delete, Scene, Spawn, UnknownBodyError, World, copy_of, paste_of
+from sandbox import Delete, Scene, ShapeError, Spawn, UnknownBodyError, World, copy_of, paste_of
 from tests.examples import examples
 from tests.shipped import FILES, shipped
 
@@ -75,6 +75,12 @@ def test_ids_stay_within_their_length() -> None:
 def test_who_is_not_there_cannot_be_copied() -> None:
     with pytest.raises(UnknownBodyError, match="did you mean"):
         copy_of(World(MACHINE), ["hub", "armm"])
+
+
+@pytest.mark.parametrize("offset", [(float("nan"), 0.0), (0.0, float("inf")), "up", 3.0, (1.0,)])
+def test_copies_go_to_a_place(offset: object) -> None:
+    with pytest.raises(ShapeError, match=r"copy_of: .*the offset"):
+        copy_of(World(MACHINE), ["hub"], offset)  # type: ignore[arg-type]
 
 
 @given(st.data())

@@ -64,6 +64,10 @@ def generate(fields: str) -> str:
         (shape('"chain": [[0, 0], [1, 0]], "one_side": true'),
          '2:29: unknown field "one_side": did you mean "one_sided"?'),
         ('{"substeps": 2}', '1:2: unknown field "substeps": it belongs in "settings"'),
+        (
+            '{"settings": {"gravity": [0, 0]}}',
+            '1:15: unknown field "gravity": it belongs in the scene itself',
+        ),
         ('{"materials": {"w d": {}}}', '1:16: the name "w d" must be 1 to 100 letters, digits or any of _ - . :'),
         ('{"materials": {"w": {"friction": -1}}}', "1:34: friction must not be negative"),
         ('{"materials": {"w": {"density": 1e-9}}}', "1:33: density must be 0 or at least 1e-06 kg/m^2"),

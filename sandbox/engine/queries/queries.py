@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from numbers import Real
 from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from sandbox._jit import Call, Door, kernel_argument
+from sandbox.arguments import shown
 from sandbox.attributes import FixedAttributes
 from sandbox.engine.queries.checks import checked_box, checked_place, checked_ray, checked_rays
 from sandbox.engine.queries.filter import Filter
@@ -144,8 +146,8 @@ class Queries(FixedAttributes):
         Of shapes that hold the point it is the one it lies deepest in.
         """
         x, y = checked_place("nearest", "the point", point)
-        if not within >= 0.0:
-            raise QueryError(f"nearest: within must be a distance of 0 m or more, not {within}")
+        if not isinstance(within, Real) or not float(within) >= 0.0:
+            raise QueryError(f"nearest: within must be a distance of 0 m or more, not {shown(within)}")
         self._ask(POINT, filter)
         if len(self._memory.boxes) == 0 or not self._run(_NEAREST, x, y, float(within), self._one):
             return None

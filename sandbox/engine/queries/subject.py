@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from numbers import Integral
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from sandbox.engine.queries.filter import Filter
+from sandbox.arguments import shown
+from sandbox.engine.queries.filter import ALL_BITS, Filter
 from sandbox.engine.queries.records import SPARE_CORES, Memory
 from sandbox.errors import QueryError
 from sandbox.geometry.mass import edge_normals
@@ -65,8 +67,21 @@ def write_subject(memory: Memory, subject: Subject) -> None:
     plain(memory.question)[_SHAPE_FIELDS] = (len(core), radius, extent, *bounds)
 
 
+def _check_bits(seen: Filter) -> None:
+    """Raise `QueryError` for what is no bit set of 32 categories, or no group."""
+    for name, value in (("mask", seen.mask), ("category", seen.category)):
+        is_bits = isinstance(value, Integral) and 0 <= int(value) <= ALL_BITS
+        if not is_bits and not (name == "category" and value is None):
+            raise QueryError(f"Filter: {name} is a bit set of 32 categories, a whole number, not {shown(value)}")
+    if not isinstance(seen.group, Integral) or abs(int(seen.group)) > ALL_BITS:
+        raise QueryError(f"Filter: group is a whole number, not {shown(seen.group)}")
+
+
 def write_filter(memory: Memory, seen: Filter, find: Callable[[str], int]) -> None:
     """Put a filter where the kernels look for it; `find` gives the index of a body id."""
+    if not isinstance(seen, Filter):
+        raise QueryError(f"a query is asked with a Filter, or None, not {shown(seen)}")
+    _check_bits(seen)
     if seen.category == 0:
         raise QueryError("Filter: category 0 is heard by nobody; leave it out to pass over the masks of shapes")
     unknown = [name for name in seen.types if name not in _TYPES]

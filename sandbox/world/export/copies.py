@@ -8,6 +8,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from sandbox.geometry.checks import checked_point
 from sandbox.scene.limits import MAX_NAME
 from sandbox.scene.scene import Scene
 from sandbox.world.directory import Directory
@@ -40,9 +41,10 @@ def copy_of(
     """Entries for `Spawn` that make copies of bodies as they are now, `offset` (m) away, under ids that are free.
 
     The joints that hold nothing but these bodies and the world come with them, and so do gears on such joints. `scene`
-    is the one that the world was made of, if it does not know it. Raises `UnknownBodyError`, and `ArgumentError` if the
-    world was not made of a `Scene`.
+    is the one that the world was made of, if it does not know it. Raises `UnknownBodyError`, `ShapeError` for an offset
+    that is none, and `ArgumentError` if the world was not made of a `Scene`.
     """
+    offset = checked_point("copy_of", "the offset", offset)
     names = [bodies] if isinstance(bodies, str) else bodies
     rows = list(dict.fromkeys(world.directory.body(name) for name in names))
     present = Present(world, scene)
