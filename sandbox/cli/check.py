@@ -9,9 +9,9 @@ import typer
 
 from sandbox._printable import told
 from sandbox.cli.check_options import CheckOptions
+from sandbox.cli.failures import NothingToDoError
 from sandbox.cli.options import takes, values_set
 from sandbox.cli.output import check_report
-from sandbox.errors import SandboxError
 from sandbox.resources import SCENE_SUFFIX, files_below, find_scene
 
 
@@ -25,6 +25,7 @@ def check(options: CheckOptions) -> None:
     Exit code 0: all hold.
     Exit code 1: an expectation failed, or bad numbers froze a body.
     Exit code 2: a file could not be used; the other scenes still ran.
+    Exit code 5: there was none to run.
     """
     values = values_set(options.set)
     files = find_files(options.paths, options.only)
@@ -36,11 +37,11 @@ def check(options: CheckOptions) -> None:
 
 
 def find_files(paths: Sequence[Path], only: str = "", verb: str = "check") -> list[Path]:
-    """The scene files meant by `paths`, each once, in order. Raises `SandboxError` if there is nothing to `verb`."""
+    """The scene files meant by `paths`, each once, in order. Raises `NothingToDoError` if there is none."""
     found = [file for path in paths for file in _files_of(path, verb)]
     files = [file for file in dict.fromkeys(found) if only in file.as_posix()]
     if not files:
-        raise SandboxError(f"nothing to {verb}: no path contains {only!r}")
+        raise NothingToDoError(f"nothing to {verb}: no path contains {only!r}")
     return files
 
 
@@ -49,5 +50,5 @@ def _files_of(path: Path, verb: str) -> list[Path]:
         return [find_scene(path)]
     files = files_below(path, SCENE_SUFFIX)
     if not files:
-        raise SandboxError(f"nothing to {verb}: no *{SCENE_SUFFIX} in {told(path)} or below")
+        raise NothingToDoError(f"nothing to {verb}: no *{SCENE_SUFFIX} in {told(path)} or below")
     return files

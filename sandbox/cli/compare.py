@@ -94,6 +94,7 @@ def compare(options: CompareOptions) -> None:
     Exit code 0: no disagreement and no missed pair.
     Exit code 1: there is one.
     Exit code 2: a file could not be used; the other scenes still ran.
+    Exit code 5: there was none to compare.
     """
     from sandbox.cli.check import find_files
     from sandbox.cli.compiling import announce_compilation

@@ -18,6 +18,11 @@ HOLDS, FAILED, UNUSABLE, NOTHING, BUG = 0, 1, 2, 5, 70
 
 _NO_ROOM = (errno.ENOSPC, errno.EFBIG)
 
+
+class NothingToDoError(SandboxError):
+    """Nothing of what was asked for is there."""
+
+
 TRACEBACK_VARIABLE = "SANDBOX_TRACEBACK"
 
 
@@ -29,6 +34,7 @@ def report(error: Exception) -> int:
         _print_problems(error)
     elif isinstance(error, SandboxError):
         _print_message(printable_lines(str(error)))
+        return NOTHING if isinstance(error, NothingToDoError) else UNUSABLE
     elif isinstance(error, OSError) and error.filename is not None:
         _print_message(printable(f"{error.filename}: {error.strerror}"))
     elif isinstance(error, OSError) and error.errno in _NO_ROOM:

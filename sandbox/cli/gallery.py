@@ -10,6 +10,7 @@ import typer
 
 from sandbox._atomic_write import check_writable
 from sandbox._printable import told
+from sandbox.cli.failures import NothingToDoError
 from sandbox.cli.gallery_options import GalleryOptions
 from sandbox.cli.options import takes
 from sandbox.errors import SandboxError
@@ -29,6 +30,7 @@ def gallery(options: GalleryOptions) -> None:
 
     Exit code 0: it was written.
     Exit code 2: a scene could not be used (the others are shown), or the file cannot be written.
+    Exit code 5: there was none to show.
     """
     suffix = options.output.suffix.lower()
     if suffix not in (*PAGES, *SHEETS):
@@ -46,8 +48,9 @@ def _entries(folder: Path | None) -> Sequence[Entry]:
     if folder is None:
         return shipped_entries()
     if not folder.is_dir():
-        raise SandboxError(f"{told(folder)}: there is no such folder")
+        what = "it is no folder" if folder.exists() else "there is no such folder"
+        raise SandboxError(f"{told(folder)}: {what}")
     files = files_below(folder, SCENE_SUFFIX)
     if not files:
-        raise SandboxError(f"nothing to show: no *{SCENE_SUFFIX} in {told(folder)} or below")
+        raise NothingToDoError(f"nothing to show: no *{SCENE_SUFFIX} in {told(folder)} or below")
     return [entry_of(file, file.parent.name if file.parent != folder else "") for file in files]

@@ -61,6 +61,7 @@ def lint(options: LintOptions) -> None:
     Exit code 0: nothing was found.
     Exit code 1: something was.
     Exit code 2: a file or an option could not be used; the others were still looked at.
+    Exit code 5: there was none to look at.
     """
     from sandbox.cli.check import find_files
     from sandbox.cli.compiling import announce_compilation

@@ -71,13 +71,13 @@ def test_a_missing_file_is_unusable_and_the_rest_runs(cli: Callable, write_scene
     assert "nowhere.scene.json" in done.err
 
 
-def test_nothing_found_is_exit_2_with_a_message(cli: Callable, write_scene: Callable, tmp_path: Path) -> None:
+def test_nothing_found_is_exit_5_with_a_message(cli: Callable, write_scene: Callable, tmp_path: Path) -> None:
     done = cli("check", tmp_path)
-    assert (done.code, done.out) == (2, "")
+    assert (done.code, done.out) == (5, "")
     assert f"nothing to check: no *.scene.json in {tmp_path} or below" in done.err
     path = write_scene("a.scene.json")
     done = cli("check", path, "-k", "pyramid")
-    assert (done.code, done.out) == (2, "")
+    assert (done.code, done.out) == (5, "")
     assert "no path contains 'pyramid'" in done.err
 
 
