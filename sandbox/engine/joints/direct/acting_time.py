@@ -10,8 +10,8 @@ from sandbox.geometry.trig import PI
 from sandbox.tables import Floats, Records
 
 _SLOW, _FAST = 0.1, 0.4
-"""Springs that turn their oscillation by so much (rad) in the time in which they act look ahead hardly, or all the way:
-24 springs of 0.4 rad on one body would be as much as symplectic Euler bears."""
+"""Springs whose oscillation goes on by so much (rad) in the time in which they act look ahead hardly, or all the way:
+so 250 of them on one body are stable, however fast they are."""
 _LEAST = 1e-5
 """What does not look ahead at all has no softness that could be told."""
 
