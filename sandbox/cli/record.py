@@ -63,9 +63,9 @@ def record(options: RecordOptions) -> None:
     _check_output(output, options.force)
     file = find_scene(options.scene)
     loaded = open_any(file, values_set(options.set))
-    script = read_commands(options.commands) if options.commands is not None else ()
-    announce_compilation()
     total = planned_steps(loaded) if options.steps is None else options.steps
+    script = read_commands(options.commands, total) if options.commands is not None else ()
+    announce_compilation()
     recording = _with_progress(file.name, total, lambda done: run(loaded, total, script, done, options.workers))
     recording.save(output, embed=True if options.embed else None)
     _tell(output, recording, options.json)

@@ -99,6 +99,15 @@ class TestRecord:
         assert done.code == 2
         assert "not being dragged" in done.err
 
+    def test_a_command_after_the_end_is_told_with_its_line(self, cli: Callable, write_scene: Callable) -> None:
+        late = '[[5, "SetGravity", {"gravity": [0, 0]}],\n [21, "SetGravity", {"gravity": [0, 1]}]]'
+        Path("late.json").write_text(late)
+        arguments = ("record", write_scene("a.scene.json"), "-o", "a.replay.json", "--commands", "late.json")
+        done = cli(*arguments)
+        assert done.code == 2
+        assert "late.json:2:3: the steps of commands rise from 0 up to 20, and 21 comes after 5" in done.err
+        assert cli(*arguments, "--steps", 21).code == 0
+
     def test_another_ending_is_refused(self, cli: Callable, write_scene: Callable) -> None:
         done = cli("record", write_scene("a.scene.json"), "-o", "a.json")
         assert done.code == 2

@@ -36,24 +36,25 @@ def read_recording(path: Path) -> RecordingFields:
         raise RecordingError(error.source, error.problems) from None
 
 
-def read_commands(path: Path) -> tuple[TimedCommand, ...]:
-    """The commands in a file: a JSON list of `[step, "NAME", {...}]`, or a recording. Raises `RecordingError`."""
+def read_commands(path: Path, steps: int = MAX_STEPS) -> tuple[TimedCommand, ...]:
+    """The commands in a file for a run of so many steps: a JSON list of `[step, "NAME", {...}]`, or a recording, which
+    may be longer. Raises `RecordingError`."""
     try:
         text = read_text(path, "list of commands", MAX_BYTES).removeprefix("\ufeff")
-        return _loads_commands(text, path)
+        return _loads_commands(text, path, steps)
     except SceneError as error:
         raise RecordingError(error.source, error.problems) from None
 
 
 @one_effort()
-def _loads_commands(text: str, path: Path) -> tuple[TimedCommand, ...]:
+def _loads_commands(text: str, path: Path, steps: int) -> tuple[TimedCommand, ...]:
     data = parse(text, str(path)).data
     if isinstance(data, dict) and "commands" in data:
         return loads_recording(text, path).commands
     if not isinstance(data, list):
         raise scene_error(str(path), [Finding((), 'commands are a list [[step, "NAME", {...}], ...]')], text)
     commands: list[TimedCommand] = []
-    found = _decode_all(tuple(data), MAX_STEPS, commands, ())
+    found = _decode_all(tuple(data), steps, commands, ())
     if found:
         raise scene_error(str(path), found, text)
     return tuple(commands)
