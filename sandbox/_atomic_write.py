@@ -47,14 +47,6 @@ def check_writable(path: Path) -> None:
             _check_folder(_target(path).parent)
 
 
-def is_same_file(one: Path, other: Path) -> bool:
-    """Whether both are there and are the same file, by whatever names and links."""
-    try:
-        return os.path.samefile(one, other)
-    except OSError:
-        return False
-
-
 def _write(path: Path, data: bytes, durable: bool) -> None:
     there = _status(path)
     _check_there(path, there)

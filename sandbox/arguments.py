@@ -8,6 +8,9 @@ from typing import Any
 
 from sandbox.errors import ArgumentError
 
+MOST_WORKERS = 64
+"""Threads that share the steps of a world."""
+
 
 def checked_count(call: str, value: Any, what: str = "steps", least: int = 0, most: float = math.inf) -> int:
     """`value` as a whole number from `least` to `most`. Raises `ArgumentError`."""

@@ -25,17 +25,13 @@ def main(arguments: Sequence[str] | None = None) -> None:
         code = report(error)
         if "--json" in words:
             with suppress(OSError):  # perhaps the very reason
-                print(error_document(error, code))
+                print(error_document(error))
         raise SystemExit(code) from error
 
 
 def _fill_in_closed_streams() -> None:
-    """Whoever starts us without stdin, stdout or stderr wants nothing of it; but a file that is opened first would get
-    its number, and what is printed."""
-    for number, name, mode in ((0, "stdin", "r"), (1, "stdout", "w"), (2, "stderr", "w")):
+    """Whoever starts us without stdin, stdout or stderr wants nothing of it. In this order each gets the number that is
+    its own, the lowest free one: a file that is opened later would get it otherwise, and what is printed."""
+    for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
         if getattr(sys, name) is None:
-            with suppress(OSError):
-                os.fstat(number)
-                continue
-            os.open(os.devnull, os.O_RDWR)  # takes the lowest free number, which is this one
-            setattr(sys, name, os.fdopen(number, mode, encoding="utf-8"))
+            setattr(sys, name, os.fdopen(os.open(os.devnull, os.O_RDWR), mode, encoding="utf-8"))

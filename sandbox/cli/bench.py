@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from sandbox._atomic_write import write_text
+from sandbox.arguments import MOST_WORKERS
 from sandbox.cli.options import SET, takes, values_set
 from sandbox.cli.output import FORCE, check_new
 from sandbox.errors import MissingDependencyError, SandboxError
@@ -40,7 +41,6 @@ _OUTPUT = typer.Option(
     "-o", "--output", metavar="FILE", show_default=False,
     help="Write the JSON document there as well, anew after each scene.",
 )  # fmt: skip
-_MOST_WORKERS = 64
 
 
 @dataclass(frozen=True)
@@ -102,8 +102,8 @@ def _checked(text: str) -> list[str]:
 
 def _checked_workers(text: str) -> list[int]:
     words = [word.strip() for word in text.split(",")]
-    if not all(word.isdecimal() and 1 <= int(word) <= _MOST_WORKERS for word in words):
-        raise SandboxError(f"--workers {text}: takes numbers from 1 to {_MOST_WORKERS} with commas between, as 1,2")
+    if not all(word.isdecimal() and 1 <= int(word) <= MOST_WORKERS for word in words):
+        raise SandboxError(f"--workers {text}: takes numbers from 1 to {MOST_WORKERS} with commas between, as 1,2")
     return list(dict.fromkeys(map(int, words)))
 
 

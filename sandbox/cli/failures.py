@@ -30,19 +30,12 @@ def report(error: Exception) -> int:
     """Tell the user on stderr what went wrong; the exit code to end with."""
     if os.environ.get(TRACEBACK_VARIABLE):
         traceback.print_exception(error)
+    text, code = _told(error)
     if isinstance(error, FileError):
         _print_problems(error)
-    elif isinstance(error, SandboxError):
-        _print_message(printable_lines(str(error)))
-        return NOTHING if isinstance(error, NothingToDoError) else UNUSABLE
-    elif isinstance(error, OSError) and error.filename is not None:
-        _print_message(printable(f"{error.filename}: {error.strerror}"))
-    elif isinstance(error, OSError) and error.errno in _NO_ROOM:
-        _print_message(f"the output could not be written: {error.strerror}")
     else:
-        _print_message(_bug_text(error))
-        return BUG
-    return UNUSABLE
+        _print_message(text)
+    return code
 
 
 def problems(error: Exception | None) -> list[dict[str, Any]]:
@@ -51,18 +44,24 @@ def problems(error: Exception | None) -> list[dict[str, Any]]:
     return [asdict(problem) for problem in found]
 
 
-def error_document(error: Exception, code: int) -> str:
+def error_document(error: Exception) -> str:
     """The JSON document of a command that an error ended before it had one."""
-    told = problems(error if isinstance(error, SandboxError) else SandboxError(_words(error)))
+    text, code = _told(error)
+    entries = problems(error if isinstance(error, FileError) else SandboxError(text))
     if isinstance(error, FileError):  # no entry of the file is around it
-        told = [entry | {"source": entry["source"] or error.source} for entry in told]
-    return json.dumps({"format": 1, "exit_code": code, "problems": told}, indent=2, ensure_ascii=False)
+        entries = [entry | {"source": entry["source"] or error.source} for entry in entries]
+    return json.dumps({"format": 1, "exit_code": code, "problems": entries}, indent=2, ensure_ascii=False)
 
 
-def _words(error: Exception) -> str:
-    if isinstance(error, OSError):
-        return f"{error.filename}: {error.strerror}" if error.filename is not None else str(error.strerror)
-    return _bug_text(error)
+def _told(error: Exception) -> tuple[str, int]:
+    """What is said of an error, and the exit code to end with."""
+    if isinstance(error, SandboxError):
+        return printable_lines(str(error)), NOTHING if isinstance(error, NothingToDoError) else UNUSABLE
+    if isinstance(error, OSError) and error.filename is not None:
+        return printable(f"{error.filename}: {error.strerror}"), UNUSABLE
+    if isinstance(error, OSError) and error.errno in _NO_ROOM:
+        return f"the output could not be written: {error.strerror}", UNUSABLE
+    return _bug_text(error), BUG
 
 
 def _bug_text(error: Exception) -> str:

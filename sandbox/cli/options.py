@@ -10,11 +10,16 @@ from typing import Any, TypeVar, get_type_hints
 
 import typer
 
+from sandbox.arguments import MOST_WORKERS
 from sandbox.errors import SandboxError
 
 Options = TypeVar("Options")
 WORKERS = typer.Option(
-    "--workers", min=1, max=64, metavar="N", help="Threads that share a step of many bodies; the bits are the same."
+    "--workers",
+    min=1,
+    max=MOST_WORKERS,
+    metavar="N",
+    help="Threads that share a step of many bodies; the bits are the same.",
 )
 
 SET = typer.Option(

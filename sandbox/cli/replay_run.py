@@ -12,9 +12,8 @@ from typing import TYPE_CHECKING
 from rich.console import Console
 
 from sandbox._printable import told
-from sandbox.cli.failures import FAILED, HOLDS, NOTHING, UNUSABLE, error_document
+from sandbox.cli.failures import FAILED, HOLDS, UNUSABLE, NothingToDoError
 from sandbox.cli.replay_options import ReplayOptions
-from sandbox.errors import SandboxError
 from sandbox.replay.golden.cases import Case, find_cases, shard
 from sandbox.replay.golden.examine import ReplaySettings, Report
 
@@ -33,10 +32,10 @@ class Work:
 
 
 def run(work: Work) -> int:
-    """Do it; the exit code."""
+    """Do it; the exit code. Raises `NothingToDoError`."""
     cases = _chosen(work)
     if not cases:
-        return _tell_nothing(work)
+        raise NothingToDoError(_nothing(work))
     with _other_engine(work) as other:
         start = time.perf_counter()
         reports = (_run_for_machines if work.options.json else _run_for_people)(work, cases, other)
@@ -64,14 +63,6 @@ def _chosen(work: Work) -> list[Case]:
 
     cases = shard(find_cases(work.options.paths, work.options.only), *work.part)
     return only_failed(cases) if work.options.last_failed else cases
-
-
-def _tell_nothing(work: Work) -> int:
-    text = _nothing(work)
-    Console(stderr=True, soft_wrap=True, highlight=False).print(f"sandbox: {text}", markup=False)
-    if work.options.json:
-        print(error_document(SandboxError(text), NOTHING))
-    return NOTHING
 
 
 def _nothing(work: Work) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from sandbox._collecting import collection_postponed
-from sandbox.arguments import checked_count, shown
+from sandbox.arguments import MOST_WORKERS, checked_count, shown
 from sandbox.attributes import FixedAttributes, attributes_besides
 from sandbox.engine.commands.base import Command, Touched, Vec
 from sandbox.engine.commands.delete import Delete
@@ -18,7 +18,6 @@ from sandbox.engine.stepper import Stepper
 from sandbox.engine.views.bodies import Bodies
 from sandbox.engine.views.body import BodyView
 from sandbox.engine.views.joint import JointView
-from sandbox.engine.workers.threads import MOST_WORKERS
 from sandbox.errors import ArgumentError, CapacityError, CommandError, SnapshotError
 from sandbox.notebook import Shown
 from sandbox.scene.flat import FlatScene

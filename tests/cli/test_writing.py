@@ -119,11 +119,12 @@ def test_a_schema_goes_over_no_scene(cli: Callable) -> None:
 
 
 @pytest.mark.skipif(os.name != "posix", reason="there are no such signals")
-@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGKILL])
-def test_processes_end_with_the_one_that_started_them(write_scene: Callable, number: int) -> None:
+@pytest.mark.parametrize("name", ["SIGTERM", "SIGKILL"])
+def test_processes_end_with_the_one_that_started_them(write_scene: Callable, name: str) -> None:
     """Whoever reads what they print comes to its end."""
-    for name in ("b.scene.json", "c.scene.json"):
-        write_scene(name, settings={"steps": 1_000_000, "sleeping": False})
+    number = getattr(signal, name)
+    for file in ("b.scene.json", "c.scene.json"):
+        write_scene(file, settings={"steps": 1_000_000, "sleeping": False})
     command = [sys.executable, "-m", "sandbox", "check", ".", "-j", "2"]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     line = process.stdout.readline()  # type: ignore[union-attr]
@@ -132,6 +133,6 @@ def test_processes_end_with_the_one_that_started_them(write_scene: Callable, num
         assert line
     process.send_signal(number)
     _, told = process.communicate(timeout=1800)
-    assert process.returncode == (128 + number if number == signal.SIGTERM else -number)
-    if number == signal.SIGTERM:
+    assert process.returncode == (128 + number if name == "SIGTERM" else -number)
+    if name == "SIGTERM":
         assert told == ""

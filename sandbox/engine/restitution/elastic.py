@@ -5,7 +5,7 @@ from __future__ import annotations
 from sandbox._jit import kernel
 from sandbox.engine.contact_solver.law import pair_mass
 from sandbox.engine.records.bodies import SolverBodies
-from sandbox.engine.restitution.impulses import friction_impulse, push, push_points, put_back, rub_of, take
+from sandbox.engine.restitution.impulses import push, push_points, put_back, rub_of, take
 from sandbox.engine.restitution.rough_blow import rough_blow
 from sandbox.engine.restitution.two_point_block import block_of, pair_impulses
 from sandbox.tables import Records
@@ -27,16 +27,3 @@ def strike_elastic(bodies: Records, solver: SolverBodies, contact: Records, chan
         struck = push(struck, mass, rub.anchors, blow.tangent * rub.tangent_x, blow.tangent * rub.tangent_y)
     put_back(solver, contact, push_points(struck, contact, mass, load1, load2))
     contact.impact_impulse += load1 + load2
-
-
-@kernel
-def rub_struck(bodies: Records, solver: SolverBodies, contact: Records, load1: float, load2: float) -> None:
-    """Apply the friction that normal impulses (N s) at the points of a contact allow, after they have acted."""
-    if contact.friction <= 0.0 or load1 + load2 <= 0.0:
-        return
-    a = bodies[contact.body_a]
-    b = bodies[contact.body_b]
-    rub = rub_of(a, b, contact, load1, load2)
-    struck = take(solver.free_motions, contact)
-    drag = friction_impulse(struck, rub, contact.surface_speed, contact.friction * (load1 + load2), 0.0)
-    put_back(solver, contact, push(struck, pair_mass(a, b), rub.anchors, drag * rub.tangent_x, drag * rub.tangent_y))

@@ -13,9 +13,8 @@ from sandbox._jit import kernel
 from sandbox.engine.contact_solver.closing_speed import opening_speed
 from sandbox.engine.contact_solver.law import pair_mass, pair_velocity, start_velocity
 from sandbox.engine.records.bodies import SolverBodies
-from sandbox.engine.restitution.elastic import rub_struck
 from sandbox.engine.restitution.groups import next_of
-from sandbox.engine.restitution.impulses import push_points, put_back, take
+from sandbox.engine.restitution.impulses import friction_impulse, push, push_points, put_back, rub_of, take
 from sandbox.tables import Records
 
 
@@ -40,8 +39,21 @@ def rebound(bodies: Records, solver: SolverBodies, contacts: Records, group: Rec
     k = 0
     while k >= 0:
         slot = group[k]
-        rub_struck(bodies, solver, contacts[slot.contact], slot.load1, slot.load2)
+        _rub(bodies, solver, contacts[slot.contact], slot.load1, slot.load2)
         k = next_of(group, k)
+
+
+@kernel
+def _rub(bodies: Records, solver: SolverBodies, contact: Records, load1: float, load2: float) -> None:
+    """Apply the friction that normal impulses (N s) at the points of a contact allow, after they have acted."""
+    if contact.friction <= 0.0 or load1 + load2 <= 0.0:
+        return
+    a = bodies[contact.body_a]
+    b = bodies[contact.body_b]
+    rub = rub_of(a, b, contact, load1, load2)
+    struck = take(solver.free_motions, contact)
+    drag = friction_impulse(struck, rub, contact.surface_speed, contact.friction * (load1 + load2), 0.0)
+    put_back(solver, contact, push(struck, pair_mass(a, b), rub.anchors, drag * rub.tangent_x, drag * rub.tangent_y))
 
 
 @kernel

@@ -13,8 +13,6 @@ from sandbox.engine.records.workers import SIZE, Workers
 from sandbox.engine.workers.parallel_for import CLOSED
 
 Job: TypeAlias = Callable[[], Any]
-MOST_WORKERS = 64
-"""Of one world."""
 
 
 class WorkerThreads:

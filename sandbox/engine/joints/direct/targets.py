@@ -62,16 +62,16 @@ def target_positions(
         rest = rest - load(v, joint + (at.REST if turns else at.LENGTH))
         ratio = load(v, joint + at.DAMPING_RATIO)
         hertz = load(v, joint + at.HERTZ)
-        ahead_of = look_ahead_share(v, batch, springs_acting, hertz)
-        bias, softness = spring_law(rest, hertz, ratio, stiffness, springs_acting, ahead_of)
+        look_ahead = look_ahead_share(v, batch, springs_acting, hertz)
+        bias, softness = spring_law(rest, hertz, ratio, stiffness, springs_acting, look_ahead)
     elif may_be_sprung(frame.kind):
         if row.slot < 2:  # a gap turns with a, of which the speed along a row knows nothing
             levered = load(v, frame.place + at.LEVERED) == 1.0
             rest = select(levered, rest + springs_acting * ((ahead - rest) / seconds - speed), rest)
         ratio = load(v, joint + (at.ANGULAR_DAMPING_RATIO if row.slot == 2 else at.DAMPING_RATIO))
         hertz = row_hertz(v, joint, row.slot)
-        ahead_of = look_ahead_share(v, batch, springs_acting, hertz)
-        soft_bias, softer = spring_law(rest, hertz, ratio, stiffness, springs_acting, ahead_of)
+        look_ahead = look_ahead_share(v, batch, springs_acting, hertz)
+        soft_bias, softer = spring_law(rest, hertz, ratio, stiffness, springs_acting, look_ahead)
         bias = select(hertz > 0.0, soft_bias, bias)
         softness = select(hertz > 0.0, softer, softness)
     return Law(bias, softness, -limit, limit, stop)
