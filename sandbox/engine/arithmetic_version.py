@@ -76,6 +76,10 @@ NOTES: dict[int, str] = {
     "should",
     36: "springs of what something bears look ahead of a substep only where they are fast for it, so that they no "
     "longer damp what they swing, and what is borne by them moves as they do, by the velocity at the end of a substep",
+    37: "axes and anchors of contacts of what turns are those of the middle of the step, no longer of its "
+    "beginning, so that what rolls and rocks no longer swings itself up; what slides over a seam is held by "
+    "the next part from the step on in which it gets there; impacts on which contacts cannot agree, as "
+    "between belts that draw something in, end once passes go on adding to them",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

@@ -171,10 +171,10 @@ def solve_batches(
         link_contacts(bodies, slots, stop - start, solver)
         ranges = fill_blocks(solver.colors, own, batch)
         criteria = ImpactCriteria(share.impacts, ranges.struck, share.impact_speed)
-        prepare_contacts(bodies, contacts.now, own, ranges.total, team, spring, criteria)
+        prepare_contacts(state, solver, contacts.now, own, ranges.total, team, spring, criteria)
         todo = Pass(level, batch, touched, held, ranges, share.unsettled & NEW != 0, share.impacts)
         frozen += run_substeps(state, active, solver, contacts.now, own, impacts, joints, team, members, todo)
-        store_impulses(bodies, solver.flags, contacts, own, ranges.total, team, spring)
+        store_impulses(state, solver, contacts, own, ranges.total, team, spring)
     if frozen > 0:
         atomic_add(workers.words, FROZEN, frozen)
 

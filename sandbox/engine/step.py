@@ -13,7 +13,6 @@ from sandbox.engine.active.sleep import fall_asleep
 from sandbox.engine.active.substep_level import assign_substep_levels
 from sandbox.engine.active.wake_islands import wake_touched
 from sandbox.engine.bodies.begin_and_finish import begin_bodies, finish_bodies, forget_posed
-from sandbox.engine.bodies.integrate import rewind_driven
 from sandbox.engine.broad_phase.active_shapes import order_shapes, outdated_shapes
 from sandbox.engine.broad_phase.pair_cache import select_pairs, update_pair_cache
 from sandbox.engine.broad_phase.proxies import bound_shapes
@@ -24,6 +23,8 @@ from sandbox.engine.joints.records import JointWork
 from sandbox.engine.joints.sleep import flag_joined
 from sandbox.engine.joints.solve import begin_joints
 from sandbox.engine.joints.touched_parts import flag_touched_parts
+from sandbox.engine.midpoint.midpoint import move_to_midpoint
+from sandbox.engine.midpoint.poses import rewind_driven
 from sandbox.engine.narrow_phase.find_contacts import find_contacts
 from sandbox.engine.narrow_phase.sleeping_contacts import begin_sleeping_contacts, end_sleeping_contacts
 from sandbox.engine.narrow_phase.speculative import mark_may_stop
@@ -104,6 +105,7 @@ def begin(
         flag_touched_parts(joints, contacts, state.drags)
     info.substep_levels = assign_substep_levels(state, active, solver, piles, contacts, joints)
     info.impact_speed = flag_struck(bodies, contacts, solver.ccd, solver.struck, blocks.spare, info.fastest)
+    move_to_midpoint(state, active, solver, contacts)
     if joints is not None:
         new = state.counters[0].step_count == 0
         begin_joints(joints, bodies, solver.motions, solver.free_motions, new, workers)
@@ -130,7 +132,7 @@ def solve(
         if (levels >> level) & 1 == 0:
             continue
         if level > 0:
-            rewind_driven(state.bodies, rows, solver.motions)
+            rewind_driven(state.bodies, rows, solver, 0.5 * state.settings[0].step_seconds)
         which = Level(level, levels > 1, info.fastest)
         colors = solve_level(state, active, solver, contacts, blocks, joints, workers, which)
         counter.color_count = colors if colors > counter.color_count else counter.color_count

@@ -179,6 +179,7 @@ class Paused:
         """Bounds, grid, contacts."""
         s, m = self.state, self.scratch
         self.survey()
+        m.solver.flags[:] = 0  # of the step before
         m.active.shapes[:] = np.arange(len(s.shapes))
         m.active.info.moving = len(s.shapes)
         bound_shapes(self.tables, m.active.shapes, True, m.colliders, m.grid, m.workers)
@@ -208,9 +209,9 @@ class Paused:
     def prepare(self, impacts: bool = False, impact_speed: float = 2.0) -> None:
         """Fill the lanes of the blocks there are."""
         m = self.scratch
-        now, bodies = m.contacts.now, self.state.bodies
+        now = m.contacts.now
         criteria = prepare.ImpactCriteria(impacts, self.blocks, impact_speed)
-        prepare_contacts(bodies, now, m.blocks, self.blocks, m.workers, self._spring(), criteria)
+        prepare_contacts(self.tables, m.solver, now, m.blocks, self.blocks, m.workers, self._spring(), criteria)
 
     def one_contact_a_block(self) -> None:
         """The same slots, but every contact alone in its block."""
@@ -278,7 +279,7 @@ class Paused:
     def store(self) -> None:
         """Impulses back into the contacts."""
         m = self.scratch
-        store_impulses(self.state.bodies, m.solver.flags, m.contacts, m.blocks, self.blocks, m.workers, self._spring())
+        store_impulses(self.tables, m.solver, m.contacts, m.blocks, self.blocks, m.workers, self._spring())
 
 
 def island_roots(count: int, links: Sequence[tuple[int, int]], active: Sequence[bool]) -> list[int]:

@@ -128,7 +128,7 @@ def test_a_heap_is_not_thrown_up_when_it_takes_finer_substeps(density: float, le
     """2,000 and 4,000 times the mass is laid on discs at rest: stiffer springs must not hold what was in softer."""
     walls = [body(f"wall{x}", box(2.0, 60.0), type="static", position=(x, 29.0)) for x in (-2.75, 2.75)]
     discs = [
-        body(f"disc{k}", circle(0.2), position=(0.41 * (k % 8) - 1.44 + 0.005 * (k // 8 % 3), 0.2 + 0.4 * (k // 8)))
+        body(f"disc{k}", circle(0.2), position=(0.41 * (k % 8) - 1.44 + 0.0053 * (k // 8 % 3), 0.2 + 0.4 * (k // 8)))
         for k in range(192)
     ]
     w = world(body("floor", box(8.0, 2.0), type="static", position=(0.0, -1.0)), *walls, *discs, settings=AWAKE)

@@ -14,6 +14,7 @@ from sandbox.engine.bodies.flags import AT_A_TIME, clear_flags, keep_dragged_awa
 from sandbox.engine.bodies.integrate import begin_motions, finish_motions
 from sandbox.engine.bodies.quarantine import guard_forces, guard_positions
 from sandbox.engine.continuous_collision.candidates import mark_fast
+from sandbox.engine.midpoint.poses import put_back
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.state import StateTables
@@ -91,6 +92,7 @@ def finish_some_bodies(
     seconds = state.settings[0].step_seconds
     for first in range(0, rows.shape[0], AT_A_TIME):
         some = rows[first : first + AT_A_TIME]
+        put_back(bodies, some, solver, 0.5 * seconds)
         frozen = guard_positions(bodies, some, motions, active.info, counter.step_count)
         fast = mark_fast(bodies, some, motions, solver.ccd, seconds)
         finish_motions(bodies, some, motions)

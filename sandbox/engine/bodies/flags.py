@@ -17,6 +17,12 @@ MOVING_KINEMATIC = 4
 """It is kinematic and moves, so that whatever touches it stays awake."""
 ISLAND_AWAKE = 8
 """At the root of an island: some body of that is too lively for the island to sleep."""
+MOBILE = 16
+"""It may move: it is awake, or kinematic."""
+TURNING = 32
+"""It turns notably in a step."""
+AHEAD = 64
+"""It is put to where its velocity takes it in half a step (`midpoint`)."""
 IMMOVABLE = -1
 """In the place of the colours of a body that the solver does not move. No set of colours is that: there are 62."""
 

@@ -9,7 +9,7 @@ from sandbox.engine.workers.parallel_for import first_part, next_part
 from sandbox.engine.workers.task_kinds import INTEGRATE_VELOCITIES, LEVEL, PREPARE_FORCES, SECONDS
 from sandbox.geometry.trig import cos_sin
 from sandbox.tables import Integers, Records
-from sandbox.world.records import DYNAMIC, KINEMATIC, STATIC
+from sandbox.world.records import DYNAMIC, STATIC
 
 SOLVED = 1.0
 """`forces.moves` of a body that the solver moves."""
@@ -45,19 +45,6 @@ def begin_motions(bodies: Records, active_bodies: Integers, solver: SolverBodies
         square = body.velocity_x * body.velocity_x + body.velocity_y * body.velocity_y + rim * rim
         fastest = square if square > fastest else fastest
     return fastest
-
-
-@kernel
-def rewind_driven(bodies: Records, active_bodies: Integers, motions: Records) -> None:
-    """Put kinematic bodies back to where the step began, for the islands of the next substep level."""
-    for i in active_bodies:
-        if bodies[i].type == KINEMATIC:
-            motion = motions[i]
-            motion.delta_x = 0.0
-            motion.delta_y = 0.0
-            motion.delta_cos = 1.0
-            motion.delta_sin = 0.0
-            motion.delta_angle = 0.0
 
 
 @kernel

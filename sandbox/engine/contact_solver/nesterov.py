@@ -31,6 +31,12 @@ LEAST_WORK = 2_000
 much may be left to be found though each pass changes little."""
 ROUNDING = 1e-12
 """Change of speed (m/s) where nothing is left but rounding."""
+RISES = 1.0 + 1e-4
+"""Ratio of the energies after two passes, past which the second has done work: belts and kinematic bodies do."""
+ENDLESS = 16
+"""Passes in a row. What drives reaches one contact further in each pass; where it goes on doing work after so many more
+than there are contacts, as on what two belts draw into a nip from which it cannot slip, there are no impulses on which
+contacts agree, and every pass adds to what there is."""
 TAKES_PART = 1 << 40
 """`solver.struck` of a body while it is listed as one that takes part: no value that groups of impacts leave there."""
 
@@ -83,7 +89,7 @@ def solve_until_agreed(
     passes = passes_within(effort.most_work, contacts, effort.most_passes)
     _begin(motions, moved, blocks, block_count)
     last_energy = _energy(bodies, motions, moved)
-    agree = 0
+    agree = rises = 0
     for turn in range(passes):
         if turn == 0:
             solve_contacts(motions, blocks, 0, block_count, workers, rigid)
@@ -94,6 +100,9 @@ def solve_until_agreed(
         if turn == passes - 1 or not _changes(blocks, block_count, enough):
             return
         energy = _energy(bodies, motions, moved)
+        rises = rises + 1 if energy > RISES * last_energy else 0
+        if rises > ENDLESS + contacts:
+            return
         agree = agree + 1 if energy <= last_energy else 0
         last_energy = energy
         further = momentum(agree)

@@ -20,12 +20,16 @@ from sandbox.engine.contact_solver.contact_rows import (
     contact_rows,
     point_counts,
 )
-from sandbox.engine.contact_solver.gather import PairRows, note_rows, rows_of
+from sandbox.engine.contact_solver.gather import PairPose, PairRows, note_rows, rows_of
 from sandbox.engine.contact_solver.law import Anchors, PairMass, bearing_anchors, effective_mass, levers_of
 from sandbox.engine.contact_solver.rest_length import change_level
 from sandbox.engine.contact_solver.soft_constraint import Spring
+from sandbox.engine.midpoint.contacts_ahead import axis_owners, move_row, some_ahead, ways_of
+from sandbox.engine.midpoint.move_contact import Axis, moved_axis, moved_point
+from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.gather_fields import Rows, gather_fields
+from sandbox.engine.records.state import StateTables
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
 from sandbox.engine.workers.task_kinds import IMPACT_SPEED, IMPACTS, LEVEL, PREPARE_CONTACTS, STRUCK_BLOCKS
@@ -47,15 +51,6 @@ class ImpactCriteria(NamedTuple):
     speed: float
 
 
-class Axes(NamedTuple):
-    """The unit normals of four contacts, from a to b, and the rounding (m) of their shapes."""
-
-    x: Vector
-    y: Vector
-    radius_a: Vector
-    radius_b: Vector
-
-
 class Points(NamedTuple):
     """One of the two points of each of four contacts: its anchors and its gap (m), and what it kept of the step
     before: impulses (N s) in a substep of level 0, the rest length (m)."""
@@ -69,7 +64,8 @@ class Points(NamedTuple):
 
 @kernel
 def prepare_contacts(
-    bodies: Records,
+    state: StateTables,
+    solver: SolverBodies,
     contacts: Records,
     blocks: ContactBlocks,
     block_count: int,
@@ -84,13 +80,14 @@ def prepare_contacts(
     workers.numbers[IMPACT_SPEED] = criteria.speed
     first, end = first_part(workers, PREPARE_CONTACTS, 0, block_count)
     while first < end:
-        prepare_blocks(bodies, contacts, blocks, first, end, spring, criteria)
+        prepare_blocks(state, solver, contacts, blocks, first, end, spring, criteria)
         first, end = next_part(workers, first, end)
 
 
 @kernel
 def prepare_blocks(
-    bodies: Records,
+    state: StateTables,
+    solver: SolverBodies,
     contacts: Records,
     blocks: ContactBlocks,
     first: int,
@@ -102,6 +99,8 @@ def prepare_blocks(
 
     Those are what a substep of the level gives, while contacts keep what one of level 0 would.
     """
+    bodies = state.bodies
+    half_step = 0.5 * state.settings[0].step_seconds
     for n in range(first, end):
         block = blocks.blocks[n]
         v = blocks.lanes[n * BLOCK_SIZE : (n + 1) * BLOCK_SIZE]
@@ -110,7 +109,12 @@ def prepare_blocks(
                 prefetch_row(contacts, blocks.slots[at].contact)
         _note_bodies(block, blocks.slots)
         rows = contact_rows(block, blocks.slots)
-        _fill_lanes(block, v, contacts, rows, _masses_of(bodies, rows_of(block)), spring.share)
+        mass = _masses_of(bodies, rows_of(block))
+        axes, one, two = _read_points(contacts, rows)
+        if some_ahead(solver.flags, block, blocks.slots):
+            owners = axis_owners(bodies, solver.flags, block, blocks.slots, contacts)
+            axes, one, two = _move_points(axes, one, two, ways_of(block, solver.motions), owners)
+        _fill_lanes(block, v, contacts, rows, (axes, one, two), mass, spring.share)
         for k in range(block.count, LANES):
             _clear(v[k:])
         block.strikes = 0
@@ -124,6 +128,8 @@ def prepare_blocks(
             b = bodies[slot.body_b]
             if criteria.some and _may_impact(a, b, contact, criteria.speed, struck):
                 _note_impact(block, v, k)
+                if contact.restitution > 0.0:
+                    move_row(bodies, solver, slot, contacts, half_step)
 
 
 @inlined_kernel
@@ -147,19 +153,16 @@ def _masses_of(bodies: Records, rows: PairRows) -> PairMass:
 
 
 @inlined_kernel
-def _fill_lanes(block: Records, v: Floats, contacts: Records, rows: Rows, mass: PairMass, share: float) -> None:
-    """Fill the lanes of a block from its contacts."""
-    _, surface_speed, friction, rolling_resistance = gather_fields(contacts, rows, RESTITUTION)
-    axes = Axes(*gather_fields(contacts, rows, NORMAL))
+def _read_points(contacts: Records, rows: Rows) -> tuple[Axis, Points, Points]:
+    """The axes of four contacts and what they have of both points; a second point there is not is the first."""
+    axes = Axis(*gather_fields(contacts, rows, NORMAL))
     anchors = Anchors(*gather_fields(contacts, rows, ANCHORS_1))
     separation1, ax, _, _ = gather_fields(contacts, rows, SEPARATION_1)
     ay, bx, by, separation2 = gather_fields(contacts, rows, ANCHOR_AY_2)
     load, tangent, rest_length, _ = gather_fields(contacts, rows, KEPT_OF_POINT_1)
     one = Points(anchors, separation1, load, tangent, rest_length)
-    load, tangent, rest_length, rolling_impulse = gather_fields(contacts, rows, KEPT_OF_POINT_2)
+    load, tangent, rest_length, _ = gather_fields(contacts, rows, KEPT_OF_POINT_2)
     both = point_counts(contacts, rows) == 2.0
-    block.single = 0 if any_lane(both) else 1
-    # A second point at the place of the first, without mass, never pushes.
     anchors = Anchors(
         select(both, ax, one.anchors.ax),
         select(both, ay, one.anchors.ay),
@@ -167,7 +170,36 @@ def _fill_lanes(block: Records, v: Floats, contacts: Records, rows: Rows, mass: 
         select(both, by, one.anchors.by),
     )
     separation2 = select(both, separation2, separation1)
-    two = Points(anchors, separation2, load, tangent, select(both, rest_length, one.rest_length))
+    return axes, one, Points(anchors, separation2, load, tangent, select(both, rest_length, one.rest_length))
+
+
+@inlined_kernel
+def _move_points(axes: Axis, one: Points, two: Points, way: PairPose, owners: Vector) -> tuple[Axis, Points, Points]:
+    """The same after the bodies have moved so far."""
+    moved = moved_axis(axes, one.anchors, way, owners)
+    r1, gap1 = moved_point(one.anchors, one.separation, axes, moved, way, owners)
+    r2, gap2 = moved_point(two.anchors, two.separation, axes, moved, way, owners)
+    one = Points(r1, gap1, one.load, one.tangent, one.rest_length)
+    return moved, one, Points(r2, gap2, two.load, two.tangent, two.rest_length)
+
+
+@inlined_kernel
+def _fill_lanes(
+    block: Records,
+    v: Floats,
+    contacts: Records,
+    rows: Rows,
+    points: tuple[Axis, Points, Points],
+    mass: PairMass,
+    share: float,
+) -> None:
+    """Fill the lanes of a block from its contacts."""
+    axes, one, two = points
+    _, surface_speed, friction, rolling_resistance = gather_fields(contacts, rows, RESTITUTION)
+    _, _, _, rolling_impulse = gather_fields(contacts, rows, KEPT_OF_POINT_2)
+    # A second point at the place of the first, without mass, never pushes.
+    both = point_counts(contacts, rows) == 2.0
+    block.single = 0 if any_lane(both) else 1
     store(v, cb.NORMAL_X, axes.x)
     store(v, cb.NORMAL_Y, axes.y)
     store(v, cb.INVERSE_MASS_A, mass.mass_a)
@@ -183,7 +215,7 @@ def _fill_lanes(block: Records, v: Floats, contacts: Records, rows: Rows, mass: 
 
 
 @inlined_kernel
-def _fill_points(v: Floats, point: int, of: Points, axes: Axes, mass: PairMass, share: float) -> Vector:
+def _fill_points(v: Floats, point: int, of: Points, axes: Axis, mass: PairMass, share: float) -> Vector:
     """Fill `POINT_1` or `POINT_2` of a block, but for the effective masses (kg), which are returned."""
     r = of.anchors
     store(v, point + cb.ANCHOR_AX, r.ax)
@@ -206,7 +238,7 @@ def _fill_friction(
     one: Points,
     two: Points,
     both: Mask,
-    axes: Axes,
+    axes: Axis,
     mass: PairMass,
     share: float,
 ) -> None:
@@ -241,7 +273,7 @@ def _fill_traits(
     surface_speed: Vector,
     rolling_resistance: Vector,
     rolling_impulse: Vector,
-    axes: Axes,
+    axes: Axis,
     mass: PairMass,
     share: float,
 ) -> None:

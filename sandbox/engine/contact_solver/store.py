@@ -11,13 +11,16 @@ from sandbox.engine.contact_solver.closing_speed import closing_speed
 from sandbox.engine.contact_solver.contact_rows import KEPT_OF_POINT_1, KEPT_OF_POINT_2, contact_rows, point_counts
 from sandbox.engine.contact_solver.rest_length import next_length
 from sandbox.engine.contact_solver.soft_constraint import Spring
+from sandbox.engine.midpoint.contacts_ahead import move_row_back
+from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.gather_fields import Rows, gather_fields, scatter_fields
+from sandbox.engine.records.state import StateTables
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import color_count, first_part_of_color, next_part
 from sandbox.engine.workers.task_kinds import LEVEL, STORE_IMPULSES
-from sandbox.tables import Floats, Integers, Records
+from sandbox.tables import Floats, Records
 
 BLOCK_SIZE = cb.BLOCK_SIZE
 LANES = cb.LANES
@@ -33,8 +36,8 @@ def clear_reports(reports: Records, count: int) -> None:
 
 @kernel
 def store_impulses(
-    bodies: Records,
-    flags: Integers,
+    state: StateTables,
+    solver: SolverBodies,
     contacts: Contacts,
     blocks: ContactBlocks,
     block_count: int,
@@ -46,14 +49,14 @@ def store_impulses(
     for color in range(color_count(workers, blocks)):  # whose contacts share no flags
         first, end = first_part_of_color(workers, STORE_IMPULSES, blocks, color, (0, block_count))
         while first < end:
-            store_blocks(bodies, flags, contacts, blocks, first, end, spring)
+            store_blocks(state, solver, contacts, blocks, first, end, spring)
             first, end = next_part(workers, first, end)
 
 
 @kernel
 def store_blocks(
-    bodies: Records,
-    flags: Integers,
+    state: StateTables,
+    solver: SolverBodies,
     contacts: Contacts,
     blocks: ContactBlocks,
     first: int,
@@ -67,6 +70,8 @@ def store_blocks(
     The bodies still have the velocities with which the step began: a point that begins to push has closed in at them.
     What they bear is flagged as supported.
     """
+    bodies = state.bodies
+    half_step = 0.5 * state.settings[0].step_seconds
     for n in range(first, end):
         block = blocks.blocks[n]
         v = blocks.lanes[n * BLOCK_SIZE : (n + 1) * BLOCK_SIZE]
@@ -76,9 +81,10 @@ def store_blocks(
         for k in range(block.count):
             slot = blocks.slots[block.first + k]
             contact = contacts.now[slot.contact]
+            move_row_back(bodies, solver, slot, contact, half_step)
             _report(bodies, contact, contacts.reports[slot.contact], v[k:])
             pushes = v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] > 0.0 or v[cb.POINT_2 + cb.NORMAL_IMPULSE + k] > 0.0
-            flag_contact(flags, slot.body_a, slot.body_b, pushes, contact.surface_speed)
+            flag_contact(solver.flags, slot.body_a, slot.body_b, pushes, contact.surface_speed)
         _keep(block, v, contacts.now, contact_rows(block, blocks.slots), spring)
 
 

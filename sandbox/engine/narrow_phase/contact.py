@@ -41,6 +41,7 @@ def fill_contact(
     contact.rolling_impulse = 0.0
     contact.impact_impulse = 0.0
     contact.touching = 0
+    contact.axis_owner = m.axis_owner
     contact.point_count = m.point_count
     contact.substep_level = 0
     off = (0.5 if a.traits & FIXED else 0.0) - (0.5 if b.traits & FIXED else 0.0)

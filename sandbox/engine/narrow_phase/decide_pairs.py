@@ -215,7 +215,7 @@ def _examine(
 ) -> float:
     """The time of which the manifold of a pair with seams or a one-way shape is, put right; -1 if it does not hold.
 
-    What is fast may first touch a part across a seam: it is looked at where the step will bring it. `known` if the
+    What may first touch a part across a seam is looked at where the step will bring it. `known` if the
     pair has a contact already.
     """
     x = proxies[j].center_x - proxies[i].center_x
@@ -226,13 +226,15 @@ def _examine(
     seconds = approach.seconds
     t = approach.t
     now = t == 0.0
+    travels = seconds * (abs(vx) + abs(vy)) > TOUCHING
     while traits & SEAMED and not fix_internal_edge(
         tables, PlacedPair(i, j, x + vx * t, y + vy * t), vx * seconds, vy * seconds, approach.margin, FACE_BIAS, now,
         manifold,
     ):  # fmt: skip
-        if now or t == seconds:
+        if t == seconds or not travels:
             return -1.0
         t = seconds
+        now = False
         if not _collide(proxies, tables.cores, i, j, vx * t, vy * t, approach.margin, manifold):
             return -1.0
     if traits & ONE_WAY == 0:

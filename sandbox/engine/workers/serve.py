@@ -210,9 +210,9 @@ def _do_bodies(
     elif task == PREPARE_CONTACTS:
         spring = contact_spring(state.settings[0], int(n[LEVEL]))
         criteria = ImpactCriteria(n[IMPACTS] > 0.0, int(n[STRUCK_BLOCKS]), n[IMPACT_SPEED])
-        prepare_blocks(state.bodies, contacts.now, blocks, first, end, spring, criteria)
+        prepare_blocks(state, solver, contacts.now, blocks, first, end, spring, criteria)
     elif task == STORE_IMPULSES:
         spring = contact_spring(state.settings[0], int(n[LEVEL]))
-        store_blocks(state.bodies, solver.flags, contacts, blocks, first, end, spring)
+        store_blocks(state, solver, contacts, blocks, first, end, spring)
     if frozen > 0:
         atomic_add(workers.words, FROZEN, frozen)
