@@ -80,6 +80,8 @@ NOTES: dict[int, str] = {
     "beginning, so that what rolls and rocks no longer swings itself up; what slides over a seam is held by "
     "the next part from the step on in which it gets there; impacts on which contacts cannot agree, as "
     "between belts that draw something in, end once passes go on adding to them",
+    38: "impacts without restitution that belts or kinematic bodies drive end where 32 passes bring contacts no "
+    "nearer to agreeing or leave them more energy than there was, however much that grows in a pass",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

@@ -23,20 +23,23 @@ from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contact_blocks import ContactBlocks, SoftContact
 from sandbox.engine.records.workers import Workers
 from sandbox.tables import Floats, Records
+from sandbox.world.records import KINEMATIC
 
 BLOCK_SIZE = cb.BLOCK_SIZE
 LANES = cb.LANES
 LEAST_WORK = 2_000
 """Before so many passes times contacts only rounding ends it: few contacts cost little, and where masses differ,
 much may be left to be found though each pass changes little."""
+FAR = 1e30
+"""Change of speed (m/s) before the first window."""
 ROUNDING = 1e-12
 """Change of speed (m/s) where nothing is left but rounding."""
-RISES = 1.0 + 1e-4
-"""Ratio of the energies after two passes, past which the second has done work: belts and kinematic bodies do."""
-ENDLESS = 16
-"""Passes in a row. What drives reaches one contact further in each pass; where it goes on doing work after so many more
-than there are contacts, as on what two belts draw into a nip from which it cannot slip, there are no impulses on which
-contacts agree, and every pass adds to what there is."""
+WINDOW = 32
+"""Where belts or kinematic bodies drive, so many passes must bring contacts nearer to agreeing, and leave them no more
+energy than there was: what two belts draw into a gap from which it cannot slip has no impulses on which contacts agree,
+and every pass adds to what there is."""
+NEARER = 0.9
+"""Ratio of the largest changes of speed in two passes a window apart, at most."""
 TAKES_PART = 1 << 40
 """`solver.struck` of a body while it is listed as one that takes part: no value that groups of impacts leave there."""
 
@@ -88,8 +91,10 @@ def solve_until_agreed(
     contacts = count_contacts(blocks, block_count)
     passes = passes_within(effort.most_work, contacts, effort.most_passes)
     _begin(motions, moved, blocks, block_count)
-    last_energy = _energy(bodies, motions, moved)
-    agree = rises = 0
+    last_energy = first_energy = _energy(bodies, motions, moved)
+    driven = _is_driven(bodies, blocks, block_count)
+    agree = 0
+    largest = FAR
     for turn in range(passes):
         if turn == 0:
             solve_contacts(motions, blocks, 0, block_count, workers, rigid)
@@ -100,9 +105,11 @@ def solve_until_agreed(
         if turn == passes - 1 or not _changes(blocks, block_count, enough):
             return
         energy = _energy(bodies, motions, moved)
-        rises = rises + 1 if energy > RISES * last_energy else 0
-        if rises > ENDLESS + contacts:
-            return
+        if driven and turn % WINDOW == WINDOW - 1:
+            change = _largest_change(blocks, block_count)
+            if energy > first_energy or change > NEARER * largest:
+                return
+            largest = change
         agree = agree + 1 if energy <= last_energy else 0
         last_energy = energy
         further = momentum(agree)
@@ -169,6 +176,40 @@ def _changes(blocks: ContactBlocks, block_count: int, agreed: float) -> bool:
         if any_lane(first | _changes_more(v, cb.POINT_2, cb.LAST_IMPULSES + LANES, agreed)):
             return True
     return False
+
+
+@kernel
+def _is_driven(bodies: Records, blocks: ContactBlocks, block_count: int) -> bool:
+    """Whether a surface runs, or a kinematic body moves, at one of the first blocks of contacts."""
+    for n in range(block_count):
+        block = blocks.blocks[n]
+        if block.driven == 1:
+            return True
+        for slot in blocks.slots[block.first : block.first + block.count]:
+            if _drives(bodies[slot.body_a]) or _drives(bodies[slot.body_b]):
+                return True
+    return False
+
+
+@inlined_kernel
+def _drives(body: Records) -> bool:
+    moves = body.velocity_x != 0.0 or body.velocity_y != 0.0 or body.angular_velocity != 0.0
+    return bool(body.type == KINEMATIC and moves)
+
+
+@kernel
+def _largest_change(blocks: ContactBlocks, block_count: int) -> float:
+    """The most (m/s) by which the last pass has changed the speed of a contact along its normal."""
+    largest = 0.0
+    for n in range(block_count):
+        v = blocks.lanes[n * BLOCK_SIZE : (n + 1) * BLOCK_SIZE]
+        for k in range(blocks.blocks[n].count):
+            for point, last in ((cb.POINT_1, cb.LAST_IMPULSES), (cb.POINT_2, cb.LAST_IMPULSES + LANES)):
+                change = abs(v[point + cb.NORMAL_IMPULSE + k] - v[last + k])
+                mass = v[point + cb.NORMAL_MASS + k]
+                speed = change / mass if mass > 0.0 else 0.0
+                largest = speed if speed > largest else largest
+    return largest
 
 
 @inlined_kernel
