@@ -143,7 +143,7 @@ def _within(speed: float) -> float:
 
 @kernel
 def _freeze(body: Records, step_count: int) -> None:
-    """Make a body static at the pose it had when the step began."""
+    """Make a body static at the pose from which the step measures what it moves."""
     body.type = STATIC
     body.frozen_step = step_count
     body.awake = 1

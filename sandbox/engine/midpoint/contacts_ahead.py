@@ -77,7 +77,7 @@ def move_row(bodies: Records, solver: SolverBodies, slot: Records, contacts: Rec
 
 @kernel
 def move_row_back(bodies: Records, solver: SolverBodies, slot: Records, contact: Records, seconds: float) -> None:
-    """Let it be that of the beginning of the step again, as it was found."""
+    """Let it be that of the beginning of the step again, to rounding, or to what its gap has turned by."""
     owner = contact.axis_owner
     if owner < _MOVED:
         return
