@@ -31,13 +31,14 @@ def roly_poly(degrees: float, rate: int, **surface: float) -> World:
     return world(ground(friction=2.0), doll, settings=_at(rate))
 
 
-def plank_on_drum(degrees: float, rate: int) -> World:
+def plank_on_drum(degrees: float, rate: int, plank_first: bool = False, restitution: float = 0.0) -> World:
     """A plank that has rolled so far on a drum that it is tilted by as much."""
     angle = math.radians(degrees)
     n, t = (-math.sin(angle), math.cos(angle)), (math.cos(angle), math.sin(angle))
     place = (1.1 * n[0] + angle * t[0], 1.1 * n[1] + angle * t[1])
     drum = body("drum", circle(1.0, friction=2.0), type="static")
-    return world(drum, body("plank", box(2.0, 0.2, friction=2.0), position=place, angle=angle), settings=_at(rate))
+    plank = body("plank", box(2.0, 0.2, friction=2.0, restitution=restitution), position=place, angle=angle)
+    return world(*((plank, drum) if plank_first else (drum, plank)), settings=_at(rate))
 
 
 def _at(rate: int) -> FlatSettings:
@@ -63,6 +64,25 @@ def test_a_plank_rocks_on_a_drum(degrees, rate, kept):
     """With the contacts of the beginning it tilts to 13 degrees in 10 s (Box2D to 10), and slides off later."""
     parts = tilts(plank_on_drum(degrees, rate), "plank", 20, rate)
     assert kept * degrees < parts[-1] < degrees
+
+
+def test_a_plank_rocks_whichever_body_is_first():
+    parts = [tilts(plank_on_drum(5.0, 60, plank_first=first), "plank", 20, 60) for first in (False, True)]
+    assert parts[1] == pytest.approx(parts[0], rel=1e-3)
+
+
+@pytest.mark.parametrize("restitution", [0.0, 0.5])
+def test_contacts_are_told_of_as_they_were_found(restitution):
+    """When the step began, not in the middle of it: with the normal of the plank's face there."""
+    w = plank_on_drum(15.0, 60, restitution=restitution)
+    w.step(30)
+    for _ in range(30):
+        before = w.body("plank").angle
+        w.step()
+        contact = w.state.contacts[0]
+        assert contact.axis_owner == 1
+        assert (contact.normal_x, contact.normal_y) == pytest.approx((-math.sin(before), math.cos(before)), abs=1e-9)
+    assert abs(w.body("plank").angular_velocity) > 0.05
 
 
 def test_a_roly_poly_rocks_on_a_board_that_slides():

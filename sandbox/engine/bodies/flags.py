@@ -38,21 +38,28 @@ def disturbs(body: Records) -> bool:
     """Whether a body wakes what it touches."""
     if body.type == DYNAMIC:
         return is_active(body)
-    return bool(_moves(body) or body.posed == 1)
+    return bool(moves(body) or body.posed == 1)
 
 
 @kernel
-def _moves(body: Records) -> bool:
+def moves(body: Records) -> bool:
+    """Whether a body has a velocity."""
     return bool(body.velocity_x != 0.0 or body.velocity_y != 0.0 or body.angular_velocity != 0.0)
+
+
+@kernel
+def is_driving(body: Records) -> bool:
+    """Whether a body is kinematic and moves: it drives what it touches, whatever that weighs."""
+    return bool(body.type == KINEMATIC and moves(body))
 
 
 @kernel
 def clear_flags(bodies: Records, active_bodies: Integers, solver: SolverBodies) -> None:
     """Nothing is known to rest yet but what floats; `flag_contact` adds what lies on something."""
     for i in active_bodies:
-        moves = bodies[i].type == KINEMATIC and _moves(bodies[i])
+        drives = is_driving(bodies[i])
         floats = solver.free_motions[i].buoyed == 1
-        solver.flags[i] = (SUPPORTED if floats else 0) | (MOVING_KINEMATIC if moves else 0)
+        solver.flags[i] = (SUPPORTED if floats else 0) | (MOVING_KINEMATIC if drives else 0)
 
 
 @kernel

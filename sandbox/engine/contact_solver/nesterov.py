@@ -16,6 +16,7 @@ from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import Mask, absolute, any_lane, load, store
+from sandbox.engine.bodies.flags import is_driving
 from sandbox.engine.bodies.integrate import SOLVED
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.solve import solve_again, solve_contacts
@@ -23,7 +24,6 @@ from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contact_blocks import ContactBlocks, SoftContact
 from sandbox.engine.records.workers import Workers
 from sandbox.tables import Floats, Records
-from sandbox.world.records import KINEMATIC
 
 BLOCK_SIZE = cb.BLOCK_SIZE
 LANES = cb.LANES
@@ -186,15 +186,9 @@ def _is_driven(bodies: Records, blocks: ContactBlocks, block_count: int) -> bool
         if block.driven == 1:
             return True
         for slot in blocks.slots[block.first : block.first + block.count]:
-            if _drives(bodies[slot.body_a]) or _drives(bodies[slot.body_b]):
+            if is_driving(bodies[slot.body_a]) or is_driving(bodies[slot.body_b]):
                 return True
     return False
-
-
-@inlined_kernel
-def _drives(body: Records) -> bool:
-    moves = body.velocity_x != 0.0 or body.velocity_y != 0.0 or body.angular_velocity != 0.0
-    return bool(body.type == KINEMATIC and moves)
 
 
 @kernel

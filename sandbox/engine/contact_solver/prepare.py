@@ -62,6 +62,16 @@ class Points(NamedTuple):
     rest_length: Vector
 
 
+class FourContacts(NamedTuple):
+    """What the lanes of a block are filled from; `both` tells which contacts have two points."""
+
+    axes: Axis
+    one: Points
+    two: Points
+    both: Mask
+    rolling_impulse: Vector
+
+
 @kernel
 def prepare_contacts(
     state: StateTables,
@@ -110,11 +120,11 @@ def prepare_blocks(
         _note_bodies(block, blocks.slots)
         rows = contact_rows(block, blocks.slots)
         mass = _masses_of(bodies, rows_of(block))
-        axes, one, two = _read_points(contacts, rows)
+        four = _read_contacts(contacts, rows)
         if some_ahead(solver.flags, block, blocks.slots):
             owners = axis_owners(bodies, solver.flags, block, blocks.slots, contacts)
-            axes, one, two = _move_points(axes, one, two, ways_of(block, solver.motions), owners)
-        _fill_lanes(block, v, contacts, rows, (axes, one, two), mass, spring.share)
+            four = _moved(four, ways_of(block, solver.motions), owners)
+        _fill_lanes(block, v, contacts, rows, four, mass, spring.share)
         for k in range(block.count, LANES):
             _clear(v[k:])
         block.strikes = 0
@@ -153,15 +163,15 @@ def _masses_of(bodies: Records, rows: PairRows) -> PairMass:
 
 
 @inlined_kernel
-def _read_points(contacts: Records, rows: Rows) -> tuple[Axis, Points, Points]:
-    """The axes of four contacts and what they have of both points; a second point there is not is the first."""
+def _read_contacts(contacts: Records, rows: Rows) -> FourContacts:
+    """What four contacts have; a second point that is not there lies at the place of the first."""
     axes = Axis(*gather_fields(contacts, rows, NORMAL))
     anchors = Anchors(*gather_fields(contacts, rows, ANCHORS_1))
     separation1, ax, _, _ = gather_fields(contacts, rows, SEPARATION_1)
     ay, bx, by, separation2 = gather_fields(contacts, rows, ANCHOR_AY_2)
     load, tangent, rest_length, _ = gather_fields(contacts, rows, KEPT_OF_POINT_1)
     one = Points(anchors, separation1, load, tangent, rest_length)
-    load, tangent, rest_length, _ = gather_fields(contacts, rows, KEPT_OF_POINT_2)
+    load, tangent, rest_length, rolling_impulse = gather_fields(contacts, rows, KEPT_OF_POINT_2)
     both = point_counts(contacts, rows) == 2.0
     anchors = Anchors(
         select(both, ax, one.anchors.ax),
@@ -170,17 +180,23 @@ def _read_points(contacts: Records, rows: Rows) -> tuple[Axis, Points, Points]:
         select(both, by, one.anchors.by),
     )
     separation2 = select(both, separation2, separation1)
-    return axes, one, Points(anchors, separation2, load, tangent, select(both, rest_length, one.rest_length))
+    two = Points(anchors, separation2, load, tangent, select(both, rest_length, one.rest_length))
+    return FourContacts(axes, one, two, both, rolling_impulse)
 
 
 @inlined_kernel
-def _move_points(axes: Axis, one: Points, two: Points, way: PairPose, owners: Vector) -> tuple[Axis, Points, Points]:
+def _moved(four: FourContacts, way: PairPose, owners: Vector) -> FourContacts:
     """The same after the bodies have moved so far."""
-    moved = moved_axis(axes, one.anchors, way, owners)
-    r1, gap1 = moved_point(one.anchors, one.separation, axes, moved, way, owners)
-    r2, gap2 = moved_point(two.anchors, two.separation, axes, moved, way, owners)
-    one = Points(r1, gap1, one.load, one.tangent, one.rest_length)
-    return moved, one, Points(r2, gap2, two.load, two.tangent, two.rest_length)
+    axes = moved_axis(four.axes, four.one.anchors, way, owners)
+    one = _moved_points(four.one, four.axes, axes, way, owners)
+    two = _moved_points(four.two, four.axes, axes, way, owners)
+    return FourContacts(axes, one, two, four.both, four.rolling_impulse)
+
+
+@inlined_kernel
+def _moved_points(of: Points, before: Axis, after: Axis, way: PairPose, owners: Vector) -> Points:
+    anchors, separation = moved_point(of.anchors, of.separation, before, after, way, owners)
+    return Points(anchors, separation, of.load, of.tangent, of.rest_length)
 
 
 @inlined_kernel
@@ -189,16 +205,14 @@ def _fill_lanes(
     v: Floats,
     contacts: Records,
     rows: Rows,
-    points: tuple[Axis, Points, Points],
+    four: FourContacts,
     mass: PairMass,
     share: float,
 ) -> None:
     """Fill the lanes of a block from its contacts."""
-    axes, one, two = points
+    axes, one, two, both, rolling_impulse = four
     _, surface_speed, friction, rolling_resistance = gather_fields(contacts, rows, RESTITUTION)
-    _, _, _, rolling_impulse = gather_fields(contacts, rows, KEPT_OF_POINT_2)
     # A second point at the place of the first, without mass, never pushes.
-    both = point_counts(contacts, rows) == 2.0
     block.single = 0 if any_lane(both) else 1
     store(v, cb.NORMAL_X, axes.x)
     store(v, cb.NORMAL_Y, axes.y)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import Vector, spread, transpose
-from sandbox.engine.bodies.flags import AHEAD
+from sandbox.engine.bodies.flags import AHEAD, moves
 from sandbox.engine.contact_solver.gather import PairPose, gather_poses, gather_velocities, rows_of
 from sandbox.engine.contact_solver.law import anchors_of, separation_of
 from sandbox.engine.midpoint.move_contact import STAYS, Axis, moved_axis, moved_point
@@ -60,8 +60,7 @@ def _owner(bodies: Records, flags: Integers, slot: Records, contacts: Records) -
 @inlined_kernel
 def _keeps_up(body: Records, flags: int) -> bool:
     """Whether a body is where it will be in the middle of the step."""
-    still = body.velocity_x == 0.0 and body.velocity_y == 0.0 and body.angular_velocity == 0.0
-    return bool(flags & AHEAD or still)
+    return bool(flags & AHEAD or not moves(body))
 
 
 @kernel

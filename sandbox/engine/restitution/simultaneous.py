@@ -10,6 +10,7 @@ Grinspun, "Reflections on simultaneous impact", ACM Transactions on Graphics 31 
 from __future__ import annotations
 
 from sandbox._jit import kernel
+from sandbox.engine.bodies.flags import is_driving
 from sandbox.engine.contact_solver.closing_speed import opening_speed
 from sandbox.engine.contact_solver.law import start_velocity
 from sandbox.engine.contact_solver.nesterov import passes_within
@@ -18,7 +19,6 @@ from sandbox.engine.restitution.groups import next_of, size_of, take_back
 from sandbox.engine.restitution.rebound import rebound
 from sandbox.engine.restitution.stop_group import stop_group
 from sandbox.tables import Records
-from sandbox.world.records import KINEMATIC
 
 MOST_PASSES = 256
 LEAST_PASSES = 16
@@ -55,11 +55,8 @@ def _is_driven(bodies: Records, group: Records) -> bool:
     """Whether something without mass that moves strikes too."""
     k = 0
     while k >= 0:
-        for i in (group[k].body_a, group[k].body_b):
-            body = bodies[i]
-            moves = body.velocity_x != 0.0 or body.velocity_y != 0.0 or body.angular_velocity != 0.0
-            if body.type == KINEMATIC and moves:
-                return True
+        if is_driving(bodies[group[k].body_a]) or is_driving(bodies[group[k].body_b]):
+            return True
         k = next_of(group, k)
     return False
 
