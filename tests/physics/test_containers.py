@@ -135,7 +135,7 @@ def test_a_press_drives_nobody_out(container, press, one_sided):
 
 
 @both_sorts
-@pytest.mark.parametrize("speed", [pytest.param(10.0, marks=pytest.mark.slow), 100.0, 1000.0])
+@pytest.mark.parametrize("speed", [pytest.param(10.0, marks=pytest.mark.slow), 100.0, 1000.0, 3000.0])
 @pytest.mark.parametrize("container", CONTAINERS)
 def test_nobody_is_fast_enough_to_leave(container, speed, one_sided):
     outline = CONTAINERS[container]

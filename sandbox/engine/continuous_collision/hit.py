@@ -22,5 +22,5 @@ def forget_hits(ccd: Ccd) -> None:
         impact = ccd.impacts[i]
         impact.time = 1.0
         impact.stopped = -1
-        impact.bounces = impact.touched = impact.stray = impact.round = impact.listed = 0
+        impact.bounces = impact.touched = impact.round = impact.listed = 0
     ccd.hit[0] = 0

@@ -53,12 +53,11 @@ def solve_continuous(
     for k in range(count):
         carry_bullet(tables, swept[k])
     bullets = False
-    strays = False
     threshold = state.settings[0].restitution_threshold
     for round in range(SLIDES + 1):
         for k in range(count):
             bullets |= stop_at_static(tables, swept[k], round)
-        strays = stop_strays(tables, active, colliders, grid, count, joint_filter, strays, round)
+        stop_strays(tables, active, colliders, grid, count, joint_filter, round)
         if round == SLIDES or not slide_all(state.bodies, solver.motions, ccd, threshold, round):
             break
     if bullets:

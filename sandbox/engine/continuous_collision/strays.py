@@ -32,37 +32,29 @@ def stop_strays(
     grid: Grid,
     count: int,
     joint_filter: JointFilter,
-    again: bool,
     round: int,
-) -> bool:
-    """Stop the strays at what is not among their pairs. `grid.cache.spare` is scratch from row `count` on.
+) -> None:
+    """Stop the strays of a round at what is not among their pairs. `grid.cache.spare` is scratch from row `count` on.
 
-    Return whether there were any. Then they are held `again` when they slide: their boxes hold their displacements by
-    now.
+    What has slid may stray where it did not before: a slide leads out of the box of the displacement that it shortens.
     """
     filters = colliders.filters
     info = active.info[0]
     known = info.shapes_generation == info.generation  # otherwise somebody has woken in this step
     if info.static == 0:
-        return again
-    found = again
+        return
     for k in range(info.moving if known else info.loose):
         i = active.shapes[k]
         body = filters[i].body
         if tables.ccd_bodies[body].fast == 0 or tables.ccd.impacts[body].round != round:
             continue
         woke = filters[i].moves == SLEEPS  # the grid has asked for no pairs of sleepers with what does not move
-        impact = tables.ccd.impacts[body]
-        strays = impact.stray == 1 if again else _strays(tables, colliders.boxes, i) or woke
-        if strays:
+        if _strays(tables, colliders.boxes, i) or woke:
             list_hit(tables.ccd, body)
-            impact.stray = 1
-            found = True
             filters[i].moves = ACTIVE
             near = _list_near(filters, grid, tables.ccd.boxes[i], count)
             _stop_stray(tables, colliders, grid, joint_filter, count, near, i, round)
             filters[i].moves = SLEEPS if woke else ACTIVE
-    return found
 
 
 @kernel

@@ -34,7 +34,6 @@ CCD_IMPACT = Table(
         Field("stopped", "-", "look at a bullet's pair that stopped one of the two; -1 is none", "i8"),
         Field("bounces", "-", "1 when what stops it bounces it", "i8"),
         Field("touched", "-", "1 when it has touched what stops it from the start of the step on", "i8"),
-        Field("stray", "-", "1 when a shape of it has left the box that the grid knew", "i8"),
         Field("round", "-", "when its sweep is to be made: 0, or the one after that in which it slid along", "i8"),
         Field("listed", "-", "1 when it is in the list of those that something may stop", "i8"),
         Field("normal_x", "1", "of what stops it, towards the body"),
