@@ -28,7 +28,7 @@ from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.state import StateTables
 from sandbox.engine.records.workers import FROZEN, NUMBERS, Workers
-from sandbox.engine.restitution.impacts import ImpactList, list_impact_contacts
+from sandbox.engine.restitution.impact_list import ImpactList, list_impact_contacts
 from sandbox.engine.restitution.worklist import link_contacts
 from sandbox.engine.substeps import Pass, run_substeps
 from sandbox.engine.workers.parallel_for import first_part, next_part

@@ -25,7 +25,8 @@ from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contact_blocks import BlockRanges, ContactBlocks, SoftContact
 from sandbox.engine.records.state import StateTables
 from sandbox.engine.records.workers import Workers
-from sandbox.engine.restitution.impacts import ImpactList, resolve_impacts
+from sandbox.engine.restitution.impact_list import ImpactList
+from sandbox.engine.restitution.impacts import resolve_impacts
 from sandbox.engine.restitution.inelastic import stop_late, stop_struck
 from sandbox.tables import Integers, Records
 

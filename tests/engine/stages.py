@@ -34,8 +34,8 @@ from sandbox.engine.narrow_phase import speculative
 from sandbox.engine.records.colliders import FILTER, GRID_BOX, GRID_INFO, PAIR
 from sandbox.engine.records.contact_blocks import BlockRanges, SoftContact
 from sandbox.engine.records.state import StateTables
-from sandbox.engine.restitution import impacts, worklist
-from sandbox.engine.restitution.impacts import ImpactList
+from sandbox.engine.restitution import impact_list, impacts, worklist
+from sandbox.engine.restitution.impact_list import ImpactList
 from sandbox.engine.world import World
 from sandbox.tables import Integers, Records
 from sandbox.world.build import build_state
@@ -96,7 +96,7 @@ integrate_positions = stage(positions.integrate_positions)
 list_bodies = stage(nesterov.list_bodies)
 link_contacts = stage(worklist.link_contacts)
 resolve_impacts = stage(impacts.resolve_impacts)
-list_impact_contacts = stage(impacts.list_impact_contacts)
+list_impact_contacts = stage(impact_list.list_impact_contacts)
 solve_mouse_joints = stage(mouse_joint.solve_mouse_joints)
 find_islands = stage(islands.find_islands)
 
@@ -259,8 +259,6 @@ class Paused:
         m = self.scratch
         rows, slots = m.blocks.batches.impacts, m.blocks.batches.impact_slots
         count = list_impact_contacts(self.state.bodies, m.solver, m.contacts, 0, 1e9, 0.2, slots)
-        for row, slot in zip(rows[:count], slots[:count], strict=True):
-            row.contact, row.body_a, row.body_b = slot.contact, slot.body_a, slot.body_b
         link_contacts(self.state.bodies, slots, count, m.solver)
         resolve_impacts(self.state.bodies, m.solver, m.contacts.now, ImpactList(rows, slots, count, 0.2), self.substep)
 

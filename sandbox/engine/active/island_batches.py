@@ -106,8 +106,7 @@ def _sort_bodies(rows: Integers, of_body: Integers, batches: Batches, count: int
 
 @kernel
 def sort_impacts(slots: Records, length: int, of_body: Integers, batches: Batches, count: int) -> None:
-    """Write `batches.impacts` and `impact_slots`: the contacts that may have an impact by batch, within each in the
-    order of `slots`."""
+    """Write `batches.impact_slots`: the contacts that may have an impact, by batch and in the order of `slots`."""
     first = batches.first_impact
     for n in range(count + 1):
         first[n] = 0
@@ -125,10 +124,6 @@ def sort_impacts(slots: Records, length: int, of_body: Integers, batches: Batche
         listed.contact = slot.contact
         listed.body_a = slot.body_a
         listed.body_b = slot.body_b
-        impact = batches.impacts[first[n]]
-        impact.contact = slot.contact
-        impact.body_a = slot.body_a
-        impact.body_b = slot.body_b
 
 
 @kernel

@@ -15,9 +15,9 @@ from sandbox.engine.memory.limit import FAT_PAIRS, most_batches, most_blocks
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.batches import BLOCKS, IMPACT, IMPACT_SLOT, SIZE, STRUCK_BODY, Batches
 from sandbox.engine.records.bodies import (
-    BEFORE_IMPACTS,
     BODY_FORCES,
     FREE_MOTION,
+    IMPACT_BODY,
     MOTION,
     VELOCITY_PART,
     SolverBodies,
@@ -84,7 +84,7 @@ def solver_memory(state: State, bodies: int) -> SolverBodies:
         motions=motions,
         free_motions=FREE_MOTION.zeros(bodies),
         forces=BODY_FORCES.zeros(bodies),
-        before_impacts=BEFORE_IMPACTS.zeros(bodies),
+        impact_bodies=IMPACT_BODY.zeros(bodies),
         parts=VELOCITY_PART.zeros(bodies),
         flags=np.zeros(bodies, np.int64),
         colors=np.zeros(bodies, np.int64),

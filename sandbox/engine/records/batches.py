@@ -26,21 +26,21 @@ STRUCK_BODY = Table(
 IMPACT = Table(
     "impact",
     (
-        Field("contact", "-", "row in the contact table", "i4"),
-        Field("body_a", "-", "", "i4"),
-        Field("body_b", "-", "", "i4"),
         Field("group", "-", "the lowest body of those with which it strikes together; -1 before it has struck", "i4"),
-        Field("further", "-", "how many further on the next one of its group is, or 0", "i8"),
+        Field("next", "-", "the next contact that strikes together with it; -1: none", "i4"),
+        Field("moment", "s", "when it closes, from the beginning of the substep; looking back, from its end"),
         Field("impulse", "N s", "of the contact before the impacts of the substep"),
-        Field("load1", "N s", "normal impulse at point 1, of the group's impact"),
+        Field("rebound1", "m/s", "speed at which point 1 is to open, see `restitution/rebound_speed.py`"),
+        Field("rebound2", "m/s", "the same at point 2"),
+        Field("load1", "N s", "normal impulse at point 1 of what strikes together"),
         Field("load2", "N s", "the same at point 2"),
-        Field("added1", "N s", "what the last pass has added to it"),
-        Field("added2", "N s", "the same at point 2"),
         Field("last1", "N s", "normal impulse at point 1 after the pass before"),
         Field("last2", "N s", "the same at point 2"),
+        Field("mass", "kg", "effective mass at point 1"),
+        Field("drag", "N s", "friction impulse of what strikes together"),
     ),
 )
-"""Contacts with restitution that may have an impact, as they come, and what those have that strike together."""
+"""One row for each contact with restitution that may have an impact: what its impacts in a substep need."""
 
 
 IMPACT_SLOT = Table(
@@ -53,10 +53,10 @@ IMPACT_SLOT = Table(
         Field("next_b", "-", "the same of body b", "i4"),
         Field("following", "-", "the next one in the worklist; -1: none, -2: it is not in it", "i4"),
         Field("strikes", "-", "how often it has struck in the substep", "i4"),
-        Field("spare", "-", "no row lies in two cache lines", "i4"),
+        Field("turn", "-", "in which it closes and has not struck yet", "i4"),
     ),
 )
-"""The same contacts for those who look for some of them, see `restitution/worklist.py`."""
+"""The same contacts, and where they are in the worklist, see `restitution/worklist.py`: two rows a cache line."""
 
 
 class Batches(NamedTuple):
@@ -64,8 +64,8 @@ class Batches(NamedTuple):
 
     `size[0]` is how many bodies and contacts one has at most. `bodies` has the bodies of batch n from `first_body[n]`
     to before `first_body[n + 1]`; `struck` has as many rows for each, filled by those that take part in an inelastic
-    impact. `impacts` has the contacts that may have an impact, by `first_impact`, and `impact_slots` the same as
-    `IMPACT_SLOT` rows. `blocks`, `lanes` and `starts` are what `ContactBlocks` has, for each worker but the first.
+    impact. `impact_slots` has the contacts that may have an impact, by `first_impact`, and `impacts` what else they
+    need. `blocks`, `lanes` and `starts` are what `ContactBlocks` has, for each worker but the first.
     """
 
     size: Integers

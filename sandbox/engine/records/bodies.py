@@ -71,11 +71,16 @@ VELOCITY_PART = Table(
 )
 """One row a body: one of the two parts of its velocity in a substep, see `velocity_parts`."""
 
-BEFORE_IMPACTS = Table("before_impacts", IMPACT_VELOCITIES)
-"""One row a body: what one that has struck had before the impacts of the substep.
-
-Impacts that do not end one by one are taken back.
-"""
+IMPACT_BODY = Table(
+    "impact_body",
+    (
+        *IMPACT_VELOCITIES,
+        Field("moment", "s", "when the earliest of its contacts closes, of those that close in a turn"),
+        Field("closing", "-", "how many of its contacts close in the turn", "i8"),
+    ),
+)
+"""One row a body, one cache line: the velocities that one that has struck had before the impacts of the substep, as
+those that do not end one by one are taken back; and which of them comes first (`restitution/earliest.py`)."""
 
 
 class SolverBodies(NamedTuple):
@@ -84,14 +89,14 @@ class SolverBodies(NamedTuple):
     `parts` holds one of the two parts of each velocity (`contact_solver/velocity_parts.py`), `flags` the bits of
     `bodies/flags.py`, `colors` the colours that the contacts of a body have, `first_impact` the first of the contacts
     of a dynamic body that may have an impact, if there are any (`restitution/worklist.py`), `struck` whether it has had
-    one, and then which group it is in, `islands` the lowest row of its island where that is known, `batches` which
-    batch that is in (0 for what does not move), `ccd` what continuous collision asks of bodies.
+    one, and in which turn or group (`restitution/groups.py`), `islands` the lowest row of its island where that is
+    known, `batches` which batch that is in (0 for what does not move), `ccd` what continuous collision asks of bodies.
     """
 
     motions: Records
     free_motions: Records
     forces: Records
-    before_impacts: Records
+    impact_bodies: Records
     parts: Records
     flags: Integers
     colors: Integers

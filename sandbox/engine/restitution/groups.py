@@ -6,14 +6,22 @@ impacts in their order, linked by `next`, so that no group's result depends on a
 
 from __future__ import annotations
 
+from typing import Any
+
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.active.islands import root_of, unite
+from sandbox.engine.contact_solver.closing_speed import opening_speed
+from sandbox.engine.contact_solver.law import start_velocity
 from sandbox.engine.records.bodies import SolverBodies
+from sandbox.engine.restitution.impact_list import ImpactList
+from sandbox.engine.restitution.worklist import END
 from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC
 
-NOT_STRUCK, STRUCK = -1, 0
-"""`solver.struck` of a body before and after the first impact of the substep, until groups are formed."""
+NOT_STRUCK = 0
+STRUCK = 1 << 41
+"""Bit of `solver.struck` of a body after the first impact of the substep, until groups are formed; the others are the
+last turn in which one of its contacts closed (`earliest.py`)."""
 ALONE = -1
 """`group` of an impact that has not struck."""
 STRIKES = 0
@@ -21,30 +29,29 @@ STRIKES = 0
 
 
 @kernel
-def note_first_strike(bodies: Records, solver: SolverBodies, contact: Records, slot: Records) -> None:
+def note_first_strike(bodies: Records, solver: SolverBodies, contact: Records, row: Records) -> None:
     """Keep what a contact and its bodies had before the impacts of the substep, if these strike for the first time."""
-    if slot.group != ALONE:
+    if row.group != ALONE:
         return
-    slot.group = STRIKES
-    slot.impulse = contact.impact_impulse
+    row.group = STRIKES
+    row.impulse = contact.impact_impulse
     for i in (contact.body_a, contact.body_b):
-        if bodies[i].type == DYNAMIC and solver.struck[i] == NOT_STRUCK:
-            solver.struck[i] = STRUCK
-            _copy_velocities(solver.free_motions[i], solver.before_impacts[i])
+        if bodies[i].type == DYNAMIC and solver.struck[i] & STRUCK == 0:
+            solver.struck[i] |= STRUCK
+            _copy_velocities(solver.free_motions[i], solver.impact_bodies[i])
 
 
 @kernel
-def take_back(bodies: Records, solver: SolverBodies, contacts: Records, group: Records) -> None:
-    """Undo all impacts of the substep in a group."""
-    k = 0
-    while k >= 0:
-        slot = group[k]
-        contact = contacts[slot.contact]
-        contact.impact_impulse = slot.impulse
+def take_back(bodies: Records, solver: SolverBodies, contacts: Records, impacts: ImpactList, first: int) -> None:
+    """Undo all impacts of the substep in the group that is linked from the `first` one on."""
+    k = first
+    while k != END:
+        contact = contacts[impacts.slots[k].contact]
+        contact.impact_impulse = impacts.rows[k].impulse
         for i in (contact.body_a, contact.body_b):
             if bodies[i].type == DYNAMIC:
-                _copy_velocities(solver.before_impacts[i], solver.free_motions[i])
-        k = next_of(group, k)
+                _copy_velocities(solver.impact_bodies[i], solver.free_motions[i])
+        k = impacts.rows[k].next
 
 
 @inlined_kernel
@@ -59,48 +66,61 @@ def _copy_velocities(source: Records, target: Records) -> None:
 
 
 @kernel
-def form_groups(bodies: Records, slots: Records, lowest: Integers) -> None:
+def form_groups(bodies: Records, impacts: ImpactList, lowest: Integers) -> None:
     """Link the impacts that are not `ALONE`, each group from its first on, which `starts_group` tells.
 
     `lowest` is scratch with a row a body.
     """
+    rows = impacts.rows
+    slots: Any = impacts.slots[: impacts.length]
     for slot in slots:
         lowest[slot.body_a] = slot.body_a
         lowest[slot.body_b] = slot.body_b
-    for slot in slots:
-        if slot.group != ALONE and bodies[slot.body_a].type == DYNAMIC and bodies[slot.body_b].type == DYNAMIC:
-            unite(lowest, slot.body_a, slot.body_b)
-    for slot in slots:
-        if slot.group != ALONE:
-            moves = slot.body_a if bodies[slot.body_a].type == DYNAMIC else slot.body_b
-            slot.group = root_of(lowest, moves)
-    for k in range(slots.shape[0] - 1, -1, -1):
+    for k in range(impacts.length):
         slot = slots[k]
-        if slot.group != ALONE:
-            head = lowest[slot.group]  # the body itself before its first impact, then that one's number, negative
-            slot.further = -1 - head - k if head < 0 else 0
-            lowest[slot.group] = -1 - k
+        if rows[k].group != ALONE and bodies[slot.body_a].type == DYNAMIC and bodies[slot.body_b].type == DYNAMIC:
+            unite(lowest, slot.body_a, slot.body_b)
+    for k in range(impacts.length):
+        if rows[k].group != ALONE:
+            slot = slots[k]
+            moves = slot.body_a if bodies[slot.body_a].type == DYNAMIC else slot.body_b
+            rows[k].group = root_of(lowest, moves)
+    for k in range(impacts.length - 1, -1, -1):
+        row = rows[k]
+        if row.group != ALONE:
+            head = lowest[row.group]  # the body itself before its first impact, then that one's number, negative
+            row.next = -1 - head if head < 0 else END
+            lowest[row.group] = -1 - k
 
 
 @kernel
-def next_of(group: Records, k: int) -> int:
-    """The number of the next impact of a group, counted from its first; -1 after the last."""
-    further = group[k].further
-    return int(k + further if further > 0 else -1)
-
-
-@kernel
-def size_of(group: Records) -> int:
-    """How many impacts a group has."""
+def size_of(impacts: ImpactList, first: int) -> int:
+    """How many impacts are linked from the `first` one on."""
     count = 0
-    k = 0
-    while k >= 0:
+    k = first
+    while k != END:
         count += 1
-        k = next_of(group, k)
+        k = impacts.rows[k].next
     return count
 
 
 @kernel
-def starts_group(slots: Records, k: int, lowest: Integers) -> bool:
+def fastest(solver: SolverBodies, contacts: Records, impacts: ImpactList, first: int) -> float:
+    """The highest closing speed (m/s) of the impacts that are linked from the `first` one on."""
+    highest = 0.0
+    k = first
+    while k != END:
+        contact = contacts[impacts.slots[k].contact]
+        start = start_velocity(solver.free_motions, contact)
+        for point in range(1, contact.point_count + 1):
+            closing = -opening_speed(start, contact, point)
+            highest = closing if closing > highest else highest
+        k = impacts.rows[k].next
+    return highest
+
+
+@kernel
+def starts_group(impacts: ImpactList, k: int, lowest: Integers) -> bool:
     """Whether an impact is the first one of a group, of those that `form_groups` has linked."""
-    return bool(slots[k].group != ALONE and lowest[slots[k].group] == -1 - k)
+    group = impacts.rows[k].group
+    return bool(group != ALONE and lowest[group] == -1 - k)

@@ -1,82 +1,213 @@
-"""How impacts that strike together rebound: by 1 + e times the impulses that would stop them, scaled.
+"""How impacts that strike together rebound: by the impulses that were found for them, with friction within the blow.
 
-The scale is that with which they take the most energy: so the group keeps all of it with e = 1 and never gains any,
-however exact the impulses are.
-
-Source: J. J. Moreau 1985; B. Smith, D. Kaufman, E. Vouga, R. Tamstorf and E. Grinspun, "Reflections on simultaneous
-impact", ACM Transactions on Graphics 31 (2012).
+They are scaled to do what was asked as far as they can together: so however exact they are, a group gains no energy by
+them. Where its contacts rub, they grow from nothing in small parts, all in proportion, each with the friction of now:
+what slides the other way as it leaves is rubbed the other way. Restitution multiplies the impulses at which the
+group no longer closes, by the sum of impulses times speeds (Poisson), as in the blow at one contact (`rough_blow.py`).
 """
 
 from __future__ import annotations
+
+from typing import NamedTuple
 
 from sandbox._jit import kernel
 from sandbox.engine.contact_solver.closing_speed import opening_speed
 from sandbox.engine.contact_solver.law import pair_mass, pair_velocity, start_velocity
 from sandbox.engine.records.bodies import SolverBodies
-from sandbox.engine.restitution.groups import next_of
+from sandbox.engine.restitution.impact_list import ImpactList
 from sandbox.engine.restitution.impulses import friction_impulse, push, push_points, put_back, rub_of, take
+from sandbox.engine.restitution.worklist import END
 from sandbox.tables import Records
 
+_FIRST_PART = 0.125
+"""Of a blow with friction: it tells how fast the group slows down."""
+_MOST_PARTS = 16
+"""Where friction works against the rebound; three are enough where what slides stops when the group does, or not."""
+_FAR = 4.0
+"""Share of the loads, before it is known how much it takes."""
+_STOPPED = 1e-6
+"""Share of the power with which a group closes that counts as none."""
+_PASSES = 16
+"""Over the friction of a part."""
+
+
+class Blow(NamedTuple):
+    """By how much to multiply the loads of a group, and the share of them at which it stops, without friction."""
+
+    scale: float
+    stop: float
+
 
 @kernel
-def rebound(bodies: Records, solver: SolverBodies, contacts: Records, group: Records) -> None:
-    """Apply the impulses with restitution to the velocities of the substep, and then the friction that they allow.
+def rebound(
+    bodies: Records,
+    solver: SolverBodies,
+    contacts: Records,
+    impacts: ImpactList,
+    first: int,
+    more: float,
+    agreed: float,
+) -> None:
+    """Apply the loads of the contacts linked from the `first` one on, scaled, times `more`, to the velocities of the
+    substep, with the friction that they allow; `agreed` is the share of a load to which that is exact.
 
-    In: the loads of the group, and `solver.motions` after them.
+    In: the loads, and `solver.motions` after them.
     """
-    scale = _scale(solver, contacts, group)
-    k = 0
-    while k >= 0:
-        slot = group[k]
-        contact = contacts[slot.contact]
-        slot.load1 *= scale
-        slot.load2 *= scale
-        mass = pair_mass(bodies[contact.body_a], bodies[contact.body_b])
-        struck = push_points(take(solver.free_motions, contact), contact, mass, slot.load1, slot.load2)
-        put_back(solver, contact, struck)
-        contact.impact_impulse += slot.load1 + slot.load2
-        k = next_of(group, k)
-    k = 0
-    while k >= 0:
-        slot = group[k]
-        _rub(bodies, solver, contacts[slot.contact], slot.load1, slot.load2)
-        k = next_of(group, k)
+    blow = _blow_of(solver, contacts, impacts, first, more)
+    if _scale_loads(contacts, impacts, first, blow.scale):
+        share = _rub_through(bodies, solver, contacts, impacts, first, blow.stop, agreed)
+    else:
+        share = 1.0
+        _push_part(bodies, solver, contacts, impacts, first, share)
+    k = first
+    while k != END:
+        row = impacts.rows[k]
+        contacts[impacts.slots[k].contact].impact_impulse += share * (row.load1 + row.load2)
+        k = row.next
 
 
 @kernel
-def _rub(bodies: Records, solver: SolverBodies, contact: Records, load1: float, load2: float) -> None:
-    """Apply the friction that normal impulses (N s) at the points of a contact allow, after they have acted."""
-    if contact.friction <= 0.0 or load1 + load2 <= 0.0:
-        return
-    a = bodies[contact.body_a]
-    b = bodies[contact.body_b]
-    rub = rub_of(a, b, contact, load1, load2)
-    struck = take(solver.free_motions, contact)
-    drag = friction_impulse(struck, rub, contact.surface_speed, contact.friction * (load1 + load2), 0.0)
-    put_back(solver, contact, push(struck, pair_mass(a, b), rub.anchors, drag * rub.tangent_x, drag * rub.tangent_y))
-
-
-@kernel
-def _scale(solver: SolverBodies, contacts: Records, group: Records) -> float:
-    """By how much to multiply the loads.
-
-    With loads p, u at the start and w when they have been applied, p u is the work per unit of scale and p (w - u) the
-    square: the scale -p u / p (w - u) takes the most energy. Restitution is the mean over what closes, by its work.
-    """
-    work = square = closed = given = 0.0
-    k = 0
-    while k >= 0:
-        slot = group[k]
-        contact = contacts[slot.contact]
+def _blow_of(solver: SolverBodies, contacts: Records, impacts: ImpactList, first: int, more: float) -> Blow:
+    """How to scale loads p that were to change normal velocities v by c and change them by d: the quadratic whose
+    minimum is asked for, p d / 2 - p c, is the least along p where it is multiplied by p c / p d."""
+    asked = changed = closed = 0.0
+    k = first
+    while k != END:
+        row = impacts.rows[k]
+        contact = contacts[impacts.slots[k].contact]
         start = start_velocity(solver.free_motions, contact)
         now = pair_velocity(solver.motions[contact.body_a], solver.motions[contact.body_b])
-        restitution = contact.restitution if contact.restitution < 1.0 else 1.0
-        for point in range(1, contact.point_count + 1):
-            load = slot.load1 if point == 1 else slot.load2
-            before = opening_speed(start, contact, point)
-            work += load * before
-            square += load * (opening_speed(now, contact, point) - before)
-            closed += load * before if before < 0.0 else 0.0
-            given += restitution * load * before if before < 0.0 else 0.0
-        k = next_of(group, k)
-    return (1.0 + given / closed) * (-work / square) if work < 0.0 < square else 0.0
+        if row.load1 > 0.0:
+            before = opening_speed(start, contact, 1)
+            asked += row.load1 * (row.rebound1 - before)
+            changed += row.load1 * (opening_speed(now, contact, 1) - before)
+            closed -= row.load1 * before
+        if row.load2 > 0.0:
+            before = opening_speed(start, contact, 2)
+            asked += row.load2 * (row.rebound2 - before)
+            changed += row.load2 * (opening_speed(now, contact, 2) - before)
+            closed -= row.load2 * before
+        k = row.next
+    scale = more * asked / changed if asked > 0.0 and changed > 0.0 else 0.0
+    return Blow(scale, closed / (scale * changed) if scale > 0.0 and closed > 0.0 else 1.0)
+
+
+@kernel
+def _scale_loads(contacts: Records, impacts: ImpactList, first: int, scale: float) -> bool:
+    """Multiply the loads; return whether some contact rubs."""
+    rubs = False
+    k = first
+    while k != END:
+        row = impacts.rows[k]
+        row.load1 *= scale
+        row.load2 *= scale
+        rubs = rubs or contacts[impacts.slots[k].contact].friction > 0.0
+        k = row.next
+    return rubs
+
+
+@kernel
+def _rub_through(
+    bodies: Records,
+    solver: SolverBodies,
+    contacts: Records,
+    impacts: ImpactList,
+    first: int,
+    stop: float,
+    agreed: float,
+) -> float:
+    """Apply the loads part by part, each with its friction; return which share of them it takes until the group has
+    rebounded, which without friction stops at the share `stop`."""
+    share = rate = 0.0
+    end = _FAR
+    power = first_power = _power(solver, contacts, impacts, first)
+    turn = 0
+    while share < end and turn < _MOST_PARTS:
+        turn += 1
+        if end < _FAR:
+            part = end - share
+        else:  # until it stops, if it slows down on
+            part = -power / rate if rate > 0.0 else _FIRST_PART
+        _push_part(bodies, solver, contacts, impacts, first, part)
+        _rub_part(bodies, solver, contacts, impacts, first, part, agreed)
+        share += part
+        if end == _FAR:
+            now = _power(solver, contacts, impacts, first)
+            rate = (now - power) / part
+            power = now
+            end = share / stop if now >= _STOPPED * first_power else _FAR
+    return share
+
+
+@kernel
+def _power(solver: SolverBodies, contacts: Records, impacts: ImpactList, first: int) -> float:
+    """The sum of loads times the speeds (N m) at which their points open: negative, while the group closes."""
+    power = 0.0
+    k = first
+    while k != END:
+        row = impacts.rows[k]
+        contact = contacts[impacts.slots[k].contact]
+        start = start_velocity(solver.free_motions, contact)
+        power += row.load1 * opening_speed(start, contact, 1)
+        if row.load2 > 0.0:
+            power += row.load2 * opening_speed(start, contact, 2)
+        k = row.next
+    return power
+
+
+@kernel
+def _push_part(
+    bodies: Records, solver: SolverBodies, contacts: Records, impacts: ImpactList, first: int, part: float
+) -> None:
+    """Apply a part of the loads, without friction."""
+    k = first
+    while k != END:
+        row = impacts.rows[k]
+        row.drag = 0.0
+        contact = contacts[impacts.slots[k].contact]
+        mass = pair_mass(bodies[contact.body_a], bodies[contact.body_b])
+        struck = take(solver.free_motions, contact)
+        put_back(solver, contact, push_points(struck, contact, mass, part * row.load1, part * row.load2))
+        k = row.next
+
+
+@kernel
+def _rub_part(
+    bodies: Records,
+    solver: SolverBodies,
+    contacts: Records,
+    impacts: ImpactList,
+    first: int,
+    part: float,
+    agreed: float,
+) -> None:
+    """Apply the friction that a part of the loads allows, `drag`: passes until it changes by no more than the share
+    `agreed` of these."""
+    changes = True
+    turn = 0
+    while changes and turn < _PASSES:
+        changes = False
+        turn += 1
+        k = first
+        while k != END:
+            row = impacts.rows[k]
+            changes = _rub(bodies, solver, contacts[impacts.slots[k].contact], row, part, agreed) or changes
+            k = row.next
+
+
+@kernel
+def _rub(bodies: Records, solver: SolverBodies, contact: Records, row: Records, part: float, agreed: float) -> bool:
+    """The same for a contact; return whether it sticks and its friction is other than in the pass before."""
+    load = part * (row.load1 + row.load2)
+    if contact.friction <= 0.0 or load <= 0.0:
+        return False
+    a = bodies[contact.body_a]
+    b = bodies[contact.body_b]
+    rub = rub_of(a, b, contact, row.load1, row.load2)
+    struck = take(solver.free_motions, contact)
+    limit = contact.friction * load
+    drag = friction_impulse(struck, rub, contact.surface_speed, limit, row.drag)
+    added = drag - row.drag
+    row.drag = drag
+    put_back(solver, contact, push(struck, pair_mass(a, b), rub.anchors, added * rub.tangent_x, added * rub.tangent_y))
+    return bool(abs(drag) < limit and abs(added) > agreed * load)

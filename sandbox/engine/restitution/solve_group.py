@@ -1,127 +1,145 @@
-"""Impacts with restitution that strike together: the impulses that would stop a group.
+"""Impacts with restitution that strike together: the impulses that give each of a group what it asks for, or more.
 
 A pass goes through the contacts of the group, a block of two points each (`two_point_block.py`), along their normals.
 Passes are accelerated by Nesterov's method, as those of the contact solver's blocks are (`contact_solver/nesterov.py`).
-These impacts are few, in a list, without friction until they have rebounded, and agree to a velocity.
+These impacts are few, linked, without friction until they have rebounded, and agree to a velocity.
 """
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.contact_solver.closing_speed import opening_speed
 from sandbox.engine.contact_solver.law import (
+    PairMass,
     PairVelocity,
-    PointImpulses,
     anchors_of,
+    effective_mass,
+    levers_of,
     pair_mass,
     pair_velocity,
-    push_both,
+    push_along,
     start_velocity,
 )
 from sandbox.engine.contact_solver.nesterov import momentum
 from sandbox.engine.records.bodies import SolverBodies
-from sandbox.engine.restitution.groups import next_of
-from sandbox.engine.restitution.two_point_block import Block, bearing_impulses, block_of
+from sandbox.engine.restitution.impact_list import ImpactList
+from sandbox.engine.restitution.two_point_block import bearing_impulses, block_of
+from sandbox.engine.restitution.worklist import END
 from sandbox.tables import Records
 
 
 @kernel
-def stop_group(
-    bodies: Records, solver: SolverBodies, contacts: Records, group: Records, agreed: float, passes: int
+def solve_group(
+    bodies: Records,
+    solver: SolverBodies,
+    contacts: Records,
+    impacts: ImpactList,
+    first: int,
+    agreed: float,
+    passes: int,
 ) -> int:
-    """Find the impulses of the inelastic impact: passes until they change no velocity by more than `agreed` (m/s).
+    """Find the impulses, of which none pulls, that open each point as fast as is asked or faster, and no faster where
+    they push: passes until they change no velocity by more than `agreed` (m/s).
 
-    Out: the loads of the group, and what they make of the velocities at the start of the substep in `solver.motions`.
-    Returns how many passes that took, of so many.
+    In: `rebound1` and `rebound2` of the contacts that are linked from the `first` one on. Out: their loads, and what
+    these make of the velocities at the start of the substep in `solver.motions`. Returns passes times contacts.
     """
-    _begin(solver, contacts, group)
+    count = _begin(bodies, solver, contacts, impacts, first)
     agree = 0
     for turn in range(passes):
         largest = 0.0
         along = 0.0
-        k = 0
-        while k >= 0:
-            slot = group[k]
-            change = _stop_contact(bodies, solver, contacts[slot.contact], slot)
+        k = first
+        while k != END:
+            row = impacts.rows[k]
+            change, same = _solve_contact(bodies, solver, contacts[impacts.slots[k].contact], row)
             largest = change if change > largest else largest
-            along += slot.added1 * (slot.load1 - slot.last1) + slot.added2 * (slot.load2 - slot.last2)
-            k = next_of(group, k)
+            along += same
+            k = row.next
         if largest <= agreed or turn == passes - 1:  # the last is a pass, so that no contact pulls
-            return turn + 1
+            return (turn + 1) * count
         agree = agree + 1 if along >= 0.0 else 0
-        k = 0
-        while k >= 0:
-            _go_further(bodies, solver, contacts[group[k].contact], group[k], momentum(agree))
-            k = next_of(group, k)
-    return passes
+        k = first
+        while k != END:
+            _go_further(bodies, solver, contacts[impacts.slots[k].contact], impacts.rows[k], momentum(agree))
+            k = impacts.rows[k].next
+    return passes * count
 
 
 @kernel
-def _begin(solver: SolverBodies, contacts: Records, group: Records) -> None:
-    """Begin with no impulses, in `solver.motions` with the velocities at the start of the substep."""
-    k = 0
-    while k >= 0:
-        slot = group[k]
-        slot.load1 = slot.load2 = slot.last1 = slot.last2 = slot.added1 = slot.added2 = 0.0
-        contact = contacts[slot.contact]
+def _begin(bodies: Records, solver: SolverBodies, contacts: Records, impacts: ImpactList, first: int) -> int:
+    """Begin with no impulses, in `solver.motions` with the velocities at the start of the substep; return the number of
+    contacts."""
+    count = 0
+    k = first
+    while k != END:
+        row = impacts.rows[k]
+        row.load1 = row.load2 = row.last1 = row.last2 = 0.0
+        contact = contacts[impacts.slots[k].contact]
+        mass = pair_mass(bodies[contact.body_a], bodies[contact.body_b])
+        row.mass = effective_mass(mass, anchors_of(contact, 1), contact.normal_x, contact.normal_y)
         _set_velocity(solver.motions, contact, start_velocity(solver.free_motions, contact))
-        k = next_of(group, k)
+        count += 1
+        k = row.next
+    return count
 
 
 @kernel
-def _stop_contact(bodies: Records, solver: SolverBodies, contact: Records, slot: Records) -> float:
-    """Give a contact the impulses that stop it, none of them pulling; return its change of velocity (m/s)."""
+def _solve_contact(bodies: Records, solver: SolverBodies, contact: Records, row: Records) -> tuple[float, float]:
+    """Give a contact the impulses that it asks for, none of them pulling; return by how much they change its velocity
+    (m/s), and whether they go on as since the pass before: positive, if they do."""
     mass = pair_mass(bodies[contact.body_a], bodies[contact.body_b])
-    both = contact.point_count == 2
-    block = block_of(contact, mass)
     now = pair_velocity(solver.motions[contact.body_a], solver.motions[contact.body_b])
-    before1 = slot.load1
-    before2 = slot.load2
-    ask1 = _alone(block, before1, before2) - opening_speed(now, contact, 1)
-    ask2 = block.k12 * before1 + block.k22 * before2 - opening_speed(now, contact, 2) if both else 0.0
-    load1, load2 = bearing_impulses(block, ask1, ask2)
+    before1 = row.load1
+    before2 = row.load2
+    ask1 = row.rebound1 - opening_speed(now, contact, 1)
+    if contact.point_count == 2:
+        block = block_of(contact, mass)
+        ask1 += block.k11 * before1 + block.k12 * before2
+        ask2 = block.k12 * before1 + block.k22 * before2 + row.rebound2 - opening_speed(now, contact, 2)
+        load1, load2 = bearing_impulses(block, ask1, ask2)
+    else:
+        load1 = before1 + row.mass * ask1
+        load1 = load1 if load1 > 0.0 else 0.0
+        load2 = 0.0
     added1 = load1 - before1
     added2 = load2 - before2
-    slot.load1 = load1
-    slot.load2 = load2
-    slot.added1 = added1
-    slot.added2 = added2
-    _push(bodies, solver, contact, added1, added2)
-    return float((abs(added1) + abs(added2)) * (mass.mass_a + mass.mass_b))
+    row.load1 = load1
+    row.load2 = load2
+    _push(solver, contact, mass, now, added1, added2)
+    largest = (abs(added1) + abs(added2)) * (mass.mass_a + mass.mass_b)
+    return float(largest), float(added1 * (load1 - row.last1) + added2 * (load2 - row.last2))
 
 
 @kernel
-def _alone(block: Block, load1: float, load2: float) -> float:
-    """What the impulses of a contact have added to the normal velocity at its point 1."""
-    inverse = 1.0 / block.mass1 if block.mass1 > 0.0 else 0.0
-    return inverse * load1 + block.k12 * load2
-
-
-@kernel
-def _go_further(bodies: Records, solver: SolverBodies, contact: Records, slot: Records, share: float) -> None:
+def _go_further(bodies: Records, solver: SolverBodies, contact: Records, row: Records, share: float) -> None:
     """Go on by a share of what the impulses have changed since the pass before; until the next one they may pull."""
-    more1 = share * (slot.load1 - slot.last1)
-    more2 = share * (slot.load2 - slot.last2)
-    slot.last1 = slot.load1
-    slot.last2 = slot.load2
+    more1 = share * (row.load1 - row.last1)
+    more2 = share * (row.load2 - row.last2)
+    row.last1 = row.load1
+    row.last2 = row.load2
     if more1 != 0.0 or more2 != 0.0:
-        slot.load1 += more1
-        slot.load2 += more2
-        _push(bodies, solver, contact, more1, more2)
+        row.load1 += more1
+        row.load2 += more2
+        mass = pair_mass(bodies[contact.body_a], bodies[contact.body_b])
+        now = pair_velocity(solver.motions[contact.body_a], solver.motions[contact.body_b])
+        _push(solver, contact, mass, now, more1, more2)
 
 
-@kernel
-def _push(bodies: Records, solver: SolverBodies, contact: Records, load1: float, load2: float) -> None:
-    """Apply normal impulses (N s) at both points to `solver.motions`."""
-    mass = pair_mass(bodies[contact.body_a], bodies[contact.body_b])
-    now = pair_velocity(solver.motions[contact.body_a], solver.motions[contact.body_b])
-    r1 = anchors_of(contact, 1)
-    r2 = anchors_of(contact, 2)
-    loads = PointImpulses(load1, load2)
-    _set_velocity(solver.motions, contact, push_both(now, mass, r1, r2, loads, contact.normal_x, contact.normal_y))
+@inlined_kernel
+def _push(
+    solver: SolverBodies, contact: Records, mass: PairMass, now: PairVelocity, load1: float, load2: float
+) -> None:
+    """Apply normal impulses (N s) at both points to the velocities of now, in `solver.motions`."""
+    nx = contact.normal_x
+    ny = contact.normal_y
+    v = push_along(now, mass, levers_of(anchors_of(contact, 1), nx, ny), load1, nx, ny)
+    if contact.point_count == 2:
+        v = push_along(v, mass, levers_of(anchors_of(contact, 2), nx, ny), load2, nx, ny)
+    _set_velocity(solver.motions, contact, v)
 
 
-@kernel
+@inlined_kernel
 def _set_velocity(motions: Records, contact: Records, v: PairVelocity) -> None:
     """Write the velocities of a contact's bodies."""
     a = motions[contact.body_a]
