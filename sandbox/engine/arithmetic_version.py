@@ -82,9 +82,9 @@ NOTES: dict[int, str] = {
     "between belts that draw something in, end once passes go on adding to them",
     38: "impacts without restitution that belts or kinematic bodies drive end where 32 passes bring contacts no "
     "nearer to agreeing or leave them more energy than there was, however much that grows in a pass",
-    39: "impacts with restitution fall in the order of time, those that fall on a body in the same moment together, with "
-    "friction within the blow; what touches as a substep ends strikes in it; what slides in mid-step is held by whatever "
-    "it comes to",
+    39: "impacts with restitution fall in the order of time, those that fall on a body in the same moment together, "
+    "with friction within the blow; what touches as a substep ends strikes in it; what slides in mid-step is held by "
+    "whatever it comes to",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 
