@@ -9,6 +9,8 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
+from sandbox.cli.command import Command
+
 PANELS = {
     "Play and show": ("run", "list", "render", "gallery"),
     "Test": ("check", "record", "replay", "diff", "bisect"),
@@ -51,7 +53,7 @@ def _load(name: str) -> Any:
     module = importlib.import_module(f"sandbox.cli.{word}")
     app = typer.Typer(add_completion=False)
     panel = next(panel for panel, names in PANELS.items() if name in names)
-    app.command(name, cls=getattr(module, "CommandClass", None), rich_help_panel=panel)(getattr(module, word))
+    app.command(name, cls=getattr(module, "CommandClass", Command), rich_help_panel=panel)(getattr(module, word))
     return typer.main.get_command(app)
 
 

@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
-from typer.core import TyperCommand
 
+from sandbox.cli.command import Command
 from sandbox.cli.options import SET, takes, values_set
 from sandbox.errors import SandboxError
 from sandbox.resources import SCENE_SUFFIX, find_scene
@@ -44,7 +44,7 @@ _PLOT = typer.Option(metavar="FILE", show_default=False, help="With --twin: draw
 TWINS: tuple[TwinName, ...] = ("pymunk", "simple")
 
 
-class CommandClass(TyperCommand):
+class CommandClass(Command):
     """`--twin` takes the name of a twin where one follows, and else stands for `--twin=pymunk`."""
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:

@@ -6,8 +6,8 @@ import os
 from typing import TYPE_CHECKING, Any
 
 import typer
-from typer.core import TyperCommand
 
+from sandbox.cli.command import Command
 from sandbox.cli.options import takes
 from sandbox.cli.output import check_report
 from sandbox.cli.replay_options import ReplayOptions
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 UPDATES = ("missing", "changed", "all")
 
 
-class CommandClass(TyperCommand):
+class CommandClass(Command):
     """`--update` stands for `--update=changed`."""
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:

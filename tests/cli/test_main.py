@@ -57,6 +57,22 @@ def test_a_command_that_is_not_there_is_exit_2_with_the_nearest_name(cli: Callab
     assert "'check'" in done.err
 
 
+@pytest.mark.parametrize(
+    "arguments",
+    [["check", ""], ["check", "--json", ""], ["replay", "--update", ""], ["compare", "--twin", ""], ["run", ""]],
+)
+def test_an_empty_argument_is_not_this_folder(arguments: list[str], cli: Callable) -> None:
+    """As a shell gives it where a variable is not set."""
+    done = cli(*arguments)
+    assert done.code == 2
+    assert "an argument is empty; is a variable of the shell not set?" in done.out + done.err
+
+
+def test_an_option_may_be_empty(cli: Callable, write_scene: Callable) -> None:
+    path = write_scene("one.scene.json", bodies=[{"id": "ball", "shapes": [{"circle": 1}]}])
+    assert cli("check", "--only", "", path, "--steps", "1").code == 0
+
+
 def test_a_wrong_option_is_exit_2_on_stderr(cli: Callable) -> None:
     done = cli("check", "--stepz", "3", "x.json")
     assert (done.code, done.out) == (2, "")

@@ -22,10 +22,11 @@ def _draw(look: Look) -> Marks:
 
 
 def millimetres(value: float) -> str:
-    """A length in metres as signed millimetres with three digits: `-0.12`, `+3.4`."""
+    """A length in metres as signed millimetres with three digits: `-0.12`, `+34.5`; `0` if these show nothing."""
     size = abs(1000.0 * value)
     digits = 0 if size >= 100 else 1 if size >= 10 else 2
-    return f"{1000.0 * value:+.{digits}f}"
+    text = f"{1000.0 * value:+.{digits}f}"
+    return text if text.strip("+-0.") else "0"
 
 
 OVERLAY = Overlay("separations", "Separations", "Gap (blue, +) or overlap (red, -) of each contact point in mm.", _draw)

@@ -104,6 +104,7 @@ def test_separations_and_features_in_words(resting: World) -> None:
         assert -1.0 < float(text) <= 0.5
     assert words([own_marks("features", look)]) <= {f"a{i} b{j}" for i in range(4) for j in range(4)}
     assert (millimetres(-0.00012), millimetres(0.0345), millimetres(0.5)) == ("-0.12", "+34.5", "+500")
+    assert (millimetres(-4e-6), millimetres(0.0), millimetres(-6e-6)) == ("0", "0", "-0.01")
     assert (feature_text(3 * 64 + 1), feature_text(-1)) == ("a3 b1", "-")
 
 
