@@ -1,13 +1,16 @@
 """How impacts that strike together rebound: by the impulses that were found for them, with friction within the blow.
 
 They are scaled to do what was asked as far as they can together: so however exact they are, a group gains no energy by
-them. Where its contacts rub, they grow from nothing in small parts, all in proportion, each with the friction of now:
-what slides the other way as it leaves is rubbed the other way. Restitution multiplies the impulses at which the
-group no longer closes, by the sum of impulses times speeds (Poisson), as in the blow at one contact (`rough_blow.py`).
+them. Where its contacts rub, they grow from nothing in parts, all in proportion, each with the friction of now: what
+slides the other way as it leaves is rubbed the other way. Restitution multiplies the impulses at which the group no
+longer closes, by the sum of impulses times speeds (Poisson), as in the blow at one contact (`rough_blow.py`); but it
+gives back no more than the square of restitution of the work that stopping the group took (W. J. Stronge, Proceedings
+of the Royal Society A 431, 1990), so that the group gains no energy by its friction either.
 """
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 from sandbox._jit import kernel
@@ -20,11 +23,9 @@ from sandbox.engine.restitution.worklist import END
 from sandbox.tables import Records
 
 _FIRST_PART = 0.125
-"""Of a blow with friction: it tells how fast the group slows down."""
+"""Share of the loads that tells how fast a group slows down with its friction."""
 _MOST_PARTS = 16
-"""Where friction works against the rebound; three are enough where what slides stops when the group does, or not."""
-_FAR = 4.0
-"""Share of the loads, before it is known how much it takes."""
+"""Until a group has stopped: two are enough where friction keeps its directions until then."""
 _STOPPED = 1e-6
 """Share of the power with which a group closes that counts as none."""
 _PASSES = 16
@@ -117,26 +118,35 @@ def _rub_through(
     agreed: float,
 ) -> float:
     """Apply the loads part by part, each with its friction; return which share of them it takes until the group has
-    rebounded, which without friction stops at the share `stop`."""
-    share = rate = 0.0
-    end = _FAR
+    rebounded, which without friction stops at the share `stop`.
+
+    A part of the loads does the work `part * (power + slowing * part / 2)`, J, as friction only comes after it.
+    """
+    share = work = 0.0
     power = first_power = _power(solver, contacts, impacts, first)
+    slowing = rate = -first_power / stop  # without friction
     turn = 0
-    while share < end and turn < _MOST_PARTS:
+    while power < _STOPPED * first_power and turn < _MOST_PARTS:
+        part = _FIRST_PART if turn == 0 else -power / (rate if rate > slowing else slowing)
         turn += 1
-        if end < _FAR:
-            part = end - share
-        else:  # until it stops, if it slows down on
-            part = -power / rate if rate > 0.0 else _FIRST_PART
         _push_part(bodies, solver, contacts, impacts, first, part)
         _rub_part(bodies, solver, contacts, impacts, first, part, agreed)
         share += part
-        if end == _FAR:
-            now = _power(solver, contacts, impacts, first)
-            rate = (now - power) / part
-            power = now
-            end = share / stop if now >= _STOPPED * first_power else _FAR
-    return share
+        work += part * (power + 0.5 * slowing * part)
+        now = _power(solver, contacts, impacts, first)
+        rate = (now - power) / part
+        power = now
+    if power < _STOPPED * first_power:  # it closes on, and may strike again
+        return share
+    restitution = 1.0 / stop - 1.0
+    part = share * restitution
+    given_back = power * power - 2.0 * slowing * restitution * restitution * work
+    most = (math.sqrt(given_back) - power) / slowing if given_back > 0.0 else 0.0
+    part = part if part < most else most
+    if part > 0.0:
+        _push_part(bodies, solver, contacts, impacts, first, part)
+        _rub_part(bodies, solver, contacts, impacts, first, part, agreed)
+    return share + part
 
 
 @kernel
