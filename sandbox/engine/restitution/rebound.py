@@ -26,7 +26,7 @@ _FIRST_PART = 0.125
 """Share of the loads that tells how fast a group slows down with its friction."""
 _MOST_PARTS = 16
 """Until a group has stopped: two are enough where friction keeps its directions until then."""
-_STOPPED = 1e-6
+_STOPPED = 1e-4
 """Share of the power with which a group closes that counts as none."""
 _PASSES = 16
 """Over the friction of a part."""
@@ -127,7 +127,8 @@ def _rub_through(
     slowing = rate = -first_power / stop  # without friction
     turn = 0
     while power < _STOPPED * first_power and turn < _MOST_PARTS:
-        part = _FIRST_PART if turn == 0 else -power / (rate if rate > slowing else slowing)
+        # As it slows down now; without friction twice as far as it takes gives back the work, and further gives more.
+        part = _FIRST_PART if turn == 0 else -power / (rate if 2.0 * rate > slowing else 0.5 * slowing)
         turn += 1
         _push_part(bodies, solver, contacts, impacts, first, part)
         _rub_part(bodies, solver, contacts, impacts, first, part, agreed)
