@@ -24,7 +24,7 @@ from tests.render.overlays.looks import look_at, shipped_world, shown
 def test_opengl_draws_the_overlays_of_the_surface_painter(name: str, theme: Any, display: Any, tmp_path: Path) -> None:
     from sandbox.window.gl_painter import GlPainter
 
-    look = look_at(shipped_world("pile", 70), Camera((0.0, 3.0), 40.0, display.size), theme)
+    look = look_at(shipped_world("pile", 80), Camera((0.0, 3.0), 40.0, display.size), theme)
     layers = tuple(replace(layer, labels=()) for layer in shown(look, OVERLAYS[name].name))
     picture = build_draw_list(look.frame, look.camera, body_colors_of(look.world.state, theme), marks=layers)
     display.begin()
