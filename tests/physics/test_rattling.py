@@ -48,7 +48,7 @@ def energy(world: sandbox.World) -> float:
 
 @pytest.mark.parametrize("seeds", [range(k, k + 10) for k in range(0, 40, 10)], ids=str)
 def test_what_rattles_gains_no_energy(seeds):
-    """In a step, a thousandth of what there was to begin with at most: what overlaps is pushed out."""
+    """Two thousandths of what there was to begin with at most, as what overlaps is pushed out."""
     for seed in seeds:
         world = crowd(seed)
         before = least = energy(world)
