@@ -75,6 +75,7 @@ if TYPE_CHECKING:
     from sandbox.errors import QueryError as QueryError
     from sandbox.errors import ReadOnlyAttributeError as ReadOnlyAttributeError
     from sandbox.errors import RecordingError as RecordingError
+    from sandbox.errors import RefusedCommandError as RefusedCommandError
     from sandbox.errors import SandboxError as SandboxError
     from sandbox.errors import SceneError as SceneError
     from sandbox.errors import ShapeError as ShapeError

@@ -31,7 +31,7 @@ _MODULES = {
     "sandbox.engine.world": "World",
     "sandbox.errors": """
         ArgumentError CapacityError CommandError FileError MissingDependencyError Problem QueryError
-        ReadOnlyAttributeError RecordingError SandboxError SceneError ShapeError SnapshotError
+        ReadOnlyAttributeError RecordingError RefusedCommandError SandboxError SceneError ShapeError SnapshotError
         UnknownAttributeError UnknownBodyError UnknownJointError UnknownRegionError
     """,
     "sandbox.formats.exports": "Exported export_scene",

@@ -100,6 +100,19 @@ class CommandError(SandboxError):
     """A command was refused; the world is unchanged."""
 
 
+class RefusedCommandError(CommandError):
+    """The world refused a command of a run; the run ended there.
+
+    `index` counts the commands of the run from 0, `command` is the command's name, `step` how many steps come before
+    it, `reason` why it was refused.
+    """
+
+    def __init__(self, index: int, command: str, step: int, time: float, reason: str) -> None:
+        self.index, self.command, self.step, self.reason = index, command, step, reason
+        self.message = f"{command} after step {step} ({time:.3f} s) was refused: {reason}"
+        super().__init__(f"commands[{index}]: {self.message}")
+
+
 class UnknownBodyError(SandboxError, KeyError):
     """No body of that id in the world."""
 
@@ -119,6 +132,10 @@ class UnknownRegionError(SandboxError, KeyError):
 
     def __str__(self) -> str:
         return str(self.args[0])
+
+
+REFUSALS = (CommandError, UnknownBodyError, UnknownJointError, UnknownRegionError)
+"""What a world raises for a command that it refuses."""
 
 
 class SnapshotError(SandboxError):

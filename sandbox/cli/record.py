@@ -12,7 +12,7 @@ import typer
 from sandbox._atomic_write import check_writable
 from sandbox._printable import told
 from sandbox.cli.options import SET, WORKERS, takes, values_set
-from sandbox.errors import SandboxError
+from sandbox.errors import RefusedCommandError, SandboxError
 from sandbox.resources import find_scene
 
 if TYPE_CHECKING:
@@ -55,7 +55,7 @@ def record(options: RecordOptions) -> None:
     """
     from sandbox.cli.compiling import announce_compilation
     from sandbox.cli.opening import open_any
-    from sandbox.replay.recording.read import read_commands
+    from sandbox.replay.recording.command_file import read_commands
     from sandbox.replay.recording.recorder import record as run
     from sandbox.scene.duration import planned_steps
 
@@ -64,9 +64,13 @@ def record(options: RecordOptions) -> None:
     file = find_scene(options.scene)
     loaded = open_any(file, values_set(options.set))
     total = planned_steps(loaded) if options.steps is None else options.steps
-    script = read_commands(options.commands, total) if options.commands is not None else ()
+    script = read_commands(options.commands, total) if options.commands is not None else None
+    commands = script.commands if script is not None else ()
     announce_compilation()
-    recording = _with_progress(file.name, total, lambda done: run(loaded, total, script, done, options.workers))
+    try:
+        recording = _with_progress(file.name, total, lambda done: run(loaded, total, commands, done, options.workers))
+    except RefusedCommandError as error:
+        raise script.refused(error) if script is not None else error from None
     recording.save(output, embed=True if options.embed else None)
     _tell(output, recording, options.json)
 

@@ -37,6 +37,8 @@ def write_page(options: RenderOptions) -> None:
     with SceneProgress(Console(stderr=True), 1) as progress:
         progress.begin(options.scene.name, run.steps)
         film = film_run(run, skip=skip, on_steps=progress.done)
+    if film.cut:
+        raise SandboxError(f"{told(options.scene)}: the run {film.cut}")
     write_text(options.output, player_page(getattr(run.scene, "title", "") or options.scene.name, film))
     _tell(options, film)
 

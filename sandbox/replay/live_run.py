@@ -96,7 +96,7 @@ class LiveRun(FixedAttributes):
         return list(dict.fromkeys(step for step, _ in self._stepper.commands))
 
     def step(self) -> None:
-        """Take a step. Raises what a known command raises that cannot be applied: it and all after it are forgotten."""
+        """Take a step. Raises `RefusedCommandError` for a known command: it and all after it are forgotten."""
         self._head.keep()
         try:
             self._stepper.apply_due()

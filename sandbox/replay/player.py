@@ -59,7 +59,7 @@ class Player(FixedAttributes):
         return Run(self._run.scene, self.length, tuple(self._stepper.commands))
 
     def step(self, n: int = 1) -> None:
-        """Go on by `n` steps, past the end if need be. Raises what a command raises that cannot be applied."""
+        """Go on by `n` steps, past the end if need be. Raises `RefusedCommandError` and `CapacityError`."""
         for _ in range(checked_count("Player.step", n)):
             self._advance()
         self._length = max(self.length, self.step_count)

@@ -27,7 +27,7 @@ def film_run(
     on_steps: Callable[[int], None] | None = None,
     stepper: RunStepper | None = None,
 ) -> Film:
-    """Take a run and film it from step `skip` on; a command that is refused ends it.
+    """Take a run and film it from step `skip` on; a command that is refused ends it, and the film's `cut` says why.
 
     `stepper` takes the run instead of a fresh world. `on_steps` hears now and then how many steps are done. Raises
     `SceneError` if the scene cannot be used.

@@ -97,7 +97,28 @@ class TestRecord:
         (tmp_path / "bad.json").write_text('[[3, "EndDrag", {"body": "crate"}]]')
         done = cli("record", write_scene("a.scene.json"), "-o", "a.replay.json", "--commands", "bad.json")
         assert done.code == 2
+        assert "bad.json:1:2: EndDrag after step 3 (0.050 s) was refused: " in done.err
         assert "not being dragged" in done.err
+
+    def test_a_refused_command_of_a_recording_has_its_place_in_it(self, cli: Callable, write_scene: Callable) -> None:
+        """Whatever else reads the recording, which the world refuses to go along with, tells it in the same words."""
+        Path("push.json").write_text(json.dumps(COMMANDS))
+        cli("record", write_scene("a.scene.json"), "-o", "a.replay.json", "--commands", "push.json")
+        data = json.loads(Path("a.replay.json").read_text())
+        data["commands"] = [[3, "ApplyImpulse", {"body": "nobody", "impulse": [1, 2]}]]
+        Path("a.replay.json").write_text(json.dumps(data, indent=1))
+        line = Path("a.replay.json").read_text().partition('"commands"')[0].count("\n") + 2
+        told = f"a.replay.json:{line}:3: ApplyImpulse after step 3 (0.050 s) was refused: no body 'nobody'"
+        for arguments in (
+            ("record", "a.scene.json", "-o", "b.replay.json", "--commands", "a.replay.json"),
+            ("render", "a.replay.json", "-o", "b.png", "--step", 9, "--size", "64x64"),
+            ("replay", "a.replay.json", "--update=all"),
+        ):
+            done = cli(*arguments)
+            assert (done.code, told in done.err) == (2, True), done.err
+        done = cli("render", "a.replay.json", "-o", "b.html")
+        assert (done.code, "the run ended after step 3: commands[0]: ApplyImpulse" in done.err) == (2, True)
+        assert not [name for name in os.listdir() if name.startswith("b.")]
 
     def test_a_command_after_the_end_is_told_with_its_line(self, cli: Callable, write_scene: Callable) -> None:
         late = '[[5, "SetGravity", {"gravity": [0, 0]}],\n [21, "SetGravity", {"gravity": [0, 1]}]]'
@@ -207,10 +228,12 @@ class TestWords:
         assert done.code == 1
         assert "body crate was taken away" in done.out
         assert "step 1 (0.017 s): pairs: " in done.out
-        assert "the run ended after step 2, for a command was refused: no body 'crate' in this world" in done.out
+        assert "the run ended after step 2, for a command was refused: commands[0], " in done.out
+        assert "no body 'crate' in this world" in done.out
         done = cli("replay", "--update", "a.replay.json")
         assert done.code == 2
         assert "no body 'crate'" in done.err
+        assert "after step 2 (0.033 s) was refused" in done.err
 
     def test_nothing_found_is_exit_5(self, cli: Callable, golden: Path, tmp_path: Path) -> None:
         done = cli("replay", tmp_path, "-k", "nothing-like-this")

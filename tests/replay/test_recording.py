@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import inspect
 import json
+import pickle
 import pkgutil
 from dataclasses import replace
 from pathlib import Path
@@ -55,6 +56,21 @@ def test_the_recorder_records_what_goes_through_it() -> None:
                 recorder.apply(command)
         recorder.step()
     assert recorder.recording() == recording()
+
+
+def test_a_refused_command_of_a_run_is_told_with_its_index_and_step() -> None:
+    script = [(7, ApplyImpulse("nobody", (1.0, 0.0))), (2, sandbox.SetGravity((0.0, -1.0)))]
+    with pytest.raises(
+        sandbox.RefusedCommandError, match=r"commands\[0\]: ApplyImpulse after step 7 \(0.117 s\)"
+    ) as told:
+        sandbox.record(scene(), 9, script)
+    error = pickle.loads(pickle.dumps(told.value))
+    assert (error.index, error.command, error.step) == (0, "ApplyImpulse", 7)
+    assert error.reason.startswith("no body 'nobody'")
+    assert isinstance(told.value.__cause__, sandbox.UnknownBodyError)
+    player = sandbox.Player(sandbox.Run(scene(), 9, (script[0],)))
+    with pytest.raises(sandbox.RefusedCommandError, match=r"commands\[0\]: ApplyImpulse after step 7"):
+        player.step(9)
 
 
 def test_a_refused_command_is_not_recorded() -> None:

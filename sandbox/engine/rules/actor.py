@@ -21,7 +21,7 @@ from sandbox.engine.rules.meant import Meant
 from sandbox.engine.rules.occasions import Occasion
 from sandbox.engine.rules.settings import setting_commands
 from sandbox.engine.rules.spawner import Spawner
-from sandbox.errors import CommandError, UnknownBodyError, UnknownJointError, UnknownRegionError
+from sandbox.errors import REFUSALS
 from sandbox.scene import flat_rules as flat
 from sandbox.scene.flat_rules import MOTION, POINTER, SELF, FlatAction, Names
 from sandbox.tables import plain
@@ -29,7 +29,6 @@ from sandbox.tables import plain
 MOST_IN_A_STEP = 10_000
 """Actions, and commands that they become, in one step."""
 _GATHERED = (flat.FlatSpawn, flat.FlatDelete)
-_REFUSALS = (CommandError, UnknownBodyError, UnknownJointError, UnknownRegionError)
 
 
 class Book(Protocol):
@@ -102,7 +101,7 @@ class Actor:
         """Apply a command; why it is refused, if it is."""
         try:
             self._world.apply(command)
-        except _REFUSALS as error:
+        except REFUSALS as error:
             return str(error)
         return None
 

@@ -6,12 +6,13 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Literal
 
-from sandbox.errors import FileError, Problem, SandboxError
+from sandbox.errors import FileError, Problem, RefusedCommandError, SandboxError
 from sandbox.replay.causes.explain import explained
 from sandbox.replay.golden.cases import Case
 from sandbox.replay.golden.rerun import Outcome, rerun
 from sandbox.replay.golden.source_location import divergence_location
 from sandbox.replay.golden.tolerance import Tolerance
+from sandbox.replay.recording.command_file import refused_in
 from sandbox.replay.recording.recorder import record
 from sandbox.replay.recording.recording import Recording
 from sandbox.scene import Scene, load_scene
@@ -114,6 +115,10 @@ def _orphaned(case: Case, recording: Recording, settings: ReplaySettings) -> Rep
 
 
 def _renew(recording: Recording, scene: Scene, case: Case) -> None:
-    """Record the same commands anew."""
+    """Record the same commands anew. Raises `RecordingError` if the scene refuses one."""
     embed = recording.scene.content is not None
-    record(scene, recording.steps, recording.commands).save(case.replay, embed=embed)
+    try:
+        renewed = record(scene, recording.steps, recording.commands)
+    except RefusedCommandError as error:
+        raise refused_in(case.replay, error) from None
+    renewed.save(case.replay, embed=embed)

@@ -9,7 +9,7 @@ from typing import Literal
 
 from sandbox.arguments import check_kind
 from sandbox.engine.arithmetic_version import ARITHMETIC, changes_since
-from sandbox.errors import SandboxError
+from sandbox.errors import RefusedCommandError, SandboxError
 from sandbox.replay.golden.divergence import Divergence, Drift
 from sandbox.replay.golden.heavy import Twin
 from sandbox.replay.golden.run import RunStepper
@@ -105,9 +105,13 @@ class _Rerun:
                 if on_steps is not None and step % _REPORT_EVERY == 0:
                     on_steps(step)
             self.stepper.apply_due()
+        except RefusedCommandError as error:
+            told = f"commands[{error.index}], {error.command}: {error.reason}"
+            self.refused = f"the run ended after step {error.step}, for a command was refused: {told}"
+            self._part("command", "a command that can be applied", told)
         except SandboxError as error:
-            self.refused = f"the run ended after step {self.stepper.step}, for a command was refused: {error}"
-            self._part("command", "a command that can be applied", str(error))
+            self.refused = f"the run ended after step {self.stepper.step}: {error}"
+            self._part("command", "a step that can be taken", str(error))
 
     def judge_the_end(self, drifts: tuple[Drift, ...]) -> Divergence | None:
         """The verdict on what is compared only after the last step."""

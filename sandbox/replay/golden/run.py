@@ -10,6 +10,7 @@ from sandbox.arguments import check_kind
 from sandbox.engine.world import World
 from sandbox.replay.recording.command_words import TimedCommand
 from sandbox.replay.recording.recording import Recording
+from sandbox.replay.recording.refusal import telling_refusal
 from sandbox.scene import Scene
 from sandbox.scene.duration import planned_steps
 from sandbox.scene.flat import FlatScene
@@ -51,14 +52,16 @@ class RunStepper:
         return self.world.step_count
 
     def apply_due(self, until: int | None = None) -> None:
-        """Apply this step's commands that have not been, up to `until` in all. Raises what `World.apply` raises."""
+        """Apply this step's commands that have not been, up to `until` in all. Raises `RefusedCommandError`."""
         end = len(self.commands) if until is None else until
         while self._applied < end and self.commands[self._applied][0] <= self.step:
-            self.world.apply(self.commands[self._applied][1])
+            command = self.commands[self._applied][1]
+            with telling_refusal(self._applied, command, self.world):
+                self.world.apply(command)
             self._applied += 1
 
     def advance(self) -> None:
-        """Apply what is due and take a step."""
+        """Apply what is due and take a step. Raises `RefusedCommandError`, and `CapacityError` as `World.step` does."""
         self.apply_due()
         self.world.step()
 

@@ -9,7 +9,7 @@ from itertools import islice
 import numpy as np
 
 from sandbox.engine.world import World
-from sandbox.errors import CommandError, SandboxError
+from sandbox.errors import CommandError, RefusedCommandError, SandboxError
 from sandbox.replay.golden.differences import differences, first_group
 from sandbox.replay.golden.divergence import Divergence, Growth
 from sandbox.replay.golden.run import Run, RunStepper, run_of
@@ -113,6 +113,8 @@ def _advance(a: RunStepper, b: RunStepper) -> Divergence | None:
 def _try(stepper: RunStepper) -> str:
     try:
         stepper.advance()
+    except RefusedCommandError as error:  # its index may differ, for one run may have other commands before
+        return f"{error.command}: {error.reason}"
     except SandboxError as error:
         return str(error)
     return ""

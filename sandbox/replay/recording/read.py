@@ -12,7 +12,7 @@ from sandbox.errors import Problem, RecordingError, SceneError
 from sandbox.replay.recording.checkpoint import Checkpoint
 from sandbox.replay.recording.command_words import TimedCommand, decode
 from sandbox.replay.recording.file_model import FileModel, SceneEntry
-from sandbox.replay.recording.limits import MAX_BYTES, MAX_STEPS
+from sandbox.replay.recording.limits import MAX_BYTES
 from sandbox.replay.recording.meaning import Meaning
 from sandbox.replay.recording.migrate import migrated
 from sandbox.replay.recording.recording_fields import RecordingFields, SceneSource
@@ -36,30 +36,6 @@ def read_recording(path: Path) -> RecordingFields:
         raise RecordingError(error.source, error.problems) from None
 
 
-def read_commands(path: Path, steps: int = MAX_STEPS) -> tuple[TimedCommand, ...]:
-    """The commands in a file for a run of so many steps: a JSON list of `[step, "NAME", {...}]`, or a recording, which
-    may be longer. Raises `RecordingError`."""
-    try:
-        text = read_text(path, "list of commands", MAX_BYTES).removeprefix("\ufeff")
-        return _loads_commands(text, path, steps)
-    except SceneError as error:
-        raise RecordingError(error.source, error.problems) from None
-
-
-@one_effort()
-def _loads_commands(text: str, path: Path, steps: int) -> tuple[TimedCommand, ...]:
-    data = parse(text, str(path)).data
-    if isinstance(data, dict) and "commands" in data:
-        return loads_recording(text, path).commands
-    if not isinstance(data, list):
-        raise scene_error(str(path), [Finding((), 'commands are a list [[step, "NAME", {...}], ...]')], text)
-    commands: list[TimedCommand] = []
-    found = _decode_all(tuple(data), steps, commands, ())
-    if found:
-        raise scene_error(str(path), found, text)
-    return tuple(commands)
-
-
 @one_effort()
 def loads_recording(text: str, path: Path) -> RecordingFields:
     """The recording in a text that stands in the file `path`. Raises `SceneError`."""
@@ -76,7 +52,7 @@ def loads_recording(text: str, path: Path) -> RecordingFields:
     content = None
     if model is not None:
         found = _cross_checks(model)
-        found += _decode_all(model.commands, model.steps, commands)
+        found += decode_all(model.commands, model.steps, commands)
         content, wrong = _content(model.scene)
         found += wrong
     if found or parsed.repeats or model is None:
@@ -104,7 +80,7 @@ def _cross_checks(model: FileModel) -> list[Finding]:
     return found
 
 
-def _decode_all(
+def decode_all(
     entries: tuple[Any, ...], steps: int, commands: list[TimedCommand], home: Way = ("commands",)
 ) -> list[Finding]:
     """Put all commands into `commands`; findings for those that are none, or stand out of order."""

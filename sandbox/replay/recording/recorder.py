@@ -15,6 +15,7 @@ from sandbox.replay.recording.command_words import TimedCommand, plain_command
 from sandbox.replay.recording.meaning import meaning_of
 from sandbox.replay.recording.recording import Recording
 from sandbox.replay.recording.recording_fields import SceneSource
+from sandbox.replay.recording.refusal import telling_refusal
 from sandbox.replay.recording.tape import Tape
 from sandbox.scene import Scene, load_scene
 from sandbox.scene.duration import planned_steps
@@ -94,15 +95,13 @@ def record(
 
     `commands` are (step, command): each comes after that many steps, those of one step in the given order. Without
     `steps`, the scene's own number. `on_steps` hears now and then how many are done; `workers` threads share a
-    step, where that pays. Raises `RecordingError` for steps
-    out of range, and what `World.apply` raises.
+    step, where that pays. Raises `RecordingError` for steps out of range, `RefusedCommandError` for a command that the
+    world refuses, `SceneError` for a file that is no scene, and `ArgumentError`.
     """
     check_kind("record", "a Scene or the path of one", scene, Scene, str, os.PathLike)
     loaded = scene if isinstance(scene, Scene) else load_scene(Path(scene))
     total = planned_steps(loaded) if steps is None else checked_count("record", steps)
-    script = sorted(commands, key=lambda row: row[0])
-    if script and (script[0][0] < 0 or script[-1][0] > total):
-        raise RecordingError("the commands", [Problem(f"have steps that do not lie in 0 to {total}")])
+    script = _in_order(commands, total)
     recorder = Recorder(World(loaded, workers))
     done = 0
     for step in range(total + 1):
@@ -114,9 +113,19 @@ def record(
     return recorder.recording()
 
 
-def _apply_due(recorder: Recorder, script: Sequence[TimedCommand], done: int) -> int:
-    while done < len(script) and script[done][0] == recorder.world.step_count:
-        recorder.apply(script[done][1])
+def _in_order(commands: Iterable[TimedCommand], total: int) -> list[tuple[int, TimedCommand]]:
+    """The commands by their steps, each with its index as it was given."""
+    script = sorted(enumerate(commands), key=lambda row: row[1][0])
+    if script and (script[0][1][0] < 0 or script[-1][1][0] > total):
+        raise RecordingError("the commands", [Problem(f"have steps that do not lie in 0 to {total}")])
+    return script
+
+
+def _apply_due(recorder: Recorder, script: Sequence[tuple[int, TimedCommand]], done: int) -> int:
+    while done < len(script) and script[done][1][0] == recorder.world.step_count:
+        index, (_, command) = script[done]
+        with telling_refusal(index, command, recorder.world):
+            recorder.apply(command)
         done += 1
     return done
 
