@@ -16,6 +16,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
+from sandbox._lent import lent_number
 from sandbox._printable import printable
 
 _NO_SYNC = (errno.EINVAL, errno.ENOSYS, errno.ENOTSUP)
@@ -100,10 +101,23 @@ def _keep_permissions(partial: Path, there: os.stat_result) -> None:
 
 
 def _check_there(path: Path, there: os.stat_result | None) -> None:
+    """Raises `OSError` for what is not to be written to; a rename would not ask."""
     if there is not None and stat.S_ISDIR(there.st_mode):
         raise IsADirectoryError(errno.EISDIR, "it is a folder")
-    if there is not None and not os.access(path, os.W_OK):  # a rename would not ask
+    if there is not None and not os.access(path, os.W_OK):
         raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+    _check_lent(path)
+
+
+def _check_lent(path: Path) -> None:
+    """Raises `OSError` for what a shell lends to be read, `<(command)`: what is written there is lost."""
+    number = lent_number(path)
+    if number is None:
+        return
+    import fcntl  # is there where shells lend streams
+
+    if fcntl.fcntl(number, fcntl.F_GETFL) & os.O_ACCMODE == os.O_RDONLY:
+        raise PermissionError(errno.EACCES, "it is lent to be read only; name the file itself")
 
 
 def _check_folder(folder: Path) -> None:

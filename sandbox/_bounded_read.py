@@ -4,28 +4,36 @@ from __future__ import annotations
 
 import errno
 import os
-import re
 import stat
+from contextlib import suppress
 from pathlib import Path
 
-_STREAM = re.compile(r"/dev/stdin|(/dev|/proc/(self|\d+))/fd/\d+")
-"""How a shell names what it lends a process: `<(command)`, `/dev/stdin`."""
+from sandbox._lent import is_lent, read_kept
+
 _AT_ONCE = 1 << 20
 
 
 def read_bytes(path: Path, limit: int) -> bytes:
     """The first `limit` bytes of a regular file, or of a stream that a shell lends. Raises `OSError`."""
+    kept = read_kept(path, limit)
+    if kept is not None:
+        return kept
     _check(path, os.stat(path).st_mode)  # before it is opened: opening a device may do something
     flags = os.O_RDONLY | getattr(os, "O_BINARY", 0) | getattr(os, "O_CLOEXEC", 0)
-    stream = _STREAM.fullmatch(str(path))
     # Whoever puts a pipe there meanwhile does not make this wait.
-    with os.fdopen(os.open(path, flags | (0 if stream else getattr(os, "O_NONBLOCK", 0))), "rb") as file:
+    with os.fdopen(os.open(path, flags | (0 if is_lent(path) else getattr(os, "O_NONBLOCK", 0))), "rb") as file:
         _check(path, os.fstat(file.fileno()).st_mode)
         parts = []
         while limit > 0 and (part := file.read(min(limit, _AT_ONCE))):
             parts.append(part)
             limit -= len(part)
     return b"".join(parts)
+
+
+def read_ahead(path: Path, limit: int) -> None:
+    """Read what a shell lends, as far as `limit`, before other processes are to know of it, which cannot read it."""
+    with suppress(OSError):  # whoever uses it is told
+        read_kept(path, limit + 1)
 
 
 def is_regular(path: Path) -> bool:
@@ -39,7 +47,7 @@ def is_regular(path: Path) -> bool:
 def _check(path: Path, mode: int) -> None:
     if stat.S_ISDIR(mode):
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
-    if not stat.S_ISREG(mode) and not _STREAM.fullmatch(str(path)):
+    if not stat.S_ISREG(mode) and not is_lent(path):
         raise OSError(errno.EINVAL, f"it is {_kind(mode)}, not a regular file", str(path))
 
 

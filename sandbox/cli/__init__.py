@@ -12,9 +12,11 @@ from io import TextIOWrapper
 def main(arguments: Sequence[str] | None = None) -> None:
     """Run the command line (`sys.argv` by default) and exit with its code; users never see a traceback."""
     _fill_in_closed_streams()
+    from sandbox._lent import keep_streams
     from sandbox.cli.app import build
     from sandbox.cli.failures import error_document, report
 
+    keep_streams()
     words = sys.argv[1:] if arguments is None else [*arguments]
     if isinstance(sys.stdout, TextIOWrapper):  # names of files may hold what its encoding has no bytes for
         sys.stdout.reconfigure(errors="backslashreplace")

@@ -7,12 +7,14 @@ from pathlib import Path
 
 import typer
 
+from sandbox._bounded_read import read_ahead
 from sandbox._printable import told
 from sandbox.cli.check_options import CheckOptions
 from sandbox.cli.failures import NothingToDoError
 from sandbox.cli.options import takes, values_set
 from sandbox.cli.output import check_report
 from sandbox.resources import SCENE_SUFFIX, files_below, find_scene
+from sandbox.scene.limits import MAX_BYTES
 
 
 @takes(CheckOptions)
@@ -47,6 +49,7 @@ def find_files(paths: Sequence[Path], only: str = "", verb: str = "check") -> li
 
 def _files_of(path: Path, verb: str) -> list[Path]:
     if not path.is_dir():
+        read_ahead(path, MAX_BYTES)
         return [find_scene(path)]
     files = files_below(path, SCENE_SUFFIX)
     if not files:

@@ -34,10 +34,10 @@ def open_any(path: Path, values: Mapping[str, Any] | None = None) -> Scene:
 
 def open_or_replay(path: Path, values: Mapping[str, Any]) -> Recording | Scene:
     """The recording in a file, or the scene, with `values`. Raises `FileError`, and `SandboxError` for both at once."""
-    from sandbox.replay.recording.limits import SUFFIX
+    from sandbox.replay.recording.known_recording import holds_recording
     from sandbox.replay.recording.recording import Recording
 
-    if not path.name.endswith(SUFFIX):
+    if not holds_recording(path):
         return open_any(find_scene(path), values)
     no_values(path, values)
     return Recording.load(path)

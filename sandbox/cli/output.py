@@ -17,8 +17,12 @@ FORCE = typer.Option("--force", help="Write over a file that is there.")
 
 
 def check_new(path: Path, force: bool) -> None:
-    """Raises `SandboxError` if there is a file at `path` and `force` is not given, `OSError` if none can be written."""
-    if os.path.lexists(path) and not force:
+    """Raises `SandboxError` if there is a file at `path` and `force` is not given, `OSError` if none can be written.
+
+    Nothing is lost in a pipe or a device.
+    """
+    is_stream = path.exists() and not path.is_file() and not path.is_dir()
+    if os.path.lexists(path) and not is_stream and not force:
         raise SandboxError(f"{told(path)}: there is a file of that name already; --force writes over it")
     check_writable(path)
 

@@ -15,6 +15,7 @@ from typing import TypeVar
 
 import typer
 
+from sandbox._lent import keep_streams, kept_streams
 from sandbox.errors import SandboxError
 
 Item = TypeVar("Item")
@@ -23,8 +24,12 @@ Made = TypeVar("Made")
 JOBS = typer.Option("-j", "--jobs", min=0, max=256, metavar="N", help="Processes at a time; 0: one a processor.")
 
 
-def _end_with_parent() -> None:
-    """Whoever ends the parent by force, as a system does that is short of memory, does not leave its processes."""
+def _begin(streams: dict[str, bytes]) -> None:
+    """Whoever ends the parent by force, as a system does that is short of memory, does not leave its processes.
+
+    What a shell lent the parent, it alone can read.
+    """
+    keep_streams(streams)
     parent = parent_process()
     if parent is not None:
         Thread(target=lambda: (wait([parent.sentinel]), os._exit(1)), daemon=True).start()
@@ -52,7 +57,7 @@ def _ended_by_sigterm() -> Iterator[None]:
 def elsewhere(work: Callable[[Item], Made], items: Sequence[Item], workers: int) -> Iterator[Made]:
     """What `work` makes of each of `items`, in fresh processes. Raises `SandboxError` if one is killed."""
     # Fresh processes: a fork would copy locks of threads that it has not got.
-    pool = ProcessPoolExecutor(workers, mp_context=get_context("spawn"), initializer=_end_with_parent)
+    pool = ProcessPoolExecutor(workers, get_context("spawn"), initializer=_begin, initargs=(kept_streams(),))
     try:
         with _ended_by_sigterm():
             yield from pool.map(work, items)

@@ -10,7 +10,7 @@ from sandbox._printable import told
 from sandbox.cli.options import values_set
 from sandbox.cli.render_options import FILM_SIZE, STILL_SIZE, RenderOptions, steps_asked_for, style_of
 from sandbox.errors import SandboxError
-from sandbox.replay.recording.limits import SUFFIX
+from sandbox.replay.recording.known_recording import holds_recording
 
 if TYPE_CHECKING:
     from sandbox.cli.picture_progress import PictureProgress
@@ -104,7 +104,7 @@ def _length(options: RenderOptions, stepper: RunStepper, first: int, steps: int 
 
 
 def _is_recording(options: RenderOptions) -> bool:
-    return options.scene.name.endswith(SUFFIX)
+    return holds_recording(options.scene)
 
 
 def _skip(stepper: RunStepper, steps: int, progress: PictureProgress, shooting: Shooting) -> None:

@@ -100,12 +100,13 @@ def _check_values(paths: list[Path], values: dict[str, Any]) -> None:
 def _check_two_recordings(paths: list[Path]) -> None:
     from sandbox._printable import told
     from sandbox.errors import SandboxError
+    from sandbox.replay.recording.known_recording import holds_recording
     from sandbox.replay.recording.limits import SUFFIX
 
     if len(paths) > 2:
         raise SandboxError(f"{len(paths)} files: give one, or two recordings of which the second is what is expected")
     for path in paths:
-        if not path.name.endswith(SUFFIX):
+        if not holds_recording(path):
             raise SandboxError(
                 f"{told(path)} is no recording (*{SUFFIX}): two files are compared if both are recordings"
             )

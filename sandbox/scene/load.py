@@ -10,6 +10,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from sandbox._collecting import collection_postponed
+from sandbox._lent import is_lent
 from sandbox.arguments import check_kind
 from sandbox.errors import Problem, SceneError
 from sandbox.scene.authoring.blame import Expansion
@@ -77,8 +78,8 @@ def _checked(scene: Scene, expansion: Expansion) -> Scene:
 
 
 def _file(source: str) -> Path | None:
-    """The file that a text is from, if it is one."""
+    """The file that a text is from, if it is one; what a shell lends is in no folder, whatever is behind it."""
     try:
-        return Path(source) if Path(source).is_file() else None
+        return Path(source) if Path(source).is_file() and not is_lent(Path(source)) else None
     except (OSError, ValueError):
         return None

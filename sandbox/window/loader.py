@@ -92,10 +92,10 @@ class Loader:
 
     def _recording(self) -> Recording | None:
         """What the file is, if it is a recording."""
-        from sandbox.replay.recording.limits import SUFFIX
+        from sandbox.replay.recording.known_recording import holds_recording
         from sandbox.replay.recording.recording import Recording
 
-        plays = self._leftover is None and self.path.name.endswith(SUFFIX)
+        plays = self._leftover is None and holds_recording(self.path)
         return Recording.load(self.path) if plays else None
 
     def _read(self, recording: Recording | None) -> tuple[Scene, tuple[TimedCommand, ...], int]:

@@ -7,7 +7,7 @@ import socket
 import subprocess
 import sys
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -117,6 +117,81 @@ def test_what_a_shell_lends_is_read_to_the_limit(fed: str, code: int) -> None:
     feeder.join()
     assert done.returncode == code, done.stderr
     assert ("the file is larger than 16 MiB" in done.stderr) == (code == 2)
+
+
+@pytest.fixture
+def lend(here: Path) -> Iterator[Callable[[str], str]]:
+    """Lends this process a pipe with a text in it, as a shell does for `<(command)`; its name."""
+    numbers = []
+
+    def make(text: str) -> str:
+        reading, writing = os.pipe()
+        numbers.append(reading)
+        threading.Thread(target=lambda: (os.write(writing, text.encode()), os.close(writing))).start()
+        return f"/dev/fd/{reading}"
+
+    yield make
+    for number in numbers:
+        os.close(number)
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/fd"), reason="has no /dev/fd")
+class TestLent:
+    """What a shell lends is a scene or a recording as its contents say, and in the current folder."""
+
+    @pytest.fixture
+    def recording(self, cli: Callable) -> str:
+        Path("a.scene.json").write_text(SCENE)
+        assert cli("record", "a.scene.json", "-o", "a.replay.json").code == 0
+        return Path("a.replay.json").read_text()
+
+    @pytest.mark.parametrize(
+        "arguments",
+        [
+            ["replay"], ["replay", "-j", "2", "a.replay.json"], ["diff", "a.scene.json"], ["diff", "a.replay.json"],
+            ["render", "-o", "x.png", "--size", "64x48"], ["render", "-o", "x.gif", "--size", "64x48"],
+            ["render", "-o", "x.html"], ["replay", "--report", "x.html"],
+            ["record", "a.scene.json", "-o", "b.replay.json", "--commands"],
+        ],
+        ids=" ".join,
+    )  # fmt: skip
+    def test_a_recording_is_one(self, cli: Callable, recording: str, lend: Callable, arguments: list[str]) -> None:
+        done = cli(*arguments, lend(recording))
+        assert (done.code, done.err) == (0, "")
+
+    @pytest.mark.parametrize("jobs", [1, 2])
+    def test_scenes_are_read_once_for_all_processes(self, cli: Callable, lend: Callable, jobs: int) -> None:
+        done = cli("check", "-j", jobs, lend(SCENE), lend(SCENE))
+        assert (done.code, "2 scenes: 2 hold" in done.out) == (0, True), done.err
+
+    def test_a_scene_is_no_recording(self, cli: Callable, lend: Callable) -> None:
+        done = cli("replay", lend(SCENE))
+        assert (done.code, "this is a scene, not a recording: sandbox record makes one of it" in done.err) == (2, True)
+
+    def test_nothing_is_written_to_it(self, cli: Callable, recording: str, lend: Callable) -> None:
+        for done in (cli("replay", "--update=all", lend(recording)), cli("fmt", lend(SCENE))):
+            told = "it cannot be written: it is lent to be read only; name the file itself"
+            assert (done.code, told in done.err) == (2, True)
+
+    def test_one_whose_scene_is_gone_is_not_removed(
+        self, cli: Callable, recording: str, lend: Callable, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        os.remove("a.scene.json")
+        monkeypatch.setattr(Path, "unlink", None)
+        done = cli("replay", "--prune", lend(recording))
+        assert (done.code, "orphaned" in done.out) == (1, True)
+
+    def test_an_output_needs_no_force(self, cli: Callable, here: Path) -> None:
+        Path("a.scene.json").write_text(SCENE)
+        reading, writing = os.pipe()
+        assert cli("expand", "a.scene.json", "-o", f"/dev/fd/{writing}").code == 0
+        os.close(writing)
+        with os.fdopen(reading) as file:
+            assert "ball" in file.read()
+
+    def test_it_has_no_files_beside_it(self, cli: Callable, lend: Callable) -> None:
+        done = cli("check", lend(SCENE.replace('"format"', '"include": ["b.json"], "format"')))
+        assert (done.code, "a scene that is in no file includes only what comes" in done.err) == (2, True)
 
 
 def test_reading_stops_at_the_limit(here: Path) -> None:

@@ -7,7 +7,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from sandbox._bounded_read import read_bytes
+from sandbox._bounded_read import read_ahead, read_bytes
+from sandbox._lent import is_lent
 from sandbox.replay.recording.limits import MAX_BYTES, SUFFIX
 from sandbox.resources import SCENE_SUFFIX, files_below, find_scene
 
@@ -42,8 +43,9 @@ def replay_beside(scene: Path) -> Path:
 
 def _cases_of(path: Path) -> Iterator[Case]:
     if not path.is_dir():
+        read_ahead(path, MAX_BYTES)
         path = find_scene(path)
-        yield _of_replay(path) if path.name.endswith(SUFFIX) else _of_scene(path)
+        yield _of_replay(path) if path.name.endswith(SUFFIX) or is_lent(path) else _of_scene(path)
         return
     replays = [Case(file) for file in files_below(path, SUFFIX)]
     scenes = (_of_scene(file) for file in files_below(path, SCENE_SUFFIX))

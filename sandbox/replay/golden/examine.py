@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Literal
 
+from sandbox._lent import is_lent
 from sandbox.errors import FileError, Problem, RefusedCommandError, SandboxError
 from sandbox.replay.causes.explain import explained
 from sandbox.replay.golden.cases import Case
@@ -108,7 +109,7 @@ def _recorded(
 
 def _orphaned(case: Case, recording: Recording, settings: ReplaySettings) -> Report:
     report = Report(case, "orphaned", scene=str(recording.scene.path))
-    if not settings.prune:
+    if not settings.prune or is_lent(case.replay):
         return report
     case.replay.unlink()
     return replace(report, action="removed")

@@ -8,6 +8,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from sandbox._bounded_read import is_regular
+from sandbox._lent import home_of
 from sandbox.errors import Problem, RecordingError, SceneError
 from sandbox.replay.recording.checkpoint import Checkpoint
 from sandbox.replay.recording.command_words import TimedCommand, decode
@@ -20,6 +21,7 @@ from sandbox.scene import Scene
 from sandbox.scene.effort import one_effort
 from sandbox.scene.finding import Finding, path_of
 from sandbox.scene.finding import Path as Way
+from sandbox.scene.known_file import is_scene
 from sandbox.scene.limits import MAX_FINDINGS
 from sandbox.scene.parse import parse
 from sandbox.scene.read import read_text
@@ -44,6 +46,10 @@ def loads_recording(text: str, path: Path) -> RecordingFields:
     parsed = parse(text, str(path))
     if not isinstance(parsed.data, dict):
         raise scene_error(str(path), [Finding((), "a recording is an object {...}")], text)
+    if is_scene(parsed.data):
+        raise SceneError(
+            str(path), [Problem("this is a scene, not a recording", hint="sandbox record makes one of it")]
+        )
     data, found = migrated(parsed.data)
     if found:
         raise scene_error(str(path), found, text)
@@ -115,7 +121,7 @@ def _recording(
 ) -> RecordingFields:
     entry = model.scene
     meaning = Meaning(entry.hash, entry.world, entry.bodies, entry.joints)
-    place = path.parent / entry.path if entry.path is not None else None
+    place = home_of(path) / entry.path if entry.path is not None else None
     return RecordingFields(
         scene=SceneSource(meaning, place, content, entry.set),
         steps=model.steps,
