@@ -25,18 +25,22 @@ _STREAMS = (1, 2)
 """What this process has open for output."""
 
 
-def write_text(path: Path, text: str) -> None:
-    """Write a text as UTF-8, with `\\n` at the ends of lines on every system. Raises `OSError` that names `path`."""
-    write_bytes(path, text.encode())
+def write_text(path: Path, text: str, over: bool = True) -> None:
+    """Write a text as UTF-8, with `\\n` at the ends of lines on every system; `over` as in `write_bytes`.
+
+    Raises `OSError` that names `path`.
+    """
+    write_bytes(path, text.encode(), over=over)
 
 
-def write_bytes(path: Path, data: bytes, durable: bool = True) -> None:
+def write_bytes(path: Path, data: bytes, durable: bool = True, over: bool = True) -> None:
     """Write `data`. `durable`: it is on the disk before it takes the place of what was there.
 
-    Raises `OSError` that names `path`; what was there is there still then, and nothing else.
+    Without `over`, a file that is there, also one that somebody else has just written, is left alone, and
+    `FileExistsError` raised. Raises `OSError` that names `path`; what was there is there still then, and nothing else.
     """
     with _naming(path):
-        _write(Path(path), data, durable)
+        _write(Path(path), data, durable, over)
 
 
 def check_writable(path: Path) -> None:
@@ -48,7 +52,7 @@ def check_writable(path: Path) -> None:
             _check_folder(_target(path).parent)
 
 
-def _write(path: Path, data: bytes, durable: bool) -> None:
+def _write(path: Path, data: bytes, durable: bool, over: bool) -> None:
     there = _status(path)
     _check_there(path, there)
     stream = next((number for number in _STREAMS if there and _is_open_as(there, number)), None)
@@ -61,21 +65,34 @@ def _write(path: Path, data: bytes, durable: bool) -> None:
         return
     target = _target(path)
     _check_folder(target.parent)
-    _replace(target, there, data, durable)
+    with _partial(target, there, data, durable) as partial:
+        (os.replace if over else _put)(partial, target)
 
 
-def _replace(target: Path, there: os.stat_result | None, data: bytes, durable: bool) -> None:
+@contextmanager
+def _partial(target: Path, there: os.stat_result | None, data: bytes, durable: bool) -> Iterator[Path]:
+    """A file beside `target` that has all of it, for a while."""
     partial = target.with_name(f".sandbox-{secrets.token_hex(6)}.part")
     try:
         number = os.open(partial, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o666)
         if there is not None:
             _keep_permissions(partial, there)
         _write_to(number, data, durable)
-        os.replace(partial, target)
-    except BaseException:
+        yield partial
+    finally:
         with suppress(OSError):
             partial.unlink(missing_ok=True)
-        raise
+
+
+def _put(partial: Path, target: Path) -> None:
+    """Give a file its name unless another has it: of several who do so at once, one does. Raises `OSError`."""
+    try:
+        os.link(partial, target)
+    except FileExistsError:
+        raise FileExistsError(errno.EEXIST, "there is a file of that name already") from None
+    except OSError:  # a file system without links
+        os.close(os.open(target, os.O_CREAT | os.O_EXCL))
+        os.replace(partial, target)
 
 
 def _write_to(number: int, data: bytes, durable: bool = False) -> None:

@@ -175,3 +175,27 @@ def test_what_may_not_be_written_is_not(kept):
     refused(kept, "cannot be written to")
     kept.parent.chmod(0o755)
     assert kept.read_text() == "what was there"
+
+
+@pytest.mark.parametrize("links", [True, False], ids=["links", "no links"])
+def test_of_several_who_write_a_new_file_at_once_one_does(tmp_path, monkeypatch, links):
+    if not links:
+        monkeypatch.setattr(os, "link", lambda *_: (_ for _ in ()).throw(PermissionError(errno.EPERM, "no links")))
+    start, refused = threading.Barrier(8), []
+
+    def write(number: int) -> None:
+        start.wait()
+        try:
+            write_text(tmp_path / "new.txt", f"{number}\n" * 1000, over=False)
+        except FileExistsError as error:
+            refused.append(error)
+
+    threads = [threading.Thread(target=write, args=(number,)) for number in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    lines = (tmp_path / "new.txt").read_text().splitlines()
+    assert (len(lines), len(set(lines)), len(refused)) == (1000, 1, 7)
+    assert {error.filename for error in refused} == {str(tmp_path / "new.txt")}
+    assert os.listdir(tmp_path) == ["new.txt"]

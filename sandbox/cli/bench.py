@@ -184,7 +184,7 @@ def _run_all(
             results.append(result)
             told = document(results, time.perf_counter() - start)
             if options.output is not None:  # a run of an hour may be interrupted
-                write_text(options.output, told + "\n")
+                write_text(options.output, told + "\n", over=options.force or len(results) > 1)
     return results, told
 
 

@@ -33,4 +33,4 @@ def expand(
     from sandbox.scene.pretty import scene_text
     from sandbox.scene.write_out import written_out
 
-    put(scene_text(written_out(open_any(find_scene(scene), values_set(set)))), output)
+    put(scene_text(written_out(open_any(find_scene(scene), values_set(set)))), output, over=force)

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import json
-import os
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from sandbox._atomic_write import check_writable, write_text
+from sandbox._atomic_write import write_text
 from sandbox._printable import printable, told
 from sandbox.cli.opening import open_any
 from sandbox.cli.options import SET, takes, values_set
+from sandbox.cli.output import check_new
 from sandbox.errors import SandboxError
 from sandbox.resources import SCENE_SUFFIX, find_scene
 
@@ -48,11 +48,9 @@ def export(options: ExportOptions) -> None:
     from sandbox.formats import export_scene, remark_lines
 
     name = _format_of(options.output)
-    if os.path.lexists(options.output) and not options.force:
-        raise SandboxError(f"{told(options.output)}: there is a file of that name already; --force writes over it")
-    check_writable(options.output)
+    check_new(options.output, options.force)
     exported = export_scene(open_any(find_scene(options.scene), values_set(options.set)), name)
-    write_text(options.output, exported.text)
+    write_text(options.output, exported.text, over=options.force)
     facts = {"path": options.output.as_posix(), "format": name}
     if options.json:
         print(json.dumps({**facts, "remarks": [each._asdict() for each in exported.remarks]}, indent=2))

@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import json
-import os
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from sandbox._atomic_write import check_writable
 from sandbox._printable import told
 from sandbox.cli.import_options import UNITS, remark_data, tell
 from sandbox.cli.options import takes
-from sandbox.errors import SandboxError
+from sandbox.cli.output import check_new
 
 if TYPE_CHECKING:
     from sandbox.formats import Imported
@@ -55,12 +53,10 @@ def import_(options: ImportOptions) -> None:
     """
     from sandbox.formats import import_scene
 
-    if os.path.lexists(options.output) and not options.force:
-        raise SandboxError(f"{told(options.output)}: there is a file of that name already; --force writes over it")
-    check_writable(options.output)
+    check_new(options.output, options.force)
     given = options.format, options.units_per_metre, options.tolerance, options.solid or ()
     imported = import_scene(options.file, *given)
-    imported.scene.save(options.output)
+    imported.scene.save(options.output, over=options.force)
     _report(options, imported)
 
 

@@ -44,7 +44,7 @@ def new(
         return
     check_new(output, force)
     text = with_schema(chosen.text, output)
-    put(text, output)
+    put(text, output, over=force)
     if json:
         _print_document({"path": output.as_posix(), "theme": theme, "title": chosen.title, "lines": chosen.lines})
     else:

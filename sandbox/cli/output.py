@@ -37,10 +37,10 @@ def check_report(option: str, path: Path | None, *suffixes: str) -> None:
     check_writable(path)
 
 
-def put(text: str, output: Path | None) -> None:
-    """Write `text` to a file, or print it. Raises `OSError`."""
+def put(text: str, output: Path | None, over: bool = True) -> None:
+    """Write `text` to a file, with `over` also to one that is there, or print it. Raises `OSError`."""
     if output is not None:
-        write_text(output, text)
+        write_text(output, text, over)
         return
     sys.stdout.reconfigure(encoding="utf-8") if hasattr(sys.stdout, "reconfigure") else None
     sys.stdout.write(text)

@@ -71,7 +71,7 @@ def record(options: RecordOptions) -> None:
         recording = _with_progress(file.name, total, lambda done: run(loaded, total, commands, done, options.workers))
     except RefusedCommandError as error:
         raise script.refused(error) if script is not None else error from None
-    recording.save(output, embed=True if options.embed else None)
+    recording.save(output, True if options.embed else None, over=options.force)
     _tell(output, recording, options.json)
 
 

@@ -101,9 +101,12 @@ class Scene(Shown, SceneFields):
         here = FilePath(self._source).resolve().parent
         return self._expansion.written(moved=folder is not None and FilePath(folder).resolve() != here)
 
-    def save(self, path: str | FilePath) -> None:
-        """Write the scene as JSON (UTF-8) that loads to an equal scene. Raises `OSError`; what was there stays then."""
-        write_text(FilePath(path), scene_text(self.written(FilePath(path).parent)))
+    def save(self, path: str | FilePath, over: bool = True) -> None:
+        """Write the scene as JSON (UTF-8) that loads to an equal scene; `over` a file that is there, or not.
+
+        Raises `OSError` (`FileExistsError` for a file that is there); what was there stays then.
+        """
+        write_text(FilePath(path), scene_text(self.written(FilePath(path).parent)), over)
 
     def locate(self, pointer: str) -> tuple[int, int] | None:
         """Line and column in the scene's file of the value at a JSON pointer; None if there is no file."""

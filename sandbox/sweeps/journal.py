@@ -13,7 +13,6 @@ from itertools import takewhile
 from pathlib import Path
 from typing import Any
 
-from sandbox._atomic_write import write_bytes
 from sandbox._bounded_read import read_bytes
 from sandbox._printable import told
 from sandbox.errors import SandboxError
@@ -54,21 +53,34 @@ class Journal:
 
     @contextmanager
     def writing(self, goes_on: bool) -> Iterator[Journal]:
-        """Be open for `note`; `goes_on`: behind what is there, without a line that was cut off. Raises `OSError`."""
-        if goes_on and self._path.exists():
-            write_bytes(self._path, _whole_lines(read_bytes(self._path, _LARGEST)))
-            self._file = open(self._path, "a", encoding="utf-8", newline="\n")  # noqa: SIM115
-        else:
-            self._file = open(self._path, "w", encoding="utf-8", newline="\n")  # noqa: SIM115
-            self._line(self._head)
-        try:
+        """Be open for `note`; `goes_on`: behind what is there, without a line that was cut off.
+
+        Raises `SandboxError` while another sweep writes it, and `OSError`.
+        """
+        with open(self._path, "a", encoding="utf-8", newline="\n") as self._file:
+            self._claim()
+            kept = len(_whole_lines(read_bytes(self._path, _LARGEST))) if goes_on else 0
+            self._file.truncate(kept)
+            if not kept:
+                self._line(self._head)
             yield self
-        finally:
-            self._file.close()
 
     def note(self, outcome: Outcome) -> None:
         """Write a run down."""
         self._line([outcome.run, outcome.values, outcome.digest, outcome.steps, outcome.status])
+
+    def _claim(self) -> None:
+        """Two sweeps that wrote one journal would mix their runs. The claim goes with the process, however it ends."""
+        try:
+            import fcntl
+        except ImportError:  # no such claims on this system
+            return
+        try:
+            fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            raise SandboxError(f"{told(self._path)}: another sweep writes it now; give this one another -o") from None
+        except OSError:  # nor on this file system
+            return
 
     def remove(self) -> None:
         """The output has been written."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import importlib
 import json
 import os
 import signal
@@ -95,6 +96,27 @@ class TestRecordingOver:
         path.write_text("600 steps")
         assert cli("record", "a.scene.json", "-o", path, "--force").code == 0
         assert json.loads(path.read_text())["steps"] == 20
+
+
+@pytest.mark.parametrize("arguments", [
+    ("record", "a.scene.json", "-o", "b.replay.json"), ("expand", "a.scene.json", "-o", "b.scene.json"),
+    ("new", "stack", "-o", "b.scene.json"), ("export", "a.scene.json", "-o", "b.py"),
+    ("bench", "a.scene.json", "--engines", "sandbox", "--steps", "2", "-o", "b.json"),
+    ("import", "a.svg", "-o", "b.scene.json"),
+], ids=lambda arguments: arguments[0])  # fmt: skip
+def test_what_somebody_writes_meanwhile_is_not_written_over(
+    cli: Callable, monkeypatch: pytest.MonkeyPatch, arguments: tuple[str, ...]
+) -> None:
+    """As by the same command, started twice: when they began, there was no such file."""
+    Path("a.svg").write_text(DRAWING)
+    Path(arguments[-1]).write_text("of the other")
+    module = f"sandbox.cli.{arguments[0]}{'_' * (arguments[0] == 'import')}"
+    checks = "_check_output" if arguments[0] == "record" else "check_new"
+    importlib.import_module(module)
+    monkeypatch.setattr(sys.modules[module], checks, lambda *_: None)
+    done = cli(*arguments)
+    assert (done.code, "there is a file of that name already" in done.err) == (2, True), done
+    assert Path(arguments[-1]).read_text() == "of the other"
 
 
 DRAWING = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><rect id="crate" width="2" height="2"/></svg>'

@@ -165,6 +165,19 @@ class TestJournals:
         assert list(Journal(path, "f", 9).done()) == [2, 0, 1, 5]
         assert Journal(path, "f", 9).done()[2].values[0] == 0.2
 
+    def test_two_sweeps_do_not_write_one(self, tmp_path: Path) -> None:
+        pytest.importorskip("fcntl")
+        path = tmp_path / "t.csv.journal"
+        with Journal(path, "f", 9).writing(goes_on=False) as journal:
+            journal.note(self.outcome(3))
+            for other in ("f", "g"):
+                with (
+                    pytest.raises(sandbox.SandboxError, match="another sweep writes it now"),
+                    Journal(path, other, 9).writing(goes_on=False),
+                ):
+                    pass
+        assert list(Journal(path, "f", 9).done()) == [3]
+
     def test_another_sweep_is_refused(self, tmp_path: Path) -> None:
         path = tmp_path / "t.csv.journal"
         with Journal(path, "f", 9).writing(goes_on=False):

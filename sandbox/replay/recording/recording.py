@@ -29,14 +29,15 @@ class Recording(Shown, RecordingFields):
         check_kind("Recording.load", "the path of a file", path, str, os.PathLike)
         return cls(**vars(read_recording(Path(path))))
 
-    def save(self, path: str | os.PathLike[str], embed: bool | None = None) -> None:
+    def save(self, path: str | os.PathLike[str], embed: bool | None = None, over: bool = True) -> None:
         """Write the recording as JSON. Its scene goes in by path and hash, with `embed` by content.
 
         Without `embed` a scene goes in by content if it has no file, comes with the package, or has a file that is not
         JSON by its name, or with a backslash or what cannot be printed on the way to it.
-        Raises `RecordingError` if it cannot be written so, and `OSError`.
+        Without `over`, no file that is there is written over.
+        Raises `RecordingError` if it cannot be written so, and `OSError` (`FileExistsError` for a file that is there).
         """
-        write_recording(self, Path(path), embed)
+        write_recording(self, Path(path), embed, over)
 
     def load_scene(self) -> Scene:
         """The scene as it is now. Raises `SceneError` if its file cannot be used."""

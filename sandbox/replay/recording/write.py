@@ -23,15 +23,18 @@ from sandbox.scene.pretty import kinds_first
 _WIDTH = 100
 
 
-def write_recording(recording: RecordingFields, path: Path, embed: bool | None) -> None:
-    """Write `recording` to `path`. Raises `RecordingError`, or `OSError` if the file cannot be written."""
+def write_recording(recording: RecordingFields, path: Path, embed: bool | None, over: bool = True) -> None:
+    """Write `recording` to `path`, also `over` a file that is there.
+
+    Raises `RecordingError`, or `OSError` if the file cannot be written.
+    """
     if not 1 <= recording.steps <= MAX_STEPS or len(recording.commands) > MAX_COMMANDS:
         limits = f"a recording has 1 to {MAX_STEPS:,} steps and at most {MAX_COMMANDS:,} commands"
         raise RecordingError(str(path), [Problem(f"{limits}; this one has {recording.steps:,}")])
     text = recording_text(recording, path, embed)
     if len(text.encode()) > MAX_BYTES:
         raise RecordingError(str(path), [Problem(f"a recording has at most {MAX_BYTES // 2**20} MiB")])
-    write_text(path, text)
+    write_text(path, text, over)
 
 
 def recording_text(recording: RecordingFields, path: Path, embed: bool | None = None) -> str:
