@@ -15,6 +15,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     from sandbox._lent import keep_streams
     from sandbox.cli.app import build
     from sandbox.cli.failures import error_document, report
+    from sandbox.cli.usage import invoke
 
     keep_streams()
     words = sys.argv[1:] if arguments is None else [*arguments]
@@ -22,7 +23,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
         sys.stdout.reconfigure(errors="backslashreplace")
     try:
         # Once `sandbox list` is imported, `list` is its module here.
-        build().main(words, prog_name="sandbox")
+        raise SystemExit(invoke(build(), words))
     except Exception as error:
         code = report(error)
         if "--json" in words:

@@ -18,14 +18,17 @@ _CONSIDERED = 2000
 
 
 def nearest(name: str, known: Iterable[str], left: Effort | None = None) -> str | None:
-    """The one of the `known` names that is most like `name`, if any is. In Python, a key may be anything.
+    """The one of the `known` names that is most like `name`, if any is; None where `name` itself is among them.
 
+    In Python, a key may be anything.
     That is an effort, for which there is what is `left`, by default of the file at hand.
     """
     wanted, left = str(name).casefold(), left or effort()
     if len(wanted) > MAX_NAME or left.compared <= 0:
         return None
     by_folded = {other.casefold(): other for other in islice(known, _CONSIDERED) if len(other) <= MAX_NAME}
+    if by_folded.get(wanted) == name:
+        return None
     if wanted in by_folded:
         return by_folded[wanted]
     left.compared -= (len(wanted) + 1) * sum(len(other) + 1 for other in by_folded)

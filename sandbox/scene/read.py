@@ -58,9 +58,12 @@ def _shipped_names() -> list[str]:
 
 
 def _nearest_file(path: Path) -> str:
-    if path.parent == Path() and not path.suffix and (name := nearest(path.name, _shipped_names())):
-        if name == path.name:
-            return f"a scene of that name comes with the package, as {find_scene(path).as_posix()}"
+    if path.is_symlink():
+        return "it is a link to what is not there"
+    shipped = _shipped_names() if path.parent == Path() and not path.suffix else []
+    if path.name in shipped:
+        return f"a scene of that name comes with the package, as {find_scene(path).as_posix()}"
+    if name := nearest(path.name, shipped):
         return f'did you mean "{name}", which comes with the package?'
     try:
         # What all names end in would make all of them look alike.

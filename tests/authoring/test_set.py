@@ -60,6 +60,7 @@ def test_a_path_sets_a_value(path, value, found):
         ("bodies.ground.mas", 5, 'bodies.0 has no "mas": did you mean "mass"?'),
         ("bodies.ground.mass", "2 kg", "mass must be a number, not text: a number stands without its unit and quotes"),
         ("bodies.ground.id.x", 5, 'bodies.0.id is a value by itself, and has no "x"'),
+        ("bodies.ground.mass.x", 5, 'bodies.0 has no "mass" in which something could be set: set all of it'),
         ("settings.substeps", 0, "substeps must not be below 1"),
         ("view.follow", "grund", 'no body has the id "grund": did you mean "ground"?'),
         ("vars.rows", "=1/0", "division by zero"),

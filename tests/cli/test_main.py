@@ -77,6 +77,32 @@ def test_a_wrong_option_is_exit_2_on_stderr(cli: Callable) -> None:
     done = cli("check", "--stepz", "3", "x.json")
     assert (done.code, done.out) == (2, "")
     assert "--steps" in done.err
+    assert done.err.count("\n") == 1
+
+
+@pytest.mark.parametrize(("arguments", "words"), [
+    (["check", "a.json", "--steps", "nan"], "'nan'"),
+    (["check", "a.json", "--steps=1e3"], "'1e3'"),
+    (["check", "a.json", "-j", "inf"], "'inf'"),
+    (["render", "a.json", "-o", "a.png", "--height", "nan"], "'nan'"),
+    (["import", "a.svg", "-o", "b.scene.json", "--tolerance", "inf"], "'inf'"),
+    (["chekc"], "'check'"), (["check", "--stepz"], "--steps"),
+    (["check"], "sandbox check --help"), (["bisect", "a.json"], "--good"), (["list", "a", "b"], "(b)"),
+], ids=lambda value: " ".join(value) if isinstance(value, list) else "")  # fmt: skip
+def test_a_command_line_of_no_use_is_one_line_and_a_document(cli: Callable, arguments: list[str], words: str) -> None:
+    """As narrow as a terminal may be, nothing is broken into lines; what was given is told."""
+    done = cli(*arguments)
+    assert (done.code, done.out, done.err.count("\n"), words in done.err) == (2, "", 1, True), done.err
+    document = json.loads(cli(*arguments, "--json").out)
+    assert document["exit_code"] == 2
+    assert words in document["problems"][0]["message"]
+
+
+def test_no_command_at_all_is_helped(cli: Callable) -> None:
+    done = cli()
+    assert done.code == 2
+    assert "Commands" not in done.err
+    assert all(name in done.out for name in app.COMMANDS)
 
 
 def _explode(error: Exception) -> Callable[[str], object]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+
 import pytest
 
 from sandbox.errors import SceneError
@@ -21,6 +23,14 @@ def test_a_missing_file_is_told_with_the_nearest_name(tmp_path):
     assert told == f'{tmp_path}/piramid.scene.json: there is no such file: did you mean "pyramid.scene.json"?'
     for path in (tmp_path / "card-house.json", tmp_path / "none" / "x.json"):
         assert unreadable(path) == f"{path}: there is no such file"
+
+
+@pytest.mark.skipif(os.name != "posix", reason="links need rights elsewhere")
+def test_a_link_to_nothing_is_not_what_is_meant(tmp_path):
+    path = tmp_path / "crate.scene.json"
+    path.symlink_to("nowhere")
+    with pytest.raises(SceneError, match=r": it is a link to what is not there$"):
+        load_scene(path)
 
 
 def test_a_folder_is_no_scene(tmp_path):

@@ -129,13 +129,17 @@ def _nothing(node: Any, name: str, path: Path) -> str:
     if isinstance(node, list):
         has = f"{len(node)} entries" if len(node) != 1 else "one entry"
         return f"{where} has no {quoted(name)}; it has {has}, and no id of that name"
+    if isinstance(node, dict) and name in _fields(path):
+        return f"{where} has no {quoted(name)} in which something could be set: set all of it"
     if isinstance(node, dict):
         return f"{where} has no {quoted(name)}"
     return f"{where} is a value by itself, and has no {quoted(name)}"
 
 
 def _near(node: Any, parts: list[str], path: Path) -> str:
-    """The nearest names that there are, for as much of the path as an id may take."""
+    """The nearest names that there are, for as much of the path as an id may take; none where the first is one."""
+    if isinstance(node, dict) and parts[0] in _fields(path):
+        return ""
     known = [*node, *_fields(path)] if isinstance(node, dict) else []
     if isinstance(node, list):
         known = [str(entry["id"]) for entry in node if isinstance(entry, dict) and isinstance(entry.get("id"), str)]
