@@ -52,7 +52,7 @@ def scene_name(path: Path) -> str:
 
 def find_scene(path: Path) -> Path:
     """`path` itself if it exists, else the scene of that name that comes with the package, else `path`."""
-    if path.exists():
+    if os.path.exists(path):  # `Path.exists` raises for a name that is too long
         return path
     wanted = scene_name(path)
     return next((scene for scene in (*shipped_scenes(), *benchmark_scenes()) if scene_name(scene) == wanted), path)

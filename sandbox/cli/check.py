@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -48,7 +49,7 @@ def find_files(paths: Sequence[Path], only: str = "", verb: str = "check") -> li
 
 
 def _files_of(path: Path, verb: str) -> list[Path]:
-    if not path.is_dir():
+    if not os.path.isdir(path):
         read_ahead(path, MAX_BYTES)
         return [find_scene(path)]
     files = files_below(path, SCENE_SUFFIX)

@@ -1,7 +1,9 @@
-"""What all commands have in common: an empty argument is no path."""
+"""What all commands have in common: what is empty is no path."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 from typer.core import TyperCommand
@@ -10,10 +12,10 @@ from sandbox.errors import SandboxError
 
 
 class Command(TyperCommand):
-    """A command that refuses empty arguments: as a path one would mean this folder, and all that is in it."""
+    """A command that refuses empty arguments and empty paths of options: one would mean this folder, and all in it."""
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
-        """Refuse an empty argument; one that is the value of an option is for that to judge.
+        """Refuse an empty argument; the value of an option that is no path is for that to judge.
 
         Raises `SandboxError`.
         """
@@ -22,4 +24,16 @@ class Command(TyperCommand):
         for before, arg in zip(["", *args], args, strict=False):
             if arg == "" and before not in values:
                 raise SandboxError("an argument is empty; is a variable of the shell not set? This folder is `.`")
-        return super().parse_args(ctx, args)
+        rest = super().parse_args(ctx, [*args])  # which uses the list up
+        for option in options:
+            if isinstance(ctx.params.get(option.name), Path) and _is_empty(option.opts, args):
+                raise SandboxError(f"{option.opts[-1]}: the path is empty; is a variable of the shell not set?")
+        return rest
+
+
+def _is_empty(names: Sequence[str], args: Sequence[str]) -> bool:
+    """Whether an option is given as `-o ""` or `--output=`."""
+    return any(
+        (arg in names and following == "") or (arg.endswith("=") and arg[:-1] in names)
+        for arg, following in zip(args, [*args[1:], None], strict=True)
+    )

@@ -7,6 +7,7 @@ import json
 import os
 import sys
 import traceback
+from contextlib import suppress
 from dataclasses import asdict
 from typing import Any
 
@@ -95,4 +96,5 @@ def _print_problems(error: FileError) -> None:
 def _print(text: object) -> None:
     from rich.console import Console
 
-    Console(file=sys.stderr, soft_wrap=True, highlight=False).print(text)
+    with suppress(OSError):  # where stderr is full or closed nobody can be told, and the exit code says it
+        Console(file=sys.stderr, soft_wrap=True, highlight=False).print(text)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -47,8 +48,8 @@ def _entries(folder: Path | None) -> Sequence[Entry]:
 
     if folder is None:
         return shipped_entries()
-    if not folder.is_dir():
-        what = "it is no folder" if folder.exists() else "there is no such folder"
+    if not os.path.isdir(folder):
+        what = "it is no folder" if os.path.exists(folder) else "there is no such folder"
         raise SandboxError(f"{told(folder)}: {what}")
     files = files_below(folder, SCENE_SUFFIX)
     if not files:

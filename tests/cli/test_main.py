@@ -68,6 +68,15 @@ def test_an_empty_argument_is_not_this_folder(arguments: list[str], cli: Callabl
     assert "an argument is empty; is a variable of the shell not set?" in done.out + done.err
 
 
+@pytest.mark.parametrize("arguments", [
+    ["render", "a.json", "-o", ""], ["render", "a.json", "--output="], ["expand", "a.json", "-o", ""],
+    ["compare", "a.json", "--save", ""], ["check", "a.json", "--junit="], ["run", "--screenshot", ""],
+], ids=" ".join)  # fmt: skip
+def test_an_empty_path_of_an_option_is_not_this_folder(arguments: list[str], cli: Callable) -> None:
+    done = cli(*arguments)
+    assert (done.code, ": the path is empty; is a variable of the shell not set?" in done.err) == (2, True)
+
+
 def test_an_option_may_be_empty(cli: Callable, write_scene: Callable) -> None:
     path = write_scene("one.scene.json", bodies=[{"id": "ball", "shapes": [{"circle": 1}]}])
     assert cli("check", "--only", "", path, "--steps", "1").code == 0
@@ -185,6 +194,26 @@ def test_closed_streams_are_no_bug(write_scene: Callable, command: str, closed: 
     done = subprocess.run(["sh", "-c", call], capture_output=True, text=True)
     assert (done.returncode, done.stderr) == (0, "")
     assert json.loads(scene.read_text())["title"] == "a.scene.json"
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="has no /dev/full")
+@pytest.mark.parametrize(("arguments", "code"), [(["check", "nix"], 2), (["list", "nix", "nix"], 2), (["nix"], 2)])
+def test_a_full_stderr_changes_no_exit_code(arguments: list[str], code: int) -> None:
+    with open("/dev/full", "w") as full:
+        command = [sys.executable, "-m", "sandbox", *arguments]
+        assert subprocess.run(command, stdout=subprocess.DEVNULL, stderr=full).returncode == code
+
+
+@pytest.mark.parametrize("command", ["check", "lint", "fmt", "replay"])
+def test_a_name_that_is_too_long_is_told_and_the_others_run(
+    cli: Callable, write_scene: Callable, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, command: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    write_scene("a.scene.json", {"at": 20, "rests": "crate"})
+    done = cli(command, "x" * 300 + ".scene.json", "a.scene.json")
+    assert done.code == 2
+    assert "a.scene.json" in done.out or "1 as they were" in done.out or "2 scenes" in done.out
+    assert "File name too long" in done.err
 
 
 NOT_THERE = {

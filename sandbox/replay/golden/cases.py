@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -42,7 +43,7 @@ def replay_beside(scene: Path) -> Path:
 
 
 def _cases_of(path: Path) -> Iterator[Case]:
-    if not path.is_dir():
+    if not os.path.isdir(path):
         read_ahead(path, MAX_BYTES)
         path = find_scene(path)
         yield _of_replay(path) if path.name.endswith(SUFFIX) or is_lent(path) else _of_scene(path)
@@ -55,12 +56,12 @@ def _cases_of(path: Path) -> Iterator[Case]:
 
 def _of_replay(replay: Path) -> Case:
     scene = replay.with_name(replay.name.removesuffix(SUFFIX) + SCENE_SUFFIX)
-    return Case(replay, scene) if scene.is_file() and not replay.exists() else Case(replay)
+    return Case(replay, scene) if os.path.isfile(scene) and not os.path.exists(replay) else Case(replay)
 
 
 def _of_scene(scene: Path) -> Case:
     replay = replay_beside(scene)
-    return Case(replay) if replay.exists() else Case(replay, scene)
+    return Case(replay) if os.path.exists(replay) else Case(replay, scene)
 
 
 def expects(scene: Path) -> bool:
