@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
-from numbers import Integral
+import os
+from contextlib import suppress
+from numbers import Integral, Real
 from typing import Any
 
 from sandbox.errors import ArgumentError
@@ -26,6 +28,37 @@ def check_kind(call: str, wanted: str, value: Any, *kinds: type[Any]) -> None:
     """Raise `ArgumentError` unless `value` is of one of `kinds`, which are called `wanted`."""
     if not isinstance(value, kinds):
         raise ArgumentError(f"{call}: takes {wanted}, not {shown(value)}")
+
+
+def check_path(call: str, value: Any) -> None:
+    """Raise `ArgumentError` unless `value` may be the path of a file."""
+    check_kind(call, "the path of a file", value, str, os.PathLike)
+
+
+def check_callback(call: str, value: Any) -> None:
+    """Raise `ArgumentError` unless `value` is None, or can be called with how many steps are done."""
+    if value is not None and not callable(value):
+        raise ArgumentError(f"{call}: on_steps takes a function of the number of steps, not {shown(value)}")
+
+
+def checked_list(call: str, wanted: str, value: Any) -> list[Any]:
+    """The entries of `value`, which is called `wanted`; a text alone is none. Raises `ArgumentError`."""
+    try:
+        if not isinstance(value, (str, bytes)):
+            return list(value)
+    except TypeError:  # an array without dimensions says that it could be gone through
+        pass
+    raise ArgumentError(f"{call}: takes {wanted}, not {shown(value)}")
+
+
+def checked_number(call: str, what: str, value: Any, least: float, most: float = math.inf) -> float:
+    """`value` as a float from `least` to `most`; `what` says of what. Raises `ArgumentError`."""
+    number: Any = value if isinstance(value, Real) and not isinstance(value, bool) else math.nan
+    if least <= number <= most:
+        with suppress(OverflowError):
+            return float(number)
+    bounds = f"from {least:g}" if most == math.inf else f"from {least:g} to {most:g}"
+    raise ArgumentError(f"{call}: {what} takes a number {bounds}, not {shown(value)}")
 
 
 def shown(value: Any, most: int = 60) -> str:

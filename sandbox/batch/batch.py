@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from sandbox.arguments import checked_count, shown
+from sandbox.arguments import checked_count, checked_list, shown
 from sandbox.attributes import FixedAttributes, attributes_besides
 from sandbox.batch import column_commands as columns
 from sandbox.batch.fleet import Fleet, Saved
@@ -34,9 +34,13 @@ class Batch(FixedAttributes):
     __slots__ = ("_columns", "_fleet", "_start", "names", "scene")
 
     def __init__(self, scene: Scene | Sequence[Scene], count: int | None = None, threads: int | None = None) -> None:
-        scenes = [scene] * checked_count("Batch", count, "worlds", 1) if isinstance(scene, Scene) else list(scene)
+        wanted = "a Scene and how many worlds, or a list of Scenes"
+        if isinstance(scene, Scene):
+            scenes = [scene] * checked_count("Batch", count, "worlds", 1)
+        else:
+            scenes = checked_list("Batch", wanted, scene)
         if not scenes or not all(isinstance(each, Scene) for each in scenes):
-            raise ArgumentError(f"Batch: takes a Scene and how many worlds, or a list of Scenes, not {shown(scene)}")
+            raise ArgumentError(f"Batch: takes {wanted}, not {shown(scene)}")
         threads = None if threads is None else checked_count("Batch", threads, "threads", 1)
         self.scene = scenes[0]
         self._fleet = Fleet(scenes, threads)
@@ -66,7 +70,9 @@ class Batch(FixedAttributes):
         Raises what that raises, at the first world that refuses; those before it have been changed then.
         """
         chosen = self._chosen(worlds)
-        commands = [command] * len(chosen) if isinstance(command, Command) else list(command)
+        one = isinstance(command, Command)
+        wanted = "a command, or a list of one for each world"
+        commands = [command] * len(chosen) if one else checked_list("Batch.apply", wanted, command)
         if len(commands) != len(chosen):
             raise ArgumentError(f"Batch.apply: {len(commands)} commands for {len(chosen)} worlds")
         for world, one in zip(chosen.tolist(), commands, strict=True):
@@ -126,7 +132,7 @@ class Batch(FixedAttributes):
 
     def row(self, body: str) -> int:
         """Where a body is in the columns. Raises `ArgumentError` with the nearest name."""
-        if body not in self.names:
+        if not isinstance(body, str) or body not in self.names:
             near = nearest(body, self.names) if isinstance(body, str) else None
             hint = f"; did you mean {near!r}?" if near else ""
             raise ArgumentError(f"no body {shown(body)} in these worlds{hint}")

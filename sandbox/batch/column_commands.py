@@ -82,7 +82,7 @@ def numbers(call: str, field: str, value: Any, shape: tuple[int, ...]) -> Floats
     try:
         given = np.asarray(value, np.float64)
         found: Floats = np.broadcast_to(given, shape)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         sizes = " x ".join(map(str, shape))
         raise ArgumentError(f"{call}: {field} takes {sizes} numbers, or one for all, not {shown(value)}") from None
     limit = LIMITS.get(field, math.inf)

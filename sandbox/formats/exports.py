@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from sandbox.arguments import check_kind
 from sandbox.errors import ArgumentError
 from sandbox.formats.export.planck import planck_text
 from sandbox.formats.export.pymunk_script import pymunk_text
@@ -35,6 +36,8 @@ TARGETS = (Target("planck", ".json", planck_text), Target("pymunk", ".py", pymun
 
 def export_scene(scene: Scene, format: str) -> Exported:
     """The scene as the text of a file in `format`, one of the names of `TARGETS`. Raises `ArgumentError`."""
+    check_kind("export_scene", "a Scene; load_scene reads one from a file", scene, Scene)
+    check_kind("export_scene", "the name of a format", format, str)
     target = next((each for each in TARGETS if each.name == format), None)
     if target is None:
         known = ", ".join(each.name for each in TARGETS)

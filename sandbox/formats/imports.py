@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from sandbox.arguments import check_kind
+from sandbox.arguments import check_kind, check_path, checked_list, checked_number
 from sandbox.errors import Problem, SceneError
 from sandbox.formats.draft import Draft
 from sandbox.formats.open_file import open_source
@@ -43,18 +43,20 @@ def import_scene(
 
     `units_per_metre` says how many units of the file (pixels) make a metre, None: as its format has it. `tolerance` is
     how far flat sides may lie from the curve that they stand for, m. `solid` are names of layers of a map of Tiled that
-    are solid all over. Raises `SceneError` with the place of what cannot be used.
+    are solid all over. Raises `SceneError` with the place of what cannot be used, and `ArgumentError`.
     """
-    check_kind("import_scene", "the path of a file", path, str, os.PathLike)
+    check_path("import_scene", path)
+    check_kind("import_scene", "the name of a format", format, str)
+    options = _options(units_per_metre, tolerance, solid)
     source = open_source(Path(path))
     kind = _named(source, format) if format else _found(source)
     if kind is None:
         raise SceneError(str(path), [_unknown(source)])
-    if solid and kind.name != "tiled":
+    if options.solid and kind.name != "tiled":
         raise SceneError(
             str(path), [Problem(f"layers can be made solid in a map of Tiled alone; this is {kind.title}")]
         )
-    return _import(source, kind, Options(units_per_metre, tolerance, tuple(solid)))
+    return _import(source, kind, options)
 
 
 def open_scene(path: str | os.PathLike[str], set: Mapping[str, Any] | None = None) -> Imported:
@@ -62,7 +64,7 @@ def open_scene(path: str | os.PathLike[str], set: Mapping[str, Any] | None = Non
 
     `set` as `load_scene` takes it, for scenes alone. Raises `SceneError`.
     """
-    check_kind("open_scene", "the path of a file", path, str, os.PathLike)
+    check_path("open_scene", path)
     file = Path(path)
     if file.name.endswith(SCENE_SUFFIX):
         return Imported(load_scene(file, set))
@@ -74,6 +76,14 @@ def open_scene(path: str | os.PathLike[str], set: Mapping[str, Any] | None = Non
         mend = "make a scene of it with sandbox import first"
         raise SceneError(str(path), [Problem("values can be set of scenes alone", hint=mend)])
     return Imported(loads_scene(source.text, str(file), set)) if kind is None else _import(source, kind, Options())
+
+
+def _options(units_per_metre: float | None, tolerance: float, solid: Sequence[str]) -> Options:
+    units = units_per_metre
+    if units is not None:
+        units = checked_number("import_scene", "units_per_metre", units, 1e-6, 1e9)
+    layers = [solid] if isinstance(solid, str) else checked_list("import_scene", "a list of layers for solid", solid)
+    return Options(units, checked_number("import_scene", "tolerance", tolerance, 1e-5, 1.0), tuple(layers))
 
 
 _PARTS = {

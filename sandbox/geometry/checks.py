@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from sandbox.arguments import shown
 from sandbox.errors import ShapeError
 from sandbox.geometry.shape import Shape
 
@@ -21,9 +22,9 @@ def checked_number(kind: str, name: str, value: Any, unit: str, limit: float) ->
     try:
         number = float(value)
     except (TypeError, ValueError, OverflowError):
-        raise ShapeError(f"{kind}: {name} must be a number, not {value!r}") from None
+        raise ShapeError(f"{kind}: {name} must be a number, not {shown(value)}") from None
     if isinstance(value, str) or not math.isfinite(number):
-        raise ShapeError(f"{kind}: {name} must be a finite number, not {value!r}")
+        raise ShapeError(f"{kind}: {name} must be a finite number, not {shown(value)}")
     if abs(number) > limit:
         raise ShapeError(f"{kind}: {name} must be within +-{limit:g} {unit}, not {number!r}")
     return number + 0.0  # -0.0 becomes 0.0, so that equal shapes have equal bits
@@ -42,7 +43,7 @@ def checked_point(kind: str, name: str, value: Any) -> Vec:
     """A pair (x, y) in metres. Raises `ShapeError`."""
     pair = _listed(kind, f"{name} must be a pair (x, y)", value)
     if len(pair) != 2:
-        raise ShapeError(f"{kind}: {name} must be a pair (x, y), not {value!r}")
+        raise ShapeError(f"{kind}: {name} must be a pair (x, y), not {shown(value)}")
     x = checked_number(kind, f"x of {name}", pair[0], "m", FARTHEST)
     return x, checked_number(kind, f"y of {name}", pair[1], "m", FARTHEST)
 
@@ -57,7 +58,7 @@ def check_shapes(kind: str, *values: Any) -> None:
     """Raise `ShapeError` unless all values are shapes; `kind` is the function that was given them."""
     for value in values:
         if not isinstance(value, Shape):
-            raise ShapeError(f"{kind}: takes a Circle, Capsule, Segment, Polygon or Box, not {value!r}")
+            raise ShapeError(f"{kind}: takes a Circle, Capsule, Segment, Polygon or Box, not {shown(value)}")
 
 
 def _listed(kind: str, wanted: str, value: Any) -> list[Any]:
@@ -66,4 +67,4 @@ def _listed(kind: str, wanted: str, value: Any) -> list[Any]:
             return list(value)
     except TypeError:  # numpy's single numbers say that they could be gone through
         pass
-    raise ShapeError(f"{kind}: {wanted}, not {value!r}")
+    raise ShapeError(f"{kind}: {wanted}, not {shown(value)}")

@@ -5,15 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from sandbox.arguments import check_kind
 from sandbox.replay.conditions import Condition
 from sandbox.replay.expectation_conditions import conditions
+from sandbox.scene import Scene
 from sandbox.scene.expect import Expectation
 from sandbox.world.census import Census
+from sandbox.world.checked_world import check_world
 from sandbox.world.state import State
 
 if TYPE_CHECKING:
     from sandbox.engine.world import World
-    from sandbox.scene import Scene
 
 
 @dataclass(frozen=True)
@@ -36,10 +38,12 @@ class Judge:
 
     An expectation speaks of the bodies that are there when it is looked at; those that come count as having started
     where they are first seen. If a body that it names has been deleted, or nothing is left that a pattern of it
-    matches, it does not hold.
+    matches, it does not hold. Raises `ArgumentError` for what is no scene or no world.
     """
 
     def __init__(self, scene: Scene, world: World) -> None:
+        check_kind("Judge", "a Scene", scene, Scene)
+        check_world("Judge", world)
         self._world = world
         self._start = _kept(world.state)
         self._watches = [_Watch(k, wanted, world.state) for k, wanted in enumerate(scene.expect)]

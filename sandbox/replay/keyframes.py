@@ -21,7 +21,7 @@ class Keyframes:
     Whenever they outgrow `budget` bytes, every second one goes and the spacing doubles. The first always stays.
     """
 
-    def __init__(self, budget: int, spacing: int = 1) -> None:
+    def __init__(self, budget: float, spacing: int = 1) -> None:
         self.budget = budget
         self.spacing = spacing
         self.size = 0

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import copy
 
-from sandbox.arguments import checked_count
+from sandbox.arguments import checked_count, checked_number
 from sandbox.attributes import FixedAttributes
 from sandbox.engine.commands.base import Command
 from sandbox.engine.world import World
@@ -25,13 +25,14 @@ class Player(FixedAttributes):
 
     `length` is the last step known; `step` goes on past it, `apply` adds a command at the end, and `branch` begins
     another future in the middle. Keyframes take at most `budget` bytes: with a longer run they stand farther apart.
+    Raises `ArgumentError` for what is no run, and `SceneError` if the scene of a recording cannot be used.
     """
 
     __slots__ = ("_head", "_length", "_run", "_stepper")
 
     def __init__(self, run: Run | Recording | Scene, budget: int = BUDGET) -> None:
         known = run_of(run, "Player")
-        self._begin(known, Keyframes(budget))
+        self._begin(known, Keyframes(checked_number("Player", "the budget of bytes", budget, 0)))
         self._length = known.steps
 
     def __copy__(self) -> Player:

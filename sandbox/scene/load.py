@@ -11,7 +11,7 @@ from pydantic import ValidationError
 
 from sandbox._collecting import collection_postponed
 from sandbox._lent import is_lent
-from sandbox.arguments import check_kind
+from sandbox.arguments import check_kind, check_path
 from sandbox.errors import Problem, SceneError
 from sandbox.scene.authoring.blame import Expansion
 from sandbox.scene.authoring.changes import check_numbers_set, with_changes
@@ -32,9 +32,9 @@ from sandbox.scene.wording import findings
 def load_scene(path: str | os.PathLike[str], set: Mapping[str, Any] | None = None) -> Scene:
     """The scene in a file, with the values of `set` for what stands there, as in `{"vars.rows": 40}`.
 
-    Raises `SceneError` with every mistake and its line and column.
+    Raises `SceneError` with every mistake and its line and column, and `ArgumentError`.
     """
-    check_kind("load_scene", "the path of a file", path, str, os.PathLike)
+    check_path("load_scene", path)
     return loads_scene(read_text(Path(path)), str(path), set)
 
 
@@ -43,9 +43,11 @@ def load_scene(path: str | os.PathLike[str], set: Mapping[str, Any] | None = Non
 def loads_scene(text: str, source: str = "<string>", set: Mapping[str, Any] | None = None) -> Scene:
     """The scene in a JSON text; `source` names it in messages, and is the file beside which includes are looked for.
 
-    `set` as in `load_scene`. Raises `SceneError`.
+    `set` as in `load_scene`. Raises `SceneError` and `ArgumentError`.
     """
     check_kind("loads_scene", "a text", text, str)
+    check_kind("loads_scene", "the name of its source", source, str)
+    _check_values(set)
     text = text.removeprefix("\ufeff")
     parsed = parse(text, source)
     if is_recording(parsed.data):
@@ -64,6 +66,15 @@ def loads_scene(text: str, source: str = "<string>", set: Mapping[str, Any] | No
         raise expansion.error(found)
     scene._set = dict(set or {})
     return _checked(scene, expansion)
+
+
+def _check_values(values: Any) -> None:
+    """Raises `ArgumentError` unless values are by their paths."""
+    if values is None:
+        return
+    check_kind("set", 'a dictionary of values by their paths, such as {"vars.rows": 40}', values, Mapping)
+    for path in values:
+        check_kind("set", "values by their paths, which are texts", path, str)
 
 
 def _checked(scene: Scene, expansion: Expansion) -> Scene:

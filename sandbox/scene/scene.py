@@ -8,6 +8,7 @@ from typing import Any
 from pydantic import BaseModel, PrivateAttr, ValidationError
 
 from sandbox._atomic_write import write_text
+from sandbox.arguments import check_path
 from sandbox.errors import SceneError
 from sandbox.notebook import Shown
 from sandbox.scene.authoring.blame import Expansion
@@ -104,8 +105,9 @@ class Scene(Shown, SceneFields):
     def save(self, path: str | FilePath, over: bool = True) -> None:
         """Write the scene as JSON (UTF-8) that loads to an equal scene; `over` a file that is there, or not.
 
-        Raises `OSError` (`FileExistsError` for a file that is there); what was there stays then.
+        Raises `OSError` (`FileExistsError` for a file that is there), and `ArgumentError`; what was there stays then.
         """
+        check_path("Scene.save", path)
         write_text(FilePath(path), scene_text(self.written(FilePath(path).parent)), over)
 
     def locate(self, pointer: str) -> tuple[int, int] | None:

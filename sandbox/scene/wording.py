@@ -138,7 +138,7 @@ def _message(item: Mapping[str, Any]) -> tuple[str, str]:
 
 def _mend_of_text(kind: str, value: object) -> str:
     if kind == "bool_type":
-        return "take the quotes away" if value in ("true", "false") else ""
+        return "take the quotes away" if isinstance(value, str) and value in ("true", "false") else ""
     return number_mend(value) if kind in ("float_type", "int_type") and isinstance(value, str) else ""
 
 

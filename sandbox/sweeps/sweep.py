@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import islice
 from typing import Any
 
-from sandbox.arguments import check_kind, checked_count, shown
+from sandbox.arguments import check_kind, checked_count, checked_list, shown
 from sandbox.errors import ArgumentError
 from sandbox.scene import Scene
 from sandbox.sweeps.design import Design, grid, sample
@@ -16,6 +16,8 @@ from sandbox.sweeps.runners import Job, run_here, run_in_processes
 from sandbox.sweeps.study import Outcome, Study, study_of
 from sandbox.sweeps.table import SweepTable
 
+MOST_STEPS = 10_000_000
+"""Steps of a run."""
 _SHORT = 1.0
 """Seconds that a process takes to begin, about."""
 
@@ -43,8 +45,10 @@ def sweep(
     check_kind("sweep", "a dictionary of paths and values to vary", vary, Mapping)
     count, seed = _drawn(draw)
     design = grid(vary) if draw is None else sample(vary, count, seed)
-    steps = None if steps is None else checked_count("sweep", steps)
-    study = study_of(scene, design, steps, [collect] if isinstance(collect, str) else collect)
+    steps = None if steps is None else checked_count("sweep", steps, most=MOST_STEPS)
+    wanted = "expressions, or a list of them, to collect"
+    expressions = [collect] if isinstance(collect, str) else checked_list("sweep", wanted, collect)
+    study = study_of(scene, design, steps, expressions)
     outcomes = outcomes_of(study, list(enumerate(design.runs)), on)
     return table_of(study, design, outcomes)
 
@@ -92,7 +96,8 @@ def table_of(study: Study, design: Design, outcomes: Iterable[Outcome]) -> Sweep
 def _drawn(draw: Any) -> tuple[int, int]:
     if draw is None:
         return 0, 0
-    pair = tuple(islice(draw, 3)) if isinstance(draw, Iterable) else ()
+    several = isinstance(draw, Iterable) and getattr(draw, "shape", None) != ()  # an array may have no dimensions
+    pair = tuple(islice(draw, 3)) if several else ()
     if len(pair) != 2:
         raise ArgumentError(f"sweep: draw is a pair (count, seed), not {shown(draw)}")
     return checked_count("sweep", pair[0], "runs", 1), checked_count("sweep", pair[1], "the seed")

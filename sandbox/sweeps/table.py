@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from sandbox._atomic_write import write_bytes, write_text
 from sandbox._bounded_read import read_bytes
 from sandbox._printable import told
-from sandbox.arguments import shown
+from sandbox.arguments import check_path, shown
 from sandbox.errors import ArgumentError, MissingDependencyError, SandboxError
 from sandbox.scene.near_names import did_you_mean
 
@@ -60,7 +60,8 @@ class SweepTable:
         return iter(self._columns)
 
     def to_csv(self, path: str | Path) -> None:
-        """Write it as CSV: the shortest digits that give the same doubles back. Raises `OSError`."""
+        """Write it as CSV: the shortest digits that give the same doubles. Raises `OSError` and `ArgumentError`."""
+        check_path("to_csv", path)
         write_text(Path(path), self.csv())
 
     def csv(self) -> str:
@@ -73,7 +74,8 @@ class SweepTable:
         return text.getvalue()
 
     def to_parquet(self, path: str | Path) -> None:
-        """Write it as Parquet. Raises `MissingDependencyError` where pyarrow is not installed, and `OSError`."""
+        """Write it as Parquet. Raises `MissingDependencyError` without pyarrow, `OSError` and `ArgumentError`."""
+        check_path("to_parquet", path)
         arrow, parquet = require_arrow()
         data = io.BytesIO()
         table = arrow.table({name: _of_one_type(column.tolist()) for name, column in self._columns.items()})
@@ -81,7 +83,8 @@ class SweepTable:
         write_bytes(Path(path), data.getvalue())
 
     def save(self, path: str | Path) -> None:
-        """Write it as CSV or Parquet, by the ending of `path`."""
+        """Write it as CSV or Parquet, by the ending of `path`. Raises what these raise."""
+        check_path("save", path)
         (self.to_parquet if Path(path).suffix.lower() == ".parquet" else self.to_csv)(path)
 
     def to_pandas(self) -> Any:

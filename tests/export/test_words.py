@@ -241,7 +241,7 @@ def test_a_joint_that_has_only_borne_a_load_keeps_its_words() -> None:
     scene = Scene(bodies=[bob], joints=[hinge])
     world = World(scene)
     world.step(3)
-    present = Present(world, scene)
+    present = Present("test", world, scene)
     assert world.state.joints.preload_1[0] != 0.0
     assert not present.moved.any()
     assert not present.rejoined.any()

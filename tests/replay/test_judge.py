@@ -23,7 +23,7 @@ def judge_heights(heights: Sequence[float], *wanted: expect.Expectation) -> tupl
     """Verdicts on a ball that is at `heights[k]` after step k."""
     state = build_state(FlatScene((FlatBody("ball", "dynamic", BALL, position=(0.0, heights[0])),)))
     world = SimpleNamespace(state=state, step_count=0)
-    judge = Judge(SimpleNamespace(expect=wanted), world)  # type: ignore[arg-type]
+    judge = Judge(Scene.model_construct(expect=wanted), world)  # type: ignore[arg-type]
     for step, height in enumerate(heights[1:], start=1):
         state.bodies[0].position_y, world.step_count = height, step
         judge.observe()
@@ -79,7 +79,7 @@ def test_verdicts_keep_the_order_of_the_scene() -> None:
 
 def test_every_condition_must_hold_not_only_the_first() -> None:
     state = build_state(FlatScene((FlatBody("ball", "dynamic", BALL, angular_velocity=1.0),)))
-    scene = SimpleNamespace(expect=(expect.Rests(at=0, rests="ball"),))
+    scene = Scene.model_construct(expect=(expect.Rests(at=0, rests="ball"),))
     judge = Judge(scene, SimpleNamespace(state=state, step_count=0))  # type: ignore[arg-type]
     assert judge.verdicts()[0].got == "ball turns at 1 rad/s"
 
@@ -87,7 +87,7 @@ def test_every_condition_must_hold_not_only_the_first() -> None:
 @pytest.mark.parametrize(("time", "last"), [({"at": 7}, 7), ({"within": (2, 9)}, 9), ({"always": True}, 0)])
 def test_the_judge_knows_how_long_a_run_must_be(time: dict[str, object], last: int) -> None:
     state = build_state(FlatScene((FlatBody("ball", "dynamic", BALL),)))
-    scene = SimpleNamespace(expect=(above(**time),))
+    scene = Scene.model_construct(expect=(above(**time),))
     assert Judge(scene, SimpleNamespace(state=state, step_count=0)).last_step == last  # type: ignore[arg-type]
 
 

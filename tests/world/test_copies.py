@@ -185,7 +185,8 @@ def test_answers_events_commands_and_recordings_can_be_copied(copier):
 
 KINDS = [kind for kind in vars(errors).values() if isinstance(kind, type) and issubclass(kind, errors.SandboxError)]
 MADE = [
-    *(kind("a text") for kind in KINDS if not issubclass(kind, errors.FileError)),
+    *(kind("a text") for kind in KINDS if not issubclass(kind, (errors.FileError, errors.RefusedCommandError))),
+    errors.RefusedCommandError(2, "Delete", 7, 0.1, "no body 'a' in this world"),
     *(kind("a.json", [Problem("wrong", "/bodies", 3, 4)]) for kind in KINDS if issubclass(kind, errors.FileError)),
     PolygonError("bad", 3, 1), ConcaveError("dented", 2), RevisionError("old"),
 ]  # fmt: skip

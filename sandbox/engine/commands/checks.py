@@ -119,8 +119,8 @@ def _types(kind: Any) -> dict[str, tuple[Any, ...]]:
 def _is(value: Any, kind: Any) -> bool:
     """Whether a value may stand for a type; NumPy's numbers, and lists and arrays for tuples, may."""
     if get_origin(kind) is tuple:
-        if not isinstance(value, (tuple, list, np.ndarray)):
-            return False
+        if not isinstance(value, (tuple, list, np.ndarray)) or getattr(value, "shape", None) == ():
+            return False  # an array without dimensions has no length
         parts = get_args(kind)
         wanted = [parts[0]] * len(value) if parts[-1] is Ellipsis else parts
         return len(value) == len(wanted) and all(map(_is, value, wanted))

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Literal
 
-from sandbox.arguments import check_kind
+from sandbox.arguments import check_callback, check_kind
 from sandbox.engine.arithmetic_version import ARITHMETIC, changes_since
 from sandbox.errors import RefusedCommandError, SandboxError
 from sandbox.replay.golden.divergence import Divergence, Drift
@@ -59,9 +59,12 @@ def rerun(
     """Run a recording again and compare: bit for bit, or by figures if a `tolerance` is given.
 
     With `heavy`, every step is also taken from a restored snapshot, and must come out the same. `on_steps` hears now
-    and then how many steps are done. Raises `SceneError` if the scene cannot be used.
+    and then how many steps are done. Raises `SceneError` if the scene cannot be used, and `ArgumentError`.
     """
     check_kind("rerun", "a Recording", recording, Recording)
+    if tolerance is not None:
+        check_kind("rerun", "a Tolerance", tolerance, Tolerance)
+    check_callback("rerun", on_steps)
     begin = time.perf_counter()
     scene = recording.load_scene()
     edits = _edits(recording, scene)

@@ -6,11 +6,12 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from sandbox.arguments import check_kind
+from sandbox.arguments import check_kind, checked_count
 from sandbox.engine.world import World
 from sandbox.replay.recording.command_words import TimedCommand
 from sandbox.replay.recording.recording import Recording
 from sandbox.replay.recording.refusal import telling_refusal
+from sandbox.replay.recording.script import checked_script
 from sandbox.scene import Scene
 from sandbox.scene.duration import planned_steps
 from sandbox.scene.flat import FlatScene
@@ -32,7 +33,8 @@ def run_of(what: Run | Recording | Scene, call: str = "to play") -> Run:
     """
     check_kind(call, "a Run, a Recording or a Scene", what, Run, Recording, Scene)
     if isinstance(what, Run):
-        return what
+        check_kind(f"{call}: a Run", "a Scene", what.scene, Scene, FlatScene)
+        return Run(what.scene, checked_count(f"{call}: a Run", what.steps), tuple(checked_script(call, what.commands)))
     if isinstance(what, Scene):
         return Run(what, planned_steps(what))
     return Run(what.load_scene(), what.steps, what.commands)

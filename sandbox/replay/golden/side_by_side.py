@@ -8,6 +8,7 @@ from itertools import islice
 
 import numpy as np
 
+from sandbox.arguments import check_callback
 from sandbox.engine.world import World
 from sandbox.errors import CommandError, RefusedCommandError, SandboxError
 from sandbox.replay.golden.differences import differences, first_group
@@ -30,10 +31,11 @@ def find_divergence(
     """Run both, step by step, and find the first difference; None if there is none in the steps that both have.
 
     Step 0 is the world as it was built. Commands count as part of the step that follows them. `growth` looks at 1, 2,
-    4, 8, ... steps after the first and at the end. Raises `SceneError` if a scene cannot be used, and `CommandError`
-    if both runs refuse the same command.
+    4, 8, ... steps after the first and at the end. Raises `SceneError` if a scene cannot be used, `CommandError` if
+    both runs refuse the same command, and `ArgumentError`.
     """
     one, two = run_of(expected, "find_divergence"), run_of(got, "find_divergence")
+    check_callback("find_divergence", on_steps)
     a, b = RunStepper(one.scene, one.commands), RunStepper(two.scene, two.commands)
     steps = min(one.steps, two.steps)
     group = first_group(a.world, b.world)

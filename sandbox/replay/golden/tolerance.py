@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
+from sandbox.arguments import checked_number
 from sandbox.replay.golden.divergence import Divergence, Drift
 from sandbox.replay.recording.checkpoint import Checkpoint
 from sandbox.replay.recording.recording_fields import Pose
@@ -17,7 +18,7 @@ class Tolerance:
 
     `energy` is a share of the highest energy at any checkpoint; `counts` a share of touching contacts and of bodies
     awake, which may always be off by two; `depth` (m) of the deepest overlap; `distance` (m) and `turn` (rad) of each
-    body at the end.
+    body at the end. Raises `ArgumentError` for what is no number from 0.
     """
 
     energy: float = 0.01
@@ -25,6 +26,10 @@ class Tolerance:
     depth: float = 0.001
     distance: float = 0.02
     turn: float = 0.02
+
+    def __post_init__(self) -> None:
+        for item in fields(self):
+            checked_number("Tolerance", item.name, getattr(self, item.name), 0)
 
 
 def compare_checkpoints(

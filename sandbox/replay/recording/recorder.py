@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
-from sandbox.arguments import check_kind, checked_count
+from sandbox.arguments import check_callback, check_kind, checked_count
 from sandbox.attributes import FixedAttributes
 from sandbox.engine.commands.base import Command
 from sandbox.engine.world import World
@@ -16,6 +16,7 @@ from sandbox.replay.recording.meaning import meaning_of
 from sandbox.replay.recording.recording import Recording
 from sandbox.replay.recording.recording_fields import SceneSource
 from sandbox.replay.recording.refusal import telling_refusal
+from sandbox.replay.recording.script import checked_script
 from sandbox.replay.recording.tape import Tape
 from sandbox.scene import Scene, load_scene
 from sandbox.scene.duration import planned_steps
@@ -101,7 +102,8 @@ def record(
     check_kind("record", "a Scene or the path of one", scene, Scene, str, os.PathLike)
     loaded = scene if isinstance(scene, Scene) else load_scene(Path(scene))
     total = planned_steps(loaded) if steps is None else checked_count("record", steps)
-    script = _in_order(commands, total)
+    check_callback("record", on_steps)
+    script = _in_order(checked_script("record", commands), total)
     recorder = Recorder(World(loaded, workers))
     done = 0
     for step in range(total + 1):

@@ -6,7 +6,7 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 
-from sandbox.arguments import check_kind
+from sandbox.arguments import check_path
 from sandbox.notebook import Shown
 from sandbox.replay.recording.read import read_recording
 from sandbox.replay.recording.recording_fields import RecordingFields
@@ -25,8 +25,8 @@ class Recording(Shown, RecordingFields):
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Recording:
-        """The recording in a file. Raises `RecordingError` with every mistake and its place."""
-        check_kind("Recording.load", "the path of a file", path, str, os.PathLike)
+        """The recording in a file. Raises `RecordingError` with every mistake and its place, and `ArgumentError`."""
+        check_path("Recording.load", path)
         return cls(**vars(read_recording(Path(path))))
 
     def save(self, path: str | os.PathLike[str], embed: bool | None = None, over: bool = True) -> None:
@@ -35,8 +35,10 @@ class Recording(Shown, RecordingFields):
         Without `embed` a scene goes in by content if it has no file, comes with the package, or has a file that is not
         JSON by its name, or with a backslash or what cannot be printed on the way to it.
         Without `over`, no file that is there is written over.
-        Raises `RecordingError` if it cannot be written so, and `OSError` (`FileExistsError` for a file that is there).
+        Raises `RecordingError` if it cannot be written so, `OSError` (`FileExistsError` for a file that is there), and
+        `ArgumentError`.
         """
+        check_path("Recording.save", path)
         write_recording(self, Path(path), embed, over)
 
     def load_scene(self) -> Scene:

@@ -8,14 +8,18 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from sandbox.arguments import checked_list
+from sandbox.errors import ArgumentError
 from sandbox.geometry.checks import checked_point
 from sandbox.scene.limits import MAX_NAME
 from sandbox.scene.scene import Scene
+from sandbox.world.checked_world import check_world
 from sandbox.world.directory import Directory
 from sandbox.world.export.body_words import body_words
 from sandbox.world.export.joint_words import joint_words, lasting
 from sandbox.world.export.numbers import pair
 from sandbox.world.export.present import AnyWorld, Present
+from sandbox.world.state import State
 
 Vec = tuple[float, float]
 Words = dict[str, Any]
@@ -42,20 +46,36 @@ def copy_of(
 
     The joints that hold nothing but these bodies and the world come with them, and so do gears on such joints. `scene`
     is the one that the world was made of, if it does not know it. Raises `UnknownBodyError`, `ShapeError` for an offset
-    that is none, and `ArgumentError` if the world was not made of a `Scene`.
+    that is none, and `ArgumentError` if the world was not made of a `Scene`, and for what is no world or no list.
     """
+    present = Present("copy_of", world, scene)
     offset = checked_point("copy_of", "the offset", offset)
-    names = [bodies] if isinstance(bodies, str) else bodies
+    names = [bodies] if isinstance(bodies, str) else checked_list("copy_of", "an id, or a list of ids", bodies)
     rows = list(dict.fromkeys(world.directory.body(name) for name in names))
-    present = Present(world, scene)
     inner = _inner(present, rows)
     entries = [body_words(present, row) for row in rows], [joint_words(present, row) for row in inner]
     return paste_of(world, *entries, offset)
 
 
 def paste_of(world: NamedWorld, bodies: Sequence[Words], joints: Sequence[Words], offset: Vec = (0.0, 0.0)) -> Entries:
-    """The same entries, such as `copy_of` gave before, `offset` (m) away and under ids that are free in `world` now."""
-    state = world.state
+    """The same entries, such as `copy_of` gave before, `offset` (m) away and under ids that are free in `world` now.
+
+    Raises `ShapeError` for an offset that is none, and `ArgumentError` for other entries, and what is no world.
+    """
+    check_world("paste_of", world)
+    offset = checked_point("paste_of", "the offset", offset)
+    bodies, joints = (
+        checked_list("paste_of", "entries as copy_of gives them", entries) for entries in (bodies, joints)
+    )
+    try:
+        return _pasted(world.state, bodies, joints, offset)
+    except (LookupError, TypeError, AttributeError):
+        raise ArgumentError(
+            "paste_of: takes entries as copy_of gives them: joints hold only what comes along"
+        ) from None
+
+
+def _pasted(state: State, bodies: Sequence[Words], joints: Sequence[Words], offset: Vec) -> Entries:
     body_ids = _free([entry["id"] for entry in bodies], state.names)
     joint_ids = _free([entry["id"] for entry in joints], state.joint_names)
     placed = [

@@ -8,11 +8,13 @@ from typing import Any, NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from sandbox.arguments import check_kind
 from sandbox.errors import ArgumentError
 from sandbox.scene.flat import FlatScene
 from sandbox.scene.scene import Scene
 from sandbox.tables import plain
 from sandbox.world.build import build_state
+from sandbox.world.checked_world import check_world
 from sandbox.world.export.remarks import Remarks
 from sandbox.world.field_records import NEVER
 from sandbox.world.records import DYNAMIC
@@ -67,7 +69,10 @@ class Present:
     Flags are row by row; those of bodies have one more at the end, for the world, which is row -1.
     """
 
-    def __init__(self, world: AnyWorld, scene: Scene | None) -> None:
+    def __init__(self, call: str, world: AnyWorld, scene: Scene | None) -> None:
+        check_world(call, world)
+        if scene is not None:
+            check_kind(call, "a Scene for scene", scene, Scene)
         self.state = world.state
         self.scene = _author(world, scene)
         self.start = build_state(self.state.roster.flat)

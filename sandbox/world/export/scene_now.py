@@ -33,9 +33,9 @@ def scene_of(world: AnyWorld, scene: Scene | None = None) -> SceneNow:
     The author's words stay where they still hold: entries of what has not changed, materials, prefabs, and generators
     all of whose bodies are as they made them; the others are written out as bodies. Regions and thrusters count their
     time from now. What lies asleep begins awake, and contacts begin without the impulses that they had. Raises
-    `ArgumentError` if the world was not made of a `Scene`.
+    `ArgumentError` if the world was not made of a `Scene`, and for what is no world.
     """
-    present = Present(world, scene)
+    present = Present("scene_of", world, scene)
     author = present.scene
     joints = lasting(present)
     kept = _kept(present, joints)
