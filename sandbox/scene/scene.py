@@ -8,7 +8,7 @@ from typing import Any
 from pydantic import BaseModel, PrivateAttr, ValidationError
 
 from sandbox._atomic_write import write_text
-from sandbox.arguments import check_path
+from sandbox.arguments import check_kind, check_path
 from sandbox.errors import SceneError
 from sandbox.notebook import Shown
 from sandbox.scene.authoring.blame import Expansion
@@ -111,7 +111,11 @@ class Scene(Shown, SceneFields):
         write_text(FilePath(path), scene_text(self.written(FilePath(path).parent)), over)
 
     def locate(self, pointer: str) -> tuple[int, int] | None:
-        """Line and column in the scene's file of the value at a JSON pointer; None if there is no file."""
+        """Line and column in the scene's file of the value at a JSON pointer; None if there is no file.
+
+        Raises `ArgumentError` for what is no text.
+        """
+        check_kind("Scene.locate", "a JSON pointer", pointer, str)
         if self._text is None:
             return None
         path = self.entry(path_of(pointer))

@@ -101,7 +101,7 @@ def levels_of(path: str, given: Any, drawn: bool = False) -> Levels:
 
 
 def _several(path: str, given: Any) -> Iterable[Any]:
-    if isinstance(given, Iterable) and not isinstance(given, (bytes, dict)):
+    if isinstance(given, Iterable) and not isinstance(given, (bytes, dict)) and getattr(given, "shape", None) != ():
         values = list(given)
         if values:
             return values

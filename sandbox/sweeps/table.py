@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from sandbox._atomic_write import write_bytes, write_text
 from sandbox._bounded_read import read_bytes
 from sandbox._printable import told
-from sandbox.arguments import check_path, shown
+from sandbox.arguments import check_kind, check_path, shown
 from sandbox.errors import ArgumentError, MissingDependencyError, SandboxError
 from sandbox.scene.near_names import did_you_mean
 
@@ -29,10 +29,12 @@ _LARGEST = 1 << 30
 class SweepTable:
     """Columns of equal length by name, NumPy arrays: `table["crate_x"]`. Parameters first, `status` last.
 
-    Numbers are float64 or int64; texts are arrays of Python's. NaN stands where a run has no value.
+    Numbers are float64 or int64; texts are arrays of Python's. NaN stands where a run has no value. Raises
+    `ArgumentError` for what are no columns.
     """
 
     def __init__(self, columns: Mapping[str, Sequence[Any]]) -> None:
+        check_kind("SweepTable", "columns by their names", columns, Mapping)
         self._columns: dict[str, Column] = {name: _column(values) for name, values in columns.items()}
 
     @property
@@ -48,7 +50,7 @@ class SweepTable:
 
     def __getitem__(self, name: str) -> Column:
         """A column. Raises `ArgumentError` with the nearest name."""
-        if name not in self._columns:
+        if not isinstance(name, str) or name not in self._columns:
             hint = did_you_mean(str(name), self._columns) or f"there are {', '.join(self._columns)}"
             raise ArgumentError(f"the table has no column {shown(name)}; {hint}")
         return self._columns[name]

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
-from typing import NamedTuple
+from numbers import Real
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from sandbox.arguments import shown
 from sandbox.errors import QueryError, ShapeError
 from sandbox.geometry.checks import FARTHEST, checked_point
 from sandbox.tables import Floats
@@ -62,13 +65,24 @@ def checked_box(lower: Sequence[float], upper: Sequence[float]) -> UprightBox:
     return UprightBox(tuple(dict.fromkeys(corners)))
 
 
+def checked_distance(call: str, name: str, value: Any) -> float:
+    """A distance of 0 m or more, which may be infinite. Raises `QueryError`."""
+    distance: Any = value if isinstance(value, Real) else -1
+    if distance >= 0:
+        try:
+            return float(distance)
+        except OverflowError:  # a whole number beyond all floats
+            return math.inf
+    raise QueryError(f"{call}: {name} must be a distance of 0 m or more, not {shown(value)}")
+
+
 def checked_rays(origins: ArrayLike, translations: ArrayLike) -> Floats:
     """Rows (x, y, translation x, translation y) of many rays. Raises `QueryError`."""
     try:
         starts, rays = (np.asarray(value, dtype=np.float64) for value in (origins, translations))
         both = np.broadcast_arrays(np.atleast_2d(starts), np.atleast_2d(rays))
         rows: Floats = np.ascontiguousarray(np.concatenate(both, axis=1))
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise QueryError("rays: origins and translations must be arrays of pairs, (n, 2)") from None
     if rows.shape[1] != 4 or rows.ndim != 2:
         raise QueryError(f"rays: origins and translations must be arrays of pairs, (n, 2), not {both[0].shape}")

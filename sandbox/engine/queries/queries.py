@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from numbers import Real
 from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from sandbox._jit import Call, Door, kernel_argument
-from sandbox.arguments import shown
 from sandbox.attributes import FixedAttributes
-from sandbox.engine.queries.checks import checked_box, checked_place, checked_ray, checked_rays
+from sandbox.engine.queries.checks import checked_box, checked_distance, checked_place, checked_ray, checked_rays
 from sandbox.engine.queries.filter import Filter
 from sandbox.engine.queries.gap import find_gap
 from sandbox.engine.queries.index import lay_out
@@ -146,10 +144,9 @@ class Queries(FixedAttributes):
         Of shapes that hold the point it is the one it lies deepest in.
         """
         x, y = checked_place("nearest", "the point", point)
-        if not isinstance(within, Real) or not float(within) >= 0.0:
-            raise QueryError(f"nearest: within must be a distance of 0 m or more, not {shown(within)}")
+        reach = checked_distance("nearest", "within", within)
         self._ask(POINT, filter)
-        if len(self._memory.boxes) == 0 or not self._run(_NEAREST, x, y, float(within), self._one):
+        if len(self._memory.boxes) == 0 or not self._run(_NEAREST, x, y, reach, self._one):
             return None
         return PointHit(*self._answer(self._one.tolist()[0]))
 
@@ -218,12 +215,12 @@ class Queries(FixedAttributes):
         """Bring the grid up to date and write down what is asked, if it is not what was asked last."""
         if self._laid_out != self._world.changes:
             self._refresh()
-        seen = seen or _EVERYTHING
+        seen = _EVERYTHING if seen is None else seen
         if self._asked is not None and self._asked[0] is subject and self._asked[1] is seen:
             return
         if self._asked is None or self._asked[0] is not subject:
             write_subject(self._memory, subject)
-        if self._asked is None or self._asked[1] != seen:
+        if self._asked is None or not isinstance(seen, Filter) or self._asked[1] != seen:
             self._asked = None
             write_filter(self._memory, seen, self._world.directory.body)
         self._asked = (subject, seen)

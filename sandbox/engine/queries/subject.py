@@ -84,6 +84,8 @@ def write_filter(memory: Memory, seen: Filter, find: Callable[[str], int]) -> No
     _check_bits(seen)
     if seen.category == 0:
         raise QueryError("Filter: category 0 is heard by nobody; leave it out to pass over the masks of shapes")
+    if not all(isinstance(each, (str, tuple, list, set, frozenset)) for each in (seen.types, seen.exclude)):
+        raise QueryError("Filter: types are a tuple of kinds of bodies, and exclude is one of ids")
     unknown = [name for name in seen.types if name not in _TYPES]
     if unknown or isinstance(seen.exclude, str):
         wrong = f"types has {unknown[0]!r}, not one of {', '.join(_TYPES)}" if unknown else "exclude is a tuple of ids"
