@@ -12,7 +12,7 @@ import stat
 from collections.abc import Mapping
 from pathlib import Path
 
-_LENT = re.compile(r"/dev/stdin|(?:/dev|/proc/(?:self|\d+))/fd/(\d+)")
+_LENT = re.compile(r"/dev/stdin|(?:/dev|/proc/(self|\d+))/fd/(\d+)")
 _AT_ONCE = 1 << 20
 
 
@@ -44,7 +44,9 @@ def is_lent(path: Path) -> bool:
 def lent_number(path: Path) -> int | None:
     """The number under which this process has a file open that a shell lends it."""
     match = _LENT.fullmatch(str(path))
-    return None if match is None else int(match[1] or 0)
+    if match is None or match[1] not in (None, "self", str(os.getpid())):
+        return None
+    return int(match[2] or 0)
 
 
 def home_of(path: Path) -> Path:

@@ -14,6 +14,7 @@ import pytest
 
 import sandbox
 from sandbox._bounded_read import is_regular, read_bytes
+from sandbox._lent import is_lent, lent_number
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="has no pipes among its files")
 SCENE = '{"format": 1, "bodies": [{"id": "ball", "shapes": [{"circle": 1}]}], "settings": {"steps": 3}}'
@@ -177,9 +178,11 @@ class TestLent:
         self, cli: Callable, recording: str, lend: Callable, monkeypatch: pytest.MonkeyPatch
     ) -> None:
         os.remove("a.scene.json")
-        monkeypatch.setattr(Path, "unlink", None)
+        removed: list[str] = []
+        monkeypatch.setattr(Path, "unlink", lambda path, **_: removed.append(str(path)))
         done = cli("replay", "--prune", lend(recording))
         assert (done.code, "orphaned" in done.out) == (1, True)
+        assert not [name for name in removed if name.startswith("/dev")]
 
     def test_an_output_needs_no_force(self, cli: Callable, here: Path) -> None:
         Path("a.scene.json").write_text(SCENE)
@@ -192,6 +195,14 @@ class TestLent:
     def test_it_has_no_files_beside_it(self, cli: Callable, lend: Callable) -> None:
         done = cli("check", lend(SCENE.replace('"format"', '"include": ["b.json"], "format"')))
         assert (done.code, "a scene that is in no file includes only what comes" in done.err) == (2, True)
+
+
+def test_streams_of_other_processes_are_not_ours() -> None:
+    own = {"/dev/stdin": 0, "/dev/fd/7": 7, "/proc/self/fd/3": 3, f"/proc/{os.getpid()}/fd/3": 3}
+    assert {name: lent_number(Path(name)) for name in own} == own
+    assert is_lent(Path("/proc/1/fd/3"))
+    assert lent_number(Path("/proc/1/fd/3")) is None
+    assert not is_lent(Path("/dev/null"))
 
 
 def test_reading_stops_at_the_limit(here: Path) -> None:

@@ -17,7 +17,7 @@ from sandbox.engine.queries.index import lay_out
 from sandbox.engine.queries.proximity import nearest_shape, overlaps
 from sandbox.engine.queries.records import HIT, Memory, QueryTables
 from sandbox.engine.queries.results import BodyDistance, CastHit, Overlap, PointHit, RayHit, RayHits
-from sandbox.engine.queries.subject import POINT, Subject, subject_of, write_filter, write_subject
+from sandbox.engine.queries.subject import POINT, Subject, check_filter, subject_of, write_filter, write_subject
 from sandbox.engine.queries.sweep import all_hits, first_hits
 from sandbox.errors import QueryError
 from sandbox.geometry.shapes import Core
@@ -218,9 +218,10 @@ class Queries(FixedAttributes):
         seen = _EVERYTHING if seen is None else seen
         if self._asked is not None and self._asked[0] is subject and self._asked[1] is seen:
             return
+        check_filter(seen)
         if self._asked is None or self._asked[0] is not subject:
             write_subject(self._memory, subject)
-        if self._asked is None or not isinstance(seen, Filter) or self._asked[1] != seen:
+        if self._asked is None or self._asked[1] != seen:
             self._asked = None
             write_filter(self._memory, seen, self._world.directory.body)
         self._asked = (subject, seen)

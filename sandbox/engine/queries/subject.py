@@ -67,25 +67,26 @@ def write_subject(memory: Memory, subject: Subject) -> None:
     plain(memory.question)[_SHAPE_FIELDS] = (len(core), radius, extent, *bounds)
 
 
-def _check_bits(seen: Filter) -> None:
-    """Raise `QueryError` for what is no bit set of 32 categories, or no group."""
+def check_filter(seen: Any) -> None:
+    """Raise `QueryError` for what is no filter, or has fields of wrong kinds: before filters are compared."""
+    if not isinstance(seen, Filter):
+        raise QueryError(f"a query is asked with a Filter, or None, not {shown(seen)}")
     for name, value in (("mask", seen.mask), ("category", seen.category)):
         is_bits = isinstance(value, Integral) and 0 <= int(value) <= ALL_BITS
         if not is_bits and not (name == "category" and value is None):
             raise QueryError(f"Filter: {name} is a bit set of 32 categories, a whole number, not {shown(value)}")
     if not isinstance(seen.group, Integral) or abs(int(seen.group)) > ALL_BITS:
         raise QueryError(f"Filter: group is a whole number, not {shown(seen.group)}")
+    if not isinstance(seen.sensors, (bool, np.bool_)):
+        raise QueryError(f"Filter: sensors is True or False, not {shown(seen.sensors)}")
+    if not all(isinstance(each, (str, tuple, list, set, frozenset)) for each in (seen.types, seen.exclude)):
+        raise QueryError("Filter: types are a tuple of kinds of bodies, and exclude is one of ids")
 
 
 def write_filter(memory: Memory, seen: Filter, find: Callable[[str], int]) -> None:
-    """Put a filter where the kernels look for it; `find` gives the index of a body id."""
-    if not isinstance(seen, Filter):
-        raise QueryError(f"a query is asked with a Filter, or None, not {shown(seen)}")
-    _check_bits(seen)
+    """Put a filter that has been checked where the kernels look for it; `find` gives the index of a body id."""
     if seen.category == 0:
         raise QueryError("Filter: category 0 is heard by nobody; leave it out to pass over the masks of shapes")
-    if not all(isinstance(each, (str, tuple, list, set, frozenset)) for each in (seen.types, seen.exclude)):
-        raise QueryError("Filter: types are a tuple of kinds of bodies, and exclude is one of ids")
     unknown = [name for name in seen.types if name not in _TYPES]
     if unknown or isinstance(seen.exclude, str):
         wrong = f"types has {unknown[0]!r}, not one of {', '.join(_TYPES)}" if unknown else "exclude is a tuple of ids"
