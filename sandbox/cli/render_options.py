@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 STILL_SIZE, FILM_SIZE = "1280x800", "640x400"
 MOST_STEPS = 10_000_000
 
-_SCENE = typer.Argument(help="A scene file, the name of a shipped scene, or a recording.")
+_SCENE = typer.Argument(metavar="SCENE", help="A scene file, the name of a shipped scene, or a recording.")
 _OUTPUT = typer.Option("-o", "--output", help="The file to write: NAME.png, .svg, .gif, .mp4, .webm or .html.")
 _STEP = typer.Option(min=0, max=MOST_STEPS, help="Steps to take before the picture, or before the film begins.")
 _STEPS = typer.Option(

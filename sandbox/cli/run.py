@@ -12,6 +12,7 @@ from sandbox.cli.options import SET, WORKERS, takes, values_set
 from sandbox.resources import find_scene
 
 _SCENE = typer.Argument(
+    metavar="SCENE",
     show_default=False,
     help="A scene file, the name of a shipped scene, or a recording; of two recordings the second is what is expected.",
 )

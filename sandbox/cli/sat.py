@@ -23,7 +23,7 @@ _MOST_SHAPES = 1000
 _NAME = 17
 """Letters of a body's name that fit into the headline of a picture."""
 
-_SCENE = typer.Argument(help="A scene file, or the name of a shipped scene.")
+_SCENE = typer.Argument(metavar="SCENE", help="A scene file, or the name of a shipped scene.")
 _BODIES = typer.Option(show_default=False, metavar="A B", help="The two bodies; needed unless the scene has just two.")
 _STEP = typer.Option(min=0, max=10_000_000, help="Look at the scene after this many steps.")
 _ALL = typer.Option("--all", help="Every axis, also those after the first gap, and where each comes from.")

@@ -16,7 +16,7 @@ from sandbox.resources import find_scene
 if TYPE_CHECKING:
     from sandbox.render.solver_page import SolverFigure
 
-_SCENE = typer.Argument(help="A scene file, or the name of a shipped scene.")
+_SCENE = typer.Argument(metavar="SCENE", help="A scene file, or the name of a shipped scene.")
 _VARY = typer.Option(
     "--vary", metavar="TEXT", show_default=False,
     help='Solve it another way beside (may be repeated), such as "soft=off" or "substeps=1,iterations=4".',
