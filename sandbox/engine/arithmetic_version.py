@@ -85,6 +85,9 @@ NOTES: dict[int, str] = {
     39: "impacts with restitution fall in the order of time, those that fall on a body in the same moment together, "
     "with friction within the blow; what touches as a substep ends strikes in it; what slides in mid-step is held by "
     "whatever it comes to",
+    40: "joints pass impacts with restitution on at once, and what is struck rebounds all the same; springs are not as "
+    "long as a blow in the first step asks for; jointed parts that something bears, or whose rigid joints would give "
+    "them energy, keep to velocities, and are brought together by displacements",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

@@ -28,6 +28,7 @@ from sandbox.engine.records.workers import Workers
 from sandbox.engine.restitution.impact_list import ImpactList
 from sandbox.engine.restitution.impacts import resolve_impacts
 from sandbox.engine.restitution.inelastic import stop_late, stop_struck
+from sandbox.engine.restitution.jointed.strike import strike_through_joints
 from sandbox.tables import Integers, Records
 
 WAIT = 1e30
@@ -143,6 +144,8 @@ def run_substeps(
     for substep in range(substeps):
         integrate_velocities(rows, solver, workers)
         resolve_impacts(bodies, solver, contacts, impacts, seconds)
+        if joints is not None and rest:
+            strike_through_joints(bodies, solver, contacts, impacts, joints, seconds)
         if struck_count > 0 and substep == 0:
             stop_struck(bodies, solver, struck, blocks, struck_count, workers, rigid)
         if rest:
@@ -180,6 +183,8 @@ def run_substeps(
             turn_parts(touched, solver, workers)
         if todo.impacts:
             resolve_impacts(bodies, solver, contacts, impacts, -seconds)
+            if joints is not None and rest:
+                strike_through_joints(bodies, solver, contacts, impacts, joints, -seconds)
         if struck_count > 0:  # the relax pass would stop what now touches, a contact at a time
             stop_late(bodies, solver, struck, blocks, struck_count, workers, rigid)
         if joints is not None and rest:

@@ -8,8 +8,11 @@ from __future__ import annotations
 from typing import Any
 
 from sandbox._jit import inlined_kernel, kernel
+from sandbox.engine.active.islands import root_of, unite
+from sandbox.engine.bodies.integrate import SOLVED
 from sandbox.engine.contact_solver import blocks as cb
-from sandbox.engine.contact_solver.law import anchors_of, relative_velocity, start_velocity
+from sandbox.engine.contact_solver.closing_speed import opening_speed
+from sandbox.engine.contact_solver.law import start_velocity
 from sandbox.engine.contact_solver.nesterov import Effort, list_bodies, solve_until_agreed
 from sandbox.engine.contact_solver.rest_length import sink
 from sandbox.engine.contact_solver.soft_constraint import Spring
@@ -22,6 +25,7 @@ BLOCK_SIZE = cb.BLOCK_SIZE
 MOST_PASSES = 1024
 MOST_WORK = 2_000_000
 """Passes times contacts: up to 0.1 s, once."""
+NOBODY = -1
 AGREED = 1e-9
 """Up to so many m/s passes agree: loads, which change 0.01 m/s and more in a substep, are right to a millionth."""
 
@@ -41,30 +45,70 @@ def put_down(
 ) -> None:
     """Find what the first blocks of contacts bear in the first step of a world; `moved` is scratch.
 
-    Springs of points at rest get the length that asks for. At rest is what moves along the normal no faster than
-    `gravity` (m/s^2) makes it in a substep.
+    Springs get the length that asks for, but where something strikes, of whatever hangs together with that by
+    contacts: a spring that was as long as a blow asks for would throw up what has struck. Nothing strikes that closes
+    no faster than `gravity` (m/s^2) makes it in a substep.
     """
     listed: Any = moved[: list_bodies(solver, moved, blocks, block_count)]
     effort = Effort(MOST_PASSES, MOST_WORK, AGREED)
     solve_until_agreed(bodies, solver.motions, listed, blocks, block_count, workers, rigid, effort)
-    slow = gravity * spring.seconds
+    struck = _unite_struck(solver, listed, contacts, blocks, block_count, gravity, spring.seconds)
     for n in range(block_count):
         block = blocks.blocks[n]
         for k in range(block.count):
-            contact = contacts[blocks.slots[block.first + k].contact]
+            slot = blocks.slots[block.first + k]
+            if struck != NOBODY and _root(solver, slot) == root_of(solver.struck, struck):
+                continue
+            contact = contacts[slot.contact]
             v = blocks.lanes[n * BLOCK_SIZE + k : (n + 1) * BLOCK_SIZE]
-            if _rests(solver.free_motions, contact, 1, slow):
-                contact.rest_length1 = _lengthen(v[cb.POINT_1 :], contact.separation1, spring)
-            if contact.point_count == 2 and _rests(solver.free_motions, contact, 2, slow):
+            contact.rest_length1 = _lengthen(v[cb.POINT_1 :], contact.separation1, spring)
+            if contact.point_count == 2:
                 contact.rest_length2 = _lengthen(v[cb.POINT_2 :], contact.separation2, spring)
 
 
+@kernel
+def _unite_struck(
+    solver: SolverBodies,
+    listed: Records,
+    contacts: Records,
+    blocks: ContactBlocks,
+    block_count: int,
+    gravity: float,
+    seconds: float,
+) -> int:
+    """Unite, in `solver.struck`, what hangs together by contacts, and all of that in which something strikes;
+    returns a body of the latter, or `NOBODY`."""
+    for here in listed:
+        solver.struck[here.body] = here.body
+    struck = NOBODY
+    for n in range(block_count):
+        block = blocks.blocks[n]
+        for slot in blocks.slots[block.first : block.first + block.count]:
+            if solver.forces[slot.body_a].moves == SOLVED and solver.forces[slot.body_b].moves == SOLVED:
+                unite(solver.struck, slot.body_a, slot.body_b)
+            if _strikes(solver.free_motions, contacts[slot.contact], gravity * seconds, seconds):
+                root = _root(solver, slot)
+                if struck == NOBODY:
+                    struck = root
+                unite(solver.struck, struck, root)
+    return struck
+
+
 @inlined_kernel
-def _rests(free_motions: Records, contact: Records, point: int, slow: float) -> bool:
-    """Whether a point closes in on the other body, or leaves it, no faster than `slow` (m/s); it may slide."""
-    x, y = relative_velocity(start_velocity(free_motions, contact), anchors_of(contact, point))
-    speed = x * contact.normal_x + y * contact.normal_y
-    return bool(-slow <= speed <= slow)
+def _root(solver: SolverBodies, slot: Records) -> int:
+    """What a contact belongs to, of which one body at least moves."""
+    moves = slot.body_a if solver.forces[slot.body_a].moves == SOLVED else slot.body_b
+    return int(root_of(solver.struck, moves))
+
+
+@inlined_kernel
+def _strikes(free_motions: Records, contact: Records, slow: float, seconds: float) -> bool:
+    """Whether a point closes within a substep, faster than `slow` (m/s); it may slide."""
+    v = start_velocity(free_motions, contact)
+    first = -opening_speed(v, contact, 1)
+    second = -opening_speed(v, contact, 2) if contact.point_count == 2 else 0.0
+    strikes = first > slow and contact.separation1 <= first * seconds
+    return bool(strikes or (second > slow and contact.separation2 <= second * seconds))
 
 
 @inlined_kernel

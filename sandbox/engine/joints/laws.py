@@ -12,6 +12,8 @@ from sandbox.geometry.trig import PI
 INFINITE = 1e300
 COMPLIANCE = 1e-4
 """How far rigid rows give way, as a share of how far their members do: ropes that are drawn straight stay solvable."""
+IMPACT_COMPLIANCE = 1e-8
+"""The same in an impact, which happens once: 1e-4 would take as much of its energy."""
 CORRECTION_SPEED = 4.0
 """Fastest recovery of what a joint keeps, after something else has pulled it apart, in m/s or rad/s."""
 _SHORT = 1e-9

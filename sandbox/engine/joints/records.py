@@ -93,6 +93,10 @@ PART = Table(
         Field("member_end", "-", "", "i8"),
         Field("direct", "-", "1: factorised; 0: too dense for that, its joints are soft", "i8"),
         Field("layout", "-", "factorised: what it shares with all parts that are built alike", "i8"),
+        Field("lane", "-", "factorised and awake: its lane, counted through all batches", "i8"),
+        Field(
+            "next_struck", "-", "1 + the next part that the same impact reaches, -1 for the last; 0 if none does", "i8"
+        ),
         Field("first_fixed", "-", "factorised: bodies on the fixed sides of its joints", "i8"),
         Field("awake", "-", "", "i8"),
         Field("anchored", "-", "1 when it is joined to something that does not move", "i8"),

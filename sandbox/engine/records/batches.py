@@ -38,6 +38,11 @@ IMPACT = Table(
         Field("last2", "N s", "the same at point 2"),
         Field("mass", "kg", "effective mass at point 1"),
         Field("drag", "N s", "friction impulse of what strikes together"),
+        Field("passed1", "N s", "of the load at point 1, what joints have passed on"),
+        Field("passed2", "N s", "the same at point 2"),
+        Field("passed_drag", "N s", "the same of the friction impulse"),
+        Field("opening1", "m/s", "speed at which point 1 opens by what has been passed on"),
+        Field("opening2", "m/s", "the same at point 2"),
     ),
 )
 """One row for each contact with restitution that may have an impact: what its impacts in a substep need."""

@@ -6,7 +6,7 @@ from sandbox._jit import kernel
 from sandbox.engine.contact_solver.law import pair_mass
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.restitution.impulses import push, push_points, put_back, rub_of, take
-from sandbox.engine.restitution.rough_blow import rough_blow
+from sandbox.engine.restitution.rough_blow import rough_blow, rub_matrix
 from sandbox.engine.restitution.two_point_block import block_of, pair_impulses
 from sandbox.tables import Records
 
@@ -21,7 +21,7 @@ def strike_elastic(bodies: Records, solver: SolverBodies, contact: Records, chan
     struck = take(solver.free_motions, contact)
     if contact.friction > 0.0:
         rub = rub_of(bodies[contact.body_a], bodies[contact.body_b], contact, load1, load2)
-        blow = rough_blow(struck, contact, mass, rub, load1 + load2)
+        blow = rough_blow(struck.start, contact, rub, rub_matrix(contact, mass, rub), load1 + load2)
         load1 *= blow.scale
         load2 *= blow.scale
         struck = push(struck, mass, rub.anchors, blow.tangent * rub.tangent_x, blow.tangent * rub.tangent_y)

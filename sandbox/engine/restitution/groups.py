@@ -10,10 +10,13 @@ from typing import Any
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.active.islands import root_of, unite
+from sandbox.engine.bodies.flags import is_driving
 from sandbox.engine.contact_solver.closing_speed import opening_speed
 from sandbox.engine.contact_solver.law import start_velocity
+from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.restitution.impact_list import ImpactList
+from sandbox.engine.restitution.jointed.parts import first_of_part
 from sandbox.engine.restitution.worklist import END
 from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC
@@ -54,6 +57,17 @@ def take_back(bodies: Records, solver: SolverBodies, contacts: Records, impacts:
         k = impacts.rows[k].next
 
 
+@kernel
+def is_driven(bodies: Records, impacts: ImpactList, first: int) -> bool:
+    """Whether something without mass that moves strikes too."""
+    k = first
+    while k != END:
+        if is_driving(bodies[impacts.slots[k].body_a]) or is_driving(bodies[impacts.slots[k].body_b]):
+            return True
+        k = impacts.rows[k].next
+    return False
+
+
 @inlined_kernel
 def _copy_velocities(source: Records, target: Records) -> None:
     """Copy what `IMPACT_VELOCITIES` lists from one row of a table that has it to a row of another."""
@@ -71,18 +85,62 @@ def form_groups(bodies: Records, impacts: ImpactList, lowest: Integers) -> None:
 
     `lowest` is scratch with a row a body.
     """
-    rows = impacts.rows
+    _begin_groups(impacts, lowest)
+    _unite_struck(bodies, impacts, lowest)
+    _link_groups(bodies, impacts, lowest)
+
+
+@kernel
+def form_jointed_groups(bodies: Records, impacts: ImpactList, lowest: Integers, work: JointWork) -> bool:
+    """The same, where bodies of one factorised part belong together, if some have struck; returns whether any have."""
+    _begin_groups(impacts, lowest)
+    reached = False
+    for k in range(impacts.length):
+        if impacts.rows[k].group != ALONE:
+            for i in (impacts.slots[k].body_a, impacts.slots[k].body_b):
+                first = first_of_part(work, i)
+                if first >= 0:
+                    lowest[first] = first
+                    reached = True
+    if not reached:
+        return False
+    _unite_struck(bodies, impacts, lowest)
+    for k in range(impacts.length):
+        if impacts.rows[k].group != ALONE:
+            for i in (impacts.slots[k].body_a, impacts.slots[k].body_b):
+                first = first_of_part(work, i)
+                if first >= 0:
+                    unite(lowest, i, first)
+    _link_groups(bodies, impacts, lowest)
+    return True
+
+
+@kernel
+def _begin_groups(impacts: ImpactList, lowest: Integers) -> None:
+    """Each body belongs to itself."""
     slots: Any = impacts.slots[: impacts.length]
     for slot in slots:
         lowest[slot.body_a] = slot.body_a
         lowest[slot.body_b] = slot.body_b
+
+
+@kernel
+def _unite_struck(bodies: Records, impacts: ImpactList, lowest: Integers) -> None:
+    """Unite bodies that strike each other."""
     for k in range(impacts.length):
-        slot = slots[k]
-        if rows[k].group != ALONE and bodies[slot.body_a].type == DYNAMIC and bodies[slot.body_b].type == DYNAMIC:
+        slot = impacts.slots[k]
+        struck = impacts.rows[k].group != ALONE
+        if struck and bodies[slot.body_a].type == DYNAMIC and bodies[slot.body_b].type == DYNAMIC:
             unite(lowest, slot.body_a, slot.body_b)
+
+
+@kernel
+def _link_groups(bodies: Records, impacts: ImpactList, lowest: Integers) -> None:
+    """Link the impacts of bodies that belong together."""
+    rows = impacts.rows
     for k in range(impacts.length):
         if rows[k].group != ALONE:
-            slot = slots[k]
+            slot = impacts.slots[k]
             moves = slot.body_a if bodies[slot.body_a].type == DYNAMIC else slot.body_b
             rows[k].group = root_of(lowest, moves)
     for k in range(impacts.length - 1, -1, -1):

@@ -94,9 +94,15 @@ def friction_impulse(struck: Struck, rub: Rub, surface_speed: float, limit: floa
 
     `before` (N s) has been applied already, and is part of what is returned.
     """
-    vx, vy = relative_velocity(struck.start, rub.anchors)
-    speed = vx * rub.tangent_x + vy * rub.tangent_y - surface_speed
+    speed = slip_speed(struck.start, rub) - surface_speed
     return float(clamp_to_cone(before - rub.mass * speed, limit))
+
+
+@inlined_kernel
+def slip_speed(v: PairVelocity, rub: Rub) -> float:
+    """The speed (m/s) at which b slides over a."""
+    vx, vy = relative_velocity(v, rub.anchors)
+    return float(vx * rub.tangent_x + vy * rub.tangent_y)
 
 
 @inlined_kernel

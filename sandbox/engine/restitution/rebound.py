@@ -13,7 +13,8 @@ from sandbox.engine.contact_solver.closing_speed import opening_speed
 from sandbox.engine.contact_solver.law import pair_velocity, start_velocity
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.restitution.impact_list import ImpactList
-from sandbox.engine.restitution.rough_group import push_part, rub_through
+from sandbox.engine.restitution.jointed.reach import Reach
+from sandbox.engine.restitution.rough_group import Push, push_part, rub_through
 from sandbox.engine.restitution.worklist import END
 from sandbox.tables import Records
 
@@ -34,18 +35,18 @@ def rebound(
     first: int,
     more: float,
     agreed: float,
+    reach: Reach | None,
 ) -> None:
     """Apply the loads of the contacts linked from the `first` one on, scaled, times `more`, to the velocities of the
     substep, with the friction that they allow; `agreed` is the share of a load to which that is exact.
 
-    In: the loads, and `solver.motions` after them.
+    In: the loads, and `solver.motions` after them. `reach` is what the group reaches by joints.
     """
     blow = _blow_of(solver, contacts, impacts, first, more)
     if _scale_loads(contacts, impacts, first, blow.scale):
-        share = rub_through(bodies, solver, contacts, impacts, first, blow.stop, agreed)
+        share = rub_through(bodies, solver, contacts, impacts, first, blow.stop, agreed, reach)
     else:
-        share = 1.0
-        push_part(bodies, solver, contacts, impacts, first, share)
+        share = push_part(bodies, solver, contacts, impacts, first, Push(1.0, 0.0, 0.0, 0.0), reach).part
     k = first
     while k != END:
         row = impacts.rows[k]

@@ -15,8 +15,8 @@ import math
 from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox.engine.contact_solver.law import PairMass, levers_of, relative_velocity
-from sandbox.engine.restitution.impulses import Rub, Struck
+from sandbox.engine.contact_solver.law import PairMass, PairVelocity, levers_of, relative_velocity
+from sandbox.engine.restitution.impulses import Rub
 from sandbox.tables import Records
 
 
@@ -35,26 +35,39 @@ class Piece(NamedTuple):
     slowing: float
 
 
-@kernel
-def rough_blow(struck: Struck, contact: Records, mass: PairMass, rub: Rub, load: float) -> RoughBlow:
-    """The blow at the point where a contact rubs, which without friction would have a normal impulse `load` (N s)."""
-    friction = contact.friction
+class RubMatrix(NamedTuple):
+    """What 1 N s along the normal and along the tangent changes the speeds along both (1/kg), where a contact rubs."""
+
+    nn: float
+    nt: float
+    tt: float
+
+
+@inlined_kernel
+def rub_matrix(contact: Records, mass: PairMass, rub: Rub) -> RubMatrix:
+    """The matrix of a contact of free bodies."""
     normal = levers_of(rub.anchors, contact.normal_x, contact.normal_y)
     tangent = levers_of(rub.anchors, rub.tangent_x, rub.tangent_y)
     linear = mass.mass_a + mass.mass_b
     k_nn = linear + mass.inertia_a * normal.a * normal.a + mass.inertia_b * normal.b * normal.b
     k_tt = linear + mass.inertia_a * tangent.a * tangent.a + mass.inertia_b * tangent.b * tangent.b
-    k_nt = mass.inertia_a * normal.a * tangent.a + mass.inertia_b * normal.b * tangent.b
-    vx, vy = relative_velocity(struck.start, rub.anchors)
+    return RubMatrix(k_nn, mass.inertia_a * normal.a * tangent.a + mass.inertia_b * normal.b * tangent.b, k_tt)
+
+
+@kernel
+def rough_blow(start: PairVelocity, contact: Records, rub: Rub, k: RubMatrix, load: float) -> RoughBlow:
+    """The blow at the point where a contact rubs, which without friction would have a normal impulse `load` (N s)."""
+    friction = contact.friction
+    vx, vy = relative_velocity(start, rub.anchors)
     closing = -(vx * contact.normal_x + vy * contact.normal_y)
     slip = vx * rub.tangent_x + vy * rub.tangent_y - contact.surface_speed
     side = 1.0 if slip > 0.0 else -1.0
-    sliding = Piece(-side * friction, k_nn - side * friction * k_nt)
-    stops = _when_sliding_stops(slip, k_nt - side * friction * k_tt)
-    after = _after_sliding(friction, k_nn, k_nt, k_tt)
+    sliding = Piece(-side * friction, k.nn - side * friction * k.nt)
+    stops = _when_sliding_stops(slip, k.nt - side * friction * k.tt)
+    after = _after_sliding(friction, k)
     scale = 1.0
     if closing > 0.0:
-        scale = _compression(closing, sliding, stops, after) * k_nn / closing
+        scale = _compression(closing, sliding, stops, after) * k.nn / closing
     load *= scale
     if load <= stops:
         return RoughBlow(scale, sliding.drag * load)
@@ -70,11 +83,11 @@ def _when_sliding_stops(slip: float, rate: float) -> float:
 
 
 @inlined_kernel
-def _after_sliding(friction: float, k_nn: float, k_nt: float, k_tt: float) -> Piece:
+def _after_sliding(friction: float, k: RubMatrix) -> Piece:
     """The point sticks where friction is enough for that; else it slides where the blow drives it."""
-    if abs(k_nt) <= friction * k_tt:
-        return Piece(-k_nt / k_tt, k_nn - k_nt * k_nt / k_tt)
-    return Piece(-friction if k_nt > 0.0 else friction, k_nn - friction * abs(k_nt))
+    if abs(k.nt) <= friction * k.tt:
+        return Piece(-k.nt / k.tt, k.nn - k.nt * k.nt / k.tt)
+    return Piece(-friction if k.nt > 0.0 else friction, k.nn - friction * abs(k.nt))
 
 
 @inlined_kernel

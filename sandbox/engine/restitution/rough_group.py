@@ -12,6 +12,7 @@ work that restitution gives back.
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from sandbox._jit import kernel
 from sandbox.engine.contact_solver.closing_speed import opening_speed
@@ -19,6 +20,9 @@ from sandbox.engine.contact_solver.law import pair_mass, start_velocity
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.restitution.impact_list import ImpactList
 from sandbox.engine.restitution.impulses import friction_impulse, push, push_points, put_back, rub_of, take
+from sandbox.engine.restitution.jointed.friction import rub_jointed
+from sandbox.engine.restitution.jointed.give import give
+from sandbox.engine.restitution.jointed.reach import Reach
 from sandbox.engine.restitution.worklist import END
 from sandbox.tables import Records
 
@@ -32,6 +36,23 @@ _PASSES = 16
 """Over the friction of a part."""
 
 
+class Push(NamedTuple):
+    """A part of the loads, the power of all of them as it comes and how fast that rises without friction, and the most
+    work (J) that it may do on jointed bodies."""
+
+    part: float
+    power: float
+    slowing: float
+    most: float
+
+
+class Pushed(NamedTuple):
+    """The part that was applied, and the work (J) that it did."""
+
+    part: float
+    work: float
+
+
 @kernel
 def rub_through(
     bodies: Records,
@@ -41,6 +62,7 @@ def rub_through(
     first: int,
     stop: float,
     agreed: float,
+    reach: Reach | None,
 ) -> float:
     """Apply the loads part by part, each with its friction; return which share of them it takes until the group has
     rebounded, which without friction stops at the share `stop`.
@@ -49,18 +71,22 @@ def rub_through(
     """
     share = work = 0.0
     power = first_power = _power(solver, contacts, impacts, first)
+    if first_power >= 0.0:  # on the whole it opens: what joints pass on from elsewhere
+        return share
     slowing = rate = -first_power / stop  # without friction
     turn = 0
     while power < _STOPPED * first_power and turn < _MOST_PARTS:
         # As it slows down now; without friction twice as far as it takes gives back the work, and further gives more.
         part = _FIRST_PART if turn == 0 else -power / (rate if 2.0 * rate > slowing else 0.5 * slowing)
         turn += 1
-        push_part(bodies, solver, contacts, impacts, first, part)
-        _rub_part(bodies, solver, contacts, impacts, first, part, agreed)
-        share += part
-        work += part * (power + 0.5 * slowing * part)
+        pushed = push_part(bodies, solver, contacts, impacts, first, Push(part, power, slowing, 0.0), reach)
+        if pushed.part <= 0.0:
+            return share
+        _rub_part(bodies, solver, contacts, impacts, first, pushed.part, agreed, reach)
+        share += pushed.part
+        work += pushed.work
         now = _power(solver, contacts, impacts, first)
-        rate = (now - power) / part
+        rate = (now - power) / pushed.part
         power = now
     if power < _STOPPED * first_power:  # it closes on, and may strike again
         return share
@@ -70,8 +96,9 @@ def rub_through(
     most = (math.sqrt(given_back) - power) / slowing if given_back > 0.0 else 0.0
     part = part if part < most else most
     if part > 0.0:
-        push_part(bodies, solver, contacts, impacts, first, part)
-        _rub_part(bodies, solver, contacts, impacts, first, part, agreed)
+        most = -restitution * restitution * work
+        part = push_part(bodies, solver, contacts, impacts, first, Push(part, power, slowing, most), reach).part
+        _rub_part(bodies, solver, contacts, impacts, first, part, agreed, reach)
     return share + part
 
 
@@ -93,18 +120,32 @@ def _power(solver: SolverBodies, contacts: Records, impacts: ImpactList, first: 
 
 @kernel
 def push_part(
-    bodies: Records, solver: SolverBodies, contacts: Records, impacts: ImpactList, first: int, part: float
-) -> None:
-    """Apply a part of the loads, without friction."""
+    bodies: Records,
+    solver: SolverBodies,
+    contacts: Records,
+    impacts: ImpactList,
+    first: int,
+    push: Push,
+    reach: Reach | None,
+) -> Pushed:
+    """Apply a part of the loads, without friction; of jointed bodies as much of it as does no more work than it may."""
+    part = push.part
+    k = first
+    while k != END:
+        impacts.rows[k].drag = 0.0
+        k = impacts.rows[k].next
+    if reach is not None:
+        given = give(bodies, solver, contacts, impacts, first, part, push.most, reach)
+        return Pushed(given.share * part, given.work)
     k = first
     while k != END:
         row = impacts.rows[k]
-        row.drag = 0.0
         contact = contacts[impacts.slots[k].contact]
         mass = pair_mass(bodies[contact.body_a], bodies[contact.body_b])
         struck = take(solver.free_motions, contact)
         put_back(solver, contact, push_points(struck, contact, mass, part * row.load1, part * row.load2))
         k = row.next
+    return Pushed(part, part * (push.power + 0.5 * push.slowing * part))
 
 
 @kernel
@@ -116,9 +157,13 @@ def _rub_part(
     first: int,
     part: float,
     agreed: float,
+    reach: Reach | None,
 ) -> None:
     """Apply the friction that a part of the loads allows, `drag`: passes until it changes by no more than the share
     `agreed` of these."""
+    if reach is not None:
+        rub_jointed(bodies, solver, contacts, impacts, first, part, agreed, reach)
+        return
     changes = True
     turn = 0
     while changes and turn < _PASSES:

@@ -10,12 +10,11 @@ Grinspun, "Reflections on simultaneous impact", ACM Transactions on Graphics 31 
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox.engine.bodies.flags import is_driving
 from sandbox.engine.contact_solver.closing_speed import opening_speed
 from sandbox.engine.contact_solver.law import start_velocity
 from sandbox.engine.contact_solver.nesterov import passes_within
 from sandbox.engine.records.bodies import SolverBodies
-from sandbox.engine.restitution.groups import fastest, size_of, take_back
+from sandbox.engine.restitution.groups import fastest, is_driven, size_of, take_back
 from sandbox.engine.restitution.impact_list import ImpactList
 from sandbox.engine.restitution.rebound import rebound
 from sandbox.engine.restitution.solve_group import solve_group
@@ -42,27 +41,17 @@ def strike_group(
     count = size_of(impacts, first)
     if LEAST_PASSES * count > most:
         return most
-    if _is_driven(bodies, impacts, first) or fastest(solver, contacts, impacts, first) <= impacts.threshold:
+    if is_driven(bodies, impacts, first) or fastest(solver, contacts, impacts, first) <= impacts.threshold:
         return count
     if anew:
         take_back(bodies, solver, contacts, impacts, first)
     slow = AGREED * fastest(solver, contacts, impacts, first)
     _ask_to_stop(impacts, first)
     passes = passes_within(most, count, MOST_PASSES)
-    work = solve_group(bodies, solver, contacts, impacts, first, slow, passes)
-    rebound(bodies, solver, contacts, impacts, first, 1.0 + _mean_restitution(solver, contacts, impacts, first), AGREED)
+    work = solve_group(bodies, solver, contacts, impacts, first, False, slow, passes)
+    more = 1.0 + _mean_restitution(solver, contacts, impacts, first)
+    rebound(bodies, solver, contacts, impacts, first, more, AGREED, None)
     return int(work)
-
-
-@kernel
-def _is_driven(bodies: Records, impacts: ImpactList, first: int) -> bool:
-    """Whether something without mass that moves strikes too."""
-    k = first
-    while k != END:
-        if is_driving(bodies[impacts.slots[k].body_a]) or is_driving(bodies[impacts.slots[k].body_b]):
-            return True
-        k = impacts.rows[k].next
-    return False
 
 
 @kernel

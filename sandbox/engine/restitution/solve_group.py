@@ -35,6 +35,7 @@ def solve_group(
     contacts: Records,
     impacts: ImpactList,
     first: int,
+    again: bool,
     agreed: float,
     passes: int,
 ) -> int:
@@ -42,9 +43,10 @@ def solve_group(
     they push: passes until they change no velocity by more than `agreed` (m/s).
 
     In: `rebound1` and `rebound2` of the contacts that are linked from the `first` one on. Out: their loads, and what
-    these make of the velocities at the start of the substep in `solver.motions`. Returns passes times contacts.
+    these make of the velocities at the start of the substep in `solver.motions`. `again` goes on from what both are.
+    Returns passes times contacts.
     """
-    count = _begin(bodies, solver, contacts, impacts, first)
+    count = _begin(bodies, solver, contacts, impacts, first, again)
     agree = 0
     for turn in range(passes):
         largest = 0.0
@@ -67,18 +69,24 @@ def solve_group(
 
 
 @kernel
-def _begin(bodies: Records, solver: SolverBodies, contacts: Records, impacts: ImpactList, first: int) -> int:
-    """Begin with no impulses, in `solver.motions` with the velocities at the start of the substep; return the number of
-    contacts."""
+def _begin(
+    bodies: Records, solver: SolverBodies, contacts: Records, impacts: ImpactList, first: int, again: bool
+) -> int:
+    """Begin with no impulses, in `solver.motions` with the velocities at the start of the substep, or go on; return the
+    number of contacts."""
     count = 0
     k = first
     while k != END:
         row = impacts.rows[k]
-        row.load1 = row.load2 = row.last1 = row.last2 = 0.0
+        if not again:
+            row.load1 = row.load2 = 0.0
+        row.last1 = row.load1
+        row.last2 = row.load2
         contact = contacts[impacts.slots[k].contact]
         mass = pair_mass(bodies[contact.body_a], bodies[contact.body_b])
         row.mass = effective_mass(mass, anchors_of(contact, 1), contact.normal_x, contact.normal_y)
-        _set_velocity(solver.motions, contact, start_velocity(solver.free_motions, contact))
+        if not again:
+            set_velocity(solver.motions, contact, start_velocity(solver.free_motions, contact))
         count += 1
         k = row.next
     return count
@@ -106,7 +114,7 @@ def _solve_contact(bodies: Records, solver: SolverBodies, contact: Records, row:
     added2 = load2 - before2
     row.load1 = load1
     row.load2 = load2
-    _push(solver, contact, mass, now, added1, added2)
+    push_motions(solver, contact, mass, now, added1, added2)
     largest = (abs(added1) + abs(added2)) * (mass.mass_a + mass.mass_b)
     return float(largest), float(added1 * (load1 - row.last1) + added2 * (load2 - row.last2))
 
@@ -123,11 +131,11 @@ def _go_further(bodies: Records, solver: SolverBodies, contact: Records, row: Re
         row.load2 += more2
         mass = pair_mass(bodies[contact.body_a], bodies[contact.body_b])
         now = pair_velocity(solver.motions[contact.body_a], solver.motions[contact.body_b])
-        _push(solver, contact, mass, now, more1, more2)
+        push_motions(solver, contact, mass, now, more1, more2)
 
 
 @inlined_kernel
-def _push(
+def push_motions(
     solver: SolverBodies, contact: Records, mass: PairMass, now: PairVelocity, load1: float, load2: float
 ) -> None:
     """Apply normal impulses (N s) at both points to the velocities of now, in `solver.motions`."""
@@ -136,11 +144,11 @@ def _push(
     v = push_along(now, mass, levers_of(anchors_of(contact, 1), nx, ny), load1, nx, ny)
     if contact.point_count == 2:
         v = push_along(v, mass, levers_of(anchors_of(contact, 2), nx, ny), load2, nx, ny)
-    _set_velocity(solver.motions, contact, v)
+    set_velocity(solver.motions, contact, v)
 
 
 @inlined_kernel
-def _set_velocity(motions: Records, contact: Records, v: PairVelocity) -> None:
+def set_velocity(motions: Records, contact: Records, v: PairVelocity) -> None:
     """Write the velocities of a contact's bodies."""
     a = motions[contact.body_a]
     b = motions[contact.body_b]

@@ -43,7 +43,7 @@ def fill_batches(work: JointWork, bodies: Records, free_motions: Records, new: b
             part = work.parts[d.parts[n * WIDTH + (k if k < batch.count else 0)]]
             v[batch.lanes + at.IN_USE + k] = 1.0 if k < batch.count else 0.0
             v[batch.lanes + at.HALVES + k] = float(part.halves)
-            v[batch.lanes + at.SEPARATED + k] = 0.0
+            v[batch.lanes + at.SEPARATED + k] = v[batch.lanes + at.CORRECTED + k] = 0.0
             v[batch.lanes + at.NEW + k] = 1.0 if new else 0.0
             _load_bodies(work, bodies, part, batch, k)
         _load_joints(work, batch, n)
@@ -72,6 +72,7 @@ def _join(d: Batches, p: int, level: int, part: Records) -> None:
         d.open[place] = n
     batch = d.batches[n]
     d.parts[n * WIDTH + batch.count] = p
+    part.lane = n * WIDTH + batch.count
     batch.count += 1
 
 

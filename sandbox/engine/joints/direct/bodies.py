@@ -5,6 +5,7 @@ from __future__ import annotations
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import WIDTH, any_lane, lanes, load, select, spread, store, store_fields, transpose
 from sandbox.engine.joints.direct import places as at
+from sandbox.engine.joints.direct.passes import BLOW, MOVE
 from sandbox.engine.joints.direct.records import Batches
 from sandbox.engine.records.bodies import FREE_MOTION, POSE, VELOCITY
 from sandbox.engine.records.gather_fields import Rows, gather_fields
@@ -16,14 +17,15 @@ _START_X, _START_W = FREE_MOTION.places(("start_x", "start_w"), 8)
 
 
 @kernel
-def gather_bodies(d: Batches, batch: Records, motions: Records, free_motions: Records, moving: bool) -> None:
-    """Take over velocities and displacements. Half of what forces add is held back while bodies are `moving`, and given
-    back after.
+def gather_bodies(d: Batches, batch: Records, motions: Records, free_motions: Records, purpose: int) -> None:
+    """Take over velocities and displacements. Half of what forces add is held back before the move, and given back
+    after it.
 
     That is the velocity Verlet scheme: positions move by the velocity at the middle of the substep.
     """
     v = d.memory
     halves = load(v, batch.lanes + at.HALVES) == 1.0
+    parted = halves if purpose != BLOW else halves & ~halves
     for slot in range(d.layouts[batch.layout].seats):
         place = slot * at.SEAT_SIZE
         seat = batch.seats + place
@@ -33,16 +35,16 @@ def gather_bodies(d: Batches, batch: Records, motions: Records, free_motions: Re
             continue
         x, y, w, delta_x = gather_fields(motions, rows, VELOCITY)
         delta_y, delta_cos, delta_sin, delta_angle = gather_fields(motions, rows, POSE)
-        held = halves & (load(v, seat + at.INVERSE_MASS) != 0.0)
+        held = parted & (load(v, seat + at.INVERSE_MASS) != 0.0)
         if any_lane(held):
-            if moving:
+            if purpose == MOVE:
                 start_x, start_y, _, _ = gather_fields(free_motions, rows, _START_X)
                 start_w, free_x, free_y, free_w = gather_fields(free_motions, rows, _START_W)
                 store(v, seat + at.KICK_X, 0.5 * (free_x - start_x))
                 store(v, seat + at.KICK_Y, 0.5 * (free_y - start_y))
                 store(v, seat + at.KICK_W, 0.5 * (free_w - start_w))
             sign = 1.0
-            if moving:
+            if purpose == MOVE:
                 sign = -1.0 if batch.between == 0 else 0.0
             x = select(held, x + sign * load(v, seat + at.KICK_X), x)
             y = select(held, y + sign * load(v, seat + at.KICK_Y), y)

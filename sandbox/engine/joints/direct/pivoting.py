@@ -10,9 +10,10 @@ from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import Mask, Vector, any_lane, load, root, select, spread, store
 from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.acting_time import acting_time, spring_time
+from sandbox.engine.joints.direct.passes import BLOW, RELAX, impulse_of
 from sandbox.engine.joints.direct.records import Batches
 from sandbox.engine.joints.direct.rows import change_impulse, row_error, row_speed
-from sandbox.engine.joints.direct.targets import strength, target_positions, target_velocities
+from sandbox.engine.joints.direct.targets import strength, target_blow, target_positions, target_velocities
 from sandbox.engine.joints.laws import INFINITE
 from sandbox.tables import Floats, Records
 from sandbox.world.joint_records import FRICTION, MOTOR, TARGET
@@ -22,12 +23,12 @@ _NO_BOUND = 1e250
 
 
 @kernel
-def choose_rows(d: Batches, batch: Records, seconds: float, relaxing: bool, who: Mask) -> Mask:
+def choose_rows(d: Batches, batch: Records, seconds: float, purpose: int, who: Mask) -> Mask:
     """Set the law of every row at the present velocities, mark the active ones; in which parts a mark has changed."""
     v = d.memory
-    aim_rows(d, batch, seconds, relaxing, who)
+    aim_rows(d, batch, seconds, purpose, who)
     layout = d.layouts[batch.layout]
-    impulse = at.RELAXING if relaxing else at.IMPULSE
+    impulse = impulse_of(purpose)
     changed = who & ~who
     for r in range(layout.first_row, layout.row_end):
         row = d.equations[r]
@@ -44,7 +45,7 @@ def choose_rows(d: Batches, batch: Records, seconds: float, relaxing: bool, who:
 
 
 @kernel
-def aim_rows(d: Batches, batch: Records, seconds: float, relaxing: bool, who: Mask) -> None:
+def aim_rows(d: Batches, batch: Records, seconds: float, purpose: int, who: Mask) -> None:
     """Set all laws before any impulse changes: errors ahead belong to the velocities they were looked at with."""
     v = d.memory
     layout = d.layouts[batch.layout]
@@ -57,8 +58,10 @@ def aim_rows(d: Batches, batch: Records, seconds: float, relaxing: bool, who: Ma
         for r in range(frame.first_row, frame.row_end):
             row = d.equations[r]
             speed = row_speed(v, row)
-            if relaxing:
+            if purpose == RELAX:
                 law = target_velocities(v, batch, frame, row, speed, seconds, halves)
+            elif purpose == BLOW:
+                law = target_blow(v, batch, frame, row, speed, seconds)
             else:
                 error = load(v, batch.rows + row.kept + at.ERROR)
                 ahead = select(separated, error + seconds * speed, row_error(v, frame, row))
@@ -69,7 +72,8 @@ def aim_rows(d: Batches, batch: Records, seconds: float, relaxing: bool, who: Ma
             if row.bounded == 1:
                 _replace(v, row.place + at.LOW, law.low, where)
                 _replace(v, row.place + at.HIGH, law.high, where)
-                _replace(v, batch.rows + row.kept + at.STOP, law.stop, where)
+                if purpose != BLOW:  # the pass that goes on asks which stop had a say before
+                    _replace(v, batch.rows + row.kept + at.STOP, law.stop, where)
 
 
 @inlined_kernel
@@ -143,27 +147,27 @@ def clamp(v: Floats, batch: Records, row: Records, impulse: int, who: Mask) -> N
 
 
 @kernel
-def cap_pairs(d: Batches, batch: Records, seconds: float, relaxing: bool, who: Mask) -> None:
+def cap_pairs(d: Batches, batch: Records, seconds: float, purpose: int, who: Mask) -> None:
     """Shorten forces of two rows that are together past their limit; such a pair has reached it for this pass."""
     layout = d.layouts[batch.layout]
     for f in range(layout.first_frame, layout.frame_end):
         frame = d.layout_frames[f]
         if frame.kind == MOTOR or frame.kind == TARGET or frame.kind == FRICTION:
-            _cap_pair(d, batch, frame, seconds, relaxing, who)
+            _cap_pair(d, batch, frame, seconds, purpose, who)
 
 
 @kernel
-def _cap_pair(d: Batches, batch: Records, frame: Records, seconds: float, relaxing: bool, who: Mask) -> None:
+def _cap_pair(d: Batches, batch: Records, frame: Records, seconds: float, purpose: int, who: Mask) -> None:
     v = d.memory
-    impulse = at.RELAXING if relaxing else at.IMPULSE
+    impulse = impulse_of(purpose)
     row = d.equations[frame.first_row]
     other = d.equations[frame.first_row + 1]
     most = strength(v, batch.joints + frame.constants, frame.kind, 0)
     stiff = load(v, batch.rows + row.kept + at.STIFFNESS) > 0.0
-    limit = most * seconds if relaxing else most * acting_time(v, batch, seconds)
+    limit = most * seconds if purpose == RELAX else most * acting_time(v, batch, seconds)
     x = load(v, batch.rows + row.kept + at.IMPULSE)
     y = load(v, batch.rows + other.kept + at.IMPULSE)
-    if relaxing:
+    if purpose == RELAX:
         x = x + load(v, batch.rows + row.kept + at.RELAXING)
         y = y + load(v, batch.rows + other.kept + at.RELAXING)
     size = root(x * x + y * y)

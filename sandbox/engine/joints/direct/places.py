@@ -120,7 +120,9 @@ END_Y = 7 * WIDTH
 END_W = 8 * WIDTH
 PRELOAD = 9 * WIDTH
 """The force (N or N m) that a rigid row bears without giving way: what it bore when the world was put down."""
-KEPT_SIZE = 10 * WIDTH
+BLOW = 10 * WIDTH
+"""In the last impact of a body of the part, N s."""
+KEPT_SIZE = 11 * WIDTH
 
 # A row while a pass works on it.
 JACOBIAN = 0 * WIDTH
@@ -161,4 +163,10 @@ IN_USE = 2 * WIDTH
 """1 where the lane has a part."""
 NEW = 3 * WIDTH
 """1 until the first loads of a world are known."""
-LANE_SIZE = 4 * WIDTH
+STRUCK = 4 * WIDTH
+"""1 where an impact is passed on."""
+APART_BY = 5 * WIDTH
+"""Sum of what joints are apart by, in m and rad, beyond what they yield."""
+CORRECTED = 6 * WIDTH
+"""1 when its bodies are displaced after the move."""
+LANE_SIZE = 7 * WIDTH

@@ -18,6 +18,8 @@ from sandbox.engine.joints.laws import CORRECTION_SPEED
 from sandbox.geometry.trig import cos_sin
 from sandbox.tables import Records
 
+CLOSE = 1e-6
+"""Sum of the errors of a part (m or rad) up to which nothing is corrected: what rests is spared the linear system."""
 DAMPING = 0.03
 """Softness of rows that are corrected, as a share of their stiffness."""
 
@@ -105,7 +107,7 @@ def apply_corrections(d: Batches, motions: Records, seconds: float) -> None:
         if batch.level != d.level[0]:
             continue
         for k in range(batch.count):
-            if v[batch.lanes + at.SEPARATED + k] == 1.0:
+            if v[batch.lanes + at.CORRECTED + k] == 1.0:
                 _displace(d, batch, k, motions, seconds)
 
 

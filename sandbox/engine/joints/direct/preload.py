@@ -32,7 +32,7 @@ def is_at_rest(d: Batches, batch: Records) -> Mask:
     """Which parts are put together and do not move along any rigid row, before their joints have been solved."""
     v = d.memory
     layout = d.layouts[batch.layout]
-    found = load(v, batch.lanes + at.SEPARATED) != 1.0
+    found = load(v, batch.lanes + at.IN_USE) == 1.0
     for f in range(layout.first_frame, layout.frame_end):
         frame = d.layout_frames[f]
         for r in range(frame.first_row, frame.row_end):

@@ -1,9 +1,11 @@
-"""What a substep does about joints that are torn apart, or whose links turn too fast to foresee.
+"""What a substep does about joints that are torn apart or borne, or whose links cannot be foreseen.
 
 A joint that is drawn together moves all that hangs on it, so that the speeds which would correct a long chain at once
-are enormous. A part that is *separated*, by an impact or a command, is therefore solved otherwise: its velocities only
-keep the errors as they are, which takes no look ahead and cannot add energy, and displacements that velocities never
-see bring it together (`position_correction`).
+are enormous; and where something else bears the bodies, it hinders that, and answers: what stands on two legs would be
+walked away by its own corrections. Links that turn too fast, and linkages that pass flat, are held by enormous
+impulses or none. A part that is *separated*, by an impact or a command, that is borne, or whose joints miss their aim
+or give it energy, is therefore solved otherwise: its velocities only keep the errors as they are, which takes no look
+ahead and cannot add energy, and displacements that velocities never see bring it together (`position_correction`).
 """
 
 from __future__ import annotations
@@ -20,6 +22,10 @@ from sandbox.engine.joints.laws import CORRECTION_SPEED, limited, overrun, witho
 from sandbox.tables import Floats, Records
 from sandbox.world.joint_records import MOTOR
 
+_GAIN = 1.1
+"""Ratio of kinetic energies: links that turn by a third of a radian in a substep change theirs by as much."""
+SLOW = 0.1
+"""Speed (m/s) up to which a gain is what joints yield and take back."""
 SHORT = 2
 """Joints of a part whose speeds of correction may add up."""
 
@@ -28,7 +34,8 @@ SHORT = 2
 def detect_separation(d: Batches, batch: Records, seconds: float) -> None:
     """Set what every row may have left of its error after this substep; the impulses are still those of the last.
 
-    A part is separated if its errors come to more than one joint may correct, unless it has but two joints.
+    A part is separated if it is borne, or if its errors come to more than one joint may correct, unless it has but two
+    joints.
     """
     v = d.memory
     layout = d.layouts[batch.layout]
@@ -49,6 +56,9 @@ def detect_separation(d: Batches, batch: Records, seconds: float) -> None:
     store(v, place, select(total > CORRECTION_SPEED * seconds, 1.0, spread(0.0)))
     if layout.joints <= SHORT:
         store(v, place, spread(0.0))
+    borne = load(v, batch.lanes + at.HALVES) == 0.0
+    store(v, place, select(borne, 1.0, load(v, place)))
+    store(v, batch.lanes + at.APART_BY, total)
     keep_apart(d, batch, load(v, place) == 1.0)
 
 
@@ -110,6 +120,41 @@ def is_nearly_linear(d: Batches, batch: Records, seconds: float) -> bool:
         reach = arm_a + arm_b + gap
         longest = select(reach > longest, reach, longest)
     return not any_lane(~(turned * longest < CORRECTION_SPEED * seconds))
+
+
+@kernel
+def kinetic_energy(d: Batches, batch: Records, faster: float) -> Vector:
+    """The kinetic energy (J) of each part, were its bodies faster by so much (m/s), aside."""
+    v = d.memory
+    energy = spread(0.0)
+    for slot in range(d.layouts[batch.layout].moving):
+        place = slot * at.SEAT_SIZE
+        x = load(v, place + at.VELOCITY_X)
+        y = load(v, place + at.VELOCITY_Y)
+        w = load(v, place + at.VELOCITY_W)
+        inverse = load(v, batch.seats + place + at.INVERSE_MASS)
+        moves = inverse > 0.0
+        mass = select(moves, 1.0 / select(moves, inverse, 1.0), 0.0)
+        energy = energy + 0.5 * (
+            mass * (x * x + y * y + faster * faster) + load(v, batch.seats + place + at.INERTIA) * (w * w)
+        )
+    return energy
+
+
+@kernel
+def gains_energy(d: Batches, batch: Records, before: Vector) -> Mask:
+    """Which parts have notably more kinetic energy (J) than before their joints were solved, without a spring that
+    could give it: a linkage that passes flat, whose rows say nearly the same, can be held by enormous impulses only."""
+    v = d.memory
+    layout = d.layouts[batch.layout]
+    gains = kinetic_energy(d, batch, 0.0) > _GAIN * before
+    for f in range(layout.first_frame, layout.frame_end):
+        frame = d.layout_frames[f]
+        for r in range(frame.first_row, frame.row_end):
+            row = d.equations[r]
+            stiff = load(v, batch.rows + row.kept + at.STIFFNESS) > 0.0
+            gains = gains & (is_rigid(v, batch, frame, row) | ~stiff)
+    return gains
 
 
 @kernel

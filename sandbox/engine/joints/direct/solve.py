@@ -10,15 +10,19 @@ from sandbox.engine.joints.direct.bodies import gather_bodies, look_ahead, scatt
 from sandbox.engine.joints.direct.frames import measure_frames
 from sandbox.engine.joints.direct.geometric_stiffness import add_geometric_stiffness, remove_geometric_stiffness
 from sandbox.engine.joints.direct.ldl import factorize, solve_directly
+from sandbox.engine.joints.direct.passes import BLOW, MOVE, RELAX, impulse_of
 from sandbox.engine.joints.direct.pivoting import cap_pairs, choose_rows, clamp_rows, release_bounded
-from sandbox.engine.joints.direct.position_correction import find_corrections
+from sandbox.engine.joints.direct.position_correction import CLOSE, find_corrections
 from sandbox.engine.joints.direct.preload import PRELOAD_TURNS, is_at_rest, take_as_preload
 from sandbox.engine.joints.direct.records import Batches
 from sandbox.engine.joints.direct.reports import accumulate
 from sandbox.engine.joints.direct.rows import change_impulse, fill_rows
 from sandbox.engine.joints.direct.separated import (
+    SLOW,
     detect_separation,
+    gains_energy,
     is_nearly_linear,
+    kinetic_energy,
     misses_targets,
     take_impulses_back,
 )
@@ -67,7 +71,7 @@ def solve_some_batches(
         batch.joints -= begin
         batch.rows -= begin
         if task == SOLVE_BATCHES:
-            gather_bodies(here, batch, motions, free_motions, True)
+            gather_bodies(here, batch, motions, free_motions, MOVE)
             _solve_positions(here, batch, seconds)
         elif stays:
             stay_between(here, batch)
@@ -77,16 +81,16 @@ def solve_some_batches(
             if batch.between == 1:
                 return_from_between(here, batch)
                 d.batches[n].between = 0
-            gather_bodies(here, batch, motions, free_motions, False)
+            gather_bodies(here, batch, motions, free_motions, RELAX)
             _relax(here, batch, seconds)
         scatter_bodies(here, batch, motions)
 
 
 @kernel
 def _relax(d: Batches, batch: Records, seconds: float) -> None:
-    _update_rows(d, batch)
+    update_rows(d, batch)
     _start_warm(d, batch, True)
-    _solve(d, batch, seconds, True, _lanes_in_use(d.memory, batch))
+    solve_rows(d, batch, seconds, RELAX, _lanes_in_use(d.memory, batch))
     accumulate(d, batch)
 
 
@@ -95,7 +99,7 @@ def _solve_positions(d: Batches, batch: Records, seconds: float) -> None:
     v = d.memory
     layout = d.layouts[batch.layout]
     who = _lanes_in_use(v, batch)
-    _update_rows(d, batch)
+    update_rows(d, batch)
     add_geometric_stiffness(d, batch, seconds)
     detect_separation(d, batch, seconds)
     separated = load(v, batch.lanes + at.SEPARATED) == 1.0
@@ -105,12 +109,15 @@ def _solve_positions(d: Batches, batch: Records, seconds: float) -> None:
     if any_lane(put_down):
         put_down = put_down & is_at_rest(d, batch)
         store(v, batch.lanes + at.NEW, spread(0.0))
+    before = kinetic_energy(d, batch, SLOW)
     _start_warm(d, batch, False)
-    settled = _solve(d, batch, seconds, False, who)
+    settled = solve_rows(d, batch, seconds, MOVE, who)
     for _ in range(PRELOAD_TURNS if any_lane(put_down) else 0):
         take_as_preload(d, batch, seconds, put_down & settled)
-        settled = (settled & ~put_down) | _solve(d, batch, seconds, False, put_down)
+        settled = (settled & ~put_down) | solve_rows(d, batch, seconds, MOVE, put_down)
     failed = who & ~separated & ~settled
+    if layout.bounded == 0:
+        failed = failed | (who & ~separated & ~put_down & gains_energy(d, batch, before))
     solved_once = layout.hinged == 1 and batch.redundant == 0 and not any_lane(put_down)
     if not (solved_once and is_nearly_linear(d, batch, seconds)):
         _foresee(d, batch, seconds)
@@ -118,11 +125,13 @@ def _solve_positions(d: Batches, batch: Records, seconds: float) -> None:
     if any_lane(failed):
         take_impulses_back(d, batch, failed)
         remove_geometric_stiffness(d, batch, failed)
-        _update_rows(d, batch)
-        _solve(d, batch, seconds, False, failed)
+        update_rows(d, batch)
+        solve_rows(d, batch, seconds, MOVE, failed)
     separated = who & (separated | failed)
-    if any_lane(separated):
-        find_corrections(d, batch, seconds, separated)
+    apart = separated & (load(v, batch.lanes + at.APART_BY) > CLOSE)
+    store(v, batch.lanes + at.CORRECTED, select(apart, 1.0, spread(0.0)))
+    if any_lane(apart):
+        find_corrections(d, batch, seconds, apart)
 
 
 @inlined_kernel
@@ -131,7 +140,7 @@ def _lanes_in_use(v: Floats, batch: Records) -> Mask:
 
 
 @kernel
-def _update_rows(d: Batches, batch: Records) -> None:
+def update_rows(d: Batches, batch: Records) -> None:
     """Rows of the present pose."""
     look_ahead(d, batch, 0.0)
     measure_frames(d, batch)
@@ -185,22 +194,22 @@ def _start_warm(d: Batches, batch: Records, relaxing: bool) -> None:
 
 
 @kernel
-def _solve(d: Batches, batch: Records, seconds: float, relaxing: bool, who: Mask) -> Mask:
+def solve_rows(d: Batches, batch: Records, seconds: float, purpose: int, who: Mask) -> Mask:
     """In which of the parts `who` all marks of the rows came to rest.
 
     A part whose marks rest is left alone while others of its batch go on.
     """
     v = d.memory
     layout = d.layouts[batch.layout]
-    impulse = at.RELAXING if relaxing else at.IMPULSE
+    impulse = impulse_of(purpose)
     assemble(d, batch)
     going = who
     settled = who & ~who
     again = settled
     for turn in range(_TURNS):
-        if not relaxing:
+        if purpose == MOVE:
             _foresee(d, batch, seconds)
-        changed = choose_rows(d, batch, seconds, relaxing, going)
+        changed = choose_rows(d, batch, seconds, purpose, going)
         if turn > 0:
             settled = settled | (going & ~(changed | again))
             going = going & ~settled
@@ -210,7 +219,8 @@ def _solve(d: Batches, batch: Records, seconds: float, relaxing: bool, who: Mask
         if turn == 0 or any_lane(changed):
             factorize(d, batch)
         solve_directly(d, batch, impulse, going)
-        cap_pairs(d, batch, seconds, relaxing, going)
+        if purpose != BLOW:
+            cap_pairs(d, batch, seconds, purpose, going)
         if layout.bounded == 0:
             settled = settled | going
             break

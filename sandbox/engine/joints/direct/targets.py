@@ -11,7 +11,7 @@ from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import Mask, Vector, load, select, spread
 from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.acting_time import compliance, look_ahead_share
-from sandbox.engine.joints.laws import COMPLIANCE, INFINITE, drive, spring_law
+from sandbox.engine.joints.laws import COMPLIANCE, IMPACT_COMPLIANCE, INFINITE, drive, spring_law
 from sandbox.tables import Floats, Records
 from sandbox.world.joint_records import FRICTION, MOTOR, PRISMATIC, REVOLUTE, TARGET, WELD, WHEEL
 
@@ -110,6 +110,36 @@ def target_velocities(
     return Law(bias, softness, low, high, stop)
 
 
+@kernel
+def target_blow(v: Floats, batch: Records, frame: Records, row: Records, speed: Vector, seconds: float) -> Law:
+    """The law of a row that acts in an impact: what is rigid keeps its speed, a stop what would pass it within the
+    substep."""
+    joint = batch.joints + frame.constants
+    kept = batch.rows + row.kept
+    stop = load(v, kept + at.STOP)
+    none = spread(0.0)
+    if row.slot == 4:
+        lower = load(v, joint + at.LOWER)
+        upper = load(v, joint + at.UPPER)
+        slowest, fastest = _speeds_to_stops(v, batch, frame, row, seconds)
+        given = load(v, kept + at.BLOW)
+        low, high, bias, stop = drive(True, lower, upper, stop, speed, none, speed, slowest, fastest, given)
+        return Law(bias, none, low, high, stop)
+    soft = IMPACT_COMPLIANCE * load(v, kept + at.STIFFNESS)
+    return Law(none, soft, spread(-INFINITE), spread(INFINITE), stop)
+
+
+@inlined_kernel
+def acts_in_blow(v: Floats, batch: Records, frame: Records, row: Records) -> Mask:
+    """Whether a row acts in an impact. Forces give nothing in no time, however strong they are: springs, motors and
+    brakes do not, nor does a stop against which a motor presses that nothing limits."""
+    if row.slot == 4:
+        stops = load(v, batch.rows + row.kept + at.STIFFNESS) > 0.0
+        return stops if frame.limit == 1 and row.bounded == 1 else stops & ~stops
+    strong = strength(v, batch.joints + frame.constants, frame.kind, row.slot) >= INFINITE
+    return is_rigid(v, batch, frame, row) & strong
+
+
 @inlined_kernel
 def may_be_sprung(kind: int) -> bool:
     """Whether rows 0 to 2 of a kind may be springs."""
@@ -172,17 +202,22 @@ def _drive_to_move(
 
 @kernel
 def _drive_to_relax(v: Floats, batch: Records, frame: Records, row: Records, speed: Vector, seconds: float) -> Law:
-    joint = batch.joints + frame.constants
     kept = batch.rows + row.kept
-    error = load(v, kept + at.ERROR)
     impulse = load(v, kept + at.IMPULSE)
-    slowest = (load(v, joint + at.LOWER) - error) / seconds
-    fastest = (load(v, joint + at.UPPER) - error) / seconds
-    slowest = select(slowest < 0.0, slowest, 0.0)
-    fastest = select(fastest > 0.0, fastest, 0.0)
+    slowest, fastest = _speeds_to_stops(v, batch, frame, row, seconds)
     total = impulse + load(v, kept + at.RELAXING)
     law = _drive(v, batch, frame, row, speed, slowest, fastest, spread(seconds), total)
     return Law(law.bias, law.softness, law.low - impulse, law.high - impulse, law.stop)
+
+
+@inlined_kernel
+def _speeds_to_stops(v: Floats, batch: Records, frame: Records, row: Records, seconds: float) -> tuple[Vector, Vector]:
+    """The speeds that just reach the lower and the upper limit of a joint in so many seconds; 0 past one."""
+    joint = batch.joints + frame.constants
+    error = load(v, batch.rows + row.kept + at.ERROR)
+    slowest = (load(v, joint + at.LOWER) - error) / seconds
+    fastest = (load(v, joint + at.UPPER) - error) / seconds
+    return select(slowest < 0.0, slowest, 0.0), select(fastest > 0.0, fastest, 0.0)
 
 
 @kernel

@@ -1,0 +1,1 @@
+"""Impacts with restitution on bodies that joints hold together."""

@@ -1,0 +1,143 @@
+"""What a group of impacts reaches by joints, and how these pass it on.
+
+`solver.motions` has what pushes on the bodies that are struck make of the velocities at the start of the substep.
+Joints pass that on at once, to all bodies of the factorised parts that are reached (`joints/direct/transmit.py`).
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from sandbox._jit import inlined_kernel, kernel
+from sandbox.engine.joints.direct.transmit import report_blow, transmit
+from sandbox.engine.joints.records import JointWork
+from sandbox.engine.records.bodies import SolverBodies
+from sandbox.engine.restitution.groups import ALONE
+from sandbox.engine.restitution.impact_list import ImpactList
+from sandbox.engine.restitution.jointed.parts import LAST, NO_PART, factorised_part
+from sandbox.engine.restitution.worklist import END, next_contact
+from sandbox.tables import Records
+from sandbox.world.records import DYNAMIC
+
+_BEGIN, _MEASURE, _ADD, _FINISH = 0, 1, 2, 3
+
+
+class Reach(NamedTuple):
+    """The parts that a group reaches, listed from `head` on (`parts.py`), and the length of a substep (s)."""
+
+    work: JointWork
+    head: int
+    seconds: float
+
+
+@kernel
+def begin_pushes(bodies: Records, solver: SolverBodies, impacts: ImpactList, first: int, reach: Reach) -> None:
+    """Write the velocities at the start of the substep to `solver.motions`, of all that the group reaches that is
+    linked from impact `first` on."""
+    _for_all(bodies, solver, impacts, first, reach, _BEGIN)
+
+
+@kernel
+def energy_in_motions(bodies: Records, solver: SolverBodies, impacts: ImpactList, first: int, reach: Reach) -> float:
+    """The kinetic energy (J) of all that the group reaches, by the velocities in `solver.motions`."""
+    return float(_for_all(bodies, solver, impacts, first, reach, _MEASURE))
+
+
+@kernel
+def pass_on(solver: SolverBodies, reach: Reach) -> None:
+    """Let joints pass on what was pushed, in `solver.motions`."""
+    p = reach.head
+    while p != LAST:
+        part = reach.work.parts[p - 1]
+        transmit(reach.work.direct, part.lane, solver.motions, solver.free_motions, reach.seconds)
+        p = part.next_struck
+
+
+@kernel
+def take_over(bodies: Records, solver: SolverBodies, impacts: ImpactList, first: int, reach: Reach) -> None:
+    """Make what changed in `solver.motions` part of the velocities, and tell it of joints."""
+    _for_all(bodies, solver, impacts, first, reach, _ADD)
+    p = reach.head
+    while p != LAST:
+        part = reach.work.parts[p - 1]
+        report_blow(reach.work.direct, part.lane)
+        p = part.next_struck
+
+
+@kernel
+def end_pushes(bodies: Records, solver: SolverBodies, impacts: ImpactList, first: int, reach: Reach) -> None:
+    """Let the solver go on with the velocities at the end of the substep."""
+    _for_all(bodies, solver, impacts, first, reach, _FINISH)
+
+
+@kernel
+def _for_all(bodies: Records, solver: SolverBodies, impacts: ImpactList, first: int, reach: Reach, what: int) -> float:
+    """Do `what` is to be done with the velocities of each body that the group reaches, once; returns the sum of what
+    that gives."""
+    work = reach.work
+    found = 0.0
+    p = reach.head
+    while p != LAST:
+        part = work.parts[p - 1]
+        for m in range(part.first_member, part.member_end):
+            i = work.members[m].body
+            found += _do(bodies[i], solver.free_motions[i], solver.motions[i], what)
+        p = part.next_struck
+    k = first
+    while k != END:
+        slot = impacts.slots[k]
+        for i in (slot.body_a, slot.body_b):
+            free = bodies[i].type == DYNAMIC and factorised_part(work, i) == NO_PART
+            if free and _strikes_first(solver, impacts, k, i):
+                found += _do(bodies[i], solver.free_motions[i], solver.motions[i], what)
+        k = impacts.rows[k].next
+    return found
+
+
+@kernel
+def _strikes_first(solver: SolverBodies, impacts: ImpactList, k: int, i: int) -> bool:
+    """Whether impact k is the first of body i that has struck."""
+    j = solver.first_impact[i]
+    while impacts.rows[j].group == ALONE:
+        j = next_contact(impacts.slots[j], i)
+    return bool(j == k)
+
+
+@kernel
+def _do(body: Records, free: Records, motion: Records, what: int) -> float:
+    """The same for a body."""
+    if what == _BEGIN:
+        _set(motion, free.start_x, free.start_y, free.start_w)
+    elif what == _MEASURE:
+        return _energy(body, motion)
+    elif what == _ADD:
+        x = motion.velocity_x - free.start_x
+        y = motion.velocity_y - free.start_y
+        w = motion.angular_velocity - free.start_w
+        free.start_x += x
+        free.start_y += y
+        free.start_w += w
+        free.free_x += x
+        free.free_y += y
+        free.free_w += w
+    else:
+        _set(motion, free.free_x, free.free_y, free.free_w)
+    return 0.0
+
+
+@inlined_kernel
+def _energy(body: Records, motion: Records) -> float:
+    """The kinetic energy (J) of a body."""
+    mass = 1.0 / body.inverse_mass if body.inverse_mass > 0.0 else 0.0
+    inertia = 1.0 / body.inverse_inertia if body.inverse_inertia > 0.0 else 0.0
+    square = motion.velocity_x * motion.velocity_x + motion.velocity_y * motion.velocity_y
+    turning = motion.angular_velocity * motion.angular_velocity
+    return float(0.5 * (mass * square + inertia * turning))
+
+
+@inlined_kernel
+def _set(motion: Records, x: float, y: float, w: float) -> None:
+    """Write the velocity of a body."""
+    motion.velocity_x = x
+    motion.velocity_y = y
+    motion.angular_velocity = w
