@@ -169,7 +169,10 @@ class TestLent:
         done = cli("replay", lend(SCENE))
         assert (done.code, "this is a scene, not a recording: sandbox record makes one of it" in done.err) == (2, True)
 
-    def test_nothing_is_written_to_it(self, cli: Callable, recording: str, lend: Callable) -> None:
+    def test_nothing_is_written_to_it(
+        self, cli: Callable, recording: str, lend: Callable, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        monkeypatch.delenv("CI", raising=False)  # there recordings are never updated
         for done in (cli("replay", "--update=all", lend(recording)), cli("fmt", lend(SCENE))):
             told = "it cannot be written: it is lent to be read only; name the file itself"
             assert (done.code, told in done.err) == (2, True)
@@ -177,6 +180,7 @@ class TestLent:
     def test_one_whose_scene_is_gone_is_not_removed(
         self, cli: Callable, recording: str, lend: Callable, monkeypatch: pytest.MonkeyPatch
     ) -> None:
+        monkeypatch.delenv("CI", raising=False)  # there recordings are never removed
         os.remove("a.scene.json")
         removed: list[str] = []
         monkeypatch.setattr(Path, "unlink", lambda path, **_: removed.append(str(path)))

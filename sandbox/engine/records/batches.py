@@ -41,7 +41,7 @@ IMPACT = Table(
         Field("passed1", "N s", "of the load at point 1, what joints have passed on"),
         Field("passed2", "N s", "the same at point 2"),
         Field("passed_drag", "N s", "the same of the friction impulse"),
-        Field("opening1", "m/s", "speed at which point 1 opens by what has been passed on"),
+        Field("opening1", "m/s", "speed at which point 1 opens, or the contact slides, by what has been passed on"),
         Field("opening2", "m/s", "the same at point 2"),
     ),
 )
