@@ -32,14 +32,17 @@ def solve_jointed(
     first: int,
     agreed: float,
     reach: Reach,
-) -> None:
-    """Find the loads as `solve_group` does, to `agreed` (m/s), of contacts on what reaches further by joints."""
+) -> int:
+    """Find the loads as `solve_group` does, to `agreed` (m/s), of contacts on what reaches further by joints; returns
+    the rounds that took."""
     k = first
     while k != END:
         row = impacts.rows[k]
         row.load1 = row.load2 = row.drag = 0.0
         k = row.next
+    rounds = 0
     for _ in range(_ROUNDS):
+        rounds += 1
         push_loads(bodies, solver, contacts, impacts, first, 1.0, 1.0, reach)
         _note_openings(solver, contacts, impacts, first)
         solve_group(bodies, solver, contacts, impacts, first, True, agreed, _MOST_PASSES)
@@ -54,6 +57,7 @@ def solve_jointed(
             row.load2 = row.passed2 + share * (row.load2 - row.passed2)
             k = row.next
     push_loads(bodies, solver, contacts, impacts, first, 1.0, 1.0, reach)
+    return rounds
 
 
 @kernel

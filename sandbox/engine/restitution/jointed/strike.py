@@ -28,6 +28,9 @@ _AGREED = 1e-4
 """Share of the highest speed that is asked for to which all agree."""
 _MOST_CONTACTS = 32
 """Of a group: larger ones, as of a paddle that stirs thousands of balls, are left to what joints take of them."""
+_MOST_ROUNDS = 16
+"""Of all groups in a substep: of a crowd of jointed bodies that bounce some impacts are passed on exactly, the
+others are left to what joints take of them."""
 _TURNS = 8
 """In which the impacts of a group strike: further ones close by what the first have done."""
 
@@ -39,11 +42,12 @@ def strike_through_joints(
     """Pass the impacts of a substep of `seconds`, which have struck, on through the joints of factorised parts."""
     if not form_jointed_groups(bodies, impacts, solver.struck, work):
         return
+    left = _MOST_ROUNDS
     for k in range(impacts.length):
-        if starts_group(impacts, k, solver.struck):
+        if left > 0 and starts_group(impacts, k, solver.struck):
             head = list_parts(impacts, work, k)
             if _may_strike(bodies, impacts, k, work, head):
-                _strike(bodies, solver, contacts, impacts, k, Reach(work, head, abs(seconds)), seconds)
+                left -= _strike(bodies, solver, contacts, impacts, k, Reach(work, head, abs(seconds)), seconds)
             forget_parts(work, head)
 
 
@@ -64,8 +68,9 @@ def _strike(
     first: int,
     reach: Reach,
     seconds: float,
-) -> None:
-    """The same for the group that is linked from impact `first` on."""
+) -> int:
+    """The same for the group that is linked from impact `first` on; returns the rounds that took."""
+    rounds = 0
     begin_pushes(bodies, solver, impacts, first, reach)
     pass_on(solver, reach)
     if _taken(solver, contacts, impacts, first) <= _AGREED * fastest(solver, contacts, impacts, first):
@@ -79,12 +84,13 @@ def _strike(
             agreed = _AGREED * _ask(solver, contacts, impacts, first, seconds)
             if agreed <= 0.0:
                 break
-            solve_jointed(bodies, solver, contacts, impacts, first, agreed, reach)
+            rounds += solve_jointed(bodies, solver, contacts, impacts, first, agreed, reach)
             if impacts.rows[first].next == END and contacts[impacts.slots[first].contact].friction > 0.0:
                 strike_rough_jointed(bodies, solver, contacts, impacts, first, reach)
             else:
                 rebound(bodies, solver, contacts, impacts, first, 1.0, _AGREED, reach)
     end_pushes(bodies, solver, impacts, first, reach)
+    return rounds
 
 
 @kernel
