@@ -19,7 +19,6 @@ from sandbox.engine.restitution.solve_group import solve_group
 from sandbox.engine.restitution.worklist import END
 from sandbox.tables import Records
 
-_ROUNDS = 32
 _MOST_PASSES = 64
 
 
@@ -31,17 +30,18 @@ def solve_jointed(
     impacts: ImpactList,
     first: int,
     agreed: float,
+    most: int,
     reach: Reach,
 ) -> int:
-    """Find the loads as `solve_group` does, to `agreed` (m/s), of contacts on what reaches further by joints; returns
-    the rounds that took."""
+    """Find the loads as `solve_group` does, to `agreed` (m/s), of contacts on what reaches further by joints, in
+    `most` rounds; returns how many that took."""
     k = first
     while k != END:
         row = impacts.rows[k]
         row.load1 = row.load2 = row.drag = 0.0
         k = row.next
     rounds = 0
-    for _ in range(_ROUNDS):
+    for _ in range(most):
         rounds += 1
         push_loads(bodies, solver, contacts, impacts, first, 1.0, 1.0, reach)
         _note_openings(solver, contacts, impacts, first)

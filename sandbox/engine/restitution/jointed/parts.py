@@ -47,6 +47,17 @@ def list_parts(impacts: ImpactList, work: JointWork, first: int) -> int:
 
 
 @kernel
+def count_parts(work: JointWork, head: int) -> int:
+    """How many parts are listed from `head` on."""
+    count = 0
+    p = head
+    while p != LAST:
+        count += 1
+        p = work.parts[p - 1].next_struck
+    return count
+
+
+@kernel
 def are_driven(bodies: Records, work: JointWork, head: int) -> bool:
     """Whether something without mass that moves is joined to one of the listed parts."""
     p = head

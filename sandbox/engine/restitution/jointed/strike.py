@@ -16,7 +16,7 @@ from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.restitution.groups import fastest, form_jointed_groups, is_driven, size_of, starts_group, take_back
 from sandbox.engine.restitution.impact_list import ImpactList
 from sandbox.engine.restitution.jointed.loads import solve_jointed
-from sandbox.engine.restitution.jointed.parts import LAST, are_driven, forget_parts, list_parts
+from sandbox.engine.restitution.jointed.parts import LAST, are_driven, count_parts, forget_parts, list_parts
 from sandbox.engine.restitution.jointed.reach import Reach, begin_pushes, end_pushes, pass_on, take_over
 from sandbox.engine.restitution.jointed.single_contact import strike_rough_jointed
 from sandbox.engine.restitution.rebound import rebound
@@ -28,9 +28,11 @@ _AGREED = 1e-4
 """Share of the highest speed that is asked for to which all agree."""
 _MOST_CONTACTS = 32
 """Of a group: larger ones, as of a paddle that stirs thousands of balls, are left to what joints take of them."""
-_MOST_ROUNDS = 16
-"""Of all groups in a substep: of a crowd of jointed bodies that bounce some impacts are passed on exactly, the
-others are left to what joints take of them."""
+_MOST_ROUNDS = 32
+_LEAST_ROUNDS = 2
+_MOST_WORK = 96
+"""Rounds times parts of all groups in a substep: of a crowd of jointed bodies that bounce some impacts are passed on
+exactly, the others are left to what joints take of them."""
 _TURNS = 8
 """In which the impacts of a group strike: further ones close by what the first have done."""
 
@@ -42,12 +44,13 @@ def strike_through_joints(
     """Pass the impacts of a substep of `seconds`, which have struck, on through the joints of factorised parts."""
     if not form_jointed_groups(bodies, impacts, solver.struck, work):
         return
-    left = _MOST_ROUNDS
+    left = _MOST_WORK
     for k in range(impacts.length):
         if left > 0 and starts_group(impacts, k, solver.struck):
             head = list_parts(impacts, work, k)
             if _may_strike(bodies, impacts, k, work, head):
-                left -= _strike(bodies, solver, contacts, impacts, k, Reach(work, head, abs(seconds)), seconds)
+                reach = Reach(work, head, abs(seconds))
+                left -= _strike(bodies, solver, contacts, impacts, k, reach, seconds, left)
             forget_parts(work, head)
 
 
@@ -68,9 +71,14 @@ def _strike(
     first: int,
     reach: Reach,
     seconds: float,
+    most: int,
 ) -> int:
-    """The same for the group that is linked from impact `first` on; returns the rounds that took."""
-    rounds = 0
+    """The same for the group that is linked from impact `first` on, for so much work at `most`, rounds times parts;
+    returns how much that took."""
+    parts = count_parts(reach.work, reach.head)
+    work = parts
+    if most < (1 + _LEAST_ROUNDS) * parts:  # then they stay as they were
+        return most
     begin_pushes(bodies, solver, impacts, first, reach)
     pass_on(solver, reach)
     if _taken(solver, contacts, impacts, first) <= _AGREED * fastest(solver, contacts, impacts, first):
@@ -81,16 +89,20 @@ def _strike(
         pass_on(solver, reach)
         take_over(bodies, solver, impacts, first, reach)
         for _ in range(_TURNS):
+            rounds = (most - work) // parts
+            rounds = rounds if rounds < _MOST_ROUNDS else _MOST_ROUNDS
+            if rounds < _LEAST_ROUNDS:
+                break
             agreed = _AGREED * _ask(solver, contacts, impacts, first, seconds)
             if agreed <= 0.0:
                 break
-            rounds += solve_jointed(bodies, solver, contacts, impacts, first, agreed, reach)
+            work += parts * solve_jointed(bodies, solver, contacts, impacts, first, agreed, rounds, reach)
             if impacts.rows[first].next == END and contacts[impacts.slots[first].contact].friction > 0.0:
                 strike_rough_jointed(bodies, solver, contacts, impacts, first, reach)
             else:
                 rebound(bodies, solver, contacts, impacts, first, 1.0, _AGREED, reach)
     end_pushes(bodies, solver, impacts, first, reach)
-    return rounds
+    return work
 
 
 @kernel
