@@ -13,7 +13,7 @@ from sandbox.engine.contact_solver.closing_speed import opening_speed
 from sandbox.engine.contact_solver.law import anchors_of, pair_velocity, relative_velocity, start_velocity
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.bodies import SolverBodies
-from sandbox.engine.restitution.groups import fastest, form_jointed_groups, is_driven, size_of, starts_group, take_back
+from sandbox.engine.restitution.groups import form_jointed_groups, is_driven, size_of, starts_group, take_back
 from sandbox.engine.restitution.impact_list import ImpactList
 from sandbox.engine.restitution.jointed.loads import solve_jointed
 from sandbox.engine.restitution.jointed.parts import LAST, are_driven, count_parts, forget_parts, list_parts
@@ -33,8 +33,6 @@ _LEAST_ROUNDS = 2
 _MOST_WORK = 96
 """Rounds times parts of all groups in a substep: of a crowd of jointed bodies that bounce some impacts are passed on
 exactly, the others are left to what joints take of them."""
-_TURNS = 8
-"""In which the impacts of a group strike: further ones close by what the first have done."""
 
 
 @kernel
@@ -77,18 +75,19 @@ def _strike(
     returns how much that took."""
     parts = count_parts(reach.work, reach.head)
     work = parts
-    if most < (1 + _LEAST_ROUNDS) * parts:  # then they stay as they were
-        return most
+    contacts_struck = size_of(impacts, first)
+    if most < (1 + _LEAST_ROUNDS * contacts_struck) * parts:  # as when each closes by what the one before it has done
+        return 0
     begin_pushes(bodies, solver, impacts, first, reach)
     pass_on(solver, reach)
-    if _taken(solver, contacts, impacts, first) <= _AGREED * fastest(solver, contacts, impacts, first):
+    if _taken(solver, contacts, impacts, first) <= _AGREED * _fastest_opening(solver, contacts, impacts, first):
         take_over(bodies, solver, impacts, first, reach)
     else:
         take_back(bodies, solver, contacts, impacts, first)
         begin_pushes(bodies, solver, impacts, first, reach)
         pass_on(solver, reach)
         take_over(bodies, solver, impacts, first, reach)
-        for _ in range(_TURNS):
+        for _ in range(2 * contacts_struck):
             rounds = (most - work) // parts
             rounds = rounds if rounds < _MOST_ROUNDS else _MOST_ROUNDS
             if rounds < _LEAST_ROUNDS:
@@ -120,6 +119,21 @@ def _ask(solver: SolverBodies, contacts: Records, impacts: ImpactList, first: in
         highest = asked.first if asked.first > highest else highest
         highest = asked.second if asked.second > highest else highest
         k = row.next
+    return highest
+
+
+@kernel
+def _fastest_opening(solver: SolverBodies, contacts: Records, impacts: ImpactList, first: int) -> float:
+    """The highest speed (m/s) at which a point opens by what has struck."""
+    highest = 0.0
+    k = first
+    while k != END:
+        contact = contacts[impacts.slots[k].contact]
+        start = start_velocity(solver.free_motions, contact)
+        for point in range(1, contact.point_count + 1):
+            opening = opening_speed(start, contact, point)
+            highest = opening if opening > highest else highest
+        k = impacts.rows[k].next
     return highest
 
 
