@@ -30,6 +30,7 @@ _MOST_CONTACTS = 32
 """Of a group: larger ones, as of a paddle that stirs thousands of balls, are left to what joints take of them."""
 _MOST_ROUNDS = 32
 _LEAST_ROUNDS = 2
+"""For the loads of those that close at once: what a single contact takes, at least."""
 _MOST_WORK = 96
 """Rounds times parts of all groups in a substep: of a crowd of jointed bodies that bounce some impacts are passed on
 exactly, the others are left to what joints take of them."""
@@ -74,10 +75,10 @@ def _strike(
     """The same for the group that is linked from impact `first` on, for so much work at `most`, rounds times parts;
     returns how much that took."""
     parts = count_parts(reach.work, reach.head)
-    work = parts
-    contacts_struck = size_of(impacts, first)
-    if most < (1 + _LEAST_ROUNDS * contacts_struck) * parts:  # as when each closes by what the one before it has done
+    count = size_of(impacts, first)
+    if most < (1 + _LEAST_ROUNDS * count) * parts:  # as much as where each closes by what the one before it has done
         return 0
+    work = parts
     begin_pushes(bodies, solver, impacts, first, reach)
     pass_on(solver, reach)
     if _taken(solver, contacts, impacts, first) <= _AGREED * _fastest_opening(solver, contacts, impacts, first):
@@ -87,7 +88,7 @@ def _strike(
         begin_pushes(bodies, solver, impacts, first, reach)
         pass_on(solver, reach)
         take_over(bodies, solver, impacts, first, reach)
-        for _ in range(2 * contacts_struck):
+        for _ in range(2 * count):
             rounds = (most - work) // parts
             rounds = rounds if rounds < _MOST_ROUNDS else _MOST_ROUNDS
             if rounds < _LEAST_ROUNDS:
