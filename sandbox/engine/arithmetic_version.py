@@ -88,6 +88,7 @@ NOTES: dict[int, str] = {
     40: "joints pass impacts with restitution on at once, and what is struck rebounds all the same; springs are not as "
     "long as a blow in the first step asks for; jointed parts that something bears, or whose rigid joints would give "
     "them energy, keep to velocities, and are brought together by displacements",
+    41: "stops that hold in an impact on jointed bodies are found in a guess or two",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

@@ -45,6 +45,7 @@ def fill_batches(work: JointWork, bodies: Records, free_motions: Records, new: b
             v[batch.lanes + at.HALVES + k] = float(part.halves)
             v[batch.lanes + at.SEPARATED + k] = v[batch.lanes + at.CORRECTED + k] = 0.0
             v[batch.lanes + at.NEW + k] = 1.0 if new else 0.0
+            v[batch.lanes + at.STRUCK + k] = 0.0
             _load_bodies(work, bodies, part, batch, k)
         _load_joints(work, batch, n)
         _load_rows(work, batch, n)
@@ -87,6 +88,8 @@ def _open(d: Batches, n: int, layout_number: int, level: int) -> None:
     batch.between = 0
     batch.foreseen = 0
     batch.redundant = 0
+    batch.in_blow = 0
+    batch.next_struck = 0
     batch.bodies = d.found[2]
     batch.lanes = d.found[1]
     batch.seats = batch.lanes + at.LANE_SIZE

@@ -72,8 +72,7 @@ def aim_rows(d: Batches, batch: Records, seconds: float, purpose: int, who: Mask
             if row.bounded == 1:
                 _replace(v, row.place + at.LOW, law.low, where)
                 _replace(v, row.place + at.HIGH, law.high, where)
-                if purpose != BLOW:  # the pass that goes on asks which stop had a say before
-                    _replace(v, batch.rows + row.kept + at.STOP, law.stop, where)
+                _replace(v, batch.rows + row.kept + at.STOP, law.stop, where)
 
 
 @inlined_kernel

@@ -118,6 +118,10 @@ BATCH = Table(
         Field("between", "-", "1 while their velocities are those of the middle of a substep", "i8"),
         Field("redundant", "-", "1 when a row of the last factor says what others say, in some lane", "i8"),
         Field("foreseen", "-", "1 while its joints are measured where their present velocities lead", "i8"),
+        Field("in_blow", "-", "of `own`: 1 while its rows and sums are in the working place for impacts", "i8"),
+        Field(
+            "next_struck", "-", "1 + the next batch that the same impact reaches, -1 for the last; 0 if none does", "i8"
+        ),
     ),
 )
 
@@ -125,13 +129,14 @@ BATCH = Table(
 class Batches(NamedTuple):
     """The arrays of factorised parts.
 
-    Of layouts: `targets` are the entries from which the elimination of a row subtracts, in its order. `fixed` are the
-    bodies on the fixed sides, part after part. Of batches: `found` is how many there are, where memory and names of
-    bodies in use end, and where the memory of the first begins; `level` is the substep level under way, and whether the
-    substep is the last one; `open` the batch that takes the next part of each layout and level, staggered or not;
-    `parts` says which part lies in each lane, `bodies` who has each seat, in each lane. `memory` has a working place
-    for each worker first: poses, frames, rows, factor, sums of products; then the batches. `found` ends with the size
-    of a working place. Places in it count from where it begins; so do those in `own`, the batch that each worker is at.
+    Of layouts: `targets` are the entries from which the elimination of a row subtracts, in its order. `fixed` are
+    the bodies on the fixed sides, part after part. Of batches: `found` is how many there are, where memory and
+    names of bodies in use end, and where the memory of the first begins; `level` is the substep level under way,
+    whether the substep is the last one, and through how many parts its impacts were passed on; `open` the batch
+    that takes the next part of each layout and level, staggered or not; `parts` says which part lies in each lane,
+    `bodies` who has each seat, in each lane. `memory` has a working place for each worker first: poses, frames,
+    rows, factor, sums of products; then the batches. `found` ends with the size of a working place. Places in it
+    count from where it begins; so do those in `own`, the batch that each worker is at.
     """
 
     layouts: Records

@@ -10,7 +10,7 @@ from sandbox.engine.joints.direct.bodies import gather_bodies, look_ahead, scatt
 from sandbox.engine.joints.direct.frames import measure_frames
 from sandbox.engine.joints.direct.geometric_stiffness import add_geometric_stiffness, remove_geometric_stiffness
 from sandbox.engine.joints.direct.ldl import factorize, solve_directly
-from sandbox.engine.joints.direct.passes import BLOW, MOVE, RELAX, impulse_of
+from sandbox.engine.joints.direct.passes import MOVE, RELAX, impulse_of
 from sandbox.engine.joints.direct.pivoting import cap_pairs, choose_rows, clamp_rows, release_bounded
 from sandbox.engine.joints.direct.position_correction import CLOSE, find_corrections
 from sandbox.engine.joints.direct.preload import PRELOAD_TURNS, is_at_rest, take_as_preload
@@ -219,8 +219,7 @@ def solve_rows(d: Batches, batch: Records, seconds: float, purpose: int, who: Ma
         if turn == 0 or any_lane(changed):
             factorize(d, batch)
         solve_directly(d, batch, impulse, going)
-        if purpose != BLOW:
-            cap_pairs(d, batch, seconds, purpose, going)
+        cap_pairs(d, batch, seconds, purpose, going)
         if layout.bounded == 0:
             settled = settled | going
             break

@@ -8,60 +8,118 @@ on Visualization and Computer Graphics 12 (2006), do joint by joint.
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox._vectors import WIDTH, Mask, load, select, spread, store
+from sandbox._vectors import WIDTH, Mask, any_lane, load, select, spread, store
 from sandbox.engine.joints.direct import places as at
+from sandbox.engine.joints.direct.assemble import assemble
 from sandbox.engine.joints.direct.bodies import gather_bodies, scatter_bodies
+from sandbox.engine.joints.direct.ldl import factorize, solve_directly
 from sandbox.engine.joints.direct.passes import BLOW
+from sandbox.engine.joints.direct.pivoting import aim_rows, choose_rows, clamp_rows
 from sandbox.engine.joints.direct.records import Batches
-from sandbox.engine.joints.direct.solve import solve_rows, update_rows
+from sandbox.engine.joints.direct.rows import change_impulse
+from sandbox.engine.joints.direct.solve import update_rows
 from sandbox.engine.joints.direct.targets import acts_in_blow
-from sandbox.tables import Floats, Records
+from sandbox.engine.joints.laws import INFINITE
+from sandbox.tables import Records
+
+_TURNS = 16
+"""Most guesses at which stops hold."""
 
 
 @kernel
-def transmit(d: Batches, lane: int, motions: Records, free_motions: Records, seconds: float) -> None:
-    """Change the velocities in `motions` of the part in a lane so that they keep its joints. Stops hold what would pass
-    them within a substep of `seconds`. The impulses of the rows are left in `places.BLOW`."""
+def begin_blows(d: Batches) -> None:
+    """Begin with the impacts of a substep: no batch is in the working place for them."""
+    d.own[0].in_blow = 0
+    d.level[2] = 0
+
+
+@kernel
+def forget_stops(d: Batches, lane: int) -> None:
+    """No stop of the part in a lane holds yet."""
+    v = d.memory
     batch = d.batches[lane // WIDTH]
-    who = _only(d.memory, batch, lane % WIDTH)
+    layout = d.layouts[batch.layout]
+    for r in range(layout.first_row, layout.row_end):
+        v[batch.rows + d.equations[r].kept + at.BLOW + lane % WIDTH] = 0.0
+
+
+@kernel
+def set_struck(d: Batches, lane: int, struck: bool) -> None:
+    """Say whether something pushes the part in a lane."""
+    d.memory[d.batches[lane // WIDTH].lanes + at.STRUCK + lane % WIDTH] = 1.0 if struck else 0.0
+    d.level[2] += 1 if struck else 0
+
+
+@kernel
+def transmit(d: Batches, n: int, motions: Records, free_motions: Records, seconds: float) -> None:
+    """Change the velocities in `motions` of the parts of batch n that are struck so that they keep their joints.
+
+    Stops hold what would pass them within a substep of `seconds`; the first guess at which do is what held in the
+    impact before. The impulses of the rows are left in `places.BLOW`.
+    """
+    who = load(d.memory, d.batches[n].lanes + at.STRUCK) == 1.0
+    if not any_lane(who):
+        return
+    batch = d.own[0]
+    placed = batch.in_blow == 1 and batch.rows == d.batches[n].rows
+    if not placed:
+        d.own[0] = d.batches[n]
+        batch.in_blow = 1
     gather_bodies(d, batch, motions, free_motions, BLOW)
-    update_rows(d, batch)
-    _begin(d, batch, who)
-    solve_rows(d, batch, seconds, BLOW, who)
+    if not placed:
+        update_rows(d, batch)
+        assemble(d, batch)
+    going = who
+    changed = _begin(d, batch, who)
+    aim_rows(d, batch, seconds, BLOW, who)
+    if not placed or any_lane(changed):
+        factorize(d, batch)
+    for _ in range(_TURNS):
+        solve_directly(d, batch, at.BLOW, going)
+        going = going & choose_rows(d, batch, seconds, BLOW, going)
+        if not any_lane(going):
+            break
+        factorize(d, batch)
+    clamp_rows(d, batch, at.BLOW, who)
     scatter_bodies(d, batch, motions)
 
 
 @kernel
 def report_blow(d: Batches, lane: int) -> None:
-    """Add the impulses of the last impact to those of the step."""
+    """Add the impulses of the last impact to those of the step, if it struck."""
     v = d.memory
     batch = d.batches[lane // WIDTH]
     layout = d.layouts[batch.layout]
     k = lane % WIDTH
+    if v[batch.lanes + at.STRUCK + k] == 0.0:
+        return
     for r in range(layout.first_row, layout.row_end):
         kept = batch.rows + d.equations[r].kept + k
         v[kept + at.TOTAL] += v[kept + at.BLOW]
 
 
 @kernel
-def _only(v: Floats, batch: Records, k: int) -> Mask:
-    """The mask of one lane."""
-    for n in range(WIDTH):
-        v[batch.lanes + at.STRUCK + n] = 1.0 if n == k else 0.0
-    return load(v, batch.lanes + at.STRUCK) == 1.0
-
-
-@kernel
-def _begin(d: Batches, batch: Records, who: Mask) -> None:
-    """No impulses yet; of the rows that act, nobody has looked at which are part of the system."""
+def _begin(d: Batches, batch: Records, who: Mask) -> Mask:
+    """Begin with the rows that are rigid and the stops that held in the impact before, with what they gave; where that
+    is not what has been factorised."""
     v = d.memory
     layout = d.layouts[batch.layout]
+    changed = who & ~who
     for f in range(layout.first_frame, layout.frame_end):
         frame = d.layout_frames[f]
         for r in range(frame.first_row, frame.row_end):
             row = d.equations[r]
             kept = batch.rows + row.kept
             acts = who & acts_in_blow(v, batch, frame, row)
+            given = select(acts, load(v, kept + at.BLOW), 0.0)
             store(v, kept + at.BLOW, select(who, 0.0, load(v, kept + at.BLOW)))
             store(v, row.place + at.CAPPED, select(acts, 0.0, spread(1.0)))
-            store(v, row.place + at.ACTIVE, select(acts, spread(-1.0), 0.0))
+            if row.slot == 4:
+                acts = acts & (given != 0.0)
+                store(v, row.place + at.LOW, select(given < 0.0, spread(-INFINITE), 0.0))
+                store(v, row.place + at.HIGH, select(given > 0.0, spread(INFINITE), 0.0))
+                change_impulse(v, batch, row, given, at.BLOW, acts)
+            active = select(acts, spread(1.0), 0.0)
+            changed = changed | (active != load(v, row.place + at.ACTIVE))
+            store(v, row.place + at.ACTIVE, active)
+    return changed

@@ -13,12 +13,13 @@ from sandbox.engine.contact_solver.law import pair_velocity
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.restitution.impact_list import ImpactList
 from sandbox.engine.restitution.jointed.give import push_loads
-from sandbox.engine.restitution.jointed.reach import Reach, pass_on
+from sandbox.engine.restitution.jointed.reach import Reach, count_passes, pass_on, work_left
 from sandbox.engine.restitution.jointed.step_length import best_share, until
 from sandbox.engine.restitution.solve_group import solve_group
 from sandbox.engine.restitution.worklist import END
 from sandbox.tables import Records
 
+_MOST_ROUNDS = 32
 _MOST_PASSES = 64
 
 
@@ -30,23 +31,19 @@ def solve_jointed(
     impacts: ImpactList,
     first: int,
     agreed: float,
-    most: int,
     reach: Reach,
-) -> int:
-    """Find the loads as `solve_group` does, to `agreed` (m/s), of contacts on what reaches further by joints, in
-    `most` rounds; returns how many that took."""
+) -> None:
+    """Find the loads as `solve_group` does, to `agreed` (m/s), of contacts on what reaches further by joints."""
     k = first
     while k != END:
         row = impacts.rows[k]
         row.load1 = row.load2 = row.drag = 0.0
         k = row.next
-    rounds = 0
-    for _ in range(most):
-        rounds += 1
+    for _ in range(_MOST_ROUNDS):
         push_loads(bodies, solver, contacts, impacts, first, 1.0, 1.0, reach)
         _note_openings(solver, contacts, impacts, first)
-        solve_group(bodies, solver, contacts, impacts, first, True, agreed, _MOST_PASSES)
-        if _change(bodies, contacts, impacts, first) <= agreed:
+        count_passes(reach, solve_group(bodies, solver, contacts, impacts, first, True, agreed, _MOST_PASSES))
+        if _change(bodies, contacts, impacts, first) <= agreed or work_left(reach) <= 0:
             break
         pass_on(solver, reach)
         share = _share_of(solver, contacts, impacts, first)
@@ -57,7 +54,6 @@ def solve_jointed(
             row.load2 = row.passed2 + share * (row.load2 - row.passed2)
             k = row.next
     push_loads(bodies, solver, contacts, impacts, first, 1.0, 1.0, reach)
-    return rounds
 
 
 @kernel

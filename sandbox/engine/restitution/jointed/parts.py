@@ -1,9 +1,11 @@
-"""The factorised parts that a group of impacts reaches: linked, each once, by `next_struck`."""
+"""The factorised parts that a group of impacts reaches, and their batches: linked, each once, by `next_struck`."""
 
 from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
+from sandbox._vectors import WIDTH
 from sandbox.engine.bodies.flags import is_driving
+from sandbox.engine.joints.direct.transmit import forget_stops, set_struck
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.restitution.impact_list import ImpactList
 from sandbox.engine.restitution.worklist import END
@@ -11,7 +13,7 @@ from sandbox.tables import Records
 
 UNLISTED = 0
 LAST = -1
-"""`next_struck` of the last part, and the head of an empty list; of the others it is 1 + the next part."""
+"""`next_struck` of the last one, and the head of an empty list; of the others it is 1 + the next one."""
 NO_PART = -1
 
 
@@ -44,6 +46,34 @@ def list_parts(impacts: ImpactList, work: JointWork, first: int) -> int:
                 head = p + 1
         k = impacts.rows[k].next
     return head
+
+
+@kernel
+def list_batches(work: JointWork, head: int) -> int:
+    """List the batches of the parts listed from `head` on, which the next impacts reach; returns 1 + the first one."""
+    d = work.direct
+    listed = LAST
+    p = head
+    while p != LAST:
+        part = work.parts[p - 1]
+        forget_stops(d, part.lane)
+        batch = d.batches[part.lane // WIDTH]
+        if batch.next_struck == UNLISTED:
+            batch.next_struck = listed
+            listed = part.lane // WIDTH + 1
+        p = part.next_struck
+    return listed
+
+
+@kernel
+def forget_batches(work: JointWork, head: int) -> None:
+    """List no batch any longer, of those of the parts listed from `head` on."""
+    p = head
+    while p != LAST:
+        part = work.parts[p - 1]
+        set_struck(work.direct, part.lane, False)
+        work.direct.batches[part.lane // WIDTH].next_struck = UNLISTED
+        p = part.next_struck
 
 
 @kernel

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox.engine.joints.direct.transmit import report_blow, transmit
+from sandbox.engine.joints.direct.transmit import report_blow, set_struck, transmit
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.restitution.groups import ALONE
@@ -22,11 +22,20 @@ from sandbox.world.records import DYNAMIC
 _BEGIN, _MEASURE, _ADD, _FINISH = 0, 1, 2, 3
 
 
+_MOST_WORK = 256
+"""Through so many parts the impacts of a substep are passed on: of a crowd of jointed bodies that bounce some are
+passed on exactly, the others are left to what joints take of them."""
+_PASSES_OF_PART = 64
+"""Passes over contacts that take as long as a part."""
+
+
 class Reach(NamedTuple):
-    """The parts that a group reaches, listed from `head` on (`parts.py`), and the length of a substep (s)."""
+    """The parts that a group reaches, listed from `head` on (`parts.py`), their batches from `batch` on, and the length
+    of a substep (s)."""
 
     work: JointWork
     head: int
+    batch: int
     seconds: float
 
 
@@ -43,14 +52,64 @@ def energy_in_motions(bodies: Records, solver: SolverBodies, impacts: ImpactList
     return float(_for_all(bodies, solver, impacts, first, reach, _MEASURE))
 
 
+@inlined_kernel
+def work_left(reach: Reach) -> int:
+    """Through how many parts impacts of the substep may still be passed on; less than 0 after a long round."""
+    return int(_MOST_WORK - reach.work.direct.level[2])
+
+
+@inlined_kernel
+def count_passes(reach: Reach, passes: int) -> None:
+    """Count passes over contacts as work."""
+    reach.work.direct.level[2] += passes // _PASSES_OF_PART
+
+
 @kernel
 def pass_on(solver: SolverBodies, reach: Reach) -> None:
-    """Let joints pass on what was pushed, in `solver.motions`."""
+    """Let joints pass on what was pushed, in `solver.motions`. They keep the velocities at the start of the substep."""
     p = reach.head
     while p != LAST:
         part = reach.work.parts[p - 1]
-        transmit(reach.work.direct, part.lane, solver.motions, solver.free_motions, reach.seconds)
+        set_struck(reach.work.direct, part.lane, _is_pushed(solver, reach.work, part))
         p = part.next_struck
+    _transmit(solver, reach)
+
+
+@kernel
+def keep_joints(solver: SolverBodies, reach: Reach) -> None:
+    """Let joints pass on also what they do not keep at the start of the substep."""
+    p = reach.head
+    while p != LAST:
+        part = reach.work.parts[p - 1]
+        set_struck(reach.work.direct, part.lane, True)
+        p = part.next_struck
+    _transmit(solver, reach)
+
+
+@kernel
+def _is_pushed(solver: SolverBodies, work: JointWork, part: Records) -> bool:
+    """Whether a body of a part has another velocity than at the start of the substep."""
+    for m in range(part.first_member, part.member_end):
+        i = work.members[m].body
+        motion = solver.motions[i]
+        free = solver.free_motions[i]
+        if (
+            motion.velocity_x != free.start_x
+            or motion.velocity_y != free.start_y
+            or motion.angular_velocity != free.start_w
+        ):
+            return True
+    return False
+
+
+@kernel
+def _transmit(solver: SolverBodies, reach: Reach) -> None:
+    """Let the joints of the parts that are struck pass it on."""
+    d = reach.work.direct
+    n = reach.batch
+    while n != LAST:
+        transmit(d, n - 1, solver.motions, solver.free_motions, reach.seconds)
+        n = d.batches[n - 1].next_struck
 
 
 @kernel

@@ -11,13 +11,22 @@ from __future__ import annotations
 from sandbox._jit import kernel
 from sandbox.engine.contact_solver.closing_speed import opening_speed
 from sandbox.engine.contact_solver.law import anchors_of, pair_velocity, relative_velocity, start_velocity
+from sandbox.engine.joints.direct.transmit import begin_blows
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.restitution.groups import form_jointed_groups, is_driven, size_of, starts_group, take_back
 from sandbox.engine.restitution.impact_list import ImpactList
 from sandbox.engine.restitution.jointed.loads import solve_jointed
-from sandbox.engine.restitution.jointed.parts import LAST, are_driven, count_parts, forget_parts, list_parts
-from sandbox.engine.restitution.jointed.reach import Reach, begin_pushes, end_pushes, pass_on, take_over
+from sandbox.engine.restitution.jointed.parts import (
+    LAST,
+    are_driven,
+    count_parts,
+    forget_batches,
+    forget_parts,
+    list_batches,
+    list_parts,
+)
+from sandbox.engine.restitution.jointed.reach import Reach, begin_pushes, end_pushes, keep_joints, take_over, work_left
 from sandbox.engine.restitution.jointed.single_contact import strike_rough_jointed
 from sandbox.engine.restitution.rebound import rebound
 from sandbox.engine.restitution.rebound_speed import rebound_speed
@@ -28,12 +37,8 @@ _AGREED = 1e-4
 """Share of the highest speed that is asked for to which all agree."""
 _MOST_CONTACTS = 32
 """Of a group: larger ones, as of a paddle that stirs thousands of balls, are left to what joints take of them."""
-_MOST_ROUNDS = 32
-_LEAST_ROUNDS = 2
-"""For the loads of those that close at once: what a single contact takes, at least."""
-_MOST_WORK = 96
-"""Rounds times parts of all groups in a substep: of a crowd of jointed bodies that bounce some impacts are passed on
-exactly, the others are left to what joints take of them."""
+_LEAST_WORK = 8
+"""For a contact: it strikes two parts, and to find its load and to give it takes four rounds."""
 
 
 @kernel
@@ -43,13 +48,14 @@ def strike_through_joints(
     """Pass the impacts of a substep of `seconds`, which have struck, on through the joints of factorised parts."""
     if not form_jointed_groups(bodies, impacts, solver.struck, work):
         return
-    left = _MOST_WORK
+    begin_blows(work.direct)
     for k in range(impacts.length):
-        if left > 0 and starts_group(impacts, k, solver.struck):
+        if starts_group(impacts, k, solver.struck):
             head = list_parts(impacts, work, k)
             if _may_strike(bodies, impacts, k, work, head):
-                reach = Reach(work, head, abs(seconds))
-                left -= _strike(bodies, solver, contacts, impacts, k, reach, seconds, left)
+                reach = Reach(work, head, list_batches(work, head), abs(seconds))
+                _strike(bodies, solver, contacts, impacts, k, reach, seconds)
+                forget_batches(work, head)
             forget_parts(work, head)
 
 
@@ -70,39 +76,33 @@ def _strike(
     first: int,
     reach: Reach,
     seconds: float,
-    most: int,
-) -> int:
-    """The same for the group that is linked from impact `first` on, for so much work at `most`, rounds times parts;
-    returns how much that took."""
-    parts = count_parts(reach.work, reach.head)
+) -> None:
+    """The same for the group that is linked from impact `first` on, if there is work left for it."""
     count = size_of(impacts, first)
-    if most < (1 + _LEAST_ROUNDS * count) * parts:  # as much as where each closes by what the one before it has done
-        return 0
-    work = parts
+    least = 2 * count_parts(reach.work, reach.head) + _LEAST_WORK * count
+    if work_left(reach) < least:  # where each contact closes by what the one before it has done
+        return
     begin_pushes(bodies, solver, impacts, first, reach)
-    pass_on(solver, reach)
+    keep_joints(solver, reach)
     if _taken(solver, contacts, impacts, first) <= _AGREED * _fastest_opening(solver, contacts, impacts, first):
         take_over(bodies, solver, impacts, first, reach)
     else:
         take_back(bodies, solver, contacts, impacts, first)
         begin_pushes(bodies, solver, impacts, first, reach)
-        pass_on(solver, reach)
+        keep_joints(solver, reach)
         take_over(bodies, solver, impacts, first, reach)
         for _ in range(2 * count):
-            rounds = (most - work) // parts
-            rounds = rounds if rounds < _MOST_ROUNDS else _MOST_ROUNDS
-            if rounds < _LEAST_ROUNDS:
+            if work_left(reach) < _LEAST_WORK:
                 break
             agreed = _AGREED * _ask(solver, contacts, impacts, first, seconds)
             if agreed <= 0.0:
                 break
-            work += parts * solve_jointed(bodies, solver, contacts, impacts, first, agreed, rounds, reach)
+            solve_jointed(bodies, solver, contacts, impacts, first, agreed, reach)
             if impacts.rows[first].next == END and contacts[impacts.slots[first].contact].friction > 0.0:
                 strike_rough_jointed(bodies, solver, contacts, impacts, first, reach)
             else:
                 rebound(bodies, solver, contacts, impacts, first, 1.0, _AGREED, reach)
     end_pushes(bodies, solver, impacts, first, reach)
-    return work
 
 
 @kernel
