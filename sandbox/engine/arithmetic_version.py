@@ -88,7 +88,10 @@ NOTES: dict[int, str] = {
     40: "joints pass impacts with restitution on at once, and what is struck rebounds all the same; springs are not as "
     "long as a blow in the first step asks for; jointed parts that something bears, or whose rigid joints would give "
     "them energy, keep to velocities, and are brought together by displacements",
-    41: "stops that hold in an impact on jointed bodies are found in a guess or two",
+    41: "stops that hold in an impact on jointed bodies are found in a guess or two; loads take up what friction turns "
+    "in an impact with restitution, so that what lands flat and slides leaves flat; parts of one body and lines "
+    "that abut are one surface, sensors cover nothing; springs have one stiffness whichever way they pull; rolling "
+    "resistance agrees with loads and friction where contacts are solved until all agree",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

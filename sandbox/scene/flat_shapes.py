@@ -68,10 +68,10 @@ def _chain(shape: ChainShape, surface: dict[str, Any]) -> Iterator[FlatShape]:
     points = _placed(shape, shape.chain)
     ghosts = _placed(shape, shape.ghosts) if shape.ghosts else None
     rows = seams(points, shape.closed, shape.one_sided, ghosts)
-    for link, seam in zip(links(points, shape.closed), rows, strict=True):
+    for number, (link, seam) in enumerate(zip(links(points, shape.closed), rows, strict=True), 1):
         if shape.one_sided:
             surface["one_way"] = left_of(link)
-        yield FlatShape("segment", link, float(shape.radius), **surface, seam=tuple(seam))
+        yield FlatShape("segment", link, float(shape.radius), **surface, part=number, seam=tuple(seam))
 
 
 def _direction(shape: AnyShape, way: Vec) -> Vec:

@@ -81,7 +81,12 @@ SHAPE = Table(
         whole("mask", "bit set of what it collides with", _BITS),
         whole("group", "same positive group always collides, same negative group never, 0 no group", ANY_WHOLE),
         whole("sensor", "1: feels what overlaps it and pushes nothing", FLAG),
-        whole("part", "number of the part of a concave polygon, from 1; 0 for a shape of its own", COUNT, hashed=False),
+        whole(
+            "part",
+            "number of the part of a concave polygon or chain, from 1; 0 for a shape of its own",
+            COUNT,
+            hashed=False,
+        ),
         Field("one_way_x", "1", "unit direction in which bodies pass, in the body's frame; 0, 0 if none do"),
         Field("one_way_y", "1", "unit direction in which bodies pass, in the body's frame; 0, 0 if none do"),
         whole(

@@ -7,9 +7,8 @@ those before them came with.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from sandbox.tables import Integers, Records, extended, plain, without
+from sandbox.tables import Integers, extended, plain, without
 from sandbox.world.flush import find_tiles
 from sandbox.world.new_rows import NewRows
 from sandbox.world.records import SEAM, SEAMED, STATIC
@@ -32,15 +31,10 @@ def add_seams(state: State, bodies: Rows, shapes: Rows, seams: Rows) -> Integers
         return fresh
     single = fresh[shapes["part"][fresh] == 0]
     counts = shapes["vertex_count"][single]
-    known = plain(state.shapes)
-    alone = tiling.joined.copy() if len(tiling.joined) == 1 else tiling.joined[:0]
-    if len(single) and len(tiling.joined) + len(single) > 1:
-        counts = np.concatenate([known["vertex_count"][alone], counts])
-        starts = len(state.seams) + run_starts(counts)
-        state.seams = extended(state.seams, plain(SEAM.zeros(int(counts.sum()))))
-        known["seam_start"][alone], shapes["seam_start"][single] = starts[: len(alone)], starts[len(alone) :]
+    shapes["seam_start"][single] = len(state.seams) + run_starts(counts)
+    state.seams = extended(state.seams, plain(SEAM.zeros(int(counts.sum()))))
     tiling.add(first + fresh, first + single)
-    return np.concatenate([alone, first + fresh])
+    return first + fresh
 
 
 def _insert(state: State, tiling: Tiling, seams: Rows) -> None:
@@ -62,15 +56,12 @@ def remove_seams(state: State, rows: NewRows) -> Integers:
     going = tiling.going(rows)
     beside = neighbours(state, going)
     gone = rows.first + np.flatnonzero(~rows.left)
-    own = gone[own_seams(shapes[gone])]
-    single = going[shapes["part"][going] == 0] if len(tiling.joined) > 1 else going[:0]
+    own = _own_seams(tiling, shapes, gone)
+    single = going[shapes["part"][going] == 0]
     if len(own) or len(single):
         _take_out(state, own, single)
         tiling.own -= int(shapes["vertex_count"][own].sum())
-    before = tiling.joined[rows[tiling.joined] >= 0] if len(single) else tiling.joined
     tiling.remove(rows)
-    if len(single) and len(tiling.joined) < 2:
-        _disband(state, tiling, before, rows)
     again: Integers = rows[beside]
     return again[again >= 0]
 
@@ -89,18 +80,10 @@ def _take_out(state: State, own: Integers, single: Integers) -> None:
     shapes["seam_start"][moved] = (first + np.append(0, np.cumsum(kept)))[shapes["seam_start"][moved] - first]
 
 
-def _disband(state: State, tiling: Tiling, alone: Integers, rows: NewRows) -> None:
-    """One tile, or none, is joined to nothing."""
-    state.seams = without(state.seams, np.arange(len(state.seams)) < tiling.own)
-    shapes = plain(state.shapes)
-    left = rows[np.arange(len(rows))] >= 0
-    for row in alone.tolist():
-        before = shapes[:row][left[:row]]
-        shapes["traits"][row] &= ~SEAMED
-        shapes["seam_start"][row] = before["vertex_count"][own_seams(before)].sum()
-
-
-def own_seams(shapes: Records | Rows) -> NDArray[np.bool_]:
-    """Which shapes have rows that came with them: parts of concave polygons, and links of chains."""
-    seamed = (shapes["traits"] & SEAMED) != 0
-    return np.asarray(seamed & ((shapes["part"] > 0) | (shapes["vertex_count"] < 3)))
+def _own_seams(tiling: Tiling, shapes: Rows, rows: Integers) -> Integers:
+    """Those of some shapes that have rows that came with them: parts of concave polygons, links of chains, and what
+    abuts others in a body that moves."""
+    seamed = rows[(shapes["traits"][rows] & SEAMED) != 0]
+    first, end = (np.searchsorted(tiling.joined, seamed, side) for side in ("left", "right"))
+    own: Integers = seamed[first == end]
+    return own

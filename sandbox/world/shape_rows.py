@@ -16,6 +16,7 @@ from sandbox.scene.flat import FlatBody, FlatShape, Vec
 from sandbox.tables import Floats, Integers, Records, joined, plain
 from sandbox.world import records
 from sandbox.world.body_prototypes import build_prototypes
+from sandbox.world.flush import join_parts
 from sandbox.world.moments import Columns, Cores, core_moments, half_widths, sums
 from sandbox.world.runs import owners, run_starts, runs
 
@@ -102,13 +103,15 @@ def build_patterns(bodies: Sequence[FlatBody]) -> Patterns:
     cores = _cores(shapes)
     rows = _shape_rows(shapes, cores)
     rows.body = owner
-    mass, inertia, center_x, center_y = _masses(rows, cores, owner, [body.center for body in bodies])
     vertices = records.VERTEX.zeros(len(cores.x))
+    vertices.x, vertices.y, vertices.normal_x, vertices.normal_y = cores.x, cores.y, cores.normal_x, cores.normal_y
+    # Before centres of mass are known, on which nothing of it depends: other densities leave it as it is.
+    joined = join_parts(np.array([body.type != "static" for body in bodies], np.bool_), rows, vertices)
+    mass, inertia, center_x, center_y = _masses(rows, cores, owner, [body.center for body in bodies])
     of_vertex = np.repeat(owner, cores.counts)
     vertices.x, vertices.y = cores.x - center_x[of_vertex], cores.y - center_y[of_vertex]
-    vertices.normal_x, vertices.normal_y = cores.normal_x, cores.normal_y
     outlines = _outlines(rows, shapes, center_x[owner], center_y[owner])
-    seams, seam_counts = _seams(rows, shapes)
+    seams, seam_counts = _seams(rows, shapes, joined)
     prototypes = build_prototypes(bodies, (mass, inertia, center_x, center_y))
     prototypes["extent"] = _extents(rows, vertices, owner, len(bodies))
     return Patterns(
@@ -181,18 +184,24 @@ def _outlines(rows: Records, shapes: Sequence[FlatShape], center_x: Floats, cent
     return table
 
 
-def _seams(rows: Records, shapes: Sequence[FlatShape]) -> tuple[Records, Integers]:
-    """Rows of the seam table for parts of concave polygons and chains, and how many each shape has."""
+def _seams(rows: Records, shapes: Sequence[FlatShape], joined: Records) -> tuple[Records, Integers]:
+    """Rows of the seam table for parts of concave polygons and chains and for shapes that are `joined` in their body,
+    and how many each shape has."""
     seams: list[tuple[float, ...]] = []
     counts = np.zeros(len(shapes), np.int64)
+    abutting = np.flatnonzero(rows.traits & records.SEAMED)
+    starts = dict(zip(abutting.tolist(), rows.seam_start[abutting].tolist(), strict=True))
     for k, shape in enumerate(shapes):
-        if shape.part > 0:
+        if shape.outline:
             normals = _corner_normals(shape.outline)
             seams += [(*normals[v], *shown) for v, shown in zip(shape.vertices, shape.shown, strict=True)]
-        elif not shape.seam:
+        elif shape.seam:
+            seams += shape.seam
+        elif k in starts:
+            seams += joined[starts[k] : starts[k] + len(shape.vertices)].tolist()
+        else:
             continue
-        seams += shape.seam
-        counts[k] = (len(shape.vertices) if shape.part > 0 else 0) + len(shape.seam)
+        counts[k] = len(shape.vertices)
         rows.traits[k] |= records.SEAMED
     rows.seam_start = run_starts(counts)
     table = records.SEAM.zeros(len(seams))

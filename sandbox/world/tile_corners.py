@@ -35,11 +35,16 @@ def sides_at_corners(
     ends = last[np.searchsorted(corners, outlines.before[corners])] == 1.0
     begins = (first == 0.0) & (last > 0.0)
     arriving, leaving = np.where(ends, outlines.before[corners], _NONE), np.where(begins, corners, _NONE)
-    near = _Company.of(outlines, (corners, own, np.flatnonzero(~(ends & begins))), one, two)
+    beside_lines = np.isin(own, one[outlines.flat[two]])
+    asking = ~(ends & begins) | beside_lines
+    near = _Company.of(outlines, (corners, own, np.flatnonzero(asking)), one, two)
     buried = np.zeros(len(corners), np.bool_)
     buried[near.places[near.heights < -NEAR]] = True
     crowded = np.bincount(near.places, minlength=len(corners)) > _MOST_AROUND
-    _Search(outlines, corners, own, near.only(~(buried | crowded)[near.places])).go_on(arriving, leaving)
+    search = _Search(outlines, corners, own, near.only(~(buried | crowded)[near.places]))
+    if beside_lines.any():
+        search.branch_off(np.flatnonzero(ends & begins), arriving, leaving)
+    search.go_on(arriving, leaving)
     before = np.where(arriving == _NONE, leaving, arriving)
     after = np.where(leaving == _NONE, arriving, leaving)
     return np.where(buried, _NONE, before), np.where(buried, _NONE, after)
@@ -89,26 +94,51 @@ class _Search:
             places, tiles = places[lacking], tiles[lacking]
             to, off = self._through(places, tiles)
             for edges, ahead, sides in ((to, -1.0, arriving), (off, 1.0, leaving)):
-                asked = sides[places] == _NONE
+                asked = (sides[places] == _NONE) & (edges != _NONE)
                 free = self._is_free(places[asked], tiles[asked], edges[asked], ahead)
                 sides[places[asked][free]] = edges[asked][free]
 
+    def branch_off(self, whole: Integers, arriving: Corners, leaving: Corners) -> None:
+        """Where both edges of a corner show and a line without a radius begins there, which covers neither, it parts
+        what lies outside in two. Put that part in the place of both which juts out, or does least turn inwards."""
+        outlines, near = self.outlines, self.near
+        lines = near.only(outlines.flat[near.tiles] & (near.heights <= NEAR) & np.isin(near.places, whole))
+        places, first = np.unique(lines.places, return_index=True)
+        tiles = lines.tiles[first]
+        to, off = self._through(places, tiles)
+        parts = []
+        for edges, ahead, before, after in ((to, -1.0, to, leaving[places]), (off, 1.0, arriving[places], off)):
+            bend, ends = outlines.bend(before, after), np.flatnonzero(edges != _NONE)
+            free = np.zeros(len(places), np.bool_)
+            free[ends] = self._is_free(places[ends], tiles[ends], edges[ends], ahead)
+            parts.append(np.where(free, bend, -np.inf))
+        into, out = parts
+        first_part, second_part = (into >= out) & (into > -np.inf), out > into
+        arriving[places[first_part]], leaving[places[second_part]] = to[first_part], off[second_part]
+
     def _through(self, places: Integers, tiles: Tiles) -> tuple[Corners, Corners]:
-        """The edges of tiles that arrive at and leave corners on their outlines: the same one between two corners."""
+        """The edges of tiles that arrive at and leave corners on their outlines: the same one between two corners.
+
+        Where a line without a radius ends, those are its two sides; between its ends nobody can tell which one.
+        """
         outlines, corners = self.outlines, self.corners[places]
         x, y = outlines.x[corners], outlines.y[corners]
-        highest, best, at = np.full(len(tiles), -np.inf), outlines.starts[tiles], np.full(len(tiles), _NONE)
+        highest, best = np.full(len(tiles), -np.inf), outlines.starts[tiles]
+        to, off = np.full(len(tiles), _NONE), np.full(len(tiles), _NONE)
         for k in range(int(outlines.counts[tiles].max(initial=0))):
             rows = np.flatnonzero(outlines.counts[tiles] > k)
             edge = outlines.starts[tiles[rows]] + k
             across, up = outlines.x[edge] - x[rows], outlines.y[edge] - y[rows]
-            here = (np.sqrt(across * across + up * up) <= 2.0 * NEAR) & (at[rows] == _NONE)
-            at[rows[here]] = edge[here]
+            here = np.sqrt(across * across + up * up) <= 2.0 * NEAR
+            for found, side in ((to, outlines.before[edge]), (off, edge)):
+                fits = here & (found[rows] == _NONE) & (outlines.lengths[side] > 0.0)
+                found[rows[fits]] = side[fits]
             height = outlines.height(x[rows], y[rows], edge)
             higher = height > highest[rows]
             highest[rows[higher]], best[rows[higher]] = height[higher], edge[higher]
-        between = at == _NONE
-        return np.where(between, best, outlines.before[at]), np.where(between, best, at)
+        best = np.where(outlines.flat[tiles], _NONE, best)
+        between = (to == _NONE) & (off == _NONE)
+        return np.where(between, best, to), np.where(between, best, off)
 
     def _is_free(self, places: Integers, tiles: Tiles, edges: Corners, ahead: float) -> NDArray[np.bool_]:
         """Whether edges of tiles show just ahead of (1) or behind (-1) corners."""

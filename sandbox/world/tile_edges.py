@@ -23,9 +23,8 @@ def shown_edges(outlines: Outlines, one: Tiles, two: Tiles) -> tuple[Corners, Fl
     """
     edges = outlines.corners(np.unique(one))
     covered, begins, ends = _covers(outlines, one, two)
-    place, after = np.searchsorted(edges, covered), outlines.after[edges]
-    across, up = outlines.x[after] - outlines.x[edges], outlines.y[after] - outlines.y[edges]
-    near = 2.0 * NEAR / np.sqrt(across * across + up * up)
+    place = np.searchsorted(edges, covered)
+    near = 2.0 * NEAR / np.maximum(outlines.lengths[edges], 4.0 * NEAR)
     first = _grown(place, begins, ends, near)
     last = -_grown(place, -ends, -begins, near, -1.0)
     first = np.where(first <= near, 0.0, first)
@@ -37,7 +36,8 @@ def shown_edges(outlines: Outlines, one: Tiles, two: Tiles) -> tuple[Corners, Fl
 def _covers(outlines: Outlines, one: Tiles, two: Tiles) -> tuple[Corners, Floats, Floats]:
     """Edges that run within another tile, and from where to where, as shares of their lengths."""
     edges, tiles = outlines.corners(one), np.repeat(two, outlines.counts[one])
-    out_x, out_y = OUT * outlines.normal_x, OUT * outlines.normal_y
+    out = np.where(outlines.lengths > 0.0, OUT, 0.0)  # whichever way a line goes on from its end
+    out_x, out_y = out * outlines.normal_x, out * outlines.normal_y
     after = outlines.after
     start_x, start_y = outlines.x + out_x, outlines.y + out_y
     x, y = start_x.take(edges), start_y.take(edges)

@@ -1,4 +1,8 @@
-"""The outlines of static tiles in the world, one after the other, and how far points lie outside of them."""
+"""The outlines of tiles, one after the other, and how far points lie outside of them.
+
+A line, which has two vertices, has the outline of its straight sides: a box, of no height if it has no radius. What its
+round ends fill beyond that does not count.
+"""
 
 from __future__ import annotations
 
@@ -22,11 +26,13 @@ Tiles: TypeAlias = Integers
 class Outlines:
     """All corners of the tiles (m) and the unit normals of the edges that begin there, in world axes.
 
-    `shapes` are the rows of the tiles, `starts` and `counts` the corners of each; `before` and `after` are the corners
-    next to each on its tile.
+    `shapes` are the rows of the tiles, `wholes` the numbers of what they are parts of, `vertices` how many each core
+    has, `starts` and `counts` the corners of each; `before` and `after` are the corners next to each on its tile.
     """
 
     shapes: Integers
+    wholes: Integers
+    vertices: Integers
     starts: Integers
     counts: Integers
     x: Floats
@@ -37,16 +43,20 @@ class Outlines:
     after: Corners
 
     @classmethod
-    def of(cls, bodies: Records, shapes: Records, vertices: Records, tiles: Integers) -> Outlines:
-        """Those of the shapes in the rows `tiles`."""
-        counts = np.array(shapes.vertex_count[tiles])
-        rows = runs(shapes.vertex_start[tiles], counts)
+    def of(
+        cls, bodies: Records, shapes: Records, vertices: Records, tiles: Integers, wholes: Integers | None = None
+    ) -> Outlines:
+        """Those of the shapes in the rows `tiles`; all are parts of one whole unless `wholes` says otherwise."""
+        of_core = np.array(shapes.vertex_count[tiles])
+        counts = np.where(of_core == 2, 4, of_core)
+        x, y, normal_x, normal_y = _rings(shapes, vertices, tiles, counts)
         body = np.repeat(shapes.body[tiles], counts)
         cos, sin = bodies.rotation_cos[body], bodies.rotation_sin[body]
-        x, y, normal_x, normal_y = (vertices[name][rows] for name in ("x", "y", "normal_x", "normal_y"))
         # No matrix product: what that rounds differs from machine to machine.
         return cls(
             tiles,
+            np.zeros(len(tiles), np.int64) if wholes is None else wholes,
+            of_core,
             run_starts(counts),
             counts,
             bodies.center_x[body] + (cos * x - sin * y),
@@ -67,10 +77,34 @@ class Outlines:
         """All corners of some tiles, tile after tile."""
         return runs(self.starts[tiles], self.counts[tiles])
 
+    def normals(self, edges: Corners) -> tuple[Floats, Floats]:
+        """Normals of edges; zeros for -1."""
+        side = edges >= 0
+        return np.where(side, self.normal_x[edges], 0.0), np.where(side, self.normal_y[edges], 0.0)
+
+    def bend(self, before: Corners, after: Corners) -> Floats:
+        """Sine of the angle from the normal of one edge to that of another; positive where they make a corner that juts
+        out."""
+        (x, y), (other_x, other_y) = self.normals(before), self.normals(after)
+        return x * other_y - y * other_x
+
     @cached_property
     def _lines(self) -> Floats:
         """Corner and normal of each edge in one row, which is read at once."""
         return np.stack([self.x, self.y, self.normal_x, self.normal_y], axis=1)
+
+    @cached_property
+    def lengths(self) -> Floats:
+        """Length of each edge, m; 0 at the ends of lines without a radius."""
+        across, up = self.x[self.after] - self.x, self.y[self.after] - self.y
+        length: Floats = np.sqrt(across * across + up * up)
+        return length
+
+    @cached_property
+    def flat(self) -> NDArray[np.bool_]:
+        """Which tiles are lines without a radius."""
+        flat: NDArray[np.bool_] = (self.vertices == 2) & (self.lengths[self.starts + 1] == 0.0)
+        return flat
 
     def height(self, x: Floats, y: Floats, edges: Corners) -> Floats:
         """How far each point (m) is outside of the line of an edge."""
@@ -96,3 +130,23 @@ def kept(which: NDArray[np.bool_], *columns: Any) -> tuple[Any, ...]:
     """The chosen rows of some columns; `take` is several times as fast here as an index of flags."""
     rows = np.flatnonzero(which)
     return columns if len(rows) == len(which) else tuple(column.take(rows) for column in columns)
+
+
+def _rings(shapes: Records, vertices: Records, tiles: Integers, counts: Integers) -> tuple[Floats, ...]:
+    """Corners (m) and normals of tiles with so many of them each, in the frames of their bodies.
+
+    A line begins where its edge to the right does; the edges 1 and 3 run across its ends.
+    """
+    if not (shapes.vertex_count[tiles] == 2).any():
+        rows = runs(shapes.vertex_start[tiles], counts)
+        return tuple(vertices[name][rows] for name in ("x", "y", "normal_x", "normal_y"))
+    number = runs(np.zeros(len(tiles), np.int64), counts)
+    of_line = np.repeat(shapes.vertex_count[tiles] == 2, counts)
+    first = np.repeat(shapes.vertex_start[tiles], counts)
+    rows = first + np.where(of_line, (number + 1) // 2 % 2, number)
+    faces = first + np.where(of_line, number // 2, number)
+    radius = np.where(of_line, np.repeat(shapes.radius[tiles], counts), 0.0)
+    across = of_line & (number % 2 == 1)
+    out_x, out_y = vertices.normal_x[faces], vertices.normal_y[faces]
+    x, y = vertices.x[rows] + radius * out_x, vertices.y[rows] + radius * out_y
+    return x, y, np.where(across, -out_y, out_x), np.where(across, out_x, out_y)

@@ -1,8 +1,8 @@
 """Which tiles lie side by side: pairs whose boxes meet, and that no line aslant parts.
 
-Tiles of alike size form a level, whose plane is cut into strips as high as its tiles are at most; along a strip they
-are sorted. A tile asks each level for what lies near it, so the cost grows with the tiles and the pairs, whatever the
-sizes.
+Tiles of alike size form a level, whose plane is cut into strips as high as its tiles are at most, those of each whole
+by themselves; along a strip they are sorted. A tile asks each level for what lies near it, so the cost grows with the
+tiles and the pairs, whatever the sizes.
 """
 
 from __future__ import annotations
@@ -36,6 +36,7 @@ class _Boxes:
     high: Floats
     aslant: list[tuple[Floats, Floats]]
     """From where to where tiles reach along each of `_ASLANT`."""
+    wholes: Integers
 
     @classmethod
     def of(cls, outlines: Outlines) -> _Boxes:
@@ -44,7 +45,7 @@ class _Boxes:
         right, high = (np.maximum.reduceat(each, starts) + _NEAR for each in (outlines.x, outlines.y))
         ways = (x * outlines.x + y * outlines.y for x, y in _ASLANT)
         reaches = [(np.minimum.reduceat(way, starts), np.maximum.reduceat(way, starts) + _APART) for way in ways]
-        return cls(left, low, right, high, reaches)
+        return cls(left, low, right, high, reaches, outlines.wholes)
 
 
 class _Level:
@@ -53,21 +54,29 @@ class _Level:
     def __init__(self, boxes: _Boxes, tiles: Tiles, width: float, height: float) -> None:
         self._width, self._height = width, height
         left, strip = boxes.left[tiles], np.floor(boxes.low[tiles] / height)
+        self._lowest, self._highest = strip.min() - 1.0, strip.max() + 1.0
         self._lefts = np.sort(left)
-        self._strips, number = np.unique(strip, return_inverse=True)
+        self._strips, number = np.unique(self._numbered(boxes, tiles, strip), return_inverse=True)
         keys = number * (len(tiles) + 1) + np.searchsorted(self._lefts, left)
         order = np.argsort(keys, kind="stable")
         self._keys, self.tiles = keys[order], tiles[order]
 
     def near(self, boxes: _Boxes, asking: Tiles) -> tuple[Integers, Integers, Integers]:
         """Runs of the level's tiles in which those lie that `asking` may meet: whose run, where it begins and ends."""
-        bottom = np.searchsorted(self._strips, np.floor((boxes.low[asking] - self._height) / self._height))
-        top = np.searchsorted(self._strips, np.floor(boxes.high[asking] / self._height), side="right")
+        lowest, highest = (boxes.low[asking] - self._height) / self._height, boxes.high[asking] / self._height
+        bottom = np.searchsorted(self._strips, self._numbered(boxes, asking, np.floor(lowest)))
+        top = np.searchsorted(self._strips, self._numbered(boxes, asking, np.floor(highest)), side="right")
         whose, line = owners(top - bottom), runs(bottom, top - bottom) * (len(self.tiles) + 1)
         first = np.searchsorted(self._lefts, boxes.left[asking] - self._width)
         last = np.searchsorted(self._lefts, boxes.right[asking], side="right")
         starts, ends = (np.searchsorted(self._keys, line + rank[whose]) for rank in (first, last))
         return whose, starts, ends
+
+    def _numbered(self, boxes: _Boxes, tiles: Tiles, strip: Floats) -> Floats:
+        """Strips of the wholes of some tiles, each with numbers of its own."""
+        each = self._highest - self._lowest + 1.0
+        number: Floats = boxes.wholes[tiles] * each + (np.clip(strip, self._lowest, self._highest) - self._lowest)
+        return number
 
 
 def meeting_tiles(outlines: Outlines, asking: Tiles) -> Iterator[tuple[Tiles, Tiles]]:

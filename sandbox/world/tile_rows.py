@@ -57,9 +57,8 @@ def _sides(outlines: Outlines) -> Iterator[tuple[str, Floats]]:
 
 @dataclass
 class Tiling:
-    """The tiles of a state, `rows` of the shape table, ascending; `joined` are those that have rows in the seam table
-    once there are two of them: all but parts of concave polygons. They come after the `own` rows that shapes came
-    with."""
+    """The tiles of a state, `rows` of the shape table, ascending; `joined` are those that got rows in the seam table as
+    tiles: all but parts of concave polygons and chains. They come after the `own` rows that shapes came with."""
 
     rows: Integers
     joined: Integers

@@ -24,8 +24,7 @@ def tiling_of(state: State) -> Tiling:
         shapes = plain(state.shapes)
         rows = find_tiles(plain(state.bodies), shapes)
         joined = rows[shapes["part"][rows] == 0]
-        behind = int(shapes["vertex_count"][joined].sum()) if len(joined) > 1 else 0
-        state.tiling = Tiling(rows, joined, len(state.seams) - behind)
+        state.tiling = Tiling(rows, joined, len(state.seams) - int(shapes["vertex_count"][joined].sum()))
     return state.tiling
 
 
@@ -42,7 +41,7 @@ def neighbours(state: State, tiles: Integers) -> Integers:
 
 def rejoin(state: State, tiles: Integers) -> None:
     """Find out anew how some tiles with rows in the seam table abut others."""
-    if len(tiles) == 0 or len(tiling_of(state).joined) < 2:
+    if len(tiles) == 0:
         return
     shapes = plain(state.shapes)
     shapes["traits"][tiles] &= ~SEAMED

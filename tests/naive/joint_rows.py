@@ -119,11 +119,14 @@ def _coupled(q: Array, joint: Any) -> Any:
 
 def is_levered(q: Array, joint: Any, slot: int) -> bool:
     """Whether a row pushes both bodies at one point: its gap turns with a. What is torn off is drawn along the world's
-    axes: that are gaps of half the longer arm and more, but for motors and brakes, which have them by design."""
+    axes: that are gaps of half the longer arm and more, but for motors, brakes and springs, which have them by
+    design."""
     kind = int(joint.kind)
     if slot > SECOND or kind not in (kinds.REVOLUTE, kinds.WELD, kinds.TARGET, kinds.MOTOR, kinds.FRICTION):
         return False
-    return kind in (kinds.MOTOR, kinds.FRICTION) or bool(np.hypot(*gap(q, joint)) < 0.5 * max(arms(joint)))
+    if kind in (kinds.MOTOR, kinds.FRICTION) or (kind in (kinds.WELD, kinds.TARGET) and joint.hertz > 0.0):
+        return True
+    return bool(np.hypot(*gap(q, joint)) < 0.5 * max(arms(joint)))
 
 
 def jacobian(q: Array, joints: Any, rows: list[tuple[int, int]]) -> Array:

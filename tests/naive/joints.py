@@ -115,7 +115,7 @@ def before_the_move(part: Jointed, velocity: Array, span: Span) -> tuple[Array, 
             bend = bent if is_levered(part.pose, joint, slot) else 0.0
             beyond = part.before[r] - span.acting * preload(joint, slot)
             kept = left_over(joint, slot, now[r], span.yields * float(ease[r]) * beyond, seconds)
-            laws.append(_law_before(joint, slot, Ahead(now[r], bent, bend, kept, float(ease[r])), span))
+            laws.append(_law_before(joint, slot, Ahead(now[r], bent, bend, kept, float(ease[r]), swung(part, r)), span))
         last, found = found, impulses(matrix, rows @ velocity, laws)
         assert found is not None, "no choice of pieces fits"
         tried = velocity + push @ found
@@ -172,6 +172,16 @@ def spring(joint: Any, slot: int) -> tuple[float, float] | None:
     return (float(hertz), float(ratio)) if hertz > 0.0 else None
 
 
+def swung(part: Jointed, r: int) -> float:
+    """1 / the mass, of an angle 1 / the inertia, that a spring swings with its frequency: as if it pulled its bodies at
+    their centres of mass. None of the twin's turns out of the way of its spring so easily that a substep could not
+    follow, where springs are softer."""
+    j, slot = part.rows[r]
+    joint = part.joints[j]
+    about = 2 if slot == ANGLE or (slot == SPRING and joint.kind == kinds.REVOLUTE) else 0
+    return sum(float(part.inverse[3 * k + about]) for k in (int(joint.body_a), int(joint.body_b)) if k >= 0)
+
+
 def preload(joint: Any, slot: int) -> float:
     """What a row that keeps something bears without giving way (N or N m)."""
     return float(joint[f"preload_{slot}"]) if slot <= ANGLE else 0.0
@@ -192,13 +202,15 @@ def left_over(joint: Any, slot: int, error: float, push: float, seconds: float) 
 @dataclass(frozen=True)
 class Ahead:
     """What a row is before the move: its error `now` (m or rad), how much faster that grows than the speed along the
-    row says at the pose looked at, how much of this springs are told, what it may have left, and 1 / mass."""
+    row says at the pose looked at, how much of this springs are told, what it may have left, 1 / mass, and that of what
+    its spring swings with its frequency."""
 
     now: float
     bent: float
     bend: float
     kept: float
     ease: float
+    swung: float
 
 
 def _law_before(joint: Any, slot: int, row: Ahead, span: Span) -> Law:
@@ -215,7 +227,7 @@ def _law_before(joint: Any, slot: int, row: Ahead, span: Span) -> Law:
     soft = spring(joint, slot)
     if soft is not None:
         place = row.now - (_rest(joint) if slot == SPRING else 0.0) + 0.5 * seconds * row.bend
-        return _midpoint(*soft, place, 1.0 / row.ease, 0.5 * seconds, most)
+        return _midpoint(*soft, place, 1.0 / row.swung, 0.5 * seconds, most)
     softness = span.yields * row.ease
     borne = softness * acting * preload(joint, slot)
     return striving((row.kept - row.now) / seconds - row.bent + borne, softness, most)

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import pytest
 
+from sandbox.scene.flat import FlatSettings
 from tests.flat import body, box, capsule, circle, ground, world
 
 G = 9.81
@@ -130,6 +131,74 @@ def test_rolling_resistance_slows_a_disc(arm):
     )
     w.step(60)
     assert w.body("ball").velocity[0] == pytest.approx(3.0 - G * arm * 0.5 / (1.5 * 0.25), rel=2e-3)
+
+
+@pytest.mark.parametrize("rate", [60, 240])
+@pytest.mark.parametrize("substeps", [1, 4])
+def test_rolling_resistance_slows_a_disc_from_the_first_step_on(rate, substeps):
+    ball = circle(0.5, friction=1.0, rolling_resistance=0.05)
+    w = world(
+        ground(friction=1.0),
+        body("ball", ball, position=(0.0, 0.5), velocity=(2.0, 0.0), angular_velocity=-4.0),
+        settings=FlatSettings(sleeping=False, step_rate=rate, substeps=substeps),
+    )
+    w.step()
+    assert (2.0 - w.body("ball").velocity[0]) * rate == pytest.approx(G * 0.05 * 0.5 / (1.5 * 0.25), rel=1e-4)
+
+
+@pytest.mark.parametrize("mass", [1.0, 10.0])
+def test_a_disc_that_rolls_on_a_loose_board_takes_it_along_from_the_first_step_on(mass):
+    """Friction f slows the disc by f / m and speeds the smooth board by f / M; it grips: a = g b / (r + k (1 + m / M)),
+    with k = I / (m r) = r / 2."""
+    w = world(
+        ground(friction=0.0),
+        body("board", box(40.0, 0.2, friction=1.0), position=(0.0, 0.1), mass=mass),
+        body(
+            "ball",
+            circle(0.5, friction=1.0, rolling_resistance=0.05),
+            position=(-5.0, 0.7),
+            mass=1.0,
+            velocity=(2.0, 0.0),
+            angular_velocity=-4.0,
+        ),
+    )
+    w.step()
+    slowed = G * 0.05 / (0.5 + 0.25 * (1.0 + 1.0 / mass)) / 60.0
+    assert 2.0 - w.body("ball").velocity[0] == pytest.approx(slowed, rel=1e-3)
+    assert w.body("board").velocity[0] == pytest.approx(slowed / mass, rel=1e-3)
+
+
+@pytest.mark.parametrize("speed", [1.0, 6.0])
+@pytest.mark.parametrize("arm", [0.05, 0.2])
+def test_a_rolling_disc_that_lands_is_slowed_by_the_blow_and_grips(arm, speed):
+    """The blow m v resists the roll by arm m v, and friction shares that with the way: v arm r / (r^2 + r^2 / 2)."""
+    w = rolling_in(arm, speed, ground(friction=2.0, rolling_resistance=arm))
+    w.step(30)
+    ball = w.body("ball")
+    assert 8.0 - ball.velocity[0] == pytest.approx(speed * arm * 0.5 / (1.5 * 0.25), rel=1e-6)
+    assert ball.velocity[0] + 0.5 * ball.angular_velocity == pytest.approx(0.0, abs=1e-6)
+    assert ball.velocity[1] == pytest.approx(0.0, abs=1e-6)
+
+
+def test_a_disc_that_lands_on_a_loose_board_rolls_on_and_takes_it_along():
+    """Both stop closing in, the disc by J = v m M / (m + M), and grip by F: as above with the momentum that is left."""
+    board = body("board", box(40.0, 1.0, friction=2.0), position=(0.0, -0.5), mass=3.0, fixed_rotation=True)
+    w = rolling_in(0.05, 6.0, board)
+    w.step(30)
+    blow = 6.0 * 3.0 / 4.0
+    inertia = 0.5 * 0.25
+    grip = blow * 0.05 * 0.5 / inertia / (1.0 + 1.0 / 3.0 + 0.25 / inertia)
+    ball, board = w.body("ball"), w.body("board")
+    assert ball.velocity == pytest.approx((8.0 - grip, -6.0 + blow), abs=5e-3)
+    assert board.velocity == pytest.approx((grip / 3.0, -blow / 3.0), abs=5e-3)
+    assert ball.angular_velocity == pytest.approx(-16.0 + (blow * 0.05 - grip * 0.5) / inertia, abs=5e-3)
+
+
+def rolling_in(arm: float, speed: float, below):
+    """A disc that rolls at 8 m/s comes down, without gravity, on what is below the origin."""
+    ball = circle(0.5, friction=2.0, rolling_resistance=arm)
+    way = {"position": (0.0, 0.6), "velocity": (8.0, -speed), "angular_velocity": -16.0, "mass": 1.0}
+    return world(below, body("ball", ball, **way), gravity=(0.0, 0.0))
 
 
 def test_rolling_resistance_brings_a_disc_to_rest_and_holds_it_on_a_gentle_slope():

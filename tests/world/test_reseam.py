@@ -27,7 +27,14 @@ PREFABS: dict[str, Any] = {
     "rock": {"type": "static", "shapes": [{"polygon": DENT}]},
     "dent": {"shapes": [{"polygon": DENT}]},
     "rail": {"type": "static", "shapes": [{"chain": [[-2, 0], [0, -0.2], [2, 0]]}]},
+    "wire": {"type": "static", "shapes": [{"segment": [[0, 0], [2, 0]]}]},
+    "bar": {"type": "static", "shapes": [{"capsule": [[0, 0], [1, 0]], "radius": 0.5}]},
     "crate": {"shapes": [{"box": [1, 1]}]},
+    "cross": {"shapes": [{"box": [2, 0.5]}, {"box": [0.5, 2]}]},
+    "deck": {
+        "type": "kinematic",
+        "shapes": [{"box": [1, 1]}, {"box": [1, 1], "at": [1, 0]}, {"segment": [[1.5, 0.5], [3, 0.5]]}],
+    },
 }
 entries = st.tuples(st.sampled_from(["tile", "tile", "tile", *sorted(PREFABS)]), st.integers(-5, 5), st.integers(-2, 2))
 changes = st.lists(

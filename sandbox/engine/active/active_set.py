@@ -9,6 +9,7 @@ from typing import Any
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.bodies.flags import IMMOVABLE, disturbs, is_active
+from sandbox.engine.contact_solver.closing_speed import stops_by_several
 from sandbox.engine.records.active_set import ACTIVE_SET, ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contacts import Contacts
@@ -185,8 +186,9 @@ def list_active_contacts(bodies: Records, contacts: Contacts, count: int) -> Non
 
 @inlined_kernel
 def list_contact(contact: Records, row: int, contacts: Contacts) -> None:
-    """List one contact that the solver will look at; it may have an impact if it has restitution or two points."""
-    may_impact = contact.restitution > 0.0 or contact.point_count == 2
+    """List one contact that the solver will look at; it may have an impact if it has restitution or stops by
+    several impulses."""
+    may_impact = contact.restitution > 0.0 or stops_by_several(contact.point_count, contact.rolling_resistance)
     list_row(row, contact.body_a, contact.body_b, may_impact, contacts)
 
 

@@ -68,11 +68,12 @@ ROLLING_RESISTANCE = 32 * LANES
 ROLLING_MASS = 33 * LANES
 ROLLING_IMPULSE = 34 * LANES
 
-# What is kept while contacts are solved together: normal impulses of points 1 and 2, and the tangent impulse.
+# What is kept while contacts are solved together: normal impulses of points 1 and 2, the tangent impulse, and, where a
+# contact of the block resists rolling, the rolling impulse.
 RESTING_IMPULSES = 35 * LANES
 """Those that the contact solver had accumulated."""
-LAST_IMPULSES = 38 * LANES
+LAST_IMPULSES = 39 * LANES
 """Those after the pass before."""
 
-BLOCK_SIZE = 42 * LANES
+BLOCK_SIZE = 44 * LANES
 """Whole cache lines."""

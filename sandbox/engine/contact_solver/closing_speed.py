@@ -16,7 +16,7 @@ from sandbox.engine.records.bodies import SolverBodies
 from sandbox.tables import Floats, Records
 
 HARD = 2.0
-"""Speed (m/s) past which a contact of two points that closes in has an impact, whatever its restitution."""
+"""Speed (m/s) past which a contact that stops by several impulses has an impact, whatever its restitution."""
 SLOW = 0.2
 """The same where all such impacts concern few bodies; below it, what closes in is left to the contact solver."""
 
@@ -34,15 +34,21 @@ def closing_speed(a: Records, b: Records, contact: Records, point: int) -> float
     return -opening_speed(pair_velocity(a, b), contact, point)
 
 
-@kernel
-def both_meet(a: Records, b: Records, contact: Records, speed: float) -> bool:
-    """Whether two points of a contact of bodies a and b meet, one of them faster than `speed` as the step begins.
+@inlined_kernel
+def stops_by_several(point_count: int, rolling_resistance: float) -> bool:
+    """Whether a contact stops by impulses that have to agree: of two points, or of one and of the roll that it resists.
 
-    A single point the solver stops exactly.
+    A single point alone the solver stops exactly.
     """
-    if contact.point_count < 2:
-        return False
-    return bool(closing_speed(a, b, contact, 1) > speed or closing_speed(a, b, contact, 2) > speed)
+    return bool(point_count == 2 or rolling_resistance > 0.0)
+
+
+@kernel
+def fastest_closing(a: Records, b: Records, contact: Records) -> float:
+    """Speed (m/s) at which the faster point of a contact of bodies a and b closes in as the step begins."""
+    first = closing_speed(a, b, contact, 1)
+    second = closing_speed(a, b, contact, 2) if contact.point_count == 2 else first
+    return first if first > second else second
 
 
 @inlined_kernel

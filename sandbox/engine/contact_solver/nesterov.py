@@ -15,10 +15,11 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox._vectors import Mask, absolute, any_lane, load, store
+from sandbox._vectors import Mask, Vector, absolute, any_lane, load, root, select, store
 from sandbox.engine.bodies.flags import is_driving
 from sandbox.engine.bodies.integrate import SOLVED
 from sandbox.engine.contact_solver import blocks as cb
+from sandbox.engine.contact_solver.lanes import load_anchors, load_masses
 from sandbox.engine.contact_solver.solve import solve_again, solve_contacts
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contact_blocks import ContactBlocks, SoftContact
@@ -31,7 +32,7 @@ LEAST_WORK = 2_000
 """Before so many passes times contacts only rounding ends it: few contacts cost little, and where masses differ,
 much may be left to be found though each pass changes little."""
 FAR = 1e30
-"""Change of speed (m/s) before the first window."""
+"""Change of speed (m/s) before the first window, and of impulse where none changes a speed."""
 ROUNDING = 1e-12
 """Change of speed (m/s) where nothing is left but rounding."""
 WINDOW = 32
@@ -46,8 +47,9 @@ TAKES_PART = 1 << 40
 
 class Effort(NamedTuple):
     """When to stop: after so many passes, after so many passes times contacts, or after a pass that has changed no
-    contact's speed along the normal by more than `agreed` (m/s). A heavy body may hardly notice a pass that presses a
-    light one between it and the ground; what the two of them close in by, both contacts of the light one notice."""
+    contact's speed along the normal, nor by what resists a roll, by more than `agreed` (m/s). A heavy body may hardly
+    notice a pass that presses a light one between it and the ground; what the two of them close in by, both contacts of
+    the light one notice."""
 
     most_passes: int
     most_work: int
@@ -148,6 +150,8 @@ def _begin(motions: Records, moved: Records, blocks: ContactBlocks, block_count:
         store(v, cb.LAST_IMPULSES, load(v, cb.POINT_1 + cb.NORMAL_IMPULSE))
         store(v, cb.LAST_IMPULSES + LANES, load(v, cb.POINT_2 + cb.NORMAL_IMPULSE))
         store(v, cb.LAST_IMPULSES + 2 * LANES, load(v, cb.TANGENT_IMPULSE))
+        if blocks.blocks[n].rolling == 1:
+            store(v, cb.LAST_IMPULSES + 3 * LANES, load(v, cb.ROLLING_IMPULSE))
     for here in moved:
         motion = motions[here.body]
         here.last_x = motion.velocity_x
@@ -169,12 +173,21 @@ def _energy(bodies: Records, motions: Records, moved: Records) -> float:
 
 @kernel
 def _changes(blocks: ContactBlocks, block_count: int, agreed: float) -> bool:
-    """Whether the last pass has changed the speed of a contact along its normal by more than `agreed` (m/s)."""
+    """Whether the last pass has changed the speed of a contact by more than `agreed` (m/s).
+
+    Friction agrees when loads do; it follows a roll that is resisted while loads stay as they are.
+    """
     for n in range(block_count):
         v = blocks.lanes[n * BLOCK_SIZE : (n + 1) * BLOCK_SIZE]
-        first = _changes_more(v, cb.POINT_1, cb.LAST_IMPULSES, agreed)
-        if any_lane(first | _changes_more(v, cb.POINT_2, cb.LAST_IMPULSES + LANES, agreed)):
+        first = _changes_more(v, cb.POINT_1 + cb.NORMAL_IMPULSE, 0, agreed * load(v, cb.POINT_1 + cb.NORMAL_MASS))
+        second = _changes_more(v, cb.POINT_2 + cb.NORMAL_IMPULSE, 1, agreed * load(v, cb.POINT_2 + cb.NORMAL_MASS))
+        if any_lane(first | second):
             return True
+        if blocks.blocks[n].rolling == 1:
+            rubs = _changes_more(v, cb.TANGENT_IMPULSE, 2, agreed * load(v, cb.TANGENT_MASS))
+            rolls = _changes_more(v, cb.ROLLING_IMPULSE, 3, agreed * _inertia_of_roll(v))
+            if any_lane((load(v, cb.ROLLING_RESISTANCE) > 0.0) & (rubs | rolls)):
+                return True
     return False
 
 
@@ -207,9 +220,19 @@ def _largest_change(blocks: ContactBlocks, block_count: int) -> float:
 
 
 @inlined_kernel
-def _changes_more(v: Floats, point: int, last: int, agreed: float) -> Mask:
-    change = absolute(load(v, point + cb.NORMAL_IMPULSE) - load(v, last))
-    return change > agreed * load(v, point + cb.NORMAL_MASS)
+def _changes_more(v: Floats, field: int, kept: int, change: Vector) -> Mask:
+    """Whether the last pass has changed the impulses of a field by more than that."""
+    return absolute(load(v, field) - load(v, cb.LAST_IMPULSES + kept * LANES)) > change
+
+
+@inlined_kernel
+def _inertia_of_roll(v: Floats) -> Vector:
+    """The rolling impulses (N m s) that change the speed of the surfaces where two bodies touch by 1 m/s."""
+    mass = load_masses(v)
+    r = load_anchors(v, cb.POINT_1)
+    speed = mass.inertia_a * root(r.ax * r.ax + r.ay * r.ay) + mass.inertia_b * root(r.bx * r.bx + r.by * r.by)
+    turns = speed > 0.0
+    return select(turns, 1.0 / select(turns, speed, 1.0), FAR)
 
 
 @kernel
@@ -217,13 +240,16 @@ def _go_further(blocks: ContactBlocks, block_count: int, further: float) -> None
     """Go on by a share of what the impulses have changed since the pass before; until the next one they may pull."""
     for n in range(block_count):
         v = blocks.lanes[n * BLOCK_SIZE : (n + 1) * BLOCK_SIZE]
-        _go_further_with(v, cb.POINT_1 + cb.NORMAL_IMPULSE, cb.LAST_IMPULSES, further)
-        _go_further_with(v, cb.POINT_2 + cb.NORMAL_IMPULSE, cb.LAST_IMPULSES + LANES, further)
-        _go_further_with(v, cb.TANGENT_IMPULSE, cb.LAST_IMPULSES + 2 * LANES, further)
+        _go_further_with(v, cb.POINT_1 + cb.NORMAL_IMPULSE, 0, further)
+        _go_further_with(v, cb.POINT_2 + cb.NORMAL_IMPULSE, 1, further)
+        _go_further_with(v, cb.TANGENT_IMPULSE, 2, further)
+        if blocks.blocks[n].rolling == 1:
+            _go_further_with(v, cb.ROLLING_IMPULSE, 3, further)
 
 
 @inlined_kernel
-def _go_further_with(v: Floats, field: int, last: int, further: float) -> None:
+def _go_further_with(v: Floats, field: int, kept: int, further: float) -> None:
+    last = cb.LAST_IMPULSES + kept * LANES
     now = load(v, field)
     store(v, field, now + further * (now - load(v, last)))
     store(v, last, now)

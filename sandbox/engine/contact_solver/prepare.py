@@ -8,7 +8,7 @@ from sandbox._jit import inlined_kernel, kernel
 from sandbox._prefetch import AHEAD, prefetch_row
 from sandbox._vectors import Mask, Vector, any_lane, select, spread, store
 from sandbox.engine.contact_solver import blocks as cb
-from sandbox.engine.contact_solver.closing_speed import both_meet
+from sandbox.engine.contact_solver.closing_speed import fastest_closing, stops_by_several
 from sandbox.engine.contact_solver.contact_rows import (
     ANCHOR_AY_2,
     ANCHORS_1,
@@ -318,7 +318,10 @@ def _clear(v: Floats) -> None:
 @inlined_kernel
 def _may_impact(a: Records, b: Records, contact: Records, speed: float, struck: bool) -> bool:
     """Whether a contact of bodies a and b may have an impact, if one of them is `struck` also without restitution."""
-    return bool(contact.restitution > 0.0 or (struck and both_meet(a, b, contact, speed)))
+    if contact.restitution > 0.0 or not struck:
+        return bool(contact.restitution > 0.0)
+    several = stops_by_several(contact.point_count, contact.rolling_resistance)
+    return bool(several and fastest_closing(a, b, contact) > speed)
 
 
 @inlined_kernel

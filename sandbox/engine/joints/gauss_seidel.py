@@ -116,7 +116,7 @@ def _solve_row(work: JointWork, motions: Records, row: Records, seconds: float, 
     speed = row_speed(work.members, motions, row)
     if row.steady == 0:
         joint = work.joints[work.constraints[row.constraint].joint]
-        target_softly(row, joint, speed, seconds, push, give)
+        target_softly(work.members, row, joint, speed, seconds, push, give)
     after = row.impulse - (speed + row.bias + row.softness * row.impulse) / (row.stiffness + row.softness)
     after = after if after < row.high else row.high
     after = after if after > row.low else row.low

@@ -27,6 +27,12 @@ def load_hinge(v: Floats, k: int, joint: Records) -> None:
 def warm_hinges(v: Floats, of: BlockBodies, spins: Mask) -> PairVelocity:
     """The velocities after the impulses of the substep before, which are forgotten where something `spins`; before that
     they are added to those of the step."""
+    return warm_point(v, of, pushed_at(gap_of(v, of.pose)), spins)
+
+
+@inlined_kernel
+def warm_point(v: Floats, of: BlockBodies, r: Anchors, spins: Mask) -> PairVelocity:
+    """The same for points that are pushed at `r`."""
     x = load(v, nl.IMPULSE_X)
     y = load(v, nl.IMPULSE_Y)
     store(v, nl.TOTAL_X, load(v, nl.TOTAL_X) + x)
@@ -35,14 +41,19 @@ def warm_hinges(v: Floats, of: BlockBodies, spins: Mask) -> PairVelocity:
     y = select(spins, 0.0, y)
     store(v, nl.IMPULSE_X, x)
     store(v, nl.IMPULSE_Y, y)
-    return apply_impulse(of.gathered.velocity, block_masses(v), pushed_at(gap_of(v, of.pose)), x, y)
+    return apply_impulse(of.gathered.velocity, block_masses(v), r, x, y)
 
 
 @inlined_kernel
 def pushed_at(gap: Gap) -> Anchors:
     """Both are pushed at b's anchor, unless that is further off than half of the longer arm; see `jacobian`."""
-    close = is_close(gap.ax, gap.ay, gap.bx, gap.by, gap.x, gap.y)
-    return Anchors(gap.ax + select(close, gap.x, 0.0), gap.ay + select(close, gap.y, 0.0), gap.bx, gap.by)
+    return pushed_together(gap, is_close(gap.ax, gap.ay, gap.bx, gap.by, gap.x, gap.y))
+
+
+@inlined_kernel
+def pushed_together(gap: Gap, where: Mask) -> Anchors:
+    """Both are pushed at b's anchor there, elsewhere each at its own."""
+    return Anchors(gap.ax + select(where, gap.x, 0.0), gap.ay + select(where, gap.y, 0.0), gap.bx, gap.by)
 
 
 class PointMatrix(NamedTuple):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from sandbox._jit import kernel
 from sandbox.engine.joints.laws import along, is_close, own_stiffness
 from sandbox.engine.joints.records import JointWork
-from sandbox.engine.joints.targets import is_steady, target_softly
+from sandbox.engine.joints.targets import is_steady, row_hertz, target_softly
 from sandbox.tables import Records
 from sandbox.world.joint_records import (
     DISTANCE,
@@ -27,10 +27,11 @@ def fill_rows(work: JointWork, constraint: Records, joint: Records, seconds: flo
         row = work.rows[r]
         _fill(work, row, constraint, joint)
         row.stiffness = _stiffness(work.members, row)
+        row.easiest = _easiest(work.members, row, constraint)
         row.error = row_error(row, constraint)
         row.steady = 1 if is_steady(row, joint) else 0
         if row.steady == 1:
-            target_softly(row, joint, 0.0, seconds, push, give)
+            target_softly(work.members, row, joint, 0.0, seconds, push, give)
 
 
 @kernel
@@ -44,7 +45,6 @@ def row_error(row: Records, constraint: Records) -> float:
 @kernel
 def _fill(work: JointWork, row: Records, constraint: Records, joint: Records) -> None:
     kind = joint.kind
-    row.levered = 0
     if kind == GEAR:
         _fill_gear(work, row, constraint, joint.ratio)
     elif kind == PULLEY:
@@ -60,8 +60,7 @@ def _fill(work: JointWork, row: Records, constraint: Records, joint: Records) ->
             _about(row)
     elif row.slot == 2 or (kind == REVOLUTE and row.slot >= 3):
         _about(row)
-    elif kind in (MOTOR, FRICTION) or _are_close(constraint):
-        row.levered = 1
+    elif kind in (MOTOR, FRICTION) or row_hertz(row, joint) > 0.0 or _are_close(constraint):
         _along(row, constraint, 1.0 if row.slot == 0 else 0.0, 0.0 if row.slot == 0 else 1.0)
     elif row.slot == 0:
         _set(row, -1.0, 0.0, constraint.arm_ay, 1.0, 0.0, -constraint.arm_by)
@@ -156,6 +155,20 @@ def _stiffness(members: Records, row: Records) -> float:
                 if (k > 2 or m > 2) and side_member(row, k) == side_member(row, m):
                     found = found + side_product(members, row, k, row, m)
     return float(found)
+
+
+@kernel
+def _easiest(members: Records, row: Records, constraint: Records) -> float:
+    """J M^-1 J^T, of a point that is kept along x and y the most it can be along any axis."""
+    if row.slot > 1 or row.sides == 4:
+        return float(row.stiffness)
+    a = members[row.member_1]
+    b = members[row.member_2]
+    ax = constraint.arm_ax + constraint.gap_x
+    ay = constraint.arm_ay + constraint.gap_y
+    turn_a = a.inverse_inertia * (ax * ax + ay * ay)
+    turn_b = b.inverse_inertia * (constraint.arm_bx * constraint.arm_bx + constraint.arm_by * constraint.arm_by)
+    return float(a.inverse_mass + b.inverse_mass + turn_a + turn_b)
 
 
 @kernel

@@ -16,6 +16,8 @@ IMPACT_COMPLIANCE = 1e-8
 """The same in an impact, which happens once: 1e-4 would take as much of its energy."""
 CORRECTION_SPEED = 4.0
 """Fastest recovery of what a joint keeps, after something else has pulled it apart, in m/s or rad/s."""
+FOLLOWED = 0.25
+"""Oscillations in the time for which a spring acts that can be followed where bodies turn out of its way."""
 _SHORT = 1e-9
 
 Pair = tuple[Number, Number]
@@ -77,16 +79,31 @@ def own_stiffness(mass_a: Number, inertia_a: Number, mass_b: Number, inertia_b: 
 
 
 @inlined_kernel
+def spring_mobility(straight: Number, stiffness: Number, hertz: Number, acting: Number) -> Number:
+    """What a spring along a line swings with its frequency, 1/kg: `straight`, 1 / the reduced mass of its bodies.
+
+    How far bodies turn out of its way depends on where it pulls: `stiffness`, J M^-1 J^T or its greatest for a point.
+    Were that what it swings, it would be as stiff as its direction says, would pull beside the gap between two points,
+    and would give back other energies than it has taken. But it swings faster for their turning, and where the time
+    `acting` (s) could not follow that any more, it is softer.
+    """
+    share = hertz * acting / FOLLOWED
+    share = select(share < 1.0, share, 1.0)
+    followed = share * share * stiffness
+    return select(followed > straight, followed, straight)
+
+
+@inlined_kernel
 def spring_law(
-    rest: Number, hertz: Number, ratio: Number, stiffness: Number, acting: Number, ahead: Number = 1.0
+    rest: Number, hertz: Number, ratio: Number, mobility: Number, acting: Number, ahead: Number = 1.0
 ) -> Pair:
     """(bias, softness) of a spring that is so far from rest, and whose force is that of where it will be after the time
-    `acting` (s), or after a share `ahead` of it."""
+    `acting` (s), or after a share `ahead` of it. `hertz` is what it swings a mobility (1/kg or 1/(kg m^2)) with."""
     omega = 2.0 * PI * hertz
     lag = 2.0 * ratio + ahead * (acting * omega)
     bias = select(lag > 0.0, omega * rest / select(lag > 0.0, lag, 1.0), 0.0)
     divisor = acting * omega * lag
-    softness = select(divisor > 0.0, stiffness / select(divisor > 0.0, divisor, 1.0), INFINITE)
+    softness = select(divisor > 0.0, mobility / select(divisor > 0.0, divisor, 1.0), INFINITE)
     return bias, softness
 
 

@@ -53,11 +53,13 @@ class Gap(NamedTuple):
 
 
 class Spring(NamedTuple):
-    """Where a row is a spring, its frequency (1/s) and damping ratio."""
+    """Where a row is a spring, its frequency (1/s), its damping ratio, and what it swings with them, 1/kg or
+    1/(kg m^2)."""
 
     sprung: Mask
     hertz: Vector
     ratio: Vector
+    mobility: Vector
 
 
 class Row(NamedTuple):
@@ -92,7 +94,7 @@ def row_change(row: Row, spring: Spring, soft: SoftJoint) -> Vector:
     give = soft.give * share * row.stiffness
     acts = row.stiffness > 0.0
     if soft.push > 0.0:
-        soft_bias, softer = spring_law(row.error, spring.hertz, spring.ratio, row.stiffness, soft.seconds)
+        soft_bias, softer = spring_law(row.error, spring.hertz, spring.ratio, spring.mobility, soft.seconds)
         bias = select(spring.sprung, soft_bias, bias)
         give = select(spring.sprung, softer, give)
     else:

@@ -64,12 +64,12 @@ ROW = Table(
         Field("constraint", "-", "the joint it belongs to", "i8"),
         Field("slot", "-", "0 to 2: what the kind keeps; 3: its spring; 4: its limit and motor", "i8"),
         Field("error", "m or rad", "when the substep began"),
-        Field("levered", "-", "1 when it pushes both bodies at the second one's anchor", "i8"),
         Field("total", "N s", "over the step so far"),
         Field("stop", "-", "1 while the lower limit has a say, -1 for the upper one", "i8"),
         Field(
             "stiffness", "1/kg", "J M^-1 J^T: speed that a unit impulse gives; 0 while it has no say, or is in a lane"
         ),
+        Field("easiest", "1/kg", "that of a point along the axis where it is greatest"),
         Field("steady", "-", "1 when what it strives for does not depend on speeds", "i8"),
         Field("bias", "m/s or rad/s", "the row strives for speed + bias + softness * impulse = 0"),
         Field("softness", "1/kg", "compliance over one impulse"),

@@ -6,7 +6,7 @@ from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import Mask, load, select, store
 from sandbox.engine.contact_solver.law import Anchors, PairVelocity, apply_impulse
 from sandbox.engine.joints import net_lanes as nl
-from sandbox.engine.joints.laws import along, length_and_direction, own_stiffness
+from sandbox.engine.joints.laws import along, length_and_direction, own_stiffness, spring_mobility
 from sandbox.engine.joints.net_blocks import BlockBodies, Gap, Row, SoftJoint, Spring, block_masses, gap_of, row_change
 from sandbox.tables import Floats, Records
 
@@ -60,7 +60,9 @@ def swept_rods(v: Floats, of: BlockBodies, soft: SoftJoint) -> PairVelocity:
     hertz = load(v, nl.HERTZ)
     impulse = load(v, nl.IMPULSE)
     row = Row(length - load(v, nl.LENGTH), stiffness, speed, impulse)
-    change = row_change(row, Spring(hertz >= 0.0, hertz, load(v, nl.DAMPING_RATIO)), soft)
+    mobility = spring_mobility(masses.mass_a + masses.mass_b, stiffness, hertz, soft.seconds)
+    spring = Spring(hertz >= 0.0, hertz, load(v, nl.DAMPING_RATIO), mobility)
+    change = row_change(row, spring, soft)
     store(v, nl.IMPULSE, impulse + change)
     return apply_impulse(u, masses, _pushed_at(gap), change * x, change * y)
 

@@ -6,7 +6,7 @@ A row's impulse p makes `speed + bias + softness * p` zero, unless p would leave
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox.engine.joints.laws import CORRECTION_SPEED, INFINITE, drive, spring_law
+from sandbox.engine.joints.laws import CORRECTION_SPEED, INFINITE, drive, spring_law, spring_mobility
 from sandbox.tables import Records
 from sandbox.world.joint_records import FRICTION, MOTOR, PRISMATIC, REVOLUTE, TARGET, WELD, WHEEL
 
@@ -14,13 +14,13 @@ from sandbox.world.joint_records import FRICTION, MOTOR, PRISMATIC, REVOLUTE, TA
 @kernel
 def is_steady(row: Records, joint: Records) -> bool:
     """Whether all sweeps of a substep find the same law for a row: it depends neither on speeds nor on impulses."""
-    if row.slot == 4 or joint.kind == MOTOR or joint.kind == TARGET or joint.kind == FRICTION:
-        return False
-    return bool(row.levered == 0 or row_hertz(row, joint) == 0.0)
+    return not (row.slot == 4 or joint.kind == MOTOR or joint.kind == TARGET or joint.kind == FRICTION)
 
 
 @kernel
-def target_softly(row: Records, joint: Records, speed: float, seconds: float, push: float, give: float) -> None:
+def target_softly(
+    members: Records, row: Records, joint: Records, speed: float, seconds: float, push: float, give: float
+) -> None:
     """The law of a row of a part whose joints are soft; errors are those of now.
 
     `push` (1/s) turns an error into the speed that takes it back, `give` is the softness of rigid rows as a share of
@@ -42,11 +42,13 @@ def target_softly(row: Records, joint: Records, speed: float, seconds: float, pu
         row.bias = 0.0
     elif sprung:
         rest = row.error - _rest(joint) if row.slot == 3 else row.error
-        if row.slot < 2 and row.levered == 1:  # a gap turns with a, of which the speed along a row knows nothing
-            rest = rest + seconds * ((row.error + seconds * speed - row.error) / seconds - speed)
         hertz = joint.hertz if row.slot == 3 else row_hertz(row, joint)
         ratio = joint.angular_damping_ratio if row.slot == 2 else joint.damping_ratio
-        row.bias, row.softness = spring_law(rest, hertz, ratio, row.stiffness, seconds)
+        mobility = row.stiffness
+        if row.slot != 2 and not (row.slot == 3 and joint.kind == REVOLUTE):
+            straight = members[row.member_1].inverse_mass + members[row.member_2].inverse_mass
+            mobility = spring_mobility(straight, row.easiest, hertz, seconds)
+        row.bias, row.softness = spring_law(rest, hertz, ratio, mobility, seconds)
         _bound(row, seconds * strength(row, joint))
     elif is_brake(row, joint):
         row.bias = -joint.motor_speed if joint.kind == WHEEL else 0.0

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import Mask, Vector, load, select, store
-from sandbox.engine.contact_solver.law import PairMass, PairVelocity
+from sandbox.engine.contact_solver.law import Anchors, PairMass, PairVelocity
 from sandbox.engine.joints import net_lanes as nl
 from sandbox.engine.joints.hinges import (
     PointLaw,
@@ -12,13 +12,13 @@ from sandbox.engine.joints.hinges import (
     point_change,
     point_matrix,
     push_point,
-    pushed_at,
+    pushed_together,
     report_hinge,
     rigid_law,
-    warm_hinges,
+    warm_point,
 )
-from sandbox.engine.joints.laws import spring_law
-from sandbox.engine.joints.net_blocks import BlockBodies, Row, SoftJoint, Spring, block_masses, gap_of, row_change
+from sandbox.engine.joints.laws import is_close, spring_law, spring_mobility
+from sandbox.engine.joints.net_blocks import BlockBodies, Gap, Row, SoftJoint, Spring, block_masses, gap_of, row_change
 from sandbox.tables import Floats, Records
 
 
@@ -43,7 +43,14 @@ def warm_welds(v: Floats, of: BlockBodies, spins: Mask) -> PairVelocity:
     store(v, nl.TOTAL_W, load(v, nl.TOTAL_W) + impulse)
     impulse = select(spins, 0.0, impulse)
     store(v, nl.IMPULSE_W, impulse)
-    return _turned_by(warm_hinges(v, of, spins), block_masses(v), impulse)
+    return _turned_by(warm_point(v, of, _pushed_at(v, gap_of(v, of.pose)), spins), block_masses(v), impulse)
+
+
+@inlined_kernel
+def _pushed_at(v: Floats, gap: Gap) -> Anchors:
+    """As hinges are; but both ends of a spring always at one point."""
+    sprung = load(v, nl.WELD_HERTZ) > 0.0
+    return pushed_together(gap, sprung | is_close(gap.ax, gap.ay, gap.bx, gap.by, gap.x, gap.y))
 
 
 @inlined_kernel
@@ -59,7 +66,7 @@ def swept_welds(v: Floats, of: BlockBodies, soft: SoftJoint) -> PairVelocity:
     Springs have had their say once nothing is pushed any more.
     """
     gap = gap_of(v, of.pose)
-    r = pushed_at(gap)
+    r = _pushed_at(v, gap)
     masses = block_masses(v)
     matrix = point_matrix(masses, r)
     law = rigid_law(gap, matrix, soft)
@@ -67,13 +74,15 @@ def swept_welds(v: Floats, of: BlockBodies, soft: SoftJoint) -> PairVelocity:
     sprung = hertz > 0.0
     if soft.push > 0.0:
         ratio = load(v, nl.WELD_DAMPING_RATIO)
-        bias_x, give_x = spring_law(gap.x, hertz, ratio, matrix.xx, soft.seconds)
-        bias_y, give_y = spring_law(gap.y, hertz, ratio, matrix.yy, soft.seconds)
+        straight = masses.mass_a + masses.mass_b
+        mobility = spring_mobility(straight, matrix.xx + matrix.yy - straight, hertz, soft.seconds)
+        bias_x, give = spring_law(gap.x, hertz, ratio, mobility, soft.seconds)
+        bias_y, give = spring_law(gap.y, hertz, ratio, mobility, soft.seconds)
         law = PointLaw(
             select(sprung, bias_x, law.bias_x),
             select(sprung, bias_y, law.bias_y),
-            select(sprung, give_x, law.give_x),
-            select(sprung, give_y, law.give_y),
+            select(sprung, give, law.give_x),
+            select(sprung, give, law.give_y),
         )
     x, y = point_change(v, of.gathered.velocity, r, matrix, law)
     if soft.push == 0.0:
@@ -82,8 +91,9 @@ def swept_welds(v: Floats, of: BlockBodies, soft: SoftJoint) -> PairVelocity:
     u = push_point(v, of.gathered.velocity, masses, r, x, y)
     hertz = load(v, nl.ANGULAR_HERTZ)
     impulse = load(v, nl.IMPULSE_W)
-    row = Row(load(v, nl.TURN) + of.turn, masses.inertia_a + masses.inertia_b, u.bw - u.aw, impulse)
-    change = row_change(row, Spring(hertz > 0.0, hertz, load(v, nl.ANGULAR_DAMPING_RATIO)), soft)
+    mobility = masses.inertia_a + masses.inertia_b
+    row = Row(load(v, nl.TURN) + of.turn, mobility, u.bw - u.aw, impulse)
+    change = row_change(row, Spring(hertz > 0.0, hertz, load(v, nl.ANGULAR_DAMPING_RATIO), mobility), soft)
     store(v, nl.IMPULSE_W, impulse + change)
     return _turned_by(u, masses, change)
 

@@ -10,7 +10,7 @@ from sandbox._prefetch import prefetch_head
 from sandbox.engine.broad_phase.margins import DEEPLY, allowed_depth
 from sandbox.engine.broad_phase.pairs import comes_before
 from sandbox.engine.broad_phase.proxies import FIXED, SLANTING
-from sandbox.engine.contact_solver.closing_speed import SLOW
+from sandbox.engine.contact_solver.closing_speed import SLOW, stops_by_several
 from sandbox.engine.contact_solver.law import Anchors, pair_velocity, relative_velocity
 from sandbox.engine.narrow_phase.internal_edges import PlacedPair, fix_internal_edge
 from sandbox.engine.narrow_phase.one_way import holds, leads_on
@@ -112,7 +112,9 @@ def decide_pairs(
         bits |= OVERLAPS if _overlaps_deeply(bodies, a.body, b.body, m.separation) else 0
         bits |= DEEP if held and _is_deep(shapes, i, j, -m.separation) else 0
         bounces = a.restitution > 0.0 or b.restitution > 0.0
-        meets = m.point_count == 2 and distance > SLOW * seconds and _closes_in(bodies, a, b, m, vx * t, vy * t)
+        resistance = a.rolling_resistance if a.rolling_resistance > b.rolling_resistance else b.rolling_resistance
+        several = stops_by_several(m.point_count, resistance)
+        meets = several and distance > SLOW * seconds and _closes_in(bodies, a, b, m, vx * t, vy * t)
         made.bits = bits | (MAY_IMPACT if bounces or meets else 0)
         made.row = 0
         made.old = k if known else -1
@@ -124,14 +126,14 @@ def decide_pairs(
 
 @inlined_kernel
 def _closes_in(bodies: Records, a: Records, b: Records, m: Records, shift_x: float, shift_y: float) -> bool:
-    """Whether one of two points closes in faster than `SLOW` now; the manifold is of when b has moved by the shift (m)
+    """Whether a point closes in faster than `SLOW` now; the manifold is of when b has moved by the shift (m)
     against a."""
     dx = b.center_x - a.center_x + shift_x
     dy = b.center_y - a.center_y + shift_y
     v = pair_velocity(bodies[a.body], bodies[b.body])
-    for x, y in ((m.x1, m.y1), (m.x2, m.y2)):
+    for x, y, count in ((m.x1, m.y1, 1), (m.x2, m.y2, 2)):
         vx, vy = relative_velocity(v, Anchors(x, y, x - dx, y - dy))
-        if vx * m.normal_x + vy * m.normal_y < -SLOW:
+        if count <= m.point_count and vx * m.normal_x + vy * m.normal_y < -SLOW:
             return True
     return False
 

@@ -23,6 +23,9 @@ _DEEPER = 4.0
 """How many times deeper than across the seam the way out of the whole may be."""
 _GRAZE = 0.05
 """Share of what a pair looks ahead by which it may overlap and still count as sliding past: 1 mm for large bodies."""
+_LEAN = 0.25
+"""Sine of the angle by which an edge may lie askew that a blow at its near end lays down within the step: both of its
+points are within the margin, so that only what is short lies as steep."""
 
 
 class PlacedPair(NamedTuple):
@@ -49,38 +52,41 @@ def fix_internal_edge(
 
     (travel_x, travel_y) is the displacement (m) of j against i in the step, `margin` as for `collide_cores`. Bodies
     that overlap by more than their margin are pushed out by any axis, if they do so `now` and not only where they
-    would get unhindered. `manifold[1]` is scratch.
+    would get unhindered. Where no axis is left, an edge that shows and that may lie down flat within the step touches:
+    no other part has its far corner. `manifold[1]` is scratch.
     """
     m = manifold[0]
     near = pair_margin(tables.bodies[tables.shapes[pair.i].body], tables.bodies[tables.shapes[pair.j].body])
     graze = _GRAZE * near
     radii = tables.shapes[pair.i].radius + tables.shapes[pair.j].radius
     across = m.separation
-    whole = _is_whole(tables, pair, near, m)
+    whole = _is_whole(tables, pair, near, 0.0, m)
     if whole and travel_x * m.normal_x + travel_y * m.normal_y >= -graze:
         return True
-    for turn in range(1 if whole else 2):
+    for attempt in range(1 if whole else 2):
         # What slides over a corner has sunk in a little: an axis along which they do not close in has the say.
-        share = 1.0 - turn
+        share = 1.0 - attempt
         manifold[1].point_count = 0
         flip, face, separation = _best_face(
             tables, pair, share * travel_x, share * travel_y, graze, face_bias, manifold[1]
         )
-        depth = graze if turn == 0 else (near - _DEEPER * across if across < 0.0 else near)
+        depth = graze if attempt == 0 else (near - _DEEPER * across if across < 0.0 else near)
         if face < 0 or separation - radii < -depth:
             continue
         manifold[1].separation = separation - radii
         if _touch_face(tables, pair, near, margin, flip, face, manifold[1]):
             manifold[0] = manifold[1]
             return True
-        if turn == 0:
+        if attempt == 0:
             return False
-    return bool(whole or (now and across < -near))
+    if whole or (now and across < -near):
+        return True
+    return bool(m.point_count == 2 and _is_whole(tables, pair, near, _LEAN, m))
 
 
 @kernel
-def _is_whole(tables: EdgeTables, pair: PlacedPair, near: float, m: Records) -> bool:
-    """Whether the axis of a manifold is one of both whole polygons."""
+def _is_whole(tables: EdgeTables, pair: PlacedPair, near: float, lean: float, m: Records) -> bool:
+    """Whether the axis of a manifold is one of both whole polygons; edges may lie askew as for `faces_out`."""
     for side in range(2):
         part = tables.shapes[pair.j if side == 1 else pair.i]
         if part.traits & SEAMED == 0:
@@ -92,7 +98,7 @@ def _is_whole(tables: EdgeTables, pair: PlacedPair, near: float, m: Records) -> 
             on_face = shows(tables, part, m.axis_edge, x, y, near, m)
             if not (on_face or is_past_end(tables, part, m.axis_edge, x, y, m)):
                 return False
-        elif not faces_out(tables, part, x, y, sign * m.normal_x, sign * m.normal_y, near, m):
+        elif not faces_out(tables, part, x, y, sign * m.normal_x, sign * m.normal_y, near, lean, m):
             return False
     return True
 
@@ -132,7 +138,7 @@ def _best_face(
             near = tables.cores[b.vertex_start + support_vertex(tables.cores, core_of(b), nx, ny)]
             separation = nx * (near.x + sign * pair.dx - row.x) + ny * (near.y + sign * pair.dy - row.y)
             if separation > least and (
-                b.traits & SEAMED == 0 or faces_out(tables, b, 0.0, 0.0, -nx, -ny, 0.0, nowhere)
+                b.traits & SEAMED == 0 or faces_out(tables, b, 0.0, 0.0, -nx, -ny, 0.0, 0.0, nowhere)
             ):
                 least = separation
                 best = separation
@@ -156,4 +162,4 @@ def _touch_face(
         along = along_edge(tables.cores, owner, face, (m.x2 if k == 1 else m.x1) - x, (m.y2 if k == 1 else m.y1) - y)
         if along < -BEYOND or along > 1.0 + BEYOND:
             return False
-    return count > 0 and _is_whole(tables, pair, near, m)
+    return count > 0 and _is_whole(tables, pair, near, 0.0, m)

@@ -31,16 +31,19 @@ class EdgeTables(NamedTuple):
 
 @kernel
 def faces_out(
-    tables: EdgeTables, part: Records, x: float, y: float, nx: float, ny: float, near: float, m: Records
+    tables: EdgeTables, part: Records, x: float, y: float, nx: float, ny: float, near: float, lean: float, m: Records
 ) -> bool:
-    """Whether the direction n leads out of the whole polygon at the farthest vertex, or edge, of a part along it."""
+    """Whether the direction n leads out of the whole polygon at the farthest vertex, or edge, of a part along it.
+
+    An edge may lie askew by an angle with the sine `lean`: it has yet to lie down.
+    """
     k = support_vertex(tables.cores, core_of(part), -nx, -ny)
     if _is_between(tables.bodies[part.body], tables.seams[part.seam_start + k], nx, ny):
         return True
     before = k - 1 if k > 0 else part.vertex_count - 1
     for edge in (before, k):
         row = tables.cores[part.vertex_start + edge]
-        flat = abs(row.normal_x * ny - row.normal_y * nx) <= _SLANT
+        flat = abs(row.normal_x * ny - row.normal_y * nx) <= _SLANT + lean
         if flat and row.normal_x * nx + row.normal_y * ny > 0.0 and shows(tables, part, edge, x, y, near, m):
             return True
     return False

@@ -38,11 +38,14 @@ IMPACT = Table(
         Field("last2", "N s", "the same at point 2"),
         Field("mass", "kg", "effective mass at point 1"),
         Field("drag", "N s", "friction impulse of what strikes together"),
-        Field("passed1", "N s", "of the load at point 1, what joints have passed on"),
-        Field("passed2", "N s", "the same at point 2"),
-        Field("passed_drag", "N s", "the same of the friction impulse"),
-        Field("opening1", "m/s", "speed at which point 1 opens, or the contact slides, by what has been passed on"),
+        Field("last_drag", "N s", "the same after the pass before"),
+        Field("lever_a", "m", "how far the tangent passes by the centre of a, where the contact rubs"),
+        Field("lever_b", "m", "the same of b"),
+        Field("rub_mass", "kg", "effective mass along the tangent there"),
+        Field("slides", "-", "the sign of the slip of what slides back after a while; 0: friction may hold it"),
+        Field("opening1", "m/s", "of jointed bodies: speed at which point 1 opens by loads and friction"),
         Field("opening2", "m/s", "the same at point 2"),
+        Field("slip", "m/s", "the same along the tangent"),
     ),
 )
 """One row for each contact with restitution that may have an impact: what its impacts in a substep need."""

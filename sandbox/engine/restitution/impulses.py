@@ -16,7 +16,6 @@ from sandbox.engine.contact_solver.law import (
     anchors_of,
     apply_impulse,
     bearing_anchors,
-    clamp_to_cone,
     effective_mass,
     pair_mass,
     push_both,
@@ -89,13 +88,9 @@ def rub_of(a: Records, b: Records, contact: Records, load1: float, load2: float)
 
 
 @inlined_kernel
-def friction_impulse(struck: Struck, rub: Rub, surface_speed: float, limit: float, before: float) -> float:
-    """Coulomb friction of the impact: the tangent impulse (N s) that stops the sliding, as far as `limit` allows.
-
-    `before` (N s) has been applied already, and is part of what is returned.
-    """
-    speed = slip_speed(struck.start, rub) - surface_speed
-    return float(clamp_to_cone(before - rub.mass * speed, limit))
+def rub_between(a: Records, b: Records, contact: Records) -> Rub:
+    """The same in the middle of its points, which are on one line with all that they could bear."""
+    return rub_of(a, b, contact, 1.0, 1.0 if contact.point_count == 2 else 0.0)
 
 
 @inlined_kernel

@@ -137,6 +137,9 @@ def _put_aside(blocks: ContactBlocks, block_count: int) -> None:
             v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] = 0.0
             v[cb.POINT_2 + cb.NORMAL_IMPULSE + k] = 0.0
             v[cb.TANGENT_IMPULSE + k] = 0.0
+            if blocks.blocks[n].rolling == 1:
+                v[cb.RESTING_IMPULSES + 3 * LANES + k] = v[cb.ROLLING_IMPULSE + k]
+                v[cb.ROLLING_IMPULSE + k] = 0.0
 
 
 @kernel
@@ -149,3 +152,5 @@ def _bring_back(blocks: ContactBlocks, block_count: int) -> None:
             v[cb.POINT_1 + cb.NORMAL_IMPULSE + k] = v[cb.RESTING_IMPULSES + k]
             v[cb.POINT_2 + cb.NORMAL_IMPULSE + k] = v[cb.RESTING_IMPULSES + LANES + k]
             v[cb.TANGENT_IMPULSE + k] = v[cb.RESTING_IMPULSES + 2 * LANES + k]
+            if blocks.blocks[n].rolling == 1:
+                v[cb.ROLLING_IMPULSE + k] = v[cb.RESTING_IMPULSES + 3 * LANES + k]

@@ -1,7 +1,7 @@
 """How impacts that strike together rebound: by the impulses that were found for them.
 
 They are scaled to do what was asked as far as they can together: so however exact they are, a group gains no energy by
-them. Where its contacts rub, they come part by part (`rough_group.py`).
+them. Where its contacts rub, they are found anew together with friction (`rough_group.py`).
 """
 
 from __future__ import annotations
@@ -14,7 +14,8 @@ from sandbox.engine.contact_solver.law import pair_velocity, start_velocity
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.restitution.impact_list import ImpactList
 from sandbox.engine.restitution.jointed.reach import Reach
-from sandbox.engine.restitution.rough_group import Push, push_part, rub_through
+from sandbox.engine.restitution.push_group import push_group
+from sandbox.engine.restitution.rough_group import scale_impulses, strike_rough_group
 from sandbox.engine.restitution.worklist import END
 from sandbox.tables import Records
 
@@ -38,20 +39,17 @@ def rebound(
     reach: Reach | None,
 ) -> None:
     """Apply the loads of the contacts linked from the `first` one on, scaled, times `more`, to the velocities of the
-    substep, with the friction that they allow; `agreed` is the share of a load to which that is exact.
+    substep, with the friction that they allow; `agreed` is the share of the closing speed to which that is exact.
 
     In: the loads, and `solver.motions` after them. `reach` is what the group reaches by joints.
     """
     blow = _blow_of(solver, contacts, impacts, first, more)
-    if _scale_loads(contacts, impacts, first, blow.scale):
-        share = rub_through(bodies, solver, contacts, impacts, first, blow.stop, agreed, reach)
+    if _rubs(contacts, impacts, first) and blow.scale > 0.0:
+        _ask_as_scaled(solver, contacts, impacts, first, blow.scale)
+        strike_rough_group(bodies, solver, contacts, impacts, first, blow.stop, agreed, reach)
     else:
-        share = push_part(bodies, solver, contacts, impacts, first, Push(1.0, 0.0, 0.0, 0.0), reach).part
-    k = first
-    while k != END:
-        row = impacts.rows[k]
-        contacts[impacts.slots[k].contact].impact_impulse += share * (row.load1 + row.load2)
-        k = row.next
+        scale_impulses(impacts, first, blow.scale)
+        push_group(bodies, solver, contacts, impacts, first, reach)
 
 
 @kernel
@@ -81,14 +79,30 @@ def _blow_of(solver: SolverBodies, contacts: Records, impacts: ImpactList, first
 
 
 @kernel
-def _scale_loads(contacts: Records, impacts: ImpactList, first: int, scale: float) -> bool:
-    """Multiply the loads; return whether some contact rubs."""
-    rubs = False
+def _rubs(contacts: Records, impacts: ImpactList, first: int) -> bool:
+    """Whether some contact rubs."""
+    k = first
+    while k != END:
+        if contacts[impacts.slots[k].contact].friction > 0.0:
+            return True
+        k = impacts.rows[k].next
+    return False
+
+
+@kernel
+def _ask_as_scaled(solver: SolverBodies, contacts: Records, impacts: ImpactList, first: int, scale: float) -> None:
+    """Ask of all points that bear for the speeds that the scaled loads give them without friction."""
     k = first
     while k != END:
         row = impacts.rows[k]
-        row.load1 *= scale
-        row.load2 *= scale
-        rubs = rubs or contacts[impacts.slots[k].contact].friction > 0.0
+        contact = contacts[impacts.slots[k].contact]
+        start = start_velocity(solver.free_motions, contact)
+        now = pair_velocity(solver.motions[contact.body_a], solver.motions[contact.body_b])
+        row.slides = row.drag = 0.0
+        if row.load1 > 0.0:
+            before = opening_speed(start, contact, 1)
+            row.rebound1 = before + scale * (opening_speed(now, contact, 1) - before)
+        if row.load2 > 0.0:
+            before = opening_speed(start, contact, 2)
+            row.rebound2 = before + scale * (opening_speed(now, contact, 2) - before)
         k = row.next
-    return rubs

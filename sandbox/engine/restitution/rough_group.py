@@ -1,9 +1,9 @@
-"""Friction within the blow of impacts that strike together, and how it changes what restitution asks for.
+"""Friction within the blow of impacts that strike together, which also changes how they share the loads.
 
-The loads of the group grow from nothing in parts, all in proportion, each with the friction of now: what slides the
-other way as it leaves is rubbed the other way. Restitution multiplies the loads at which the group no longer closes, by
-the sum of loads times speeds (Poisson), as in the blow at one contact (`rough_blow.py`); but it gives back no more than
-the square of restitution of the work that stopping the group took, so that no group gains energy by its friction.
+Loads and friction are found together (`solve_group.py`), for what is asked of the group or, where a contact slides back
+by then, for as much as goes before it does: the rest is found anew from there, with the friction the other way. So
+friction turns nothing that the loads could hold. No group gains energy: restitution gives back no more than its square
+of the work that stopping the group took.
 
 Source: W. J. Stronge, "Rigid body collisions with friction", Proceedings of the Royal Society A 431 (1990), for the
 work that restitution gives back.
@@ -14,47 +14,46 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from sandbox._jit import kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.contact_solver.closing_speed import opening_speed
-from sandbox.engine.contact_solver.law import pair_mass, start_velocity
+from sandbox.engine.contact_solver.law import pair_velocity, start_velocity
 from sandbox.engine.records.bodies import SolverBodies
+from sandbox.engine.restitution.groups import fastest, size_of
 from sandbox.engine.restitution.impact_list import ImpactList
-from sandbox.engine.restitution.impulses import friction_impulse, push, push_points, put_back, rub_of, take
-from sandbox.engine.restitution.jointed.friction import rub_jointed
-from sandbox.engine.restitution.jointed.give import give
+from sandbox.engine.restitution.impulses import rub_between, slip_speed
+from sandbox.engine.restitution.jointed.loads import solve_jointed
 from sandbox.engine.restitution.jointed.reach import Reach
+from sandbox.engine.restitution.push_group import push_group
+from sandbox.engine.restitution.solve_group import solve_group
 from sandbox.engine.restitution.worklist import END
 from sandbox.tables import Records
 
-_FIRST_PART = 0.125
-"""Share of the loads that tells how fast a group slows down with its friction."""
 _MOST_PARTS = 16
-"""Until a group has stopped: two are enough where friction keeps its directions until then."""
-_STOPPED = 1e-4
-"""Share of the power with which a group closes that counts as none."""
-_PASSES = 16
-"""Over the friction of a part."""
+"""Times contacts, but one: between them some contact slides back, in the last one whenever it does."""
+_MOST_PASSES = 16
+_SAME = 10.0
+"""Times what the speeds agree to: a contact that slides back no faster sticks."""
 
 
-class Push(NamedTuple):
-    """A part of the loads, the power of all of them as it comes and how fast that rises without friction, and the most
-    work (J) that it may do on jointed bodies."""
+class _Slips(NamedTuple):
+    """Speeds (m/s) at which a contact slides, before and after."""
 
-    part: float
+    before: float
+    after: float
+
+
+class _Part(NamedTuple):
+    """A part of a blow: its loads together (N s), its work (J), `power * x + slowing * x * x` of the share x of it, and
+    which share it takes until a contact slides back."""
+
+    load: float
     power: float
     slowing: float
-    most: float
-
-
-class Pushed(NamedTuple):
-    """The part that was applied, and the work (J) that it did."""
-
-    part: float
-    work: float
+    share: float
 
 
 @kernel
-def rub_through(
+def strike_rough_group(
     bodies: Records,
     solver: SolverBodies,
     contacts: Records,
@@ -63,132 +62,136 @@ def rub_through(
     stop: float,
     agreed: float,
     reach: Reach | None,
-) -> float:
-    """Apply the loads part by part, each with its friction; return which share of them it takes until the group has
-    rebounded, which without friction stops at the share `stop`.
+) -> None:
+    """Apply the blow after which the contacts linked from the `first` one on open as fast as is asked.
 
-    A part of the loads does the work `part * (power + slowing * part / 2)`, J, as friction only comes after it.
+    In: `rebound1` and `rebound2`, the loads of the blow without friction, and `solver.motions` after them, of which the
+    group has stopped at the share `stop`; the share `agreed` of its closing speed to which it is solved.
     """
-    share = work = 0.0
-    power = first_power = _power(solver, contacts, impacts, first)
-    if first_power >= 0.0:  # on the whole it opens: what joints pass on from elsewhere
-        return share
-    slowing = rate = -first_power / stop  # without friction
-    turn = 0
-    while power < _STOPPED * first_power and turn < _MOST_PARTS:
-        # As it slows down now; without friction twice as far as it takes gives back the work, and further gives more.
-        part = _FIRST_PART if turn == 0 else -power / (rate if 2.0 * rate > slowing else 0.5 * slowing)
-        turn += 1
-        pushed = push_part(bodies, solver, contacts, impacts, first, Push(part, power, slowing, 0.0), reach)
-        if pushed.part <= 0.0:
-            return share
-        _rub_part(bodies, solver, contacts, impacts, first, pushed.part, agreed, reach)
-        share += pushed.part
-        work += pushed.work
-        now = _power(solver, contacts, impacts, first)
-        rate = (now - power) / pushed.part
-        power = now
-    if power < _STOPPED * first_power:  # it closes on, and may strike again
-        return share
+    slow = agreed * fastest(solver, contacts, impacts, first)
     restitution = 1.0 / stop - 1.0
-    part = share * restitution
-    given_back = power * power - 2.0 * slowing * restitution * restitution * work
-    most = (math.sqrt(given_back) - power) / slowing if given_back > 0.0 else 0.0
-    part = part if part < most else most
-    if part > 0.0:
-        most = -restitution * restitution * work
-        part = push_part(bodies, solver, contacts, impacts, first, Push(part, power, slowing, most), reach).part
-        _rub_part(bodies, solver, contacts, impacts, first, part, agreed, reach)
-    return share + part
+    work = lowest = load = stopped = 0.0
+    parts = 1 + _MOST_PARTS // size_of(impacts, first)
+    for turn in range(parts):
+        _solve(bodies, solver, contacts, impacts, first, turn == 0, slow, reach)
+        if turn < parts - 1 and _mark_sliding_back(bodies, solver, contacts, impacts, first, _SAME * slow):
+            _solve(bodies, solver, contacts, impacts, first, True, slow, reach)
+        part = _part_of(bodies, solver, contacts, impacts, first)
+        if part.load <= 0.0:
+            return
+        share = part.share
+        turns = -0.5 * part.power / part.slowing if part.slowing > 0.0 else share
+        turns = turns if turns < share else share
+        if turns > 0.0:
+            lowest = work + turns * (part.power + turns * part.slowing)
+            stopped = load + turns * part.load
+        if turns < share:
+            share = _within(share, part, (1.0 - restitution * restitution) * lowest - work)
+            most = (stopped / stop - load) / part.load
+            share = most if most < share else share
+        scale_impulses(impacts, first, share)
+        share *= push_group(bodies, solver, contacts, impacts, first, reach)
+        work += share * (part.power + share * part.slowing)
+        load += share * part.load
+        if share < part.share or part.share == 1.0:
+            return
 
 
 @kernel
-def _power(solver: SolverBodies, contacts: Records, impacts: ImpactList, first: int) -> float:
-    """The sum of loads times the speeds (N m) at which their points open: negative, while the group closes."""
-    power = 0.0
+def _solve(
+    bodies: Records,
+    solver: SolverBodies,
+    contacts: Records,
+    impacts: ImpactList,
+    first: int,
+    again: bool,
+    slow: float,
+    reach: Reach | None,
+) -> None:
+    """Find loads and friction, to `slow` (m/s); `again` goes on from those there are, where nothing is jointed."""
+    if reach is not None:
+        solve_jointed(bodies, solver, contacts, impacts, first, True, slow, reach)
+    else:
+        solve_group(bodies, solver, contacts, impacts, first, again, True, slow, _MOST_PASSES)
+
+
+@kernel
+def _mark_sliding_back(
+    bodies: Records, solver: SolverBodies, contacts: Records, impacts: ImpactList, first: int, same: float
+) -> bool:
+    """Mark the contacts that slide back, faster than `same` (m/s): until they do friction does not change its side.
+    Returns whether there are any."""
+    found = False
+    k = first
+    while k != END:
+        row = impacts.rows[k]
+        slips = _slips(bodies, solver, contacts[impacts.slots[k].contact], row)
+        row.slides = 0.0
+        if slips.before * slips.after < 0.0 and abs(slips.after) > same and abs(slips.before) > same:
+            row.slides = 1.0 if slips.before > 0.0 else -1.0
+            found = True
+        k = row.next
+    return found
+
+
+@inlined_kernel
+def _slips(bodies: Records, solver: SolverBodies, contact: Records, row: Records) -> _Slips:
+    """How a contact slides before and after what was found, if it bears and rubs."""
+    if contact.friction <= 0.0 or row.load1 + row.load2 <= 0.0:
+        return _Slips(0.0, 0.0)
+    rub = rub_between(bodies[contact.body_a], bodies[contact.body_b], contact)
+    now = pair_velocity(solver.motions[contact.body_a], solver.motions[contact.body_b])
+    before = slip_speed(start_velocity(solver.free_motions, contact), rub)
+    return _Slips(before - contact.surface_speed, slip_speed(now, rub) - contact.surface_speed)
+
+
+@inlined_kernel
+def _within(share: float, part: _Part, most: float) -> float:
+    """A share of a part, or the one up to which it does no more work (J) than `most`."""
+    work = share * (part.power + share * part.slowing)
+    if work <= most or part.slowing <= 0.0:
+        return share
+    square = part.power * part.power + 4.0 * part.slowing * most
+    found = 0.5 * (math.sqrt(square) - part.power) / part.slowing if square > 0.0 else 0.0
+    found = found if found > 0.0 else 0.0
+    return found if found < share else share
+
+
+@kernel
+def _part_of(bodies: Records, solver: SolverBodies, contacts: Records, impacts: ImpactList, first: int) -> _Part:
+    """What loads and friction do, by the velocities at the start of the substep and those in `solver.motions`."""
+    load = power = slowing = 0.0
+    share = 1.0
     k = first
     while k != END:
         row = impacts.rows[k]
         contact = contacts[impacts.slots[k].contact]
         start = start_velocity(solver.free_motions, contact)
-        power += row.load1 * opening_speed(start, contact, 1)
+        now = pair_velocity(solver.motions[contact.body_a], solver.motions[contact.body_b])
+        opening = opening_speed(start, contact, 1)
+        load += row.load1 + row.load2
+        power += row.load1 * opening
+        slowing += 0.5 * row.load1 * (opening_speed(now, contact, 1) - opening)
         if row.load2 > 0.0:
-            power += row.load2 * opening_speed(start, contact, 2)
+            opening = opening_speed(start, contact, 2)
+            power += row.load2 * opening
+            slowing += 0.5 * row.load2 * (opening_speed(now, contact, 2) - opening)
+        if row.slides != 0.0:
+            slips = _slips(bodies, solver, contact, row)
+            until = slips.before / (slips.before - slips.after) if slips.before * slips.after < 0.0 else 1.0
+            share = until if until < share else share
+            row.slides = 0.0
         k = row.next
-    return power
+    return _Part(load, power, slowing, share)
 
 
 @kernel
-def push_part(
-    bodies: Records,
-    solver: SolverBodies,
-    contacts: Records,
-    impacts: ImpactList,
-    first: int,
-    push: Push,
-    reach: Reach | None,
-) -> Pushed:
-    """Apply a part of the loads, without friction; of jointed bodies as much of it as does no more work than it may."""
-    part = push.part
-    k = first
-    while k != END:
-        impacts.rows[k].drag = 0.0
-        k = impacts.rows[k].next
-    if reach is not None:
-        given = give(bodies, solver, contacts, impacts, first, part, push.most, reach)
-        return Pushed(given.share * part, given.work)
+def scale_impulses(impacts: ImpactList, first: int, share: float) -> None:
+    """Multiply loads and friction."""
     k = first
     while k != END:
         row = impacts.rows[k]
-        contact = contacts[impacts.slots[k].contact]
-        mass = pair_mass(bodies[contact.body_a], bodies[contact.body_b])
-        struck = take(solver.free_motions, contact)
-        put_back(solver, contact, push_points(struck, contact, mass, part * row.load1, part * row.load2))
+        row.load1 *= share
+        row.load2 *= share
+        row.drag *= share
         k = row.next
-    return Pushed(part, part * (push.power + 0.5 * push.slowing * part))
-
-
-@kernel
-def _rub_part(
-    bodies: Records,
-    solver: SolverBodies,
-    contacts: Records,
-    impacts: ImpactList,
-    first: int,
-    part: float,
-    agreed: float,
-    reach: Reach | None,
-) -> None:
-    """Apply the friction that a part of the loads allows, `drag`: passes until it changes by no more than the share
-    `agreed` of these."""
-    if reach is not None:
-        rub_jointed(bodies, solver, contacts, impacts, first, part, agreed, reach)
-        return
-    changes = True
-    turn = 0
-    while changes and turn < _PASSES:
-        changes = False
-        turn += 1
-        k = first
-        while k != END:
-            row = impacts.rows[k]
-            changes = _rub(bodies, solver, contacts[impacts.slots[k].contact], row, part, agreed) or changes
-            k = row.next
-
-
-@kernel
-def _rub(bodies: Records, solver: SolverBodies, contact: Records, row: Records, part: float, agreed: float) -> bool:
-    """The same for a contact; return whether it sticks and its friction is other than in the pass before."""
-    load = part * (row.load1 + row.load2)
-    if contact.friction <= 0.0 or load <= 0.0:
-        return False
-    a = bodies[contact.body_a]
-    b = bodies[contact.body_b]
-    rub = rub_of(a, b, contact, row.load1, row.load2)
-    struck = take(solver.free_motions, contact)
-    limit = contact.friction * load
-    drag = friction_impulse(struck, rub, contact.surface_speed, limit, row.drag)
-    added = drag - row.drag
-    row.drag = drag
-    put_back(solver, contact, push(struck, pair_mass(a, b), rub.anchors, added * rub.tangent_x, added * rub.tangent_y))
-    return bool(abs(drag) < limit and abs(added) > agreed * load)

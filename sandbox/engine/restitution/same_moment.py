@@ -87,6 +87,6 @@ def strike_together(
         note_first_strike(bodies, solver, contacts[impacts.slots[k].contact], impacts.rows[k])
         k = impacts.rows[k].next
     slow = agreed * fastest(solver, contacts, impacts, first)
-    work = solve_group(bodies, solver, contacts, impacts, first, False, slow, passes)
+    work = solve_group(bodies, solver, contacts, impacts, first, False, False, slow, passes)
     rebound(bodies, solver, contacts, impacts, first, 1.0, agreed, None)
     return int(work)

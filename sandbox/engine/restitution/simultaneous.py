@@ -48,7 +48,7 @@ def strike_group(
     slow = AGREED * fastest(solver, contacts, impacts, first)
     _ask_to_stop(impacts, first)
     passes = passes_within(most, count, MOST_PASSES)
-    work = solve_group(bodies, solver, contacts, impacts, first, False, slow, passes)
+    work = solve_group(bodies, solver, contacts, impacts, first, False, False, slow, passes)
     more = 1.0 + _mean_restitution(solver, contacts, impacts, first)
     rebound(bodies, solver, contacts, impacts, first, more, AGREED, None)
     return int(work)

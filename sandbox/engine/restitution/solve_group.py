@@ -1,8 +1,8 @@
 """Impacts with restitution that strike together: the impulses that give each of a group what it asks for, or more.
 
-A pass goes through the contacts of the group, a block of two points each (`two_point_block.py`), along their normals.
-Passes are accelerated by Nesterov's method, as those of the contact solver's blocks are (`contact_solver/nesterov.py`).
-These impacts are few, linked, without friction until they have rebounded, and agree to a velocity.
+A pass goes through the contacts of the group, a block of two points each (`two_point_block.py`), along their normals,
+then, where that is asked for, along their tangents. Passes are accelerated by Nesterov's method, as those of the
+contact solver's blocks are (`contact_solver/nesterov.py`). These impacts are few, linked, and agree to a velocity.
 """
 
 from __future__ import annotations
@@ -10,19 +10,24 @@ from __future__ import annotations
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.contact_solver.closing_speed import opening_speed
 from sandbox.engine.contact_solver.law import (
+    Levers,
     PairMass,
     PairVelocity,
     anchors_of,
+    clamp_to_cone,
     effective_mass,
     levers_of,
     pair_mass,
     pair_velocity,
     push_along,
+    speed_of_centers,
+    speed_of_turning,
     start_velocity,
 )
 from sandbox.engine.contact_solver.nesterov import momentum
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.restitution.impact_list import ImpactList
+from sandbox.engine.restitution.impulses import rub_between
 from sandbox.engine.restitution.two_point_block import bearing_impulses, block_of
 from sandbox.engine.restitution.worklist import END
 from sandbox.tables import Records
@@ -36,6 +41,7 @@ def solve_group(
     impacts: ImpactList,
     first: int,
     again: bool,
+    rough: bool,
     agreed: float,
     passes: int,
 ) -> int:
@@ -43,10 +49,10 @@ def solve_group(
     they push: passes until they change no velocity by more than `agreed` (m/s).
 
     In: `rebound1` and `rebound2` of the contacts that are linked from the `first` one on. Out: their loads, and what
-    these make of the velocities at the start of the substep in `solver.motions`. `again` goes on from what both are.
-    Returns passes times contacts.
+    these make of the velocities at the start of the substep in `solver.motions`. `again` goes on from what both are;
+    `rough` finds also the friction, `drag`, that the loads allow. Returns passes times contacts.
     """
-    count = _begin(bodies, solver, contacts, impacts, first, again)
+    count = _begin(bodies, solver, contacts, impacts, first, again, rough)
     agree = 0
     for turn in range(passes):
         largest = 0.0
@@ -54,7 +60,10 @@ def solve_group(
         k = first
         while k != END:
             row = impacts.rows[k]
-            change, same = _solve_contact(bodies, solver, contacts[impacts.slots[k].contact], row)
+            contact = contacts[impacts.slots[k].contact]
+            change, same = _solve_contact(bodies, solver, contact, row)
+            if rough and contact.friction > 0.0:
+                change += _rub(bodies, solver, contact, row)
             largest = change if change > largest else largest
             along += same
             k = row.next
@@ -70,7 +79,13 @@ def solve_group(
 
 @kernel
 def _begin(
-    bodies: Records, solver: SolverBodies, contacts: Records, impacts: ImpactList, first: int, again: bool
+    bodies: Records,
+    solver: SolverBodies,
+    contacts: Records,
+    impacts: ImpactList,
+    first: int,
+    again: bool,
+    rough: bool,
 ) -> int:
     """Begin with no impulses, in `solver.motions` with the velocities at the start of the substep, or go on; return the
     number of contacts."""
@@ -79,7 +94,8 @@ def _begin(
     while k != END:
         row = impacts.rows[k]
         if not again:
-            row.load1 = row.load2 = 0.0
+            row.load1 = row.load2 = row.drag = 0.0
+        row.last_drag = row.drag
         row.last1 = row.load1
         row.last2 = row.load2
         contact = contacts[impacts.slots[k].contact]
@@ -87,6 +103,12 @@ def _begin(
         row.mass = effective_mass(mass, anchors_of(contact, 1), contact.normal_x, contact.normal_y)
         if not again:
             set_velocity(solver.motions, contact, start_velocity(solver.free_motions, contact))
+        if rough and contact.friction > 0.0:
+            rub = rub_between(bodies[contact.body_a], bodies[contact.body_b], contact)
+            levers = levers_of(rub.anchors, rub.tangent_x, rub.tangent_y)
+            row.lever_a = levers.a
+            row.lever_b = levers.b
+            row.rub_mass = rub.mass
         count += 1
         k = row.next
     return count
@@ -120,17 +142,42 @@ def _solve_contact(bodies: Records, solver: SolverBodies, contact: Records, row:
 
 
 @kernel
+def _rub(bodies: Records, solver: SolverBodies, contact: Records, row: Records) -> float:
+    """Give a contact the friction that stops its sliding, as far as its load allows; return by how much that changes
+    its velocity (m/s)."""
+    mass = pair_mass(bodies[contact.body_a], bodies[contact.body_b])
+    now = pair_velocity(solver.motions[contact.body_a], solver.motions[contact.body_b])
+    limit = contact.friction * (row.load1 + row.load2)
+    levers = Levers(row.lever_a, row.lever_b)
+    slip = speed_of_centers(now, contact.normal_y, -contact.normal_x) + speed_of_turning(now, levers)
+    drag = clamp_to_cone(row.drag - row.rub_mass * (slip - contact.surface_speed), limit)
+    if row.slides != 0.0:
+        drag = -row.slides * limit
+    added = drag - row.drag
+    row.drag = drag
+    moved = push_along(now, mass, levers, added, contact.normal_y, -contact.normal_x)
+    set_velocity(solver.motions, contact, moved)
+    return float(abs(added) * (mass.mass_a + mass.mass_b))
+
+
+@kernel
 def _go_further(bodies: Records, solver: SolverBodies, contact: Records, row: Records, share: float) -> None:
     """Go on by a share of what the impulses have changed since the pass before; until the next one they may pull."""
     more1 = share * (row.load1 - row.last1)
     more2 = share * (row.load2 - row.last2)
+    more_drag = share * (row.drag - row.last_drag)
     row.last1 = row.load1
     row.last2 = row.load2
-    if more1 != 0.0 or more2 != 0.0:
-        row.load1 += more1
-        row.load2 += more2
+    row.last_drag = row.drag
+    if more1 != 0.0 or more2 != 0.0 or more_drag != 0.0:
         mass = pair_mass(bodies[contact.body_a], bodies[contact.body_b])
         now = pair_velocity(solver.motions[contact.body_a], solver.motions[contact.body_b])
+        if more_drag != 0.0:
+            levers = Levers(row.lever_a, row.lever_b)
+            now = push_along(now, mass, levers, more_drag, contact.normal_y, -contact.normal_x)
+        row.load1 += more1
+        row.load2 += more2
+        row.drag += more_drag
         push_motions(solver, contact, mass, now, more1, more2)
 
 

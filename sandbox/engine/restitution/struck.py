@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.bodies.flags import is_active
-from sandbox.engine.contact_solver.closing_speed import HARD, SLOW, both_meet, closing_speed
+from sandbox.engine.contact_solver.closing_speed import HARD, SLOW, closing_speed, fastest_closing, stops_by_several
 from sandbox.engine.records.ccd import STRUCK
 from sandbox.engine.records.contacts import Contacts
 from sandbox.tables import Integers, Records
@@ -32,7 +32,7 @@ def flag_struck(
     bodies: Records, contacts: Contacts, ccd_bodies: Records, reached_at: Integers, slots: Records, fastest: float
 ) -> float:
     """Give all bodies that impacts reach the bit `STRUCK` of `ccd_bodies.unsettled`; returns the speed (m/s) past which
-    two points that meet have one.
+    contacts that stop by several impulses have one.
 
     `fastest` is the square of the highest speed (m/s) of a point. `reached_at`, with a row for each body, and `slots`,
     with one for each contact, are scratch.
@@ -103,13 +103,13 @@ def _strike(bodies: Records, contacts: Contacts, ccd_bodies: Records, slowest: f
     reached = 0
     for row in contacts.impact_candidates[1 : 1 + contacts.impact_candidates[0]]:
         contact = contacts.now[row]
+        if contact.restitution > 0.0 or not stops_by_several(contact.point_count, contact.rolling_resistance):
+            continue
         a = bodies[contact.body_a]
         b = bodies[contact.body_b]
-        if contact.restitution > 0.0 or not both_meet(a, b, contact, slowest):
+        speed = fastest_closing(a, b, contact)
+        if speed <= slowest:
             continue
-        first = closing_speed(a, b, contact, 1)
-        second = closing_speed(a, b, contact, 2)
-        speed = first if first > second else second
         was = _struck(ccd_bodies, contact)
         _reach(bodies, ccd_bodies, contact, -1.0, speed, a.mass if is_active(a) else IMMOVABLE, slowest)
         _reach(bodies, ccd_bodies, contact, 1.0, speed, b.mass if is_active(b) else IMMOVABLE, slowest)

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from sandbox.formats.box2d.pose import Pose, in_world, levered, mobility, turning
+from sandbox.formats.box2d.pose import Pose, in_world, mobility, turning
 from sandbox.formats.box2d.world import Body, Joint, Spring
 from sandbox.formats.numbers import degrees, tidy, tidy_point
 from sandbox.formats.outlines import Words
@@ -53,7 +53,7 @@ def _prismatic(pose: Pose) -> Words:
 def _wheel(pose: Pose) -> Words:
     words: Words = {"type": "wheel", "anchor": _on_axis(pose), "axis": tidy_point(pose.axis)}
     words |= _limits(pose, pose.slide, tidy)
-    spring = _spring_words(pose, levered(pose, pose.axis))
+    spring = _spring_words(pose, _straight(pose))
     words |= spring or {"hertz": None}
     if spring and tidy(pose.slide):
         words["rest"] = tidy(-pose.slide)
@@ -65,10 +65,9 @@ def _distance(pose: Pose) -> Words:
     words: Words = {"type": "distance", "anchors": [tidy_point(pose.at_a), tidy_point(pose.at_b)]}
     if not math.isclose(away, pose.joint.length, rel_tol=1e-6, abs_tol=1e-6):
         words["length"] = tidy(max(pose.joint.length, 0.0))
-    along = ((pose.at_b[0] - pose.at_a[0]) / away, (pose.at_b[1] - pose.at_a[1]) / away) if away > 1e-9 else (1.0, 0.0)
     if pose.joint.lower is not None and pose.joint.upper is not None:
         words |= {"min": tidy(pose.joint.lower), "max": tidy(pose.joint.upper)}
-    return words | _spring_words(pose, levered(pose, along))
+    return words | _spring_words(pose, _straight(pose))
 
 
 def _rope(pose: Pose) -> Words:
@@ -128,7 +127,7 @@ def _filter(pose: Pose) -> Words:
 
 def _target(pose: Pose) -> Words:
     words: Words = {"type": "target", "anchor": tidy_point(pose.at_b), "target": tidy_point(pose.joint.target)}
-    spring = _spring_words(pose, sum(mobility(body) for body in (pose.a, pose.b)))
+    spring = _spring_words(pose, _straight(pose))
     return words | (spring or {"hertz": 0}) | {"max_force": tidy(pose.joint.max_force)}
 
 
@@ -191,6 +190,11 @@ def _turning_motor(joint: Joint) -> Words:
     if joint.motor_speed is None:
         return {}
     return {"motor_speed": degrees(joint.motor_speed), "max_torque": tidy(max(joint.max_motor, 0.0))}
+
+
+def _straight(pose: Pose) -> float:
+    """How easily both bodies together are pushed, 1/kg."""
+    return mobility(pose.a) + mobility(pose.b)
 
 
 def _spring_words(pose: Pose, mobility: float) -> Words:

@@ -53,16 +53,6 @@ class Pose:
         self.remarks.note(self.joint.place + (f" ({amount})" if amount else ""), text)
 
 
-def levered(pose: Pose, along: Vec) -> float:
-    """How easily the two anchors are moved apart along a unit vector, 1/kg."""
-    total = 0.0
-    for body, anchor in ((pose.a, pose.at_a), (pose.b, pose.at_b)):
-        center = in_world(body, mass_of(body).center)
-        arm = (anchor[0] - center[0]) * along[1] - (anchor[1] - center[1]) * along[0]
-        total += mobility(body) + turning(body) * arm * arm
-    return total
-
-
 def mobility(body: Body) -> float:
     """How easily a body is pushed, 1/kg."""
     return 1.0 / mass_of(body).mass if body.type == "dynamic" else 0.0

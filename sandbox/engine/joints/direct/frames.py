@@ -6,6 +6,7 @@ from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import WIDTH, Vector, load, select, spread, store
 from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.records import Batches
+from sandbox.engine.joints.direct.targets import may_be_sprung
 from sandbox.engine.joints.laws import gap, is_close, length_and_direction, rope, turned
 from sandbox.tables import Floats, Records
 from sandbox.world.joint_records import (
@@ -107,10 +108,12 @@ def _find_errors(v: Floats, batch: Records, frame: Records) -> None:
     store(v, frame.place + at.PLACE, place)
     store(v, frame.place + at.PLACE + WIDTH, place)
     levered = spread(1.0)
-    if kind != MOTOR and kind != FRICTION:
+    if kind != MOTOR and kind != FRICTION:  # their gaps are by design, as are those of springs
         ax = load(v, frame.place + at.ARM_AX)
         ay = load(v, frame.place + at.ARM_AY)
         close = is_close(ax, ay, load(v, frame.place + at.ARM_BX), load(v, frame.place + at.ARM_BY), x, y)
+        if may_be_sprung(kind):
+            close = close | (load(v, joint + at.HERTZ) > 0.0)
         levered = select(close, 1.0, spread(0.0))
     store(v, frame.place + at.LEVERED, levered)
 

@@ -72,7 +72,8 @@ def aim_rows(d: Batches, batch: Records, seconds: float, purpose: int, who: Mask
             if row.bounded == 1:
                 _replace(v, row.place + at.LOW, law.low, where)
                 _replace(v, row.place + at.HIGH, law.high, where)
-                _replace(v, batch.rows + row.kept + at.STOP, law.stop, where)
+                stop = at.HELD if purpose == BLOW else at.STOP  # the pass that goes on asks which one had a say before
+                _replace(v, batch.rows + row.kept + stop, law.stop, where)
 
 
 @inlined_kernel

@@ -122,7 +122,9 @@ PRELOAD = 9 * WIDTH
 """The force (N or N m) that a rigid row bears without giving way: what it bore when the world was put down."""
 BLOW = 10 * WIDTH
 """In the last impact of a body of the part, N s."""
-KEPT_SIZE = 11 * WIDTH
+HELD = 11 * WIDTH
+"""1 where its lower stop holds in the impact under way, -1 where the upper one does."""
+KEPT_SIZE = 12 * WIDTH
 
 # A row while a pass works on it.
 JACOBIAN = 0 * WIDTH

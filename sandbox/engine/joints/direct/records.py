@@ -9,6 +9,9 @@ from typing import NamedTuple
 
 from sandbox.tables import Field, Floats, Integers, Integers32, Records, Table
 
+MOST_STRUCK = 32
+"""Contacts of a group of impacts that joints pass on: larger ones, as of a paddle that stirs thousands of balls, are
+left to what joints take of them."""
 LEVELS = 5
 """Substep levels of islands, 0 to 4."""
 
@@ -129,14 +132,15 @@ BATCH = Table(
 class Batches(NamedTuple):
     """The arrays of factorised parts.
 
-    Of layouts: `targets` are the entries from which the elimination of a row subtracts, in its order. `fixed` are
-    the bodies on the fixed sides, part after part. Of batches: `found` is how many there are, where memory and
-    names of bodies in use end, and where the memory of the first begins; `level` is the substep level under way,
-    whether the substep is the last one, and through how many parts its impacts were passed on; `open` the batch
-    that takes the next part of each layout and level, staggered or not; `parts` says which part lies in each lane,
-    `bodies` who has each seat, in each lane. `memory` has a working place for each worker first: poses, frames,
-    rows, factor, sums of products; then the batches. `found` ends with the size of a working place. Places in it
-    count from where it begins; so do those in `own`, the batch that each worker is at.
+    Of layouts: `targets` are the entries from which the elimination of a row subtracts, in its order. `fixed` are the
+    bodies on the fixed sides, part after part. Of batches: `found` is how many there are, where memory and names of
+    bodies in use end, and where the memory of the first begins; `level` is the substep level under way, whether the
+    substep is the last one, through how many parts its impacts were passed on, and whether `delassus` is the matrix
+    of the group under way; `open` the batch that takes the next part of each layout and level, staggered or not;
+    `parts` says which part lies in each lane, `bodies` who has each seat, in each lane. `delassus` is the matrix of a
+    group of impacts, three rows a contact. `memory` has a working place for each worker first: poses, frames, rows,
+    factor, sums of products; then the batches. `found` ends with the size of a working place. Places in it count from
+    where it begins; so do those in `own`, the batch that each worker is at.
     """
 
     layouts: Records
@@ -153,4 +157,5 @@ class Batches(NamedTuple):
     open: Integers
     parts: Integers
     bodies: Integers
+    delassus: Floats
     memory: Floats

@@ -58,7 +58,7 @@ def solve_some_batches(
     begin = worker * d.found[4]
     here = Batches(
         d.layouts, d.layout_frames, d.equations, d.entries, d.products, d.targets, d.fixed, d.batches, d.own, d.found,
-        d.level, d.open, d.parts, d.bodies, d.memory[begin:],
+        d.level, d.open, d.parts, d.bodies, d.delassus, d.memory[begin:],
     )  # fmt: skip
     batch = d.own[worker]
     for n in range(first, end):

@@ -11,7 +11,17 @@ from numpy.typing import NDArray
 from sandbox._vectors import WIDTH
 from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.layout import DirectLayout
-from sandbox.engine.joints.direct.records import BATCH, ENTRY, EQUATION, FRAME, LAYOUT, LEVELS, PRODUCT, Batches
+from sandbox.engine.joints.direct.records import (
+    BATCH,
+    ENTRY,
+    EQUATION,
+    FRAME,
+    LAYOUT,
+    LEVELS,
+    MOST_STRUCK,
+    PRODUCT,
+    Batches,
+)
 from sandbox.tables import Integers, Records, Table, aligned_zeros, joined
 
 
@@ -41,7 +51,7 @@ def direct_tables(layouts: Sequence[DirectLayout], workers: int = 1) -> Batches:
     return Batches(
         table, frames, equations, entries, products, targets, nothing, BATCH.zeros(0), BATCH.zeros(workers),
         np.array([0, workers * end, 0, workers * end, end]), np.zeros(1, np.int64),
-        nothing, nothing, nothing, np.zeros(0),
+        nothing, nothing, nothing, np.zeros((3 * MOST_STRUCK) ** 2), np.zeros(0),
     )  # fmt: skip
 
 
@@ -60,7 +70,7 @@ def with_room(tables: Batches, of_part: Integers, old: Batches | None = None) ->
     return tables._replace(
         batches=_with_rows(had.batches, int(most.sum())).view(np.recarray),
         found=tables.found.copy(),
-        level=np.zeros(3, np.int64),
+        level=np.zeros(4, np.int64),
         open=_with_rows(had.open, 2 * len(layouts) * LEVELS),
         parts=_with_rows(had.parts, int(most.sum()) * WIDTH),
         bodies=_with_rows(had.bodies, int(most @ layouts.seats) * WIDTH),

@@ -8,10 +8,19 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox._vectors import Mask, Vector, load, select, spread
+from sandbox._vectors import Mask, Vector, load, root, select, spread
 from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.acting_time import compliance, look_ahead_share
-from sandbox.engine.joints.laws import COMPLIANCE, IMPACT_COMPLIANCE, INFINITE, drive, spring_law
+from sandbox.engine.joints.direct.records import TURN
+from sandbox.engine.joints.laws import (
+    COMPLIANCE,
+    IMPACT_COMPLIANCE,
+    INFINITE,
+    Pair,
+    drive,
+    spring_law,
+    spring_mobility,
+)
 from sandbox.tables import Floats, Records
 from sandbox.world.joint_records import FRICTION, MOTOR, PRISMATIC, REVOLUTE, TARGET, WELD, WHEEL
 
@@ -46,7 +55,6 @@ def target_positions(
     joint = batch.joints + frame.constants
     kept = batch.rows + row.kept
     stop = load(v, kept + at.STOP)
-    stiffness = load(v, kept + at.STIFFNESS)
     if row.slot == 4:
         return _drive_to_move(v, batch, frame, row, ahead, speed, seconds, acting)
     limit = acting * strength(v, joint, frame.kind, row.slot)
@@ -54,27 +62,43 @@ def target_positions(
     if is_brake(frame.kind, row.slot):
         bias = -load(v, joint + at.MOTOR_SPEED) if frame.kind == WHEEL else spread(0.0)
         return Law(bias, spread(0.0), -limit, limit, stop)
-    softness = compliance(batch) * stiffness
+    softness = compliance(batch) * load(v, kept + at.STIFFNESS)
     bias = (ahead - load(v, row.place + at.MAY_LEAVE)) / seconds - speed
     bias = bias - softness * acting * load(v, kept + at.PRELOAD)
     if row.slot == 3:
         turns = frame.kind == REVOLUTE or frame.kind == PRISMATIC or frame.kind == WHEEL
         rest = rest - load(v, joint + (at.REST if turns else at.LENGTH))
-        ratio = load(v, joint + at.DAMPING_RATIO)
-        hertz = load(v, joint + at.HERTZ)
-        look_ahead = look_ahead_share(v, batch, springs_acting, hertz)
-        bias, softness = spring_law(rest, hertz, ratio, stiffness, springs_acting, look_ahead)
+        bias, softness = _spring(v, batch, frame, row, rest, springs_acting)
     elif may_be_sprung(frame.kind):
         if row.slot < 2:  # a gap turns with a, of which the speed along a row knows nothing
-            levered = load(v, frame.place + at.LEVERED) == 1.0
-            rest = select(levered, rest + springs_acting * ((ahead - rest) / seconds - speed), rest)
-        ratio = load(v, joint + (at.ANGULAR_DAMPING_RATIO if row.slot == 2 else at.DAMPING_RATIO))
-        hertz = row_hertz(v, joint, row.slot)
-        look_ahead = look_ahead_share(v, batch, springs_acting, hertz)
-        soft_bias, softer = spring_law(rest, hertz, ratio, stiffness, springs_acting, look_ahead)
-        bias = select(hertz > 0.0, soft_bias, bias)
-        softness = select(hertz > 0.0, softer, softness)
+            rest = rest + springs_acting * ((ahead - rest) / seconds - speed)
+        sprung = row_hertz(v, joint, row.slot) > 0.0
+        soft_bias, softer = _spring(v, batch, frame, row, rest, springs_acting)
+        bias = select(sprung, soft_bias, bias)
+        softness = select(sprung, softer, softness)
     return Law(bias, softness, -limit, limit, stop)
+
+
+@inlined_kernel
+def _spring(v: Floats, batch: Records, frame: Records, row: Records, rest: Vector, acting: Vector) -> Pair:
+    """(bias, softness) of a row that is a spring so far from rest. Its force is that of a reduced mass, but it swings
+    faster where its bodies turn out of its way."""
+    joint = batch.joints + frame.constants
+    kept = batch.rows + row.kept
+    hertz = row_hertz(v, joint, row.slot)
+    ratio = load(v, joint + (at.ANGULAR_DAMPING_RATIO if row.slot == 2 else at.DAMPING_RATIO))
+    stiffness = load(v, kept + at.STIFFNESS)
+    if row.axis == TURN:
+        return spring_law(rest, hertz, ratio, stiffness, acting, look_ahead_share(v, batch, acting, hertz))
+    mass_a = load(v, batch.seats + row.seat_1 + at.INVERSE_MASS)
+    mass_b = load(v, batch.seats + row.seat_2 + at.INVERSE_MASS)
+    if row.slot < 2:  # at most so easily, in whatever direction: the trace of both rows of a point, less the least
+        other = kept + (at.KEPT_SIZE if row.slot == 0 else -at.KEPT_SIZE)
+        stiffness = stiffness + load(v, other + at.STIFFNESS) - (mass_a + mass_b)
+    mobility = spring_mobility(mass_a + mass_b, stiffness, hertz, acting)
+    moves = mobility > 0.0
+    faster = root(select(moves, stiffness / select(moves, mobility, 1.0), 1.0))
+    return spring_law(rest, hertz, ratio, mobility, acting, look_ahead_share(v, batch, acting, hertz * faster))
 
 
 @kernel
@@ -119,15 +143,24 @@ def target_blow(v: Floats, batch: Records, frame: Records, row: Records, speed: 
     stop = load(v, kept + at.STOP)
     none = spread(0.0)
     if row.slot == 4:
-        lower = load(v, joint + at.LOWER)
-        upper = load(v, joint + at.UPPER)
+        locked = load(v, joint + at.LOWER) >= load(v, joint + at.UPPER)
         slowest, fastest = _speeds_to_stops(v, batch, frame, row, seconds)
-        given = load(v, kept + at.BLOW)
-        held = select(load(v, row.place + at.HIGH) > 0.0, 1.0, select(load(v, row.place + at.LOW) < 0.0, -1.0, none))
-        low, high, bias, _ = drive(True, lower, upper, held, speed, none, speed, slowest, fastest, given)
-        return Law(bias, none, low, high, stop)
+        held = _held_stop(load(v, kept + at.HELD), load(v, kept + at.BLOW), speed, slowest, fastest)
+        held = select(locked, 1.0, held)
+        low = select(locked | (held < 0.0), spread(-INFINITE), 0.0)
+        high = select((held > 0.0), spread(INFINITE), 0.0)
+        return Law(-select(held > 0.0, slowest, fastest), none, low, high, held)
     soft = IMPACT_COMPLIANCE * load(v, kept + at.STIFFNESS)
     return Law(none, soft, spread(-INFINITE), spread(INFINITE), stop)
+
+
+@inlined_kernel
+def _held_stop(held: Vector, given: Vector, speed: Vector, slowest: Vector, fastest: Vector) -> Vector:
+    """Which stop holds, given which one did and what it gives (N s or N m s): one lets go when it would pull, and none
+    takes hold in the same turn, as its speed is then that of the stop but for rounding."""
+    keeps = select(((held > 0.0) & (given >= 0.0)) | ((held < 0.0) & (given <= 0.0)), held, 0.0)
+    passed = select(speed < slowest, 1.0, select(speed > fastest, spread(-1.0), 0.0))
+    return select(held != 0.0, keeps, passed)
 
 
 @inlined_kernel
@@ -149,7 +182,7 @@ def may_be_sprung(kind: int) -> bool:
 
 @inlined_kernel
 def row_hertz(v: Floats, joint: int, slot: int) -> Vector:
-    """Stiffness of a row of slots 0 to 2 of such a kind; 0 is rigid."""
+    """Stiffness of a row of slots 0 to 2 of such a kind, where 0 is rigid, or of the spring in slot 3."""
     return load(v, joint + (at.ANGULAR_HERTZ if slot == 2 else at.HERTZ))
 
 

@@ -16,10 +16,8 @@ from sandbox.engine.joints.direct.ldl import factorize, solve_directly
 from sandbox.engine.joints.direct.passes import BLOW
 from sandbox.engine.joints.direct.pivoting import aim_rows, choose_rows, clamp_rows
 from sandbox.engine.joints.direct.records import Batches
-from sandbox.engine.joints.direct.rows import change_impulse
 from sandbox.engine.joints.direct.solve import update_rows
 from sandbox.engine.joints.direct.targets import acts_in_blow
-from sandbox.engine.joints.laws import INFINITE
 from sandbox.tables import Records
 
 _TURNS = 16
@@ -40,7 +38,7 @@ def forget_stops(d: Batches, lane: int) -> None:
     batch = d.batches[lane // WIDTH]
     layout = d.layouts[batch.layout]
     for r in range(layout.first_row, layout.row_end):
-        v[batch.rows + d.equations[r].kept + at.BLOW + lane % WIDTH] = 0.0
+        v[batch.rows + d.equations[r].kept + at.HELD + lane % WIDTH] = 0.0
 
 
 @kernel
@@ -51,15 +49,48 @@ def set_struck(d: Batches, lane: int, struck: bool) -> None:
 
 
 @kernel
-def transmit(d: Batches, n: int, motions: Records, free_motions: Records, seconds: float) -> None:
-    """Change the velocities in `motions` of the parts of batch n that are struck so that they keep their joints.
+def transmit(d: Batches, n: int, motions: Records, free_motions: Records, seconds: float) -> bool:
+    """Change the velocities in `motions` of the parts of batch n that are struck so that they keep their joints;
+    returns whether other stops hold than before.
 
-    Stops hold what would pass them within a substep of `seconds`; the first guess at which do is what held in the
-    impact before. The impulses of the rows are left in `places.BLOW`.
+    Stops hold what would pass them within a substep of `seconds`; those that held before are the first guess. The
+    impulses of the rows are left in `places.BLOW`.
     """
     who = load(d.memory, d.batches[n].lanes + at.STRUCK) == 1.0
     if not any_lane(who):
-        return
+        return False
+    batch = d.own[0]
+    _place(d, n, motions, free_motions, who, seconds)
+    solve_directly(d, batch, at.BLOW, who)
+    others = False
+    if d.layouts[batch.layout].bounded == 1:
+        _let_stops_act(d, batch, who)
+        going = who
+        for _ in range(_TURNS):
+            going = going & choose_rows(d, batch, seconds, BLOW, going)
+            if not any_lane(going):
+                break
+            others = True
+            factorize(d, batch)
+            solve_directly(d, batch, at.BLOW, going)
+        clamp_rows(d, batch, at.BLOW, who)
+    scatter_bodies(d, batch, motions)
+    return others
+
+
+@kernel
+def transmit_linearly(d: Batches, n: int, motions: Records, free_motions: Records, seconds: float) -> None:
+    """The same with the stops that held before, whatever passes the others, and even if they pull."""
+    who = load(d.memory, d.batches[n].lanes + at.STRUCK) == 1.0
+    if any_lane(who):
+        _place(d, n, motions, free_motions, who, seconds)
+        solve_directly(d, d.own[0], at.BLOW, who)
+        scatter_bodies(d, d.own[0], motions)
+
+
+@kernel
+def _place(d: Batches, n: int, motions: Records, free_motions: Records, who: Mask, seconds: float) -> None:
+    """Put batch n, `own[0]`, in the working place, factorised with the stops of the parts `who` that held before."""
     batch = d.own[0]
     placed = batch.in_blow == 1 and batch.rows == d.batches[n].rows
     if not placed:
@@ -69,19 +100,10 @@ def transmit(d: Batches, n: int, motions: Records, free_motions: Records, second
     if not placed:
         update_rows(d, batch)
         assemble(d, batch)
-    going = who
     changed = _begin(d, batch, who)
     aim_rows(d, batch, seconds, BLOW, who)
     if not placed or any_lane(changed):
         factorize(d, batch)
-    for _ in range(_TURNS):
-        solve_directly(d, batch, at.BLOW, going)
-        going = going & choose_rows(d, batch, seconds, BLOW, going)
-        if not any_lane(going):
-            break
-        factorize(d, batch)
-    clamp_rows(d, batch, at.BLOW, who)
-    scatter_bodies(d, batch, motions)
 
 
 @kernel
@@ -99,9 +121,23 @@ def report_blow(d: Batches, lane: int) -> None:
 
 
 @kernel
+def _let_stops_act(d: Batches, batch: Records, who: Mask) -> None:
+    """Give those stops a say that did not hold before, too."""
+    v = d.memory
+    layout = d.layouts[batch.layout]
+    for f in range(layout.first_frame, layout.frame_end):
+        frame = d.layout_frames[f]
+        for r in range(frame.first_row, frame.row_end):
+            row = d.equations[r]
+            if row.slot == 4:
+                acts = who & acts_in_blow(v, batch, frame, row)
+                store(v, row.place + at.CAPPED, select(acts, 0.0, load(v, row.place + at.CAPPED)))
+
+
+@kernel
 def _begin(d: Batches, batch: Records, who: Mask) -> Mask:
-    """Begin with the rows that are rigid and the stops that held in the impact before, with what they gave; where that
-    is not what has been factorised."""
+    """Begin with no impulses of the rows that are rigid and of the stops that held before; where that is not what has
+    been factorised."""
     v = d.memory
     layout = d.layouts[batch.layout]
     changed = who & ~who
@@ -111,14 +147,10 @@ def _begin(d: Batches, batch: Records, who: Mask) -> Mask:
             row = d.equations[r]
             kept = batch.rows + row.kept
             acts = who & acts_in_blow(v, batch, frame, row)
-            given = select(acts, load(v, kept + at.BLOW), 0.0)
             store(v, kept + at.BLOW, select(who, 0.0, load(v, kept + at.BLOW)))
-            store(v, row.place + at.CAPPED, select(acts, 0.0, spread(1.0)))
             if row.slot == 4:
-                acts = acts & (given != 0.0)
-                store(v, row.place + at.LOW, select(given < 0.0, spread(-INFINITE), 0.0))
-                store(v, row.place + at.HIGH, select(given > 0.0, spread(INFINITE), 0.0))
-                change_impulse(v, batch, row, given, at.BLOW, acts)
+                acts = acts & (load(v, kept + at.HELD) != 0.0)
+            store(v, row.place + at.CAPPED, select(acts, 0.0, spread(1.0)))
             active = select(acts, spread(1.0), 0.0)
             changed = changed | (active != load(v, row.place + at.ACTIVE))
             store(v, row.place + at.ACTIVE, active)

@@ -8,14 +8,13 @@ leaves too much is replaced by where a parabola through what is known of it woul
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.contact_solver.closing_speed import opening_speed
 from sandbox.engine.contact_solver.law import apply_impulse, pair_mass, pair_velocity
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.restitution.impact_list import ImpactList
-from sandbox.engine.restitution.impulses import rub_of, slip_speed
+from sandbox.engine.restitution.impulses import rub_between, slip_speed
 from sandbox.engine.restitution.jointed.reach import Reach, begin_pushes, energy_in_motions, pass_on, take_over
 from sandbox.engine.restitution.solve_group import push_motions, set_velocity
 from sandbox.engine.restitution.worklist import END
@@ -26,13 +25,6 @@ _ROUNDING = 1e-12
 """Share of the energy that may come of rounding."""
 
 
-class Given(NamedTuple):
-    """The share that was given, and the work (J) that it did."""
-
-    share: float
-    work: float
-
-
 @kernel
 def push_loads(
     bodies: Records,
@@ -40,12 +32,11 @@ def push_loads(
     contacts: Records,
     impacts: ImpactList,
     first: int,
-    part: float,
     share: float,
     reach: Reach,
 ) -> None:
-    """Pass on a share of a part of the loads and of all `drag`, in `solver.motions`, of the group that is linked from
-    impact `first` on."""
+    """Pass on a share of loads and friction, in `solver.motions`, of the group that is linked from impact `first`
+    on."""
     begin_pushes(bodies, solver, impacts, first, reach)
     k = first
     while k != END:
@@ -55,44 +46,36 @@ def push_loads(
         b = bodies[contact.body_b]
         mass = pair_mass(a, b)
         if row.drag != 0.0:
-            rub = rub_of(a, b, contact, row.load1, row.load2)
+            rub = rub_between(a, b, contact)
             now = pair_velocity(solver.motions[contact.body_a], solver.motions[contact.body_b])
             x = share * row.drag * rub.tangent_x
             y = share * row.drag * rub.tangent_y
             set_velocity(solver.motions, contact, apply_impulse(now, mass, rub.anchors, x, y))
-        if part > 0.0:
-            now = pair_velocity(solver.motions[contact.body_a], solver.motions[contact.body_b])
-            push_motions(solver, contact, mass, now, share * part * row.load1, share * part * row.load2)
+        now = pair_velocity(solver.motions[contact.body_a], solver.motions[contact.body_b])
+        push_motions(solver, contact, mass, now, share * row.load1, share * row.load2)
         k = row.next
     pass_on(solver, reach)
 
 
 @kernel
 def give(
-    bodies: Records,
-    solver: SolverBodies,
-    contacts: Records,
-    impacts: ImpactList,
-    first: int,
-    part: float,
-    most: float,
-    reach: Reach,
-) -> Given:
-    """Give a part of the loads and all `drag`, or the share of both that does no more work (J) than `most` and than
-    surfaces that move do."""
+    bodies: Records, solver: SolverBodies, contacts: Records, impacts: ImpactList, first: int, reach: Reach
+) -> float:
+    """Give loads and friction, or the share of them that does no more work than surfaces that move do; returns the
+    share."""
     begin_pushes(bodies, solver, impacts, first, reach)
     before = energy_in_motions(bodies, solver, impacts, first, reach)
-    power = _power(bodies, solver, contacts, impacts, first, part)
-    most += _work_of_surfaces(contacts, impacts, first) + _ROUNDING * before
+    power = _power(bodies, solver, contacts, impacts, first)
+    most = _work_of_surfaces(contacts, impacts, first) + _ROUNDING * before
     share = 1.0
     for _ in range(_TRIES):
-        push_loads(bodies, solver, contacts, impacts, first, part, share, reach)
+        push_loads(bodies, solver, contacts, impacts, first, share, reach)
         work = energy_in_motions(bodies, solver, impacts, first, reach) - before
         if work <= most:
             take_over(bodies, solver, impacts, first, reach)
-            return Given(share, work)
+            return share
         share = _smaller(share, work, power, most)
-    return Given(0.0, 0.0)
+    return 0.0
 
 
 @inlined_kernel
@@ -105,9 +88,7 @@ def _smaller(share: float, work: float, power: float, most: float) -> float:
 
 
 @kernel
-def _power(
-    bodies: Records, solver: SolverBodies, contacts: Records, impacts: ImpactList, first: int, part: float
-) -> float:
+def _power(bodies: Records, solver: SolverBodies, contacts: Records, impacts: ImpactList, first: int) -> float:
     """The work (J) of the first bit of what is given, for as much as all of it is, by what `solver.motions` has."""
     power = 0.0
     k = first
@@ -115,11 +96,11 @@ def _power(
         row = impacts.rows[k]
         contact = contacts[impacts.slots[k].contact]
         now = pair_velocity(solver.motions[contact.body_a], solver.motions[contact.body_b])
-        power += part * row.load1 * opening_speed(now, contact, 1)
+        power += row.load1 * opening_speed(now, contact, 1)
         if row.load2 > 0.0:
-            power += part * row.load2 * opening_speed(now, contact, 2)
+            power += row.load2 * opening_speed(now, contact, 2)
         if row.drag != 0.0:
-            rub = rub_of(bodies[contact.body_a], bodies[contact.body_b], contact, row.load1, row.load2)
+            rub = rub_between(bodies[contact.body_a], bodies[contact.body_b], contact)
             power += row.drag * slip_speed(now, rub)
         k = row.next
     return power

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox.engine.joints.direct.transmit import report_blow, set_struck, transmit
+from sandbox.engine.joints.direct.transmit import report_blow, set_struck, transmit, transmit_linearly
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.restitution.groups import ALONE
@@ -64,6 +64,18 @@ def count_passes(reach: Reach, passes: int) -> None:
     reach.work.direct.level[2] += passes // _PASSES_OF_PART
 
 
+@inlined_kernel
+def hold_matrix(reach: Reach) -> None:
+    """From now on the matrix is that of the group."""
+    reach.work.direct.level[3] = 1
+
+
+@inlined_kernel
+def holds_matrix(reach: Reach) -> bool:
+    """Whether the matrix is still that of the group."""
+    return bool(reach.work.direct.level[3] == 1)
+
+
 @kernel
 def pass_on(solver: SolverBodies, reach: Reach) -> None:
     """Let joints pass on what was pushed, in `solver.motions`. They keep the velocities at the start of the substep."""
@@ -84,6 +96,46 @@ def keep_joints(solver: SolverBodies, reach: Reach) -> None:
         set_struck(reach.work.direct, part.lane, True)
         p = part.next_struck
     _transmit(solver, reach)
+    reach.work.direct.level[3] = 0
+
+
+@kernel
+def pass_on_from(solver: SolverBodies, contact: Records, reach: Reach) -> None:
+    """Let joints pass on what was pushed at one contact, with the stops that hold."""
+    d = reach.work.direct
+    p = reach.head
+    while p != LAST:
+        part = reach.work.parts[p - 1]
+        set_struck(d, part.lane, False)
+        p = part.next_struck
+    for i in (contact.body_a, contact.body_b):
+        q = factorised_part(reach.work, i)
+        if q != NO_PART:
+            set_struck(d, reach.work.parts[q].lane, True)
+    n = reach.batch
+    while n != LAST:
+        transmit_linearly(d, n - 1, solver.motions, solver.free_motions, reach.seconds)
+        n = d.batches[n - 1].next_struck
+
+
+@kernel
+def forget_push(solver: SolverBodies, contact: Records, reach: Reach) -> None:
+    """Go back to the velocities at the start of the substep after a push at one contact."""
+    work = reach.work
+    for i in (contact.body_a, contact.body_b):
+        q = factorised_part(work, i)
+        if q != NO_PART:
+            for m in range(work.parts[q].first_member, work.parts[q].member_end):
+                _start(solver, work.members[m].body)
+        else:
+            _start(solver, i)
+
+
+@inlined_kernel
+def _start(solver: SolverBodies, i: int) -> None:
+    """Let a body have its velocity at the start of the substep."""
+    free = solver.free_motions[i]
+    _set(solver.motions[i], free.start_x, free.start_y, free.start_w)
 
 
 @kernel
@@ -108,7 +160,8 @@ def _transmit(solver: SolverBodies, reach: Reach) -> None:
     d = reach.work.direct
     n = reach.batch
     while n != LAST:
-        transmit(d, n - 1, solver.motions, solver.free_motions, reach.seconds)
+        if transmit(d, n - 1, solver.motions, solver.free_motions, reach.seconds):
+            d.level[3] = 0
         n = d.batches[n - 1].next_struck
 
 

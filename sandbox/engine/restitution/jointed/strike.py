@@ -11,6 +11,7 @@ from __future__ import annotations
 from sandbox._jit import kernel
 from sandbox.engine.contact_solver.closing_speed import opening_speed
 from sandbox.engine.contact_solver.law import anchors_of, pair_velocity, relative_velocity, start_velocity
+from sandbox.engine.joints.direct.records import MOST_STRUCK
 from sandbox.engine.joints.direct.transmit import begin_blows
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.bodies import SolverBodies
@@ -35,8 +36,6 @@ from sandbox.tables import Records
 
 _AGREED = 1e-4
 """Share of the highest speed that is asked for to which all agree."""
-_MOST_CONTACTS = 32
-"""Of a group: larger ones, as of a paddle that stirs thousands of balls, are left to what joints take of them."""
 _LEAST_WORK = 8
 """For a contact: it strikes two parts, and to find its load and to give it takes four rounds."""
 
@@ -62,7 +61,7 @@ def strike_through_joints(
 @kernel
 def _may_strike(bodies: Records, impacts: ImpactList, first: int, work: JointWork, head: int) -> bool:
     """Whether a group is small enough, and nothing drives it, which would give it energy without bounds."""
-    if head == LAST or size_of(impacts, first) > _MOST_CONTACTS:
+    if head == LAST or size_of(impacts, first) > MOST_STRUCK:
         return False
     return not (is_driven(bodies, impacts, first) or are_driven(bodies, work, head))
 
@@ -97,8 +96,9 @@ def _strike(
             agreed = _AGREED * _ask(solver, contacts, impacts, first, seconds)
             if agreed <= 0.0:
                 break
-            solve_jointed(bodies, solver, contacts, impacts, first, agreed, reach)
-            if impacts.rows[first].next == END and contacts[impacts.slots[first].contact].friction > 0.0:
+            solve_jointed(bodies, solver, contacts, impacts, first, False, agreed, reach)
+            contact = contacts[impacts.slots[first].contact]
+            if impacts.rows[first].next == END and contact.point_count == 1 and contact.friction > 0.0:
                 strike_rough_jointed(bodies, solver, contacts, impacts, first, reach)
             else:
                 rebound(bodies, solver, contacts, impacts, first, 1.0, _AGREED, reach)
