@@ -17,7 +17,7 @@ from typing import Any, Literal, NamedTuple
 from sandbox.geometry.checks import check_shapes, checked_point
 from sandbox.geometry.exact_axes import Axis, ExactPair
 from sandbox.geometry.pair import Pair, pair_of
-from sandbox.geometry.shapes import Shape
+from sandbox.geometry.shapes import Core, Shape
 
 Vec = tuple[float, float]
 Owner = Literal["a", "b", "corners"]
@@ -108,11 +108,14 @@ def distance(a: Shape, b: Shape) -> Distance:
 def contains(shape: Shape, point: Sequence[float]) -> bool:
     """Whether a point (x, y) in metres lies in a shape or on its outline; exact for the floats given."""
     check_shapes("contains", shape)
-    spot = _Spot((checked_point("contains", "the point", point),))
-    separation, size, _row = pair_of(shape, spot).manifold(_TOUCH)
-    if abs(separation) > _TOUCH * size:
-        return separation < 0.0
-    exact = ExactPair(shape, spot)
+    spot = checked_point("contains", "the point", point)
+    separation, size, _row = pair_of(shape, _Spot((spot,))).manifold(_TOUCH)
+    return separation < 0.0 if abs(separation) > _TOUCH * size else holds(shape, spot)
+
+
+def holds(core: Core, point: Vec) -> bool:
+    """`contains` in whole numbers alone, for a core that has been checked."""
+    exact = ExactPair(core, _Spot((point,)))
     return exact.compare(exact.best()) <= 0
 
 

@@ -5,11 +5,15 @@ from __future__ import annotations
 import math
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from sandbox import ApplyForce, ApplyImpulse, Explode, SetGravity, SetSurface
 from sandbox.errors import CommandError
 from sandbox.scene.flat import FlatSettings
-from tests.flat import body, box, capsule, circle, ground, world
+from tests.examples import examples
+from tests.flat import body, box, capsule, circle, ground, polygon, segment, world
+from tests.naive.explosion import impulses
 
 WEIGHTLESS = {"gravity": (0.0, 0.0)}
 DT = 1 / 60
@@ -87,6 +91,38 @@ def test_an_explosion_pushes_all_or_nobody():
     for radius in (1e9, 1.1e7, 1e-7):
         message = refused(w, Explode((0.0, 0.0), radius, 1.0))
         assert message.startswith(f"Explode: radius must be from 1e-06 to 1e+07 m, not {radius:g}")
+
+
+SHAPES = st.sampled_from([
+    (circle(0.5),), (box(1.0, 0.6),), (capsule(0.4, 0.2),), (box(0.5, 0.5, radius=0.1), circle(0.2, (0.4, 0.1))),
+    (segment((-0.5, 0.0), (0.5, 0.2)), circle(0.1)), (polygon((-0.5, -0.3), (0.6, -0.3), (0.1, 0.5)),),
+])  # fmt: skip
+PLACES = st.tuples(st.sampled_from([0.0, 0.5, 1.0, 1e4]) | st.floats(-2, 2), st.sampled_from([0.0, 1.0]))
+
+
+@given(st.lists(st.tuples(SHAPES, PLACES, st.sampled_from([0.0, 0.5, math.pi / 2])), min_size=1, max_size=6), st.data())
+@examples(60)
+def test_an_explosion_gives_the_bits_of_its_impulses_one_by_one(bodies, data):
+    made = [body(f"b{k}", *own, position=at, angle=turn) for k, (own, at, turn) in enumerate(bodies)]
+    w, one_by_one = (world(*made, **WEIGHTLESS) for _ in range(2))
+    outline = [corner for name in w.bodies.ids for shape in w.body(name).shapes for corner in shape.vertices]
+    x, y = data.draw(st.sampled_from(outline) | PLACES)
+    point = x + data.draw(st.sampled_from([0.0, 0.5, -0.2, 1e-13])), y  # on outlines and as good as on them
+    command = Explode(point, data.draw(st.sampled_from([0.3, 2.0, 5.0])), data.draw(st.sampled_from([1.0, -0.3])))
+    w.apply(command)
+    for impulse in impulses(one_by_one, command, [each.id for each in made]):
+        one_by_one.apply(impulse)
+    assert w.state.bodies.tobytes() == one_by_one.state.bodies.tobytes()
+
+
+def test_an_explosion_wakes_what_lies_on_whom_it_pushes_and_no_others():
+    row = [body(f"{name}{k}", box(1.0, 1.0), position=(x + 5.0 * k, 0.5 + y))
+           for name, x, y in (("low", 0.0, 0.0), ("high", 0.0, 1.0)) for k in range(4)]  # fmt: skip
+    w = world(ground(), *row, settings=FlatSettings())
+    w.step(240)
+    assert not any(w.body(each.id).awake for each in row)
+    w.apply(Explode((2.5, 0.2), 2.5, 0.1))
+    assert [w.body(each.id).awake for each in row] == [True, True, False, False] * 2
 
 
 def test_gravity_turns_over():

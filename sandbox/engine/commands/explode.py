@@ -2,21 +2,25 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import compress
-from typing import TYPE_CHECKING
+from typing import Any, NamedTuple
 
-from sandbox.engine.active.wake import wake_body
+import numpy as np
+
+from sandbox._jit import Door, kernel_argument
+from sandbox.engine.active.wake import wake_bodies
+from sandbox.engine.bodies.blast import BLAST, BLASTED, UNKNOWN, push_away
 from sandbox.engine.commands.base import Command, CommandTarget, Touched, Vec
-from sandbox.engine.commands.checks import title
+from sandbox.engine.commands.checks import SPEED_LIMIT, title
 from sandbox.engine.commands.pushes import ApplyImpulse
 from sandbox.errors import CommandError
 from sandbox.geometry.checks import LARGEST, SMALLEST
+from sandbox.geometry.collide import holds
+from sandbox.tables import Floats, Integers, Records, plain
+from sandbox.world.runs import run_starts
+from sandbox.world.state import State
 
-if TYPE_CHECKING:
-    from sandbox.geometry.shapes import Shape
+_PUSH_AWAY = Door(push_away)
 
 
 @dataclass(frozen=True)
@@ -36,78 +40,79 @@ class Explode(Command):
         if not SMALLEST <= self.radius <= LARGEST:
             bounds = f"from {SMALLEST:g} to {LARGEST:g} m"
             raise CommandError(f"Explode: radius must be {bounds}, not {self.radius:g}; give one within these")
-        state = target.state
-        before = state.bodies.copy()
-        for row, push in _blasts(target, self):
-            try:
-                push.checked().change(state, row)
-            except CommandError as error:
-                state.bodies[:] = before
-                text = str(error).removeprefix(f"{title(push)}: ")
-                raise CommandError(f"Explode: its push on {push.body!r} {text}; give a smaller impulse") from None
-            wake_body(state, row)
+        state, rows = target.state, _rows_in_reach(target, self)
+        bodies = plain(state.bodies)
+        before, reached = bodies[rows], _Reached.of(state, rows)
+        try:
+            reached.push(state, self)
+        except CommandError:
+            bodies[rows] = before
+            raise
+        wake_bodies(state, plain(reached.shapes)["body"][plain(reached.shapes)["pushed"] == 1])
         return Touched()
 
 
-def _blasts(target: CommandTarget, command: Explode) -> Iterator[tuple[int, ApplyImpulse]]:
-    """The impulse on every shape in reach, with the row of its body, in the order of bodies and shapes."""
+def _rows_in_reach(target: CommandTarget, command: Explode) -> Integers:
+    """The rows of the dynamic bodies with a solid shape in reach, in order."""
     from sandbox.engine.queries.filter import Filter
     from sandbox.geometry.shapes import Circle
-    from sandbox.world.body_shapes import body_shapes
 
-    state = target.state
     seen = target.query.overlap_shape(Circle(command.point, command.radius), Filter(types=("dynamic",)))
-    for row in sorted({target.directory.body(hit.body) for hit in seen}):
-        name, body = state.census.bodies.names[row], state.bodies[row]
-        center = float(body.center_x), float(body.center_y)
-        solid = (state.shapes.sensor[state.shapes.body == row] == 0).tolist()
-        for shape in compress(body_shapes(state, row), solid):
-            push = _blast(name, shape, center, command)
-            if push is not None:
-                yield row, push
+    return np.unique(plain(target.state.shapes)["body"][np.array([hit.shape for hit in seen], np.int64)])
 
 
-def _blast(name: str, shape: Shape, center: Vec, command: Explode) -> ApplyImpulse | None:
-    """What an explosion does to one shape; None if it is out of reach."""
-    nearest, gap = _nearest(shape, command.point)
-    if gap >= command.radius:
-        return None
-    towards = nearest if gap > 0.0 else center
-    x, y = towards[0] - command.point[0], towards[1] - command.point[1]
-    length = math.sqrt(x * x + y * y)
-    if length == 0.0:
-        return None
-    x, y = x / length, y / length
-    across = [x * v - y * u for u, v in shape.vertices]
-    width = max(across) - min(across) + 2.0 * shape.radius
-    size = command.impulse * width * (1.0 - max(gap, 0.0) / command.radius)
-    return ApplyImpulse(name, (size * x, size * y), point=nearest if gap > 0.0 else None)
+class _Reached(NamedTuple):
+    """The solid shapes of some bodies: rows of `BLASTED`, and the corners of their cores in the world (m)."""
+
+    shapes: Records
+    xs: Floats
+    ys: Floats
+
+    @classmethod
+    def of(cls, state: State, rows: Integers) -> _Reached:
+        """Those of the bodies in those rows, as their author numbered the corners."""
+        items = state.census.bodies.items
+        solid = [(row, shape) for row in rows.tolist() for shape in items[row].shapes if not shape.sensor]
+        counts = np.array([len(shape.vertices) for _, shape in solid], np.int64)
+        shapes = BLASTED.zeros(len(solid))
+        shapes.body, shapes.holds = [row for row, _ in solid], UNKNOWN
+        shapes.start, shapes.count = run_starts(counts), counts
+        shapes.radius = [shape.radius for _, shape in solid]
+        corners = np.array([corner for _, shape in solid for corner in shape.vertices], float).reshape(-1, 2)
+        u, v = corners.T
+        body = plain(state.bodies)[np.repeat(shapes.body, counts)]
+        x, y, cos, sin = (body[name] for name in ("position_x", "position_y", "rotation_cos", "rotation_sin"))
+        return cls(shapes, x + (cos * u - sin * v), y + (sin * u + cos * v))
+
+    def push(self, state: State, command: Explode) -> None:
+        """Push them all, one after the other. Raises `CommandError` at the first that cannot take its push."""
+        blast = BLAST.zeros(1)
+        blast[0] = (*command.point, command.radius, command.impulse, SPEED_LIMIT)
+        arguments = kernel_argument((state.bodies, self.shapes, self.xs, self.ys, blast))
+        row = 0
+        while (row := _PUSH_AWAY(*arguments, row)) < len(self.shapes):
+            shape = self.shapes[row]
+            if shape.holds != UNKNOWN:
+                raise _refusal(state, shape)
+            own = slice(shape.start, shape.start + shape.count)
+            core = tuple(zip(self.xs[own].tolist(), self.ys[own].tolist(), strict=True))
+            shape.holds = holds(_Core(core, float(shape.radius)), command.point)
 
 
-def _nearest(shape: Shape, point: Vec) -> tuple[Vec, float]:
-    """The place of a shape that is nearest to a point, and how far away it is; 0 if the shape holds the point."""
-    from sandbox.geometry.collide import contains
+class _Core(NamedTuple):
+    """The core of a shape in the world (m)."""
 
-    if contains(shape, point):
-        return point, 0.0
-    core = shape.vertices
-    (x, y), away = min((_on_edge(a, b, point) for a, b in zip(core, (*core[1:], core[0]), strict=True)), key=_second)
-    if away == 0.0:  # so near that it cannot be told from the edge
-        return point, 0.0
-    share = shape.radius / away
-    return (x + (point[0] - x) * share, y + (point[1] - y) * share), away - shape.radius
+    vertices: tuple[Vec, ...]
+    radius: float
 
 
-def _on_edge(a: Vec, b: Vec, point: Vec) -> tuple[Vec, float]:
-    """The point of an edge that is nearest to a point, and their distance."""
-    x, y = b[0] - a[0], b[1] - a[1]
-    square = x * x + y * y
-    along = ((point[0] - a[0]) * x + (point[1] - a[1]) * y) / square if square > 0.0 else 0.0
-    along = min(max(along, 0.0), 1.0)
-    near = (a[0] + along * x, a[1] + along * y)
-    dx, dy = point[0] - near[0], point[1] - near[1]
-    return near, math.sqrt(dx * dx + dy * dy)
-
-
-def _second(found: tuple[Vec, float]) -> float:
-    return found[1]
+def _refusal(state: State, shape: Any) -> CommandError:
+    """Why the body of a shape cannot take the push that is noted there."""
+    name = state.census.bodies.names[shape.body]
+    place = None if shape.at_center else (float(shape.x), float(shape.y))
+    push = ApplyImpulse(name, (float(shape.impulse_x), float(shape.impulse_y)), point=place)
+    try:
+        push.checked().change(state, shape.body)
+    except CommandError as error:
+        text = str(error).removeprefix(f"{title(push)}: ")
+    return CommandError(f"Explode: its push on {name!r} {text}; give a smaller impulse")
