@@ -60,31 +60,31 @@ class Events:
     def __iter__(self) -> Iterator[dict[str, Any]]:
         """Every event as plain data: its `event` kind, its `step`, body ids and figures."""
         for kind in _OF_STEPS:
-            for row in getattr(self, kind):
-                plain = {"joint": self.joint_names[row]} if kind == "joint_break" else _plain(row, self.names)
-                yield {"event": kind, "step": self.step, **plain}
+            for words in self._plain(kind):
+                yield {"event": kind, "step": self.step, **words}
         for happening in self.happenings:
             yield {"event": happening.event, "step": self.step, **happening.plain()}
+
+    def _plain(self, kind: str) -> Iterator[dict[str, Any]]:
+        """The events of a kind of steps as plain data. A whole table is made numbers of Python at once: one by one, the
+        fields of its rows take 19 us an event."""
+        table, names = getattr(self, kind), self.names
+        rows = table.tolist()
+        if kind == "joint_break":
+            yield from ({"joint": self.joint_names[row]} for row in rows)
+        elif table.dtype == CONTACT_EVENT.dtype:
+            for a, b, _, _, x, y, *normal, impulse, speed in rows:
+                place = {"point": [x, y], "normal": normal, "impulse": impulse, "speed": speed}
+                yield {"a": names[a], "b": names[b], **place}
+        elif table.dtype == SENSOR_EVENT.dtype:
+            yield from ({"sensor": names[sensor], "body": names[body]} for sensor, body, *_ in rows)
+        else:
+            yield from ({"body": names[row]} for row in rows)
 
 
 _OF_STEPS = tuple(field.name for field in fields(Events))[2:-2]
 KINDS = (*_OF_STEPS, *HAPPENINGS)
 """The kinds of events: those of steps in the order in which they are told, then those of rules."""
-
-
-def _plain(row: Any, names: tuple[str, ...]) -> dict[str, Any]:
-    if not isinstance(row, np.record):
-        return {"body": names[row]}
-    if "sensor" in (row.dtype.names or ()):
-        return {"sensor": names[row.sensor_body], "body": names[row.body]}
-    return {
-        "a": names[row.body_a],
-        "b": names[row.body_b],
-        "point": [float(row.x), float(row.y)],
-        "normal": [float(row.normal_x), float(row.normal_y)],
-        "impulse": float(row.impulse),
-        "speed": float(row.speed),
-    }
 
 
 def no_events(step: int, names: tuple[str, ...]) -> Events:
