@@ -17,13 +17,14 @@ from numpy.typing import NDArray
 
 def plain_rows(table: NDArray[Any]) -> NDArray[Any]:
     """The same memory, for kernels in Python."""
-    kind, dtype = _classes(np.dtype((np.void, table.dtype)))
+    kind, dtype = _classes(table.dtype)
     return np.asarray(table).view(dtype, kind)
 
 
 @cache
 def _classes(dtype: np.dtype[Any]) -> tuple[type[NDArray[Any]], np.dtype[Any]]:
     """The class of a table whose rows are of this dtype, and the same dtype with a class of its own for a row."""
+    dtype = np.dtype((np.void, dtype))
     fields = {name: property(itemgetter(name), _setter(name)) for name in dtype.names or ()}
     row = type("PlainRow", (np.void,), {"__slots__": (), **fields})
     return type("PlainRows", (np.ndarray,), fields), np.dtype((row, dtype))

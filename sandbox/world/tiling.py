@@ -79,6 +79,8 @@ def tiles_of(state: State, body: int) -> Integers:
 
 def note_moved(state: State, tiles: Integers) -> None:
     """Some tiles lie elsewhere now."""
+    if len(tiles) == 0:
+        return
     tiling = tiling_of(state)
     places = np.searchsorted(tiling.rows, tiles)
     known = places < len(tiling.boxes)

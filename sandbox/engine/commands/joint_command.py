@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from sandbox._plain_rows import plain_rows
 from sandbox.engine.active.wake import wake_bodies
 from sandbox.engine.commands.base import Command, CommandTarget, Touched
 from sandbox.engine.commands.checks import title
@@ -33,15 +34,22 @@ class JointCommand(Command):
     def apply(self, target: CommandTarget) -> Touched:
         """Change the joint and wake the bodies that it holds."""
         state, row = target.state, target.directory.joint(self.joint)
-        joint = state.joints[row]
-        before = [int(joint[name]) for name in _SWITCHES]
+        joints = plain_rows(plain(state.joints))
+        joint = joints[row]
+        before = [joint[name] for name in _SWITCHES]
         self.change(state, joint)
-        wake_bodies(state, held_bodies(state, np.array([row])))
-        return Touched(joints=before != [int(joint[name]) for name in _SWITCHES])
+        wake_bodies(state, _held(joints, joint))
+        return Touched(joints=before != [joint[name] for name in _SWITCHES])
 
     @abstractmethod
     def change(self, state: State, joint: Any) -> None:
         """Change the joint's record. Raises `CommandError`, and changes nothing, if it cannot be done."""
+
+
+def _held(joints: Any, joint: Any) -> list[int]:
+    """The rows of the bodies that a joint holds. A gear has none of its own, but those of the joints it couples."""
+    coupled = [joints[row] for row in (joint.joint_1, joint.joint_2) if row >= 0]
+    return [body for each in (joint, *coupled) for body in (each.body_a, each.body_b) if body >= 0]
 
 
 def held_bodies(state: State, rows: Integers) -> Integers:

@@ -11,6 +11,7 @@ from sandbox.engine.commands.body_command import BodyCommand
 from sandbox.engine.commands.checks import title
 from sandbox.engine.commands.switch import switch
 from sandbox.errors import CommandError, SceneError
+from sandbox.tables import plain
 from sandbox.world.state import State
 
 
@@ -28,11 +29,12 @@ class SetThruster(BodyCommand):
 
     def apply(self, target: CommandTarget) -> Touched:
         """Change the thrusters and wake the body."""
-        return replace(super().apply(target), schedules=True)
+        return replace(super().apply(target), schedules=self.enabled is not None)
 
     def change(self, state: State, row: int) -> None:
         """Write force and schedule."""
-        rows = np.flatnonzero(np.asarray(state.thrusters.body) == row)
+        thrusters = plain(state.thrusters)
+        rows = np.flatnonzero(thrusters["body"] == row)
         if self.thruster is not None:
             if not 0 <= self.thruster < len(rows):
                 raise CommandError(f"{title(self)}: the body has no thruster {self.thruster}, but {len(rows)}")
@@ -41,8 +43,8 @@ class SetThruster(BodyCommand):
             raise CommandError(f"{title(self)}: the body has no thrusters; give it some in the scene")
         if self.force is not None:
             _check_force(self, self.force)
-            state.thrusters.force_x[rows], state.thrusters.force_y[rows] = self.force
-        for one in rows:
+            thrusters["force_x"][rows], thrusters["force_y"][rows] = self.force
+        for one in rows if self.enabled is not None else ():
             switch(state.thrusters[one], self.enabled, state)
 
 

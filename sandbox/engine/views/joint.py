@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from sandbox._plain_rows import plain_rows
 from sandbox.arguments import shown
 from sandbox.attributes import FixedAttributes
 from sandbox.engine.commands.base import Command
@@ -13,6 +14,7 @@ from sandbox.engine.commands.joint_parts import BreakJoint, SetLimits, SetMotor,
 from sandbox.engine.commands.set_joint import SetJoint
 from sandbox.engine.views.base import ViewedWorld
 from sandbox.errors import CommandError, UnknownJointError
+from sandbox.tables import plain
 from sandbox.world import joint_records as kinds
 from sandbox.world.build_joints import KINDS
 from sandbox.world.joint_pose import anchor, angle_between, slide
@@ -33,7 +35,7 @@ class JointView(FixedAttributes):
         self.id = world.state.census.joints.names[row]
         self._world, self._state = world, world.state
         self._serial = world.state.census.joints.serials[row]
-        self._layout, self._record = world.state.layout, world.state.joints[row]
+        self._layout, self._record = world.state.layout, plain_rows(plain(world.state.joints))[row]
 
     @classmethod
     def _again(cls, world: ViewedWorld, name: str, serial: int) -> JointView:
@@ -52,7 +54,7 @@ class JointView(FixedAttributes):
             row = self._state.census.joints.row_of(self._serial)
             if row is None:
                 raise UnknownJointError(f"the joint {self.id!r} has been deleted")
-            self._layout, self._record = self._state.layout, self._state.joints[row]
+            self._layout, self._record = self._state.layout, plain_rows(plain(self._state.joints))[row]
         return self._record
 
     def _apply(self, command: Command) -> None:
