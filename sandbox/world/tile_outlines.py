@@ -13,7 +13,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from sandbox.tables import Floats, Integers, Records
+from sandbox.tables import Floats, Integers, Records, plain
 from sandbox.world.runs import neighbours_in_rings, run_starts, runs
 
 Corners: TypeAlias = Integers
@@ -47,11 +47,11 @@ class Outlines:
         cls, bodies: Records, shapes: Records, vertices: Records, tiles: Integers, wholes: Integers | None = None
     ) -> Outlines:
         """Those of the shapes in the rows `tiles`; all are parts of one whole unless `wholes` says otherwise."""
-        of_core = np.array(shapes.vertex_count[tiles])
+        owner, of_core = _columns(shapes, tiles, "body", "vertex_count")
         counts = np.where(of_core == 2, 4, of_core)
         x, y, normal_x, normal_y = _rings(shapes, vertices, tiles, counts)
-        body = np.repeat(shapes.body[tiles], counts)
-        cos, sin = bodies.rotation_cos[body], bodies.rotation_sin[body]
+        pose = "center_x", "center_y", "rotation_cos", "rotation_sin"
+        center_x, center_y, cos, sin = _columns(bodies, np.repeat(owner, counts), *pose)
         # No matrix product: what that rounds differs from machine to machine.
         return cls(
             tiles,
@@ -59,8 +59,8 @@ class Outlines:
             of_core,
             run_starts(counts),
             counts,
-            bodies.center_x[body] + (cos * x - sin * y),
-            bodies.center_y[body] + (sin * x + cos * y),
+            center_x + (cos * x - sin * y),
+            center_y + (sin * x + cos * y),
             cos * normal_x - sin * normal_y,
             sin * normal_x + cos * normal_y,
             *neighbours_in_rings(counts),
@@ -124,6 +124,12 @@ class Outlines:
             height = np.maximum(height, self.height(x, y, edges))
             rows, height, x, y, starts, lasts = kept(height <= reach, rows, height, x, y, starts, lasts)
         return rows, height
+
+
+def _columns(table: Any, rows: Integers, *names: str) -> list[NDArray[Any]]:
+    """Some columns of some rows of a table."""
+    table = plain(table)
+    return [table[name][rows] for name in names]
 
 
 def kept(which: NDArray[np.bool_], *columns: Any) -> tuple[Any, ...]:

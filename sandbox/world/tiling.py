@@ -33,6 +33,8 @@ def neighbours(state: State, tiles: Integers) -> Integers:
     if len(tiles) == 0:
         return tiles
     near, outlines = _around(state, tiles)
+    if len(near) == len(tiles):  # nobody else
+        return tiles[:0]
     found = [near[two] for _, two in meeting_tiles(outlines, np.searchsorted(near, tiles))]
     beside = np.setdiff1d(np.concatenate(found), tiles)
     single: Integers = beside[plain(state.shapes)["part"][beside] == 0]
@@ -89,8 +91,10 @@ def note_moved(state: State, tiles: Integers) -> None:
 
 def _around(state: State, tiles: Integers) -> tuple[Integers, Outlines]:
     """Some tiles and all that may meet them: their rows, ascending, and their outlines."""
-    near = _may_meet(state, Outlines.of(state.bodies, state.shapes, state.vertices, tiles))
-    return near, Outlines.of(state.bodies, state.shapes, state.vertices, near)
+    own = Outlines.of(state.bodies, state.shapes, state.vertices, tiles)
+    near = _may_meet(state, own)
+    alone = np.array_equal(near, tiles)
+    return near, own if alone else Outlines.of(state.bodies, state.shapes, state.vertices, near)
 
 
 def _may_meet(state: State, outlines: Outlines) -> Integers:
