@@ -232,7 +232,7 @@ class World(Readings, Shown, FixedAttributes):
         if self._paths is None and len(state.paths):
             from sandbox.engine.rules.paths import Paths
 
-            self._paths = Paths(state, lambda row: self._note(Touched(fixed=(row,))))
+            self._paths = Paths(state, lambda rows: self._note(Touched(fixed=tuple(rows))))
 
     def _note(self, touched: Touched) -> None:
         """Bring up to date what is worked out from the records."""

@@ -8,11 +8,15 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
+from sandbox._jit import interpreted
+from sandbox._plain_rows import plain_rows
+from sandbox.engine.bodies.paths import place_after
 from sandbox.engine.commands.set_path import SetPath
-from sandbox.engine.rules.paths import pose_at
+from sandbox.engine.rules.paths import ways_of
 from sandbox.engine.world import World
 from sandbox.errors import CommandError
 from sandbox.scene import Scene
+from sandbox.scene.flat_body import FlatPath
 from sandbox.scene.play.path import BodyPath
 from tests.examples import examples
 
@@ -21,6 +25,12 @@ def lift(path: dict[str, Any], *others: dict[str, Any], **fields: Any) -> World:
     """A world with one body on a path, begun at (1, 2)."""
     body = {"id": "lift", "type": "kinematic", "position": [1, 2], "shapes": [{"box": [2, 0.2]}], "path": path}
     return World(Scene(bodies=[{**body, **fields}, *others]))
+
+
+def pose_at(path: FlatPath, seconds: float) -> tuple[float, float, float]:
+    """Where a path is after so many seconds: x and y (m) and angle (rad) from its origin."""
+    ways, stops = map(plain_rows, ways_of([path]))
+    return interpreted(place_after)(ways[0], stops, seconds)
 
 
 def heights(path: dict[str, Any], *times: float) -> list[float]:
