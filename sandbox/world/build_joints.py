@@ -36,6 +36,8 @@ def build_joints(
     `body_row` gives the row of a body by its id, `joint_row` that of a joint, in the table in which these come to lie.
     """
     table = JOINT.zeros(len(joints))
+    if not joints:
+        return table
     table.kind = [KINDS[joint.kind] for joint in joints]
     table.broken_step = -1
     table.body_a = [_row(joint.body_a, body_row) for joint in joints]

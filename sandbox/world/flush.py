@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.errors import CapacityError
-from sandbox.tables import Integers, Records
+from sandbox.tables import Integers, Records, plain
 from sandbox.world.records import BODY, ONE_WAY, SEAM, SEAMED, STATIC
 from sandbox.world.runs import run_starts, runs
 from sandbox.world.tile_corners import sides_at_corners
@@ -32,7 +32,7 @@ PARTED = 8
 
 def with_room_for_tiles(bodies: Records, shapes: Records, seams: Records) -> Records:
     """The seam table with further rows for every static tile that may come to abut another one."""
-    tiles = find_tiles(bodies, shapes)
+    tiles = find_tiles(plain(bodies), plain(shapes))
     tiles = tiles[(shapes.traits[tiles] & SEAMED) == 0]
     counts = shapes.vertex_count[tiles]
     shapes.seam_start[tiles] = len(seams) + np.cumsum(counts) - counts
@@ -46,7 +46,7 @@ def join_tiles(bodies: Records, shapes: Records, vertices: Records, seams: Recor
 
     Raises `CapacityError` where too many lie in one place, before they are gone through.
     """
-    tiles = find_tiles(bodies, shapes)
+    tiles = find_tiles(plain(bodies), plain(shapes))
     own = shapes.part[tiles] == 0
     shapes.traits[tiles[own]] &= ~SEAMED
     if len(tiles) < 2 or not own.any():
