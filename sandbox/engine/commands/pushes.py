@@ -34,7 +34,7 @@ class ApplyForce(BodyCommand):
         x, y = self.force
         force = (body[At.FORCE_X] + x, body[At.FORCE_Y] + y)
         torque = body[At.TORQUE] + self.torque + _moment(body, self.force, self.point)
-        if not all(math.isfinite(value) for value in (*force, torque)):
+        if not (math.isfinite(force[0]) and math.isfinite(force[1]) and math.isfinite(torque)):
             raise CommandError(f"{title(self)}: the forces on the body add up to infinity")
         body[At.FORCE_X], body[At.FORCE_Y] = force
         body[At.TORQUE] = torque
@@ -59,12 +59,10 @@ class ApplyImpulse(BodyCommand):
         needs_dynamic(flags, self)
         x, y = self.impulse
         moment = self.angular_impulse + _moment(body, self.impulse, self.point)
-        velocity = (
-            body[At.VELOCITY_X] + x * body[At.INVERSE_MASS],
-            body[At.VELOCITY_Y] + y * body[At.INVERSE_MASS],
-        )
+        inverse_mass = body[At.INVERSE_MASS]
+        velocity = body[At.VELOCITY_X] + x * inverse_mass, body[At.VELOCITY_Y] + y * inverse_mass
         turning = body[At.ANGULAR_VELOCITY] + moment * body[At.INVERSE_INERTIA]
-        if not all(abs(speed) <= SPEED_LIMIT for speed in (*velocity, turning)):
+        if not (abs(velocity[0]) <= SPEED_LIMIT and abs(velocity[1]) <= SPEED_LIMIT and abs(turning) <= SPEED_LIMIT):
             text = f"would make it faster than the limit of {SPEED_LIMIT:g} m/s or rad/s"
             raise CommandError(f"{title(self)}: {text}")
         body[At.VELOCITY_X], body[At.VELOCITY_Y] = velocity

@@ -150,8 +150,10 @@ class Actor:
             self.tell("spawn", occasion.source, body=self._spawner.note(action, number))
 
     def _push(self, action: flat.FlatPush, occasion: Occasion) -> None:
+        bodies, directory = self._world.state.bodies, self._world.directory
+        asks = action.along is not None or action.kind not in ("force", "impulse")  # how the body lies and moves
         for name in self._meant.bodies(action.of, occasion):
-            body = plain(self._world.state.bodies)[self._world.directory.body(name)]
+            body = plain(bodies)[directory.body(name)] if asks else None
             frame = self._frame(action, body, occasion)
             if frame is None:
                 continue
