@@ -76,7 +76,9 @@ def test_more_pairs_take_memory_for_pairs_alone():
 def test_static_tiles_in_one_place_are_refused_before_they_are_gone_through():
     """Beside each other, as many are no trouble. Those with more corners are refused before."""
     tiles = [body(f"{k}", box(1.0, 1.0), type="static", angle=0.01 * k) for k in range(1600)]
-    with pytest.raises(CapacityError, match=r"1,600 static .* 40,960,000 pairs of edges, of which 18,560,000 may"):
+    with pytest.raises(
+        CapacityError, match=r"1,600 polygons and lines .* 40,960,000 pairs of edges, of which 18,560,000 may"
+    ):
         World(scene(*tiles))
     beside = [body(f"{k}", box(1.0, 1.0), type="static", position=(float(k % 40), float(k // 40))) for k in range(1600)]
     assert len(World(scene(*beside)).state.bodies) == 1600
@@ -85,7 +87,9 @@ def test_static_tiles_in_one_place_are_refused_before_they_are_gone_through():
 def test_tiles_with_many_corners_count_for_more():
     around = [(math.cos(k * math.pi / 32), math.sin(k * math.pi / 32)) for k in range(64)]
     tiles = [body(f"{k}", polygon(*around), type="static") for k in range(400)]
-    with pytest.raises(CapacityError, match=r"400 static .* 655,360,000 pairs of edges, of which 179,840,000 may"):
+    with pytest.raises(
+        CapacityError, match=r"400 polygons and lines .* 655,360,000 pairs of edges, of which 179,840,000 may"
+    ):
         World(scene(*tiles))
 
 
@@ -102,7 +106,7 @@ def test_static_tiles_that_come_into_a_crowd_are_refused_and_nothing_has_changed
     w.apply(spawn(0, 900))
     before = w.snapshot()
     for count in (900, 20_000):
-        with pytest.raises(CommandError, match=r"Spawn: .* static polygons .* Too many are in one place"):
+        with pytest.raises(CommandError, match=r"Spawn: .* polygons and lines .* Too many are in one place"):
             w.apply(spawn(1000, count))
         assert w.snapshot() == before
         assert len(w.names) == 901
