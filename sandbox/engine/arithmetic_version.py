@@ -91,7 +91,8 @@ NOTES: dict[int, str] = {
     41: "stops that hold in an impact on jointed bodies are found in a guess or two; loads take up what friction turns "
     "in an impact with restitution, so that what lands flat and slides leaves flat; parts of one body and lines "
     "that abut are one surface, sensors cover nothing; springs have one stiffness whichever way they pull; rolling "
-    "resistance agrees with loads and friction where contacts are solved until all agree",
+    "resistance agrees with loads and friction where contacts are solved until all agree; what falls freely takes no "
+    "finer substeps for what is heavy in it",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

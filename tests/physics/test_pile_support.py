@@ -39,6 +39,17 @@ def test_what_falls_bears_nothing(step: float) -> None:
     assert finer_in(w, 50) == 0
 
 
+def test_what_is_heavy_presses_on_nothing_while_it_falls() -> None:
+    """A ball of 2,500 times the mass of those that it falls with, which would take finer substeps to bear it."""
+    small = [body(f"b{i}", circle(0.1), position=(0.19 * i, 20.0)) for i in range(8)]
+    large = body("large", circle(5.0), position=(0.6, 25.05))
+    w = world(ground(), *small, large)
+    w.step(4)
+    assert finer_in(w, 60) == 0
+    w.step(120)  # it has landed on them
+    assert finer_in(w, 10) == 10
+
+
 def test_a_tower_that_has_landed_stands_as_one_that_was_put_down() -> None:
     w = world(ground(), *tower(0.05))
     w.step(4)

@@ -256,13 +256,14 @@ def level_for(pile: Records, omega: float, gravity: float) -> int:
     foot = pile.bottom
     load = pile.second_moment - 2.0 * foot * pile.moment + foot * foot * pile.weight
     load = load * share_supported(pile) if is_frame(pile) else 0.0
+    heaviest = pile.ratio if pile.support > 0.0 else 0.0  # what falls freely presses on nothing
     bears = SAFE * STIFFNESS * pile.bearer * omega * omega * width * width * width
     ratio = bearable(pile.slight, gravity, omega)
     level = pile.level - 1 if pile.level > 1 else 0
     for _ in range(level):
         bears = 4.0 * bears
         ratio = 4.0 * ratio
-    while level < MAX_LEVEL and (load > _limit(bears, level, pile) or pile.ratio > _limit(ratio, level, pile)):
+    while level < MAX_LEVEL and (load > _limit(bears, level, pile) or heaviest > _limit(ratio, level, pile)):
         bears = 4.0 * bears
         ratio = 4.0 * ratio
         level += 1
