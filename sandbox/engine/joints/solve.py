@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from sandbox._jit import kernel
 from sandbox.engine.joints.direct.batches import fill_batches
+from sandbox.engine.joints.direct.records import IS_LAST, SUBSTEP_LEVEL
 from sandbox.engine.joints.direct.solve import solve_batches
 from sandbox.engine.joints.gauss_seidel import solve_softly
 from sandbox.engine.joints.joint_bodies import load_members, part_level
@@ -42,7 +43,7 @@ def begin_joints(
 @kernel
 def select_parts(work: JointWork, free_motions: Records, substep_level: int) -> None:
     """Choose the parts whose islands take their substeps now."""
-    work.direct.level[0] = substep_level
+    work.direct.level[SUBSTEP_LEVEL] = substep_level
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
         same = part.awake == 1 and part_level(work, part, free_motions) == substep_level
@@ -65,7 +66,7 @@ def relax_joints(
 ) -> None:
     """After the move: change velocities so that they keep the joints, too. Some parts ask for that after the `last`
     substep alone (`direct.stagger`)."""
-    work.direct.level[1] = 1 if last else 0
+    work.direct.level[IS_LAST] = 1 if last else 0
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
         if part.current == 1 and part.direct == 0:

@@ -21,6 +21,8 @@ from sandbox.engine.restitution.worklist import END
 from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC
 
+CLOSING, OPENING = -1.0, 1.0
+"""Which way `fastest` looks."""
 NOT_STRUCK = 0
 STRUCK = 1 << 41
 """Bit of `solver.struck` of a body after the first impact of the substep, until groups are formed; the others are the
@@ -163,16 +165,16 @@ def size_of(impacts: ImpactList, first: int) -> int:
 
 
 @kernel
-def fastest(solver: SolverBodies, contacts: Records, impacts: ImpactList, first: int) -> float:
-    """The highest closing speed (m/s) of the impacts that are linked from the `first` one on."""
+def fastest(solver: SolverBodies, contacts: Records, impacts: ImpactList, first: int, way: float) -> float:
+    """The highest speed (m/s) of the impacts that are linked from the `first` one on, `CLOSING` or `OPENING`."""
     highest = 0.0
     k = first
     while k != END:
         contact = contacts[impacts.slots[k].contact]
         start = start_velocity(solver.free_motions, contact)
         for point in range(1, contact.point_count + 1):
-            closing = -opening_speed(start, contact, point)
-            highest = closing if closing > highest else highest
+            speed = way * opening_speed(start, contact, point)
+            highest = speed if speed > highest else highest
         k = impacts.rows[k].next
     return highest
 

@@ -18,7 +18,7 @@ from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.contact_solver.closing_speed import opening_speed
 from sandbox.engine.contact_solver.law import pair_velocity, start_velocity
 from sandbox.engine.records.bodies import SolverBodies
-from sandbox.engine.restitution.groups import fastest, size_of
+from sandbox.engine.restitution.groups import CLOSING, fastest, size_of
 from sandbox.engine.restitution.impact_list import ImpactList
 from sandbox.engine.restitution.impulses import rub_between, slip_speed
 from sandbox.engine.restitution.jointed.loads import solve_jointed
@@ -29,7 +29,8 @@ from sandbox.engine.restitution.worklist import END
 from sandbox.tables import Records
 
 _MOST_PARTS = 16
-"""Times contacts, but one: between them some contact slides back, in the last one whenever it does."""
+"""Times that the rest is found anew where a contact slides back, of a group of one, and half as many of two; what
+slides back after the last has the friction of the end."""
 _MOST_PASSES = 16
 _SAME = 10.0
 """Times what the speeds agree to: a contact that slides back no faster sticks."""
@@ -68,7 +69,7 @@ def strike_rough_group(
     In: `rebound1` and `rebound2`, the loads of the blow without friction, and `solver.motions` after them, of which the
     group has stopped at the share `stop`; the share `agreed` of its closing speed to which it is solved.
     """
-    slow = agreed * fastest(solver, contacts, impacts, first)
+    slow = agreed * fastest(solver, contacts, impacts, first, CLOSING)
     restitution = 1.0 / stop - 1.0
     work = lowest = load = stopped = 0.0
     parts = 1 + _MOST_PARTS // size_of(impacts, first)

@@ -13,7 +13,7 @@ from sandbox.engine.contact_solver.law import start_velocity
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.restitution.earliest import LATER
 from sandbox.engine.restitution.elastic import strike_elastic
-from sandbox.engine.restitution.groups import fastest, note_first_strike
+from sandbox.engine.restitution.groups import CLOSING, fastest, note_first_strike
 from sandbox.engine.restitution.impact_list import ImpactList
 from sandbox.engine.restitution.rebound import rebound
 from sandbox.engine.restitution.rebound_speed import NONE
@@ -86,7 +86,7 @@ def strike_together(
     while k != END:
         note_first_strike(bodies, solver, contacts[impacts.slots[k].contact], impacts.rows[k])
         k = impacts.rows[k].next
-    slow = agreed * fastest(solver, contacts, impacts, first)
+    slow = agreed * fastest(solver, contacts, impacts, first, CLOSING)
     work = solve_group(bodies, solver, contacts, impacts, first, False, False, slow, passes)
     rebound(bodies, solver, contacts, impacts, first, 1.0, agreed, None)
     return int(work)

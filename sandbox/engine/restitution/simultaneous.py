@@ -14,7 +14,7 @@ from sandbox.engine.contact_solver.closing_speed import opening_speed
 from sandbox.engine.contact_solver.law import start_velocity
 from sandbox.engine.contact_solver.nesterov import passes_within
 from sandbox.engine.records.bodies import SolverBodies
-from sandbox.engine.restitution.groups import fastest, is_driven, size_of, take_back
+from sandbox.engine.restitution.groups import CLOSING, fastest, is_driven, size_of, take_back
 from sandbox.engine.restitution.impact_list import ImpactList
 from sandbox.engine.restitution.rebound import rebound
 from sandbox.engine.restitution.solve_group import solve_group
@@ -41,11 +41,11 @@ def strike_group(
     count = size_of(impacts, first)
     if LEAST_PASSES * count > most:
         return most
-    if is_driven(bodies, impacts, first) or fastest(solver, contacts, impacts, first) <= impacts.threshold:
+    if is_driven(bodies, impacts, first) or fastest(solver, contacts, impacts, first, CLOSING) <= impacts.threshold:
         return count
     if anew:
         take_back(bodies, solver, contacts, impacts, first)
-    slow = AGREED * fastest(solver, contacts, impacts, first)
+    slow = AGREED * fastest(solver, contacts, impacts, first, CLOSING)
     _ask_to_stop(impacts, first)
     passes = passes_within(most, count, MOST_PASSES)
     work = solve_group(bodies, solver, contacts, impacts, first, False, False, slow, passes)

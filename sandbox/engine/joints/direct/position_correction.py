@@ -11,7 +11,7 @@ from sandbox._jit import kernel
 from sandbox._vectors import WIDTH, Mask, absolute, load, select, spread, store
 from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.ldl import factorize, solve_directly
-from sandbox.engine.joints.direct.records import Batches
+from sandbox.engine.joints.direct.records import SUBSTEP_LEVEL, Batches
 from sandbox.engine.joints.direct.separated import excess_error
 from sandbox.engine.joints.direct.targets import is_rigid
 from sandbox.engine.joints.laws import CORRECTION_SPEED
@@ -104,7 +104,7 @@ def apply_corrections(d: Batches, motions: Records, seconds: float) -> None:
     v = d.memory
     for n in range(d.found[0]):
         batch = d.batches[n]
-        if batch.level != d.level[0]:
+        if batch.level != d.level[SUBSTEP_LEVEL]:
             continue
         for k in range(batch.count):
             if v[batch.lanes + at.CORRECTED + k] == 1.0:

@@ -15,6 +15,10 @@ left to what joints take of them."""
 LEVELS = 5
 """Substep levels of islands, 0 to 4."""
 
+SUBSTEP_LEVEL, IS_LAST, PASSED_THROUGH, HAS_MATRIX = 0, 1, 2, 3
+"""What `Batches.level` holds: the substep level under way; 1 in its last substep; through how many parts impacts of the
+substep were passed on; 1 while `Batches.delassus` is the matrix of the group of impacts under way."""
+
 ANY_AXIS = 0
 """`axis` of a row whose Jacobian may have any number."""
 ALONG_X = 1
@@ -134,13 +138,12 @@ class Batches(NamedTuple):
 
     Of layouts: `targets` are the entries from which the elimination of a row subtracts, in its order. `fixed` are the
     bodies on the fixed sides, part after part. Of batches: `found` is how many there are, where memory and names of
-    bodies in use end, and where the memory of the first begins; `level` is the substep level under way, whether the
-    substep is the last one, through how many parts its impacts were passed on, and whether `delassus` is the matrix
-    of the group under way; `open` the batch that takes the next part of each layout and level, staggered or not;
-    `parts` says which part lies in each lane, `bodies` who has each seat, in each lane. `delassus` is the matrix of a
-    group of impacts, three rows a contact. `memory` has a working place for each worker first: poses, frames, rows,
-    factor, sums of products; then the batches. `found` ends with the size of a working place. Places in it count from
-    where it begins; so do those in `own`, the batch that each worker is at.
+    bodies in use end, and where the memory of the first begins; `level` is what `SUBSTEP_LEVEL` and the names after
+    it say; `open` the batch that takes the next part of each layout and level, staggered or not; `parts` says which
+    part lies in each lane, `bodies` who has each seat, in each lane. `delassus` is the matrix of a group of impacts,
+    three rows a contact. `memory` has a working place for each worker first: poses, frames, rows, factor, sums of
+    products; then the batches. `found` ends with the size of a working place. Places in it count from where it
+    begins; so do those in `own`, the batch that each worker is at.
     """
 
     layouts: Records

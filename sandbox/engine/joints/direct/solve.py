@@ -14,7 +14,7 @@ from sandbox.engine.joints.direct.passes import MOVE, RELAX, impulse_of
 from sandbox.engine.joints.direct.pivoting import cap_pairs, choose_rows, clamp_rows, release_bounded
 from sandbox.engine.joints.direct.position_correction import CLOSE, find_corrections
 from sandbox.engine.joints.direct.preload import PRELOAD_TURNS, is_at_rest, take_as_preload
-from sandbox.engine.joints.direct.records import Batches
+from sandbox.engine.joints.direct.records import IS_LAST, SUBSTEP_LEVEL, Batches
 from sandbox.engine.joints.direct.reports import accumulate
 from sandbox.engine.joints.direct.rows import change_impulse, fill_rows
 from sandbox.engine.joints.direct.separated import (
@@ -62,9 +62,9 @@ def solve_some_batches(
     )  # fmt: skip
     batch = d.own[worker]
     for n in range(first, end):
-        if d.batches[n].level != d.level[0]:
+        if d.batches[n].level != d.level[SUBSTEP_LEVEL]:
             continue
-        stays = d.batches[n].staggered == 1 and d.level[1] == 0
+        stays = d.batches[n].staggered == 1 and d.level[IS_LAST] == 0
         d.own[worker] = d.batches[n]
         batch.lanes -= begin
         batch.seats -= begin

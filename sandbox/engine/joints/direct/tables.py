@@ -16,6 +16,7 @@ from sandbox.engine.joints.direct.records import (
     ENTRY,
     EQUATION,
     FRAME,
+    HAS_MATRIX,
     LAYOUT,
     LEVELS,
     MOST_STRUCK,
@@ -70,7 +71,7 @@ def with_room(tables: Batches, of_part: Integers, old: Batches | None = None) ->
     return tables._replace(
         batches=_with_rows(had.batches, int(most.sum())).view(np.recarray),
         found=tables.found.copy(),
-        level=np.zeros(4, np.int64),
+        level=np.zeros(1 + HAS_MATRIX, np.int64),
         open=_with_rows(had.open, 2 * len(layouts) * LEVELS),
         parts=_with_rows(had.parts, int(most.sum()) * WIDTH),
         bodies=_with_rows(had.bodies, int(most @ layouts.seats) * WIDTH),

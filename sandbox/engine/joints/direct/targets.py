@@ -148,7 +148,7 @@ def target_blow(v: Floats, batch: Records, frame: Records, row: Records, speed: 
         held = _held_stop(load(v, kept + at.HELD), load(v, kept + at.BLOW), speed, slowest, fastest)
         held = select(locked, 1.0, held)
         low = select(locked | (held < 0.0), spread(-INFINITE), 0.0)
-        high = select((held > 0.0), spread(INFINITE), 0.0)
+        high = select(held > 0.0, spread(INFINITE), 0.0)
         return Law(-select(held > 0.0, slowest, fastest), none, low, high, held)
     soft = IMPACT_COMPLIANCE * load(v, kept + at.STIFFNESS)
     return Law(none, soft, spread(-INFINITE), spread(INFINITE), stop)

@@ -15,7 +15,7 @@ from sandbox.engine.joints.direct.bodies import gather_bodies, scatter_bodies
 from sandbox.engine.joints.direct.ldl import factorize, solve_directly
 from sandbox.engine.joints.direct.passes import BLOW
 from sandbox.engine.joints.direct.pivoting import aim_rows, choose_rows, clamp_rows
-from sandbox.engine.joints.direct.records import Batches
+from sandbox.engine.joints.direct.records import PASSED_THROUGH, Batches
 from sandbox.engine.joints.direct.solve import update_rows
 from sandbox.engine.joints.direct.targets import acts_in_blow
 from sandbox.tables import Records
@@ -28,7 +28,7 @@ _TURNS = 16
 def begin_blows(d: Batches) -> None:
     """Begin with the impacts of a substep: no batch is in the working place for them."""
     d.own[0].in_blow = 0
-    d.level[2] = 0
+    d.level[PASSED_THROUGH] = 0
 
 
 @kernel
@@ -45,7 +45,7 @@ def forget_stops(d: Batches, lane: int) -> None:
 def set_struck(d: Batches, lane: int, struck: bool) -> None:
     """Say whether something pushes the part in a lane."""
     d.memory[d.batches[lane // WIDTH].lanes + at.STRUCK + lane % WIDTH] = 1.0 if struck else 0.0
-    d.level[2] += 1 if struck else 0
+    d.level[PASSED_THROUGH] += 1 if struck else 0
 
 
 @kernel

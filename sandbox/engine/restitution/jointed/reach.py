@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
+from sandbox.engine.joints.direct.records import HAS_MATRIX, PASSED_THROUGH
 from sandbox.engine.joints.direct.transmit import report_blow, set_struck, transmit, transmit_linearly
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.bodies import SolverBodies
@@ -20,8 +21,6 @@ from sandbox.tables import Records
 from sandbox.world.records import DYNAMIC
 
 _BEGIN, _MEASURE, _ADD, _FINISH = 0, 1, 2, 3
-
-
 _MOST_WORK = 256
 """Through so many parts the impacts of a substep are passed on: of a crowd of jointed bodies that bounce some are
 passed on exactly, the others are left to what joints take of them."""
@@ -55,25 +54,25 @@ def energy_in_motions(bodies: Records, solver: SolverBodies, impacts: ImpactList
 @inlined_kernel
 def work_left(reach: Reach) -> int:
     """Through how many parts impacts of the substep may still be passed on; less than 0 after a long round."""
-    return int(_MOST_WORK - reach.work.direct.level[2])
+    return int(_MOST_WORK - reach.work.direct.level[PASSED_THROUGH])
 
 
 @inlined_kernel
 def count_passes(reach: Reach, passes: int) -> None:
     """Count passes over contacts as work."""
-    reach.work.direct.level[2] += passes // _PASSES_OF_PART
+    reach.work.direct.level[PASSED_THROUGH] += passes // _PASSES_OF_PART
 
 
 @inlined_kernel
 def hold_matrix(reach: Reach) -> None:
     """From now on the matrix is that of the group."""
-    reach.work.direct.level[3] = 1
+    reach.work.direct.level[HAS_MATRIX] = 1
 
 
 @inlined_kernel
 def holds_matrix(reach: Reach) -> bool:
     """Whether the matrix is still that of the group."""
-    return bool(reach.work.direct.level[3] == 1)
+    return bool(reach.work.direct.level[HAS_MATRIX] == 1)
 
 
 @kernel
@@ -96,7 +95,7 @@ def keep_joints(solver: SolverBodies, reach: Reach) -> None:
         set_struck(reach.work.direct, part.lane, True)
         p = part.next_struck
     _transmit(solver, reach)
-    reach.work.direct.level[3] = 0
+    reach.work.direct.level[HAS_MATRIX] = 0
 
 
 @kernel
@@ -161,7 +160,7 @@ def _transmit(solver: SolverBodies, reach: Reach) -> None:
     n = reach.batch
     while n != LAST:
         if transmit(d, n - 1, solver.motions, solver.free_motions, reach.seconds):
-            d.level[3] = 0
+            d.level[HAS_MATRIX] = 0
         n = d.batches[n - 1].next_struck
 
 

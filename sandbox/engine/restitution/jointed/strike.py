@@ -15,7 +15,15 @@ from sandbox.engine.joints.direct.records import MOST_STRUCK
 from sandbox.engine.joints.direct.transmit import begin_blows
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.bodies import SolverBodies
-from sandbox.engine.restitution.groups import form_jointed_groups, is_driven, size_of, starts_group, take_back
+from sandbox.engine.restitution.groups import (
+    OPENING,
+    fastest,
+    form_jointed_groups,
+    is_driven,
+    size_of,
+    starts_group,
+    take_back,
+)
 from sandbox.engine.restitution.impact_list import ImpactList
 from sandbox.engine.restitution.jointed.loads import solve_jointed
 from sandbox.engine.restitution.jointed.parts import (
@@ -83,7 +91,7 @@ def _strike(
         return
     begin_pushes(bodies, solver, impacts, first, reach)
     keep_joints(solver, reach)
-    if _taken(solver, contacts, impacts, first) <= _AGREED * _fastest_opening(solver, contacts, impacts, first):
+    if _taken(solver, contacts, impacts, first) <= _AGREED * fastest(solver, contacts, impacts, first, OPENING):
         take_over(bodies, solver, impacts, first, reach)
     else:
         take_back(bodies, solver, contacts, impacts, first)
@@ -120,21 +128,6 @@ def _ask(solver: SolverBodies, contacts: Records, impacts: ImpactList, first: in
         highest = asked.first if asked.first > highest else highest
         highest = asked.second if asked.second > highest else highest
         k = row.next
-    return highest
-
-
-@kernel
-def _fastest_opening(solver: SolverBodies, contacts: Records, impacts: ImpactList, first: int) -> float:
-    """The highest speed (m/s) at which a point opens by what has struck."""
-    highest = 0.0
-    k = first
-    while k != END:
-        contact = contacts[impacts.slots[k].contact]
-        start = start_velocity(solver.free_motions, contact)
-        for point in range(1, contact.point_count + 1):
-            opening = opening_speed(start, contact, point)
-            highest = opening if opening > highest else highest
-        k = impacts.rows[k].next
     return highest
 
 
