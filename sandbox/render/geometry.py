@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from sandbox.render.camera import Floats
 from sandbox.render.outline import Outline, half_width, read_outline
 from sandbox.tables import Records
-from sandbox.world.records import BOX, CAPSULE, CIRCLE, SEGMENT
+from sandbox.world.records import BOX, CAPSULE, CIRCLE, POLYGON, SEGMENT
 
 Ints = NDArray[np.int64]
 
@@ -77,9 +77,11 @@ class Mesh:
 
 
 def build_mesh(shapes: Records, vertices: Records, outlines: Records, layout: int = 0) -> Mesh:
-    """The mesh of a world's shape, vertex and outline records."""
-    seen = np.flatnonzero(np.asarray(shapes.part) <= 1)
-    concave = {k: read_outline(shapes, vertices, outlines, int(i)) for k, i in enumerate(seen) if shapes[i].part == 1}
+    """The mesh of a world's shape, vertex and outline records. Parts of a concave polygon are one row of it."""
+    further = (np.asarray(shapes.part) > 1) & (np.asarray(shapes.kind) == POLYGON)
+    seen = np.flatnonzero(~further)
+    outlined = np.asarray(shapes.outline_count)[seen] > 0
+    concave = {k: read_outline(shapes, vertices, outlines, int(seen[k])) for k in np.flatnonzero(outlined).tolist()}
     drawn: Any = shapes[seen]
     mesh = replace(_convex_mesh(drawn, vertices), layout=layout)
     return _with_outlines(mesh, concave) if concave else mesh

@@ -174,14 +174,15 @@ def test_the_list_is_filtered_by_every_word() -> None:
 def test_shapes_in_words() -> None:
     shapes = [
         {"box": [2, 1]}, {"circle": 0.5}, {"segment": [[0, 0], [3, 4]]}, {"capsule": [[0, 0], [1, 0]], "radius": 0.2},
-        {"polygon": [[0, 0], [1, 0], [0, 1]], "mask": 0},
+        {"polygon": [[0, 0], [1, 0], [0, 1]], "mask": 0}, {"chain": [[0, 0], [2, 0], [2, 1]]},
     ]  # fmt: skip
     world = sandbox.World(sandbox.Scene(format=1, bodies=[{"id": "a", "shapes": shapes}]))
-    texts = [size_text(world.state, number) for number in range(5)]
+    texts = [size_text(world.state, number) for number in range(7)]
     assert texts[:3] == ["box, 2 × 1 m", "circle, radius 0.5 m", "segment, 5 m long"]
-    assert texts[3:] == ["capsule, 1 m long, radius 0.2 m", "polygon, 3 corners"]
+    assert texts[3:5] == ["capsule, 1 m long, radius 0.2 m", "polygon, 3 corners"]
+    assert texts[5:] == ["segment, 2 m long, link 1 of a chain", "segment, 1 m long, link 2 of a chain"]
     assert filter_text(world.state.shapes[:1]) == "with all"
-    assert filter_text(world.state.shapes[4:]) == "with nothing"
+    assert filter_text(world.state.shapes[4:5]) == "with nothing"
 
 
 def test_numbers_of_widgets_are_told_apart_from_rounding() -> None:

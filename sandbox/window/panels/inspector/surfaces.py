@@ -102,7 +102,8 @@ def size_text(state: State, number: int) -> str:
     if kind == CAPSULE:
         return f"capsule, {sides[0]:.4g} m long, radius {radius:.4g} m"
     if kind == SEGMENT:
-        return f"segment, {sides[0]:.4g} m long"
+        link = f", link {int(shape.part)} of a chain" if shape.part else ""
+        return f"segment, {sides[0]:.4g} m long{link}"
     part = f", part {int(shape.part)} of a concave one" if shape.part else ""
     return f"polygon, {count} corners{rounded}{part}"
 
