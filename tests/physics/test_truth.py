@@ -17,13 +17,19 @@ from tests.physics.truth.table import EXPERIMENTS, head, is_best, measure_one
 NAMES = [each.name for each in EXPERIMENTS]
 ENGINES = 3
 """With all of them installed."""
+SLOW = "boxes and their image in a mirror"
+"""3,000 worlds in each engine; one box, discs and houses of cards are looked at in short."""
+
+
+def _param(each):
+    return pytest.param(each, id=each.name, marks=[pytest.mark.slow(seconds=15)] if each.name == SLOW else [])
 
 
 def test_each_experiment_has_its_own_name():
     assert len(set(NAMES)) == len(NAMES)
 
 
-@pytest.mark.parametrize("each", EXPERIMENTS, ids=NAMES)
+@pytest.mark.parametrize("each", [_param(each) for each in EXPERIMENTS])
 def test_we_are_as_near_to_the_truth_as_promised_and_nobody_is_nearer(each):
     """Both are asked of one measurement: two tests may be run by two processes, and each would measure."""
     row = measure_one(each)

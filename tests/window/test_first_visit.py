@@ -73,6 +73,7 @@ def test_a_body_is_thrown(visit: Visit) -> None:
     assert max(pose[1] for name, pose in recording.final.items() if name == "crate") > 3.0
 
 
+@pytest.mark.slow
 def test_time_is_rewound_and_another_future_begins_there(visit: Visit) -> None:
     visit.do(
         "wait 20\ndrag @0,0.5 to @4,5 in 6\nwait 20\nshot late.png\nhold Left for 60\nshot early.png\n"
@@ -85,6 +86,7 @@ def test_time_is_rewound_and_another_future_begins_there(visit: Visit) -> None:
     assert "SetPose" in visit.kinds("yard-2")  # scrubbing has paused, so that a drag puts the ball elsewhere
 
 
+@pytest.mark.slow
 def test_a_wedge_is_drawn_and_lands_on_the_ground(visit: Visit) -> None:
     visit.do("wait 5\nkey P\nclick @-6,1\nclick @-3,1\nclick @-6,3\nkey Enter\nwait 90\nkey S\nwait 2\n")
     recording = visit.recording()
@@ -111,6 +113,7 @@ def test_a_stroke_becomes_a_polygon_of_few_corners(visit: Visit) -> None:
     assert 8 <= len(spawn.bodies["shapes"][0]["polygon"]) <= 40
 
 
+@pytest.mark.slow
 def test_two_bodies_are_joined(visit: Visit) -> None:
     visit.do("wait 5\nclick tool.rod\nclick @0,0.5\nclick @3,0.5\nwait 60\nkey S\nwait 2\n")
     recording = visit.recording()
@@ -120,6 +123,7 @@ def test_two_bodies_are_joined(visit: Visit) -> None:
     assert spawn.joints["bodies"] == ["crate", "ball"]
 
 
+@pytest.mark.slow
 def test_gravity_is_changed_by_a_button_and_by_the_dial(visit: Visit) -> None:
     visit.do(
         "wait 5\nclick panel.world\nwait 2\nclick world.gravity.moon\nwait 10\n"
@@ -185,7 +189,7 @@ def test_panels_tools_and_help_open_by_keys_and_by_mouse(visit: Visit) -> None:
     assert visit.picture("light").mean() > 150 > 60 > plain.mean()
 
 
-@pytest.mark.parametrize("size", ["400x300", "1920x1200"])
+@pytest.mark.parametrize("size", ["400x300", pytest.param("1920x1200", marks=pytest.mark.slow)])
 def test_it_fits_into_small_and_large_windows(visit: Visit, size: str) -> None:
     visit.do("wait 3\nshot shot.png\n", "--size", size)
     width, height = map(int, size.split("x"))

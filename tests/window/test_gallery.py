@@ -107,6 +107,7 @@ def test_what_is_typed_filters_and_enter_opens(display: Any, tmp_path: Path) -> 
     assert shown[200:320, 300:900].std(axis=(0, 1)).max() < 0.5
 
 
+@pytest.mark.slow
 def test_a_scene_is_opened_by_its_path_folder_by_folder(display: Any, tmp_path: Path) -> None:
     (tmp_path / "deep").mkdir()
     SCENE.save(tmp_path / "deep" / "inner.scene.json")

@@ -127,6 +127,7 @@ def test_up_on_a_stick_is_positive() -> None:
     assert read(up) == (("pad", "left stick y"), 1.0)
 
 
+@pytest.mark.slow
 def test_breakout_is_played_in_the_window_and_replays_headless(display: object, tmp_path: Path) -> None:
     import os
     import subprocess
