@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from sandbox.engine.commands.explode import Explode
 from sandbox.engine.compile_step import compile_parts
 from sandbox.engine.events.sensors import SensorOverlaps
 from sandbox.engine.joints.elimination import FEW_JOINTS, minimum_degree
@@ -17,7 +18,7 @@ from sandbox.geometry.pair import pair_of
 from sandbox.geometry.shapes import Box
 from sandbox.reference.arbitration import our_answer
 from sandbox.reference.pair import Core, Pair
-from sandbox.scene.flat import FlatBody, FlatJoint, FlatRegion, FlatScene, FlatShape
+from sandbox.scene.flat import FlatBody, FlatJoint, FlatPath, FlatRegion, FlatScene, FlatShape
 from sandbox.world.build import build_state
 
 
@@ -55,11 +56,18 @@ def lay_out_many_joints() -> None:
 
 
 def _windy_world() -> World:
-    """A ball in the wind of everywhere, and a sensor, after a step."""
+    """Two balls and a lift on its path in the wind of everywhere, after a step and an explosion."""
     shape = FlatShape("circle", ((0.0, 0.0),), 0.5)
-    bodies = FlatBody("ball", "dynamic", (shape,)), FlatBody("other", "dynamic", (shape,), (2.0, 0.0))
+    bodies = (
+        FlatBody("ball", "dynamic", (shape,)),
+        FlatBody("other", "dynamic", (shape,), (2.0, 0.0)),
+        FlatBody(
+            "lift", "kinematic", (shape,), (9.0, 0.0), path=FlatPath(((0.0, 0.0, 0.0), (0.0, 5.0, 0.0)), (0.0, 5.0))
+        ),
+    )
     world = World(FlatScene(bodies, regions=(FlatRegion("wind", flow=(1.0, 0.0), density=1.0),)))
     world.step()
+    world.apply(Explode((0.0, 0.0), 1.0, 1.0))
     return world
 
 
