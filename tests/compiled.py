@@ -22,6 +22,7 @@ from sandbox.engine.events.sensors import SensorOverlaps
 from sandbox.engine.fields.apply import apply_fields
 from sandbox.engine.memory.binding import bind
 from sandbox.engine.memory.scratch import Scratch
+from sandbox.engine.restitution.strike_batch import strike_batch
 from sandbox.engine.step import begin, collide, finish, solve
 from sandbox.engine.stepper import Stepper
 from sandbox.engine.world import World
@@ -71,10 +72,11 @@ def _bind_workers(of: FlatScene) -> None:
 
 
 def _solve() -> None:
-    """What moves bodies, without joints and with them, what other workers do of a step with joints, which takes as long
-    to compile, and the stages that are tested by themselves."""
+    """What moves bodies, without joints and with them, what other workers do of such steps, and the stages that are
+    tested by themselves."""
     for of in (busy.scene(), jointed.scene()):
         _once(solve, of)
+    _bind_workers(busy.scene())
     _bind_workers(jointed.scene())
     stages = Paused(World(busy.scene()))
     stages.lay_out()
@@ -89,8 +91,8 @@ def _solve() -> None:
 
 
 def _others() -> None:
-    """What finds contacts and takes back who went too far, what other workers do of a step without joints, and whatever
-    else is called from Python."""
+    """What finds contacts, resolves impacts and takes back who went too far, and whatever else is called from
+    Python."""
     _once(collide, busy.scene())
     for part in (begin, finish):
         for of in (busy.scene(), jointed.scene()):
@@ -98,7 +100,8 @@ def _others() -> None:
     Paused(World(busy.scene())).detect()
     _once(solve_continuous, busy.scene())
     _once(apply_fields, floating.scene())
-    _bind_workers(busy.scene())
+    for of in (busy.scene(), jointed.scene()):
+        _once(strike_batch, of)
     lay_out_many_joints()
     pair = pair_of(Box(1.0, 1.0), Box(1.0, 1.0, (2.0, 0.0)))
     pair.manifold(0.0)

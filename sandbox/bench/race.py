@@ -17,7 +17,7 @@ from sandbox.bench.contestants import Contestant, Ours, contestant
 from sandbox.bench.course import Change, Course
 from sandbox.bench.memory import peak_resident_bytes, table_bytes
 from sandbox.bench.quality import Judge, Quality
-from sandbox.engine.compile_step import compile_continuous
+from sandbox.engine.compile_step import wait_for_all
 from sandbox.scene import Scene
 from sandbox.world.build import build_state
 
@@ -188,4 +188,4 @@ def _warm_up(engines: Sequence[str], joints: bool) -> None:
         engine.step()
         if isinstance(engine, Ours):
             engine.world._stepper.bind_workers()  # so small a scene is not shared
-    compile_continuous()
+    wait_for_all()

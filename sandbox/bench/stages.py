@@ -61,7 +61,7 @@ class TimedCalls(StepCalls):
         machine = super()._machine(row, turn)
         if machine == (0, 0):
             return machine
-        run = self._timed[row, turn] = self._watched(PARTS_OF_STEP[row], self._calls[PARTS_OF_STEP[row], turn])
+        run = self._timed[row, turn] = self._watched(PARTS_OF_STEP[row], self._calls[PARTS_OF_STEP[row], 0, turn])
         return handle(run), 0
 
     def _watched(self, part: Any, call: Call) -> Callable[[], Any]:

@@ -13,7 +13,7 @@ FIELDS, COLLIDE, BEGIN, SOLVE, FINISH, CONTINUOUS = 0, 1, 2, 3, 4, 5
 """Rows of a table of parts: `apply_fields`, then `compile_step.PARTS`."""
 CODE, BLOCK = 0, 1
 """Its columns: the addresses of machine code and of the block of arguments (`Call.machine`)."""
-DONE, TO_COMPILE = 0, -1
+DONE, LACKS_CONTINUOUS, LACKS_IMPACTS = 0, -1, -2
 """What came of it, if no number of pairs."""
 
 
@@ -21,8 +21,8 @@ DONE, TO_COMPILE = 0, -1
 def run_step(parts: Integers, first: int) -> int:
     """Run the `parts` [part, CODE or BLOCK] of a step from the `first` one on; fields without code are left out.
 
-    Returns `DONE`, or where to go on from: a number of pairs that scratch memory must have room for before `COLLIDE`
-    is run again, or `TO_COMPILE` if `CONTINUOUS` is needed and has no code.
+    Returns `DONE`, or what it lacks: a number of pairs that scratch memory must have room for before `COLLIDE` is run
+    again, code for `CONTINUOUS`, from which it goes on, or for impacts (`strike_batch`) before `SOLVE`.
     """
     fast = first == CONTINUOUS
     if first == FIELDS and parts[FIELDS, CODE] != 0:
@@ -31,11 +31,13 @@ def run_step(parts: Integers, first: int) -> int:
         lacking_pairs = call_number(parts[COLLIDE, CODE], parts[COLLIDE, BLOCK])
         if lacking_pairs != 0:
             return lacking_pairs
-        call_nothing(parts[BEGIN, CODE], parts[BEGIN, BLOCK])
+        if call_truth(parts[BEGIN, CODE], parts[BEGIN, BLOCK]):
+            return LACKS_IMPACTS
+    if first <= SOLVE:
         call_nothing(parts[SOLVE, CODE], parts[SOLVE, BLOCK])
         fast = call_truth(parts[FINISH, CODE], parts[FINISH, BLOCK])
     if fast:
         if parts[CONTINUOUS, CODE] == 0:
-            return TO_COMPILE
+            return LACKS_CONTINUOUS
         call_nothing(parts[CONTINUOUS, CODE], parts[CONTINUOUS, BLOCK])
     return DONE

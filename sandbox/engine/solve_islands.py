@@ -28,7 +28,7 @@ from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.state import StateTables
 from sandbox.engine.records.workers import FROZEN, NUMBERS, Workers
-from sandbox.engine.restitution.impact_list import ImpactList, list_impact_contacts
+from sandbox.engine.restitution.impact_list import list_impact_contacts
 from sandbox.engine.restitution.worklist import link_contacts
 from sandbox.engine.substeps import Pass, run_substeps
 from sandbox.engine.workers.parallel_for import first_part, next_part
@@ -157,7 +157,6 @@ def solve_batches(
     team = _team(workers, first > 0)
     bodies = state.bodies
     level = share.level
-    threshold = state.settings[0].restitution_threshold
     spring = contact_spring(state.settings[0], level)
     frozen = 0
     for batch in range(first, end):
@@ -165,15 +164,13 @@ def solve_batches(
         touched, held = put_free_last(members, solver, state.drags, joints, share.colors)
         start = batches.first_impact[batch]
         stop = batches.first_impact[batch + 1]
-        rows: Any = batches.impacts[start:stop]
         slots: Any = batches.impact_slots[start:stop]
-        impacts = ImpactList(rows, slots, stop - start, threshold)
         link_contacts(bodies, slots, stop - start, solver)
         ranges = fill_blocks(solver.colors, own, batch)
         criteria = ImpactCriteria(share.impacts, ranges.struck, share.impact_speed)
         prepare_contacts(state, solver, contacts.now, own, ranges.total, team, spring, criteria)
         todo = Pass(level, batch, touched, held, ranges, share.unsettled & NEW != 0, share.impacts)
-        frozen += run_substeps(state, active, solver, contacts.now, own, impacts, joints, team, members, todo)
+        frozen += run_substeps(state, active, solver, contacts, own, joints, team, members, todo)
         store_impulses(state, solver, contacts, own, ranges.total, team, spring)
     if frozen > 0:
         atomic_add(workers.words, FROZEN, frozen)

@@ -36,6 +36,7 @@ from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.decisions import Decisions
 from sandbox.engine.records.state import StateTables
 from sandbox.engine.records.workers import Workers
+from sandbox.engine.restitution.strike_batch import lacks_impacts
 from sandbox.engine.restitution.struck import flag_struck
 from sandbox.engine.solve_islands import Level, solve_level
 from sandbox.tables import Records
@@ -89,8 +90,11 @@ def begin(
     blocks: ContactBlocks,
     joints: JointWork | None,
     workers: Workers,
-) -> None:
-    """Wake what is touched, choose substep levels, and make bodies, contacts and joints ready for the substeps."""
+) -> bool:
+    """Wake what is touched, choose substep levels, and make bodies, contacts and joints ready for the substeps.
+
+    Returns whether `strike_batch` has to be compiled before these.
+    """
     bodies = state.bodies
     info = active.info[0]
     count = state.counters[0].found_count
@@ -110,6 +114,7 @@ def begin(
         new = state.counters[0].step_count == 0
         begin_joints(joints, bodies, solver.motions, solver.free_motions, new, workers)
     clear_reports(contacts.reports, count)
+    return lacks_impacts(contacts)
 
 
 @entry_point

@@ -15,7 +15,8 @@ from sandbox.engine.fields.records import has_fields
 from sandbox.engine.memory.binding import contact_arguments, parameters, scratch_arguments, state_arguments
 from sandbox.engine.memory.scratch import Scratch
 from sandbox.engine.records.contacts import Contacts
-from sandbox.engine.run_step import COLLIDE, CONTINUOUS, FIELDS, FINISH, run_step
+from sandbox.engine.restitution.strike_batch import strike_batch
+from sandbox.engine.run_step import COLLIDE, CONTINUOUS, FIELDS, FINISH, SOLVE, run_step
 from sandbox.engine.workers.serve import serve
 from sandbox.tables import Integers
 from sandbox.world.state import State
@@ -34,19 +35,23 @@ class StepCalls:
         self._workers = workers
         self._jointed = False
         self._last = FINISH
-        self._calls: dict[tuple[Any, int], Call] = {}
+        self._calls: dict[tuple[Any, int, int], Call] = {}
         self._bundles: dict[tuple[str, int], Bundle] = {}
         self._served: list[list[Call]] = []
+        self._striking: list[list[Call]] = []
         self.parts: Integers = np.zeros((2, len(PARTS_OF_STEP), 2), np.int64)
         """The tables of parts for even and for odd steps (`run_step`), once they are `bound`."""
         self.bound = False
         """Whether the parts are compiled, and called with the tables there are."""
+        self._strikes = False
+        self._impact_calls: Integers = np.zeros((2, workers, 2), np.int64)
+        """`Contacts.impact_calls` of even and of odd steps."""
         self.has_fields = False
         self._runs: dict[tuple[int, int], Callable[[], int]] = {}
         self._run_calls = {
             (turn, first): Call(run_step, (parts, first), workers > 1)
             for turn, parts in enumerate(self.parts)
-            for first in (FIELDS, COLLIDE, CONTINUOUS)
+            for first in (FIELDS, COLLIDE, SOLVE, CONTINUOUS)
         }
 
     def fill(self, state: State, scratch: Scratch, contacts: tuple[Contacts, Contacts]) -> None:
@@ -58,15 +63,16 @@ class StepCalls:
         self.bound = False
         self.has_fields = has_fields(state)
         named = self._bundled(state_arguments(state) | scratch_arguments(scratch))
-        self._served = []
+        self._served, self._striking = [], []
         for turn, tables in enumerate(contacts):
-            named |= self._bundled(contact_arguments(tables), turn)
+            named |= self._bundled(contact_arguments(tables._replace(impact_calls=self._impact_calls[turn])), turn)
             for part in PARTS:
                 self._call(part, turn, named)
             if self.has_fields:
                 self._call(apply_fields, turn, named)
-            of_workers = {worker: scratch.workers._replace(number=worker) for worker in range(1, self._workers)}
-            self._served.append([self._serving(worker, turn, named, own) for worker, own in of_workers.items()])
+            of_workers = [self._named_for(worker, named, scratch) for worker in range(self._workers)]
+            self._served.append([self._call(serve, turn, own, k) for k, own in enumerate(of_workers) if k > 0])
+            self._striking.append([self._call(strike_batch, turn, own, k) for k, own in enumerate(of_workers)])
 
     def fill_state(self, state: State, scratch: Scratch) -> None:
         """Call the parts with other tables of the state, which still has fields or still has none, and the same scratch
@@ -76,19 +82,26 @@ class StepCalls:
         if self.has_fields:
             self._bundled({"fields": kernel_argument(scratch.fields)})
             for turn in (0, 1):  # they alone ask for a table of the state by itself
-                self._calls[apply_fields, turn].exchange(parameters(apply_fields), named)
+                self._calls[apply_fields, 0, turn].exchange(parameters(apply_fields), named)
 
     def bind(self) -> None:
         """Compile the parts that are not yet, each in turn, but for the last one, which few steps need."""
         for turn, parts in enumerate(self.parts):
             for row in range(self._last + 1):
                 parts[row] = self._machine(row, turn)
+            if self._strikes:
+                self._impact_calls[turn] = [call.machine() for call in self._striking[turn]]
         self._runs = {key: call.bind() for key, call in self._run_calls.items()}
         self.bound = True
 
     def bind_continuous(self) -> None:
         """Compile the last part as well, from now on."""
         self._last = CONTINUOUS
+        self.bind()
+
+    def bind_impacts(self) -> None:
+        """Compile what resolves impacts as well, from now on."""
+        self._strikes = True
         self.bind()
 
     def bind_workers(self, turn: int) -> Sequence[Callable[[], Any]]:
@@ -102,20 +115,20 @@ class StepCalls:
     def _machine(self, row: int, turn: int) -> tuple[int, int]:
         """Where the machine code of a part and its arguments are, compiled if need be; zeros for fields if there are
         none."""
-        return (0, 0) if row == FIELDS and not self.has_fields else self._calls[PARTS_OF_STEP[row], turn].machine()
+        return (0, 0) if row == FIELDS and not self.has_fields else self._calls[PARTS_OF_STEP[row], 0, turn].machine()
 
     def _call(self, part: Any, turn: int, named: Mapping[str, Any], worker: int = 0) -> Call:
         """The call of an entry point with what is `named` now, by a worker."""
-        names, key = parameters(part), (worker or part, turn)
+        names, key = parameters(part), (part, worker, turn)
         if key not in self._calls:
             self._calls[key] = Call(part, tuple(named[name] for name in names), self._workers > 1)
         self._calls[key].exchange(names, named)
         return self._calls[key]
 
-    def _serving(self, worker: int, turn: int, named: Mapping[str, Any], own: Any) -> Call:
-        """A call of `serve` with what is `named` now, for a worker, whose number is in its `own` bundle."""
-        bundle = self._bundled({"workers": kernel_argument(own)}, worker)
-        return self._call(serve, turn, {**named, **bundle}, worker)
+    def _named_for(self, worker: int, named: Mapping[str, Any], scratch: Scratch) -> dict[str, Any]:
+        """What is `named` now, for a worker, whose number is in a bundle of its own."""
+        own = kernel_argument(scratch.workers._replace(number=worker))
+        return {**named, **self._bundled({"workers": own}, worker)}
 
     def _bundled(self, named: Mapping[str, Any], turn: int = 0) -> dict[str, Any]:
         """What is named, tuples as the bundles that all calls share; contacts have one for each turn, and workers one

@@ -9,7 +9,8 @@ import numpy as np
 
 from sandbox._jit import jit_enabled
 from sandbox.engine.active.changes import forget, keep_what_stays, touch
-from sandbox.engine.compile_step import compile_continuous, compile_step
+from sandbox.engine.compile_step import compile_step, wait_for_others
+from sandbox.engine.continuous_collision.solve_continuous import solve_continuous
 from sandbox.engine.fields.records import has_fields
 from sandbox.engine.joints.assembly import assemble, assemble_more
 from sandbox.engine.joints.fewer_parts import going_parts, without_parts
@@ -18,7 +19,8 @@ from sandbox.engine.joints.wiring import wiring
 from sandbox.engine.memory.bundles import Room
 from sandbox.engine.memory.limit import room_for
 from sandbox.engine.memory.scratch import Scratch
-from sandbox.engine.run_step import COLLIDE, CONTINUOUS, DONE, FIELDS, TO_COMPILE
+from sandbox.engine.restitution.strike_batch import strike_batch
+from sandbox.engine.run_step import COLLIDE, CONTINUOUS, DONE, FIELDS, LACKS_CONTINUOUS, LACKS_IMPACTS, SOLVE
 from sandbox.engine.step_calls import StepCalls
 from sandbox.engine.workers.threads import WorkerThreads
 from sandbox.errors import CapacityError
@@ -56,7 +58,8 @@ class Stepper:
         """Compile what the step needs, if it has not been on this machine: seconds."""
         if self.calls.bound:
             return
-        compile_step(self.scratch.joints is not None)
+        restitution = plain(self._state.shapes)["restitution"]
+        compile_step(self.scratch.joints is not None, bool((restitution > 0.0).any()))
         if len(self._state.bodies) + len(self._state.joints) >= _WORTH_SHARING // 4:  # else it may never be needed
             self.bind_workers()
         self.calls.bind()
@@ -203,9 +206,13 @@ class Stepper:
 
     def _provide(self, lacking: int) -> int:
         """See to what the parts of a step lack; returns which one to go on from."""
-        if lacking == TO_COMPILE:
+        if lacking == LACKS_CONTINUOUS:
             self._compile_continuous()
             return CONTINUOUS
+        if lacking == LACKS_IMPACTS:
+            wait_for_others(strike_batch)
+            self.calls.bind_impacts()
+            return SOLVE
         self._make_room(lacking)
         self.compile()
         return COLLIDE
@@ -213,7 +220,7 @@ class Stepper:
     def _compile_continuous(self) -> None:
         """Compile the last part of a step, which few steps need."""
         self.compile()
-        compile_continuous()
+        wait_for_others(solve_continuous)
         self.calls.bind_continuous()
 
     def _is_worth_sharing(self) -> bool:

@@ -23,12 +23,11 @@ from sandbox.engine.joints.solve import relax_joints, select_parts, solve_joints
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contact_blocks import BlockRanges, ContactBlocks, SoftContact
+from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.state import StateTables
 from sandbox.engine.records.workers import Workers
-from sandbox.engine.restitution.impact_list import ImpactList
-from sandbox.engine.restitution.impacts import resolve_impacts
 from sandbox.engine.restitution.inelastic import stop_late, stop_struck
-from sandbox.engine.restitution.jointed.strike import strike_through_joints
+from sandbox.engine.restitution.strike_batch import call_strikes
 from sandbox.tables import Integers, Records
 
 WAIT = 1e30
@@ -95,9 +94,8 @@ def run_substeps(
     state: StateTables,
     active: ActiveSet,
     solver: SolverBodies,
-    contacts: Records,
+    contacts: Contacts,
     blocks: ContactBlocks,
-    impacts: ImpactList,
     joints: JointWork | None,
     workers: Workers,
     rows: Integers,
@@ -117,6 +115,8 @@ def run_substeps(
     count = todo.blocks.total
     unsettled = todo.blocks.unsettled
     struck_count = todo.blocks.struck
+    batches = blocks.batches
+    listed = batches.first_impact[todo.batch + 1] - batches.first_impact[todo.batch]
     substeps = setting.substeps << level
     seconds = setting.step_seconds / substeps
     closing = 1.0 / seconds if setting.speculative == 1 else AT_ONCE
@@ -137,15 +137,14 @@ def run_substeps(
         move_by_end_velocity(joints, bodies, solver.forces, in_contact, solver.struck)
     flight = Flight(substeps, seconds, gravity, todo.impacts)
     now = state.counters[0].step_count
-    struck: Any = blocks.batches.struck[blocks.batches.first_body[todo.batch] :]
+    struck: Any = batches.struck[batches.first_body[todo.batch] :]
     frozen = fly(bodies, rows, todo.held_count, solver, active.info, now, flight, workers)
     touched = rows[: todo.touched_count]
     rows = rows[: todo.held_count]
     for substep in range(substeps):
         integrate_velocities(rows, solver, workers)
-        resolve_impacts(bodies, solver, contacts, impacts, seconds)
-        if joints is not None and rest:
-            strike_through_joints(bodies, solver, contacts, impacts, joints, seconds)
+        if listed > 0:
+            call_strikes(contacts, workers, todo.batch, seconds)
         if struck_count > 0 and substep == 0:
             stop_struck(bodies, solver, struck, blocks, struck_count, workers, rigid)
         if rest:
@@ -167,7 +166,7 @@ def run_substeps(
         if todo.new and substep == 0:
             # What was just put there has no impulses yet, and soft contacts alone would let it slip until it has.
             if now == 0 and spring.yields > 0.0:
-                put_down(bodies, solver, struck, contacts, blocks, unsettled, workers, rigid, spring, gravity)
+                put_down(bodies, solver, struck, contacts.now, blocks, unsettled, workers, rigid, spring, gravity)
             else:
                 solve_contacts(motions, blocks, 0, unsettled, workers, rigid)
             if not accumulate:
@@ -181,10 +180,8 @@ def run_substeps(
         apart = warm and (todo.impacts or (joints is not None and rest))
         if apart:
             turn_parts(touched, solver, workers)
-        if todo.impacts:
-            resolve_impacts(bodies, solver, contacts, impacts, -seconds)
-            if joints is not None and rest:
-                strike_through_joints(bodies, solver, contacts, impacts, joints, -seconds)
+        if listed > 0:
+            call_strikes(contacts, workers, todo.batch, -seconds)
         if struck_count > 0:  # the relax pass would stop what now touches, a contact at a time
             stop_late(bodies, solver, struck, blocks, struck_count, workers, rigid)
         if joints is not None and rest:

@@ -16,11 +16,11 @@ from sandbox.engine import compile_step
 ROOT = Path(__file__).parents[2]
 CHECK = """
 from sandbox.cli import main
-from sandbox.engine.compile_step import compile_continuous
+from sandbox.engine.compile_step import wait_for_all
 try:
     main()
 finally:
-    compile_continuous()
+    wait_for_all()
 """
 PILE = {
     "bodies": [
@@ -46,6 +46,7 @@ def test_a_cold_cache_is_filled_and_told_of_and_the_bits_are_the_same(tmp_path: 
     # Each once: with two signatures a part would have been compiled twice.
     assert sorted(path.name.split("-")[0] for path in cache.rglob("*.code")) == [
         "sandbox.engine.continuous_collision.solve_continuous.solve_continuous",
+        "sandbox.engine.restitution.strike_batch.strike_batch",
         "sandbox.engine.run_step.run_step",
         "sandbox.engine.step.begin",
         "sandbox.engine.step.collide",
@@ -62,4 +63,4 @@ def _digest(table: str) -> str:
 @pytest.mark.parametrize("executable", ["/no/such/python", ""])
 def test_without_a_second_process_the_first_goes_on_alone(monkeypatch: pytest.MonkeyPatch, executable: str) -> None:
     monkeypatch.setattr(sys, "executable", executable)
-    assert compile_step._start_helper(joints=False) is None
+    assert compile_step._start_helper(joints=False, impacts=False) is None

@@ -18,8 +18,9 @@ from sandbox.engine.run_step import (
     DONE,
     FIELDS,
     FINISH,
+    LACKS_CONTINUOUS,
+    LACKS_IMPACTS,
     SOLVE,
-    TO_COMPILE,
     run_step,
 )
 
@@ -27,11 +28,11 @@ STEP = [FIELDS, COLLIDE, BEGIN, SOLVE, FINISH]
 
 
 class Parts:
-    """A table of parts that note when they run; what `collide` and `finish` return can be set."""
+    """A table of parts that note when they run; what `collide`, `begin` and `finish` return can be set."""
 
     def __init__(self, without: tuple[int, ...] = ()) -> None:
         self.ran: list[int] = []
-        self.returns: dict[int, Any] = {COLLIDE: 0, FINISH: False}
+        self.returns: dict[int, Any] = {COLLIDE: 0, BEGIN: False, FINISH: False}
         self.functions = [self._part(number) for number in range(CONTINUOUS + 1)]
         self.table = np.zeros((CONTINUOUS + 1, 2), np.int64)
         for number, function in enumerate(self.functions):
@@ -76,7 +77,16 @@ def test_pairs_that_lack_room_are_told_before_anything_else_runs_and_fields_act_
 def test_the_last_part_is_asked_for_when_it_is_needed_and_nothing_else_runs_again() -> None:
     parts = Parts(without=(CONTINUOUS,))
     parts.returns[FINISH] = True
-    assert parts.run() == TO_COMPILE
+    assert parts.run() == LACKS_CONTINUOUS
     parts.table[CONTINUOUS, CODE] = handle(parts.functions[CONTINUOUS])
     assert parts.run(CONTINUOUS) == DONE
     assert parts.ran == [*STEP, CONTINUOUS]
+
+
+def test_what_resolves_impacts_is_asked_for_before_anything_moves() -> None:
+    parts = Parts()
+    parts.returns[BEGIN] = True
+    assert parts.run() == LACKS_IMPACTS
+    assert parts.ran == STEP[:3]
+    assert parts.run(SOLVE) == DONE
+    assert parts.ran == STEP

@@ -145,6 +145,7 @@ def contact_memory(state: State, pairs: int) -> Contacts:
         cursor=SLEEPING_CURSOR.zeros(1),
         runs=SLEEPING_RUN.zeros(3 * (pairs + 1)),
         reports=REPORT.zeros(pairs),
+        impact_calls=np.zeros((1, 2), np.int64),  # `StepCalls` has those of all workers
     )
 
 

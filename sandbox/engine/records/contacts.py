@@ -59,7 +59,8 @@ class Contacts(NamedTuple):
 
     `active[1:]` are the contacts with an active body, `impact_candidates[1:]` the rows of those of them that may have
     an impact; how many they are is `active[0].contact` and `impact_candidates[0]`. `cursor` (one row) and `runs` are of
-    `sleeping_contacts`: the runs of the two tables and those of the walk, in thirds.
+    `sleeping_contacts`: the runs of the two tables and those of the walk, in thirds. `impact_calls` [worker, CODE or
+    BLOCK] are the addresses of the machine code of `strike_batch` and of its arguments, zeros until it is compiled.
     """
 
     now: Records
@@ -69,3 +70,4 @@ class Contacts(NamedTuple):
     cursor: Records
     runs: Records
     reports: Records
+    impact_calls: Integers
