@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from bisect import bisect_right
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -64,7 +66,8 @@ class FlatPath:
     """The way of a kinematic body: `points` (x and y in m, angle in rad), from where the body is placed, the first of
     which is where it starts, and the `times` (s) at which it is there, beginning with 0 and never falling.
 
-    One that `loops` begins anew after the last. `smooth` legs begin and end at rest; one not `enabled` waits.
+    One that `loops` begins anew after the last. `smooth` legs begin and end at rest; one not `enabled` waits. The body
+    has gone along it for `time` seconds when the scene begins.
     """
 
     points: tuple[tuple[float, float, float], ...]
@@ -72,6 +75,27 @@ class FlatPath:
     loops: bool = False
     smooth: bool = False
     enabled: bool = True
+    time: float = 0.0
+
+    def after(self, seconds: float) -> tuple[float, float, float]:
+        """Where it is after so many seconds, from where the body is placed: x and y (m) and angle (rad).
+
+        To the bit as in the steps of a world (`engine/bodies/paths.py`).
+        """
+        whole = self.times[-1]
+        if self.loops:
+            seconds -= whole * math.floor(seconds / whole)
+        if seconds >= whole:
+            return self.points[-1]
+        leg = bisect_right(self.times, seconds)
+        if leg == 0:
+            return self.points[0]
+        begin, end = self.times[leg - 1], self.times[leg]
+        share = (seconds - begin) / (end - begin)
+        if self.smooth:
+            share = share * share * (3.0 - 2.0 * share)
+        (x, y, angle), to = self.points[leg - 1], self.points[leg]
+        return x + share * (to[0] - x), y + share * (to[1] - y), angle + share * (to[2] - angle)
 
 
 @dataclass(frozen=True)

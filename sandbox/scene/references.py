@@ -31,7 +31,7 @@ def unknown_names(data: dict[str, Any], ids: BodyNames, known: Known) -> Iterato
     yield from _prefabs(data)
     yield from _categories(data)
     yield from _bodies(data, ids)
-    yield from _followed(data, ids)
+    yield from followed(data, ids)
     yield from joint_references(data, ids, known.kinds)
     yield from play_references(data, ids)
 
@@ -75,7 +75,7 @@ def _bodies(data: dict[str, Any], ids: BodyNames) -> Iterator[Finding]:
                     return
 
 
-def _followed(data: dict[str, Any], ids: BodyNames) -> Iterator[Finding]:
+def followed(data: dict[str, Any], ids: BodyNames) -> Iterator[Finding]:
     """The body that the camera goes with; `MOVING` means whatever moves."""
     name = plain.mapping(data.get("view")).get("follow")
     if not ids.counted or not isinstance(name, str) or name == MOVING or ids.is_unread(name):

@@ -23,6 +23,7 @@ def build_state(scene: FlatScene) -> State:
     bodies, shapes, vertices, sides, seams = body_tables(scene.bodies)
     seams = with_room_for_tiles(bodies, shapes, seams)
     join_tiles(bodies, shapes, vertices, seams)
+    paths = build_paths(scene.bodies, bodies, scene.settings.step_rate)  # joints count from where it leaves bodies
     drags = records.DRAG.zeros(_DRAGS)
     drags.body = -1
     regions, edges = build_regions(scene.regions, scene.settings.step_rate)
@@ -50,7 +51,7 @@ def build_state(scene: FlatScene) -> State:
         spawners=played.spawners,
         sensings=played.sensings,
         outcome=played.outcome,
-        paths=build_paths(scene.bodies, bodies),
+        paths=paths,
         census=census,
         origin=origin(scene, shapes, vertices),
     )

@@ -5,10 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
+from sandbox._jit import interpreted
+from sandbox.geometry.trig import cos_sin
 from sandbox.scene.flat import FlatBody, FlatScene
 from sandbox.scene.flat_rules import FlatAction, FlatEnd, FlatSpawn
 from sandbox.tables import Records
 from sandbox.world import rule_records as records
+
+_cos_sin = interpreted(cos_sin)
 
 
 class RuleTables(NamedTuple):
@@ -34,8 +38,11 @@ def build_rules(scene: FlatScene) -> RuleTables:
     return RuleTables(controls, tallies, rules, spawners, sensings, outcome)
 
 
-def build_paths(scene_bodies: Sequence[FlatBody], bodies: Any) -> Records:
-    """The paths of all bodies that have one, from where `bodies` (rows of the body table) are now."""
+def build_paths(scene_bodies: Sequence[FlatBody], bodies: Any, step_rate: float) -> Records:
+    """The paths of all bodies that have one, from where `bodies` (rows of the body table) are now.
+
+    Those that have gone along theirs already are put to where they are then.
+    """
     found = [(row, body.path) for row, body in enumerate(scene_bodies) if body.path is not None]
     table = records.PATH.zeros(len(found))
     for row, (index, path) in zip(table, found, strict=True):
@@ -43,7 +50,21 @@ def build_paths(scene_bodies: Sequence[FlatBody], bodies: Any) -> Records:
         row.body = index
         row.origin_x, row.origin_y, row.origin_angle = body["position_x"], body["position_y"], body["angle"]
         row.enabled = int(path.enabled)
+        row.steps = round(path.time * step_rate)
+        if row.steps > 0:
+            _put(body, (row.origin_x, row.origin_y, row.origin_angle), path.after(int(row.steps) * (1.0 / step_rate)))
     return table
+
+
+def _put(body: Any, origin: tuple[float, float, float], place: tuple[float, float, float]) -> None:
+    """Put a body to a place of its path, as `engine/bodies/paths.py` does."""
+    x, y, angle = (begin + way for begin, way in zip(origin, place, strict=True))
+    cosine, sine = _cos_sin(angle)
+    center_x, center_y = body["local_center_x"], body["local_center_y"]
+    body["position_x"], body["position_y"], body["angle"] = x, y, angle
+    body["rotation_cos"], body["rotation_sin"] = cosine, sine
+    body["center_x"] = x + (cosine * center_x - sine * center_y)
+    body["center_y"] = y + (sine * center_x + cosine * center_y)
 
 
 def all_actions(scene: FlatScene) -> Iterator[FlatAction]:

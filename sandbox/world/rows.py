@@ -87,7 +87,7 @@ def _append_bodies(state: State, flat: Sequence[FlatBody]) -> None:
     if any(body.thrusters for body in flat):
         _append_thrusters(state, flat, bodies)
     if any(body.path is not None for body in flat):
-        paths = plain(build_paths(flat, bodies))
+        paths = plain(build_paths(flat, bodies, state.census.scene.settings.step_rate))
         paths["body"] += len(state.bodies)
         state.paths = extended(state.paths, paths)
     fixed = bodies["type"] != records.DYNAMIC

@@ -41,6 +41,17 @@ def test_at_the_start_it_is_the_scene_of_the_author(name: str) -> None:
     assert found.remarks == ()
 
 
+@pytest.mark.parametrize("name", ["lift", "drawbridge", "avalanche", "air-hockey", "marble-clock", "breakout", "siege"])
+def test_what_is_played_is_a_scene_at_any_moment(name: str, tmp_path: Path) -> None:
+    """Gates and lifts on their way, bricks that are gone, joints that broke, a ball that went down the pit."""
+    world = World(shipped(name))
+    for _ in range(3):
+        world.step(40)
+        _, other = saved(world, tmp_path)
+        assert difference(world, other) < 1e-12
+        assert dict(world.counters) == dict(other.counters)
+
+
 @given(st.data())
 @examples(60)
 def test_it_begins_as_the_world_was(data: st.DataObject) -> None:

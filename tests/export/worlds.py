@@ -44,9 +44,14 @@ def rows_in(other: World, world: World) -> list[int]:
 
 
 def difference(world: World, other: World) -> float:
-    """Largest difference of places, velocities and masses of bodies with the same id, and of turns that are seen."""
+    """Largest difference of places, velocities and masses of bodies with the same id, and of turns that are seen.
+
+    Paths give their bodies the velocities of a step as it begins.
+    """
     rows = rows_in(other, world)
-    a, b = np.asarray(world.state.bodies), np.asarray(other.state.bodies)[rows]
+    a, b = np.array(world.state.bodies), np.asarray(other.state.bodies)[rows]
+    for name in ("velocity_x", "velocity_y", "angular_velocity"):
+        a[name][world.state.paths.body] = 0.0
     turns = np.hypot(a["rotation_cos"] - b["rotation_cos"], a["rotation_sin"] - b["rotation_sin"])
     return max(float(np.abs(gaps).max(initial=0.0)) for gaps in (*(a[name] - b[name] for name in NUMBERS), turns))
 

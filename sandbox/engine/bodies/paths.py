@@ -67,9 +67,9 @@ def arrive(bodies: Records, paths: Records, ways: Records) -> None:
     for row in range(ways.shape[0]):
         way = ways[row]
         if way.goes_on == 1:
-            paths[row].steps += 1
             body = bodies[paths[row].body]
             if body.frozen_step < 0:
+                paths[row].steps += 1
                 cosine, sine = cos_sin(way.angle)
                 body.position_x = way.x
                 body.position_y = way.y
@@ -82,9 +82,10 @@ def arrive(bodies: Records, paths: Records, ways: Records) -> None:
 
 @kernel
 def _lead(body: Records, path: Records, way: Records, stops: Records, seconds: float) -> None:
-    """Give one body its velocity, and note where it will be; none if its path is at its end or waits."""
+    """Give one body its velocity, and note where it will be; none if its path is at its end or waits, or bad numbers
+    froze it."""
     whole = stops[way.first + way.count - 1].time
-    if path.enabled == 0 or (way.loops == 0 and path.steps * seconds >= whole):
+    if path.enabled == 0 or body.frozen_step >= 0 or (way.loops == 0 and path.steps * seconds >= whole):
         body.velocity_x = 0.0
         body.velocity_y = 0.0
         body.angular_velocity = 0.0

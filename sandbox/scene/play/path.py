@@ -41,6 +41,7 @@ class BodyPath(Model):
         default="linear", description="smooth: each leg begins and ends at rest (3 u^2 - 2 u^3)."
     )
     enabled: bool = Field(default=True, description="false: it waits until a rule or command lets it go.")
+    time: Seconds = Field(default=0.0, description="The time of the path at which the scene begins, s.")
 
     def flat(self) -> FlatPath:
         """The path in SI units, with a time for every place; the way back is written out."""
@@ -53,7 +54,8 @@ class BodyPath(Model):
             points, times = points + points[-2::-1], times + [2.0 * end - time for time in times[-2::-1]]
         if self.pause > 0.0:
             points, times = _with_pauses(points, times, self.pause, self.mode != "once")
-        return FlatPath(tuple(points), tuple(times), self.mode != "once", self.easing == "smooth", self.enabled)
+        loops, smooth = self.mode != "once", self.easing == "smooth"
+        return FlatPath(tuple(points), tuple(times), loops, smooth, self.enabled, self.time)
 
 
 Places = list[tuple[float, float, float]]

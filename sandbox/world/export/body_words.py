@@ -11,6 +11,7 @@ from sandbox.scene.body import Body
 from sandbox.scene.generators import kind_of
 from sandbox.scene.prefab import Prefab
 from sandbox.world.export.numbers import degrees, fitted, pair, shortest
+from sandbox.world.export.path_words import path_words
 from sandbox.world.export.present import Motion, Present
 from sandbox.world.export.shape_words import shape_words
 from sandbox.world.export.thruster_words import thruster_words
@@ -27,8 +28,12 @@ def body_words(present: Present, row: int) -> Words:
     if present.changed[row]:
         pattern = _pattern(present, words)
         body, first = (motions[row] for motions in present.motions)
-        for name, value in _motion(body, first).items():
-            _put(present, words, pattern, name, value)
+        if row in present.paths:
+            given = words["path"] if "path" in words else pattern["path"]
+            words["path"] = path_words(present, present.paths[row], given)
+        else:
+            for name, value in _motion(body, first).items():
+                _put(present, words, pattern, name, value)
         if present.resurfaced[row]:
             words["shapes"] = shape_words(present, row, words, pattern)
         if present.rethrust[row]:
@@ -71,7 +76,8 @@ def _pattern(present: Present, words: Words) -> Words:
     """What holds for the fields that an entry does not give, as data."""
     name = words.get("prefab")
     prefab = Prefab() if name is None else present.scene.prefabs[name]
-    return prefab.model_dump(mode="json", exclude={"shapes", "thrusters"}) | {
+    return prefab.model_dump(mode="json", exclude={"shapes", "thrusters", "path"}) | {
+        "path": None if prefab.path is None else prefab.path.to_data(),
         "shapes": [shape.to_data() for shape in prefab.shapes],
         "thrusters": [thruster.to_data() for thruster in prefab.thrusters],
         "position": [0.0, 0.0],
@@ -121,6 +127,9 @@ def _put(present: Present, words: Words, pattern: Mapping[str, Any], name: str, 
 def _freeze(present: Present, words: Words, pattern: Mapping[str, Any]) -> None:
     """What bad numbers have frozen is static."""
     present.remarks.note("bodies that bad numbers froze are static for good", words["id"])
+    if "path" in words:
+        words["path"] = {**words["path"], "enabled": False}  # it waits where it is
+        return
     words["type"] = "static"
     if words.get("thrusters", pattern["thrusters"]):
         words["thrusters"] = []

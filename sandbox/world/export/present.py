@@ -109,9 +109,16 @@ class Present:
         return found
 
     @cached_property
+    def paths(self) -> dict[int, int]:
+        """The row of its path for each body that follows one."""
+        return {body: row for row, body in enumerate(plain(self.state.paths)["body"].tolist())}
+
+    @cached_property
     def changed(self) -> Flags:
         """Bodies of which anything is different."""
-        return self.in_motion | self.resurfaced | self.rethrust
+        found = self.in_motion | self.resurfaced | self.rethrust
+        found[plain(self.state.paths)["body"][_differ(self.state.paths, self.start.paths, ("steps", "enabled"))]] = True
+        return found
 
     @cached_property
     def motions(self) -> tuple[list[Motion], list[Motion]]:

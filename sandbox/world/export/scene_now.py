@@ -15,6 +15,7 @@ from sandbox.scene.settings import Settings
 from sandbox.world.export.body_words import written
 from sandbox.world.export.joint_words import lasting, written_joint
 from sandbox.world.export.numbers import pair
+from sandbox.world.export.play_words import play_words
 from sandbox.world.export.present import AnyWorld, Present
 from sandbox.world.export.region_words import written_region
 
@@ -31,8 +32,8 @@ def scene_of(world: AnyWorld, scene: Scene | None = None) -> SceneNow:
     """The scene that begins as `world` is now; `scene` is the one that the world was made of, if it does not know it.
 
     The author's words stay where they still hold: entries of what has not changed, materials, prefabs, and generators
-    all of whose bodies are as they made them; the others are written out as bodies. Regions and thrusters count their
-    time from now. What lies asleep begins awake, and contacts begin without the impulses that they had. Raises
+    all of whose bodies are as they made them; the others are written out as bodies. Regions, thrusters and rules count
+    their time from now. What lies asleep begins awake, and contacts begin without the impulses that they had. Raises
     `ArgumentError` if the world was not made of a `Scene`, and for what is no world.
     """
     present = Present("scene_of", world, scene)
@@ -47,6 +48,7 @@ def scene_of(world: AnyWorld, scene: Scene | None = None) -> SceneNow:
         "generate": tuple(each for k, each in enumerate(author.generate) if f"/generate/{k}" in kept),
         "joints": tuple(written_joint(present, k) for k in joints if census.joints.items[k].pointer not in kept),
         "regions": tuple(written_region(present, k) for k in range(len(present.state.regions))),
+        **play_words(present, joints),
         "expect": _expectations(present),
     }
     changed = {name: value for name, value in update.items() if value != getattr(author, name)}
