@@ -17,7 +17,7 @@ class Action:
     """`title` and `menu` say where it stands in the menus, `keys` are texts of chords, `help` is one line.
 
     `run` does it. A `held` action is done once a picture for as long as its key is down. `checked` tells whether what
-    it switches is on, `enabled` whether it can be done now.
+    it switches is on, `enabled` whether it can be done now; whose keys are pressed all the same is told why not.
     """
 
     name: str

@@ -46,6 +46,13 @@ def _save_scene(workspace: Workspace) -> None:
         workspace.say(f"saved {path.name}: a scene that begins as it is now{lost}")
 
 
+def _resume(workspace: Workspace) -> None:
+    if workspace.last_session is None:
+        workspace.say("nothing is known that was done in this scene the last time")
+    else:
+        workspace.wish = Wish("resume", workspace.last_session)
+
+
 def _leave(workspace: Workspace) -> None:
     """Esc: first the help, then what the tool is in the middle of, then the selection, then the scene."""
     if workspace.help_shown:
@@ -68,7 +75,7 @@ ACTIONS = (
            _save_scene),
     Action("resume", "Last session", "File", ("Ctrl+Shift+O",),
            "Go on with what was done in this scene the last time, with all its other futures.",
-           lambda w: setattr(w, "wish", Wish("resume", w.last_session)), enabled=lambda w: w.last_session is not None),
+           _resume, enabled=lambda w: w.last_session is not None),
     Action("reload", "Read again", "File", ("F9",), "Read the file again and begin with it.",
            lambda w: setattr(w, "reread", True)),
     Action("keep-time", "Keep the time", "File", (), "A file that is read again goes on from this step.",

@@ -30,6 +30,9 @@ def _to_end(workspace: Workspace) -> None:
 
 def _other_future(workspace: Workspace) -> None:
     """The one that was left first, so that whoever asks again and again sees all of them."""
+    if not workspace.session.timeline.branches:
+        workspace.say("there is no other future: one begins with what you do at an earlier moment")
+        return
     workspace.session.clock.paused = True
     branch = workspace.session.timeline.branches[0]
     workspace.session.switch(0)
