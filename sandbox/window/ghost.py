@@ -20,6 +20,7 @@ from sandbox.render.theme import Color
 from sandbox.replay.golden.run import Run
 from sandbox.replay.player import Player
 from sandbox.replay.recording.recording_fields import Pose
+from sandbox.window.threads import start_thread
 
 AHEAD, KEPT = 8, 20
 """Steps that are taken before they are asked for, and moments that are kept."""
@@ -52,8 +53,8 @@ class Ghost:
         self._closed = False
         self._goes = True
         self._changed = threading.Condition()
-        self._thread = threading.Thread(target=self._work, args=(run,), daemon=True)
-        self._thread.start()
+        self._run = run
+        self._thread = start_thread(self._work, self.close)
 
     def want(self, step: int) -> None:
         """The step that is shown now."""
@@ -86,9 +87,9 @@ class Ghost:
             self._closed = True
             self._changed.notify_all()
 
-    def _work(self, run: Run) -> None:
+    def _work(self) -> None:
         try:
-            player = Player(run)
+            player = Player(self._run)
             while True:
                 with self._changed:
                     while (step := self._next()) is None and not self._closed:
@@ -97,8 +98,10 @@ class Ghost:
                         return
                 player.seek(step)
                 self._keep(step, player.world)
-        except SandboxError as error:
+        except Exception as error:
             self.trouble = str(error)
+            if not isinstance(error, SandboxError):
+                raise  # a mistake of this program is told where it was made as well
         finally:
             with self._changed:
                 self._goes = False

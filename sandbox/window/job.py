@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Callable, Iterable, Iterator
 from typing import Generic, TypeVar
+
+from sandbox.window.threads import start_thread
 
 T = TypeVar("T")
 Item = TypeVar("Item")
@@ -52,8 +53,7 @@ class Job(Generic[T]):
         self._work = work
         self._result: list[T] = []
         self._error: Exception | None = None
-        self._thread = threading.Thread(target=self._run, daemon=True)
-        self._thread.start()
+        self._thread = start_thread(self._run, self.cancel)
 
     @property
     def done(self) -> bool:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Mapping
 from pathlib import Path
 from types import MappingProxyType
@@ -12,6 +11,7 @@ from sandbox.errors import SandboxError
 from sandbox.resources import SCENE_SUFFIX
 from sandbox.window.leftover import Leftover
 from sandbox.window.session import Session
+from sandbox.window.threads import start_thread
 
 if TYPE_CHECKING:
     from sandbox.replay.recording.command_words import TimedCommand
@@ -45,8 +45,7 @@ class Loader:
         self._left_out = 0
         self._session: Session | None = None
         self._error: Exception | None = None
-        self._thread = threading.Thread(target=self._run, daemon=True)
-        self._thread.start()
+        self._thread = start_thread(self._run)
 
     @property
     def done(self) -> bool:

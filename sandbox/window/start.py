@@ -13,6 +13,7 @@ from sandbox.window.options import Options
 from sandbox.window.overlay import Overlay
 from sandbox.window.remembered import Remembered, remembered
 from sandbox.window.state_folder import state_folder
+from sandbox.window.threads import ended_threads
 
 
 def run_window(options: Options) -> None:
@@ -23,7 +24,7 @@ def run_window(options: Options) -> None:
     kept = Remembered() if counted else remembered(state_folder())
     theme = LIGHT if kept.light else DARK
     size = USUAL_SIZE if counted else kept.size
-    with Display(options.size or size, "sandbox", visible=not counted) as display:
+    with ended_threads(), Display(options.size or size, "sandbox", visible=not counted) as display:
         suited = 1.0 if counted else display.suited_scale
         gui = Gui(display.driver)
         if kept.docks:

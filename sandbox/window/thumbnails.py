@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import sys
 import threading
 from contextlib import suppress
 from io import BytesIO
@@ -14,6 +15,7 @@ from sandbox._kernel_cache import cache_root
 from sandbox._version import __version__
 from sandbox.errors import SandboxError
 from sandbox.render.camera import Size
+from sandbox.window.threads import start_thread
 
 SIZE: Size = (304, 171)
 LARGEST = 4 * 1024 * 1024
@@ -57,8 +59,7 @@ class Thumbnails:
             self._wanted.remove(path)
         self._wanted.append(path)
         if self._thread is None:
-            self._thread = threading.Thread(target=self._work, daemon=True)
-            self._thread.start()
+            self._thread = start_thread(self._work, self.close)
         self._changed.notify()
 
     def _upload(self, pixels: bytes) -> Any:
@@ -76,7 +77,11 @@ class Thumbnails:
                 if self._closed:
                     return
                 path = self._wanted.pop()
-            pixels = _pixels(path)
+            try:
+                pixels = _pixels(path)
+            except Exception:  # a mistake of this program costs one picture, not those of all other files
+                threading.excepthook(threading.ExceptHookArgs((*sys.exc_info(), threading.current_thread())))
+                pixels = None
             with self._changed:
                 self._drawn[path] = pixels
 

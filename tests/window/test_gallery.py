@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import threading
+import time
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +16,7 @@ from PIL import Image
 
 from sandbox.render.thumbnail import thumbnail
 from sandbox.scene.catalog import Entry, search, shipped_entries
+from sandbox.window import thumbnails
 from sandbox.window.path_search import is_path, path_entries
 from sandbox.window.recent import note_recent, recent_files
 from sandbox.window.scene_index import OWN, RECENT, scene_entries
@@ -48,6 +51,38 @@ def test_recent_and_own_files_come_before_the_shipped_ones(tmp_path: Path) -> No
     ]  # fmt: skip
     assert entries[3].theme == "first"
     assert {entry.title for entry in entries[:3]} == {"Two crates"}
+
+
+def test_a_mistake_in_drawing_one_file_is_told_and_the_others_get_their_pictures(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def draw(path: Path) -> bytes | None:
+        if path.stem == "bad":
+            raise IndexError("beyond the end")
+        return b"pixels"
+
+    told: list[Any] = []
+    monkeypatch.setattr(thumbnails, "_pixels", draw)
+    monkeypatch.setattr(threading, "excepthook", lambda args: told.append(args.exc_value))
+    drawn = Drawn(None)
+    wanted = [tmp_path / "good", tmp_path / "bad"]  # what was asked for last is drawn first
+    for path in wanted:
+        drawn.texture(path)
+    while drawn.left(wanted):
+        time.sleep(0.001)
+    drawn.close()
+    assert [drawn.texture(path) for path in wanted] == [b"pixels", None]
+    assert [str(error) for error in told] == ["beyond the end"]
+
+
+class Drawn(thumbnails.Thumbnails):
+    """Pictures that need no OpenGL."""
+
+    def left(self, paths: list[Path]) -> bool:
+        return any(path not in self._drawn for path in paths) and self._thread.is_alive()
+
+    def _upload(self, pixels: bytes) -> Any:
+        return pixels
 
 
 def test_words_find_whatever_has_them_all() -> None:

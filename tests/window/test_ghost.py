@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import threading
+
 import numpy as np
+import pytest
 
 import sandbox
 from sandbox.render.camera import Camera
@@ -43,6 +46,20 @@ def test_a_run_that_is_refused_says_so() -> None:
     moment(ghost, 10)
     assert ghost.wait(11) is None
     assert "nobody" in ghost.trouble
+
+
+def test_a_mistake_of_this_program_ends_the_run_with_its_reason(monkeypatch: pytest.MonkeyPatch) -> None:
+    def capture(*given: object) -> None:
+        raise IndexError("beyond the end")
+
+    told: list[object] = []
+    monkeypatch.setattr("sandbox.window.ghost.capture", capture)
+    monkeypatch.setattr(threading, "excepthook", lambda args: told.append(args.exc_value))
+    ghost = Ghost(Run(SCENE, 50))
+    assert ghost.wait(0) is None
+    assert ghost.trouble == "beyond the end"
+    ghost._thread.join()
+    assert [str(error) for error in told] == ["beyond the end"]
 
 
 def test_only_what_is_elsewhere_is_outlined() -> None:
