@@ -31,6 +31,8 @@ _GONE = "what rules, controls and the camera have to do with what is gone is lef
 def play_words(present: Present, joints: list[int]) -> dict[str, Any]:
     """The fields of a scene that say how it is played and looked at; `joints` are the rows of those that last."""
     scene, census = present.scene, present.state.census
+    if not (scene.rules or scene.controls or scene.counters or scene.view):
+        return {}
     _note_present(present)
     rules = [(rule, words) for n, rule in enumerate(scene.rules) if (words := _later(present, n, rule)) is not None]
     data: Words = {
