@@ -13,7 +13,7 @@ from sandbox.engine.active.sleep import fall_asleep
 from sandbox.engine.active.substep_level import assign_substep_levels
 from sandbox.engine.active.wake_islands import wake_touched
 from sandbox.engine.bodies.begin_and_finish import begin_bodies, finish_bodies, forget_posed
-from sandbox.engine.broad_phase.active_shapes import order_shapes, outdated_shapes
+from sandbox.engine.broad_phase.active_shapes import list_woken_shapes, order_shapes
 from sandbox.engine.broad_phase.pair_cache import select_pairs, update_pair_cache
 from sandbox.engine.broad_phase.proxies import bound_shapes
 from sandbox.engine.contact_solver.store import clear_reports
@@ -62,7 +62,7 @@ def collide(
     update_active_set(state.bodies, active, solver)
     info = active.info[0]
     changed = order_shapes(state.shapes, active)
-    outdated = active.shapes[: outdated_shapes(info, changed, state.shapes.shape[0])]
+    outdated = active.shapes[: info.listed]
     bound_shapes(state, outdated, changed != 0, colliders, grid, workers)
     kept = counter.contact_count if counter.asleep_count > 0 else 0
     seconds = state.settings[0].step_seconds
@@ -77,6 +77,7 @@ def collide(
     begin_sleeping_contacts(contacts.cursor[0], info.generation)
     counter.found_count = find_contacts(state, active, colliders, grid.pairs, contacts, solver.ccd, workers, decisions)
     end_sleeping_contacts(contacts.cursor[0], contacts.runs, info.generation)
+    info.listed = info.moving
     return 0
 
 
@@ -101,6 +102,7 @@ def begin(
     froze = begin_bodies(state, active, solver)
     if wake_touched(bodies, contacts, joints, active, state.counters) or froze:
         update_active_set(bodies, active, solver)
+        list_woken_shapes(state.shapes, active)
         list_active_contacts(bodies, contacts, count)
         begin_bodies(state, active, solver)
     if info.posed == 1:

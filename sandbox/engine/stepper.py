@@ -160,9 +160,9 @@ class Stepper:
         """Look anew at who may move: anything may have been changed from outside."""
         forget(self.scratch.active)
 
-    def touch(self, fixed: Sequence[int]) -> None:
+    def touch(self, rows: Sequence[int]) -> None:
         """Look anew at the bodies that may move, and at others in those rows: they were changed from outside."""
-        touch(self.scratch.active, fixed)
+        touch(self.scratch.active, rows)
 
     def assemble_joints(self) -> None:
         """Find out anew what hangs together by joints, after one of them broke or was switched."""

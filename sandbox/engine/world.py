@@ -232,7 +232,7 @@ class World(Readings, Shown, FixedAttributes):
         if self._paths is None and len(state.paths):
             from sandbox.engine.rules.paths import Paths
 
-            self._paths = Paths(state, lambda rows: self._note(Touched(fixed=tuple(rows))))
+            self._paths = Paths(state, lambda rows: self._note(Touched(bodies=tuple(rows))))
 
     def _note(self, touched: Touched) -> None:
         """Bring up to date what is worked out from the records."""
@@ -258,7 +258,7 @@ class World(Readings, Shown, FixedAttributes):
         if touched.everybody:
             self._stepper.forget()
         elif touched.active_set:
-            self._stepper.touch(touched.fixed)
+            self._stepper.touch(touched.bodies)
         counters = self._stepper.counters
         counters[CounterPlace.STILL] = counters[CounterPlace.WATCH] = 0
 

@@ -36,15 +36,25 @@ def check(world: World) -> None:
     """The lists hold everybody once, in the order that they promise."""
     active, shapes = world.scratch.active, world.state.shapes
     info, activity = active.info[0], active.activity[: len(world.names)]
-    listed = active.loose[1 : 1 + active.loose[0]]
-    assert listed.tolist() == sorted(set(listed.tolist()))
-    assert set(np.flatnonzero(activity)) <= set(listed.tolist())
+    bodies: Any = world.state.bodies
+    slept = np.flatnonzero(activity == 2)
+    assert bodies.type[slept].tolist() == [2] * len(slept)
+    assert info.asleep == len(slept)
     assert np.flatnonzero(activity == 1).tolist() == active.bodies[1 : 1 + active.bodies[0]].tolist()
-    order, loose = active.shapes[: info.loose], active.loose_shapes[: info.loose]
-    assert loose.tolist() == np.flatnonzero(np.isin(shapes.body, listed)).tolist()
-    assert sorted(order.tolist()) == loose.tolist()
-    assert order[: info.moving].tolist() == np.flatnonzero(activity[shapes.body] == 1).tolist()
-    assert info.static == (np.asarray(world.state.bodies.type) == 0).sum()
+    assert active.shapes[: info.moving].tolist() == np.flatnonzero(activity[shapes.body] == 1).tolist()
+    assert info.static == (bodies.type == 0).sum()
+    check_islands(world)
+
+
+def check_islands(world: World) -> None:
+    """Every sleeping island has the list of its members."""
+    active, bodies = world.scratch.active, world.state.bodies
+    for island in set(bodies.island[bodies.awake == 0].tolist()) - {0}:
+        row, members = int(active.last_member[island - 1]), []
+        while row >= 0:
+            members.append(row)
+            row = int(active.member_before[row])
+        assert members[::-1] == np.flatnonzero((bodies.island == island) & (bodies.awake == 0)).tolist()
 
 
 def changed(world: World, what: str, number: int) -> None:
@@ -88,7 +98,7 @@ def test_nobody_is_looked_at_who_stays():
     world.apply(Spawn(entry("ball", 5)))  # memory for more of them, of which all is new
     world.step(2)
     info = world.scratch.active.info[0]
-    before = info.fixed_generation
+    before = info.anew
     for number, kind in enumerate(("ball", "pair", "sleeper", "ball", "tile", "platform")):
         world.apply(Spawn([entry(kind, 50 * number + 10), entry(kind, 50 * number + 11)]))
         if number % 2:
@@ -100,21 +110,18 @@ def test_nobody_is_looked_at_who_stays():
         world.apply(Delete(name))
         world.step(3)
         check(world)
-    assert info.fixed_generation == before
+    assert info.anew == before
 
 
-def test_all_are_looked_at_anew_once_many_are_listed_that_stay():
-    world = World(sandbox.Scene(bodies=[GROUND]))
-    for number in range(300):
-        world.apply(Spawn(entry("tile", number)))
-        world.step()
+def test_all_are_looked_at_anew_where_many_are_touched():
+    world = World(sandbox.Scene(bodies=[GROUND, entry("platform", 1)]))  # in which steps are taken
+    world.apply(Spawn([entry("tile", number) for number in range(300)]))
+    world.step(3)
+    info = world.scratch.active.info[0]
+    for count, anew in ((5, False), (300, True), (5, False)):
+        before = int(info.anew)
+        for number in range(count):
+            world.apply(SetPose(f"tile-{number}", (float(number), 1.5 + 0.1 * count), 0.0))
+        world.step(3)
         check(world)
-        assert world.scratch.active.loose[0] <= len(world.scratch.active.touched)
-    for number in range(300):
-        world.apply(SetPose(f"tile-{number}", (float(number), 1.5), 0.0))
-    world.step()
-    for height in (2.5, 3.5):
-        world.apply(SetPose("tile-7", (7.0, height), 0.0))
-        world.step()
-    assert world.scratch.active.loose[0] == 1
-    check(world)
+        assert (info.anew > before) == anew

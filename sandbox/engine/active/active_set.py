@@ -8,6 +8,8 @@ from __future__ import annotations
 from typing import Any
 
 from sandbox._jit import inlined_kernel, kernel
+from sandbox.engine.active.pile_stability import weigh
+from sandbox.engine.active.sleeping_islands import begin_member, touch_row
 from sandbox.engine.bodies.flags import IMMOVABLE, disturbs, is_active
 from sandbox.engine.contact_solver.closing_speed import stops_by_several
 from sandbox.engine.records.active_set import ACTIVE_SET, ActiveSet
@@ -16,8 +18,9 @@ from sandbox.engine.records.contacts import Contacts
 from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC, STATIC
 
-AWAKE, ASLEEP = 1, 2
-"""What `activity` says of a body that a step may move, and of one that sleeps; 0 of those that stay where they are."""
+AWAKE, ASLEEP, TOUCHED = 1, 2, 4
+"""What `activity` says of a body that a step may move, and of one that sleeps; 0 of those that stay where they are.
+`TOUCHED` is only there while the lists are made."""
 
 
 def new_active_set() -> Records:
@@ -28,90 +31,156 @@ def new_active_set() -> Records:
 
 
 def most_touched(bodies: int) -> int:
-    """How many of so many bodies may be listed among the loose ones though they stay where they are: so many that to
-    list all anew, once there are more, costs little for each of them."""
+    """How many of so many bodies may be listed as touched: so many that to list all anew, once there are more, costs
+    little for each of them."""
     return 64 + bodies // 16
 
 
 @kernel
 def update_active_set(bodies: Records, active: ActiveSet, solver: SolverBodies) -> bool:
-    """List the bodies that a step may move; lay the others to rest in the scratch memory, as no stage looks after them.
+    """List the bodies that a step may move; lay those to rest in the scratch memory that it no longer does, as no stage
+    looks after them.
 
     Nothing is done as long as nobody has come, woken, fallen asleep, or been changed by a command: returns whether.
-    Bodies that stay where they are are only looked at when they come or are `touched`, or when all are listed anew.
+    What rests is only looked at when it comes or is `touched`, or when all are listed anew.
     """
     info = active.info[0]
     if info.stale == 0 and info.shifted == 0 and active.touched[0] == 0 and info.bodies == bodies.shape[0]:
         return False
     info.generation += 1
-    anew = info.stale == 1 or info.fixed >= active.touched.shape[0]
-    anew = anew or info.fixed_generation > info.shapes_generation  # the shapes of all are not in order yet
-    if anew:
-        info.static = info.bodies = active.loose[0] = active.touched[0] = 0
-        info.fixed_generation = info.generation
-    _list_touched(active)
-    _list_loose(bodies, active, solver, anew)
-    count = 0
-    asleep = 0
-    fixed = 0
-    posed = 0
-    for i in active.loose[1 : 1 + active.loose[0]]:
-        body = bodies[i]
-        posed |= body.posed
-        active.activity[i] = AWAKE if disturbs(body) else 0
-        if active.activity[i] == AWAKE:
-            count += 1
-            active.bodies[count] = i
-            continue
-        if body.type == DYNAMIC:
-            active.activity[i] = ASLEEP
-            asleep += 1
-            body.stirred = body.was_asleep - 1
-            body.was_asleep = 1
-        else:
-            fixed += 1
-        _lay_to_rest(bodies, i, solver)
-    active.bodies[0] = count
-    info.asleep = asleep
-    info.fixed = fixed
-    info.posed = posed
-    info.shifted = posed  # who was put somewhere is active for one step
+    info.posed = 0
+    if info.stale == 0:
+        _list_new_rows(bodies, active)
+        _drop_resting(bodies, active)
+    if info.stale == 0:
+        sort_rows(active.touched[1 : 1 + active.touched[0]])
+        _list_woken(active, _settle_touched(bodies, active, solver))
+    else:
+        _list_all(bodies, active, solver)
+    info.shifted = info.posed  # who was put somewhere is active for one step
     info.stale = 0
     return True
 
 
 @kernel
-def _list_touched(active: ActiveSet) -> None:
-    """List the touched bodies that the lists know, but not among the loose ones. `active.touched` has these alone then,
-    for `order_shapes`."""
-    loose: Any = active.loose[1 : 1 + active.loose[0]]
-    touched: Any = active.touched[1:]
+def _list_all(bodies: Records, active: ActiveSet, solver: SolverBodies) -> None:
+    """Look at everybody, as if all had come."""
+    info = active.info[0]
+    info.static = info.asleep = info.weighed = active.touched[0] = 0
+    info.anew = info.generation
+    info.bodies = bodies.shape[0]
     count = 0
-    for k in range(active.touched[0]):
-        if touched[k] < active.info[0].bodies and not _holds(loose, touched[k]):
-            touched[count] = touched[k]
+    for i in range(bodies.shape[0]):
+        info.static += 1 if bodies[i].type == STATIC else 0
+        begin_member(bodies, active, i)
+        active.activity[i] = 0
+        if _settle(bodies, active, i, solver):
             count += 1
-    _merge_rows(active.loose[1:], active.loose[0], touched, count)
-    active.loose[0] += count
-    active.touched[0] = count
+            active.bodies[count] = i
+            active.activity[i] = AWAKE
+    active.bodies[0] = count
 
 
 @kernel
-def _list_loose(bodies: Records, active: ActiveSet, solver: SolverBodies, anew: bool) -> None:
-    """List the bodies that may move or sleep, of those that the lists do not know yet; lay the others to rest, but list
-    them as well if they have come since all were listed `anew`."""
+def _list_new_rows(bodies: Records, active: ActiveSet) -> None:
+    """Who has come is touched, and so is who has another row."""
     info = active.info[0]
-    count = active.loose[0]
     for i in range(info.bodies, bodies.shape[0]):
         info.static += 1 if bodies[i].type == STATIC else 0
-        if not anew or bodies[i].type == DYNAMIC or disturbs(bodies[i]):
-            count += 1
-            active.loose[count] = i
-        else:
-            active.activity[i] = 0
-            _lay_to_rest(bodies, i, solver)
-    active.loose[0] = count
+        begin_member(bodies, active, i)
+        active.activity[i] = 0
+        touch_row(active, i)
     info.bodies = bodies.shape[0]
+
+
+@kernel
+def _drop_resting(bodies: Records, active: ActiveSet) -> None:
+    """Take out of the list who no longer moves, who is touched by that."""
+    for i in active.touched[1 : 1 + active.touched[0]]:
+        active.activity[i] |= TOUCHED
+    count = 0
+    for i in active.bodies[1 : 1 + active.bodies[0]]:
+        body = bodies[i]
+        if disturbs(body):
+            active.info[0].posed |= body.posed
+            count += 1
+            active.bodies[count] = i
+        elif active.activity[i] & TOUCHED == 0:
+            touch_row(active, i)
+    active.bodies[0] = count
+
+
+@kernel
+def _settle_touched(bodies: Records, active: ActiveSet, solver: SolverBodies) -> int:
+    """Lay to rest who of the touched ones does not move; returns how many do and are not listed yet, as `activity`
+    says of them."""
+    info = active.info[0]
+    more = 0
+    for i in active.touched[1 : 1 + active.touched[0]]:
+        was = active.activity[i] & ~TOUCHED
+        info.asleep -= 1 if was == ASLEEP else 0
+        active.activity[i] = AWAKE
+        if _settle(bodies, active, i, solver) and was != AWAKE:
+            active.activity[i] = TOUCHED
+            more += 1
+    return more
+
+
+@kernel
+def _settle(bodies: Records, active: ActiveSet, i: int, solver: SolverBodies) -> bool:
+    """Whether a step may move a body, which is laid to rest otherwise."""
+    info = active.info[0]
+    body = bodies[i]
+    if body.type == DYNAMIC:
+        weigh(info, body)
+    if disturbs(body):
+        info.posed |= body.posed
+        return True
+    active.activity[i] = 0
+    if body.type == DYNAMIC:
+        active.activity[i] = ASLEEP
+        info.asleep += 1
+        body.stirred = body.was_asleep - 1
+        body.was_asleep = 1
+    _lay_to_rest(bodies, i, solver)
+    return False
+
+
+@kernel
+def _list_woken(active: ActiveSet, more: int) -> None:
+    """Put those of the touched ones that are to be listed among the others: from the end, as there is room behind."""
+    listed: Any = active.bodies[1:]
+    n = active.bodies[0] - 1
+    active.bodies[0] += more
+    k = active.touched[0]
+    while more > 0:
+        i = active.touched[k]
+        k -= 1
+        if active.activity[i] != TOUCHED:
+            continue
+        while n >= 0 and listed[n] > i:
+            listed[n + more] = listed[n]
+            n -= 1
+        listed[n + more] = i
+        active.activity[i] = AWAKE
+        more -= 1
+
+
+@kernel
+def sort_rows(rows: Integers) -> None:
+    """Sort a few rows: Shell's method with Knuth's gaps (The Art of Computer Programming 3, 5.2.1)."""
+    gap = 1
+    while 3 * gap + 1 < rows.shape[0]:
+        gap = 3 * gap + 1
+    while gap > 0:
+        for n in range(gap, rows.shape[0]):
+            row = rows[n]
+            k = n - gap
+            while k >= 0 and rows[k] > row:
+                rows[k + gap] = rows[k]
+                k -= gap
+            rows[k + gap] = row
+        gap //= 3
 
 
 @kernel
@@ -126,27 +195,6 @@ def first_from(rows: Integers, row: int) -> int:
         else:
             high = middle
     return low
-
-
-@kernel
-def _holds(rows: Integers, row: int) -> bool:
-    """Whether a row is among ascending ones."""
-    place = first_from(rows, row)
-    return bool(place < rows.shape[0] and rows[place] == row)
-
-
-@kernel
-def _merge_rows(rows: Integers, count: int, fresh: Integers, more: int) -> None:
-    """Put so many fresh rows among the first `count` ones, both ascending: from the end, as there is room behind."""
-    n = count - 1
-    k = more - 1
-    while k >= 0:
-        if n >= 0 and rows[n] > fresh[k]:
-            rows[n + k + 1] = rows[n]
-            n -= 1
-        else:
-            rows[n + k + 1] = fresh[k]
-            k -= 1
 
 
 @kernel

@@ -6,9 +6,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from sandbox.engine.active.active_set import ASLEEP
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.colliders import Grid
-from sandbox.tables import plain
+from sandbox.tables import Integers, plain
 from sandbox.world.records import STATIC
 from sandbox.world.rows import Moved
 
@@ -18,16 +19,22 @@ def forget(active: ActiveSet) -> None:
     plain(active.info)["stale"] = 1
 
 
-def touch(active: ActiveSet, fixed: Sequence[int]) -> None:
-    """Bodies that may move were changed, and others in those rows: these are to be looked at."""
+def touch(active: ActiveSet, rows: Sequence[int]) -> None:
+    """Bodies that may move were changed, and bodies in those rows have woken or were changed: these are to be looked
+    at."""
     plain(active.info)["shifted"] = 1
-    if fixed:
+    if rows:
         touched = active.touched
-        rows = np.union1d(touched[1 : 1 + touched[0]], fixed)
-        if len(rows) < len(touched):
-            touched[0], touched[1 : 1 + len(rows)] = len(rows), rows
-        else:
-            forget(active)
+        together = np.union1d(touched[1 : 1 + touched[0]], rows)
+        _touch_only(active, together)
+
+
+def _touch_only(active: ActiveSet, rows: Integers) -> None:
+    """These rows alone are to be looked at; everybody is, where they are many."""
+    if len(rows) < len(active.touched):
+        active.touched[0], active.touched[1 : 1 + len(rows)] = len(rows), rows
+    else:
+        forget(active)
 
 
 def keep_what_stays(active: ActiveSet, grid: Grid, moved: Moved) -> None:
@@ -38,13 +45,15 @@ def keep_what_stays(active: ActiveSet, grid: Grid, moved: Moved) -> None:
         forget(active)
         plain(grid.cache.info)["valid"] = 0
         return
-    for rows in (active.loose, active.touched):
-        rows[0] = np.searchsorted(rows[1 : 1 + rows[0]], body)
+    rows, touched = active.bodies, active.touched
+    rows[0] = np.searchsorted(rows[1 : 1 + rows[0]], body)
+    some = touched[1 : 1 + touched[0]]
+    _touch_only(active, some[some < body])
     info, known = plain(active.info)[0], plain(grid.info)[0]
     listed = int(info["bodies"])
     if body < listed:
         info["bodies"] = body
         info["static"] -= int((moved.types[: listed - body] == STATIC).sum())
-    info["loose"] = np.searchsorted(active.loose_shapes[: info["loose"]], shape)
-    info["shapes"], known["known"] = min(info["shapes"], shape), min(known["known"], shape)
-    info["shifted"] = 1
+        info["asleep"] -= int((active.activity[body:listed] == ASLEEP).sum())
+    known["known"] = min(known["known"], shape)
+    info["weighed"], info["shifted"] = 0, 1

@@ -66,18 +66,25 @@ PILE = Table(
 
 
 @kernel
-def masses_differ(bodies: Records, rows: Integers, gravity: float, omega: float) -> bool:
-    """Whether some dynamic body of `rows` would be too heavy for some other one at level 0."""
-    heaviest = 0.0
-    lightest = slight = _NONE
-    for i in rows:
-        body = bodies[i]
-        if body.type == DYNAMIC:
-            heaviest = body.mass if body.mass > heaviest else heaviest
-            lightest = body.mass if body.mass < lightest else lightest
-            slight = body.extent if body.extent < slight else slight
-    bears = bearable(slight, gravity, omega)
-    return heaviest > lightest * bears
+def masses_differ(bodies: Records, info: Records, gravity: float, omega: float) -> bool:
+    """Whether some dynamic body would be too heavy for some other one at level 0. All are weighed where nobody knows."""
+    if info.weighed == 0:
+        info.heaviest = 0.0
+        info.lightest = info.slight = _NONE
+        for body in bodies:
+            if body.type == DYNAMIC:
+                weigh(info, body)
+        info.weighed = 1
+    bears = bearable(info.slight, gravity, omega)
+    return bool(info.heaviest > info.lightest * bears)
+
+
+@inlined_kernel
+def weigh(info: Records, body: Records) -> None:
+    """Another dynamic body is there."""
+    info.heaviest = body.mass if body.mass > info.heaviest else info.heaviest
+    info.lightest = body.mass if body.mass < info.lightest else info.lightest
+    info.slight = body.extent if body.extent < info.slight else info.slight
 
 
 @kernel

@@ -10,6 +10,7 @@ import math
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.active.islands import find_islands
+from sandbox.engine.active.sleeping_islands import begin_member
 from sandbox.engine.bodies.flags import ISLAND_AWAKE, KEPT_AWAKE, SUPPORTED, disturbs, is_active
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.active_set import ActiveSet
@@ -79,7 +80,7 @@ def fall_asleep(
     """Put islands to sleep in which all bodies have been slow long enough."""
     rows = active.bodies[1 : 1 + active.bodies[0]]
     find_islands(state.bodies, rows, solver.islands, contacts, joints)
-    fallen = _sleep_islands(state.bodies, rows, solver)
+    fallen = _sleep_islands(state.bodies, active, solver)
     active.info[0].shifted |= 1 if fallen > 0 else 0
     state.counters[0].asleep_count += fallen
     state.counters[0].awake_count -= fallen
@@ -91,9 +92,10 @@ def _speed(x: float, y: float, rim: float) -> float:
 
 
 @kernel
-def _sleep_islands(bodies: Records, rows: Integers, solver: SolverBodies) -> int:
+def _sleep_islands(bodies: Records, active: ActiveSet, solver: SolverBodies) -> int:
     """An island sleeps if none of its bodies is too lively; a lively body flags the root. Returns how many bodies
     do."""
+    rows = active.bodies[1 : 1 + active.bodies[0]]
     islands = solver.islands
     flags = solver.flags
     fallen = 0
@@ -108,6 +110,7 @@ def _sleep_islands(bodies: Records, rows: Integers, solver: SolverBodies) -> int
             body.stirred -= 1
             body.was_asleep = 1
             body.island = islands[i] + 1
+            begin_member(bodies, active, i)
             body.velocity_x = 0.0
             body.velocity_y = 0.0
             body.angular_velocity = 0.0

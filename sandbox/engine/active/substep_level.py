@@ -86,8 +86,8 @@ def _assign_to_piles(
         load = Load(gravity_x / gravity, gravity_y / gravity, gravity, omega, seconds)
         used = _look(state, rows, solver, piles, contacts, joints, load, counter.substep_levels)
     counter.substep_levels = used
-    loose = active.loose[1 : 1 + active.loose[0]]
-    counter.substep_watch = ALWAYS if used > 1 or masses_differ(state.bodies, loose, gravity, omega) else SELDOM
+    differ = used > 1 or masses_differ(state.bodies, active.info[0], gravity, omega)
+    counter.substep_watch = ALWAYS if differ else SELDOM
     return used
 
 

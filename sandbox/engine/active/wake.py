@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -12,10 +12,12 @@ from sandbox.world.records import DYNAMIC
 from sandbox.world.records import BodyPlace as At
 from sandbox.world.state import State
 
+Rows: TypeAlias = tuple[int, ...]
 
-def wake_body(state: State, index: int) -> None:
-    """Wake a body with its island, and the islands of all that touch it or are joined to it."""
-    wake_bodies(state, [index])
+
+def wake_body(state: State, index: int) -> Rows:
+    """Wake a body with its island, and the islands of all that touch it or are joined to it; as `wake_bodies`."""
+    return wake_bodies(state, [index])
 
 
 def keep_awake(numbers: FloatWords, flags: WholeWords) -> None:
@@ -23,12 +25,14 @@ def keep_awake(numbers: FloatWords, flags: WholeWords) -> None:
     numbers[At.SLEEP_TIME], flags[At.ISLAND] = 0.0, 0
 
 
-def wake_bodies(state: State, rows: Sequence[int] | Integers) -> None:
-    """Wake bodies with their islands, and the islands of all that touch them or are joined to them."""
+def wake_bodies(state: State, rows: Sequence[int] | Integers) -> Rows:
+    """Wake bodies with their islands, and the islands of all that touch them or are joined to them.
+
+    Returns the rows of all these, for the active set to look at (`Touched`).
+    """
     bodies, counter = plain(state.bodies), plain(state.counters)[0]
     if counter["asleep_count"] == 0:
-        _rouse(bodies, np.asarray(rows, np.int64))
-        return
+        return _rouse(bodies, np.asarray(rows, np.int64))
     contacts, joints = plain(state.contacts)[: counter["contact_count"]], plain(state.joints)
     chosen = np.zeros(len(bodies) + 1, np.bool_)  # -1, the world, is the last row
     chosen[rows] = True
@@ -41,7 +45,7 @@ def wake_bodies(state: State, rows: Sequence[int] | Integers) -> None:
     awoken = np.flatnonzero(chosen[:-1])
     if islands.any():
         awoken = np.union1d(awoken, np.flatnonzero(np.isin(bodies["island"], islands[islands > 0])))
-    _rouse(bodies, awoken)
+    return _rouse(bodies, awoken)
 
 
 def wake_all(state: State) -> None:
@@ -50,5 +54,6 @@ def wake_all(state: State) -> None:
     _rouse(bodies, np.flatnonzero((bodies["type"] == DYNAMIC) & (bodies["awake"] == 0)))
 
 
-def _rouse(bodies: Any, rows: Integers) -> None:
+def _rouse(bodies: Any, rows: Integers) -> Rows:
     bodies["awake"][rows], bodies["sleep_time"][rows], bodies["island"][rows] = 1, 0.0, 0
+    return tuple(rows.tolist())

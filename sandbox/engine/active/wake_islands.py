@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from sandbox._jit import kernel
+from sandbox.engine.active.sleeping_islands import touch_row, wake_marked_islands
 from sandbox.engine.bodies.flags import disturbs
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.active_set import ActiveSet
@@ -30,10 +31,10 @@ def wake_touched(
     if not (_some_touched(bodies, touched) or _some_joined(bodies, joints)):
         return False
     for slot in touched:
-        _wake_either(bodies[slot.body_a], bodies[slot.body_b])
+        _wake_either(bodies, slot.body_a, slot.body_b, active)
     if joints is not None:
         for i in range(joints.ties.shape[0]):
-            _wake_either(bodies[joints.ties[i].low], bodies[joints.ties[i].high])
+            _wake_either(bodies, joints.ties[i].low, joints.ties[i].high, active)
     wake_marked_islands(bodies, active)
     return True
 
@@ -63,33 +64,14 @@ def _disturbed(a: Records, b: Records) -> bool:
 
 
 @kernel
-def _wake_either(a: Records, b: Records) -> None:
-    if a.awake == 0 and disturbs(b):
-        a.awake = 1
-    elif b.awake == 0 and disturbs(a):
-        b.awake = 1
+def _wake_either(bodies: Records, a: int, b: int, active: ActiveSet) -> None:
+    if bodies[a].awake == 0 and disturbs(bodies[b]):
+        _wake(bodies, a, active)
+    elif bodies[b].awake == 0 and disturbs(bodies[a]):
+        _wake(bodies, b, active)
 
 
 @kernel
-def wake_marked_islands(bodies: Records, active: ActiveSet) -> None:
-    """Wake all bodies of every island in which one body is awake already; that one still carries the island's root.
-
-    `island` is the row of the island's first body plus one, 0 for a body that has not been asleep.
-    """
-    info = active.info[0]
-    info.shifted = 1
-    listed = info.stale == 0
-    count = active.loose[0] if listed else bodies.shape[0]
-    for k in range(count):
-        body = bodies[active.loose[1 + k] if listed else k]
-        if body.island > 0 and body.awake == 1:
-            bodies[body.island - 1].sleep_time = -1.0
-    for k in range(count):
-        body = bodies[active.loose[1 + k] if listed else k]
-        if body.island > 0 and bodies[body.island - 1].sleep_time < 0.0:
-            body.awake = 1
-    for k in range(count):
-        body = bodies[active.loose[1 + k] if listed else k]
-        if body.island > 0 and body.awake == 1:
-            body.sleep_time = 0.0
-            body.island = 0
+def _wake(bodies: Records, i: int, active: ActiveSet) -> None:
+    bodies[i].awake = 1
+    touch_row(active, i)

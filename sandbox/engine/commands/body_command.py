@@ -37,9 +37,9 @@ class BodyCommand(Command):
         if goes_on:  # what it touches is awake
             keep_awake(numbers, flags)
             return GOES_ON
-        if not (self.only_pushes and flags[At.TYPE] == KINEMATIC):  # what that touches wakes in the step, if it moves
-            wake_body(state, row)
-        return Touched(fixed=() if flags[At.TYPE] == DYNAMIC else (row,))
+        if self.only_pushes and flags[At.TYPE] == KINEMATIC:  # what that touches wakes in the step, if it moves
+            return Touched(bodies=(row,))
+        return Touched(bodies=wake_body(state, row))
 
     @abstractmethod
     def change(self, state: State, row: int) -> None:

@@ -43,8 +43,10 @@ class _Deletion(Command):
         if len(joints):
             joints |= _hanging_on(state, bodies, joints)
         held = held_bodies(state, np.flatnonzero(joints))
-        wake_bodies(state, np.concatenate([np.flatnonzero(bodies), held]))
-        return Touched(rows=remove_rows(state, target.directory, bodies, joints))
+        woken = np.array(wake_bodies(state, np.concatenate([np.flatnonzero(bodies), held])), np.int64)
+        rows = remove_rows(state, target.directory, bodies, joints)
+        left = woken[woken < rows.bodies.first]  # all behind are looked at
+        return Touched(rows=rows, bodies=tuple(left.tolist()))
 
     @abstractmethod
     def mark(self, target: CommandTarget, bodies: Flags, joints: Flags) -> None:
@@ -111,10 +113,11 @@ class DeleteRegion(Command):
         state = target.state
         gone = np.zeros(len(state.regions), np.bool_)
         gone[[target.directory.region(name) for name in _listed(self.regions)]] = True
+        woken: tuple[int, ...] = ()
         for row in np.flatnonzero(gone):
-            wake_bodies(state, sleepers_in(state, state.regions[row]))
+            woken += wake_bodies(state, sleepers_in(state, state.regions[row]))
         remove_regions(state, target.directory, gone)
-        return Touched(regions=True)
+        return Touched(regions=True, bodies=woken)
 
 
 def _tidy(ids: Ids) -> Ids:

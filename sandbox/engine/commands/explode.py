@@ -48,8 +48,8 @@ class Explode(Command):
         except CommandError:
             bodies[rows] = before
             raise
-        wake_bodies(state, plain(reached.shapes)["body"][plain(reached.shapes)["pushed"] == 1])
-        return Touched()
+        pushed = plain(reached.shapes)["body"][plain(reached.shapes)["pushed"] == 1]
+        return Touched(bodies=wake_bodies(state, pushed))
 
 
 def _rows_in_reach(target: CommandTarget, command: Explode) -> Integers:

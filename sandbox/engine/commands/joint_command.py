@@ -38,8 +38,8 @@ class JointCommand(Command):
         joint = joints[row]
         before = [joint[name] for name in _SWITCHES]
         self.change(state, joint)
-        wake_bodies(state, _held(joints, joint))
-        return Touched(joints=before != [joint[name] for name in _SWITCHES])
+        woken = wake_bodies(state, _held(joints, joint))
+        return Touched(joints=before != [joint[name] for name in _SWITCHES], bodies=woken)
 
     @abstractmethod
     def change(self, state: State, joint: Any) -> None:

@@ -19,4 +19,4 @@ class SetGravity(Command):
         setting = target.state.settings[0]
         setting.gravity_x, setting.gravity_y = self.gravity
         wake_all(target.state)
-        return Touched()
+        return Touched(everybody=True)

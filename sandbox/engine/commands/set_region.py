@@ -74,8 +74,8 @@ class SetRegion(Command):
         if "surface" in given:
             state.edges[row.first_edge + row.edge_count - 1].offset = given["surface"]
         switch(row, self.enabled, state)
-        wake_bodies(state, np.concatenate([inside, sleepers_in(state, row)]))
-        return Touched(schedules=True, regions=state.edges is not edges)
+        woken = wake_bodies(state, np.concatenate([inside, sleepers_in(state, row)]))
+        return Touched(schedules=True, regions=state.edges is not edges, bodies=woken)
 
 
 def _checked(row: Any, given: Mapping[str, Any], command: SetRegion) -> FlatRegion:

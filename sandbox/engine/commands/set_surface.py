@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
+from sandbox.engine.commands.base import CommandTarget, Touched
 from sandbox.engine.commands.body_command import BodyCommand
 from sandbox.engine.commands.checks import title
 from sandbox.errors import CommandError, SceneError
@@ -39,6 +40,10 @@ class SetSurface(BodyCommand):
     def outdates_events(self) -> bool:
         """Their places are measured from centres of mass, which a density may move."""
         return self.density is not None
+
+    def apply(self, target: CommandTarget) -> Touched:
+        """Change the body; by a density all that is known of masses changes."""
+        return replace(super().apply(target), everybody=self.density is not None)
 
     def change(self, state: State, row: int) -> None:
         """Write the new surface. Raises `CommandError`, and changes nothing, for values that no scene may have."""

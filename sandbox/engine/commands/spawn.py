@@ -65,14 +65,15 @@ class Spawn(Command):
             added = add_rows(state, target.directory, found)
         except CapacityError as error:
             raise CommandError(f"Spawn: {error}") from None
+        woken: tuple[int, ...] = ()
         for row in range(len(state.regions) - added.regions, len(state.regions)):
-            wake_bodies(state, sleepers_in(state, state.regions[row]))
+            woken += wake_bodies(state, sleepers_in(state, state.regions[row]))
         if found.joints:
             held = held_bodies(state, np.arange(added.joints, len(state.joints)))
             held = held[held < added.bodies]  # the others are awake
             if len(held):
-                wake_bodies(state, held)
-        return Touched(added=added)
+                woken += wake_bodies(state, held)
+        return Touched(added=added, bodies=woken)
 
 
 def _listed(part: Any) -> Any:

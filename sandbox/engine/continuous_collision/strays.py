@@ -40,10 +40,9 @@ def stop_strays(
     """
     filters = colliders.filters
     info = active.info[0]
-    known = info.shapes_generation == info.generation  # otherwise somebody has woken in this step
     if info.static == 0:
         return
-    for k in range(info.moving if known else info.loose):
+    for k in range(info.listed):
         i = active.shapes[k]
         body = filters[i].body
         if tables.ccd_bodies[body].fast == 0 or tables.ccd.impacts[body].round != round:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sandbox._jit import kernel
-from sandbox.engine.active.wake_islands import wake_marked_islands
+from sandbox.engine.active.sleeping_islands import touch_row, wake_marked_islands
 from sandbox.engine.fields.area import OUTSIDE, place
 from sandbox.engine.fields.records import Fields
 from sandbox.engine.records.active_set import ActiveSet
@@ -21,6 +21,7 @@ def wake_switched(bodies: Records, fields: Fields, active: ActiveSet, step: int)
         body = bodies[thrusters[k].body]
         if _switches(thrusters[k], step) and body.type == DYNAMIC and body.awake == 0:
             body.awake = 1
+            touch_row(active, thrusters[k].body)
             found = True
     for k in range(regions.shape[0]):
         if not _switches(regions[k], step):
@@ -31,6 +32,7 @@ def wake_switched(bodies: Records, fields: Fields, active: ActiveSet, step: int)
                 continue
             if place(regions[k], fields.edges, body.center_x, body.center_y, body.extent) != OUTSIDE:
                 body.awake = 1
+                touch_row(active, i)
                 found = True
     if found:
         wake_marked_islands(bodies, active)

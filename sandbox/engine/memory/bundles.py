@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.engine.active.active_set import most_touched, new_active_set
+from sandbox.engine.active.sleeping_islands import NOBODY
 from sandbox.engine.broad_phase.fat_boxes import AHEAD
 from sandbox.engine.broad_phase.grid import LEVEL_SPACE, LEVELS, head_count
 from sandbox.engine.contact_solver.blocks import ALL_COLORS, BLOCK_SIZE, MAX_COLORS
@@ -66,11 +67,11 @@ def active_memory(room: Room) -> ActiveSet:
     return ActiveSet(
         info=new_active_set(),
         bodies=np.zeros(room.bodies + 1, np.int64),
-        loose=np.zeros(room.bodies + 1, np.int64),
         touched=np.zeros(most_touched(room.bodies) + 1, np.int64),
         activity=np.zeros(room.bodies, np.int64),
         shapes=np.arange(room.shapes),
-        loose_shapes=np.zeros(room.shapes, np.int64),
+        last_member=np.full(room.bodies, NOBODY),
+        member_before=np.full(room.bodies, NOBODY),
     )
 
 

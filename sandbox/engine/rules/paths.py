@@ -17,7 +17,8 @@ from sandbox.world.state import State
 
 
 class Paths:
-    """The paths of a world; `on_switch` hears of the rows of driven bodies that begin to move, or stop."""
+    """The paths of a world; `on_switch` hears of the rows of driven bodies that begin to move, or stop, and of those that wake
+    by it."""
 
     def __init__(self, state: State, on_switch: Callable[[Sequence[int]], None]) -> None:
         self._state, self._on_switch = state, on_switch
@@ -36,8 +37,7 @@ class Paths:
         seconds = float(plain(state.settings)["step_seconds"][0])
         if self._lead(*self._tables(), kernel_argument(self._stops), seconds):
             rows = plain(state.paths)["body"][plain(self._ways)["switched"] == 1]
-            wake_bodies(state, rows)
-            self._on_switch(rows.tolist())
+            self._on_switch(wake_bodies(state, rows))
 
     def arrive(self) -> None:
         """Write the poses that were led to."""
