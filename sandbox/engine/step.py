@@ -7,7 +7,7 @@ those which joints do not change are made once for worlds with joints and withou
 from __future__ import annotations
 
 from sandbox._jit import entry_point
-from sandbox.engine.active.active_set import list_active_contacts, update_active_set
+from sandbox.engine.active.active_set import update_active_set
 from sandbox.engine.active.pile_stability import MAX_LEVEL
 from sandbox.engine.active.sleep import fall_asleep
 from sandbox.engine.active.substep_level import assign_substep_levels
@@ -26,7 +26,11 @@ from sandbox.engine.joints.touched_parts import flag_touched_parts
 from sandbox.engine.midpoint.midpoint import move_to_midpoint
 from sandbox.engine.midpoint.poses import rewind_driven
 from sandbox.engine.narrow_phase.find_contacts import find_contacts
-from sandbox.engine.narrow_phase.sleeping_contacts import begin_sleeping_contacts, end_sleeping_contacts
+from sandbox.engine.narrow_phase.sleeping_contacts import (
+    begin_sleeping_contacts,
+    end_sleeping_contacts,
+    list_active_contacts,
+)
 from sandbox.engine.narrow_phase.speculative import mark_may_stop
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
@@ -74,9 +78,9 @@ def collide(
         return pair_count + kept
     mark_may_stop(colliders, active, solver.ccd)
     counter.pair_count = pair_count
-    begin_sleeping_contacts(contacts.cursor[0], info.generation)
+    begin_sleeping_contacts(contacts, info, counter.contact_count)
     counter.found_count = find_contacts(state, active, colliders, grid.pairs, contacts, solver.ccd, workers, decisions)
-    end_sleeping_contacts(contacts.cursor[0], contacts.runs, info.generation)
+    end_sleeping_contacts(contacts, info)
     info.listed = info.moving
     return 0
 
@@ -103,7 +107,7 @@ def begin(
     if wake_touched(bodies, contacts, joints, active, state.counters) or froze:
         update_active_set(bodies, active, solver)
         list_woken_shapes(state.shapes, active)
-        list_active_contacts(bodies, contacts, count)
+        list_active_contacts(bodies, active.activity, contacts, count)
         begin_bodies(state, active, solver)
     if info.posed == 1:
         forget_posed(bodies, active)

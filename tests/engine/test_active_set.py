@@ -125,3 +125,82 @@ def test_all_are_looked_at_anew_where_many_are_touched():
         world.step(3)
         check(world)
         assert (info.anew > before) == anew
+
+
+def crowd(count: int = 200) -> World:
+    """Crates that sleep side by side, and a spinner in the air that does not."""
+    crates = [
+        {"id": f"crate-{k}", "shapes": [{"box": [1, 1]}], "position": [2.0 * k - count, 0.5]} for k in range(count)
+    ]
+    spinner = {"id": "spinner", "shapes": [{"box": [1, 1]}], "position": [0, 90], "gravity_scale": 0}
+    spinner["angular_velocity"] = 90
+    ground = {"id": "ground", "type": "static", "shapes": [{"box": [600, 1]}], "position": [0, -0.5]}
+    world = World(sandbox.Scene(bodies=[ground, *crates, spinner], settings={"sleeping": True}))
+    world.step(100)
+    assert world.awake_count == 1
+    return world
+
+
+def test_who_sleeps_is_not_looked_at_when_others_wake_come_and_fall_asleep():
+    world = crowd()
+    boxes, info = world.scratch.colliders.boxes, world.scratch.active.info[0]
+    row = world.names.index("crate-150")
+    shape = int(np.flatnonzero(world.state.shapes.body == row)[0])
+    mark, anew = float(boxes.lower_x[shape]) + 0.001, int(info.anew)
+    boxes.lower_x[shape] = mark
+    for k in range(60):
+        world.apply(SetVelocity(f"crate-{k}", (0.02, 0.0), 0.0))
+        if k % 20 == 5:
+            world.apply(Spawn(entry("ball", 100 + k)))
+        world.step()
+        assert info.listed <= world.awake_count + 2
+    assert float(boxes.lower_x[shape]) == mark or info.anew > anew  # more memory, in which all is new
+    world.step(100)
+    check(world)
+
+
+def test_contacts_of_sleepers_stay_where_they_are_when_others_wake():
+    world = crowd()
+    world.step(3)
+    for k in range(8):
+        world.apply(SetVelocity(f"crate-{k}", (0.02, 0.0), 0.0))
+        table = world.scratch.contacts.now  # of two steps ago, which is written now
+        row = int(np.flatnonzero(table.body_b[:200] == world.names.index("crate-150"))[0])
+        if k > 1:
+            table.friction[row] = 0.25 + k
+        world.step()
+        if k > 1:  # nothing was copied
+            assert world.contacts["friction"][row] == 0.25 + k
+
+
+def test_who_has_come_may_be_changed_at_once():
+    world = crowd(100)
+    for turn in range(2):  # the first brings memory for more, in which all is new
+        balls = [{**entry("ball", 10 * turn + k), "position": [2.0 * k, 30.0 + 2.0 * turn]} for k in range(10)]
+        world.apply(Spawn(balls))
+        for k in (3, 7):
+            world.apply(SetPose(f"ball-{10 * turn + k}", (2.0 * k, 20.0), 0.0))
+        world.step()
+        check(world)
+
+
+def test_an_island_keeps_its_members_when_rows_between_them_go():
+    ids = ("a", "x", "b", "y", "c")
+    places = {"a": 0.0, "b": 0.9, "c": 1.8, "x": 20.0, "y": 30.0}
+    bodies = [{"id": i, "shapes": [{"circle": 0.45}], "position": [places[i], 0.45]} for i in ids]
+    pillar = {"id": "ball-1", "shapes": [{"circle": 0.5}], "position": [-20, 9], "gravity_scale": 0, "velocity": [0, 1]}
+    joints = [
+        {"id": two, "type": "revolute", "bodies": list(two), "anchor": [places[two[0]] + 0.45, 0.45]}
+        for two in ("ab", "bc")
+    ]
+    world = World(sandbox.Scene(bodies=[GROUND, *bodies, pillar], joints=joints, settings={"sleeping": True}))
+    world.step(100)
+    assert world.awake_count == 1
+    for name in ("x", "y"):
+        world.apply(Delete(name))
+        world.step()
+        check_islands(world)
+    world.apply(Spawn(entry("ball", 5)))
+    world.step()
+    world.apply(sandbox.SetVelocity("c", (0.5, 0.0), 0.0))
+    assert world.body("a").awake

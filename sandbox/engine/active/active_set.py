@@ -10,7 +10,7 @@ from typing import Any
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.active.pile_stability import weigh
 from sandbox.engine.active.sleeping_islands import begin_member, touch_row
-from sandbox.engine.bodies.flags import IMMOVABLE, disturbs, is_active
+from sandbox.engine.bodies.flags import IMMOVABLE, disturbs
 from sandbox.engine.contact_solver.closing_speed import stops_by_several
 from sandbox.engine.records.active_set import ACTIVE_SET, ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
@@ -53,7 +53,7 @@ def update_active_set(bodies: Records, active: ActiveSet, solver: SolverBodies) 
         _list_new_rows(bodies, active)
         _drop_resting(bodies, active)
     if info.stale == 0:
-        sort_rows(active.touched[1 : 1 + active.touched[0]])
+        _order_touched(active)
         _list_woken(active, _settle_touched(bodies, active, solver))
     else:
         _list_all(bodies, active, solver)
@@ -68,6 +68,7 @@ def _list_all(bodies: Records, active: ActiveSet, solver: SolverBodies) -> None:
     info = active.info[0]
     info.static = info.asleep = info.weighed = active.touched[0] = 0
     info.anew = info.generation
+    info.era += 1
     info.bodies = bodies.shape[0]
     count = 0
     for i in range(bodies.shape[0]):
@@ -167,6 +168,19 @@ def _list_woken(active: ActiveSet, more: int) -> None:
 
 
 @kernel
+def _order_touched(active: ActiveSet) -> None:
+    """Sort the touched rows, each once: who has come may have been touched as well."""
+    rows: Any = active.touched[1 : 1 + active.touched[0]]
+    sort_rows(rows)
+    count = 0
+    for i in rows:
+        if count == 0 or rows[count - 1] != i:
+            rows[count] = i
+            count += 1
+    active.touched[0] = count
+
+
+@kernel
 def sort_rows(rows: Integers) -> None:
     """Sort a few rows: Shell's method with Knuth's gaps (The Art of Computer Programming 3, 5.2.1)."""
     gap = 1
@@ -216,20 +230,6 @@ def _rest(body: Records, motion: Records, free_motion: Records) -> None:
     motion.delta_x = motion.delta_y = motion.delta_angle = motion.delta_sin = 0.0
     motion.delta_cos = 1.0
     free_motion.substep_level = 0
-
-
-@kernel
-def list_active_contacts(bodies: Records, contacts: Contacts, count: int) -> None:
-    """List the contacts with an active body, and those of them that may have an impact.
-
-    The narrow phase has made these lists; they are made anew after somebody has woken.
-    """
-    contacts.active[0].contact = 0
-    contacts.impact_candidates[0] = 0
-    for i in range(count):
-        contact = contacts.now[i]
-        if is_active(bodies[contact.body_a]) or is_active(bodies[contact.body_b]):
-            list_contact(contact, i, contacts)
 
 
 @inlined_kernel

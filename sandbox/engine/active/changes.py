@@ -57,3 +57,4 @@ def keep_what_stays(active: ActiveSet, grid: Grid, moved: Moved) -> None:
         info["asleep"] -= int((active.activity[body:listed] == ASLEEP).sum())
     known["known"] = min(known["known"], shape)
     info["weighed"], info["shifted"] = 0, 1
+    info["era"] += 1

@@ -67,7 +67,7 @@ PILE = Table(
 
 @kernel
 def masses_differ(bodies: Records, info: Records, gravity: float, omega: float) -> bool:
-    """Whether some dynamic body would be too heavy for some other one at level 0. All are weighed where nobody knows."""
+    """Whether some dynamic body would be too heavy for some other one at level 0. All are weighed if need be."""
     if info.weighed == 0:
         info.heaviest = 0.0
         info.lightest = info.slight = _NONE

@@ -1,4 +1,4 @@
-"""Stage: the order of shapes. Those that may move come first, so that a step bounds these alone, and what was touched."""
+"""Stage: the order of shapes. Those that may move come first, so that a step bounds these and what was touched."""
 
 from __future__ import annotations
 

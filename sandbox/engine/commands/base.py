@@ -50,9 +50,9 @@ class Touched:
 
     `active_set`: dynamic bodies may have woken or be elsewhere, or others have come or gone; False if an awake one only
     goes on in another way. `bodies`: the rows of those that have woken, and of static and kinematic ones that were
-    changed. `everybody`: any may have been. `joints`: what hangs together by joints. `schedules`: when regions and thrusters switch. `regions`: some
-    have gone, or have more or fewer sides. `added`: which rows have come. `rows`: where rows have gone. `displaced`:
-    the row of a body that was put elsewhere, and where its centre of mass was (m).
+    changed. `everybody`: any may have been. `joints`: what hangs together by joints. `schedules`: when regions and
+    thrusters switch. `regions`: some have gone, or have more or fewer sides. `added`: which rows have come. `rows`:
+    where rows have gone. `displaced`: the row of a body that was put elsewhere, and where its centre of mass was (m).
     """
 
     active_set: bool = True

@@ -37,7 +37,7 @@ from sandbox.engine.records.colliders import (
     PairCache,
 )
 from sandbox.engine.records.contact_blocks import BLOCK, ContactBlocks
-from sandbox.engine.records.contacts import REPORT, SLEEPING_CURSOR, SLEEPING_RUN, SLOT, Contacts
+from sandbox.engine.records.contacts import KEPT, REPORT, SLEEPING_CURSOR, SLEEPING_RUN, SLOT, Contacts
 from sandbox.geometry.manifold import MANIFOLD
 from sandbox.geometry.time_of_impact import POSED_ROWS, SWEEP
 from sandbox.tables import Records, aligned_zeros, plain
@@ -145,6 +145,7 @@ def contact_memory(state: State, pairs: int) -> Contacts:
         impact_candidates=np.zeros(pairs + 1, np.int64),
         cursor=SLEEPING_CURSOR.zeros(1),
         runs=SLEEPING_RUN.zeros(3 * (pairs + 1)),
+        kept=KEPT.zeros(2 * pairs),
         reports=REPORT.zeros(pairs),
         impact_calls=np.zeros((1, 2), np.int64),  # `StepCalls` has those of all workers
     )

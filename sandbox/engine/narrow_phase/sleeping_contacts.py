@@ -1,40 +1,54 @@
 """Contacts among sleepers are kept as they are. Where nobody has woken or fallen asleep, whole runs of them are.
 
 The two tables of contacts take turns, so what is to be kept was in the very table that is written now, two steps ago.
-A run of kept rows that has its old place is there already: nothing is copied, nothing is looked at.
+Each contact gets a number when it is first kept: a run of consecutive numbers that has its old place is there already,
+and nothing is copied. Of a number it is known whose contact that is, so that somebody who wakes is found without a look
+at the contacts.
 """
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.active.active_set import ASLEEP, AWAKE, list_contact
 from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.broad_phase.pairs import comes_before
 from sandbox.engine.records.contacts import Contacts
 from sandbox.tables import Integers, Records
 
+_SEAMS = 16
+"""All contacts get new numbers once one in so many follows another one in the table, but not in number."""
+
 
 @kernel
-def begin_sleeping_contacts(cursor: Records, generation: int) -> None:
-    """Begin a walk; `generation` is that of the active set."""
+def begin_sleeping_contacts(contacts: Contacts, info: Records, old_count: int) -> None:
+    """Begin a walk over so many contacts of the step before; `info` is that of the active set."""
+    cursor = contacts.cursor[0]
+    if cursor.next + old_count > contacts.kept.shape[0] or _SEAMS * cursor.seams > 64 * _SEAMS + old_count:
+        cursor.era0 = cursor.era1 = cursor.next = 0
+    known = (cursor.era1 if cursor.turn == 0 else cursor.era0) == info.era
+    here = (cursor.era0 if cursor.turn == 0 else cursor.era1) == info.era
     old = cursor.generation1 if cursor.turn == 0 else cursor.generation0
-    here = cursor.generation0 if cursor.turn == 0 else cursor.generation1
-    cursor.quiet = 1 if old == generation else 0
-    cursor.same = 1 if here == generation and cursor.quiet == 1 else 0
-    cursor.written = cursor.rank = cursor.old = cursor.here = 0
+    cursor.known = (cursor.runs1 if cursor.turn == 0 else cursor.runs0) if known else 0
+    cursor.quiet = 1 if old == info.generation else 0
+    cursor.same = 1 if known and here else 0
+    cursor.written = cursor.seams = cursor.old = cursor.here = 0
 
 
 @kernel
-def end_sleeping_contacts(cursor: Records, runs: Records, generation: int) -> None:
+def end_sleeping_contacts(contacts: Contacts, info: Records) -> None:
     """The table is written: its runs are known, and the next step writes the other one."""
+    cursor = contacts.cursor[0]
+    runs = contacts.runs
     third = runs.shape[0] // 3
     for r in range(cursor.written):
         runs[cursor.turn * third + r] = runs[2 * third + r]
     if cursor.turn == 0:
-        cursor.generation0 = generation
+        cursor.generation0 = info.generation
+        cursor.era0 = info.era
         cursor.runs0 = cursor.written
     else:
-        cursor.generation1 = generation
+        cursor.generation1 = info.generation
+        cursor.era1 = info.era
         cursor.runs1 = cursor.written
     cursor.turn = 1 - cursor.turn
 
@@ -57,15 +71,14 @@ def keep_sleeping_before(
     old = contacts.before
     cursor = contacts.cursor[0]
     runs = contacts.runs
-    third = runs.shape[0] // 3
-    base = (1 - cursor.turn) * third
-    known = (cursor.runs1 if cursor.turn == 0 else cursor.runs0) if cursor.quiet == 1 else 0
+    base = (1 - cursor.turn) * (runs.shape[0] // 3)
     while k < old_count and comes_before(old[k], shape_a, shape_b):
-        while cursor.old < known and runs[base + cursor.old].end <= k:
+        while cursor.old < cursor.known and runs[base + cursor.old].end <= k:
             cursor.old += 1
-        if cursor.old < known and runs[base + cursor.old].first <= k:
-            end = first_not_before(old, k, runs[base + cursor.old].end, shape_a, shape_b)
-            count = _keep_run(old, k, end, contacts.now, count, cursor, runs)
+        if cursor.old < cursor.known and runs[base + cursor.old].first <= k:
+            run = runs[base + cursor.old]
+            end = first_not_before(old, k, run.end, shape_a, shape_b)
+            count = _keep_some(bodies, activity, contacts, k, end, run.number + k - run.first, count)
             k = end
         else:
             count = _keep_one(bodies, activity, contacts, k, count)
@@ -86,19 +99,48 @@ def first_not_before(old: Records, first: int, end: int, shape_a: int, shape_b: 
 
 
 @kernel
-def _keep_run(old: Records, first: int, end: int, contacts: Records, count: int, cursor: Records, runs: Records) -> int:
-    """Keep `old[first:end]`; return the new count."""
+def _keep_some(
+    bodies: Records, activity: Integers, contacts: Contacts, first: int, end: int, number: int, count: int
+) -> int:
+    """Keep what is to be kept of a run `before[first:end]` with that first number; return the new count."""
+    if contacts.cursor[0].quiet == 1:
+        return _keep_run(contacts, first, end, number, count)
+    kept = contacts.kept
+    shift = number - first
+    while first < end:
+        k = first
+        while k < end and _both(activity, kept[shift + k]) & (ASLEEP | AWAKE) == ASLEEP:
+            k += 1
+        if k > first:
+            count = _keep_run(contacts, first, k, shift + first, count)
+        if k < end:
+            count = _keep_one(bodies, activity, contacts, k, count)
+        first = k + 1
+    return count
+
+
+@inlined_kernel
+def _both(activity: Integers, pair: Records) -> int:
+    """The activities of two bodies."""
+    return int(activity[pair.body_a] | activity[pair.body_b])
+
+
+@kernel
+def _keep_run(contacts: Contacts, first: int, end: int, number: int, count: int) -> int:
+    """Keep `before[first:end]`; return the new count."""
     length = end - first
-    if not _is_there(count, length, cursor, runs):
+    if not _is_there(count, length, number, contacts):
         for n in range(length):
-            contacts[count + n] = old[first + n]
-    _note_run(count, length, cursor, runs)
+            contacts.now[count + n] = contacts.before[first + n]
+    _note_run(count, length, number, contacts)
     return count + length
 
 
 @kernel
-def _is_there(count: int, length: int, cursor: Records, runs: Records) -> bool:
-    """Whether the table under way has the next contacts to keep at row `count` already."""
+def _is_there(count: int, length: int, number: int, contacts: Contacts) -> bool:
+    """Whether the table under way has the contacts from a `number` on at row `count` already."""
+    cursor = contacts.cursor[0]
+    runs = contacts.runs
     if cursor.same == 0:
         return False
     base = cursor.turn * (runs.shape[0] // 3)
@@ -108,22 +150,24 @@ def _is_there(count: int, length: int, cursor: Records, runs: Records) -> bool:
     if cursor.here >= there:
         return False
     run = runs[base + cursor.here]
-    return bool(run.first <= count and count + length <= run.end and run.rank + count - run.first == cursor.rank)
+    return bool(run.first <= count and count + length <= run.end and run.number + count - run.first == number)
 
 
 @kernel
-def _note_run(first: int, length: int, cursor: Records, runs: Records) -> None:
-    base = 2 * (runs.shape[0] // 3)
-    last = base + cursor.written - 1
-    if cursor.written > 0 and runs[last].end == first:
+def _note_run(first: int, length: int, number: int, contacts: Contacts) -> None:
+    cursor = contacts.cursor[0]
+    runs = contacts.runs
+    last = 2 * (runs.shape[0] // 3) + cursor.written - 1
+    follows = cursor.written > 0 and runs[last].end == first
+    if follows and runs[last].number + first - runs[last].first == number:
         runs[last].end = first + length
-    else:
-        run = runs[last + 1]
-        run.first = first
-        run.end = first + length
-        run.rank = cursor.rank
-        cursor.written += 1
-    cursor.rank += length
+        return
+    cursor.seams += 1 if follows else 0
+    run = runs[last + 1]
+    run.first = first
+    run.end = first + length
+    run.number = number
+    cursor.written += 1
 
 
 @kernel
@@ -139,5 +183,41 @@ def _keep_one(bodies: Records, activity: Integers, contacts: Contacts, k: int, c
     if both & AWAKE:  # a driven body has left the sleeper, who will wake
         list_contact(old, count, contacts)
     else:
-        _note_run(count, 1, contacts.cursor[0], contacts.runs)
+        cursor = contacts.cursor[0]
+        pair = contacts.kept[cursor.next]
+        pair.body_a = old.body_a
+        pair.body_b = old.body_b
+        _note_run(count, 1, cursor.next, contacts)
+        cursor.next += 1
     return count + 1
+
+
+@kernel
+def list_active_contacts(bodies: Records, activity: Integers, contacts: Contacts, count: int) -> None:
+    """List the contacts with an active body, and those of them that may have an impact, of so many.
+
+    The narrow phase has made these lists; they are made anew after somebody has woken.
+    """
+    contacts.active[0].contact = 0
+    contacts.impact_candidates[0] = 0
+    cursor = contacts.cursor[0]
+    runs = contacts.runs
+    base = (1 - cursor.turn) * (runs.shape[0] // 3)
+    row = 0
+    for r in range(cursor.written):
+        run = runs[base + r]
+        _list_active(bodies, contacts, row, run.first)
+        for i in range(run.first, run.end):
+            if _both(activity, contacts.kept[run.number + i - run.first]) & AWAKE:
+                _list_active(bodies, contacts, i, i + 1)
+        row = run.end
+    _list_active(bodies, contacts, row, count)
+
+
+@inlined_kernel
+def _list_active(bodies: Records, contacts: Contacts, first: int, end: int) -> None:
+    """List those of the contacts first..end-1 that have an active body."""
+    for i in range(first, end):
+        contact = contacts.now[i]
+        if is_active(bodies[contact.body_a]) or is_active(bodies[contact.body_b]):
+            list_contact(contact, i, contacts)

@@ -17,6 +17,7 @@ ACTIVE_SET = Table(
         Field("asleep", "-", "dynamic bodies that slept when they were made", "i8"),
         Field("generation", "-", "counts how often they were made", "i8"),
         Field("anew", "-", "its value when everybody was last looked at", "i8"),
+        Field("era", "-", "counts how often everybody was looked at, or rows have gone", "i8"),
         Field("shapes_generation", "-", "its value when the shapes were put in order", "i8"),
         Field("moving", "-", "shapes of bodies that may move", "i8"),
         Field("listed", "-", "those and, behind them, others that are to be looked at", "i8"),

@@ -11,7 +11,7 @@ SLEEPING_RUN = Table(
     (
         Field("first", "-", "row of its first contact", "i4"),
         Field("end", "-", "row after its last one", "i4"),
-        Field("rank", "-", "contacts kept before it in the table", "i4"),
+        Field("number", "-", "of its first contact; those of the others follow", "i4"),
     ),
 )
 """Contacts among sleeping bodies, one after the other in a table of contacts."""
@@ -22,17 +22,24 @@ SLEEPING_CURSOR = Table(
         Field("turn", "-", "0 or 1: which of the two tables of contacts is written", "i8"),
         Field("generation0", "-", "of the active set when table 0 was written; 0 if never", "i8"),
         Field("generation1", "-", "of the active set when table 1 was written", "i8"),
+        Field("era0", "-", "era of the active set then; 0 if the runs do not hold", "i8"),
+        Field("era1", "-", "", "i8"),
         Field("runs0", "-", "runs in table 0", "i8"),
         Field("runs1", "-", "runs in table 1", "i8"),
         Field("written", "-", "runs in the table under way", "i8"),
-        Field("rank", "-", "contacts kept so far", "i8"),
+        Field("seams", "-", "those that follow another one, but not in number", "i8"),
+        Field("next", "-", "number of the next contact that is first kept", "i8"),
+        Field("known", "-", "runs of the old table, if they hold", "i8"),
         Field("old", "-", "next run of the old table", "i8"),
         Field("here", "-", "next run that is in the table under way from two steps ago", "i8"),
-        Field("quiet", "-", "1 when the runs of the old table hold", "i8"),
-        Field("same", "-", "1 when those in the table under way hold as well", "i8"),
+        Field("quiet", "-", "1 when nobody has woken or fallen asleep since the old table was written", "i8"),
+        Field("same", "-", "1 when the runs of both tables hold", "i8"),
     ),
 )
 """One row: how far the contacts among sleepers have been kept."""
+
+KEPT = Table("kept", (Field("body_a", "-", "", "i4"), Field("body_b", "-", "", "i4")))
+"""Whose contact has a number among those that are kept of sleepers."""
 
 SLOT = Table(
     "slot",
@@ -59,8 +66,12 @@ class Contacts(NamedTuple):
 
     `active[1:]` are the contacts with an active body, `impact_candidates[1:]` the rows of those of them that may have
     an impact; how many they are is `active[0].contact` and `impact_candidates[0]`. `cursor` (one row) and `runs` are of
+<<<<<<< HEAD
     `sleeping_contacts`: the runs of the two tables and those of the walk, in thirds. `impact_calls` [worker, CODE or
     BLOCK] are the addresses of the machine code of `strike_batch` and of its arguments, zeros until it is compiled.
+=======
+    `sleeping_contacts`: the runs of the two tables and those of the walk, in thirds; `kept` has a row for each number.
+>>>>>>> 43f759e1 (Contacts of sleepers have numbers: they stay in their place while others wake and fall asleep, and who wakes is found without a look at all contacts)
     """
 
     now: Records
@@ -69,5 +80,6 @@ class Contacts(NamedTuple):
     impact_candidates: Integers
     cursor: Records
     runs: Records
+    kept: Records
     reports: Records
     impact_calls: Integers

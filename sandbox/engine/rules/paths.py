@@ -17,8 +17,8 @@ from sandbox.world.state import State
 
 
 class Paths:
-    """The paths of a world; `on_switch` hears of the rows of driven bodies that begin to move, or stop, and of those that wake
-    by it."""
+    """The paths of a world; `on_switch` hears of the rows of driven bodies that begin to move, or stop, and of
+    those that wake by it."""
 
     def __init__(self, state: State, on_switch: Callable[[Sequence[int]], None]) -> None:
         self._state, self._on_switch = state, on_switch
