@@ -29,6 +29,7 @@ from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.state import StateTables
 from sandbox.engine.records.workers import FROZEN, NUMBERS, Workers
 from sandbox.engine.restitution.impact_list import list_impact_contacts
+from sandbox.engine.restitution.simultaneous import forget_passes
 from sandbox.engine.restitution.worklist import link_contacts
 from sandbox.engine.substeps import Pass, run_substeps
 from sandbox.engine.workers.parallel_for import first_part, next_part
@@ -164,8 +165,10 @@ def solve_batches(
         touched, held = put_free_last(members, solver, state.drags, joints, share.colors)
         start = batches.first_impact[batch]
         stop = batches.first_impact[batch + 1]
+        rows: Any = batches.impacts[start:stop]
         slots: Any = batches.impact_slots[start:stop]
         link_contacts(bodies, slots, stop - start, solver)
+        forget_passes(rows)
         ranges = fill_blocks(solver.colors, own, batch)
         criteria = ImpactCriteria(share.impacts, ranges.struck, share.impact_speed)
         prepare_contacts(state, solver, contacts.now, own, ranges.total, team, spring, criteria)

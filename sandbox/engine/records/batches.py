@@ -28,6 +28,7 @@ IMPACT = Table(
     (
         Field("group", "-", "the lowest body of those with which it strikes together; -1 before it has struck", "i4"),
         Field("next", "-", "the next contact that strikes together with it; -1: none", "i4"),
+        Field("passes", "-", "that its groups have taken in the step", "i8"),
         Field("moment", "s", "when it closes, from the beginning of the substep; looking back, from its end"),
         Field("impulse", "N s", "of the contact before the impacts of the substep"),
         Field("rebound1", "m/s", "speed at which point 1 is to open, see `restitution/rebound_speed.py`"),

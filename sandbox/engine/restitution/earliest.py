@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.records.bodies import SolverBodies
-from sandbox.engine.restitution.groups import STRUCK
+from sandbox.engine.restitution.groups import MARKS
 from sandbox.engine.restitution.worklist import END
 from sandbox.tables import Records
 from sandbox.world.records import DYNAMIC
@@ -20,8 +20,8 @@ def note_closing(bodies: Records, solver: SolverBodies, slot: Records, moment: f
     for i in (slot.body_a, slot.body_b):
         if bodies[i].type == DYNAMIC:
             here = solver.impact_bodies[i]
-            if solver.struck[i] & ~STRUCK != turn:
-                solver.struck[i] = solver.struck[i] & STRUCK | turn
+            if solver.struck[i] & ~MARKS != turn:
+                solver.struck[i] = solver.struck[i] & MARKS | turn
                 here.moment = moment
                 here.closing = 1
             else:

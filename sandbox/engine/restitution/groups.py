@@ -27,8 +27,14 @@ NOT_STRUCK = 0
 STRUCK = 1 << 41
 """Bit of `solver.struck` of a body after the first impact of the substep, until groups are formed; the others are the
 last turn in which one of its contacts closed (`earliest.py`)."""
+RATTLES, DRIVEN = 1 << 42, 1 << 43
+"""Bits of `solver.struck` of a body in a group that does not end one by one, and in one that something drives as well
+(`rattling.py`)."""
+MARKS = STRUCK | RATTLES | DRIVEN
 ALONE = -1
 """`group` of an impact that has not struck."""
+SPENT = 1 << 20
+"""`passes` of an impact whose group has had all that it may take in the step: it does not strike any more."""
 STRIKES = 0
 """`group` of one that has, before groups are formed."""
 

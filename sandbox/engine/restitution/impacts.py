@@ -13,16 +13,14 @@ from __future__ import annotations
 
 from sandbox._jit import kernel
 from sandbox.engine.records.bodies import SolverBodies
-from sandbox.engine.restitution.groups import form_groups, note_first_strike, starts_group
+from sandbox.engine.restitution.add_closing import add_closing
+from sandbox.engine.restitution.groups import form_groups, starts_group
 from sandbox.engine.restitution.impact_list import ImpactList
 from sandbox.engine.restitution.in_turn import strike_in_turn
-from sandbox.engine.restitution.rebound_speed import closes, rebound_speed
 from sandbox.engine.restitution.simultaneous import strike_group
 from sandbox.tables import Records
 
-_MOST_WORK = 15_000
-"""Passes times contacts of those that rattle in a substep: what is left goes to the contact solver."""
-_ROUNDS = 32
+_ROUNDS = 16
 """In which groups strike together: most end with the first few."""
 
 
@@ -38,24 +36,13 @@ def resolve_impacts(
     """
     if strike_in_turn(bodies, solver, contacts, impacts, seconds):
         return
-    work = 0
     for turn in range(_ROUNDS):
-        if work >= _MOST_WORK or not _add_closing(bodies, solver, contacts, impacts, seconds):
+        if not add_closing(bodies, solver, contacts, impacts, seconds, 1 << turn):
             return
         form_groups(bodies, impacts, solver.struck)
+        struck = False
         for k in range(impacts.length):
             if starts_group(impacts, k, solver.struck):
-                work += strike_group(bodies, solver, contacts, impacts, k, turn == 0, _MOST_WORK - work)
-
-
-@kernel
-def _add_closing(bodies: Records, solver: SolverBodies, contacts: Records, impacts: ImpactList, seconds: float) -> bool:
-    """Let contacts that close strike too, and return whether there are any."""
-    found = False
-    for k in range(impacts.length):
-        slot = impacts.slots[k]
-        contact = contacts[slot.contact]
-        if closes(rebound_speed(solver, contact, slot, impacts.threshold, seconds)):
-            note_first_strike(bodies, solver, contact, impacts.rows[k])
-            found = True
-    return found
+                struck = strike_group(bodies, solver, contacts, impacts, k, turn == 0) or struck
+        if not struck:
+            return

@@ -12,8 +12,9 @@ from sandbox._jit import kernel
 from sandbox.engine.contact_solver.nesterov import passes_within
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.restitution.earliest import LATER, note_closing, relation_to_others
-from sandbox.engine.restitution.groups import ALONE, NOT_STRUCK
+from sandbox.engine.restitution.groups import ALONE, NOT_STRUCK, RATTLES, SPENT
 from sandbox.engine.restitution.impact_list import ImpactList
+from sandbox.engine.restitution.rattling import FEWEST_STRIKES, is_marked, rattles
 from sandbox.engine.restitution.rebound_speed import closes, rebound_speed
 from sandbox.engine.restitution.same_moment import join_same_moment, strike_alone, strike_together
 from sandbox.engine.restitution.worklist import (
@@ -26,13 +27,6 @@ from sandbox.engine.restitution.worklist import (
 )
 from sandbox.tables import Records
 
-_STRIKES = 16
-"""Of a contact one by one, as many as a ball of 100 times the mass needs on a light one at a wall: what goes on longer
-rattles, and strikes together."""
-_FEW = 1_000
-"""Strikes of all contacts, after which none strikes oftener than `_STRIKES_OF_MANY` times: so many are no row of balls
-that a blow runs through, but a heap that is stirred, and rattles."""
-_STRIKES_OF_MANY = 4
 _SAME = 1.0 / 64.0
 """Share of a substep: what is no further apart falls in the same moment. At 240 substeps a second that is 0.07 ms, a
 third of what balls of billiards touch each other in a blow."""
@@ -59,21 +53,19 @@ def strike_in_turn(
         solver.struck[slots[k].body_a] = solver.struck[slots[k].body_b] = NOT_STRUCK
     same = _SAME * abs(seconds)
     ended = True
-    turn = strikes = 0
+    turn = 0
     left = _MOST_WORK
     listed = list_all(slots, impacts.length)
     while listed.first != END:
         turn += 1
-        closing, tired = _select_closing(bodies, solver, contacts, impacts, listed, turn, seconds, strikes)
-        ended = ended and not tired
+        closing, ended = _select_closing(bodies, solver, contacts, impacts, listed, seconds, ended)
+        closing = _relate(bodies, solver, impacts, closing, turn, same, ended)
         listed = Worklist(END, END)
-        _relate(bodies, solver, impacts, closing, same)
         while closing.first != END:
             k = closing.first
             closing = take_first(slots, closing)
             if slots[k].turn == turn and impacts.rows[k].next != LATER:
                 count = join_same_moment(bodies, solver, impacts, k, same)
-                strikes += count
                 left -= _strike(bodies, solver, contacts, impacts, k, count, seconds, left)
                 listed = _add_struck(bodies, solver, impacts, k, listed)
             else:  # it waits, or has struck together with one before it
@@ -88,45 +80,61 @@ def _select_closing(
     contacts: Records,
     impacts: ImpactList,
     listed: Worklist,
-    turn: int,
     seconds: float,
-    strikes: int,
+    ended: bool,
 ) -> tuple[Worklist, bool]:
-    """Those of a worklist that close, and whether some do that have struck too often already, after so many strikes of
-    all."""
-    most = _STRIKES if strikes < _FEW else _STRIKES_OF_MANY
+    """Those of a worklist that close and are to strike one by one; false if some do not end so, or `ended` is false, as
+    some did not before."""
     slots = impacts.slots
     closing = Worklist(END, END)
-    tired = False
     while listed.first != END:
         k = listed.first
         listed = take_first(slots, listed)
         slot = slots[k]
-        rebound = rebound_speed(solver, contacts[slot.contact], slot, impacts.threshold, seconds)
-        if not closes(rebound):
+        if not ended and is_marked(solver, slot, RATTLES):
             continue
-        if slot.strikes >= most:
-            tired = True
-            continue
+        contact = contacts[slot.contact]
+        rebound = rebound_speed(solver, contact, slot, impacts.threshold, seconds)
         row = impacts.rows[k]
+        if not closes(rebound) or row.passes >= SPENT:
+            continue
+        if slot.strikes >= FEWEST_STRIKES and rattles(bodies, solver, impacts, k, contact.restitution):
+            ended = False
+            continue
         row.moment = rebound.moment
         row.rebound1 = rebound.first
         row.rebound2 = rebound.second
-        slot.turn = turn
-        note_closing(bodies, solver, slot, rebound.moment, turn)
         closing = add_contact(slots, k, closing)
-    return closing, tired
+    return closing, ended
 
 
 @kernel
-def _relate(bodies: Records, solver: SolverBodies, impacts: ImpactList, closing: Worklist, same: float) -> None:
-    """Note in `next` how each that closes is to the others that do: `LATER`, `JOINED`, or `END` if it strikes alone."""
+def _relate(
+    bodies: Records,
+    solver: SolverBodies,
+    impacts: ImpactList,
+    listed: Worklist,
+    turn: int,
+    same: float,
+    ended: bool,
+) -> Worklist:
+    """Those that close, without what was found to rattle since they were listed. How each is to the others is noted in
+    `next`: `LATER`, `JOINED`, or `END` if it strikes alone."""
+    slots = impacts.slots
+    closing = Worklist(END, END)
+    while listed.first != END:
+        k = listed.first
+        listed = take_first(slots, listed)
+        if ended or not is_marked(solver, slots[k], RATTLES):
+            slots[k].turn = turn
+            note_closing(bodies, solver, slots[k], impacts.rows[k].moment, turn)
+            closing = add_contact(slots, k, closing)
     k = closing.first
     while k != END:
-        slot = impacts.slots[k]
         row = impacts.rows[k]
-        row.next = relation_to_others(bodies, solver, slot, row.moment, same)
-        k = slot.following
+        row.next = relation_to_others(bodies, solver, slots[k], row.moment, same)
+        k = slots[k].following
+    return closing
 
 
 @kernel

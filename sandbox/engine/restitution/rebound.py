@@ -10,12 +10,13 @@ from typing import NamedTuple
 
 from sandbox._jit import kernel
 from sandbox.engine.contact_solver.closing_speed import opening_speed
-from sandbox.engine.contact_solver.law import pair_velocity, start_velocity
+from sandbox.engine.contact_solver.law import pair_mass, pair_velocity, start_velocity
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.restitution.impact_list import ImpactList
 from sandbox.engine.restitution.jointed.reach import Reach
 from sandbox.engine.restitution.push_group import push_group
 from sandbox.engine.restitution.rough_group import scale_impulses, strike_rough_group
+from sandbox.engine.restitution.solve_group import push_motions, set_velocity
 from sandbox.engine.restitution.worklist import END
 from sandbox.tables import Records
 
@@ -37,19 +38,22 @@ def rebound(
     more: float,
     agreed: float,
     reach: Reach | None,
-) -> None:
+) -> int:
     """Apply the loads of the contacts linked from the `first` one on, scaled, times `more`, to the velocities of the
     substep, with the friction that they allow; `agreed` is the share of the closing speed to which that is exact.
 
-    In: the loads, and `solver.motions` after them. `reach` is what the group reaches by joints.
+    In: the loads, and `solver.motions` after them. `reach` is what the group reaches by joints. Returns how much work
+    the friction was, passes times contacts.
     """
     blow = _blow_of(solver, contacts, impacts, first, more)
     if _rubs(contacts, impacts, first) and blow.scale > 0.0:
         _ask_as_scaled(solver, contacts, impacts, first, blow.scale)
-        strike_rough_group(bodies, solver, contacts, impacts, first, blow.stop, agreed, reach)
-    else:
-        scale_impulses(impacts, first, blow.scale)
-        push_group(bodies, solver, contacts, impacts, first, reach)
+        if reach is None:
+            _begin_as_scaled(bodies, solver, contacts, impacts, first, blow.scale)
+        return int(strike_rough_group(bodies, solver, contacts, impacts, first, blow.stop, agreed, reach))
+    scale_impulses(impacts, first, blow.scale)
+    push_group(bodies, solver, contacts, impacts, first, reach)
+    return 0
 
 
 @kernel
@@ -105,4 +109,26 @@ def _ask_as_scaled(solver: SolverBodies, contacts: Records, impacts: ImpactList,
         if row.load2 > 0.0:
             before = opening_speed(start, contact, 2)
             row.rebound2 = before + scale * (opening_speed(now, contact, 2) - before)
+        k = row.next
+
+
+@kernel
+def _begin_as_scaled(
+    bodies: Records, solver: SolverBodies, contacts: Records, impacts: ImpactList, first: int, scale: float
+) -> None:
+    """Begin with the scaled loads, and with the velocities in `solver.motions` that they give: what does not slide is
+    found by that, and only friction is left to be found."""
+    k = first
+    while k != END:
+        contact = contacts[impacts.slots[k].contact]
+        set_velocity(solver.motions, contact, start_velocity(solver.free_motions, contact))
+        k = impacts.rows[k].next
+    scale_impulses(impacts, first, scale)
+    k = first
+    while k != END:
+        row = impacts.rows[k]
+        contact = contacts[impacts.slots[k].contact]
+        mass = pair_mass(bodies[contact.body_a], bodies[contact.body_b])
+        now = pair_velocity(solver.motions[contact.body_a], solver.motions[contact.body_b])
+        push_motions(solver, contact, mass, now, row.load1, row.load2)
         k = row.next

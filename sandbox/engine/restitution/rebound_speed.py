@@ -70,7 +70,7 @@ def _rebound_at(
     surface: that is where restitution applies.
     """
     free = opening_speed(free_velocity(solver.free_motions, slot), contact, point)
-    gap = _gap(solver.motions[slot.body_a], solver.motions[slot.body_b], contact, point)
+    gap = gap_at(solver.motions[slot.body_a], solver.motions[slot.body_b], contact, point)
     path = -seconds * free
     late = _ROUNDING * abs(path)
     if seconds > 0.0 and gap - path > late:  # it does not close within the substep
@@ -86,7 +86,7 @@ def _rebound_at(
 
 
 @kernel
-def _gap(motion_a: Records, motion_b: Records, contact: Records, point: int) -> float:
+def gap_at(motion_a: Records, motion_b: Records, contact: Records, point: int) -> float:
     """The gap (m) at a point after what the bodies have moved since the step began."""
     r = anchors_of(contact, point)
     c_a = motion_a.delta_cos

@@ -63,23 +63,25 @@ def strike_rough_group(
     stop: float,
     agreed: float,
     reach: Reach | None,
-) -> None:
+) -> int:
     """Apply the blow after which the contacts linked from the `first` one on open as fast as is asked.
 
     In: `rebound1` and `rebound2`, the loads of the blow without friction, and `solver.motions` after them, of which the
-    group has stopped at the share `stop`; the share `agreed` of its closing speed to which it is solved.
+    group has stopped at the share `stop`; the share `agreed` of its closing speed to which it is solved. Returns the
+    work, passes times contacts.
     """
     slow = agreed * fastest(solver, contacts, impacts, first, CLOSING)
     restitution = 1.0 / stop - 1.0
     work = lowest = load = stopped = 0.0
+    effort = 0
     parts = 1 + _MOST_PARTS // size_of(impacts, first)
     for turn in range(parts):
-        _solve(bodies, solver, contacts, impacts, first, turn == 0, slow, reach)
+        effort += _solve(bodies, solver, contacts, impacts, first, turn == 0, slow, reach)
         if turn < parts - 1 and _mark_sliding_back(bodies, solver, contacts, impacts, first, _SAME * slow):
-            _solve(bodies, solver, contacts, impacts, first, True, slow, reach)
+            effort += _solve(bodies, solver, contacts, impacts, first, True, slow, reach)
         part = _part_of(bodies, solver, contacts, impacts, first)
         if part.load <= 0.0:
-            return
+            break
         share = part.share
         turns = -0.5 * part.power / part.slowing if part.slowing > 0.0 else share
         turns = turns if turns < share else share
@@ -95,7 +97,8 @@ def strike_rough_group(
         work += share * (part.power + share * part.slowing)
         load += share * part.load
         if share < part.share or part.share == 1.0:
-            return
+            break
+    return effort
 
 
 @kernel
@@ -108,12 +111,13 @@ def _solve(
     again: bool,
     slow: float,
     reach: Reach | None,
-) -> None:
-    """Find loads and friction, to `slow` (m/s); `again` goes on from those there are, where nothing is jointed."""
+) -> int:
+    """Find loads and friction, to `slow` (m/s); `again` goes on from those there are, where nothing is jointed.
+    Returns the work of passes over free bodies."""
     if reach is not None:
         solve_jointed(bodies, solver, contacts, impacts, first, True, slow, reach)
-    else:
-        solve_group(bodies, solver, contacts, impacts, first, again, True, slow, _MOST_PASSES)
+        return 0
+    return int(solve_group(bodies, solver, contacts, impacts, first, again, True, slow, _MOST_PASSES))
 
 
 @kernel

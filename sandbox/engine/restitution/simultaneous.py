@@ -14,44 +14,92 @@ from sandbox.engine.contact_solver.closing_speed import opening_speed
 from sandbox.engine.contact_solver.law import start_velocity
 from sandbox.engine.contact_solver.nesterov import passes_within
 from sandbox.engine.records.bodies import SolverBodies
-from sandbox.engine.restitution.groups import CLOSING, fastest, is_driven, size_of, take_back
+from sandbox.engine.restitution.add_closing import JOINS
+from sandbox.engine.restitution.from_above import begin_from_above
+from sandbox.engine.restitution.groups import CLOSING, SPENT, fastest, is_driven, size_of, take_back
 from sandbox.engine.restitution.impact_list import ImpactList
 from sandbox.engine.restitution.rebound import rebound
 from sandbox.engine.restitution.solve_group import solve_group
 from sandbox.engine.restitution.worklist import END
 from sandbox.tables import Records
 
-MOST_PASSES = 256
-LEAST_PASSES = 16
-"""What a group is given at least, or it is left to the contact solver."""
-AGREED = 1e-3
+_MOST_WORK = 2_000
+_MOST_PASSES = 256
+_FEWEST_PASSES = 64
+"""Of a group in a step: passes times contacts, and passes at most, and those that it has however large it is. What is
+left then goes to the contact solver. No group takes of what another one has, so that none knows of the others."""
+_LEAST_PASSES = 16
+"""What a group is given to strike, or it is left to the contact solver."""
+_AGREED = 2e-3
 """Change of velocity by a pass at any contact, as a share of the highest closing speed, below which it was the last."""
 
 
 @kernel
-def strike_group(
-    bodies: Records, solver: SolverBodies, contacts: Records, impacts: ImpactList, first: int, anew: bool, most: int
-) -> int:
-    """Strike the group that is linked from the `first` impact on, if one closes faster than `impacts.threshold`.
+def forget_passes(impacts: Records) -> None:
+    """Begin a step, in which no impact has taken passes yet."""
+    for row in impacts:
+        row.passes = 0
 
-    `anew` takes back what they have done in the substep so far. Returns how much work that was, passes times contacts,
-    of `most`; a group for which that is too little is left as it is, and was the last one. So is one that a kinematic
-    body drives, which may press it against something immovable: nothing bounds its energy.
+
+@kernel
+def strike_group(
+    bodies: Records, solver: SolverBodies, contacts: Records, impacts: ImpactList, first: int, anew: bool
+) -> bool:
+    """Strike the group that is linked from the `first` impact on, if one closes faster than `impacts.threshold`; return
+    whether it has struck.
+
+    `anew` takes back what they have done in the substep so far, and so does what has joined in this round. A group that
+    has had its passes in this step is left as it is, and so is one that a kinematic body drives, which may press it
+    against something immovable: nothing bounds its energy.
     """
-    count = size_of(impacts, first)
-    if LEAST_PASSES * count > most:
-        return most
     if is_driven(bodies, impacts, first) or fastest(solver, contacts, impacts, first, CLOSING) <= impacts.threshold:
-        return count
-    if anew:
+        return False
+    passes = _passes_left(impacts, first)
+    if passes < _LEAST_PASSES:
+        _take_passes(impacts, first, SPENT)
+        return False
+    if anew or _has_grown(impacts, first):
         take_back(bodies, solver, contacts, impacts, first)
-    slow = AGREED * fastest(solver, contacts, impacts, first, CLOSING)
+    slow = _AGREED * fastest(solver, contacts, impacts, first, CLOSING)
     _ask_to_stop(impacts, first)
-    passes = passes_within(most, count, MOST_PASSES)
-    work = solve_group(bodies, solver, contacts, impacts, first, False, False, slow, passes)
+    begin_from_above(bodies, solver, contacts, impacts, first)
+    work = solve_group(bodies, solver, contacts, impacts, first, True, False, slow, passes)
     more = 1.0 + _mean_restitution(solver, contacts, impacts, first)
-    rebound(bodies, solver, contacts, impacts, first, more, AGREED, None)
-    return int(work)
+    work += rebound(bodies, solver, contacts, impacts, first, more, _AGREED, None)
+    _take_passes(impacts, first, work // size_of(impacts, first))
+    return True
+
+
+@kernel
+def _has_grown(impacts: ImpactList, first: int) -> bool:
+    """Whether some impact has joined in this round."""
+    k = first
+    while k != END:
+        if impacts.slots[k].turn == JOINS:
+            return True
+        k = impacts.rows[k].next
+    return False
+
+
+@kernel
+def _passes_left(impacts: ImpactList, first: int) -> int:
+    """How many passes are left in the step for a group, of which some may have struck with others before."""
+    taken = 0
+    k = first
+    while k != END:
+        taken = impacts.rows[k].passes if impacts.rows[k].passes > taken else taken
+        k = impacts.rows[k].next
+    most = passes_within(_MOST_WORK, size_of(impacts, first), _MOST_PASSES)
+    return (most if most > _FEWEST_PASSES else _FEWEST_PASSES) - taken
+
+
+@kernel
+def _take_passes(impacts: ImpactList, first: int, passes: int) -> None:
+    """Note that a group has taken so many passes."""
+    k = first
+    while k != END:
+        impacts.rows[k].passes += passes
+        k = impacts.rows[k].next
 
 
 @kernel
