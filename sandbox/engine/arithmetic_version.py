@@ -93,6 +93,8 @@ NOTES: dict[int, str] = {
     "that abut are one surface, sensors cover nothing; springs have one stiffness whichever way they pull; rolling "
     "resistance agrees with loads and friction where contacts are solved until all agree; what falls freely takes no "
     "finer substeps for what is heavy in it",
+    42: "impacts with restitution that do not end one by one strike together as soon as that is known, from the top "
+    "down, each group with passes of its own",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

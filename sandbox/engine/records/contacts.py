@@ -66,12 +66,9 @@ class Contacts(NamedTuple):
 
     `active[1:]` are the contacts with an active body, `impact_candidates[1:]` the rows of those of them that may have
     an impact; how many they are is `active[0].contact` and `impact_candidates[0]`. `cursor` (one row) and `runs` are of
-<<<<<<< HEAD
-    `sleeping_contacts`: the runs of the two tables and those of the walk, in thirds. `impact_calls` [worker, CODE or
-    BLOCK] are the addresses of the machine code of `strike_batch` and of its arguments, zeros until it is compiled.
-=======
     `sleeping_contacts`: the runs of the two tables and those of the walk, in thirds; `kept` has a row for each number.
->>>>>>> 43f759e1 (Contacts of sleepers have numbers: they stay in their place while others wake and fall asleep, and who wakes is found without a look at all contacts)
+    `impact_calls` [worker, CODE or BLOCK] are the addresses of the machine code of `strike_batch` and of its arguments,
+    zeros until it is compiled.
     """
 
     now: Records
