@@ -170,6 +170,19 @@ def _remembered_calls() -> Iterator[None]:
         operators.get_call_type = usual
 
 
+@contextmanager
+def _exact_records() -> Iterator[None]:
+    """Compile a kernel for the rows of each table by itself. By itself numba takes rows for those of a table that has
+    only their first fields, if there is code for these already, and warns of it."""
+    records: Any = types.Record
+    usual = records.can_convert_to
+    records.can_convert_to = lambda record, context, other: None
+    try:
+        yield
+    finally:
+        records.can_convert_to = usual
+
+
 class KernelCompiler(compiler.CompilerBase):
     """Compiles what is called by kernels, and by the function through which Python enters."""
 
@@ -223,7 +236,7 @@ def machine_code(entry: Any, arguments: tuple[Any, ...], processor: str = "") ->
 
 def linked(entry: Any, arguments: tuple[Any, ...], processor: str = "") -> tuple[Returns, Any]:
     """What an entry point returns, and its library: the module of it and all the kernels below it."""
-    with global_compiler_lock, _no_garbage_collection(), _remembered_calls():
+    with global_compiler_lock, _no_garbage_collection(), _remembered_calls(), _exact_records():
         kinds = tuple(by_address(entry.typeof_pyval(each)) for each in arguments)
         entry.compile(kinds)
         compiled = entry.overloads[kinds]

@@ -8,8 +8,9 @@ from typing import Any
 import pytest
 
 from sandbox import _jit
-from sandbox._jit import entry_point, kernel
+from sandbox._jit import entry_point, kernel, kernel_argument
 from sandbox._machine_code import Version
+from sandbox.tables import Field, Table
 
 pytestmark = pytest.mark.skipif(not _jit.jit_enabled(), reason="there is no machine code without the compiler")
 
@@ -104,3 +105,26 @@ def test_garbage_is_collected_after_compiling_if_it_was_before(functions: tuple[
         assert gc.isenabled() == on
     finally:
         gc.enable()
+
+
+@pytest.mark.parametrize("shorter_first", [False, True])
+def test_rows_of_a_table_are_not_taken_for_those_of_a_shorter_one(
+    shorter_first: bool, recwarn: pytest.WarningsRecorder
+) -> None:
+    short = Table("short", (Field("a", "-", "", "i4"),))
+    long = Table("long", (Field("a", "-", "", "i4"), Field("b", "-", "", "i4")))
+
+    @kernel
+    def first_of(row: Any) -> int:
+        return int(row.a)
+
+    @entry_point
+    def top(rows: Any) -> int:
+        return first_of(rows[0])
+
+    tables = short.zeros(2), long.zeros(2)
+    for table in tables if shorter_first else tables[::-1]:
+        table.a = 7
+        assert top(kernel_argument(table)) == 7
+    assert len(first_of.dispatcher.overloads) == 2
+    assert [str(each.message) for each in recwarn] == []
