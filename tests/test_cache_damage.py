@@ -120,6 +120,7 @@ DAMAGE: dict[str, Callable[[Path], object]] = {
 
 
 @pytest.mark.skipif(os.name != "posix", reason="pipes, sockets and links")
+@pytest.mark.slow
 def test_damaged_files_heal(tmp_path):
     names = [re.sub(r"\W", "_", name) for name in DAMAGE]
     assert run(tmp_path, "cache", names) == ""

@@ -18,6 +18,7 @@ SEED = 1
 
 
 @pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.slow
 def test_damaged_files_are_refused_or_run(kind: str) -> None:
     count = shares(CASES if settings.default.max_examples > 5 else CASES // 10, list(KINDS))[kind]
     assert [*run_cases(kind, SEED, 0, count, lambda _: None)] == []
@@ -28,6 +29,7 @@ def test_a_case_is_the_same_whenever_it_is_made(kind: str) -> None:
     assert text_of(make_case(kind, 3, 14)) == text_of(make_case(kind, 3, 14))
 
 
+@pytest.mark.slow
 def test_what_takes_too_long_or_too_much_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(budget, "SECONDS", 1000.0)
     with pytest.raises(OverBudgetError, match="MB of memory"):

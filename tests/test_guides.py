@@ -126,6 +126,7 @@ def test_the_programs_of_the_python_guide_run_one_after_the_other(
     assert len(sandbox.load_scene(crate / "balls.scene.json").bodies) == 3
 
 
+@pytest.mark.slow
 def test_the_game_loop_runs_and_what_is_played_can_be_replayed(tmp_path: Path, cli: Callable) -> None:  # noqa: F811
     (code,) = blocks(ROOT / "sandbox" / "COMING_FROM.md", "python")
     assert len([line for line in code.splitlines() if line]) <= 50

@@ -34,6 +34,7 @@ def functions() -> tuple[Any, Any, Any]:
     return top, middle, leaf
 
 
+@pytest.mark.slow
 def test_literals_make_no_versions_of_their_own(functions: tuple[Any, Any, Any]) -> None:
     assert functions[0](3) == 16
     assert [len(each.dispatcher.overloads) for each in functions] == [1, 1, 1]
@@ -55,6 +56,7 @@ def test_only_the_entry_point_becomes_machine_code(
     assert made == ["top"]
 
 
+@pytest.mark.slow
 def test_for_another_processor_numba_does_nothing_again(
     functions: tuple[Any, Any, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -71,6 +73,7 @@ def test_for_another_processor_numba_does_nothing_again(
         assert block.result(version.enter(block.address)) == 18
 
 
+@pytest.mark.slow
 def test_numba_is_asked_once_what_an_operator_gives(
     functions: tuple[Any, Any, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -88,6 +91,7 @@ def test_numba_is_asked_once_what_an_operator_gives(
     assert Function.get_call_type is noted
 
 
+@pytest.mark.slow
 def test_garbage_of_compiling_is_gone_after_the_next_time(functions: tuple[Any, Any, Any]) -> None:
     top, *_ = functions
     assert top(1) == 12
@@ -98,6 +102,7 @@ def test_garbage_of_compiling_is_gone_after_the_next_time(functions: tuple[Any, 
 
 
 @pytest.mark.parametrize("on", [True, False])
+@pytest.mark.slow
 def test_garbage_is_collected_after_compiling_if_it_was_before(functions: tuple[Any, Any, Any], on: bool) -> None:
     (gc.enable if on else gc.disable)()
     try:

@@ -159,6 +159,7 @@ def test_parts_of_floats_are_those_of_python(number: float, exponent: int) -> No
 
 
 @compiled
+@pytest.mark.slow
 def test_what_a_kernel_cannot_take_is_refused() -> None:
     door = Door(fill)
     door(np.zeros(1), 1.0)
@@ -224,6 +225,7 @@ print(*{world.digest() for world in worlds})
 """
 
 
+@pytest.mark.slow
 def test_threads_of_a_fresh_process_may_step_their_worlds_at_once() -> None:
     for _ in range(3):
         done = subprocess.run([sys.executable, "-c", THREADS], capture_output=True, text=True)

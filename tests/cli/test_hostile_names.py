@@ -66,6 +66,7 @@ def test_what_comes_near_to_a_name(cli: Callable, here: Path) -> None:
     assert is_clean(done.err), done.err
 
 
+@pytest.mark.slow
 def test_bytes_that_are_no_text(write_scene: Callable, here: Path) -> None:
     path = write_scene("a.scene.json")
     os.rename(path, os.fsencode(here) + b"/\xff.scene.json")

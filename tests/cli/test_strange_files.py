@@ -156,11 +156,13 @@ class TestLent:
         ],
         ids=" ".join,
     )  # fmt: skip
+    @pytest.mark.slow
     def test_a_recording_is_one(self, cli: Callable, recording: str, lend: Callable, arguments: list[str]) -> None:
         done = cli(*arguments, lend(recording))
         assert (done.code, done.err) == (0, "")
 
     @pytest.mark.parametrize("jobs", [1, 2])
+    @pytest.mark.slow
     def test_scenes_are_read_once_for_all_processes(self, cli: Callable, lend: Callable, jobs: int) -> None:
         done = cli("check", "-j", jobs, lend(SCENE), lend(SCENE))
         assert (done.code, "2 scenes: 2 hold" in done.out) == (0, True), done.err

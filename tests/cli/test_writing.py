@@ -142,6 +142,7 @@ def test_a_schema_goes_over_no_scene(cli: Callable) -> None:
 
 @pytest.mark.skipif(os.name != "posix", reason="there are no such signals")
 @pytest.mark.parametrize("name", ["SIGTERM", "SIGKILL"])
+@pytest.mark.slow
 def test_processes_end_with_the_one_that_started_them(write_scene: Callable, name: str) -> None:
     """Whoever reads what they print comes to its end."""
     number = getattr(signal, name)

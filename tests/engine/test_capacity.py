@@ -93,6 +93,7 @@ def test_tiles_with_many_corners_count_for_more():
         World(scene(*tiles))
 
 
+@pytest.mark.slow
 def test_static_tiles_that_come_into_a_crowd_are_refused_and_nothing_has_changed():
     """All at once, or in parts beside those that are there; elsewhere they are welcome."""
 

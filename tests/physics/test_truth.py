@@ -47,6 +47,7 @@ def test_the_architecture_shows_these_rows():
     assert ["|".join(line.split("|")[:3]) + "|" for line in rows] == [head(each) for each in EXPERIMENTS]
 
 
+@pytest.mark.slow
 def test_the_command_prints_json():
     command = [sys.executable, "-m", "tests.physics.truth", "free fall", "--json"]
     done = subprocess.run(command, capture_output=True, text=True, check=True, cwd=Path(__file__).parents[2])

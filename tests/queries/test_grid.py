@@ -119,6 +119,7 @@ def test_discs_scattered_over_a_million_metres(seed):
 
 @given(st.integers(0, 2**32), st.sampled_from([0.0, 1e7, -1e7]), st.sampled_from([0.25, 0.3, 1.0]))
 @examples(40)
+@pytest.mark.slow
 def test_a_lattice_of_boxes_with_rays_along_all_its_lines(seed, far, pitch):
     """Edges of shapes on the borders of cells, rays along both: whatever a ray touches, it finds."""
     random = np.random.default_rng(seed)

@@ -20,6 +20,7 @@ def twin() -> Twin:
     return simulate_twin(flat.scene(flat.ground(), flat.body("a", flat.box(1, 1), position=(0, 2))), 60)
 
 
+@pytest.mark.slow
 def test_an_svg_is_well_formed_and_repeats_to_the_byte(twin: Twin, tmp_path: Path) -> None:
     first, second = tmp_path / "a.svg", tmp_path / "b.svg"
     save_plot(twin, "A fall & <more>", first)
@@ -28,6 +29,7 @@ def test_an_svg_is_well_formed_and_repeats_to_the_byte(twin: Twin, tmp_path: Pat
     assert first.read_bytes() == second.read_bytes()
 
 
+@pytest.mark.slow
 def test_both_curves_are_in_every_panel(twin: Twin, tmp_path: Path) -> None:
     save_plot(twin, "A fall", tmp_path / "a.svg")
     text = (tmp_path / "a.svg").read_text()
@@ -35,6 +37,7 @@ def test_both_curves_are_in_every_panel(twin: Twin, tmp_path: Path) -> None:
         assert text.count(f"stroke: {color}") == 5  # four panels and the legend
 
 
+@pytest.mark.slow
 def test_a_png_has_ink_of_both_engines(twin: Twin, tmp_path: Path) -> None:
     save_plot(twin, "A fall", tmp_path / "a.png")
     with Image.open(tmp_path / "a.png") as image:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 import shapely
 from hypothesis import given
 from hypothesis import strategies as st
@@ -82,6 +83,7 @@ def test_large_ones_are_cut_to_the_window() -> None:
     check_pixels(STATE, Camera((1.0, 0.5), 700.0, SIZE))
 
 
+@pytest.mark.slow
 def test_no_line_is_drawn_where_parts_meet() -> None:
     state = letters("kinematic")
     state.bodies.frozen_step = -1

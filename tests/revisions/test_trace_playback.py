@@ -42,6 +42,7 @@ def past(run: Run) -> Trace:
     return trace(HERE, run, [7], film=film_samples(LAST, 1))
 
 
+@pytest.mark.slow
 def test_the_film_is_that_of_the_run(run: Run, past: Trace) -> None:
     wanted, got = film_run(run), film_run(run, stepper=TracePlayback(run, past))
     assert [body.id for body in got.bodies] == ["ground", "post", "crate", "ball"]

@@ -32,6 +32,7 @@ def test_what_brings_more_wherever_it_strikes_comes_to_an_end():
     assert 40 < len(w.names) <= 63
 
 
+@pytest.mark.slow
 def test_what_deletes_and_brings_at_once_is_bounded_in_a_step():
     swap = [{"delete": "dot-*"}, {"spawn": {**DOT, "position": [0, 1]}, "limit": 3}] * 50
     rules = [{"when": {"every": 0.001}, "do": swap} for _ in range(10)]
@@ -110,6 +111,7 @@ def test_too_many_of_everything_else():
     assert message == "do has 101 entries; 100 is the limit"
 
 
+@pytest.mark.slow
 def test_a_hundred_thousand_wrong_names_are_told_in_time():
     rules = [
         {"when": {"hit": ["bal", "bal*l"]}, "do": [{"delete": f"x{k}-{j}"} for j in range(100)]} for k in range(1000)

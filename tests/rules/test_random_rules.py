@@ -6,6 +6,7 @@ import json
 from typing import Any
 
 import jsonschema
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -149,6 +150,7 @@ crowds = st.lists(
 
 @given(crowds)
 @examples(30)
+@pytest.mark.slow
 def test_what_comes_and_goes_at_once_comes_out_as_one_by_one(crowd: list[dict[str, Any]]):
     scene = Scene(**{**BASE, "rules": [{"when": {"every": 0.05}, "do": [*coming, refused]}, *crowd]})
     at_once, singly = World(scene), World(scene)

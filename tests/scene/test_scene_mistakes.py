@@ -235,6 +235,7 @@ def test_mistakes_of_many_sorts_are_told_in_part():
     assert problems[-1].message == "and at least 60 more mistakes"
 
 
+@pytest.mark.slow
 def test_too_many_bodies_are_one_mistake():
     text = json.dumps({"bodies": [{"id": f"b{k}", "prefab": "p"} for k in range(MAX_BODIES + 1)]})
     assert "bodies has 100001 entries; 100000 is the limit" in str(refused(text))

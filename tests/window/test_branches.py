@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from sandbox.window.play import PlayScreen
 from sandbox.window.screen import Canvas
 from sandbox.window.widgets import places
@@ -11,6 +13,7 @@ from tests.window.hands import play
 from tests.window.test_session import SCENE
 
 
+@pytest.mark.slow
 def test_after_a_goodbye_all_futures_are_there_again(canvas: Canvas, tmp_path: Path) -> None:
     seen: list[tuple[int, int, int, int]] = []
 

@@ -147,6 +147,7 @@ def test_what_the_user_does_is_told_from_what_the_recording_did(canvas: Canvas, 
     assert app.seen[-1][2] > 10  # what is no more is outlined
 
 
+@pytest.mark.slow
 def test_the_scene_edited_meanwhile_is_compared_anew(canvas: Canvas, folder: Path) -> None:
     class Editing(Watched):
         def _act(self, screen: Screen) -> bool:

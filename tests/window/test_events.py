@@ -103,6 +103,7 @@ def test_a_branch_cuts_the_log_and_playing_again_adds_nothing_twice() -> None:
     assert happenings(table) == whole
 
 
+@pytest.mark.slow
 def test_the_oldest_are_forgotten_when_there_are_too_many(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(log, "MOST_ROWS", 20)
     scene = sandbox.load_scene(find_scene(Path("galton-board")))
@@ -116,6 +117,7 @@ def test_the_oldest_are_forgotten_when_there_are_too_many(monkeypatch: pytest.Mo
     assert [one.step for one in kept] == [one.step for one in every[: len(kept)]]
 
 
+@pytest.mark.slow
 def test_a_click_goes_there_in_time_and_space(canvas: Canvas, tmp_path: Path) -> None:
     screen = play(
         canvas,

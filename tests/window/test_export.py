@@ -138,6 +138,7 @@ def visit(canvas: Canvas, folder: Path, script: str, hasty: bool = False) -> Exp
     return app
 
 
+@pytest.mark.slow
 def test_the_whole_session_is_filmed_while_the_window_goes_on(canvas: Canvas, folder: Path) -> None:
     (folder / "fall.gif").write_text("mine")
     app = visit(canvas, folder, "wait 60\nkey Ctrl+E\nwait 2\nclick export.start\nwait 5\n")
@@ -147,6 +148,7 @@ def test_the_whole_session_is_filmed_while_the_window_goes_on(canvas: Canvas, fo
     assert app.steps_meanwhile[-1] > app.steps_meanwhile[0]
 
 
+@pytest.mark.slow
 def test_the_range_of_the_scrubber_is_filmed(canvas: Canvas, folder: Path) -> None:
     script = (
         "wait 60\nkey Space\nhold Shift\ndrag 120,248 to 240,248\nlet Shift\n"
@@ -168,6 +170,7 @@ def test_a_picture_in_light_of_the_step_that_is_shown(canvas: Canvas, folder: Pa
     assert picture.mean() > 150
 
 
+@pytest.mark.slow
 def test_it_can_be_cancelled(canvas: Canvas, folder: Path) -> None:
     script = (
         "wait 200\nkey Space\nkey Ctrl+E\nwait 2\nclick export.size.1080p\n"

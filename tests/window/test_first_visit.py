@@ -135,6 +135,7 @@ def test_gravity_is_changed_by_a_button_and_by_the_dial(visit: Visit) -> None:
     assert commands[-1] != commands[0]
 
 
+@pytest.mark.slow
 def test_all_of_it_is_undone_and_done_again(visit: Visit) -> None:
     acts = (
         "wait 5\ndrag @0,0.5 to @4,5 in 6\nwait 10\nkey C\ndrag @-4,4 to @-3.5,4\nclick panel.world\nwait 2\n"
@@ -196,6 +197,7 @@ def test_it_fits_into_small_and_large_windows(visit: Visit, size: str) -> None:
     assert visit.picture("shot").shape == (height, width, 3)
 
 
+@pytest.mark.slow
 def test_a_mistake_in_a_script_is_told_with_its_line_and_what_was_done_is_offered(visit: Visit) -> None:
     (visit.folder / "hands.txt").write_text("wait 1\nkey C\ndrag @-4,4 to @-3.5,4\nclick nowhere\n")
     command = [sys.executable, "-m", "sandbox", "run", "yard.scene.json", "--script", "hands.txt"]

@@ -154,6 +154,7 @@ def test_a_scene_is_opened_by_its_path_folder_by_folder(display: Any, tmp_path: 
     assert (tmp_path / "inner.replay.json").is_file()
 
 
+@pytest.mark.slow
 def test_a_file_that_is_gone_leads_back_with_a_message(display: Any, tmp_path: Path) -> None:
     (tmp_path / "bad.scene.json").write_text('{"format": 1, "bodys": []}')
     done = gallery(tmp_path, "type bad\nkey Enter\nwait 5\nshot told.png\nkey Esc\nkey Esc\n")

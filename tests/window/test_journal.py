@@ -177,6 +177,7 @@ def test_whatever_is_done_a_session_is_gone_on_with_as_if_it_had_never_ended(
     assert not again.timeline.length or rerun(again.timeline.recording()).passed
 
 
+@pytest.mark.slow
 def test_a_killed_window_offers_its_session_at_the_next_start(display: Any, tmp_path: Path) -> None:
     SCENE.save(tmp_path / "two.scene.json")
     (tmp_path / "play.txt").write_text("wait 5\ndrag @0.2,0.6 to @3,3\nshot done.png\nwait 100000\n")

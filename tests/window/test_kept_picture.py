@@ -50,6 +50,7 @@ def draw(screen: PlayScreen, canvas: Canvas, path: Path) -> Any:
         return np.asarray(image.convert("RGB")).astype(int)
 
 
+@pytest.mark.slow
 def test_while_nothing_changes_nothing_is_drawn_and_the_picture_stays(canvas: Canvas, tmp_path: Path) -> None:
     screen = PlayScreen(Session(SCENE), canvas.display.size, lambda *_: None)
     screen.session.clock.paused = True
@@ -68,6 +69,7 @@ def test_while_nothing_changes_nothing_is_drawn_and_the_picture_stays(canvas: Ca
     assert np.abs(kept - nearer).max() <= 1
 
 
+@pytest.mark.slow
 def test_trails_are_kept_only_while_they_are_shown(canvas: Canvas, tmp_path: Path) -> None:
     screen = PlayScreen(Session(SCENE), canvas.display.size, lambda *_: None, lockstep=True)
     workspace = screen.workspace

@@ -56,6 +56,7 @@ def test_commands_are_read_with_their_options() -> None:
     assert set(FIGURES.values()) <= set(Kind.__args__)  # type: ignore[attr-defined]
 
 
+@pytest.mark.slow
 def test_a_button_of_a_lesson_opens_its_scene_and_shows_the_test(
     canvas: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

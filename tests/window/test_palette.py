@@ -5,6 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 import sandbox
 from sandbox.render.overlays.registry import OVERLAYS
 from sandbox.window.actions.registry import ACTIONS
@@ -22,6 +24,7 @@ SCENE = sandbox.Scene(
 )
 
 
+@pytest.mark.slow
 def test_words_and_enter_do_what_is_meant_and_nothing_else_hears_the_keys(canvas: Canvas, tmp_path: Path) -> None:
     seen: list[Any] = []
 

@@ -25,6 +25,7 @@ def plots_of(screen: PlayScreen) -> PlotsPanel:
     return panel
 
 
+@pytest.mark.slow
 def test_what_happens_while_the_panel_is_closed_is_not_kept(canvas: Canvas, tmp_path: Path) -> None:
     lines = "key Space\nwait 20\nkey F6\nwait 20\nkey F6\nwait 20\nkey F6\nwait 10"
     screen = play(canvas, SCENE, tmp_path, lines)
@@ -36,6 +37,7 @@ def test_what_happens_while_the_panel_is_closed_is_not_kept(canvas: Canvas, tmp_
     assert screen.session.world.step_count > 70
 
 
+@pytest.mark.slow
 def test_a_plot_begins_where_there_is_something_to_plot(canvas: Canvas, tmp_path: Path) -> None:
     seen: list[tuple[float, float]] = []
 
@@ -74,6 +76,7 @@ def test_a_click_in_a_plot_goes_there(canvas: Canvas, tmp_path: Path) -> None:
     assert 0.3 * seen[0] < step < 0.7 * seen[0]
 
 
+@pytest.mark.slow
 def test_what_is_shown_is_saved_and_nothing_is_written_over(canvas: Canvas, tmp_path: Path) -> None:
     lines = "key F6\nkey Space\nclick @0,0.5\nwait 20\nclick plots.overlap\nclick plots.csv\nwait 2\nkey Space\n"
     screen = play(canvas, SCENE, tmp_path, lines + "wait 2\nclick plots.csv\nwait 2")
@@ -94,6 +97,7 @@ def test_fields_of_the_selected_body_are_kept(canvas: Canvas, tmp_path: Path) ->
     assert x[-1] == screen.session.world.body("other").position[1]
 
 
+@pytest.mark.slow
 def test_a_branch_cuts_what_was_kept(canvas: Canvas, tmp_path: Path) -> None:
     seen: list[int] = []
 

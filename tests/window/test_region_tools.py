@@ -30,6 +30,7 @@ def regions(screen: PlayScreen) -> tuple[str, ...]:
     return screen.session.world.state.census.regions.ids
 
 
+@pytest.mark.slow
 def test_a_crate_floats_in_water_that_was_drawn_and_sinks_back_when_it_is_gone(canvas: Canvas, tmp_path: Path) -> None:
     heights: list[float] = []
 
@@ -92,6 +93,7 @@ def test_a_scene_and_a_recording_of_now_have_what_was_drawn(canvas: Canvas, tmp_
     assert again.digest() == screen.session.world.digest()
 
 
+@pytest.mark.slow
 def test_a_region_without_an_id_is_picked_moved_stretched_and_all_taken_back(canvas: Canvas, tmp_path: Path) -> None:
     scene = sandbox.Scene(bodies=SCENE.bodies, view=SCENE.view, regions=[
         {"water": 1, "inside": [-8, 1, -4, 5], "surface": 4}, {"wind": [1, 0], "disc": [6, 4, 2]},
@@ -140,6 +142,7 @@ def test_the_smallest_region_under_the_pointer_is_meant(point: tuple[float, floa
     assert region_at(world.state, point) == found
 
 
+@pytest.mark.slow
 def test_corners_of_a_region_come_go_and_are_put_elsewhere_by_hand(canvas: Canvas, tmp_path: Path) -> None:
     scene = sandbox.Scene(bodies=SCENE.bodies, view=SCENE.view, regions=[
         {"id": "pool", "water": 1, "inside": [-8, 1, -4, 5]},
@@ -169,6 +172,7 @@ def test_corners_of_a_region_come_go_and_are_put_elsewhere_by_hand(canvas: Canva
     assert screen.session.timeline.undo_label is None
 
 
+@pytest.mark.slow
 def test_regions_of_any_outline_are_drawn_and_a_concave_one_is_divided(canvas: Canvas, tmp_path: Path) -> None:
     shape = [(-8, 1), (-2, 1), (-2, 5), (-4, 5), (-4, 3), (-8, 3), (-8, 1)]  # an L
     stroke = "".join(

@@ -99,6 +99,7 @@ def test_a_row_and_its_edge_are_linked_by_the_pointer(canvas: Canvas, tmp_path: 
     assert (row.owner, row.edge) == ("a", 3)
 
 
+@pytest.mark.slow
 def test_a_gap_ends_the_test_and_a_rewound_pair_is_that_of_its_step(canvas: Canvas, tmp_path: Path) -> None:
     app = run(canvas, tmp_path, "test-one", "key Space\nwait 112\nkey Space\nwait 2\n")
     found = []
@@ -145,6 +146,7 @@ def test_the_outcome_covers_neither_the_arrow_of_the_edge_nor_other_words(
     assert all(right <= x0 or x1 <= left or bottom <= y0 or y1 <= top for x0, y0, x1, y1 in others)
 
 
+@pytest.mark.slow
 def test_the_axis_is_turned_in_the_scene_and_clicks_into_place_at_edges(canvas: Canvas, tmp_path: Path) -> None:
     app = run(canvas, tmp_path, "test-two", "click sat.free\nwait 2\ndrag sat.handle to @13,9.55\nwait 2\n")
     free = app.panel.focus.free
@@ -177,6 +179,7 @@ def test_the_tour_goes_from_the_axes_to_the_contact_points(canvas: Canvas, tmp_p
 
 
 @pytest.mark.parametrize(("scene", "verdict"), [("test-one", "apart"), ("test-two", "touches")])
+@pytest.mark.slow
 def test_a_saved_pair_passes_check(
     canvas: Canvas, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, scene: str, verdict: str
 ) -> None:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 import sandbox
 from sandbox.window.play import PlayScreen
 from sandbox.window.screen import Canvas
@@ -53,6 +55,7 @@ def test_arrows_belong_to_the_scene_again_after_escape(canvas: Canvas, tmp_path:
     play(canvas, SCENE, tmp_path, steps, before, MENU + back, in_menu, "key Esc\nwait 3\n" + back, after)
 
 
+@pytest.mark.slow
 def test_a_panel_is_gone_through_and_changed(canvas: Canvas, tmp_path: Path) -> None:
     """The inspector is in front, the world comes next: its first number is gravity along x. Numbers are
     what was typed, to the last bit."""

@@ -26,6 +26,7 @@ def overlay(*names: str) -> str:
     return "".join(f"key Ctrl+P\nwait 3\ntype overlay {KEYS[name]}\nkey Enter\nwait 2\n" for name in names)
 
 
+@pytest.mark.slow
 def test_the_legend_of_overlays_takes_its_room_from_below_the_scene_and_gives_it_back(
     canvas: Canvas, tmp_path: Path
 ) -> None:
@@ -68,6 +69,7 @@ def test_keys_of_a_game_stand_above_it_where_the_line_of_the_tool_is_too_short(
     assert screen.note == ""
 
 
+@pytest.mark.slow
 def test_words_of_overlays_are_as_large_as_the_user_wants_text(canvas: Canvas, tmp_path: Path) -> None:
     sizes = []
     for larger in (0, 4):

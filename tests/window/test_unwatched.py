@@ -66,6 +66,7 @@ def seen(canvas: Canvas, folder: Path, watched: bool) -> dict[str, list[Any]]:
     return found
 
 
+@pytest.mark.slow
 def test_pictures_of_a_window_that_nobody_watches_are_the_same(
     canvas: Canvas, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

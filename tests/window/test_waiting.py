@@ -56,6 +56,7 @@ def fresh() -> Any:
     return poured
 
 
+@pytest.mark.slow
 def test_pictures_go_on_while_an_act_waits_for_the_compiler(
     canvas: Canvas, tmp_path: Path, shown: list[int], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -80,6 +81,7 @@ def test_pictures_go_on_while_an_act_waits_for_the_compiler(
     assert seen[0] >= 3
 
 
+@pytest.mark.slow
 def test_the_box_stands_over_the_scene_and_the_panels_come_back(
     canvas: Canvas, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

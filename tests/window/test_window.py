@@ -115,6 +115,7 @@ def test_run_can_start_later(display: Any, tmp_path: Path, scene_file: str) -> N
     assert np.abs(first - second)[110:330].mean() < 0.1
 
 
+@pytest.mark.slow
 def test_run_without_a_scene_lists_the_scenes(display: Any, tmp_path: Path) -> None:
     done = run(tmp_path, "--frames", "2", "--screenshot", "list.png", "--size", "800x600")
     assert (done.returncode, done.stderr) == (0, "")
@@ -146,6 +147,7 @@ def test_without_opengl_it_says_what_to_install(tmp_path: Path, scene_file: str)
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="only Linux can be without a screen")
+@pytest.mark.slow
 def test_without_a_screen_it_says_so_at_once(tmp_path: Path, scene_file: str) -> None:
     done = run(tmp_path, scene_file, DISPLAY="", WAYLAND_DISPLAY="", SDL_VIDEODRIVER="")
     assert done.returncode == 2
@@ -173,6 +175,7 @@ def test_without_the_extra_it_says_what_to_install(tmp_path: Path, scene_file: s
         (("--screenshot", "nowhere/a.png"), "does not exist"),
     ],
 )
+@pytest.mark.slow
 def test_bad_options_are_told_with_the_mend(
     tmp_path: Path, scene_file: str, options: tuple[str, ...], words: str
 ) -> None:
