@@ -17,6 +17,9 @@ from sandbox._instruction import Instruction
 instruction = functools.partial(Instruction, emitter="sandbox._llvm_calls")
 
 
+CODE, BLOCK = 0, 1
+"""Columns of a table of calls: the addresses of machine code and of the block of arguments (`Call.machine`)."""
+
 _functions: WeakValueDictionary[int, Callable[[], Any]] = WeakValueDictionary()
 
 

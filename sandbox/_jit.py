@@ -243,5 +243,5 @@ def jit_enabled() -> bool:
 
 
 def cache_is_cold() -> bool:
-    """True when the next step has to compile the kernels first (10 to 20 seconds)."""
+    """True when the next step has to compile the kernels first (10 to 30 seconds)."""
     return jit_enabled() and not is_filled()

@@ -5,14 +5,12 @@ In a scene of a few bodies, Python takes as long from one part to the next as al
 
 from __future__ import annotations
 
-from sandbox._calls import call_nothing, call_number, call_truth
+from sandbox._calls import BLOCK, CODE, call_nothing, call_number, call_truth
 from sandbox._jit import entry_point
 from sandbox.tables import Integers
 
 FIELDS, COLLIDE, BEGIN, SOLVE, FINISH, CONTINUOUS = 0, 1, 2, 3, 4, 5
 """Rows of a table of parts: `apply_fields`, then `compile_step.PARTS`."""
-CODE, BLOCK = 0, 1
-"""Its columns: the addresses of machine code and of the block of arguments (`Call.machine`)."""
 DONE, LACKS_CONTINUOUS, LACKS_IMPACTS = 0, -1, -2
 """What came of it, if no number of pairs."""
 

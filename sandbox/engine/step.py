@@ -120,7 +120,7 @@ def begin(
         new = state.counters[0].step_count == 0
         begin_joints(joints, bodies, solver.motions, solver.free_motions, new, workers)
     clear_reports(contacts.reports, count)
-    return lacks_impacts(contacts)
+    return lacks_impacts(contacts, info.fastest, state.settings[0].restitution_threshold)
 
 
 @entry_point

@@ -8,11 +8,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from sandbox._calls import handle
+from sandbox._calls import CODE, handle
 from sandbox._jit import interpreted
 from sandbox.engine.run_step import (
     BEGIN,
-    CODE,
     COLLIDE,
     CONTINUOUS,
     DONE,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from sandbox._jit import kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.active.substep_level import contact_substep_level
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contacts import Contacts
@@ -19,6 +19,13 @@ class ImpactList(NamedTuple):
     slots: Records
     length: int
     threshold: float
+
+
+@inlined_kernel
+def may_strike(fastest: float, threshold: float) -> bool:
+    """Whether any two bodies can close as fast as the threshold (m/s); `fastest` is the square of the highest speed
+    (m/s) of a point."""
+    return fastest > 0.25 * threshold * threshold
 
 
 @kernel
@@ -38,7 +45,7 @@ def list_impact_contacts(
     """
     used = 0
     candidates = contacts.impact_candidates
-    if fastest <= 0.25 * threshold * threshold:
+    if not may_strike(fastest, threshold):
         return 0
     for k in range(1, candidates[0] + 1):
         contact = contacts.now[candidates[k]]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from sandbox._calls import call_nothing
+from sandbox._calls import BLOCK, CODE, call_nothing
 from sandbox._jit import entry_point, kernel
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.bodies import SolverBodies
@@ -16,19 +16,16 @@ from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.state import StateTables
 from sandbox.engine.records.workers import NUMBERS, Workers
-from sandbox.engine.restitution.impact_list import ImpactList
+from sandbox.engine.restitution.impact_list import ImpactList, may_strike
 from sandbox.engine.restitution.impacts import resolve_impacts
 from sandbox.engine.restitution.jointed.strike import strike_through_joints
 from sandbox.engine.workers.task_kinds import BATCH, IMPACT_SECONDS
 
-CODE, BLOCK = 0, 1
-"""Columns of `Contacts.impact_calls`."""
-
 
 @kernel
-def lacks_impacts(contacts: Contacts) -> bool:
-    """Whether some contact may have an impact, for which no machine code is there."""
-    if contacts.impact_calls[0, CODE] != 0:
+def lacks_impacts(contacts: Contacts, fastest: float, threshold: float) -> bool:
+    """Whether some contact may have an impact (`list_impact_contacts`), for which no machine code is there."""
+    if contacts.impact_calls[0, CODE] != 0 or not may_strike(fastest, threshold):
         return False
     candidates = contacts.impact_candidates
     highest = 0.0
