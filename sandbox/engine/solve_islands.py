@@ -14,6 +14,7 @@ from sandbox.engine.active.free_bodies import put_free_last
 from sandbox.engine.active.island_batches import form_batches, sort_impacts, worth_batches
 from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.contact_solver.blocks import BLOCK_SIZE
+from sandbox.engine.contact_solver.closing_speed import bounce_threshold
 from sandbox.engine.contact_solver.fill_blocks import fill_blocks, sort_contacts
 from sandbox.engine.contact_solver.graph_coloring import color_contacts
 from sandbox.engine.contact_solver.prepare import ImpactCriteria, prepare_contacts
@@ -116,7 +117,7 @@ def _list_impacts(
 ) -> int:
     """List the contacts that may have an impact, by batch; returns how many there are."""
     batches = blocks.batches
-    threshold = state.settings[0].restitution_threshold
+    threshold = bounce_threshold(state.settings[0])
     found = list_impact_contacts(state.bodies, solver, contacts, level.number, level.fastest, threshold, blocks.spare)
     sort_impacts(blocks.spare, found, solver.batches, batches, count)
     return int(found)

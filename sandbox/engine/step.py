@@ -14,8 +14,10 @@ from sandbox.engine.active.substep_level import assign_substep_levels
 from sandbox.engine.active.wake_islands import wake_touched
 from sandbox.engine.bodies.begin_and_finish import begin_bodies, finish_bodies, forget_posed
 from sandbox.engine.broad_phase.active_shapes import list_woken_shapes, order_shapes
+from sandbox.engine.broad_phase.fat_boxes import SLACK
 from sandbox.engine.broad_phase.pair_cache import select_pairs, update_pair_cache
 from sandbox.engine.broad_phase.proxies import bound_shapes
+from sandbox.engine.contact_solver.closing_speed import bounce_threshold
 from sandbox.engine.contact_solver.store import clear_reports
 from sandbox.engine.joints.pair_filter import JointFilter
 from sandbox.engine.joints.reactions import finish_joints
@@ -70,7 +72,8 @@ def collide(
     bound_shapes(state, outdated, changed != 0, colliders, grid, workers)
     kept = counter.contact_count if counter.asleep_count > 0 else 0
     seconds = state.settings[0].step_seconds
-    pair_count = update_pair_cache(colliders, outdated, state.shapes.shape[0], seconds, grid)
+    slack = SLACK * state.settings[0].units_per_meter
+    pair_count = update_pair_cache(colliders, outdated, state.shapes.shape[0], seconds, slack, grid)
     if pair_count > 0:
         return pair_count + kept
     pair_count = select_pairs(colliders, seconds, joint_filter, grid)
@@ -114,13 +117,14 @@ def begin(
     if joints is not None:
         flag_touched_parts(joints, contacts, state.drags)
     info.substep_levels = assign_substep_levels(state, active, solver, piles, contacts, joints)
-    info.impact_speed = flag_struck(bodies, contacts, solver.ccd, solver.struck, blocks.spare, info.fastest)
+    unit = state.settings[0].units_per_meter
+    info.impact_speed = flag_struck(bodies, contacts, solver.ccd, solver.struck, blocks.spare, info.fastest, unit)
     move_to_midpoint(state, active, solver, contacts)
     if joints is not None:
         new = state.counters[0].step_count == 0
         begin_joints(joints, bodies, solver.motions, solver.free_motions, new, workers)
     clear_reports(contacts.reports, count)
-    return lacks_impacts(contacts, info.fastest, state.settings[0].restitution_threshold)
+    return lacks_impacts(contacts, info.fastest, bounce_threshold(state.settings[0]))
 
 
 @entry_point

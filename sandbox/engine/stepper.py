@@ -50,7 +50,7 @@ class Stepper:
         self._threads = WorkerThreads(self.workers - 1) if self.workers > 1 else None
         self._turn = self._lost = 0
         self._room = Room.of(state)
-        self._layouts = PartLayouts(self.workers)
+        self._layouts = PartLayouts(self.workers, float(state.settings[0].units_per_meter))
         self.calls = calls or StepCalls(self.workers)
         self.renew()
 

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from sandbox._jit import kernel
 from sandbox.engine.bodies.free_flight import Flight, fly
 from sandbox.engine.bodies.integrate import integrate_velocities, prepare_forces
-from sandbox.engine.bodies.integrate_positions import integrate_positions
+from sandbox.engine.bodies.integrate_positions import Scale, integrate_positions
 from sandbox.engine.bodies.quarantine import guard_velocities
 from sandbox.engine.contact_solver.mouse_joint import solve_mouse_joints
 from sandbox.engine.contact_solver.put_down import put_down
@@ -117,6 +117,7 @@ def run_substeps(
     struck_count = todo.blocks.struck
     batches = blocks.batches
     listed = batches.first_impact[todo.batch + 1] - batches.first_impact[todo.batch]
+    unit = setting.units_per_meter
     substeps = setting.substeps << level
     seconds = setting.step_seconds / substeps
     closing = 1.0 / seconds if setting.speculative == 1 else AT_ONCE
@@ -135,7 +136,8 @@ def run_substeps(
         used = blocks.blocks[count - 1].first + blocks.blocks[count - 1].count if count > 0 else 0
         in_contact: Any = blocks.slots[:used]
         move_by_end_velocity(joints, bodies, solver.forces, in_contact, solver.struck)
-    flight = Flight(substeps, seconds, gravity, todo.impacts)
+    scale = Scale(gravity, unit)
+    flight = Flight(substeps, seconds, scale, todo.impacts)
     now = state.counters[0].step_count
     struck: Any = batches.struck[batches.first_body[todo.batch] :]
     frozen = fly(bodies, rows, todo.held_count, solver, active.info, now, flight, workers)
@@ -146,7 +148,7 @@ def run_substeps(
         if listed > 0:
             call_strikes(contacts, workers, todo.batch, seconds)
         if struck_count > 0 and substep == 0:
-            stop_struck(bodies, solver, struck, blocks, struck_count, workers, rigid)
+            stop_struck(bodies, solver, struck, blocks, struck_count, workers, rigid, unit)
         if rest:
             solve_mouse_joints(state, solver, level, seconds)
         frozen += guard_velocities(bodies, rows, solver, active.info, now, workers)
@@ -172,18 +174,18 @@ def run_substeps(
             if not accumulate:
                 forget_impulses(blocks, 0, unsettled)
         sums = warm and substep > 0
-        soft = SoftContact(closing, spring.bias, spring.softness, -setting.push_out_speed, 0.0, 0.0, sums, False)
+        soft = SoftContact(closing, spring.bias, spring.softness, -setting.push_out_speed * unit, 0.0, 0.0, sums, False)
         solve_contacts(motions, blocks, 0, count, workers, soft)
         if joints is not None and rest:
             apply_corrections(joints.direct, motions, seconds)
-        integrate_positions(rows, solver, gravity, seconds, todo.impacts, workers)
+        integrate_positions(rows, solver, scale, seconds, todo.impacts, workers)
         apart = warm and (todo.impacts or (joints is not None and rest))
         if apart:
             turn_parts(touched, solver, workers)
         if listed > 0:
             call_strikes(contacts, workers, todo.batch, -seconds)
         if struck_count > 0:  # the relax pass would stop what now touches, a contact at a time
-            stop_late(bodies, solver, struck, blocks, struck_count, workers, rigid)
+            stop_late(bodies, solver, struck, blocks, struck_count, workers, rigid, unit)
         if joints is not None and rest:
             relax_joints(joints, motions, free_motions, seconds, substep + 1 == substeps, workers)
         if apart:

@@ -17,6 +17,7 @@ from sandbox.lint.rules import (
     never_fails,
     no_expect,
     overlap,
+    pixels,
     runaway_speed,
     static_wheel,
     stuck_joint,
@@ -26,7 +27,7 @@ from sandbox.scene.near_names import did_you_mean
 
 _MODULES = (
     overlap, falls_away, runaway_speed, far_anchor, stuck_joint, static_wheel, idle_motor, left_off, mass_ratio,
-    blind_sensor, idle_rule, no_expect, never_fails, unused,
+    blind_sensor, idle_rule, pixels, no_expect, never_fails, unused,
 )  # fmt: skip
 RULES: Mapping[str, Rule] = {module.RULE.name: module.RULE for module in _MODULES}
 """In the order in which they are listed."""

@@ -43,9 +43,12 @@ class Box2dRun:
         self._b2 = require_pyb2d3()
         self.label = f"Box2D (pyb2d3 {importlib.metadata.version('pyb2d3')})"
         settings = scene.settings
-        self._world = self._b2.World(gravity=scene.gravity, restitution_threshold=settings.restitution_threshold)
+        self._unit = settings.units_per_meter
+        self._b2.set_length_units_per_meter(self._unit)  # of the process
+        threshold = settings.restitution_threshold * self._unit
+        self._world = self._b2.World(gravity=scene.gravity, restitution_threshold=threshold)
         self._world.sleeping_enabled = settings.sleeping
-        self._world.set_contact_tuning(_HERTZ, _DAMPING_RATIO, settings.push_out_speed)
+        self._world.set_contact_tuning(_HERTZ, _DAMPING_RATIO, settings.push_out_speed * self._unit)
         self._seconds, self._substeps = 1.0 / settings.step_rate, settings.substeps
         self._types = {
             "static": self._b2.BodyType.STATIC, "kinematic": self._b2.BodyType.KINEMATIC,
@@ -98,7 +101,8 @@ class Box2dRun:
             type=self._types[flat.type], position=flat.position, rotation=self._b2.Rot(flat.angle),
             linear_velocity=flat.velocity, angular_velocity=flat.angular_velocity, gravity_scale=flat.gravity_scale,
             linear_damping=flat.linear_damping, angular_damping=flat.angular_damping, is_bullet=flat.bullet,
-            fixed_rotation=flat.fixed_rotation, enable_sleep=flat.sleep_speed > 0.0, sleep_threshold=flat.sleep_speed,
+            fixed_rotation=flat.fixed_rotation, enable_sleep=flat.sleep_speed > 0.0,
+            sleep_threshold=flat.sleep_speed * self._unit,
         )  # fmt: skip
         body = self._world.create_body(definition)
         add_shapes(self._b2, body, flat.shapes)

@@ -120,6 +120,7 @@ class FlatSettings:
     contact_damping_ratio: float = 1.5
     push_out_speed: float = 3.0
     restitution_threshold: float = 0.2
+    units_per_meter: float = 1.0
     sleeping: bool = True
     warm_starting: bool = True
     accumulate: bool = True

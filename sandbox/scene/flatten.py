@@ -25,6 +25,7 @@ from sandbox.scene.prefab import Prefab
 from sandbox.scene.scene_fields import SceneFields
 from sandbox.scene.shapes import PolygonShape
 from sandbox.scene.solidity import faults
+from sandbox.scene.units import guessed_units
 
 _FARTHEST = 1e9
 _SAME = [
@@ -48,6 +49,7 @@ class Flattener:
         if self._too_many_shapes():
             return FlatScene(())
         settings = {field.name: getattr(self.scene.settings, field.name) for field in fields(FlatSettings)}
+        settings["units_per_meter"] = settings["units_per_meter"] or guessed_units(self.scene.gravity)
         bodies = (*self._written(), *self._generated())
         joints = (*self._written_joints(), *self._chained())
         regions = tuple(region.flat() for region in self.scene.regions)

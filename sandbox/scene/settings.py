@@ -23,6 +23,11 @@ class Settings(Model):
     contact_damping_ratio: Ratio = Field(default=1.5, description="Damping of contacts; 1 is critical.")
     push_out_speed: Speed = Field(default=3.0, description="Fastest recovery of an overlap, m/s.")
     restitution_threshold: Speed = Field(default=0.2, description="Slower impacts do not bounce, m/s.")
+    units_per_meter: Size | None = Field(
+        default=None,
+        description="Units of length to a metre, as 100 where they are pixels; default: 1, or, where gravity is beyond "
+        "any planet's, as many as make it 9.81 m/s^2. Speeds of these settings and sleep_speed stay in m/s.",
+    )
     sleeping: bool = Field(default=True, description="false: resting bodies never fall asleep.")
     warm_starting: bool = Field(
         default=True, description="false: a substep does not begin with the last one's impulses."

@@ -67,6 +67,7 @@ def _settings(scene: FlatScene) -> Records:
     row.contact_damping_ratio = settings.contact_damping_ratio
     row.push_out_speed = settings.push_out_speed
     row.restitution_threshold = settings.restitution_threshold
+    row.units_per_meter = settings.units_per_meter
     row.sleeping = int(settings.sleeping)
     row.warm_starting, row.accumulate = int(settings.warm_starting), int(settings.accumulate)
     row.soft, row.relax, row.speculative = int(settings.soft), int(settings.relax), int(settings.speculative)

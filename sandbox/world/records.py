@@ -227,6 +227,7 @@ SETTINGS = Table(
         Field("contact_damping_ratio", "1", "damping of contacts", values=Values(0.0, 1e4)),
         Field("push_out_speed", "m/s", "fastest overlap recovery", values=Values(0.0, 1e7)),
         Field("restitution_threshold", "m/s", "slower impacts do not bounce", values=Values(0.0, 1e7)),
+        Field("units_per_meter", "1", "units of length to a metre", hashed=False, values=Values(1e-6, 1e6)),
         whole("sleeping", "1 lets resting islands fall asleep", FLAG),
         whole("warm_starting", "1 begins a substep with the impulses of the last one", FLAG, hashed=False),
         whole("accumulate", "1 clamps the sum of a point's impulses, 0 each of them", FLAG, hashed=False),

@@ -16,6 +16,7 @@ import pytest
 import sandbox
 from sandbox._jit import entry_point, kernel_argument
 from sandbox.bench.stages import TimedCalls
+from sandbox.engine.broad_phase.fat_boxes import SLACK
 from sandbox.engine.broad_phase.pair_cache import select_pairs, update_pair_cache
 from sandbox.engine.broad_phase.proxies import bound_some_shapes
 from sandbox.engine.records.state import StateTables
@@ -59,7 +60,7 @@ def broad_phase(state, active, colliders, joint_filter, grid, valid):
     bound_some_shapes(state, active.shapes, True, colliders, grid)
     grid.cache.info[0].valid = valid
     seconds = state.settings[0].step_seconds
-    update_pair_cache(colliders, active.shapes, shapes, seconds, grid)
+    update_pair_cache(colliders, active.shapes, shapes, seconds, SLACK, grid)
     return select_pairs(colliders, seconds, joint_filter, grid)
 
 

@@ -15,6 +15,7 @@ from sandbox.engine.active import active_set, islands
 from sandbox.engine.bodies import integrate
 from sandbox.engine.bodies import integrate_positions as positions
 from sandbox.engine.broad_phase import grid, pair_cache, pairs, proxies
+from sandbox.engine.broad_phase.fat_boxes import SLACK
 from sandbox.engine.contact_solver import fill_blocks as filling
 from sandbox.engine.contact_solver import (
     graph_coloring,
@@ -185,7 +186,7 @@ class Paused:
         bound_shapes(self.tables, m.active.shapes, True, m.colliders, m.grid, m.workers)
         g = m.grid
         g.cache.info.valid = 0
-        assert update_pair_cache(m.colliders, m.active.shapes, len(s.shapes), self.seconds, g) == 0
+        assert update_pair_cache(m.colliders, m.active.shapes, len(s.shapes), self.seconds, SLACK, g) == 0
         count = select_pairs(m.colliders, self.seconds, m.joint_filter, g)
         assert count <= len(g.pairs)
         mark_may_stop(m.colliders, m.active, m.solver.ccd)
@@ -271,8 +272,8 @@ class Paused:
 
     def move(self) -> None:
         """Integrate positions over a substep."""
-        gravity = float(np.hypot(self.setting.gravity_x, self.setting.gravity_y))
-        integrate_positions(self.active_bodies, self.scratch.solver, gravity, self.substep, False, self.scratch.workers)
+        scale = positions.Scale(float(np.hypot(self.setting.gravity_x, self.setting.gravity_y)), 1.0)
+        integrate_positions(self.active_bodies, self.scratch.solver, scale, self.substep, False, self.scratch.workers)
 
     def store(self) -> None:
         """Impulses back into the contacts."""

@@ -34,6 +34,12 @@ def falling(body: Words, **fields: Any) -> Words:
     return scene(bodies=[GROUND, {**BALL, **body}], expect=[{"at": 9, "touches": ["ball", "ground"]}], **fields)
 
 
+def in_pixels(shapes: Any = ({"box": [40, 30]},), **fields: Any) -> Words:
+    bodies = [{"id": f"b{k}", "position": [50 * k, 15], "shapes": list(shapes)} for k in range(4)]
+    floor = {**GROUND, "shapes": [{"box": [1000, 1]}]}
+    return scene(bodies=[floor, *bodies], expect=[{"always": True, "inside": [-500, -1, 500, 500]}]) | fields
+
+
 SENSOR = {"id": "eye", "type": "static", "position": [0, 3], "shapes": [{"circle": 1, "sensor": True}]}
 
 
@@ -94,6 +100,11 @@ CASES: dict[str, list[Case]] = {
             scene(bodies=[GROUND, CRATE, {**RACK, "position": [1.03, 2]}]),
             '"crate" and "rack" start 0.05 m deep',
         ),
+    ],
+    "pixels": [
+        Case(in_pixels(), in_pixels(settings={"units_per_meter": 50}), "smaller than 40 m: are lengths pixels?"),
+        Case(in_pixels(), in_pixels(gravity=[0, -900]), "pixels"),
+        Case(in_pixels(), in_pixels(shapes=[{"circle": 5}]), "pixels"),
     ],
     "falls-away": [
         Case(falling({"position": [30, 3]}), falling({"position": [20.3, 3]}), '"ball" falls for ever'),

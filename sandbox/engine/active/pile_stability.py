@@ -66,7 +66,7 @@ PILE = Table(
 
 
 @kernel
-def masses_differ(bodies: Records, info: Records, gravity: float, omega: float) -> bool:
+def masses_differ(bodies: Records, info: Records, gravity: float, omega: float, unit: float) -> bool:
     """Whether some dynamic body would be too heavy for some other one at level 0. All are weighed if need be."""
     if info.weighed == 0:
         info.heaviest = 0.0
@@ -75,7 +75,7 @@ def masses_differ(bodies: Records, info: Records, gravity: float, omega: float) 
             if body.type == DYNAMIC:
                 weigh(info, body)
         info.weighed = 1
-    bears = bearable(info.slight, gravity, omega)
+    bears = bearable(info.slight, gravity, omega, unit)
     return bool(info.heaviest > info.lightest * bears)
 
 
@@ -88,9 +88,11 @@ def weigh(info: Records, body: Records) -> None:
 
 
 @kernel
-def bearable(slight: float, gravity: float, omega: float) -> float:
-    """Largest ratio of a body's mass to that of one of that extent below it, at level 0."""
-    slop = SLOP if MOST_SLOP * slight > SLOP else MOST_SLOP * slight
+def bearable(slight: float, gravity: float, omega: float, unit: float) -> float:
+    """Largest ratio of a body's mass to that of one of that extent below it, at level 0, where a metre is so many units
+    of length."""
+    slop = SLOP * unit
+    slop = slop if MOST_SLOP * slight > slop else MOST_SLOP * slight
     deep = SINK * slight if SINK * slight > slop else slop
     if deep * omega * omega < RATIO * gravity:
         return deep * omega * omega / gravity
@@ -152,13 +154,13 @@ def _widen(pile: Records, across: float) -> None:
 
 
 @kernel
-def some_pile_may_fall(rows: Integers, islands: Integers, piles: Records, omega: float, gravity: float) -> bool:
+def some_pile_may_fall(rows: Integers, islands: Integers, piles: Records, load: Load) -> bool:
     """Whether some pile of two or more would need a higher level, or be overloaded, if it were as bad as its bodies
     allow. What hangs may weigh on what does not."""
     for i in rows:
         if islands[i] == i and piles[i].bodies > 1:
             piles[i].ratio = piles[i].heaviest / piles[i].bearer
-            if level_for(piles[i], omega, gravity) > 0 or (piles[i].hangs == 1 and piles[i].weight > 0.0):
+            if level_for(piles[i], load) > 0 or (piles[i].hangs == 1 and piles[i].weight > 0.0):
                 return True
     return False
 
@@ -251,7 +253,7 @@ def is_frame(pile: Records) -> bool:
 
 
 @kernel
-def level_for(pile: Records, omega: float, gravity: float) -> int:
+def level_for(pile: Records, load: Load) -> int:
     """How many times the substeps have to be doubled for this pile.
 
     By one time less than in the last step at least: springs that bear a heavy load of now would throw up what is left
@@ -261,16 +263,16 @@ def level_for(pile: Records, omega: float, gravity: float) -> int:
     width = pile.right - pile.left
     width = width if width > 0.5 * pile.slight else 0.5 * pile.slight
     foot = pile.bottom
-    load = pile.second_moment - 2.0 * foot * pile.moment + foot * foot * pile.weight
-    load = load * share_supported(pile) if is_frame(pile) else 0.0
+    buckles = pile.second_moment - 2.0 * foot * pile.moment + foot * foot * pile.weight
+    buckles = buckles * share_supported(pile) if is_frame(pile) else 0.0
     heaviest = pile.ratio if pile.support > 0.0 else 0.0  # what falls freely presses on nothing
-    bears = SAFE * STIFFNESS * pile.bearer * omega * omega * width * width * width
-    ratio = bearable(pile.slight, gravity, omega)
+    bears = SAFE * STIFFNESS * pile.bearer * load.omega * load.omega * width * width * width
+    ratio = bearable(pile.slight, load.gravity, load.omega, load.unit)
     level = pile.level - 1 if pile.level > 1 else 0
     for _ in range(level):
         bears = 4.0 * bears
         ratio = 4.0 * ratio
-    while level < MAX_LEVEL and (load > _limit(bears, level, pile) or heaviest > _limit(ratio, level, pile)):
+    while level < MAX_LEVEL and (buckles > _limit(bears, level, pile) or heaviest > _limit(ratio, level, pile)):
         bears = 4.0 * bears
         ratio = 4.0 * ratio
         level += 1

@@ -18,13 +18,14 @@ ALL = 1e300
 
 class Load(NamedTuple):
     """What bears down on piles: the direction of gravity, its size (m/s^2), the contacts' angular frequency (rad/s),
-    and the length of a substep (s), 0 in a world's first step."""
+    the length of a substep (s), 0 in a world's first step, and how many units of length a metre is."""
 
     down_x: float
     down_y: float
     gravity: float
     omega: float
     seconds: float
+    unit: float
 
 
 @kernel

@@ -30,27 +30,29 @@ lasts. The factor is Box2D's."""
 
 
 @kernel
-def count_slow_time(bodies: Records, rows: Integers, solver: SolverBodies, seconds: float) -> int:
-    """Count how long bodies have been slow; returns how many long enough to sleep."""
+def count_slow_time(bodies: Records, rows: Integers, solver: SolverBodies, seconds: float, unit: float) -> int:
+    """Count how long bodies have been slow; returns how many long enough to sleep. A metre is so many units of
+    length."""
     rested = 0
     for i in rows:
         body = bodies[i]
         if not is_active(body):
             continue
         moved = solver.motions[i]
+        slow = body.sleep_speed * unit
         speed = _speed(body.velocity_x, body.velocity_y, body.angular_velocity * body.extent)
-        if speed >= body.sleep_speed:  # most that move: how fast they were moved need not be known
+        if speed >= slow:  # most that move: how fast they were moved need not be known
             body.sleep_time = 0.0
             continue
         pace = _speed(moved.delta_x, moved.delta_y, moved.delta_angle * body.extent) * CORRECTED / seconds
         speed = pace if pace > speed else speed
-        if speed >= body.sleep_speed or (solver.flags[i] & SUPPORTED == 0 and speed > 0.0):
+        if speed >= slow or (solver.flags[i] & SUPPORTED == 0 and speed > 0.0):
             body.sleep_time = 0.0
             continue
         if body.sleep_time == 0.0:
             body.slow_speed = speed
         body.sleep_time += seconds
-        nudged = body.sleep_time >= SLEEP_SECONDS and speed > STILL_SPEED and speed > body.slow_speed
+        nudged = body.sleep_time >= SLEEP_SECONDS and speed > STILL_SPEED * unit and speed > body.slow_speed
         if nudged or solver.flags[i] & KEPT_AWAKE != 0:
             body.sleep_time = 0.0
         rested += 1 if body.sleep_time >= SLEEP_SECONDS else 0

@@ -83,10 +83,10 @@ def _assign_to_piles(
     if gravity > 0.0:
         find_islands(state.bodies, rows, solver.islands, contacts, joints)
         seconds = setting.step_seconds / setting.substeps if counter.substep_levels > 0 else 0.0
-        load = Load(gravity_x / gravity, gravity_y / gravity, gravity, omega, seconds)
+        load = Load(gravity_x / gravity, gravity_y / gravity, gravity, omega, seconds, setting.units_per_meter)
         used = _look(state, rows, solver, piles, contacts, joints, load, counter.substep_levels)
     counter.substep_levels = used
-    differ = used > 1 or masses_differ(state.bodies, active.info[0], gravity, omega)
+    differ = used > 1 or masses_differ(state.bodies, active.info[0], gravity, omega, setting.units_per_meter)
     counter.substep_watch = ALWAYS if differ else SELDOM
     return used
 
@@ -108,7 +108,7 @@ def _look(
     """
     bodies = state.bodies
     measure_bodies(bodies, rows, solver.islands, piles, joints, load)
-    if had_levels <= 1 and not some_pile_may_fall(rows, solver.islands, piles, load.omega, load.gravity):
+    if had_levels <= 1 and not some_pile_may_fall(rows, solver.islands, piles, load):
         return 1
     measure_support(bodies, rows, solver.islands, piles, joints, state.drags, load)
     measure_contacts(bodies, rows, solver.islands, piles, contacts, joints, load)
@@ -116,7 +116,7 @@ def _look(
     for i in rows:
         pile = piles[solver.islands[i]]
         if is_active(bodies[i]) and is_stacked(pile):
-            solver.free_motions[i].substep_level = level_for(pile, load.omega, load.gravity)
+            solver.free_motions[i].substep_level = level_for(pile, load)
             used |= 1 << solver.free_motions[i].substep_level
     return used
 

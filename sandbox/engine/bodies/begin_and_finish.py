@@ -90,13 +90,14 @@ def finish_some_bodies(
     counter = state.counters[0]
     words = workers.words
     seconds = state.settings[0].step_seconds
+    unit = state.settings[0].units_per_meter
     for first in range(0, rows.shape[0], AT_A_TIME):
         some = rows[first : first + AT_A_TIME]
         put_back(bodies, some, solver, 0.5 * seconds)
         frozen = guard_positions(bodies, some, motions, active.info, counter.step_count)
-        fast = mark_fast(bodies, some, motions, solver.ccd, seconds)
+        fast = mark_fast(bodies, some, motions, solver.ccd, seconds, unit)
         finish_motions(bodies, some, motions)
-        rested = count_slow_time(bodies, some, solver, seconds)
+        rested = count_slow_time(bodies, some, solver, seconds, unit)
         awake, driven = note_awake(bodies, some)
         for word, count in ((FROZEN, frozen), (AWAKE, awake), (DRIVEN, driven), (RESTED, rested), (FAST, fast)):
             if count > 0:

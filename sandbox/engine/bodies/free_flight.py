@@ -10,23 +10,23 @@ from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.bodies.integrate import SOLVED, integrate_velocity
-from sandbox.engine.bodies.integrate_positions import Velocity, mean_velocity
+from sandbox.engine.bodies.integrate_positions import Scale, Velocity, mean_velocity
 from sandbox.engine.bodies.quarantine import freeze_in_step, is_slow, slowed
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
-from sandbox.engine.workers.task_kinds import FLY, GRAVITY, IMPACTS, SECONDS, SUBSTEPS
+from sandbox.engine.workers.task_kinds import FLY, GRAVITY, IMPACTS, SECONDS, SUBSTEPS, UNITS
 from sandbox.geometry.trig import cos_sin
 from sandbox.tables import Floats, Integers, Records
 
 
 class Flight(NamedTuple):
-    """So many substeps, each of so many seconds; the strength of gravity (m/s^2); whether substeps end with late
-    impacts, before which everybody notes the velocity they have."""
+    """So many substeps, each of so many seconds; what is gentle; whether substeps end with late impacts, before which
+    everybody notes the velocity they have."""
 
     substeps: int
     seconds: float
-    gravity: float
+    scale: Scale
     late_impacts: bool
 
 
@@ -59,14 +59,15 @@ def tell_flight(numbers: Floats, flight: Flight) -> None:
     """Tell who moves bodies how they are to be moved."""
     numbers[SUBSTEPS] = flight.substeps
     numbers[SECONDS] = flight.seconds
-    numbers[GRAVITY] = flight.gravity
+    numbers[GRAVITY] = flight.scale.gravity
+    numbers[UNITS] = flight.scale.units_per_meter
     numbers[IMPACTS] = 1.0 if flight.late_impacts else 0.0
 
 
 @kernel
 def told_flight(n: Floats) -> Flight:
     """How bodies are to be moved."""
-    return Flight(int(n[SUBSTEPS]), n[SECONDS], n[GRAVITY], n[IMPACTS] > 0.0)
+    return Flight(int(n[SUBSTEPS]), n[SECONDS], Scale(n[GRAVITY], n[UNITS]), n[IMPACTS] > 0.0)
 
 
 @kernel
@@ -143,17 +144,17 @@ def _slow_down(force: Records, motion: Records, free_motion: Records, flight: Fl
         integrate_velocity(force, free_motion, motion)
         if not slowed(motion):
             return False
-        _move(force, free_motion, motion, flight.gravity, flight.seconds)
+        _move(force, free_motion, motion, flight.scale, flight.seconds)
     return True
 
 
 @inlined_kernel
-def _move(force: Records, free_motion: Records, motion: Records, gravity: float, seconds: float) -> None:
+def _move(force: Records, free_motion: Records, motion: Records, scale: Scale, seconds: float) -> None:
     """As `integrate_positions` does, but for the cosine and sine of what the body has turned by."""
     start = Velocity(free_motion.start_x, free_motion.start_y, free_motion.start_w)
     free = Velocity(free_motion.free_x, free_motion.free_y, free_motion.free_w)
     end = Velocity(motion.velocity_x, motion.velocity_y, motion.angular_velocity)
-    mean = mean_velocity(start, free, end, force.extent, 4.0 * seconds * gravity)
+    mean = mean_velocity(start, free, end, force.extent, seconds, scale)
     motion.delta_x += seconds * mean.x
     motion.delta_y += seconds * mean.y
     motion.delta_angle += seconds * mean.w

@@ -11,7 +11,7 @@ from sandbox.engine.records.bodies import BODY_FORCES, FREE_MOTION, POSE, VELOCI
 from sandbox.engine.records.gather_fields import Rows, gather_fields, scatter_fields
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
-from sandbox.engine.workers.task_kinds import GRAVITY, IMPACTS, INTEGRATE_POSITIONS, SECONDS
+from sandbox.engine.workers.task_kinds import GRAVITY, IMPACTS, INTEGRATE_POSITIONS, SECONDS, UNITS
 from sandbox.geometry.trig import cos_sin_lanes
 from sandbox.tables import Integers
 
@@ -33,29 +33,37 @@ class Velocity(NamedTuple):
     w: Number
 
 
+class Scale(NamedTuple):
+    """What is gentle: no more than the strength of gravity (m/s^2) does; and how many units of length a metre is."""
+
+    gravity: float
+    units_per_meter: float
+
+
 @kernel
 def integrate_positions(
-    active_bodies: Integers, solver: SolverBodies, gravity: float, seconds: float, late_impacts: bool, workers: Workers
+    active_bodies: Integers, solver: SolverBodies, scale: Scale, seconds: float, late_impacts: bool, workers: Workers
 ) -> None:
     """Move by the velocity the solver left, with all workers, as `integrate_some_positions` does."""
     workers.numbers[SECONDS] = seconds
-    workers.numbers[GRAVITY] = gravity
+    workers.numbers[GRAVITY] = scale.gravity
+    workers.numbers[UNITS] = scale.units_per_meter
     workers.numbers[IMPACTS] = 1.0 if late_impacts else 0.0
     first, end = first_part(workers, INTEGRATE_POSITIONS, 0, active_bodies.shape[0])
     while first < end:
-        integrate_some_positions(active_bodies[first:end], solver, gravity, seconds, late_impacts)
+        integrate_some_positions(active_bodies[first:end], solver, scale, seconds, late_impacts)
         first, end = next_part(workers, first, end)
 
 
 @kernel
 def integrate_some_positions(
-    rows: Integers, solver: SolverBodies, gravity: float, seconds: float, late_impacts: bool
+    rows: Integers, solver: SolverBodies, scale: Scale, seconds: float, late_impacts: bool
 ) -> None:
     """Move bodies by the velocity the solver left; one that nothing touched moves by the mean of both ends.
 
     The mean is exact under constant acceleration, so free flight follows the parabola to rounding. A body in
     contact keeps the direction of its end velocity, which is what the solver made safe, but where it is only slowed
-    or sped up, by no more than forces do (`gravity` in m/s^2 is the measure), it moves by the mean velocity along it.
+    or sped up, by no more than forces do (`scale.gravity` is the measure), it moves by the mean velocity along it.
     What joints hold moves by the end velocity (`forces.by_end`).
     Before `late_impacts`, what the solver moves notes the velocity it has.
     """
@@ -68,18 +76,18 @@ def integrate_some_positions(
             rows[k + 2 if k + 2 < last else last],
             rows[k + 3 if k + 3 < last else last],
         )
-        _integrate_four(four, solver, gravity, seconds, late_impacts)
+        _integrate_four(four, solver, scale, seconds, late_impacts)
 
 
 @inlined_kernel
-def _integrate_four(rows: Rows, solver: SolverBodies, gravity: float, seconds: float, late_impacts: bool) -> None:
+def _integrate_four(rows: Rows, solver: SolverBodies, scale: Scale, seconds: float, late_impacts: bool) -> None:
     vx, vy, w, x = gather_fields(solver.motions, rows, VELOCITY)
     y, cosine, sine, angle = gather_fields(solver.motions, rows, POSE)
     start_x, start_y, start_w, free_x = gather_fields(solver.free_motions, rows, _START)
     free_y, free_w, level, buoyed = gather_fields(solver.free_motions, rows, _FREE_Y)
     _, extent, moves, by_end = gather_fields(solver.forces, rows, _ANGULAR_DECAY)
     start = Velocity(start_x, start_y, start_w)
-    mean = mean_velocity(start, Velocity(free_x, free_y, free_w), Velocity(vx, vy, w), extent, 4.0 * seconds * gravity)
+    mean = mean_velocity(start, Velocity(free_x, free_y, free_w), Velocity(vx, vy, w), extent, seconds, scale)
     solved = moves == SOLVED
     by_mean = solved & (by_end == 0.0)
     moving = moves > 0.0
@@ -101,11 +109,16 @@ def _integrate_four(rows: Rows, solver: SolverBodies, gravity: float, seconds: f
 
 
 @inlined_kernel
-def mean_velocity(start: Velocity, free: Velocity, end: Velocity, extent: Number, gentle: float) -> Velocity:
-    """The velocity by which bodies move that have `end` in the end, and would have `free` if nothing touched them;
-    `gentle` (m/s) is the change up to which they are only slowed or sped up."""
+def mean_velocity(
+    start: Velocity, free: Velocity, end: Velocity, extent: Number, seconds: float, scale: Scale
+) -> Velocity:
+    """The velocity by which bodies move in a substep that have `end` in the end, and would have `free` if nothing
+    touched them."""
+    gentle = 4.0 * seconds * scale.gravity  # change (m/s) up to which they are only slowed or sped up
     turns = absolute(end.w - free.w)
-    untouched = absolute(end.x - free.x) + absolute(end.y - free.y) + extent * turns <= UNTOUCHED
+    untouched = (
+        absolute(end.x - free.x) + absolute(end.y - free.y) + extent * turns <= UNTOUCHED * scale.units_per_meter
+    )
     share = _mean_share(start.x - end.x, start.y - end.y, end.x, end.y, gentle)
     change = start.w - end.w
     gently = (absolute(change) * extent <= gentle) & (absolute(change) <= 0.5 * absolute(end.w))

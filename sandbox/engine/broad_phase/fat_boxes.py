@@ -62,9 +62,9 @@ def _do_without(cache: Records) -> None:
 
 
 @inlined_kernel
-def fatten(colliders: Colliders, i: int, ahead: float, fat: Records) -> None:
+def fatten(colliders: Colliders, i: int, ahead: float, most: float, fat: Records) -> None:
     """Write the fat box of a shape: what moves gets room where its velocity leads to within a time `ahead` (s), and a
-    little on all sides; none if that is 0."""
+    little on all sides, at most `most` (m); none if that is 0."""
     box = colliders.boxes[i]
     proxy = colliders.proxies[i]
     grow = x = y = 0.0
@@ -72,7 +72,7 @@ def fatten(colliders: Colliders, i: int, ahead: float, fat: Records) -> None:
         extent = proxy.extent
         slack = SLACK_SHARE * extent
         swing = ahead * proxy.swing
-        grow = (slack if slack < SLACK else SLACK) + (swing if swing < 2.0 * extent else 2.0 * extent)
+        grow = (slack if slack < most else most) + (swing if swing < 2.0 * extent else 2.0 * extent)
         x = ahead * proxy.velocity_x
         y = ahead * proxy.velocity_y
     fat.lower_x = box.lower_x + (x if x < 0.0 else 0.0) - grow

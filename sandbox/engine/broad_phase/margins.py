@@ -24,17 +24,19 @@ _LEAST_DEEP = 1e-9
 
 
 @kernel
-def shape_margin(extent: float) -> float:
-    """Half of the speculative margin of a pair of bodies at low speed, in metres, given the body's extent."""
+def shape_margin(extent: float, unit: float) -> float:
+    """Half of the speculative margin of a pair of slow bodies, given the body's extent, where a metre is so many units
+    of length."""
     share = MARGIN_SHARE * extent
-    return 0.5 * (share if share < MARGIN else MARGIN)
+    most = MARGIN * unit
+    return 0.5 * (share if share < most else most)
 
 
 @inlined_kernel
-def pair_margin(a: Records, b: Records) -> float:
-    """Speculative margin of a pair of slow bodies, in metres."""
-    margin_a = shape_margin(a.extent)
-    margin_b = shape_margin(b.extent)
+def pair_margin(a: Records, b: Records, unit: float) -> float:
+    """Speculative margin of a pair of slow bodies, where a metre is so many units of length."""
+    margin_a = shape_margin(a.extent, unit)
+    margin_b = shape_margin(b.extent, unit)
     return 2.0 * (margin_a if margin_a < margin_b else margin_b)
 
 
@@ -50,8 +52,10 @@ def meet_hard(a: Records, b: Records, seconds: float) -> bool:
 
 
 @kernel
-def allowed_depth(a: Records, b: Records) -> float:
-    """How deep two shapes may get into each other unforeseen, in metres."""
+def allowed_depth(a: Records, b: Records, unit: float) -> float:
+    """How deep two shapes may get into each other unforeseen, where a metre is so many units of length."""
     share = DEEP_SHARE * (a.thin + b.thin)
-    share = share if share < DEEP else DEEP
-    return float(share if share > _LEAST_DEEP else _LEAST_DEEP)
+    most = DEEP * unit
+    least = _LEAST_DEEP * unit
+    share = share if share < most else most
+    return float(share if share > least else least)

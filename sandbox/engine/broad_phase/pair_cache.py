@@ -34,8 +34,11 @@ _OTHERS = 32
 
 
 @kernel
-def update_pair_cache(colliders: Colliders, bounded: Integers, shapes: int, seconds: float, grid: Grid) -> int:
+def update_pair_cache(
+    colliders: Colliders, bounded: Integers, shapes: int, seconds: float, slack: float, grid: Grid
+) -> int:
     """Bring the pairs of `grid.cache` up to date for so many shapes, of which some have been `bounded` in this step.
+    Fat boxes leave room on all sides, `slack` (m) at most.
 
     Returns 0, or for how many pairs there has to be room.
     """
@@ -48,9 +51,9 @@ def update_pair_cache(colliders: Colliders, bounded: Integers, shapes: int, seco
         if count == 0 and same:
             return 0
         few = _MANY * count <= shapes and _MOVED * info.moved <= shapes and info.others <= _OTHERS
-        if few and _enlarge(colliders, count, shapes, seconds, grid):
+        if few and _enlarge(colliders, count, shapes, seconds, slack, grid):
             return 0
-    return _rebuild(colliders, shapes, seconds, grid)
+    return _rebuild(colliders, shapes, seconds, slack, grid)
 
 
 @kernel
@@ -74,7 +77,7 @@ def _list_outgrown(bounded: Integers, shapes: int, grid: Grid) -> int:
 
 
 @kernel
-def _rebuild(colliders: Colliders, shapes: int, seconds: float, grid: Grid) -> int:
+def _rebuild(colliders: Colliders, shapes: int, seconds: float, slack: float, grid: Grid) -> int:
     """Build the grid and find all pairs; returns 0, or for how many there has to be room.
 
     Where there is no room for the pairs of fat boxes, they look less far ahead; at last, boxes get no fat.
@@ -89,7 +92,7 @@ def _rebuild(colliders: Colliders, shapes: int, seconds: float, grid: Grid) -> i
     found = 0
     while True:
         for i in range(shapes):
-            fatten(colliders, i, seconds * cache.ahead, boxes[i])
+            fatten(colliders, i, seconds * cache.ahead, slack, boxes[i])
         found = find_pairs(boxes, colliders.filters, ordered, grid.heads, grid.levels, grid.info, grid.cache.pairs)
         if found <= room:
             break
@@ -122,14 +125,14 @@ def _bound_all(boxes: Records, info: Records) -> None:
 
 
 @kernel
-def _enlarge(colliders: Colliders, enlarged: int, shapes: int, seconds: float, grid: Grid) -> bool:
+def _enlarge(colliders: Colliders, enlarged: int, shapes: int, seconds: float, slack: float, grid: Grid) -> bool:
     """Give the first shapes of `grid.enlarged` new fat boxes and find their pairs anew; False if there is no room for
     them."""
     cache = grid.cache.info[0]
     rows = grid.enlarged[:enlarged]
     for i in rows:
         remove_box(i, grid)
-        fatten(colliders, i, seconds * cache.ahead, grid.fat_boxes[i])
+        fatten(colliders, i, seconds * cache.ahead, slack, grid.fat_boxes[i])
         insert_box(i, grid)
     fresh: Any = grid.pairs  # they are written in this step after all others
     count = 0

@@ -85,12 +85,13 @@ def bound_some_shapes(state: StateTables, rows: Integers, anew: bool, colliders:
     """The same for some of them."""
     cores = colliders.cores
     seconds = state.settings[0].step_seconds
+    unit = state.settings[0].units_per_meter
     for i in rows:
         proxy = colliders.proxies[i]
         other = False
         if anew:
             body_index = state.shapes[i].body
-            other = _describe_shape(state.bodies[body_index], state.shapes[i], colliders.filters[i], proxy)
+            other = _describe_shape(state.bodies[body_index], state.shapes[i], colliders.filters[i], proxy, unit)
         body = state.bodies[proxy.body]
         _turn_core(body, proxy, state.vertices, cores)
         lower_x, lower_y, upper_x, upper_y = core_bounds(cores, core_of(proxy))
@@ -120,7 +121,7 @@ def _lies_within(box: Records, fat: Records) -> bool:
 
 
 @inlined_kernel
-def _describe_shape(body: Records, shape: Records, filter: Records, proxy: Records) -> bool:
+def _describe_shape(body: Records, shape: Records, filter: Records, proxy: Records, unit: float) -> bool:
     """What the grid and the narrow phase ask of a shape and its body that stays from step to step; whether the grid
     has asked with something else."""
     moves = _how_it_moves(body)
@@ -138,7 +139,7 @@ def _describe_shape(body: Records, shape: Records, filter: Records, proxy: Recor
     fixed = FIXED if body.type == STATIC else 0
     proxy.body = shape.body
     proxy.traits = shape.traits | moves | fixed | (BULLET if body.bullet == 1 else 0)
-    proxy.margin = shape_margin(body.extent)
+    proxy.margin = shape_margin(body.extent, unit)
     proxy.extent = body.extent
     proxy.vertex_start = shape.vertex_start
     proxy.vertex_count = shape.vertex_count

@@ -75,3 +75,9 @@ def closing_beyond_gap(solver: SolverBodies, slot: Records, block: Records, v: F
         closing = -(x * v[cb.NORMAL_X] + y * v[cb.NORMAL_Y]) - (gap * rate if gap > 0.0 else 0.0)
         fastest = closing if closing > fastest else fastest
     return fastest
+
+
+@inlined_kernel
+def bounce_threshold(setting: Records) -> float:
+    """Speed (m/s, where a metre is as many units of length as the settings say) below which impacts do not bounce."""
+    return float(setting.restitution_threshold * setting.units_per_meter)

@@ -49,11 +49,12 @@ class Effort(NamedTuple):
     """When to stop: after so many passes, after so many passes times contacts, or after a pass that has changed no
     contact's speed along the normal, nor by what resists a roll, by more than `agreed` (m/s). A heavy body may hardly
     notice a pass that presses a light one between it and the ground; what the two of them close in by, both contacts of
-    the light one notice."""
+    the light one notice. Of few contacts, only a change by no more than `rounding` (m/s) ends it."""
 
     most_passes: int
     most_work: int
     agreed: float
+    rounding: float
 
 
 @kernel
@@ -102,7 +103,7 @@ def solve_until_agreed(
             solve_contacts(motions, blocks, 0, block_count, workers, rigid)
         else:
             solve_again(motions, blocks, 0, block_count, workers, rigid)
-        enough = effort.agreed if turn * contacts >= LEAST_WORK else ROUNDING
+        enough = effort.agreed if turn * contacts >= LEAST_WORK else effort.rounding
         # The last is a pass, so that no contact pulls.
         if turn == passes - 1 or not _changes(blocks, block_count, enough):
             return

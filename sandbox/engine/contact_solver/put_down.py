@@ -13,7 +13,7 @@ from sandbox.engine.bodies.integrate import SOLVED
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.closing_speed import opening_speed
 from sandbox.engine.contact_solver.law import start_velocity
-from sandbox.engine.contact_solver.nesterov import Effort, list_bodies, solve_until_agreed
+from sandbox.engine.contact_solver.nesterov import ROUNDING, Effort, list_bodies, solve_until_agreed
 from sandbox.engine.contact_solver.rest_length import sink
 from sandbox.engine.contact_solver.soft_constraint import Spring
 from sandbox.engine.records.bodies import SolverBodies
@@ -50,7 +50,7 @@ def put_down(
     no faster than `gravity` (m/s^2) makes it in a substep.
     """
     listed: Any = moved[: list_bodies(solver, moved, blocks, block_count)]
-    effort = Effort(MOST_PASSES, MOST_WORK, AGREED)
+    effort = Effort(MOST_PASSES, MOST_WORK, AGREED * spring.units_per_meter, ROUNDING * spring.units_per_meter)
     solve_until_agreed(bodies, solver.motions, listed, blocks, block_count, workers, rigid, effort)
     struck = _unite_struck(solver, listed, contacts, blocks, block_count, gravity, spring.seconds)
     for n in range(block_count):

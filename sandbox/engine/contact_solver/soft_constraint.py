@@ -36,7 +36,7 @@ class Spring(NamedTuple):
 
     The bias rate (1/s) and softness are those of `contact_coefficients`; a substep takes so many seconds and is a
     `share` of one of level 0. An effective mass of 1 kg sinks by `yields` (m) under a load of 1 N s in each substep of
-    level 0, a fourth at each finer level; by 0 where impulses are not kept.
+    level 0, a fourth at each finer level; by 0 where impulses are not kept. A metre is so many units of length.
     """
 
     level: int
@@ -45,6 +45,7 @@ class Spring(NamedTuple):
     seconds: float
     share: float
     yields: float
+    units_per_meter: float
 
 
 @kernel
@@ -57,7 +58,7 @@ def contact_spring(setting: Records, level: int) -> Spring:
     share = 1.0 / (1 << level)
     keeps = setting.accumulate == 1 and setting.warm_starting == 1 and bias > 0.0
     yields = share * softness / ((1.0 - softness) * bias) if keeps else 0.0
-    return Spring(level, bias, softness, 1.0 / rate, share, yields)
+    return Spring(level, bias, softness, 1.0 / rate, share, yields, setting.units_per_meter)
 
 
 @kernel

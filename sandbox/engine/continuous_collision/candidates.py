@@ -12,7 +12,9 @@ FAST_SHARE = 0.5
 
 
 @kernel
-def mark_fast(bodies: Records, active_bodies: Integers, motions: Records, ccd_bodies: Records, seconds: float) -> int:
+def mark_fast(
+    bodies: Records, active_bodies: Integers, motions: Records, ccd_bodies: Records, seconds: float, unit: float
+) -> int:
     """Mark the active bodies that may have passed through something in this step; return how many.
 
     `bodies` are still those of its beginning. Those that set out to go or swing far, or to turn past their margin, are
@@ -29,7 +31,7 @@ def mark_fast(bodies: Records, active_bodies: Integers, motions: Records, ccd_bo
         turn = seconds * abs(body.angular_velocity)
         ahead = seconds * (abs(body.velocity_x) + abs(body.velocity_y)) + turn * lever
         went = abs(motion.delta_x) + abs(motion.delta_y) + abs(motion.delta_angle) * lever
-        far = ahead > most or went > most or 0.5 * turn * (turn * lever) > shape_margin(body.extent)
+        far = ahead > most or went > most or 0.5 * turn * (turn * lever) > shape_margin(body.extent, unit)
         fast = (far or ccd_body.deep == 1 or body.bullet == 1) and is_active(body)
         ccd_body.fast = 1 if fast else 0
         count += 1 if fast else 0

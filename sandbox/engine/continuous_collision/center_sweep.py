@@ -55,7 +55,7 @@ def sweep_center(tables: SweepTables, line: Records, shape: Records, second: boo
     if place < -_BEYOND * square or place > (1.0 + _BEYOND) * square:
         return -1.0
     length = math.sqrt(square)
-    keep = _KEEP * allowed_depth(line, shape) * length
+    keep = _KEEP * allowed_depth(line, shape, tables.units_per_meter) * length
     ahead = before if before > 0.0 else -before
     way = ahead + (after if after > 0.0 else -after)
     t = (ahead - keep) / way if ahead > keep else 0.0

@@ -13,7 +13,8 @@ from sandbox.tables import Records
 
 
 class SweepTables(NamedTuple):
-    """What sweeps are made of: bodies at the end of the step, `cores` at its beginning, `motions` lie between."""
+    """What sweeps are made of: bodies at the end of the step, `cores` at its beginning, `motions` lie between. A metre
+    is so many units of length."""
 
     bodies: Records
     shapes: Records
@@ -21,6 +22,7 @@ class SweepTables(NamedTuple):
     cores: Records
     ccd_bodies: Records
     ccd: Ccd
+    units_per_meter: float
 
 
 class Interval(NamedTuple):
@@ -60,7 +62,7 @@ def sweep_time_of_impact(tables: SweepTables, i: int, j: int) -> float:
     a = tables.shapes[i]
     b = tables.shapes[j]
     sweep = tables.ccd.sweep
-    sweep[0].deep = allowed_depth(a, b)
+    sweep[0].deep = allowed_depth(a, b, tables.units_per_meter)
     sweep[0].thin = a.thin + b.thin
     t = time_of_impact(tables.cores, core_of(a), core_of(b), sweep, tables.ccd.posed, tables.ccd.manifold)
     return float(t)

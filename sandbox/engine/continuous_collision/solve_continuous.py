@@ -15,6 +15,7 @@ from typing import Any
 from sandbox._jit import entry_point, kernel
 from sandbox.engine.active.active_set import AWAKE
 from sandbox.engine.broad_phase.proxies import BULLET, FIXED
+from sandbox.engine.contact_solver.closing_speed import bounce_threshold
 from sandbox.engine.continuous_collision.bullets import carry_bullet, stop_bullets
 from sandbox.engine.continuous_collision.contact_impulse import apply_contact_impulse
 from sandbox.engine.continuous_collision.hit import forget_hits
@@ -46,14 +47,15 @@ def solve_continuous(
 
     The bodies are at the end of the step, cores and boxes of its beginning, the motions lie between.
     """
-    tables = SweepTables(state.bodies, state.shapes, solver.motions, colliders.cores, solver.ccd, ccd)
+    unit = state.settings[0].units_per_meter
+    tables = SweepTables(state.bodies, state.shapes, solver.motions, colliders.cores, solver.ccd, ccd, unit)
     swept = grid.cache.spare
     count = _list_swept(solver.ccd, colliders.proxies, grid.pairs, state.counters[0].pair_count, swept)
     forget_hits(ccd)
     for k in range(count):
         carry_bullet(tables, swept[k])
     bullets = False
-    threshold = state.settings[0].restitution_threshold
+    threshold = bounce_threshold(state.settings[0])
     for round in range(SLIDES + 1):
         for k in range(count):
             bullets |= stop_at_static(tables, swept[k], round)
@@ -78,7 +80,7 @@ def _roll_back_all(state: StateTables, active: ActiveSet, motions: Records, ccd:
             if impact.bounces == 1:
                 roll_back_energy(body, motions[i], share, state.settings[0])
             if impact.touched == 1:
-                apply_contact_impulse(body, impact, state.settings[0].restitution_threshold)
+                apply_contact_impulse(body, impact, bounce_threshold(state.settings[0]))
 
 
 @kernel

@@ -58,7 +58,7 @@ def _time_of_stop(tables: SweepTables, i: int, j: int, second: bool) -> float:
     b = tables.shapes[j]
     one_way = (a.traits | b.traits) & ONE_WAY > 0
     # What is caught may sink on.
-    slop = 2.0 * allowed_depth(a, b)
+    slop = 2.0 * allowed_depth(a, b, tables.units_per_meter)
     way_x = sweep.translation_x
     way_y = sweep.translation_y
     held = True

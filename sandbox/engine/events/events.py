@@ -17,7 +17,7 @@ from sandbox.world.state import State
 
 _NO_CONTACTS, _NO_SENSORS, _NO_BODIES = CONTACT_EVENT.zeros(0), SENSOR_EVENT.zeros(0), np.zeros(0, np.int64)
 HIT_SPEED = 1.0
-"""Slower contacts are no hits, in m/s."""
+"""Slower contacts are no hits, in m/s, where a unit of length is a metre."""
 
 
 @dataclass(frozen=True)
@@ -115,7 +115,7 @@ def find_events(
     touched, touches = (np.flatnonzero(contacts["touching"] == 1) for contacts in (old, now))
     old_keys, keys = _keys(old, touched), _keys(now, touches)
     did: Any = plain(reports)[: len(now)]
-    struck = np.flatnonzero(did["hit_speed"] >= HIT_SPEED)
+    struck = np.flatnonzero(did["hit_speed"] >= HIT_SPEED * state.settings[0].units_per_meter)
     began, went = differences(keys, old_keys)
     fresh, ended = touches[began], touched[went]
     stirred = np.flatnonzero(bodies["stirred"])

@@ -43,7 +43,7 @@ def solve_softly(
     bias_rate, mass_scale, impulse_scale = soft_coefficients(STIFFNESS / seconds, DAMPING_RATIO, seconds)
     push = bias_rate if pushing else 0.0
     give = impulse_scale / mass_scale if pushing else 0.0
-    most = CORRECTION_SPEED / push if pushing else 0.0
+    most = CORRECTION_SPEED * work.direct.units[0] / push if pushing else 0.0
     if part.swept == 1:
         place_members(work, part, motions)
         _prepare_rows(work, motions, part, seconds, push, give)
@@ -116,7 +116,7 @@ def _solve_row(work: JointWork, motions: Records, row: Records, seconds: float, 
     speed = row_speed(work.members, motions, row)
     if row.steady == 0:
         joint = work.joints[work.constraints[row.constraint].joint]
-        target_softly(work.members, row, joint, speed, seconds, push, give)
+        target_softly(work.members, row, joint, speed, seconds, push, give, work.direct.units[0])
     after = row.impulse - (speed + row.bias + row.softness * row.impulse) / (row.stiffness + row.softness)
     after = after if after < row.high else row.high
     after = after if after > row.low else row.low

@@ -31,7 +31,7 @@ def fill_rows(work: JointWork, constraint: Records, joint: Records, seconds: flo
         row.error = row_error(row, constraint)
         row.steady = 1 if is_steady(row, joint) else 0
         if row.steady == 1:
-            target_softly(work.members, row, joint, 0.0, seconds, push, give)
+            target_softly(work.members, row, joint, 0.0, seconds, push, give, work.direct.units[0])
 
 
 @kernel

@@ -155,7 +155,8 @@ def find_stop(
 
 @inlined_kernel
 def limited(error: Number, seconds: float) -> Number:
-    """What is left of an error after one substep: nothing, unless it is large."""
+    """What is left of an error after one substep: nothing, unless it is large. `seconds` count as many times as a metre
+    has units."""
     most = CORRECTION_SPEED * seconds
     return select(error > most, error - most, select(error < -most, error + most, 0.0))
 

@@ -87,9 +87,12 @@ def scatter_block(motions: Records, of: BlockBodies, v: PairVelocity, count: int
 
 
 @inlined_kernel
-def row_change(row: Row, spring: Spring, soft: SoftJoint) -> Vector:
-    """The change of its impulse that a row strives for. Springs have had their say once nothing is pushed any more."""
-    share = share_within(row.error, soft.most)
+def row_change(row: Row, spring: Spring, soft: SoftJoint, most: float) -> Vector:
+    """The change of its impulse that a row strives for, which takes back an error of at most `most` (m or rad).
+
+    Springs have had their say once nothing is pushed any more.
+    """
+    share = share_within(row.error, most)
     bias = soft.push * share * row.error
     give = soft.give * share * row.stiffness
     acts = row.stiffness > 0.0

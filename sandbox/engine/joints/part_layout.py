@@ -54,10 +54,12 @@ class PartLayouts:
     """The layouts of the parts of a world, by what they depend on; and that of each part, in their order.
 
     Those that are factorised are numbered in the order in which parts first have them; `tables` are theirs, if they
-    have been asked for since the last change, with working places for so many `workers`.
+    have been asked for since the last change, with working places for so many `workers`. A metre is so many units of
+    length.
     """
 
     workers: int = 1
+    units_per_meter: float = 1.0
     known: dict[bytes, PartLayout] = field(default_factory=dict)
     parts: list[bytes] = field(default_factory=list)
     numbers: dict[bytes, int] = field(default_factory=dict)
@@ -86,7 +88,7 @@ class PartLayouts:
         none."""
         if self.tables is None:
             direct = [each.direct for each in self.known.values() if each.direct is not None]
-            self.tables = direct_tables(direct, self.workers)
+            self.tables = direct_tables(direct, self.workers, self.units_per_meter)
         return self.tables, np.array([self.numbers.get(key, -1) for key in self.parts[first:]], np.int64)
 
     def _know(self, layouts: dict[bytes, PartLayout]) -> None:

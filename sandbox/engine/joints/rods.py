@@ -62,7 +62,7 @@ def swept_rods(v: Floats, of: BlockBodies, soft: SoftJoint) -> PairVelocity:
     row = Row(length - load(v, nl.LENGTH), stiffness, speed, impulse)
     mobility = spring_mobility(masses.mass_a + masses.mass_b, stiffness, hertz, soft.seconds)
     spring = Spring(hertz >= 0.0, hertz, load(v, nl.DAMPING_RATIO), mobility)
-    change = row_change(row, spring, soft)
+    change = row_change(row, spring, soft, soft.most)
     store(v, nl.IMPULSE, impulse + change)
     return apply_impulse(u, masses, _pushed_at(gap), change * x, change * y)
 

@@ -19,13 +19,22 @@ def is_steady(row: Records, joint: Records) -> bool:
 
 @kernel
 def target_softly(
-    members: Records, row: Records, joint: Records, speed: float, seconds: float, push: float, give: float
+    members: Records,
+    row: Records,
+    joint: Records,
+    speed: float,
+    seconds: float,
+    push: float,
+    give: float,
+    units_per_meter: float,
 ) -> None:
     """The law of a row of a part whose joints are soft; errors are those of now.
 
     `push` (1/s) turns an error into the speed that takes it back, `give` is the softness of rigid rows as a share of
     their stiffness. Without push nothing but velocities counts, and springs have had their say.
     """
+    turns = row.slot == 2 or (row.slot >= 3 and joint.kind == REVOLUTE)
+    unit = 1.0 if turns else units_per_meter
     row.softness = 0.0
     row.low = -INFINITE
     row.high = INFINITE
@@ -34,8 +43,8 @@ def target_softly(
         slowest = -INFINITE
         fastest = INFINITE
         if joint.limit == 1:
-            slowest = _speed_to_limit(joint.lower - row.error, seconds, push)
-            fastest = -_speed_to_limit(row.error - joint.upper, seconds, push)
+            slowest = _speed_to_limit(joint.lower - row.error, seconds, push, unit)
+            fastest = -_speed_to_limit(row.error - joint.upper, seconds, push, unit)
         _drive(row, joint, speed, slowest, fastest, seconds)
     elif sprung and push == 0.0:
         row.low = row.high = row.impulse
@@ -45,7 +54,7 @@ def target_softly(
         hertz = joint.hertz if row.slot == 3 else row_hertz(row, joint)
         ratio = joint.angular_damping_ratio if row.slot == 2 else joint.damping_ratio
         mobility = row.stiffness
-        if row.slot != 2 and not (row.slot == 3 and joint.kind == REVOLUTE):
+        if not turns:
             straight = members[row.member_1].inverse_mass + members[row.member_2].inverse_mass
             mobility = spring_mobility(straight, row.easiest, hertz, seconds)
         row.bias, row.softness = spring_law(rest, hertz, ratio, mobility, seconds)
@@ -54,7 +63,7 @@ def target_softly(
         row.bias = -joint.motor_speed if joint.kind == WHEEL else 0.0
         _bound(row, seconds * strength(row, joint))
     else:
-        within = limited_push(row.error, push)
+        within = limited_push(row.error, push, unit)
         row.bias = push * within
         # Where the push is cut the row grows stiffer, so that it gives way no further than the same spring would.
         row.softness = give * row.stiffness * (within / row.error if push > 0.0 and within != row.error else 1.0)
@@ -62,15 +71,15 @@ def target_softly(
 
 
 @kernel
-def _speed_to_limit(beyond: float, seconds: float, push: float) -> float:
+def _speed_to_limit(beyond: float, seconds: float, push: float, unit: float) -> float:
     """Least speed away from a limit that has been passed by so much: less than zero while it is not."""
-    return beyond / seconds if beyond < 0.0 else push * limited_push(beyond, push)
+    return beyond / seconds if beyond < 0.0 else push * limited_push(beyond, push, unit)
 
 
 @kernel
-def limited_push(error: float, push: float) -> float:
-    """An error, as far as it may be pushed back with `CORRECTION_SPEED`."""
-    most = CORRECTION_SPEED / push if push > 0.0 else 0.0
+def limited_push(error: float, push: float, unit: float) -> float:
+    """An error, as far as it may be pushed back with `CORRECTION_SPEED`, of which a metre has so many units."""
+    most = CORRECTION_SPEED * unit / push if push > 0.0 else 0.0
     return most if error > most else (-most if error < -most else error)
 
 

@@ -17,7 +17,7 @@ from sandbox.engine.joints.hinges import (
     rigid_law,
     warm_point,
 )
-from sandbox.engine.joints.laws import is_close, spring_law, spring_mobility
+from sandbox.engine.joints.laws import CORRECTION_SPEED, is_close, spring_law, spring_mobility
 from sandbox.engine.joints.net_blocks import BlockBodies, Gap, Row, SoftJoint, Spring, block_masses, gap_of, row_change
 from sandbox.tables import Floats, Records
 
@@ -92,8 +92,9 @@ def swept_welds(v: Floats, of: BlockBodies, soft: SoftJoint) -> PairVelocity:
     hertz = load(v, nl.ANGULAR_HERTZ)
     impulse = load(v, nl.IMPULSE_W)
     mobility = masses.inertia_a + masses.inertia_b
+    most = CORRECTION_SPEED / soft.push if soft.push > 0.0 else 0.0
     row = Row(load(v, nl.TURN) + of.turn, mobility, u.bw - u.aw, impulse)
-    change = row_change(row, Spring(hertz > 0.0, hertz, load(v, nl.ANGULAR_DAMPING_RATIO), mobility), soft)
+    change = row_change(row, Spring(hertz > 0.0, hertz, load(v, nl.ANGULAR_DAMPING_RATIO), mobility), soft, most)
     store(v, nl.IMPULSE_W, impulse + change)
     return _turned_by(u, masses, change)
 

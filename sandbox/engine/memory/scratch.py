@@ -80,7 +80,8 @@ class Scratch:
         step the state.
         """
         room = room if room is not None and room.holds(Room.of(state)) else Room.of(state)
-        joint_filter, joints = assemble(state.joints, state.bodies, layouts or PartLayouts(), room.bodies)
+        layouts = layouts or PartLayouts(units_per_meter=float(state.settings[0].units_per_meter))
+        joint_filter, joints = assemble(state.joints, state.bodies, layouts, room.bodies)
         return cls(
             room=room,
             active=active_memory(room),

@@ -71,6 +71,9 @@ def decide_pairs(
     seconds = setting.step_seconds if setting.speculative == 1 else 0.0
     gravity = math.sqrt(setting.gravity_x * setting.gravity_x + setting.gravity_y * setting.gravity_y)
     fall = 0.5 * gravity * seconds * seconds
+    unit = setting.units_per_meter
+    touching = TOUCHING * unit
+    bias = FACE_BIAS * unit
     k = 0
     for n in range(first, end):
         i = pairs[n].shape_a
@@ -83,7 +86,7 @@ def decide_pairs(
         made.bits = 0
         a = proxies[i]
         b = proxies[j]
-        if (a.traits | b.traits) & SLANTING and _lie_apart(colliders, i, j, fall + TOUCHING, seconds):
+        if (a.traits | b.traits) & SLANTING and _lie_apart(colliders, i, j, fall + touching, seconds):
             continue
         margin = 2.0 * (a.margin if a.margin < b.margin else b.margin)
         t = 0.0
@@ -92,12 +95,12 @@ def decide_pairs(
         distance = closing_distance(a, b, vx, vy, seconds)
         if distance > margin:
             t, vx, vy, margin = speculative_impact(bodies, shapes, proxies, cores, i, j, margin, fall, seconds)
-        if t < 0.0 or not _collide(proxies, cores, i, j, vx * t, vy * t, margin, manifold):
+        if t < 0.0 or not _collide(proxies, cores, i, j, vx * t, vy * t, margin, bias, manifold):
             continue
         known = k < old_count and old[k].shape_a == i and old[k].shape_b == j
         held = (a.traits ^ b.traits) & FIXED
         if (a.traits | b.traits) & (SEAMED | ONE_WAY):
-            tables = EdgeTables(bodies, shapes, cores, state.seams)
+            tables = EdgeTables(bodies, shapes, cores, state.seams, unit)
             overlap = -manifold[0].separation if t == 0.0 else 0.0
             # It needs two rows, and the next manifold may be another worker's.
             scratch: Any = decisions.scratch[2 * worker :]
@@ -105,16 +108,17 @@ def decide_pairs(
             t = _examine(tables, proxies, i, j, known, Approach(vx, vy, t, seconds, margin), scratch)
             manifold[0] = scratch[0]
             if t < 0.0:  # another part may push it out, or none
-                made.bits = DEEP if held and _is_deep(shapes, i, j, overlap) else 0
+                made.bits = DEEP if held and _is_deep(shapes, i, j, overlap, unit) else 0
                 continue
         m = manifold[0]
-        bits = NEW if not known and t == 0.0 and m.separation <= TOUCHING else 0
-        bits |= OVERLAPS if _overlaps_deeply(bodies, a.body, b.body, m.separation) else 0
-        bits |= DEEP if held and _is_deep(shapes, i, j, -m.separation) else 0
+        bits = NEW if not known and t == 0.0 and m.separation <= touching else 0
+        bits |= OVERLAPS if _overlaps_deeply(bodies, a.body, b.body, m.separation, _SHALLOW * unit) else 0
+        bits |= DEEP if held and _is_deep(shapes, i, j, -m.separation, unit) else 0
         bounces = a.restitution > 0.0 or b.restitution > 0.0
         resistance = a.rolling_resistance if a.rolling_resistance > b.rolling_resistance else b.rolling_resistance
         several = stops_by_several(m.point_count, resistance)
-        meets = several and distance > SLOW * seconds and _closes_in(bodies, a, b, m, vx * t, vy * t)
+        slow = SLOW * unit
+        meets = several and distance > slow * seconds and _closes_in(bodies, a, b, m, vx * t, vy * t, slow)
         made.bits = bits | (MAY_IMPACT if bounces or meets else 0)
         made.row = 0
         made.old = k if known else -1
@@ -125,15 +129,17 @@ def decide_pairs(
 
 
 @inlined_kernel
-def _closes_in(bodies: Records, a: Records, b: Records, m: Records, shift_x: float, shift_y: float) -> bool:
-    """Whether a point closes in faster than `SLOW` now; the manifold is of when b has moved by the shift (m)
+def _closes_in(
+    bodies: Records, a: Records, b: Records, m: Records, shift_x: float, shift_y: float, slow: float
+) -> bool:
+    """Whether a point closes in faster than `slow` (m/s) now; the manifold is of when b has moved by the shift (m)
     against a."""
     dx = b.center_x - a.center_x + shift_x
     dy = b.center_y - a.center_y + shift_y
     v = pair_velocity(bodies[a.body], bodies[b.body])
     for x, y, count in ((m.x1, m.y1, 1), (m.x2, m.y2, 2)):
         vx, vy = relative_velocity(v, Anchors(x, y, x - dx, y - dy))
-        if count <= m.point_count and vx * m.normal_x + vy * m.normal_y < -SLOW:
+        if count <= m.point_count and vx * m.normal_x + vy * m.normal_y < -slow:
             return True
     return False
 
@@ -177,7 +183,15 @@ def _first_from(old: Records, first: int, end: int, shape_a: int, shape_b: int) 
 
 @inlined_kernel
 def _collide(
-    proxies: Records, cores: Records, i: int, j: int, shift_x: float, shift_y: float, margin: float, manifold: Records
+    proxies: Records,
+    cores: Records,
+    i: int,
+    j: int,
+    shift_x: float,
+    shift_y: float,
+    margin: float,
+    face_bias: float,
+    manifold: Records,
 ) -> bool:
     """Manifold of a pair of shapes, with b moved against a by (shift_x, shift_y) metres."""
     a = proxies[i]
@@ -190,7 +204,7 @@ def _collide(
             b.center_x - a.center_x + shift_x,
             b.center_y - a.center_y + shift_y,
             margin,
-            FACE_BIAS,
+            face_bias,
             manifold,
         )
         > 0
@@ -198,17 +212,17 @@ def _collide(
 
 
 @inlined_kernel
-def _overlaps_deeply(bodies: Records, a: int, b: int, separation: float) -> bool:
-    if separation > _SHALLOW:
+def _overlaps_deeply(bodies: Records, a: int, b: int, separation: float, shallow: float) -> bool:
+    if separation > shallow:
         return False
     smaller = bodies[a].extent if bodies[a].extent < bodies[b].extent else bodies[b].extent
     return bool(separation < -DEEPLY * smaller)
 
 
 @inlined_kernel
-def _is_deep(shapes: Records, i: int, j: int, overlap: float) -> bool:
-    """Whether a pair overlaps by more than a little (m)."""
-    return bool(overlap > 0.0 and overlap > allowed_depth(shapes[i], shapes[j]))
+def _is_deep(shapes: Records, i: int, j: int, overlap: float, unit: float) -> bool:
+    """Whether a pair overlaps by more than a little."""
+    return bool(overlap > 0.0 and overlap > allowed_depth(shapes[i], shapes[j], unit))
 
 
 @kernel
@@ -228,22 +242,23 @@ def _examine(
     seconds = approach.seconds
     t = approach.t
     now = t == 0.0
-    travels = seconds * (abs(vx) + abs(vy)) > TOUCHING
+    bias = FACE_BIAS * tables.units_per_meter
+    travels = seconds * (abs(vx) + abs(vy)) > TOUCHING * tables.units_per_meter
     while traits & SEAMED and not fix_internal_edge(
-        tables, PlacedPair(i, j, x + vx * t, y + vy * t), vx * seconds, vy * seconds, approach.margin, FACE_BIAS, now,
+        tables, PlacedPair(i, j, x + vx * t, y + vy * t), vx * seconds, vy * seconds, approach.margin, bias, now,
         manifold,
     ):  # fmt: skip
         if t == seconds or not travels:
             return -1.0
         t = seconds
         now = False
-        if not _collide(proxies, tables.cores, i, j, vx * t, vy * t, approach.margin, manifold):
+        if not _collide(proxies, tables.cores, i, j, vx * t, vy * t, approach.margin, bias, manifold):
             return -1.0
     if traits & ONE_WAY == 0:
         return t
     if not leads_on(tables.bodies, tables.shapes, i, j, manifold[0].normal_x, manifold[0].normal_y):
         return -1.0
-    slop = allowed_depth(tables.shapes[i], tables.shapes[j])
+    slop = allowed_depth(tables.shapes[i], tables.shapes[j], tables.units_per_meter)
     if known or holds(tables.bodies, tables.shapes, tables.cores, i, j, x, y, vx * seconds, vy * seconds, slop):
         return t
     return -1.0

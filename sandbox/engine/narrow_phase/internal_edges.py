@@ -56,7 +56,9 @@ def fix_internal_edge(
     no other part has its far corner. `manifold[1]` is scratch.
     """
     m = manifold[0]
-    near = pair_margin(tables.bodies[tables.shapes[pair.i].body], tables.bodies[tables.shapes[pair.j].body])
+    one = tables.bodies[tables.shapes[pair.i].body]
+    other = tables.bodies[tables.shapes[pair.j].body]
+    near = pair_margin(one, other, tables.units_per_meter)
     graze = _GRAZE * near
     radii = tables.shapes[pair.i].radius + tables.shapes[pair.j].radius
     across = m.separation

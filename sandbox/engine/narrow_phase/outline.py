@@ -21,12 +21,14 @@ BEYOND = 1e-6
 
 
 class EdgeTables(NamedTuple):
-    """What internal edges are decided by; `cores` are the vertices in world axes, from the centres of the bodies."""
+    """What internal edges are decided by; `cores` are the vertices in world axes, from the centres of the bodies. A
+    metre is so many units of length."""
 
     bodies: Records
     shapes: Records
     cores: Records
     seams: Records
+    units_per_meter: float
 
 
 @kernel

@@ -12,7 +12,7 @@ from typing import Any
 from sandbox._jit import kernel
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.closing_speed import SLOW, closing_beyond_gap, gap_of
-from sandbox.engine.contact_solver.nesterov import Effort, count_contacts, list_bodies, solve_until_agreed
+from sandbox.engine.contact_solver.nesterov import ROUNDING, Effort, count_contacts, list_bodies, solve_until_agreed
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contact_blocks import ContactBlocks, SoftContact
 from sandbox.engine.records.workers import Workers
@@ -38,13 +38,14 @@ def stop_struck(
     block_count: int,
     workers: Workers,
     rigid: SoftContact,
+    unit: float,
 ) -> None:
     """Solve the inelastic impacts of a substep, if there are any in the first blocks of contacts; `struck` is scratch.
 
-    It works on the velocities with which the substep began, and changes those after its forces, in `solver.motions`, by
-    as much: what forces do in a substep is what contacts at rest bear.
+    A metre is so many units of length. It works on the velocities with which the substep began, and changes those after
+    its forces, in `solver.motions`, by as much: what forces do in a substep is what contacts at rest bear.
     """
-    if not _is_struck(solver, blocks, block_count, rigid):
+    if not _is_struck(solver, blocks, block_count, rigid, SLOW * unit):
         return
     count = list_bodies(solver, struck, blocks, block_count)
     moved: Any = struck[:count]
@@ -53,7 +54,7 @@ def stop_struck(
     _put_aside(blocks, block_count)
     contacts = count_contacts(blocks, block_count)
     more = SMALL_HEAP // contacts
-    effort = Effort(MOST_PASSES, MOST_WORK * (more if more > 1 else 1), AGREED)
+    effort = Effort(MOST_PASSES, MOST_WORK * (more if more > 1 else 1), AGREED * unit, ROUNDING * unit)
     solve_until_agreed(bodies, solver.motions, moved, blocks, block_count, workers, rigid, effort)
     _bring_back(blocks, block_count)
     for here in moved:
@@ -69,12 +70,13 @@ def stop_late(
     block_count: int,
     workers: Workers,
     rigid: SoftContact,
+    unit: float,
 ) -> None:
     """The same for what has come to touch in the substep that is over.
 
     Small gaps, which come of positions that follow a mean velocity, count as closed for the rest of the step.
     """
-    near = SLOW / rigid.inverse_seconds
+    near = SLOW * unit / rigid.inverse_seconds
     for n in range(block_count):
         block = blocks.blocks[n]
         for k in range(block.count):
@@ -83,7 +85,7 @@ def stop_late(
             for point in (cb.POINT_1, cb.POINT_2):
                 gap = gap_of(solver.motions[slot.body_a], solver.motions[slot.body_b], block, v, point)
                 v[point + cb.SEPARATION] -= gap if 0.0 < gap < near else 0.0
-    stop_struck(bodies, solver, struck, blocks, block_count, workers, rigid)
+    stop_struck(bodies, solver, struck, blocks, block_count, workers, rigid, unit)
 
 
 @kernel
@@ -113,14 +115,14 @@ def _add_impact(solver: SolverBodies, i: int) -> None:
 
 
 @kernel
-def _is_struck(solver: SolverBodies, blocks: ContactBlocks, block_count: int, rigid: SoftContact) -> bool:
+def _is_struck(solver: SolverBodies, blocks: ContactBlocks, block_count: int, rigid: SoftContact, slow: float) -> bool:
     """Whether some contact closes in by more than its gap within the substep; those with restitution have rebounded."""
     for n in range(block_count):
         block = blocks.blocks[n]
         for k in range(block.count):
             v = blocks.lanes[n * BLOCK_SIZE + k : (n + 1) * BLOCK_SIZE]
             slot = blocks.slots[block.first + k]
-            if closing_beyond_gap(solver, slot, block, v, rigid.inverse_seconds) > SLOW:
+            if closing_beyond_gap(solver, slot, block, v, rigid.inverse_seconds) > slow:
                 return True
     return False
 

@@ -10,6 +10,7 @@ from typing import Any
 
 from sandbox._calls import BLOCK, CODE, call_nothing
 from sandbox._jit import entry_point, kernel
+from sandbox.engine.contact_solver.closing_speed import bounce_threshold
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contact_blocks import ContactBlocks
@@ -63,7 +64,7 @@ def strike_batch(
     end = batches.first_impact[batch + 1]
     rows: Any = batches.impacts[first:end]
     slots: Any = batches.impact_slots[first:end]
-    impacts = ImpactList(rows, slots, end - first, state.settings[0].restitution_threshold)
+    impacts = ImpactList(rows, slots, end - first, bounce_threshold(state.settings[0]))
     resolve_impacts(state.bodies, solver, contacts.now, impacts, seconds)
     if joints is not None and batch == 0:
         strike_through_joints(state.bodies, solver, contacts.now, impacts, joints, seconds)

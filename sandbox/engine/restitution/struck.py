@@ -29,19 +29,28 @@ _NEVER = -(1 << 60)
 
 @kernel
 def flag_struck(
-    bodies: Records, contacts: Contacts, ccd_bodies: Records, reached_at: Integers, slots: Records, fastest: float
+    bodies: Records,
+    contacts: Contacts,
+    ccd_bodies: Records,
+    reached_at: Integers,
+    slots: Records,
+    fastest: float,
+    unit: float,
 ) -> float:
     """Give all bodies that impacts reach the bit `STRUCK` of `ccd_bodies.unsettled`; returns the speed (m/s) past which
     contacts that stop by several impulses have one.
 
-    `fastest` is the square of the highest speed (m/s) of a point. `reached_at`, with a row for each body, and `slots`,
-    with one for each contact, are scratch.
+    `fastest` is the square of the highest speed (m/s) of a point; a metre is so many units of length. `reached_at`,
+    with a row for each body, and `slots`, with one for each contact, are scratch.
     """
-    if fastest <= 0.25 * SLOW * SLOW or _follow(bodies, contacts, ccd_bodies, reached_at, slots, SLOW, SLOWEST, FEW):
-        return SLOW
-    if fastest > 0.25 * HARD * HARD:
-        _follow(bodies, contacts, ccd_bodies, reached_at, slots, HARD, HARD, bodies.shape[0])
-    return HARD
+    slow = SLOW * unit
+    hard = HARD * unit
+    slowest = SLOWEST * unit
+    if fastest <= 0.25 * slow * slow or _follow(bodies, contacts, ccd_bodies, reached_at, slots, slow, slowest, FEW):
+        return slow
+    if fastest > 0.25 * hard * hard:
+        _follow(bodies, contacts, ccd_bodies, reached_at, slots, hard, hard, bodies.shape[0])
+    return hard
 
 
 @kernel

@@ -9,7 +9,7 @@ from sandbox._jit import entry_point, kernel
 from sandbox.engine.bodies.begin_and_finish import finish_some_bodies
 from sandbox.engine.bodies.free_flight import fly_some, told_flight
 from sandbox.engine.bodies.integrate import integrate_some_velocities, prepare_some_forces
-from sandbox.engine.bodies.integrate_positions import integrate_some_positions
+from sandbox.engine.bodies.integrate_positions import Scale, integrate_some_positions
 from sandbox.engine.bodies.quarantine import guard_some_velocities
 from sandbox.engine.broad_phase.proxies import bound_some_shapes
 from sandbox.engine.contact_solver.prepare import ImpactCriteria, prepare_blocks
@@ -64,6 +64,7 @@ from sandbox.engine.workers.task_kinds import (
     STRUCK_BLOCKS,
     SWEEP_NETS,
     TURN_PARTS,
+    UNITS,
     WARM_START,
     WARM_START_NETS,
     WRITE_CONTACTS,
@@ -193,7 +194,7 @@ def _do_bodies(
         integrate_some_velocities(blocks.batches.bodies[first:end], solver)
     elif task == INTEGRATE_POSITIONS:
         rows = blocks.batches.bodies[first:end]
-        integrate_some_positions(rows, solver, n[GRAVITY], n[SECONDS], n[IMPACTS] > 0.0)
+        integrate_some_positions(rows, solver, Scale(n[GRAVITY], n[UNITS]), n[SECONDS], n[IMPACTS] > 0.0)
     elif task == ADD_PARTS:
         add_some_parts(blocks.batches.bodies[first:end], solver)
     elif task == TURN_PARTS:

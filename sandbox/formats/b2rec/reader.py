@@ -38,11 +38,9 @@ def read_b2rec(data: bytes, draft: Draft) -> None:
         elif call.changes:
             later[call.name] += 1
     session.finish(first.arguments["dt"] if first else 0.0)
-    if head.length_scale != 1.0:
-        draft.remarks.note("", f"the world has {head.length_scale:g} units to a metre: here a unit is 1 m")
     _count("calls before the first step that are left out", session.unused, draft.remarks)
     _count("calls after the first step that are left out", later, draft.remarks)
-    write_world(_world(session, first, draft.remarks), draft)
+    write_world(_world(session, first, head.length_scale, draft.remarks), draft)
 
 
 def _count(what: str, found: Counter[str], remarks: Remarks) -> None:
@@ -50,8 +48,14 @@ def _count(what: str, found: Counter[str], remarks: Remarks) -> None:
         remarks.note("", f"{what}: {', '.join(f'{count} {name}' for name, count in sorted(found.items()))}")
 
 
-def _world(session: Session, first: Call | None, remarks: Remarks) -> World:
+def _world(session: Session, first: Call | None, units: float, remarks: Remarks) -> World:
     settings = session.settings
+    for values, name in (
+        (settings, "restitutionThreshold"),
+        (settings, "contactSpeed"),
+        *((made.values, "sleepThreshold") for made in session.bodies.values()),
+    ):
+        values[name] /= units  # there in units of length a second, here in m/s
     on: dict[int, list[Any]] = {body: [] for body in session.bodies}
     for shape in (*session.shapes.values(), *session.chains.values()):
         on[shape.body].append(shape)
@@ -71,6 +75,8 @@ def _world(session: Session, first: Call | None, remarks: Remarks) -> World:
         "contact_hertz": ("contactHertz", 30.0), "contact_damping_ratio": ("contactDampingRatio", 10.0),
         "push_out_speed": ("contactSpeed", 3.0),
     }  # fmt: skip
+    if units != 1.0:
+        world.settings["units_per_meter"] = tidy(units)
     changed = {here: settings[there] for here, (there, usual) in tuning.items() if settings[there] != usual}
     world.settings |= {here: tidy(value) for here, value in changed.items()}
     if first is not None and first.arguments["dt"] > 0.0:

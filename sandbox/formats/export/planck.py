@@ -27,12 +27,14 @@ def planck_text(scene: Scene, remarks: Remarks) -> str:
     """The JSON of the world."""
     flat = scene.flatten()
     note_foreign(flat, remarks)
-    note_settings(scene, remarks, set())
+    note_settings(scene, remarks, {"units_per_meter"})
     if scene.settings.restitution_threshold != _SLOW and any(s.restitution for b in flat.bodies for s in b.shapes):
         remarks.note("", f"impacts slower than {_SLOW:g} m/s do not bounce there")
     shapes = [shape for body in scene.bodies for shape in body.shapes]
     if any(getattr(shape, "ghosts", None) for shape in shapes):
         remarks.note("", "ghosts of chains are left out")
+    if flat.settings.units_per_meter != 1.0:
+        remarks.note("", f"set Settings.lengthUnitsPerMeter = {flat.settings.units_per_meter:g} there")
     writer = _Writer(remarks)
     writer.write_bodies(flat.bodies, any(None in (each.body_a, each.body_b) for each in flat.joints))
     writer.write_joints(flat.joints)

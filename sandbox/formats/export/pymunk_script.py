@@ -81,7 +81,7 @@ def pymunk_text(scene: Scene, remarks: Remarks) -> str:
     """The program."""
     flat = scene.flatten()
     note_foreign(flat, remarks)
-    note_settings(scene, remarks, {"step_rate"})
+    note_settings(scene, remarks, {"step_rate", "units_per_meter"})
     _note(flat, remarks)
     settings = scene.settings
     title = printable(scene.title).replace("\\", "/").replace('"', "'") or "A scene"

@@ -34,7 +34,7 @@ class SimpleWorld:
         said = flat.settings
         self.numbers = Numbers(
             1.0 / said.step_rate, complex(*flat.gravity), said.contact_hertz, said.contact_damping_ratio,
-            said.push_out_speed, said.restitution_threshold,
+            said.push_out_speed * said.units_per_meter, said.restitution_threshold * said.units_per_meter,
         )  # fmt: skip
         self.bodies = [_body(row) for row in self.state.bodies]
         self.contacts: dict[tuple[int, int], Contact] = {}

@@ -12,6 +12,7 @@ from sandbox.scene.flat import FlatSettings
 from sandbox.scene.generators import body_count
 from sandbox.scene.scene import Scene
 from sandbox.scene.settings import Settings
+from sandbox.scene.units import guessed_units
 from sandbox.world.export.body_words import written
 from sandbox.world.export.joint_words import lasting, written_joint
 from sandbox.world.export.numbers import pair
@@ -78,9 +79,11 @@ def _settings(present: Present) -> Settings:
     setting, first = present.state.settings[0], present.start.settings[0]
     names = [item.name for item in fields(FlatSettings) if item.name != "step_rate"]
     changed = {name: setting[name].item() for name in names if setting[name] != first[name]}
+    if (present.scene.settings.units_per_meter or guessed_units(_gravity(present))) != setting.units_per_meter:
+        changed["units_per_meter"] = float(setting.units_per_meter)  # which gravity no longer tells
     if not changed:
         return present.scene.settings
-    kinds = {name: type(Settings.model_fields[name].default) for name in changed}
+    kinds = {name: type(getattr(FlatSettings(), name)) for name in changed}
     return Settings(**present.scene.settings.given() | {name: kinds[name](value) for name, value in changed.items()})
 
 

@@ -89,7 +89,7 @@ def _slow_down(d: Batches, batch: Records) -> None:
     for slot in range(moving):
         for field in range(3):
             place = batch.seats + slot * at.SEAT_SIZE + at.CORRECTION_X + field * WIDTH
-            speed = absolute(load(v, place))
+            speed = absolute(load(v, place)) / (1.0 if field == 2 else d.units[0])
             fastest = select(speed > fastest, speed, fastest)
     share = CORRECTION_SPEED / fastest
     for slot in range(moving):

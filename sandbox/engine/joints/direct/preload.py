@@ -12,7 +12,7 @@ from sandbox._vectors import Mask, Vector, absolute, load, select, store
 from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.acting_time import acting_time
 from sandbox.engine.joints.direct.records import Batches
-from sandbox.engine.joints.direct.rows import row_speed
+from sandbox.engine.joints.direct.rows import row_speed, units_of
 from sandbox.engine.joints.direct.targets import is_rigid
 from sandbox.tables import Floats, Records
 
@@ -38,7 +38,8 @@ def is_at_rest(d: Batches, batch: Records) -> Mask:
         for r in range(frame.first_row, frame.row_end):
             row = d.equations[r]
             error = absolute(load(v, batch.rows + row.kept + at.ERROR))
-            rests = (error <= ASSEMBLED) & (absolute(row_speed(v, row)) <= SLOW)
+            unit = units_of(d, frame, row)
+            rests = (error <= ASSEMBLED * unit) & (absolute(row_speed(v, row)) <= SLOW * unit)
             found = found & (rests | ~is_rigid(v, batch, frame, row))
     return found
 

@@ -141,9 +141,10 @@ class Batches(NamedTuple):
     bodies in use end, and where the memory of the first begins; `level` is what `SUBSTEP_LEVEL` and the names after
     it say; `open` the batch that takes the next part of each layout and level, staggered or not; `parts` says which
     part lies in each lane, `bodies` who has each seat, in each lane. `delassus` is the matrix of a group of impacts,
-    three rows a contact. `memory` has a working place for each worker first: poses, frames, rows, factor, sums of
-    products; then the batches. `found` ends with the size of a working place. Places in it count from where it
-    begins; so do those in `own`, the batch that each worker is at.
+    three rows a contact. `units` has how many units of length a metre is, and how many metres one of them.
+    `memory` has a working place for each worker first: poses, frames, rows, factor, sums of products; then the batches.
+    `found` ends with the size of a working place. Places in it count from where it begins; so do those in `own`, the
+    batch that each worker is at.
     """
 
     layouts: Records
@@ -161,4 +162,5 @@ class Batches(NamedTuple):
     parts: Integers
     bodies: Integers
     delassus: Floats
+    units: Floats
     memory: Floats

@@ -64,6 +64,18 @@ def row_error(v: Floats, frame: Records, row: Records) -> Vector:
 
 
 @inlined_kernel
+def counts_radians(frame: Records, row: Records) -> bool:
+    """Whether the error of a row is an angle, or counts as one."""
+    return bool(row.axis == TURN or frame.kind == GEAR)
+
+
+@inlined_kernel
+def units_of(d: Batches, frame: Records, row: Records) -> float:
+    """In how many of its units a row counts a metre; 1 where it counts radians."""
+    return 1.0 if counts_radians(frame, row) else float(d.units[0])
+
+
+@inlined_kernel
 def _loaded(v: Floats, place: int) -> Jacobian:
     return (
         load(v, place),

@@ -16,7 +16,7 @@ from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.acting_time import compliance
 from sandbox.engine.joints.direct.preload import beyond_preload
 from sandbox.engine.joints.direct.records import Batches
-from sandbox.engine.joints.direct.rows import change_impulse, row_error
+from sandbox.engine.joints.direct.rows import change_impulse, counts_radians, row_error, units_of
 from sandbox.engine.joints.direct.targets import is_rigid
 from sandbox.engine.joints.laws import CORRECTION_SPEED, limited, overrun, without_yield
 from sandbox.tables import Floats, Records
@@ -45,13 +45,14 @@ def detect_separation(d: Batches, batch: Records, seconds: float) -> None:
         for r in range(frame.first_row, frame.row_end):
             row = d.equations[r]
             excess = excess_error(v, batch, frame, row, seconds)
-            store(v, row.place + at.MAY_LEAVE, limited(excess, seconds))
+            turns = counts_radians(frame, row)
+            store(v, row.place + at.MAY_LEAVE, limited(excess, seconds if turns else seconds * d.units[0]))
             apart = excess
             if row.slot < 3:
                 error = load(v, batch.rows + row.kept + at.ERROR)
                 apart = without_yield(error, _yielded(v, batch, row, seconds))
             store(v, row.place + at.APART, apart)
-            total = total + absolute(excess)
+            total = total + absolute(excess) * (1.0 if turns else d.units[1])
     place = batch.lanes + at.SEPARATED
     store(v, place, select(total > CORRECTION_SPEED * seconds, 1.0, spread(0.0)))
     if layout.joints <= SHORT:
@@ -119,7 +120,7 @@ def is_nearly_linear(d: Batches, batch: Records, seconds: float) -> bool:
         arm_b = absolute(load(v, place + at.ARM_BX)) + absolute(load(v, place + at.ARM_BY))
         reach = arm_a + arm_b + gap
         longest = select(reach > longest, reach, longest)
-    return not any_lane(~(turned * longest < CORRECTION_SPEED * seconds))
+    return not any_lane(~(turned * longest < CORRECTION_SPEED * seconds * d.units[0]))
 
 
 @kernel
@@ -168,7 +169,8 @@ def misses_targets(d: Batches, batch: Records, seconds: float) -> Mask:
         frame = d.layout_frames[f]
         may = 4.0 * most if frame.kind == MOTOR else most  # a motor may have a long way to go
         for r in range(frame.first_row, frame.row_end):
-            found = found | (_missed(v, batch, frame, d.equations[r], seconds) > may)
+            row = d.equations[r]
+            found = found | (_missed(v, batch, frame, row, seconds) > may * units_of(d, frame, row))
     return found
 
 

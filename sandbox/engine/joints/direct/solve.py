@@ -58,7 +58,7 @@ def solve_some_batches(
     begin = worker * d.found[4]
     here = Batches(
         d.layouts, d.layout_frames, d.equations, d.entries, d.products, d.targets, d.fixed, d.batches, d.own, d.found,
-        d.level, d.open, d.parts, d.bodies, d.delassus, d.memory[begin:],
+        d.level, d.open, d.parts, d.bodies, d.delassus, d.units, d.memory[begin:],
     )  # fmt: skip
     batch = d.own[worker]
     for n in range(first, end):
@@ -109,7 +109,7 @@ def _solve_positions(d: Batches, batch: Records, seconds: float) -> None:
     if any_lane(put_down):
         put_down = put_down & is_at_rest(d, batch)
         store(v, batch.lanes + at.NEW, spread(0.0))
-    before = kinetic_energy(d, batch, SLOW)
+    before = kinetic_energy(d, batch, SLOW * d.units[0])
     _start_warm(d, batch, False)
     settled = solve_rows(d, batch, seconds, MOVE, who)
     for _ in range(PRELOAD_TURNS if any_lane(put_down) else 0):

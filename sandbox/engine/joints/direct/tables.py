@@ -26,7 +26,7 @@ from sandbox.engine.joints.direct.records import (
 from sandbox.tables import Integers, Records, Table, aligned_zeros, joined
 
 
-def direct_tables(layouts: Sequence[DirectLayout], workers: int = 1) -> Batches:
+def direct_tables(layouts: Sequence[DirectLayout], workers: int = 1, units_per_meter: float = 1.0) -> Batches:
     """The tables of layouts, one after another, and no memory yet for parts that have them, but for so many workers.
 
     Places in the working memory count from where it begins.
@@ -52,7 +52,8 @@ def direct_tables(layouts: Sequence[DirectLayout], workers: int = 1) -> Batches:
     return Batches(
         table, frames, equations, entries, products, targets, nothing, BATCH.zeros(0), BATCH.zeros(workers),
         np.array([0, workers * end, 0, workers * end, end]), np.zeros(1, np.int64),
-        nothing, nothing, nothing, np.zeros((3 * MOST_STRUCK) ** 2), np.zeros(0),
+        nothing, nothing, nothing, np.zeros((3 * MOST_STRUCK) ** 2), np.array([units_per_meter, 1.0 / units_per_meter]),
+        np.zeros(0),
     )  # fmt: skip
 
 

@@ -1,0 +1,139 @@
+"""Scenes in other units than metres: what is as many times as large, and says so, moves as it does in metres.
+
+By a power of two every number is as many times as large to the last bit, so that nothing may differ at all.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import pytest
+
+import sandbox
+from tests.benchmarks import other_scenes as others
+
+Words = dict[str, Any]
+
+LENGTHS = {
+    "position", "velocity", "gravity", "box", "circle", "capsule", "polygon", "segment", "chain", "radius", "at",
+    "anchor", "anchors", "length", "rest", "offset", "max_force", "surface_speed",
+}  # fmt: skip
+"""What a length is in, once: places, speeds, accelerations, forces."""
+SQUARES = {"max_torque", "motor_torque", "inertia"}
+
+
+def in_units(words: Any, size: float, name: str = "") -> Any:
+    """A scene in units of which a metre has so many: masses and times are the same."""
+    if isinstance(words, dict):
+        many = {key: in_units(value, size, key) for key, value in words.items()}
+        is_shape = not {"box", "circle", "capsule", "polygon", "segment", "chain"}.isdisjoint(words)
+        return many | ({"density": words.get("density", 1.0) / size**2} if is_shape else {})
+    if isinstance(words, list | tuple):
+        return [in_units(each, size, name) for each in words]
+    if isinstance(words, float | int) and not isinstance(words, bool):
+        return words * (size if name in LENGTHS else size**2 if name in SQUARES else 1)
+    return words
+
+
+def world(parts: others.Parts, size: float, **settings: Any) -> sandbox.World:
+    bodies, joints = in_units(list(parts), size)
+    scene = {"bodies": bodies, "joints": joints, "gravity": [0.0, -10.0 * size]}
+    return sandbox.World(sandbox.Scene(**scene, settings={"units_per_meter": size, **settings}))
+
+
+def poses(w: sandbox.World, size: float) -> list[Any]:
+    b = w.state.bodies
+    lengths = [b.position_x, b.position_y, b.velocity_x, b.velocity_y]
+    return [*(each / size for each in lengths), b.angle, b.angular_velocity, b.awake]
+
+
+def pinned(parts: others.Parts) -> others.Parts:
+    """With a weight on it that nothing can bear at the usual substeps."""
+    bodies, joints = parts
+    return [*bodies, {"id": "weight", "position": [0.0, 40.0], "shapes": [{"box": [4, 1], "density": 60}]}], joints
+
+
+def shots(_: int) -> others.Parts:
+    """Fast discs and boxes in a ring of thin segments, a gate that lets through one way, and a belt."""
+    corners = [[10.0 * math.cos(0.4 * k), 10.0 * math.sin(0.4 * k)] for k in range(16)]
+    belt = {"box": [6, 0.5], "at": [0, -5], "surface_speed": 2.0}
+    gate = {"segment": [[-4, 2], [4, 2]], "one_way": [0, 1]}
+    ring = [{"id": "ring", "type": "static", "shapes": [{"segment": list(pair)} for pair in pairwise(corners)]}]
+    bodies = [*ring, {"id": "level", "type": "static", "shapes": [belt, gate]}]
+    for k in range(24):
+        shape = {"circle": 0.3} if k % 3 else {"box": [0.5, 0.4]}
+        speed = [20.0 * (k + 1) * math.cos(k), 15.0 * (k + 1) * math.sin(k)]
+        place = [3.0 * math.cos(0.3 * k), 3.0 * math.sin(0.3 * k) + 1.0]
+        shape["restitution"] = 0.5 * (k % 2)
+        bodies.append({"id": f"b{k}", "position": place, "velocity": speed, "bullet": k % 4 == 0, "shapes": [shape]})
+    return bodies, []
+
+
+BUILDS: dict[str, Callable[[], others.Parts]] = {
+    "boxes": lambda: others.heap_of_boxes(1),
+    "capsules under a weight": lambda: pinned(others.heap_of_capsules(1)),
+    "rounded polygons": lambda: others.heap_of_rounded_polygons(1),
+    "balls that bounce": lambda: others.bouncing_pit(1),
+    "sizes mixed": lambda: others.sizes_mixed(1),
+    "stars": lambda: others.stars(1),
+    "tiles": lambda: others.tiles(1),
+    "ropes": lambda: others.ropes(1),
+    "cloth": lambda: others.cloth(1),
+    "net of springs": lambda: others.spring_net(1),
+    "net of welds": lambda: others.weld_net(1),
+    "loops": lambda: others.loops(1),
+    "rag dolls": lambda: others.ragdolls(1),
+    "cars": lambda: others.cars(1),
+    "needles": lambda: others.needles(1),
+    "shots": lambda: shots(1),
+}
+
+
+@pytest.mark.parametrize("size", [64.0, 2.0**-10])
+@pytest.mark.parametrize("name", BUILDS)
+def test_what_is_as_many_times_as_large_moves_the_same_to_the_bit(name: str, size: float) -> None:
+    bodies, joints = BUILDS[name]()
+    bodies = bodies[:200] if not joints else bodies
+    one, many = world((bodies, joints), 1.0), world((bodies, joints), size)
+    for step in range(120):
+        one.step()
+        many.step()
+        for here, there in zip(poses(one, 1.0), poses(many, size), strict=True):
+            assert np.array_equal(here, there), step
+
+
+@pytest.mark.parametrize(
+    ("gravity", "units"), [((0.0, 0.0), 1.0), ((0.0, -9.81), 1.0), ((24.8, 0.0), 1.0), ((0.0, 981.0), 100.0)]
+)
+def test_gravity_beyond_any_planets_tells_how_long_a_metre_is(gravity: tuple[float, float], units: float) -> None:
+    w = sandbox.World(sandbox.Scene(gravity=gravity))
+    assert w.state.settings[0].units_per_meter == pytest.approx(units, rel=1e-12)
+
+
+def test_what_a_scene_says_holds() -> None:
+    w = sandbox.World(sandbox.Scene(gravity=(0, -900), settings={"units_per_meter": 30}))
+    assert w.state.settings[0].units_per_meter == 30.0
+
+
+def test_a_scene_of_a_world_whose_gravity_changed_keeps_its_units() -> None:
+    w = sandbox.World(sandbox.Scene(gravity=(0, -981)))
+    w.gravity = (0.0, 0.0)
+    again = sandbox.World(sandbox.scene_of(w).scene)
+    assert again.state.settings[0].units_per_meter == w.state.settings[0].units_per_meter == pytest.approx(100.0)
+
+
+def test_boxes_of_sixty_pixels_settle_and_fall_asleep() -> None:
+    """Without units they would sink into each other by a third of their size, and never rest."""
+    bodies: list[Words] = [{"id": "floor", "type": "static", "position": [0, -50], "shapes": [{"box": [2000, 100]}]}]
+    bodies += [
+        {"id": f"b{k}", "position": [60 * (k % 8) + 3 * (k % 5), 40 + 70 * (k // 8)], "shapes": [{"box": [60, 60]}]}
+        for k in range(40)
+    ]
+    w = sandbox.World(sandbox.Scene(bodies=bodies, gravity=(0, -900)))
+    w.step(480)
+    assert w.awake_count == 0
+    assert w.contacts.separation1.min() > -1.5
