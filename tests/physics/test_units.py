@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 
 import sandbox
+from sandbox import MoveDrag, StartDrag
 from tests.benchmarks import other_scenes as others
 
 Words = dict[str, Any]
@@ -112,6 +113,18 @@ def test_what_is_as_many_times_as_large_moves_the_same_to_the_bit(name: str, siz
         many.step()
         for here, there in zip(poses(one, 1.0), poses(many, size), strict=True):
             assert np.array_equal(here, there), step
+
+
+def test_a_hand_pulls_as_hard() -> None:
+    parts = some(BUILDS["boxes"](), 40)
+    one, many = world(parts), world(parts, 64.0)
+    for w, size in ((one, 1.0), (many, 64.0)):
+        b = w.body("b20")
+        w.apply(StartDrag("b20", (b.position[0], b.position[1])))
+        w.apply(MoveDrag("b20", (50.0 * size, 80.0 * size)))
+        w.step(30)
+    assert all(np.array_equal(*two) for two in zip(poses(one, 1.0), poses(many, 64.0), strict=True))
+    assert one.body("b20").position[1] > 10.0
 
 
 @pytest.mark.parametrize(

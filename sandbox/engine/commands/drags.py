@@ -14,6 +14,8 @@ from sandbox.world.state import State
 
 DRAG_HERTZ = 5.0
 DRAG_DAMPING_RATIO = 0.7
+_MOST = 9810.0
+"""Acceleration (m/s^2) that a drag can give, if nothing else is said."""
 
 
 @dataclass(frozen=True)
@@ -42,7 +44,9 @@ class StartDrag(BodyCommand):
         drag.local_x = body.rotation_cos * dx + body.rotation_sin * dy
         drag.local_y = body.rotation_cos * dy - body.rotation_sin * dx
         drag.hertz, drag.damping_ratio = DRAG_HERTZ, DRAG_DAMPING_RATIO
-        drag.max_force = self.max_force if self.max_force is not None else 9810.0 * body.mass
+        drag.max_force = (
+            self.max_force if self.max_force is not None else _MOST * state.settings[0].units_per_meter * body.mass
+        )
         drag.impulse_x = drag.impulse_y = 0.0
 
 

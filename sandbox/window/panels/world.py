@@ -59,7 +59,8 @@ class WorldPanel(Panel):
             if number % 3:
                 same_line_if_fits(label)
             if button(f"world.gravity.{label.lower()}", label, f"{strength:g} m/s² downwards"):
-                workspace.do(f"Gravity of {label}", SetGravity((0.0, -strength)))
+                units = float(workspace.session.world.state.settings[0].units_per_meter)
+                workspace.do(f"Gravity of {label}", SetGravity((0.0, -strength * units)))
         imgui.end_group()
 
     @staticmethod

@@ -94,7 +94,9 @@ class BlastTool(Tool):
         """Bang."""
         start, self._from = self._from, None
         if start is not None:
-            workspace.do("Explode", Explode(start.point, self._radius, BLAST_IMPULSE * self._radius))
+            workspace.do(
+                "Explode", Explode(start.point, self._radius, BLAST_IMPULSE * _units(workspace) * self._radius)
+            )
 
     def cancel(self, workspace: Workspace) -> bool:
         """No bang."""
@@ -152,7 +154,7 @@ class MagnetTool(Tool):
             return
         self._step = step
         radius = MAGNET_SHARE * _height(workspace)
-        impulse = MAGNET_IMPULSE * radius * (1.0 if self._at.more else -1.0)
+        impulse = MAGNET_IMPULSE * _units(workspace) * radius * (1.0 if self._at.more else -1.0)
         try:
             workspace.session.apply(Explode(self._at.point, radius, impulse))
         except SandboxError as error:
@@ -165,6 +167,11 @@ class MagnetTool(Tool):
             return ()
         reach = MAGNET_SHARE * _height(workspace)
         return [line for share in (1.0, 0.6) for line in _ring(workspace, self._at.point, share * reach, width=1.2)]
+
+
+def _units(workspace: Workspace) -> float:
+    """Units of length to a metre."""
+    return float(workspace.session.world.state.settings[0].units_per_meter)
 
 
 def _height(workspace: Workspace) -> float:
