@@ -23,7 +23,7 @@ import numpy as np
 from sandbox import _compiling
 from sandbox._argument_words import unbundled
 from sandbox._calls import handle
-from sandbox._kernel_cache import is_filled, kept_file
+from sandbox._kernel_cache import is_filled, is_kept, kept_file
 from sandbox._kernel_cache import read as read_kept
 from sandbox._kernel_cache import write as write_kept
 from sandbox._machine_code import Block, Version, is_usable
@@ -94,6 +94,11 @@ class EntryPoint(Kernel):
         if kinds not in self._versions:
             _compiling.patiently(lambda: self._make(kinds, arguments))
         return self._versions[kinds]
+
+    def is_made(self, arguments: tuple[Any, ...]) -> bool:
+        """Whether there is machine code for arguments of these types, so that none has to be made."""
+        kinds = tuple(map(_kind, arguments))
+        return kinds in self._versions or is_kept(kept_file(cast(Any, self.py_func), kinds))
 
     def _make(self, kinds: tuple[Any, ...], arguments: tuple[Any, ...]) -> None:
         with self._making:
@@ -175,6 +180,10 @@ class Call:
         if self._call is None:
             self._call = self._bound()
         return self._call
+
+    def is_made(self) -> bool:
+        """Whether it can be bound without compiling."""
+        return _DISABLED or cast(EntryPoint, self._entry).is_made(tuple(map(unbundled, self._arguments)))
 
     def exchange(self, names: tuple[str, ...], others: Mapping[str, Any]) -> None:
         """Take other arguments of the same types from now on, for those of its parameters that `others` has."""

@@ -10,6 +10,7 @@ import numpy as np
 from sandbox._argument_words import Bundle
 from sandbox._jit import Call, kernel_argument
 from sandbox.engine.compile_step import PARTS
+from sandbox.engine.continuous_collision.solve_continuous import solve_continuous
 from sandbox.engine.fields.apply import apply_fields
 from sandbox.engine.fields.records import has_fields
 from sandbox.engine.memory.binding import contact_arguments, parameters, scratch_arguments, state_arguments
@@ -35,6 +36,7 @@ class StepCalls:
         self._workers = workers
         self._jointed = False
         self._last = FINISH
+        self._looked = False
         self._calls: dict[tuple[Any, int, int], Call] = {}
         self._bundles: dict[tuple[str, int], Bundle] = {}
         self._served: list[list[Call]] = []
@@ -93,6 +95,15 @@ class StepCalls:
                 self._impact_calls[turn] = [call.machine() for call in self._striking[turn]]
         self._runs = {key: call.bind() for key, call in self._run_calls.items()}
         self.bound = True
+
+    def bind_made(self, impacts: bool) -> None:
+        """Bind what few steps need, if it is compiled already: to load it takes some milliseconds, which a step in the
+        midst of a run would wait for. What resolves impacts if there may be some. It is looked for once."""
+        looked, self._looked = self._looked, True
+        if not looked and self._calls[solve_continuous, 0, 0].is_made():
+            self.bind_continuous()
+        if not looked and impacts and self._striking[0][0].is_made():
+            self.bind_impacts()
 
     def bind_continuous(self) -> None:
         """Compile the last part as well, from now on."""

@@ -58,11 +58,12 @@ class Stepper:
         """Compile what the step needs, if it has not been on this machine: seconds."""
         if self.calls.bound:
             return
-        restitution = plain(self._state.shapes)["restitution"]
-        compile_step(self.scratch.joints is not None, bool((restitution > 0.0).any()))
+        impacts = bool((plain(self._state.shapes)["restitution"] > 0.0).any())
+        compile_step(self.scratch.joints is not None, impacts)
         if len(self._state.bodies) + len(self._state.joints) >= _WORTH_SHARING // 4:  # else it may never be needed
             self.bind_workers()
         self.calls.bind()
+        self.calls.bind_made(impacts)
 
     def machine(self) -> Integers:
         """The table of parts for even and for odd steps (`run_step`), none of which is to be compiled any more."""

@@ -37,9 +37,9 @@ def held_tower() -> World:
     return world
 
 
-def test_all_settings_of_a_scene_but_its_clock_can_be_changed() -> None:
+def test_all_settings_of_a_scene_but_its_clock_and_unit_can_be_changed() -> None:
     known = {item.name for item in fields(SetSettings)}
-    assert known == set(Settings.model_fields) - {"step_rate", "steps"} == set(OTHERS)
+    assert known == set(Settings.model_fields) - {"step_rate", "steps", "units_per_meter"} == set(OTHERS)
 
 
 @pytest.mark.parametrize("name", OTHERS)
