@@ -25,6 +25,7 @@ SWEEP = Table(
         Field("rotation_b", "rad", "turn of b until time 1"),
         Field("deep", "m", "overlap that is let pass"),
         Field("thin", "m", "half widths of both cores together: past that overlap they part on the other side"),
+        Field("yields", "-", "1 when both are bodies that give way: their contact parts them", "i8"),
         Field("normal_x", "1", "answer: axis of the hit from a to b"),
         Field("normal_y", "1", "answer: axis of the hit from a to b"),
         Field("point_x", "m", "answer: deepest point of the hit, from the centre of a"),
@@ -42,6 +43,8 @@ _CREEP = 0.02
 """Share of what is let pass by which overlaps as deep as that may grow: a surface slid along is not quite even."""
 _SOUND = 0.75
 """Up to this share of `thin` overlaps may come so, by ever less the nearer they are to it."""
+_YIELD = 0.5
+"""Share of what is left until then by which overlaps of two that give way may grow."""
 _LEAST_ROOM = 1e-4
 """Past that they may still grow by so little: a motion that leads out again needs strides of some length."""
 _NEAR = 0.1
@@ -57,9 +60,10 @@ def time_of_impact(cores: Records, a: CoreRows, b: CoreRows, sweep: Records, pos
     Conservative advancement (B. Mirtich 1996) on the signed separation of the test: along a fixed axis it shrinks no
     faster than the translation along it and the rims of the turning cores, so nothing is missed; and as overlaps up to
     `deep` are let pass, every stride has a least length. Cores that overlap more than that from the start go hardly
-    deeper. Cores that touch from the start go as far as the hit itself: back at the touch, the next step would find
-    them as this one did, and they would never get on. Out of strides, the cores count as touching: safe, and it costs
-    no more than the rest of a step. `posed` (`POSED_ROWS` vertices) and `out` (a `MANIFOLD` row) are scratch.
+    deeper; where both give way, those that touch go so deep that their contact sees it. Cores that touch from the start
+    go as far as the hit itself: back at the touch, the next step would find them as this one did, and they would never
+    get on. Out of strides, the cores count as touching: safe, and it costs no more than the rest of a step. `posed`
+    (`POSED_ROWS` vertices) and `out` (a `MANIFOLD` row) are scratch.
     """
     s = sweep[0]
     rim_a = _rim(cores, a)
@@ -76,7 +80,7 @@ def time_of_impact(cores: Records, a: CoreRows, b: CoreRows, sweep: Records, pos
         seen = t
         _pose(cores, a, b, s, t, posed)
         gap, nx, ny = _separation(posed, a, b, s, t)
-        if t == 0.0 and gap <= -deep + near:
+        if t == 0.0 and gap <= (_TOUCHES * deep if s.yields == 1 else near - deep):
             deep = _let_pass(s, -gap)
             near = 0.5 * (gap + deep)
         if gap <= -deep + near:
@@ -112,14 +116,20 @@ def _answer(posed: Records, a: CoreRows, b: CoreRows, s: Records, t: float, out:
 
 @kernel
 def _let_pass(s: Records, overlap: float) -> float:
-    """How deep (m) cores may come as they move that overlap by what is let pass, or all but, from the start on.
+    """How deep (m) cores may come as they move that overlap by what is let pass, or all but, from the start on, or that
+    touch and give way.
 
-    They never come out on the other side: every step takes only a share of what is left until then.
+    They never come out on the other side: every step takes only a share of what is left until then. Who gives way needs
+    a large one, as what is rolled back to where it was keeps its velocity, finds the others so again, and hangs there;
+    and what has come too deep all the same is let go.
     """
     room = _SOUND * s.thin - overlap
-    room = room if room < s.deep else s.deep
-    room = room if room > _LEAST_ROOM * s.deep else _LEAST_ROOM * s.deep
-    deep = overlap + _CREEP * room
+    if s.yields == 1:
+        deep = overlap + _YIELD * room if room > 0.0 else _FAR
+    else:
+        room = room if room < s.deep else s.deep
+        room = room if room > _LEAST_ROOM * s.deep else _LEAST_ROOM * s.deep
+        deep = overlap + _CREEP * room
     return float(deep if deep > s.deep else s.deep)
 
 

@@ -75,3 +75,22 @@ def test_what_is_told_of_a_hit_is_where_it_is():
     row.y = 0.55
     assert 0.044 < impact_of(rows, *CORES, sweep, posed, out) < 0.0451
     assert row.touched == 0
+
+
+@examples(300)
+@given(st.floats(-0.001, 0.7), st.floats(-1.0, 1.0), st.floats(-3.0, -0.02), st.floats(-2.0, 2.0))
+def test_what_touches_something_that_gives_way_goes_on_into_it_but_not_through(overlap, way_x, way_y, turn):
+    """`overlap` as a share of how deep the two come before they part on the other side."""
+    rows = rectangles(WALL, (1.0, 0.1))
+    thin = 0.5 * (WALL[1] + 0.1)
+    sweep, posed, out = SWEEP.zeros(1), VERTEX.zeros(POSED_ROWS), MANIFOLD.zeros(1)
+    row = sweep[0]
+    row.y, row.translation_x, row.translation_y, row.rotation_b = thin * (1.0 - overlap), way_x, way_y, turn
+    row.deep, row.thin, row.yields = min(0.005, 0.25 * thin), thin, 1
+    t = impact_of(rows, *CORES, sweep, posed, out)
+    allowed = thin * (overlap + 0.5 * (0.75 - overlap))
+    deepest = below(rows[4:], t * way_x, row.y + t * way_y, t * turn)
+    assert 0.0 < t < 1.0
+    assert 0.5 * (thin * overlap + allowed) - 1e-9 <= deepest <= allowed + 1e-9
+    row.y = 0.2 * thin  # too deep to be held
+    assert impact_of(rows, *CORES, sweep, posed, out) == -1.0

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from sandbox._jit import kernel
 from sandbox.engine.bodies.integrate import place_origin
+from sandbox.engine.continuous_collision.contact_impulse import anchors_at, apply_contact_impulse, touch_of
 from sandbox.engine.continuous_collision.relative_sweep import (
     Interval,
     SweepTables,
@@ -21,7 +22,7 @@ _SAME = 0.999
 
 
 @kernel
-def stop_bullets(tables: SweepTables, pairs: Records) -> None:
+def stop_bullets(tables: SweepTables, pairs: Records, threshold: float) -> None:
     """Stop bullets at other dynamic bodies, and those at them.
 
     Stopping one changes what others meet, so this is repeated until nothing changes. A pair is looked at again only if
@@ -38,17 +39,18 @@ def stop_bullets(tables: SweepTables, pairs: Records) -> None:
             b = tables.shapes[pairs[k].shape_b].body
             before = look - count  # when this pair was looked at in the turn before
             again = impacts[a].stopped >= before or impacts[b].stopped >= before
-            if again and _stop_bullet(tables, pairs[k], look // count):
+            if again and _stop_bullet(tables, pairs[k], look // count, threshold):
                 changed = True
                 impacts[a].stopped = impacts[b].stopped = look
             look += 1
 
 
 @kernel
-def _stop_bullet(tables: SweepTables, pair: Records, turn: int) -> bool:
+def _stop_bullet(tables: SweepTables, pair: Records, turn: int, threshold: float) -> bool:
     """Stop a bullet at another dynamic body, and then that body at the bullet; whether anything changed.
 
-    After `_ROUNDS` turns both stay where they were, which ends it for certain.
+    Those that have touched all the while are struck apart, as `contact_impulse` says. After `_ROUNDS` turns both stay
+    where they were, which ends it for certain.
     """
     a = tables.shapes[pair.shape_a].body
     b = tables.shapes[pair.shape_b].body
@@ -65,6 +67,7 @@ def _stop_bullet(tables: SweepTables, pair: Records, turn: int) -> bool:
     set_relative_sweep(tables, a, b, Interval(0.0, 0.0, both, both))
     t = sweep_time_of_impact(tables, pair.shape_a, pair.shape_b)
     if both > 0.0 and 0.0 <= t < _SAME:
+        _part(tables, pair, t, threshold)
         t = t * both if turn < _ROUNDS else 0.0
         if tables.bodies[a].bullet == 1 or turn >= _ROUNDS:
             tables.ccd.impacts[a].time = t
@@ -77,9 +80,22 @@ def _stop_bullet(tables: SweepTables, pair: Records, turn: int) -> bool:
     t = sweep_time_of_impact(tables, pair.shape_a, pair.shape_b)
     if t < 0.0 or t >= _SAME:
         return False
+    _part(tables, pair, t, threshold)
     late = b if stop_a < stop_b else a
     tables.ccd.impacts[late].time = both + t * (tables.ccd.impacts[late].time - both) if turn < _ROUNDS else 0.0
     return True
+
+
+@kernel
+def _part(tables: SweepTables, pair: Records, t: float, threshold: float) -> None:
+    """Strike the bodies of a pair apart that have touched until the time t of their sweep."""
+    sweep = tables.ccd.sweep[0]
+    if sweep.touched == 0:
+        return
+    a = tables.shapes[pair.shape_a]
+    b = tables.shapes[pair.shape_b]
+    touch = touch_of(sweep, a, b)
+    apply_contact_impulse(tables.bodies[a.body], tables.bodies[b.body], anchors_at(sweep, t), touch, threshold)
 
 
 @kernel

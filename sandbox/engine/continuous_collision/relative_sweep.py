@@ -10,6 +10,7 @@ from sandbox.engine.records.ccd import Ccd
 from sandbox.geometry.core import core_of
 from sandbox.geometry.time_of_impact import time_of_impact
 from sandbox.tables import Records
+from sandbox.world.records import DYNAMIC
 
 
 class SweepTables(NamedTuple):
@@ -64,5 +65,6 @@ def sweep_time_of_impact(tables: SweepTables, i: int, j: int) -> float:
     sweep = tables.ccd.sweep
     sweep[0].deep = allowed_depth(a, b, tables.units_per_meter)
     sweep[0].thin = a.thin + b.thin
+    sweep[0].yields = 1 if tables.bodies[a.body].type == DYNAMIC and tables.bodies[b.body].type == DYNAMIC else 0
     t = time_of_impact(tables.cores, core_of(a), core_of(b), sweep, tables.ccd.posed, tables.ccd.manifold)
     return float(t)

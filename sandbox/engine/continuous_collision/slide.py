@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sandbox._jit import kernel
 from sandbox.engine.bodies.integrate import place_origin
-from sandbox.engine.continuous_collision.contact_impulse import apply_contact_impulse
+from sandbox.engine.continuous_collision.contact_impulse import strike_static
 from sandbox.engine.records.ccd import Ccd
 from sandbox.geometry.trig import cos_sin
 from sandbox.tables import Records
@@ -24,7 +24,7 @@ def slide_all(bodies: Records, motions: Records, ccd: Ccd, threshold: float, rou
         impact = ccd.impacts[i]
         if impact.time < 1.0 and impact.touched == 1:
             _slide(bodies[i], motions[i], impact)
-            apply_contact_impulse(bodies[i], impact, threshold)
+            strike_static(bodies, i, impact, threshold)
             impact.time = 1.0
             impact.bounces = impact.touched = 0
             impact.round = round + 1

@@ -17,7 +17,7 @@ from sandbox.engine.active.active_set import AWAKE
 from sandbox.engine.broad_phase.proxies import BULLET, FIXED
 from sandbox.engine.contact_solver.closing_speed import bounce_threshold
 from sandbox.engine.continuous_collision.bullets import carry_bullet, stop_bullets
-from sandbox.engine.continuous_collision.contact_impulse import apply_contact_impulse
+from sandbox.engine.continuous_collision.contact_impulse import strike_static
 from sandbox.engine.continuous_collision.hit import forget_hits
 from sandbox.engine.continuous_collision.relative_sweep import SweepTables
 from sandbox.engine.continuous_collision.roll_back import roll_back, roll_back_energy
@@ -64,12 +64,12 @@ def solve_continuous(
             break
     if bullets:
         found: Any = swept[:count]
-        stop_bullets(tables, found)
-    _roll_back_all(state, active, solver.motions, ccd)
+        stop_bullets(tables, found, threshold)
+    _roll_back_all(state, active, solver.motions, ccd, threshold)
 
 
 @kernel
-def _roll_back_all(state: StateTables, active: ActiveSet, motions: Records, ccd: Ccd) -> None:
+def _roll_back_all(state: StateTables, active: ActiveSet, motions: Records, ccd: Ccd, threshold: float) -> None:
     """Roll all bodies back to their times of impact, but those that slept when the step began."""
     for i in ccd.hit[1 : 1 + ccd.hit[0]]:
         body = state.bodies[i]
@@ -80,7 +80,7 @@ def _roll_back_all(state: StateTables, active: ActiveSet, motions: Records, ccd:
             if impact.bounces == 1:
                 roll_back_energy(body, motions[i], share, state.settings[0])
             if impact.touched == 1:
-                apply_contact_impulse(body, impact, bounce_threshold(state.settings[0]))
+                strike_static(state.bodies, i, impact, threshold)
 
 
 @kernel

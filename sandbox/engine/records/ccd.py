@@ -36,6 +36,7 @@ CCD_IMPACT = Table(
         Field("touched", "-", "1 when it has touched what stops it from the start of the step on", "i8"),
         Field("round", "-", "when its sweep is to be made: 0, or the one after that in which it slid along", "i8"),
         Field("listed", "-", "1 when it is in the list of those that something may stop", "i8"),
+        Field("other", "-", "the static body that stops it", "i8"),
         Field("normal_x", "1", "of what stops it, towards the body"),
         Field("normal_y", "1", "of what stops it, towards the body"),
         Field("arm_x", "m", "where it is stopped, from the centre of the body"),
