@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from sandbox import World
+from sandbox.scene.flat import FlatJoint
 from tests.flat import body, box, capsule, circle, polygon, world
 
 BULLETS = {
@@ -83,3 +84,24 @@ def kinetic(w: World) -> float:
     bodies = w.state.bodies
     square = bodies.velocity_x**2 + bodies.velocity_y**2
     return float(0.5 * (bodies.mass * square + bodies.inertia * bodies.angular_velocity**2).sum())
+
+
+def test_sheets_that_a_bullet_swings_up_go_on_swinging_and_let_nothing_through():
+    """A sheet of 1 cm on a hinge, of twelve times the mass of what strikes it and goes on with it for a while."""
+    w = world(
+        body("sheet", box(0.01, 3.0, density=25.0), bullet=True, position=(0.0, -1.5)),
+        body("ball", circle(0.07, density=4.0), bullet=True, position=(-5.0, -2.4), velocity=(900.0, 0.0)),
+        joints=(FlatJoint("hem", "revolute", None, "sheet", (0.0, 0.0), (0.0, 0.0)),),
+        gravity=(0.0, 0.0),
+    )
+    spins = []
+    for _ in range(20):
+        w.step()
+        sheet, ball = w.body("sheet"), w.body("ball")
+        spins.append(sheet.angular_velocity)
+        along = -np.sin(sheet.angle), np.cos(sheet.angle)
+        side = (ball.position[0] - sheet.position[0]) * along[1] - (ball.position[1] - sheet.position[1]) * along[0]
+        beside = np.dot(np.subtract(ball.position, sheet.position), along)
+        assert side < 0.0 or abs(beside) > 1.5
+    assert sheet.angle > 0.5
+    assert min(spins[1:]) > 0.0
