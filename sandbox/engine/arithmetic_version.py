@@ -95,9 +95,9 @@ NOTES: dict[int, str] = {
     "finer substeps for what is heavy in it",
     42: "impacts with restitution that do not end one by one strike together as soon as that is known, from the top "
     "down, each group with passes of its own",
-    43: "what counts as slow or near is meant in metres, of which there are fewer where gravity is beyond any planet's; "
-    "bullets and moving bodies that touch already come so deep in a step that their contact sees it, and are struck "
-    "apart where that stops them",
+    43: "what counts as slow or near is meant in metres, of which there are fewer where gravity is beyond any "
+    "planet's; bullets and moving bodies that touch already come so deep in a step that their contact sees it, and are "
+    "struck apart where that stops them",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 
