@@ -36,7 +36,6 @@ class StepCalls:
         self._workers = workers
         self._jointed = False
         self._last = FINISH
-        self._looked = False
         self._calls: dict[tuple[Any, int, int], Call] = {}
         self._bundles: dict[tuple[str, int], Bundle] = {}
         self._served: list[list[Call]] = []
@@ -98,11 +97,10 @@ class StepCalls:
 
     def bind_made(self, impacts: bool) -> None:
         """Bind what few steps need, if it is compiled already: to load it takes some milliseconds, which a step in the
-        midst of a run would wait for. What resolves impacts if there may be some. It is looked for once."""
-        looked, self._looked = self._looked, True
-        if not looked and self._calls[solve_continuous, 0, 0].is_made():
+        midst of a run would wait for. What resolves impacts if there may be some."""
+        if self._calls[solve_continuous, 0, 0].is_made():
             self.bind_continuous()
-        if not looked and impacts and self._striking[0][0].is_made():
+        if impacts and self._striking[0][0].is_made():
             self.bind_impacts()
 
     def bind_continuous(self) -> None:

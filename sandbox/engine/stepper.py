@@ -19,6 +19,8 @@ from sandbox.engine.joints.wiring import wiring
 from sandbox.engine.memory.bundles import Room
 from sandbox.engine.memory.limit import room_for
 from sandbox.engine.memory.scratch import Scratch
+from sandbox.engine.narrow_phase.kept_runs import keep_runs
+from sandbox.engine.narrow_phase.resting import AtRest
 from sandbox.engine.restitution.strike_batch import strike_batch
 from sandbox.engine.run_step import COLLIDE, CONTINUOUS, DONE, FIELDS, LACKS_CONTINUOUS, LACKS_IMPACTS, SOLVE
 from sandbox.engine.step_calls import StepCalls
@@ -50,6 +52,8 @@ class Stepper:
         self._threads = WorkerThreads(self.workers - 1) if self.workers > 1 else None
         self._turn = self._lost = 0
         self._room = Room.of(state)
+        self._compiled: set[bool] = set()
+        """Whether the step has been compiled with joints, and without."""
         self._layouts = PartLayouts(self.workers, float(state.settings[0].units_per_meter))
         self.calls = calls or StepCalls(self.workers)
         self.renew()
@@ -58,12 +62,17 @@ class Stepper:
         """Compile what the step needs, if it has not been on this machine: seconds."""
         if self.calls.bound:
             return
-        impacts = bool((plain(self._state.shapes)["restitution"] > 0.0).any())
-        compile_step(self.scratch.joints is not None, impacts)
+        jointed = self.scratch.joints is not None
+        first = jointed not in self._compiled
+        impacts = first and bool((plain(self._state.shapes)["restitution"] > 0.0).any())
+        if first:
+            compile_step(jointed, impacts)
+            self._compiled.add(jointed)
         if len(self._state.bodies) + len(self._state.joints) >= _WORTH_SHARING // 4:  # else it may never be needed
             self.bind_workers()
         self.calls.bind()
-        self.calls.bind_made(impacts)
+        if first:
+            self.calls.bind_made(impacts)
 
     def machine(self) -> Integers:
         """The table of parts for even and for odd steps (`run_step`), none of which is to be compiled any more."""
@@ -138,6 +147,7 @@ class Stepper:
         """Rows have gone, and others have moved into their places."""
         self.scratch.follow_rows(self._state, moved.bodies.first, moved.shapes.first)
         keep_what_stays(self.scratch.active, self.scratch.grid, moved)
+        keep_runs(self.scratch.active, self.scratch.contacts, moved)
         close_up(plain(self.scratch.contacts.reports)[: len(moved.contacts)], moved.contacts)
         scratch, joints = self.scratch, self.scratch.joints
         if joints is None and len(moved.joints) == 0:
@@ -247,6 +257,7 @@ class Stepper:
         self._count_lost()
         here = scratch.contacts._replace(before=state.contacts)
         there = here._replace(now=here.before, before=here.now)
+        state.resting = AtRest(scratch.active, here)
         self._contacts = (here, there) if self._turn == 0 else (there, here)
         self.calls.fill(state, scratch, self._contacts)
 

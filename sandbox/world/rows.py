@@ -21,6 +21,7 @@ from sandbox.world.body_rows import body_rows
 from sandbox.world.build_fields import build_thrusters
 from sandbox.world.build_joints import build_joints
 from sandbox.world.build_rules import build_paths
+from sandbox.world.contact_rows import contacts_of
 from sandbox.world.directory import Directory
 from sandbox.world.joint_pose import coordinate
 from sandbox.world.new_rows import NewRows
@@ -48,13 +49,15 @@ class Added:
 @dataclass(frozen=True)
 class Moved:
     """Where bodies, shapes and joints have gone, and which contacts are left. Of shapes the first is that of the first
-    body whose row has changed. `types` are what the bodies from that one on were."""
+    body whose row has changed. `types` are what the bodies from that one on were, `renamed` the old rows of contacts
+    that have gone or name others now."""
 
     bodies: NewRows
     shapes: NewRows
     joints: NewRows
     contacts: Flags
     types: Integers
+    renamed: Integers
 
 
 def add_rows(state: State, directory: Directory, found: Spawned) -> Added:
@@ -91,8 +94,7 @@ def _append_bodies(state: State, flat: Sequence[FlatBody]) -> None:
         paths["body"] += len(state.bodies)
         state.paths = extended(state.paths, paths)
     fixed = bodies["type"] != records.DYNAMIC
-    some_sleep = state.counters[0].asleep_count > 0 and (plain(state.bodies)["awake"] == 0).any()
-    if some_sleep and fixed.any():
+    if fixed.any() and state.counters[0].asleep_count > 0 and (plain(state.bodies)["awake"] == 0).any():
         bodies["posed"][fixed] = 1  # what sleeps where it comes has to notice
     tiles = add_seams(state, bodies, shapes, seams)
     for name, count in (
@@ -132,7 +134,7 @@ def remove_rows(state: State, directory: Directory, bodies: Flags, joints: Flags
     shape_rows = NewRows.of(len(state.shapes) - len(tail), ~bodies[tail["body"]])
     joint_rows = NewRows.of(0, ~joints)
     types = plain(state.bodies)["type"][first:].copy()
-    contacts = _remove_contacts(state, body_rows, shape_rows)
+    contacts, renamed = _remove_contacts(state, body_rows, shape_rows)
     if len(joints):
         _remove_joints(state, body_rows, joint_rows)
     beside = np.zeros(0, np.int64)
@@ -143,7 +145,7 @@ def remove_rows(state: State, directory: Directory, bodies: Flags, joints: Flags
     names = state.census.bodies.remove(~bodies), state.census.joints.remove(~joints)
     directory.remove(*names)
     state.layout += 1
-    return Moved(body_rows, shape_rows, joint_rows, contacts, types)
+    return Moved(body_rows, shape_rows, joint_rows, contacts, types, renamed)
 
 
 def _remove_bodies(state: State, rows: NewRows) -> None:
@@ -167,22 +169,25 @@ def _remove_of_bodies(state: State, name: str, columns: Sequence[str], rows: New
     setattr(state, name, without(getattr(state, name), left))
 
 
-def _remove_contacts(state: State, body_rows: NewRows, shape_rows: NewRows) -> Flags:
-    """Take out the contacts of what goes, and name the others anew. Bodies before the first one that goes stay where
-    they are, with their shapes: only contacts whose `body_b`, which is no less than `body_a`, is none of them are
-    looked at."""
+def _remove_contacts(state: State, body_rows: NewRows, shape_rows: NewRows) -> tuple[Flags, Integers]:
+    """Take out the contacts of what goes, and name the others anew: returns which are left, and which those are. Bodies
+    before the first one that goes stay where they are, with their shapes: only the contacts of later ones are looked
+    at."""
     used: Any = plain(state.contacts)[: int(state.counters[0].contact_count)]
-    moved = np.flatnonzero(used["body_b"] >= body_rows.first)
+    moved = contacts_of(state.contacts, len(used), np.arange(body_rows.first, len(body_rows)), state.resting)
     for side in "ab":
         used[f"shape_{side}"][moved] = shape_rows[used[f"shape_{side}"][moved]]
         used[f"body_{side}"][moved] = body_rows[used[f"body_{side}"][moved]]
     left = np.ones(len(used), np.bool_)
     left[moved] = (used["shape_a"][moved] >= 0) & (used["shape_b"][moved] >= 0)
     state.counters[0].contact_count = close_up(used, left)
-    return left
+    return left, moved
 
 
 def _remove_joints(state: State, body_rows: NewRows, rows: NewRows) -> None:
+    gone = np.flatnonzero(~rows.left)
+    if state.joined is not None:
+        state.joined = state.joined.before(body_rows.first, int(gone[0]) if len(gone) else len(rows.left))
     state.joints = without(state.joints, rows.left, rows.first)
     joints = plain(state.joints)
     for name, moved in (("body_a", body_rows), ("body_b", body_rows), ("joint_1", rows), ("joint_2", rows)):

@@ -79,6 +79,8 @@ def restore(state: State, data: bytes, read: Callable[[bytes], Roster]) -> None:
         state.layout += 1  # centres of mass, from which vertices are measured, lie elsewhere
     if "body" not in kept:
         state.tiling = None  # tiles may be others, or lie elsewhere
+    if "joint" not in kept:
+        state.joined = None
     for table, name in zip(TABLES, ARRAYS, strict=True):
         if table.name in kept:
             continue

@@ -6,6 +6,8 @@ from dataclasses import dataclass, field
 
 from sandbox.tables import FloatWords, Records, WholeWords, words
 from sandbox.world.census import Census
+from sandbox.world.contact_rows import Resting
+from sandbox.world.joined import Joined
 from sandbox.world.patterns import KnownPatterns
 from sandbox.world.records import BODY_WORDS
 from sandbox.world.roster import Roster
@@ -26,8 +28,8 @@ class State:
     each; `tallies` are the counters of the scene's rules. `census` says who is behind the rows, `origin` tells the
     world from those of other scenes (`snapshot.origin`), and `layout` counts how often the rows have moved, or centres
     of mass in their bodies: while it stays the same, row `i` is the same body, and its shapes lie where they did.
-    `tiling` says which shapes are tiles and where they lie, once that was asked; `patterns` are those of what was
-    spawned.
+    `tiling` says which shapes are tiles and where they lie, `joined` who is joined to whom, once that was asked;
+    `patterns` are those of what was spawned; `resting` is what the engine knows of sleepers.
     """
 
     bodies: Records
@@ -54,6 +56,8 @@ class State:
     origin: bytes
     layout: int = 0
     tiling: Tiling | None = None
+    joined: Joined | None = None
+    resting: Resting | None = field(default=None, repr=False)
     patterns: KnownPatterns = field(default_factory=KnownPatterns)
     _body_words: tuple[Records, FloatWords, WholeWords] | None = field(default=None, init=False, repr=False)
     """The words of a table of bodies, which is another one when bodies have come or gone."""

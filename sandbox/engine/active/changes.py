@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from sandbox.engine.active.active_set import ASLEEP
+from sandbox.engine.active.pile_stability import WITH_GONE
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.colliders import Grid
 from sandbox.tables import Integers, plain
@@ -56,5 +57,6 @@ def keep_what_stays(active: ActiveSet, grid: Grid, moved: Moved) -> None:
         info["static"] -= int((moved.types[: listed - body] == STATIC).sum())
         info["asleep"] -= int((active.activity[body:listed] == ASLEEP).sum())
     known["known"] = min(known["known"], shape)
-    info["weighed"], info["shifted"] = 0, 1
-    info["era"] += 1
+    info["shifted"] = 1
+    if info["weighed"]:
+        info["weighed"] = WITH_GONE

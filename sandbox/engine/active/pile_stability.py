@@ -40,6 +40,8 @@ UPRIGHT = 0.5
 
 _NONE = 1e300
 """The smallest of none."""
+WITH_GONE = 2
+"""`weighed` while the masses may be of bodies that have gone since."""
 
 PILE = Table(
     "pile",
@@ -67,16 +69,24 @@ PILE = Table(
 
 @kernel
 def masses_differ(bodies: Records, info: Records, gravity: float, omega: float, unit: float) -> bool:
-    """Whether some dynamic body would be too heavy for some other one at level 0. All are weighed if need be."""
-    if info.weighed == 0:
+    """Whether some dynamic body would be too heavy for some other one at level 0. All are weighed if need be: those
+    that have gone may have been the heaviest or the lightest, but where masses did not differ with them, they do not
+    without."""
+    if info.weighed == WITH_GONE and not _would_differ(info, gravity, omega, unit):
+        return False
+    if info.weighed != 1:
         info.heaviest = 0.0
         info.lightest = info.slight = _NONE
         for body in bodies:
             if body.type == DYNAMIC:
                 weigh(info, body)
         info.weighed = 1
-    bears = bearable(info.slight, gravity, omega, unit)
-    return bool(info.heaviest > info.lightest * bears)
+    return _would_differ(info, gravity, omega, unit)
+
+
+@kernel
+def _would_differ(info: Records, gravity: float, omega: float, unit: float) -> bool:
+    return bool(info.heaviest > info.lightest * bearable(info.slight, gravity, omega, unit))
 
 
 @inlined_kernel

@@ -8,6 +8,8 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from sandbox.tables import FloatWords, Integers, WholeWords, plain
+from sandbox.world.contact_rows import contacts_of
+from sandbox.world.joined import Joined
 from sandbox.world.records import DYNAMIC
 from sandbox.world.records import BodyPlace as At
 from sandbox.world.state import State
@@ -33,25 +35,42 @@ def wake_bodies(state: State, rows: Sequence[int] | Integers) -> Rows:
     bodies, counter = plain(state.bodies), plain(state.counters)[0]
     if counter["asleep_count"] == 0:
         return _rouse(bodies, np.asarray(rows, np.int64))
-    contacts, joints = plain(state.contacts)[: counter["contact_count"]], plain(state.joints)
-    chosen = np.zeros(len(bodies) + 1, np.bool_)  # -1, the world, is the last row
-    chosen[rows] = True
-    near = chosen.copy()
-    for pairs in (contacts, joints):
-        a, b = pairs["body_a"], pairs["body_b"]
-        near[b[chosen[a]]] = True
-        near[a[chosen[b]]] = True
-    islands = bodies["island"][near[:-1]]
-    awoken = np.flatnonzero(chosen[:-1])
-    if islands.any():
-        awoken = np.union1d(awoken, np.flatnonzero(np.isin(bodies["island"], islands[islands > 0])))
-    return _rouse(bodies, awoken)
+    chosen = np.unique(np.asarray(rows, np.int64))
+    chosen = chosen[chosen >= 0]  # -1 is the world
+    near = np.concatenate([chosen, _touching(state, chosen), _joined(state, chosen)])
+    islands = np.unique(bodies["island"][near[near >= 0]])
+    islands = islands[islands > 0]
+    if len(islands):
+        chosen = np.union1d(chosen, _members(state, islands))
+    return _rouse(bodies, chosen)
 
 
 def wake_all(state: State) -> None:
     """Wake every sleeper."""
     bodies = plain(state.bodies)
     _rouse(bodies, np.flatnonzero((bodies["type"] == DYNAMIC) & (bodies["awake"] == 0)))
+
+
+def _touching(state: State, rows: Integers) -> Integers:
+    """The bodies on both sides of the contacts of some."""
+    count = int(plain(state.counters)["contact_count"][0])
+    contacts = plain(state.contacts)[contacts_of(state.contacts, count, rows, state.resting)]
+    return np.concatenate([contacts["body_a"], contacts["body_b"]]).astype(np.int64)
+
+
+def _joined(state: State, rows: Integers) -> Integers:
+    """The bodies that joints hold to some."""
+    if len(state.joints) == 0:
+        return rows[:0]
+    if state.joined is None or not state.joined.holds(state.joints):
+        state.joined = Joined.of(state.joints)
+    return state.joined.others_of(rows, state.joints)
+
+
+def _members(state: State, islands: Integers) -> Integers:
+    """The bodies of some islands."""
+    known = state.resting.members(state.bodies, islands) if state.resting is not None else None
+    return np.flatnonzero(np.isin(plain(state.bodies)["island"], islands)) if known is None else known
 
 
 def _rouse(bodies: Any, rows: Integers) -> Rows:

@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from sandbox.engine.events.events import Events, find_events, no_events
+from sandbox.engine.events.events import Events, LastStep, find_events, no_events
 from sandbox.engine.events.happening import Happening
 from sandbox.engine.events.pending import DeletedPairs, PendingEvents
 from sandbox.engine.events.records import SENSOR_EVENT
 from sandbox.engine.memory.scratch import Scratch
+from sandbox.engine.narrow_phase.kept_runs import rows_in_doubt
 from sandbox.tables import Records, plain
 from sandbox.world.rows import Added, Moved
 from sandbox.world.state import State
@@ -125,7 +126,10 @@ class EventLog:
     def _found(self, scratch: Scratch) -> Events:
         sensors, contacts = self._sensors, scratch.contacts
         sensed = (sensors.before, sensors.now) if sensors is not None else (_NOBODY, _NOBODY)
-        return find_events(self._state, self._ids(), contacts.now, contacts.reports, sensed, self._pending)
+        counter = plain(self._state.counters)[0]
+        counts = int(counter["old_contact_count"]), int(counter["contact_count"])
+        last_step = LastStep(contacts.now, contacts.reports, sensed, rows_in_doubt(scratch.active, contacts, *counts))
+        return find_events(self._state, self._ids(), last_step, self._pending)
 
     def _ids(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
         """Of bodies and of joints, as they were after the last step."""

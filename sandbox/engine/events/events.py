@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, fields
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -87,6 +87,17 @@ KINDS = (*_OF_STEPS, *HAPPENINGS)
 """The kinds of events: those of steps in the order in which they are told, then those of rules."""
 
 
+class LastStep(NamedTuple):
+    """What a step leaves for its events: the contacts of the step `before` it, the `reports` of its own, and what
+    sensors overlapped before and after it. `in_doubt` are the rows of both contacts that may differ, if that is known:
+    those of sleepers do not."""
+
+    before: Records
+    reports: Records
+    sensed: tuple[Records, Records]
+    in_doubt: tuple[Integers, Integers] | None
+
+
 def no_events(step: int, names: tuple[str, ...]) -> Events:
     """The events of a step in which nothing happened."""
     contact, sensor, body = _NO_CONTACTS, _NO_SENSORS, _NO_BODIES
@@ -96,26 +107,25 @@ def no_events(step: int, names: tuple[str, ...]) -> Events:
 def find_events(
     state: State,
     ids: tuple[tuple[str, ...], tuple[str, ...]],
-    before: Any,
-    reports: Any,
-    sensed: tuple[Records, Records],
+    last_step: LastStep,
     pending: PendingEvents,
 ) -> Events:
-    """The events of the step that led to `state`: its `reports`, and `before`, the contacts of the step before.
+    """The events of the step that led to `state`.
 
-    `ids` are those of the bodies and of the joints after that step, `sensed` is what sensors overlapped before and
-    after it; `pending` tells what was deleted before the step, and who was put elsewhere since.
+    `ids` are those of the bodies and of the joints after that step; `pending` tells what was deleted before the step,
+    and who was put elsewhere since.
     """
     counter, bodies = plain(state.counters)[0], plain(state.bodies)
     step = int(counter["step_count"])
     centers, lookup = _centers(bodies, pending), RowLookup(state, ids[0])
-    enter, leave = _entered_and_left(*sensed)
+    enter, leave = _entered_and_left(*last_step.sensed)
     now: Any = plain(state.contacts)[: int(counter["contact_count"])]
-    old: Any = plain(before)[: int(counter["old_contact_count"])]
-    touched, touches = (np.flatnonzero(contacts["touching"] == 1) for contacts in (old, now))
+    old: Any = plain(last_step.before)[: int(counter["old_contact_count"])]
+    did: Any = plain(last_step.reports)[: len(now)]
+    old_rows, rows = last_step.in_doubt or (np.arange(len(old)), np.arange(len(now)))
+    touched, touches = (some[each["touching"][some] == 1] for each, some in ((old, old_rows), (now, rows)))
     old_keys, keys = _keys(old, touched), _keys(now, touches)
-    did: Any = plain(reports)[: len(now)]
-    struck = np.flatnonzero(did["hit_speed"] >= HIT_SPEED * state.settings[0].units_per_meter)
+    struck = rows[did["hit_speed"][rows] >= HIT_SPEED * state.settings[0].units_per_meter]
     began, went = differences(keys, old_keys)
     fresh, ended = touches[began], touched[went]
     stirred = np.flatnonzero(bodies["stirred"])

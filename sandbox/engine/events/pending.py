@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.tables import Integers, Records, plain
+from sandbox.world.contact_rows import contacts_of
 from sandbox.world.state import State
 
 Vec = tuple[float, float]
@@ -71,10 +72,10 @@ class PendingEvents:
 
     def note_going(self, state: State, gone: NDArray[np.bool_], sensed: Records | None) -> None:
         """Bodies will be deleted: what touches them, or is `sensed` with them, will do so no more."""
-        contacts = plain(state.contacts)[: int(state.counters[0].contact_count)]
-        near = np.flatnonzero(contacts["body_b"] >= gone.argmax())  # which is no less than body_a
-        going = gone[contacts["body_a"][near]] | gone[contacts["body_b"][near]]
-        touched = contacts.take(near[going & (contacts["touching"][near] == 1)])
+        count = int(plain(state.counters)["contact_count"][0])
+        near = contacts_of(state.contacts, count, np.flatnonzero(gone), state.resting)
+        going = plain(state.contacts)[near]
+        touched = going[going["touching"] == 1]
         if len(touched):
             self._next[0].extend(_contacts(state, touched))
         if sensed is not None:

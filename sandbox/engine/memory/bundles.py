@@ -13,6 +13,7 @@ from sandbox.engine.broad_phase.grid import LEVEL_SPACE, LEVELS, head_count
 from sandbox.engine.contact_solver.blocks import ALL_COLORS, BLOCK_SIZE, MAX_COLORS
 from sandbox.engine.contact_solver.further_colors import MOST_WORDS
 from sandbox.engine.memory.limit import FAT_PAIRS, most_batches, most_blocks
+from sandbox.engine.narrow_phase.sleeping_contacts import NOTHING
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.batches import BLOCKS, IMPACT, IMPACT_SLOT, SIZE, STRUCK_BODY, Batches
 from sandbox.engine.records.bodies import (
@@ -37,7 +38,7 @@ from sandbox.engine.records.colliders import (
     PairCache,
 )
 from sandbox.engine.records.contact_blocks import BLOCK, ContactBlocks
-from sandbox.engine.records.contacts import KEPT, REPORT, SLEEPING_CURSOR, SLEEPING_RUN, SLOT, Contacts
+from sandbox.engine.records.contacts import KEPT, KEPT_LINK, REPORT, SLEEPING_CURSOR, SLEEPING_RUN, SLOT, Contacts
 from sandbox.geometry.manifold import MANIFOLD
 from sandbox.geometry.time_of_impact import POSED_ROWS, SWEEP
 from sandbox.tables import Records, aligned_zeros, plain
@@ -136,7 +137,7 @@ def cache_memory(pairs: int) -> PairCache:
     return PairCache(info=info, pairs=PAIR.zeros(fat), spare=PAIR.zeros(fat + 1))
 
 
-def contact_memory(state: State, pairs: int) -> Contacts:
+def contact_memory(state: State, bodies: int, pairs: int) -> Contacts:
     """Contacts of this step and of the one before, which the state holds."""
     return Contacts(
         now=CONTACT.zeros(pairs),
@@ -146,6 +147,8 @@ def contact_memory(state: State, pairs: int) -> Contacts:
         cursor=SLEEPING_CURSOR.zeros(1),
         runs=SLEEPING_RUN.zeros(3 * (pairs + 1)),
         kept=KEPT.zeros(2 * pairs),
+        links=KEPT_LINK.zeros(2 * pairs),
+        first_kept=np.full(bodies, NOTHING),
         reports=REPORT.zeros(pairs),
         impact_calls=np.zeros((1, 2), np.int64),  # `StepCalls` has those of all workers
     )

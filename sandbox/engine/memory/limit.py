@@ -9,7 +9,7 @@ from sandbox.engine.contact_solver.blocks import ALL_COLORS, BLOCK_SIZE, LANES
 from sandbox.engine.records.batches import IMPACT, IMPACT_SLOT, SIZE
 from sandbox.engine.records.colliders import PAIR
 from sandbox.engine.records.contact_blocks import BLOCK
-from sandbox.engine.records.contacts import KEPT, REPORT, SLEEPING_RUN, SLOT
+from sandbox.engine.records.contacts import KEPT, KEPT_LINK, REPORT, SLEEPING_RUN, SLOT
 from sandbox.errors import CapacityError
 from sandbox.world.records import CONTACT
 
@@ -23,8 +23,8 @@ FAT_PAIRS = 2
 _PAIR_BYTES = 3 * _WORD + 2 * FAT_PAIRS * PAIR.dtype.itemsize + sum(
     table.dtype.itemsize
     for table in (
-        CONTACT, CONTACT, PAIR, SLEEPING_RUN, SLEEPING_RUN, SLEEPING_RUN, KEPT, KEPT, REPORT, SLOT, SLOT, SLOT, IMPACT,
-        IMPACT_SLOT,
+        CONTACT, CONTACT, PAIR, SLEEPING_RUN, SLEEPING_RUN, SLEEPING_RUN, KEPT, KEPT, KEPT_LINK, KEPT_LINK,
+        REPORT, SLOT, SLOT, SLOT, IMPACT, IMPACT_SLOT,
     )
 )  # fmt: skip
 _BLOCK_BYTES = BLOCK.dtype.itemsize + _WORD * BLOCK_SIZE

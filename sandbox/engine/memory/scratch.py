@@ -25,6 +25,7 @@ from sandbox.engine.memory.bundles import (
     measure_thin,
     solver_memory,
 )
+from sandbox.engine.narrow_phase.sleeping_contacts import NOTHING
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.batches import STRUCK_BODY
 from sandbox.engine.records.bodies import SolverBodies
@@ -89,7 +90,7 @@ class Scratch:
             piles=PILE.zeros(room.bodies),
             colliders=collider_memory(room),
             grid=grid_memory(room.shapes, pair_capacity),
-            contacts=contact_memory(state, pair_capacity),
+            contacts=contact_memory(state, room.bodies, pair_capacity),
             blocks=block_memory(pair_capacity, batch_memory(room.bodies, pair_capacity, workers)),
             ccd=ccd_memory(room),
             joint_filter=joint_filter,
@@ -123,7 +124,7 @@ class Scratch:
     def make_room_for_pairs(self, state: State, pairs: int, workers: int) -> None:
         """Take memory for so many pairs; what is known of bodies, shapes and joints is kept."""
         self.grid = self.grid._replace(cache=cache_memory(pairs), pairs=PAIR.zeros(pairs))
-        self.contacts = contact_memory(state, pairs)
+        self.contacts = contact_memory(state, self.room.bodies, pairs)
         self.blocks = block_memory(pairs, batch_memory(self.room.bodies, pairs, workers))
 
     def make_room_for_joints(self) -> None:
@@ -142,6 +143,7 @@ class Scratch:
         plain(self.active.info)["stale"] = 1
         self.solver = solver_memory(state, room.bodies)
         self.piles = PILE.zeros(room.bodies)
+        self.contacts = self.contacts._replace(first_kept=np.full(room.bodies, NOTHING))
         more = STRUCK_BODY.zeros(room.bodies)
         batches = self.blocks.batches._replace(bodies=np.zeros(room.bodies, np.int64), struck=more)
         self.blocks = self.blocks._replace(batches=batches)

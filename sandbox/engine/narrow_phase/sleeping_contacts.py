@@ -3,7 +3,7 @@
 The two tables of contacts take turns, so what is to be kept was in the very table that is written now, two steps ago.
 Each contact gets a number when it is first kept: a run of consecutive numbers that has its old place is there already,
 and nothing is copied. Of a number it is known whose contact that is, so that somebody who wakes is found without a look
-at the contacts.
+at the contacts, and all contacts of a body are in a list, for commands that wake or delete it (`resting.py`).
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from sandbox.engine.broad_phase.pairs import comes_before
 from sandbox.engine.records.contacts import Contacts
 from sandbox.tables import Integers, Records
 
+NOTHING = -1
 _SEAMS = 16
 """All contacts get new numbers once one in so many follows another one in the table, but not in number."""
 
@@ -25,6 +26,8 @@ def begin_sleeping_contacts(contacts: Contacts, info: Records, old_count: int) -
     cursor = contacts.cursor[0]
     if cursor.next + old_count > contacts.kept.shape[0] or _SEAMS * cursor.seams > 64 * _SEAMS + old_count:
         cursor.era0 = cursor.era1 = cursor.next = 0
+        for i in range(contacts.first_kept.shape[0]):
+            contacts.first_kept[i] = NOTHING
     known = (cursor.era1 if cursor.turn == 0 else cursor.era0) == info.era
     here = (cursor.era0 if cursor.turn == 0 else cursor.era1) == info.era
     old = cursor.generation1 if cursor.turn == 0 else cursor.generation0
@@ -183,13 +186,28 @@ def _keep_one(bodies: Records, activity: Integers, contacts: Contacts, k: int, c
     if both & AWAKE:  # a driven body has left the sleeper, who will wake
         list_contact(old, count, contacts)
     else:
-        cursor = contacts.cursor[0]
-        pair = contacts.kept[cursor.next]
-        pair.body_a = old.body_a
-        pair.body_b = old.body_b
-        _note_run(count, 1, cursor.next, contacts)
-        cursor.next += 1
+        _note_run(count, 1, _give_number(old, contacts), contacts)
     return count + 1
+
+
+@kernel
+def _give_number(contact: Records, contacts: Contacts) -> int:
+    """The number of a contact that is first kept, which comes first in the lists of both bodies."""
+    cursor = contacts.cursor[0]
+    number: int = cursor.next
+    a = contact.body_a
+    b = contact.body_b
+    pair = contacts.kept[number]
+    pair.body_a = a
+    pair.body_b = b
+    link = contacts.links[number]
+    link.shape_a = contact.shape_a
+    link.shape_b = contact.shape_b
+    link.next_a = contacts.first_kept[a]
+    link.next_b = contacts.first_kept[b]
+    contacts.first_kept[a] = contacts.first_kept[b] = number
+    cursor.next += 1
+    return number
 
 
 @kernel

@@ -21,7 +21,7 @@ ACTIVE_SET = Table(
         Field("shapes_generation", "-", "its value when the shapes were put in order", "i8"),
         Field("moving", "-", "shapes of bodies that may move", "i8"),
         Field("listed", "-", "those and, behind them, others that are to be looked at", "i8"),
-        Field("weighed", "-", "1 while the three that follow hold for all dynamic bodies", "i8"),
+        Field("weighed", "-", "1 while the three that follow hold for all dynamic bodies; `WITH_GONE`", "i8"),
         Field("heaviest", "kg", "largest mass"),
         Field("lightest", "kg", "smallest mass"),
         Field("slight", "m", "smallest extent"),

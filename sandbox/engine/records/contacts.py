@@ -41,6 +41,17 @@ SLEEPING_CURSOR = Table(
 KEPT = Table("kept", (Field("body_a", "-", "", "i4"), Field("body_b", "-", "", "i4")))
 """Whose contact has a number among those that are kept of sleepers."""
 
+KEPT_LINK = Table(
+    "kept_link",
+    (
+        Field("next_a", "-", "number of the contact that body a had before; -1 if none", "i4"),
+        Field("next_b", "-", "the same of body b", "i4"),
+        Field("shape_a", "-", "", "i4"),
+        Field("shape_b", "-", "", "i4"),
+    ),
+)
+"""The other contacts of those two bodies: each body has a list of all that were ever given a number."""
+
 SLOT = Table(
     "slot",
     (
@@ -66,7 +77,8 @@ class Contacts(NamedTuple):
 
     `active[1:]` are the contacts with an active body, `impact_candidates[1:]` the rows of those of them that may have
     an impact; how many they are is `active[0].contact` and `impact_candidates[0]`. `cursor` (one row) and `runs` are of
-    `sleeping_contacts`: the runs of the two tables and those of the walk, in thirds; `kept` has a row for each number.
+    `sleeping_contacts`: the runs of the two tables and those of the walk, in thirds; `kept` and `links` have a row for
+    each number, `first_kept` for each body the last number that a contact of it was given, -1 if none was.
     `impact_calls` [worker, CODE or BLOCK] are the addresses of the machine code of `strike_batch` and of its arguments,
     zeros until it is compiled.
     """
@@ -78,5 +90,7 @@ class Contacts(NamedTuple):
     cursor: Records
     runs: Records
     kept: Records
+    links: Records
+    first_kept: Integers
     reports: Records
     impact_calls: Integers
