@@ -139,7 +139,7 @@ class World(Readings, Shown, FixedAttributes):
         if going is not None:
             self._events.note_going(self.scratch, going)
         elif command.outdates_events:
-            self._events.events(self.scratch)
+            self._events.work_out(self.scratch)
         self._note(command.apply(self))
 
     @property

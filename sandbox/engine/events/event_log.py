@@ -34,12 +34,30 @@ class KeptEvents(NamedTuple):
     deleted: DeletedPairs
 
 
+def _put_back(names: list[str], rows: list[int], gone: list[str]) -> list[str]:
+    """Names as they were before some were taken out of those rows."""
+    before: list[str] = []
+    first = 0
+    for row, name in zip(rows, gone, strict=True):
+        end = first + row - len(before)
+        before += names[first:end]
+        before.append(name)
+        first = end
+    return before + names[first:]
+
+
 class EventLog:
     """The events of the last step of a state. Whoever steps or changes the state tells it so."""
 
     def __init__(self, state: State) -> None:
         self._state = state
         self._events: Events | None = None
+        self._unnamed: Events | None = None
+        """The same before anybody has asked who is behind the rows: all names take long where there are many bodies."""
+        self._bodies = 0
+        """How many bodies there were then."""
+        self._gone: list[tuple[list[int], list[str]]] = []
+        """Which rows have gone since, and who was behind them."""
         self._quiet = True
         """Whether nothing happened in the last step, which takes no looking."""
         self._counts: tuple[int, int] | None = None
@@ -50,8 +68,18 @@ class EventLog:
     def events(self, scratch: Scratch) -> Events:
         """The events of the last step, worked out when they are asked for; `scratch` is what that step left."""
         if self._events is None:
-            self._events = self._quiet_step() if self._quiet else self._found(scratch)
+            found = self.work_out(scratch)
+            self._events = replace(found, names=(*self._names(), *found.names))
         return self._events
+
+    def work_out(self, scratch: Scratch) -> Events:
+        """Work them out now, as the state is about to change; of the names only those of who had gone before."""
+        if self._unnamed is None:
+            counts = self._counts or (len(self._state.bodies), len(self._state.joints))
+            self._bodies = counts[0]
+            joint_names = self._state.joint_names[: counts[1]]
+            self._unnamed = self._quiet_step() if self._quiet else self._found(scratch, joint_names)
+        return self._unnamed
 
     @property
     def sensed(self) -> Records | None:
@@ -86,8 +114,11 @@ class EventLog:
 
     def note_going(self, scratch: Scratch, bodies: NDArray[np.bool_]) -> None:
         """Marked bodies will be deleted, with whatever knows of them."""
-        self.events(scratch)
-        self._pending.note_going(self._state, bodies, self.sensed)
+        self.work_out(scratch)
+        rows = np.flatnonzero(bodies)
+        names = self._state.census.bodies.names
+        self._gone.append((rows.tolist(), [names[row] for row in rows.tolist()]))
+        self._pending.note_going(self._state, rows, self.sensed)
 
     def note_moved(self, moved: Moved) -> None:
         """Rows have gone."""
@@ -117,24 +148,30 @@ class EventLog:
 
     def _forget(self, quiet: bool) -> None:
         """The last step is another one; in a `quiet` one nothing happened."""
-        self._events = self._counts = None
+        self._events = self._unnamed = self._counts = None
+        self._gone = []
         self._quiet = quiet
 
     def _quiet_step(self) -> Events:
-        return no_events(int(self._state.counters[0].step_count), self._ids()[0])
+        return no_events(int(self._state.counters[0].step_count), ())
 
-    def _found(self, scratch: Scratch) -> Events:
+    def _found(self, scratch: Scratch, joint_names: tuple[str, ...]) -> Events:
         sensors, contacts = self._sensors, scratch.contacts
         sensed = (sensors.before, sensors.now) if sensors is not None else (_NOBODY, _NOBODY)
         counter = plain(self._state.counters)[0]
         counts = int(counter["old_contact_count"]), int(counter["contact_count"])
         last_step = LastStep(contacts.now, contacts.reports, sensed, rows_in_doubt(scratch.active, contacts, *counts))
-        return find_events(self._state, self._ids(), last_step, self._pending)
+        return find_events(self._state, (self._bodies, joint_names), last_step, self._pending)
 
-    def _ids(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
-        """Of bodies and of joints, as they were after the last step."""
-        ids = self._state.names, self._state.joint_names
-        return ids if self._counts is None else (ids[0][: self._counts[0]], ids[1][: self._counts[1]])
+    def _names(self) -> Sequence[str]:
+        """The ids of the bodies as they were after the last step."""
+        now = self._state.names
+        if not self._gone:
+            return now[: self._bodies]
+        names = list(now)
+        for rows, gone in reversed(self._gone):
+            names = _put_back(names, rows, gone)
+        return names[: self._bodies]
 
     def _find_sensors(self) -> SensorOverlaps | None:
         if not self._has_sensors():

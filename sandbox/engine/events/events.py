@@ -106,26 +106,26 @@ def no_events(step: int, names: tuple[str, ...]) -> Events:
 
 def find_events(
     state: State,
-    ids: tuple[tuple[str, ...], tuple[str, ...]],
+    rows: tuple[int, tuple[str, ...]],
     last_step: LastStep,
     pending: PendingEvents,
 ) -> Events:
     """The events of the step that led to `state`.
 
-    `ids` are those of the bodies and of the joints after that step; `pending` tells what was deleted before the step,
-    and who was put elsewhere since.
+    `rows` are how many bodies there were after that step, and the ids of the joints; `pending` tells what was deleted
+    before the step, and who was put elsewhere since. Of the ids of bodies it has those of deleted ones only.
     """
     counter, bodies = plain(state.counters)[0], plain(state.bodies)
     step = int(counter["step_count"])
-    centers, lookup = _centers(bodies, pending), RowLookup(state, ids[0])
+    centers, lookup = _centers(bodies, pending), RowLookup(state, rows[0])
     enter, leave = _entered_and_left(*last_step.sensed)
     now: Any = plain(state.contacts)[: int(counter["contact_count"])]
     old: Any = plain(last_step.before)[: int(counter["old_contact_count"])]
     did: Any = plain(last_step.reports)[: len(now)]
-    old_rows, rows = last_step.in_doubt or (np.arange(len(old)), np.arange(len(now)))
-    touched, touches = (some[each["touching"][some] == 1] for each, some in ((old, old_rows), (now, rows)))
+    before, after = last_step.in_doubt or (np.arange(len(old)), np.arange(len(now)))
+    touched, touches = (some[each["touching"][some] == 1] for each, some in ((old, before), (now, after)))
     old_keys, keys = _keys(old, touched), _keys(now, touches)
-    struck = rows[did["hit_speed"][rows] >= HIT_SPEED * state.settings[0].units_per_meter]
+    struck = after[did["hit_speed"][after] >= HIT_SPEED * state.settings[0].units_per_meter]
     began, went = differences(keys, old_keys)
     fresh, ended = touches[began], touched[went]
     stirred = np.flatnonzero(bodies["stirred"])
@@ -143,7 +143,7 @@ def find_events(
         stirred[bodies["stirred"][stirred] == 1],
         np.flatnonzero(bodies["frozen_step"] == step - 1) if counter["frozen_count"] else _NO_BODIES,
         np.flatnonzero(plain(state.joints)["broken_step"] == step - 1) if counter["broken_count"] else _NO_BODIES,
-        ids[1],
+        rows[1],
     )
 
 

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
 from sandbox.tables import Integers, Records, plain
 from sandbox.world.contact_rows import contacts_of
@@ -70,17 +69,17 @@ class PendingEvents:
         """A command has put the body of that row elsewhere; `center` is where its centre was."""
         self.places.setdefault(row, center)
 
-    def note_going(self, state: State, gone: NDArray[np.bool_], sensed: Records | None) -> None:
-        """Bodies will be deleted: what touches them, or is `sensed` with them, will do so no more."""
+    def note_going(self, state: State, gone: Integers, sensed: Records | None) -> None:
+        """Bodies of those rows will be deleted: what touches them, or is `sensed` with them, will do so no more."""
         count = int(plain(state.counters)["contact_count"][0])
-        near = contacts_of(state.contacts, count, np.flatnonzero(gone), state.resting)
+        near = contacts_of(state.contacts, count, gone, state.resting)
         going = plain(state.contacts)[near]
         touched = going[going["touching"] == 1]
         if len(touched):
             self._next[0].extend(_contacts(state, touched))
         if sensed is not None:
             rows = plain(sensed)
-            left = rows.take(np.flatnonzero(gone[rows["sensor_body"]] | gone[rows["body"]]))
+            left = rows.take(np.flatnonzero(np.isin(rows["sensor_body"], gone) | np.isin(rows["body"], gone)))
             keys = _keys(state, left["sensor_body"], left["sensor"]), _keys(state, left["body"], left["shape_index"])
             self._next[1].extend(map(DeletedPair, *keys))
 
@@ -117,24 +116,24 @@ def _contacts(state: State, rows: Any) -> Iterator[DeletedPair]:
 
 
 class RowLookup:
-    """Finds the rows of shapes now, and gives deleted bodies places after all others in `names`."""
+    """Finds the rows of shapes now, and gives deleted bodies places after all others, which are so many."""
 
-    def __init__(self, state: State, names: tuple[str, ...]) -> None:
-        self._state, self._names = state, names
+    def __init__(self, state: State, bodies: int) -> None:
+        self._state, self._bodies = state, bodies
         self._gone: dict[int, int] = {}
-        self._more: list[str] = []
+        self._names: list[str] = []
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The ids of bodies, and after them those of deleted ones that were looked up."""
-        return (*self._names, *self._more) if self._more else self._names
+        """The ids of deleted bodies that were looked up."""
+        return tuple(self._names)
 
     def rows(self, pairs: Sequence[DeletedPair]) -> tuple[Integers, ...]:
-        """For each pair the bodies' indices into `names`, and the rows of the shapes; -1 for one that is gone."""
+        """For each pair the bodies' indices into all names, and the rows of the shapes; -1 for one that is gone."""
         keys = [key for pair in pairs for key in (pair.first, pair.second)]
         found = np.array([self._body(key) for key in keys], np.int64)
         shapes = _first_shapes(self._state, found) + np.array([key.shape for key in keys], np.int64)
-        shapes[found >= len(self._names)] = -1
+        shapes[found >= self._bodies] = -1
         return found[::2], found[1::2], shapes[::2], shapes[1::2]
 
     def _body(self, key: ShapeKey) -> int:
@@ -142,6 +141,6 @@ class RowLookup:
         if row is not None:
             return row
         if key.serial not in self._gone:
-            self._gone[key.serial] = len(self._names) + len(self._more)
-            self._more.append(key.name)
+            self._gone[key.serial] = self._bodies + len(self._names)
+            self._names.append(key.name)
         return self._gone[key.serial]
