@@ -28,6 +28,12 @@ def contacts_of(contacts: Records, count: int, rows: Integers, resting: Resting 
     if known is not None:
         return known
     used: Any = plain(contacts)[:count]
-    chosen = np.zeros(int(used["body_b"].max()) + 1, np.bool_)  # which is no less than body_a
-    chosen[rows[rows < len(chosen)]] = True
-    return np.flatnonzero(chosen[used["body_a"]] | chosen[used["body_b"]])
+    first, last = int(rows.min()), int(rows.max())
+    near = np.flatnonzero(used["body_b"] >= first)  # which is no less than body_a
+    highest = used["body_b"][near]
+    if last - first + 1 == len(rows) and highest.max(initial=first) <= last:  # all from the first one on
+        return near
+    chosen = np.zeros(max(last, int(highest.max(initial=first))) + 1, np.bool_)
+    chosen[rows] = True
+    some: Integers = near[chosen[used["body_a"][near]] | chosen[highest]]
+    return some

@@ -257,6 +257,48 @@ def test_changes_among_static_tiles() -> None:
         assert math.isfinite(tell(f"{name} among so many tiles, with a step", costs))
 
 
+AMONG_SLEEPERS: dict[str, Callable[[int, int], sandbox.Command]] = {
+    "spawning a ball": lambda k, _: sandbox.Spawn({"id": f"ball-{k}", "shapes": [{"circle": 0.3}], "position": [k, 9]}),
+    "deleting a ball": lambda k, _: sandbox.Delete(f"ball-{k}"),
+    "pushing a sleeper": lambda k, count: sandbox.ApplyImpulse(f"box-{k * 7919 % count}", (0.01, 0.0)),
+    "joining two sleepers": lambda k, _: sandbox.Spawn(joints=hinge_of_sleepers(k)),
+    "deleting their joint": lambda k, _: sandbox.DeleteJoint(f"hinge-{k}"),
+    "deleting one of the first": lambda k, _: sandbox.Delete(f"box-{2 * k}"),
+}
+
+
+def hinge_of_sleepers(k: int) -> list[Words]:
+    x = 2.0 * (2 * k + 100)
+    names = [f"box-{2 * k + 100}", f"box-{2 * k + 101}"]
+    return [{"id": f"hinge-{k}", "type": "revolute", "bodies": names, "anchor": [x + 1.0, 0.5]}]
+
+
+def test_changes_among_sleepers() -> None:
+    """Each with the step after it, one after the other, among boxes that sleep on grounds of a thousand each."""
+    seconds: dict[str, dict[int, float]] = {name: {} for name in AMONG_SLEEPERS}
+    for count in (4000, 8000, 16000, 32000, 64000):
+        ground = {"type": "static", "shapes": [{"box": [2100, 2]}]}
+        floors = [{**ground, "id": f"floor-{f}", "position": [1000, 40 * f - 1]} for f in range(count // 1000)]
+        box = {"shapes": [{"box": [1, 1]}]}
+        boxes = [{**box, "id": f"box-{k}", "position": [2 * (k % 1000), 0.5 + 40 * (k // 1000)]} for k in range(count)]
+        world = sandbox.World(sandbox.Scene(bodies=[*floors, *boxes], settings={"sleeping": True}))
+        world.step(100)
+        assert world.awake_count == 0
+        for name, make in AMONG_SLEEPERS.items():
+            turn = iter(range(1000))
+
+            def change(
+                world: sandbox.World = world, make: Callable = make, turn: Iterator[int] = turn, count: int = count
+            ) -> None:
+                world.apply(make(next(turn), count))
+                world.step()
+
+            seconds[name][count] = fastest(change, turns=12)
+        assert len(world.bodies) == count + count // 1000 - 13
+    for name, costs in seconds.items():
+        assert math.isfinite(tell(f"{name} among so many sleepers, with a step", costs))
+
+
 @pytest.mark.parametrize("tiles", [2000, 20000])
 def test_steps_of_what_has_fallen_off_a_level(tiles: int) -> None:
     """By how fast it falls, where all else lies still behind it: each doubling takes as many steps as all before."""

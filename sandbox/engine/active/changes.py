@@ -11,7 +11,7 @@ from sandbox.engine.active.pile_stability import WITH_GONE
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.colliders import Grid
 from sandbox.tables import Integers, plain
-from sandbox.world.records import STATIC
+from sandbox.world.records import DYNAMIC, STATIC
 from sandbox.world.rows import Moved
 
 
@@ -58,5 +58,5 @@ def keep_what_stays(active: ActiveSet, grid: Grid, moved: Moved) -> None:
         info["asleep"] -= int((active.activity[body:listed] == ASLEEP).sum())
     known["known"] = min(known["known"], shape)
     info["shifted"] = 1
-    if info["weighed"]:
+    if info["weighed"] and (moved.types[~moved.bodies.left] == DYNAMIC).any():
         info["weighed"] = WITH_GONE

@@ -13,6 +13,7 @@ from sandbox.engine.commands.checks import title
 from sandbox.errors import CommandError, SceneError
 from sandbox.tables import Integers
 from sandbox.world.reweigh import reweigh
+from sandbox.world.shape_rows import first_shape
 from sandbox.world.state import State
 
 _FIELDS = ("friction", "restitution", "rolling_resistance", "surface_speed")
@@ -47,7 +48,7 @@ class SetSurface(BodyCommand):
 
     def change(self, state: State, row: int) -> None:
         """Write the new surface. Raises `CommandError`, and changes nothing, for values that no scene may have."""
-        rows = np.flatnonzero(np.asarray(state.shapes.body) == row)
+        rows = np.arange(first_shape(state.shapes, row), first_shape(state.shapes, row + 1))
         if self.shape is not None:
             if not 0 <= self.shape < len(rows):
                 raise CommandError(f"{title(self)}: the body has no shape {self.shape}, but {len(rows)}")
