@@ -54,7 +54,8 @@ _FLAGS: dict[str, Any] = {
 }
 # Kernels allocate nothing, so numba's reference counting is off: its atomic counters around every call that takes an
 # array cost more than the arithmetic (the grid ran 7 times slower with them).
-
+_MANY = 1_000_000
+"""Objects of 200 MB."""
 
 teach_operators()
 
@@ -127,23 +128,35 @@ def _pipeline(state: Any) -> PassManager:
     return passes
 
 
-@contextmanager
-def _no_garbage_collection() -> Iterator[None]:
+class _Garbage:
     """Compiling makes a million objects that stay: looking through them for garbage is a fifth of its time.
 
-    They are not looked through right after it either, but before something else is compiled, if that ever happens.
+    They are not looked through right after it either, but before something else is compiled, and only if their memory
+    counts by then: small entry points would take three times as long.
     """
-    on = gc.isenabled()
-    gc.disable()
-    if on and gc.get_freeze_count() > 0:
-        gc.unfreeze()
-        gc.collect()
-    try:
-        yield
-    finally:
-        gc.freeze()
-        if on:
-            gc.enable()
+
+    def __init__(self) -> None:
+        self._made = 0
+
+    @contextmanager
+    def kept(self) -> Iterator[None]:
+        """Do not look for garbage meanwhile."""
+        on = gc.isenabled()
+        gc.disable()
+        if on and self._made > _MANY:
+            gc.unfreeze()
+            gc.collect()
+            self._made = 0
+        try:
+            yield
+        finally:
+            self._made += gc.get_count()[0]
+            gc.freeze()
+            if on:
+                gc.enable()
+
+
+_garbage = _Garbage()
 
 
 @contextmanager
@@ -236,7 +249,7 @@ def machine_code(entry: Any, arguments: tuple[Any, ...], processor: str = "") ->
 
 def linked(entry: Any, arguments: tuple[Any, ...], processor: str = "") -> tuple[Returns, Any]:
     """What an entry point returns, and its library: the module of it and all the kernels below it."""
-    with global_compiler_lock, _no_garbage_collection(), _remembered_calls(), _exact_records():
+    with global_compiler_lock, _garbage.kept(), _remembered_calls(), _exact_records():
         kinds = tuple(by_address(entry.typeof_pyval(each)) for each in arguments)
         entry.compile(kinds)
         compiled = entry.overloads[kinds]
