@@ -67,17 +67,11 @@ def _once(part: Any, of: FlatScene) -> None:
     part(*bind(part, state, Scratch.for_state(state, 16)))
 
 
-def _bind_workers(of: FlatScene) -> None:
-    Stepper(build_state(of), 2).bind_workers()
-
-
 def _solve() -> None:
-    """What moves bodies, without joints and with them, what other workers do of such steps, and the stages that are
-    tested by themselves."""
+    """What moves bodies, without joints and with them, and the stages of that which are tested by themselves; fields,
+    and what is asked of a world."""
     for of in (busy.scene(), jointed.scene()):
         _once(solve, of)
-    _bind_workers(busy.scene())
-    _bind_workers(jointed.scene())
     stages = Paused(World(busy.scene()))
     stages.lay_out()
     stages.begin()
@@ -85,9 +79,18 @@ def _solve() -> None:
     stages.solve(0.0, 0.0, 0.0)
     stages.move()
     stages.store()
-    stages.strike()
     solve_mouse_joints(stages.tables, stages.scratch.solver, 0, stages.substep)
     island_roots(2, [(0, 1)], [True, True])
+    Stepper(build_state(busy.scene()), workers=2).bind_workers()
+    _once(apply_fields, floating.scene())
+    both = scene(body("a", circle(1.0, sensor=True)), body("b", circle(1.0)))
+    SensorOverlaps(build_state(both)).update()
+    ask = World(both).query
+    ask.ray((-2.0, 0.0), (4.0, 0.0))
+    ask.ray_all((-2.0, 0.0), (4.0, 0.0))
+    ask.nearest((0.0, 0.0))
+    ask.point((0.0, 0.0))
+    ask.distance("a", "b")
 
 
 def _others() -> None:
@@ -97,25 +100,18 @@ def _others() -> None:
     for part in (begin, finish):
         for of in (busy.scene(), jointed.scene()):
             _once(part, of)
-    Paused(World(busy.scene())).detect()
+    stages = Paused(World(busy.scene()))
+    stages.detect()
     _once(solve_continuous, busy.scene())
-    _once(apply_fields, floating.scene())
     for of in (busy.scene(), jointed.scene()):
         _once(strike_batch, of)
+    stages.strike()
     lay_out_many_joints()
     pair = pair_of(Box(1.0, 1.0), Box(1.0, 1.0, (2.0, 0.0)))
     pair.manifold(0.0)
     pair.nearest()
     pair.manifold_on(Axis(0, 1, 0, 1, 0, 0))
     our_answer(Pair(Core(((0.0, 0.0),)), Core(((1.0, 0.0),))))
-    both = scene(body("a", circle(1.0, sensor=True)), body("b", circle(1.0)))
-    SensorOverlaps(build_state(both)).update()
-    ask = World(both).query
-    ask.ray((-2.0, 0.0), (4.0, 0.0))
-    ask.ray_all((-2.0, 0.0), (4.0, 0.0))
-    ask.nearest((0.0, 0.0))
-    ask.point((0.0, 0.0))
-    ask.distance("a", "b")
 
 
 PARTS = {"solve": _solve, "others": _others}

@@ -1,7 +1,8 @@
 """The step: every stage of the engine, in order. Window, replay, benchmark and test all come through here.
 
 It has four parts, so that an empty kernel cache can be filled by two processes at once (`compile_step.py`), and that
-those which joints do not change are made once for worlds with joints and without.
+those which joints do not change are made once for worlds with joints and without. Called by another worker than the
+first, each does a range of the task that the first one is at (`workers/tasks.py`).
 """
 
 from __future__ import annotations
@@ -45,6 +46,7 @@ from sandbox.engine.records.workers import Workers
 from sandbox.engine.restitution.strike_batch import lacks_impacts
 from sandbox.engine.restitution.struck import flag_struck
 from sandbox.engine.solve_islands import Level, solve_level
+from sandbox.engine.workers.tasks import help_begin, help_collide, help_finish, help_solve
 from sandbox.tables import Records
 
 
@@ -64,6 +66,9 @@ def collide(
 
     Returns 0, or the number of pairs that scratch memory must have room for before this is called again.
     """
+    if workers.number > 0:
+        help_collide(state, active, colliders, grid, contacts, workers, decisions)
+        return 0
     counter = state.counters[0]
     update_active_set(state.bodies, active, solver)
     info = active.info[0]
@@ -103,6 +108,9 @@ def begin(
 
     Returns whether `strike_batch` has to be compiled before these.
     """
+    if workers.number > 0:
+        help_begin(joints, solver.motions, workers)
+        return False
     bodies = state.bodies
     info = active.info[0]
     count = state.counters[0].found_count
@@ -138,6 +146,9 @@ def solve(
     workers: Workers,
 ) -> None:
     """Solve contacts and joints and move everything, the islands of one substep level after those of another."""
+    if workers.number > 0:
+        help_solve(state, active, solver, contacts, blocks, joints, workers)
+        return
     info = active.info[0]
     counter = state.counters[0]
     levels = info.substep_levels
@@ -166,6 +177,9 @@ def finish(
 
     Returns whether the step ends with `solve_continuous`: bodies may have passed through something.
     """
+    if workers.number > 0:
+        help_finish(state, active, solver, joints, workers)
+        return False
     counter = state.counters[0]
     if joints is not None:
         finish_joints(joints, state.settings[0].step_seconds, counter, workers)

@@ -17,7 +17,7 @@ from sandbox.engine.memory.binding import contact_arguments, parameters, scratch
 from sandbox.engine.memory.scratch import Scratch
 from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.restitution.strike_batch import strike_batch
-from sandbox.engine.run_step import COLLIDE, CONTINUOUS, FIELDS, FINISH, SOLVE, run_step
+from sandbox.engine.run_step import BEGIN, COLLIDE, CONTINUOUS, FIELDS, FINISH, SOLVE, run_step
 from sandbox.engine.workers.serve import serve
 from sandbox.tables import Integers
 from sandbox.world.state import State
@@ -38,8 +38,6 @@ class StepCalls:
         self._last = FINISH
         self._calls: dict[tuple[Any, int, int], Call] = {}
         self._bundles: dict[tuple[str, int], Bundle] = {}
-        self._served: list[list[Call]] = []
-        self._striking: list[list[Call]] = []
         self.parts: Integers = np.zeros((2, len(PARTS_OF_STEP), 2), np.int64)
         """The tables of parts for even and for odd steps (`run_step`), once they are `bound`."""
         self.bound = False
@@ -47,6 +45,8 @@ class StepCalls:
         self._strikes = False
         self._impact_calls: Integers = np.zeros((2, workers, 2), np.int64)
         """`Contacts.impact_calls` of even and of odd steps."""
+        self._helping: Integers = np.zeros((2, workers, len(PARTS_OF_STEP), 2), np.int64)
+        """Tables of parts for even and for odd steps, as each of the other workers calls them (`serve`)."""
         self.has_fields = False
         self._runs: dict[tuple[int, int], Callable[[], int]] = {}
         self._run_calls = {
@@ -64,16 +64,14 @@ class StepCalls:
         self.bound = False
         self.has_fields = has_fields(state)
         named = self._bundled(state_arguments(state) | scratch_arguments(scratch))
-        self._served, self._striking = [], []
         for turn, tables in enumerate(contacts):
             named |= self._bundled(contact_arguments(tables._replace(impact_calls=self._impact_calls[turn])), turn)
-            for part in PARTS:
-                self._call(part, turn, named)
             if self.has_fields:
                 self._call(apply_fields, turn, named)
-            of_workers = [self._named_for(worker, named, scratch) for worker in range(self._workers)]
-            self._served.append([self._call(serve, turn, own, k) for k, own in enumerate(of_workers) if k > 0])
-            self._striking.append([self._call(strike_batch, turn, own, k) for k, own in enumerate(of_workers)])
+            for worker in range(self._workers):
+                own = self._named_for(worker, named, scratch) | {"parts": self._helping[turn, worker]}
+                for part in (*PARTS, strike_batch, serve):
+                    self._call(part, turn, own, worker)
 
     def fill_state(self, state: State, scratch: Scratch) -> None:
         """Call the parts with other tables of the state, which still has fields or still has none, and the same scratch
@@ -90,8 +88,11 @@ class StepCalls:
         for turn, parts in enumerate(self.parts):
             for row in range(self._last + 1):
                 parts[row] = self._machine(row, turn)
-            if self._strikes:
-                self._impact_calls[turn] = [call.machine() for call in self._striking[turn]]
+            for worker in range(self._workers):
+                if self._strikes:
+                    self._impact_calls[turn, worker] = self._calls[strike_batch, worker, turn].machine()
+                for row in (COLLIDE, BEGIN, SOLVE, FINISH) if worker > 0 else ():
+                    self._helping[turn, worker, row] = self._calls[PARTS_OF_STEP[row], worker, turn].machine()
         self._runs = {key: call.bind() for key, call in self._run_calls.items()}
         self.bound = True
 
@@ -115,7 +116,7 @@ class StepCalls:
 
     def bind_workers(self, turn: int) -> Sequence[Callable[[], Any]]:
         """What the other workers run in an even (0) or odd (1) step, compiled if need be."""
-        return [call.bind() for call in self._served[turn]]
+        return [self._calls[serve, worker, turn].bind() for worker in range(1, self._workers)]
 
     def run(self, turn: int, first: int) -> int:
         """Run the parts of a step from the `first` one on: `run_step`."""

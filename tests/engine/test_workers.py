@@ -12,12 +12,15 @@ import pytest
 
 import sandbox
 from sandbox._atomics import atomic_load
+from sandbox._compiling import weight_of
 from sandbox._jit import Call, entry_point, jit_enabled, kernel_argument
 from sandbox.engine import stepper
 from sandbox.engine.joints import part_layout
 from sandbox.engine.memory import limit
 from sandbox.engine.records.workers import SIZE, workers_memory
+from sandbox.engine.step import finish, solve
 from sandbox.engine.workers.parallel_for import CLOSED, first_part, next_part, note_done, take
+from sandbox.engine.workers.serve import serve
 from sandbox.engine.workers.threads import WorkerThreads
 from sandbox.engine.world import World
 from sandbox.errors import ArgumentError
@@ -211,6 +214,12 @@ def test_the_others_do_a_part(share_all, monkeypatch):
     while sum(done) == 0 and len(done) < 500:  # others may have the processors for a while
         world.step()
     assert sum(done) > 0
+
+
+@compiled_only
+def test_what_the_others_run_is_no_second_step_to_compile():
+    """They call the parts of the step that the first worker has."""
+    assert 20 * weight_of(serve, ()) < weight_of(finish, ()) + weight_of(solve, ())
 
 
 @compiled_only

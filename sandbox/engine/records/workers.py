@@ -12,8 +12,8 @@ WORDS = 64
 """Whole numbers that threads share, see `workers.parallel_for`: a cache line for each that is written often."""
 SIZE = 0
 """Word: how many workers take part in a step."""
-NUMBERS = 24
-"""Numbers that a worker tells the others, or itself when it is alone."""
+NUMBERS = 32
+"""Numbers that a worker tells the others, or itself when it is alone: whole cache lines."""
 FROZEN, AWAKE, DRIVEN, RESTED, FAST, BROKEN = 4, 5, 6, 7, 8, 9
 """Words: how many bodies were frozen, are awake, driven and moving, slow long enough to sleep, and to be swept; and how
 many joints broke."""

@@ -1,219 +1,54 @@
-"""What every worker but the first runs while a step is taken: it looks for tasks and does its part of them."""
+"""What every worker but the first runs while a step is taken: it looks for tasks and does its part of them.
+
+A task is done by the machine code of the part of the step that offers it (`tasks.py`), called by its address
+(`_calls.py`) as another worker than the first: it would be most of a step to compile it here once more.
+"""
 
 from __future__ import annotations
 
 from typing import Any
 
-from sandbox._atomics import atomic_add, atomic_load
+from sandbox._atomics import atomic_load
+from sandbox._calls import BLOCK, CODE, call_nothing, call_number, call_truth
 from sandbox._jit import entry_point, kernel
-from sandbox.engine.bodies.begin_and_finish import finish_some_bodies
-from sandbox.engine.bodies.free_flight import fly_some, told_flight
-from sandbox.engine.bodies.integrate import integrate_some_velocities, prepare_some_forces
-from sandbox.engine.bodies.integrate_positions import Scale, integrate_some_positions
-from sandbox.engine.bodies.quarantine import guard_some_velocities
-from sandbox.engine.broad_phase.proxies import bound_some_shapes
-from sandbox.engine.contact_solver.prepare import ImpactCriteria, prepare_blocks
-from sandbox.engine.contact_solver.soft_constraint import contact_spring
-from sandbox.engine.contact_solver.solve import solve_blocks, solve_blocks_again
-from sandbox.engine.contact_solver.store import store_blocks
-from sandbox.engine.contact_solver.velocity_parts import add_some_parts, turn_some_parts
-from sandbox.engine.contact_solver.warm_start import warm_start_blocks
-from sandbox.engine.joints.direct.solve import solve_some_batches
-from sandbox.engine.joints.net_blocks import SoftJoint
-from sandbox.engine.joints.net_sweeps import load_net_blocks, report_net_blocks, sweep_net_blocks, warm_start_net_blocks
-from sandbox.engine.joints.records import JointWork
-from sandbox.engine.narrow_phase.decide_pairs import decide_pairs
-from sandbox.engine.narrow_phase.write_contacts import write_contacts
-from sandbox.engine.records.active_set import ActiveSet
-from sandbox.engine.records.bodies import SolverBodies
-from sandbox.engine.records.colliders import Colliders, Grid
-from sandbox.engine.records.contact_blocks import ContactBlocks
-from sandbox.engine.records.contacts import Contacts
-from sandbox.engine.records.decisions import Decisions
-from sandbox.engine.records.state import StateTables
-from sandbox.engine.records.workers import FROZEN, Workers
-from sandbox.engine.solve_islands import solve_batches, told_share
-from sandbox.engine.workers.parallel_for import CLOSED, FIRST_PAIR, TASK, look_again, note_done, take
-from sandbox.engine.workers.task_kinds import (
-    ADD_PARTS,
-    ANEW,
-    BOUND_SHAPES,
-    DECIDE_PAIRS,
-    FASTEST,
-    FLY,
-    GIVE,
-    GRAVITY,
-    GUARD_VELOCITIES,
-    IMPACT_SPEED,
-    IMPACTS,
-    INTEGRATE_POSITIONS,
-    INTEGRATE_VELOCITIES,
-    LEVEL,
-    LOAD_NETS,
-    MOST,
-    PREPARE_CONTACTS,
-    PREPARE_FORCES,
-    PUSH,
-    REPORT_NETS,
-    SECONDS,
-    SOLVE_AGAIN,
-    SOLVE_BATCHES,
-    SOLVE_CONTACTS,
-    SOLVE_ISLANDS,
-    STORE_IMPULSES,
-    STRUCK_BLOCKS,
-    SWEEP_NETS,
-    TURN_PARTS,
-    UNITS,
-    WARM_START,
-    WARM_START_NETS,
-    WRITE_CONTACTS,
-    told_soft,
-)
-from sandbox.tables import Records
+from sandbox.engine.records.workers import NUMBERS, Workers
+from sandbox.engine.run_step import BEGIN, COLLIDE, FINISH, SOLVE
+from sandbox.engine.workers.parallel_for import CLOSED, TASK, look_again, note_done, take
+from sandbox.engine.workers.task_kinds import BOUND_SHAPES, END, FIRST, LOAD_NETS, REPORT_NETS
+from sandbox.tables import Integers
 
 
 @entry_point
-def serve(
-    state: StateTables,
-    active: ActiveSet,
-    solver: SolverBodies,
-    colliders: Colliders,
-    grid: Grid,
-    contacts: Contacts,
-    blocks: ContactBlocks,
-    workers: Workers,
-    decisions: Decisions,
-    joints: JointWork | None,
-) -> int:
-    """Do parts of what is offered until the step is over, as worker `workers.number`; returns how many it did."""
+def serve(parts: Integers, workers: Workers) -> int:
+    """Do parts of what is offered until the step is over, as worker `workers.number`; returns how many it did.
+
+    `parts` [part, CODE or BLOCK] are those of the step (`run_step`), called as this worker.
+    """
     words = workers.words
-    parts = looks = 0
+    own: Any = workers.numbers[workers.number * NUMBERS :]
+    done = looks = 0
     while atomic_load(words, CLOSED) == 0:
         first, end = take(words, workers.number)
         if first < end:
-            if words[TASK] <= WRITE_CONTACTS:
-                _do_pairs(state, colliders, grid, contacts, workers, decisions, first, end)
-            elif words[TASK] >= BOUND_SHAPES:
-                _do_rows(state, active, solver, colliders, grid, workers, first, end)
-            elif words[TASK] == SOLVE_ISLANDS:
-                share = told_share(workers)
-                solve_batches(state, active, solver, contacts, blocks, joints, workers, share, first, end)
-            elif words[TASK] < SOLVE_BATCHES:
-                _do_bodies(state, active, solver, contacts, blocks, workers, first, end)
-            elif joints is not None and words[TASK] >= WARM_START_NETS:
-                _do_nets(state, joints, solver.motions, workers, first, end)
-            elif joints is not None:
-                free_motions, seconds = solver.free_motions, workers.numbers[SECONDS]
-                d = joints.direct
-                solve_some_batches(d, solver.motions, free_motions, seconds, words[TASK], workers.number, first, end)
+            own[FIRST] = first
+            own[END] = end
+            _call_part(parts, words[TASK])
             note_done(words, end - first)
-            parts += 1
+            done += 1
             looks = 0
         else:
             looks = look_again(looks)
-    return parts
+    return done
 
 
 @kernel
-def _do_pairs(
-    state: StateTables,
-    colliders: Colliders,
-    grid: Grid,
-    contacts: Contacts,
-    workers: Workers,
-    decisions: Decisions,
-    first: int,
-    end: int,
-) -> None:
-    """Do a task of `collide` for pairs of the batch under way."""
-    pairs: Any = grid.pairs[workers.words[FIRST_PAIR] :]
-    if workers.words[TASK] == DECIDE_PAIRS:
-        decide_pairs(state, colliders, pairs, contacts.before, decisions, workers.number, first, end)
+def _call_part(parts: Integers, task: int) -> None:
+    """Call the part of the step that a task is of."""
+    if task <= BOUND_SHAPES:
+        call_number(parts[COLLIDE, CODE], parts[COLLIDE, BLOCK])
+    elif task == LOAD_NETS:
+        call_truth(parts[BEGIN, CODE], parts[BEGIN, BLOCK])
+    elif task < REPORT_NETS:
+        call_nothing(parts[SOLVE, CODE], parts[SOLVE, BLOCK])
     else:
-        write_contacts(colliders.proxies, pairs, contacts, decisions, first, end)
-
-
-@kernel
-def _do_rows(
-    state: StateTables,
-    active: ActiveSet,
-    solver: SolverBodies,
-    colliders: Colliders,
-    grid: Grid,
-    workers: Workers,
-    first: int,
-    end: int,
-) -> None:
-    """Do a task for active shapes or bodies in the order of `active`."""
-    if workers.words[TASK] == BOUND_SHAPES:
-        bound_some_shapes(state, active.shapes[first:end], workers.numbers[ANEW] > 0.0, colliders, grid)
-    else:
-        finish_some_bodies(state, active.bodies[1 + first : 1 + end], solver, active, workers)
-
-
-@kernel
-def _do_nets(state: StateTables, joints: JointWork, motions: Records, workers: Workers, first: int, end: int) -> None:
-    """Do a task for the joints of a net."""
-    n = workers.numbers
-    if workers.words[TASK] == LOAD_NETS:
-        load_net_blocks(joints, motions, first, end)
-    elif workers.words[TASK] == REPORT_NETS:
-        report_net_blocks(joints, n[SECONDS], state.counters[0].step_count, workers, first, end)
-    elif workers.words[TASK] == SWEEP_NETS:
-        soft = SoftJoint(n[PUSH], n[MOST], n[GIVE], n[SECONDS])
-        sweep_net_blocks(joints.side_by_side, motions, first, end, soft)
-    else:
-        warm_start_net_blocks(joints.side_by_side, motions, first, end, n[FASTEST])
-
-
-@kernel
-def _do_bodies(
-    state: StateTables,
-    active: ActiveSet,
-    solver: SolverBodies,
-    contacts: Contacts,
-    blocks: ContactBlocks,
-    workers: Workers,
-    first: int,
-    end: int,
-) -> None:
-    """Do a task of `solve` for blocks of contacts or bodies of batch 0, which come first."""
-    task = workers.words[TASK]
-    n = workers.numbers
-    motions = solver.motions
-    now = state.counters[0].step_count
-    frozen = 0
-    if task == SOLVE_CONTACTS:
-        solve_blocks(motions, blocks, first, end, told_soft(n))
-    elif task == SOLVE_AGAIN:
-        solve_blocks_again(motions, blocks, first, end, told_soft(n))
-    elif task == WARM_START:
-        warm_start_blocks(motions, blocks, first, end)
-    elif task == INTEGRATE_VELOCITIES:
-        integrate_some_velocities(blocks.batches.bodies[first:end], solver)
-    elif task == INTEGRATE_POSITIONS:
-        rows = blocks.batches.bodies[first:end]
-        integrate_some_positions(rows, solver, Scale(n[GRAVITY], n[UNITS]), n[SECONDS], n[IMPACTS] > 0.0)
-    elif task == ADD_PARTS:
-        add_some_parts(blocks.batches.bodies[first:end], solver)
-    elif task == TURN_PARTS:
-        turn_some_parts(blocks.batches.bodies[first:end], solver)
-    elif task == PREPARE_FORCES:
-        rows = blocks.batches.bodies[first:end]
-        prepare_some_forces(state.bodies, rows, solver, int(n[LEVEL]), state.settings[0], n[SECONDS])
-    elif task == FLY:
-        rows = blocks.batches.bodies[first:end]
-        frozen = fly_some(state.bodies, rows, solver, active.info, now, told_flight(n))
-    elif task == GUARD_VELOCITIES:
-        rows = blocks.batches.bodies[first:end]
-        frozen = guard_some_velocities(state.bodies, rows, solver, active.info, now)
-    elif task == PREPARE_CONTACTS:
-        spring = contact_spring(state.settings[0], int(n[LEVEL]))
-        criteria = ImpactCriteria(n[IMPACTS] > 0.0, int(n[STRUCK_BLOCKS]), n[IMPACT_SPEED])
-        prepare_blocks(state, solver, contacts.now, blocks, first, end, spring, criteria)
-    elif task == STORE_IMPULSES:
-        spring = contact_spring(state.settings[0], int(n[LEVEL]))
-        store_blocks(state, solver, contacts, blocks, first, end, spring)
-    if frozen > 0:
-        atomic_add(workers.words, FROZEN, frozen)
+        call_truth(parts[FINISH, CODE], parts[FINISH, BLOCK])

@@ -6,31 +6,32 @@ from sandbox._jit import kernel
 from sandbox.engine.records.contact_blocks import SoftContact
 from sandbox.tables import Floats
 
+# Of `collide`, `begin`, `solve` and `finish`, in this order.
 DECIDE_PAIRS = 1
 WRITE_CONTACTS = 2
-PREPARE_CONTACTS = 3
-WARM_START = 4
-SOLVE_AGAIN = 5
-SOLVE_CONTACTS = 6
-STORE_IMPULSES = 7
-INTEGRATE_VELOCITIES = 8
-INTEGRATE_POSITIONS = 9
-ADD_PARTS = 10
-TURN_PARTS = 11
-PREPARE_FORCES = 12
-FLY = 13
-GUARD_VELOCITIES = 14
-SOLVE_BATCHES = 15
-RELAX_BATCHES = 16
-WARM_START_NETS = 17
-SWEEP_NETS = 18
-LOAD_NETS = 19
-REPORT_NETS = 20
-SOLVE_ISLANDS = 21
-BOUND_SHAPES = 22
+BOUND_SHAPES = 3
+LOAD_NETS = 4
+PREPARE_CONTACTS = 5
+WARM_START = 6
+SOLVE_AGAIN = 7
+SOLVE_CONTACTS = 8
+STORE_IMPULSES = 9
+INTEGRATE_VELOCITIES = 10
+INTEGRATE_POSITIONS = 11
+ADD_PARTS = 12
+TURN_PARTS = 13
+PREPARE_FORCES = 14
+FLY = 15
+GUARD_VELOCITIES = 16
+SOLVE_ISLANDS = 17
+SOLVE_BATCHES = 18
+RELAX_BATCHES = 19
+WARM_START_NETS = 20
+SWEEP_NETS = 21
+REPORT_NETS = 22
 FINISH_BODIES = 23
 
-# Places in `Workers.numbers`; the fields of `SoftContact` come first.
+# Places in `Workers.numbers`; the fields of `SoftContact` come first. The range to do is told to each worker by itself.
 SECONDS = 8
 GRAVITY = 9
 LEVEL = 10
@@ -46,7 +47,9 @@ STRUCK_BLOCKS = 19
 ANEW = 20
 BATCH = 21
 IMPACT_SECONDS = 22
-UNITS = 23
+FIRST = 23
+END = 24
+UNITS = 25
 
 
 @kernel
