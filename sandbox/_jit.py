@@ -23,7 +23,7 @@ import numpy as np
 from sandbox import _compiling
 from sandbox._argument_words import unbundled
 from sandbox._calls import handle
-from sandbox._kernel_cache import is_filled, is_kept, kept_file
+from sandbox._kernel_cache import is_filled, kept_file
 from sandbox._kernel_cache import read as read_kept
 from sandbox._kernel_cache import write as write_kept
 from sandbox._machine_code import Block, Version, is_usable
@@ -95,29 +95,36 @@ class EntryPoint(Kernel):
             _compiling.patiently(lambda: self._make(kinds, arguments))
         return self._versions[kinds]
 
-    def is_made(self, arguments: tuple[Any, ...]) -> bool:
-        """Whether there is machine code for arguments of these types, so that none has to be made."""
+    def found(self, arguments: tuple[Any, ...]) -> Version | None:
+        """The same, but None if it is to be made."""
         kinds = tuple(map(_kind, arguments))
-        return kinds in self._versions or is_kept(kept_file(cast(Any, self.py_func), kinds))
+        with self._making:
+            if kinds not in self._versions:
+                self._read(kinds)
+            return self._versions.get(kinds)
 
     def _make(self, kinds: tuple[Any, ...], arguments: tuple[Any, ...]) -> None:
         with self._making:
-            if kinds not in self._versions:
-                self._versions[kinds] = self._made(kinds, arguments)
-
-    def _made(self, kinds: tuple[Any, ...], arguments: tuple[Any, ...]) -> Version:
-        file = kept_file(cast(Any, self.py_func), kinds)
-        found = read_kept(file)
-        if found is None or not is_usable(*found):
+            if kinds in self._versions or self._read(kinds):
+                return
             from sandbox._linking import machine_code
 
+            file = kept_file(cast(Any, self.py_func), kinds)
             with _compiling.compiling(self, arguments):
-                found = machine_code(self.dispatcher, arguments)
-                write_kept(file, *found)
+                returns, code = machine_code(self.dispatcher, arguments)
+                write_kept(file, returns, code)
                 for each in further:
                     each(self.dispatcher, arguments, file)
-        returns, code = found
-        return Version(code, returns)
+            self._versions[kinds] = Version(code, returns)
+
+    def _read(self, kinds: tuple[Any, ...]) -> bool:
+        """Take machine code from disk; returns whether it was there."""
+        kept = read_kept(kept_file(cast(Any, self.py_func), kinds))
+        if kept is None or not is_usable(*kept):
+            return False
+        returns, code = kept
+        self._versions[kinds] = Version(code, returns)
+        return True
 
 
 class Door:
@@ -153,12 +160,13 @@ class Call:
     `unlocked` calls let other threads of Python run meanwhile.
     """
 
-    __slots__ = ("__weakref__", "_arguments", "_block", "_call", "_code", "_enter", "_entry", "_unlocked")
+    __slots__ = ("__weakref__", "_arguments", "_block", "_call", "_code", "_enter", "_entry", "_unlocked", "_version")
 
     def __init__(self, entry: Callable[..., Any], arguments: tuple[Any, ...], unlocked: bool = False) -> None:
         self._entry, self._unlocked = entry, unlocked
         self._arguments = arguments
         self._call: Callable[..., Any] | None = None
+        self._version: Version | None = None
         self._block: Block | None = None
         self._code = 0
         self._enter: Callable[[int], Any]
@@ -175,15 +183,20 @@ class Call:
         self.bind()
         return (self._code, self._block.address) if self._block is not None else (handle(self), 0)
 
+    def weight_lacking(self) -> int:
+        """The weight (`_compiling.py`) of what has to be compiled before this can be called; 0 if nothing."""
+        if not _DISABLED and self._version is None:
+            entry = cast(EntryPoint, self._entry)
+            self._version = entry.found(tuple(map(unbundled, self._arguments)))
+            if self._version is None:
+                return _compiling.weight_of(entry, self._arguments)
+        return 0
+
     def bind(self) -> Callable[..., Any]:
         """What this calls: machine code that is there, compiled now if need be."""
         if self._call is None:
             self._call = self._bound()
         return self._call
-
-    def is_made(self) -> bool:
-        """Whether it can be bound without compiling."""
-        return _DISABLED or cast(EntryPoint, self._entry).is_made(tuple(map(unbundled, self._arguments)))
 
     def exchange(self, names: tuple[str, ...], others: Mapping[str, Any]) -> None:
         """Take other arguments of the same types from now on, for those of its parameters that `others` has."""
@@ -197,7 +210,8 @@ class Call:
         if _DISABLED:
             return lambda: self._entry(*map(unbundled, self._arguments))
         if self._block is None:
-            version = cast(EntryPoint, self._entry).version(tuple(map(unbundled, self._arguments)))
+            version = self._version or cast(EntryPoint, self._entry).version(tuple(map(unbundled, self._arguments)))
+            self._version = version
             self._block = version.block(self._arguments)
             self._enter = version.enter_unlocked if self._unlocked else version.enter
             self._code = version.address

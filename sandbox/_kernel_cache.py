@@ -146,14 +146,6 @@ def read(file: Path | None) -> tuple[Any, bytes] | None:
     return _read(file) or (_read(shipped / file.name) if shipped is not None else None)
 
 
-def is_kept(file: Path | None) -> bool:
-    """Whether `read` finds something, as far as can be told without looking into it."""
-    if file is None:
-        return False
-    shipped = shipped_folder(sources_hash())
-    return file.exists() or (shipped is not None and (shipped / file.name).exists())
-
-
 def _read(file: Path) -> tuple[Any, bytes] | None:
     try:
         head, _, code = read_bytes(file, _LARGEST).partition(b"\n")

@@ -1,9 +1,10 @@
-"""Fill an empty kernel cache with two processes at once: each compiles a part of the step.
+"""Compile what a step lacks with two processes at once: each a half of its parts.
 
-`python -m sandbox.engine.compile_step` is the other process: this one compiles `solve`, which with joints takes as long
-as all else that a step needs, and without them `finish` too; the other one the other parts. Its last ones are
-`solve_continuous` and `strike_batch`, which few steps need, the second one before the first where something has
-restitution: who needs them before they are there waits then. It may fail, for then this process compiles everything.
+`python -m sandbox.engine.compile_step PARTS [joints]` is the other process. On an empty kernel cache this one compiles
+`solve`, which with joints takes as long as all else that a step needs, and without them `finish` too; where the parts
+of worlds without joints are there, the other one has what else joints change. Its last ones are `solve_continuous` and
+`strike_batch`, which few steps need, the second one before the first where something has restitution: who needs them
+before they are there waits then. It may fail, for then this process compiles everything.
 """
 
 from __future__ import annotations
@@ -13,13 +14,11 @@ import os
 import subprocess
 import sys
 import threading
-from collections.abc import Callable, Sequence
-from functools import cache
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, TypeAlias
 
 from sandbox import _compiling
-from sandbox._jit import cache_is_cold
 from sandbox._kernel_cache import can_keep
 from sandbox.engine.continuous_collision.solve_continuous import solve_continuous
 from sandbox.engine.memory.binding import bind
@@ -29,36 +28,40 @@ from sandbox.engine.step import begin, collide, finish, solve
 from sandbox.scene.flat import FlatBody, FlatJoint, FlatScene, FlatShape
 from sandbox.world.build import build_state
 
-PARTS: tuple[Callable[..., Any], ...] = (collide, begin, solve, finish, solve_continuous)
+Part: TypeAlias = Callable[..., Any]
+PARTS: tuple[Part, ...] = (collide, begin, solve, finish, solve_continuous)
 """The entry points of a step, in order. The last one is left out where nothing is fast."""
-_JOINTS, _IMPACTS = "joints", "impacts"
-_Parts: TypeAlias = tuple[Callable[..., Any], ...]
+_JOINTS = "joints"
 
 
-def _halves(joints: bool, impacts: bool) -> tuple[_Parts, _Parts]:
-    """What is compiled, in order: the parts of a step by this process, by the other one those and what few steps
-    need."""
-    here, there = ((solve,), (collide, begin, finish)) if joints else ((solve, finish), (collide, begin))
-    few = (strike_batch, solve_continuous) if impacts else (solve_continuous, strike_batch)
-    return here, there + few
-
-
-@cache
-def compile_step(joints: bool, impacts: bool) -> None:
-    """Compile the step on a cold cache, in half the time if there are two processors. At once on a warm one.
+def compile_step(lacking: Mapping[Part, int], joints: bool, impacts: bool) -> None:
+    """Compile what a step lacks, of these weights, in half the time if there are two processors and two parts.
 
     With `joints` it is the step of worlds that have some: another version of the machine code. `impacts` says whether
     something has restitution.
     """
-    if not cache_is_cold() or (os.cpu_count() or 1) < 2 or not can_keep():
+    here, there = halves({part: lacking[part] for part in PARTS[:-1] if part in lacking})
+    if not there or (os.cpu_count() or 1) < 2 or not can_keep():
         return
-    here, there = _halves(joints, impacts)
-    helper = _start_helper(joints, impacts)
+    few = (strike_batch, solve_continuous) if impacts else (solve_continuous, strike_batch)
+    helper = _start_helper([*there, *(part for part in few if part in lacking)], joints)
     for part in here:
         _run_once(part, joints)
     if helper is not None:
-        helper.wait_for([part for part in there if part in PARTS[:-1]])
+        helper.wait_for(there)
         _helpers.append(helper)
+
+
+def halves(weights: Mapping[Part, int]) -> tuple[list[Part], list[Part]]:
+    """Parts of these weights for two processes, which take about as long: the heaviest first, each for the one that has
+    less to do."""
+    found: tuple[list[Part], list[Part]] = [], []
+    loads = [0, 0]
+    for part in sorted(weights, key=weights.__getitem__, reverse=True):
+        which = 0 if loads[0] <= loads[1] else 1
+        found[which].append(part)
+        loads[which] += weights[part]
+    return found
 
 
 def wait_for_others(part: Callable[..., Any]) -> None:
@@ -83,36 +86,40 @@ def compile_parts() -> None:
 class _Helper:
     """The other process, and what it tells of its work."""
 
-    def __init__(self, process: subprocess.Popen[str], parts: _Parts) -> None:
-        """`parts` are what it compiles, in order."""
+    def __init__(self, process: subprocess.Popen[str], parts: Sequence[Part]) -> None:
+        """`parts` are what it compiles."""
         self._process = process
-        self._parts = {part: threading.Event() for part in parts}
+        self._done = {part.__name__: threading.Event() for part in parts}
         self._work = _compiling.Process()
         _compiling.processes.append(self._work)
         threading.Thread(target=self._listen, daemon=True).start()
 
-    def wait_for(self, parts: Sequence[Callable[..., Any]]) -> None:
-        """Wait for some parts. What comes then is waited for by nobody yet."""
-        self._work.show(True)
-        _compiling.patiently(lambda: self._wait_for(parts))
-        self._work.show(False)
-
-    def _wait_for(self, parts: Sequence[Callable[..., Any]]) -> None:
-        for part in parts:
-            self._parts[part].wait()
+    def wait_for(self, parts: Sequence[Part]) -> None:
+        """Wait for those of some parts that it compiles. What comes then is waited for by nobody yet."""
+        self._wait_for([self._done[part.__name__] for part in parts if part.__name__ in self._done])
 
     def wait_for_end(self) -> None:
         """Wait for all."""
-        self.wait_for(list(self._parts))
+        self._wait_for(list(self._done.values()))
         self._process.wait()
 
+    def _wait_for(self, done: Sequence[threading.Event]) -> None:
+        def wait() -> None:
+            for each in done:
+                each.wait()
+
+        self._work.show(True)
+        _compiling.patiently(wait)
+        self._work.show(False)
+
     def _listen(self) -> None:
-        left = iter(self._parts.values())
         for line in self._process.stdout or ():
-            self._work.hear(line)
-            if line.startswith("end"):
-                next(left).set()
-        for each in left:  # it may have failed
+            match line.split():
+                case ["done", name] if name in self._done:
+                    self._done[name].set()
+                case _:
+                    self._work.hear(line)
+        for each in self._done.values():  # it may have failed
             each.set()
         _compiling.processes.remove(self._work)
 
@@ -120,20 +127,20 @@ class _Helper:
 _helpers: list[_Helper] = []
 
 
-def _start_helper(joints: bool, impacts: bool) -> _Helper | None:
+def _start_helper(parts: Sequence[Part], joints: bool) -> _Helper | None:
     if not sys.executable:  # an embedded Python
         return None
     home = str(Path(__file__).parents[2])
     paths = [home, os.environ.get("PYTHONPATH", "")]
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, paths))}
-    words = [word for word, given in ((_JOINTS, joints), (_IMPACTS, impacts)) if given]
+    words = [part.__name__ for part in parts] + ([_JOINTS] if joints else [])
     command = [sys.executable, "-m", "sandbox.engine.compile_step", *words]
     quiet: dict[str, Any] = dict.fromkeys(("stdin", "stderr"), subprocess.DEVNULL)
     try:
         process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True, **quiet)
     except OSError:
         return None
-    return _Helper(process, _halves(joints, impacts)[1])
+    return _Helper(process, parts)
 
 
 def _run_once(part: Any, joints: bool = False) -> None:
@@ -155,6 +162,8 @@ def _tell(line: str) -> None:
 if __name__ == "__main__":
     gc.disable()  # it ends before its memory is needed
     _compiling.tell = _tell
-    jointed = _JOINTS in sys.argv
-    for each in _halves(jointed, _IMPACTS in sys.argv)[1]:
-        _run_once(each, jointed)
+    named = {part.__name__: part for part in (*PARTS, strike_batch)}
+    for word in sys.argv[1:]:
+        if word in named:
+            _run_once(named[word], _JOINTS in sys.argv)
+            _tell(f"done {word}")

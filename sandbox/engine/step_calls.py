@@ -83,6 +83,16 @@ class StepCalls:
             for turn in (0, 1):  # they alone ask for a table of the state by itself
                 self._calls[apply_fields, 0, turn].exchange(parameters(apply_fields), named)
 
+    def lacking(self) -> dict[Callable[..., Any], int]:
+        """The parts that are not compiled yet, and their weights; those that few steps need only beside others."""
+        found: dict[Callable[..., Any], int] = {}
+        for part in (*PARTS, strike_batch):
+            if found or part in PARTS[:-1]:
+                weight = self._calls[part, 0, 0].weight_lacking()
+                if weight > 0:
+                    found[part] = weight
+        return found
+
     def bind(self) -> None:
         """Compile the parts that are not yet, each in turn, but for the last one, which few steps need."""
         for turn, parts in enumerate(self.parts):
@@ -99,9 +109,9 @@ class StepCalls:
     def bind_made(self, impacts: bool) -> None:
         """Bind what few steps need, if it is compiled already: to load it takes some milliseconds, which a step in the
         midst of a run would wait for. What resolves impacts if there may be some."""
-        if self._calls[solve_continuous, 0, 0].is_made():
+        if self._calls[solve_continuous, 0, 0].weight_lacking() == 0:
             self.bind_continuous()
-        if impacts and self._striking[0][0].is_made():
+        if impacts and self._calls[strike_batch, 0, 0].weight_lacking() == 0:
             self.bind_impacts()
 
     def bind_continuous(self) -> None:

@@ -66,7 +66,7 @@ class Stepper:
         first = jointed not in self._compiled
         impacts = first and bool((plain(self._state.shapes)["restitution"] > 0.0).any())
         if first:
-            compile_step(jointed, impacts)
+            compile_step(self.calls.lacking(), jointed, impacts)
             self._compiled.add(jointed)
         if len(self._state.bodies) + len(self._state.joints) >= _WORTH_SHARING // 4:  # else it may never be needed
             self.bind_workers()
