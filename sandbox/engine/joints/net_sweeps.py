@@ -119,7 +119,7 @@ def warm_start_nets(
         at = stop
 
 
-@kernel
+@inlined_kernel
 def warm_start_net_blocks(h: NetLanes, motions: Records, first: int, end: int, fastest: float) -> None:
     """The same for blocks of one colour and kind, but at what turns faster than `fastest` rad/s."""
     kind = h.blocks[first].kind
@@ -160,9 +160,9 @@ def sweep_nets(
         done += stop - at
 
 
-@kernel
+@inlined_kernel
 def sweep_net_blocks(h: NetLanes, motions: Records, first: int, end: int, soft: SoftJoint) -> None:
-    """The same for blocks of one colour and kind."""
+    """The same for blocks of one colour and kind. Colours are short, so this and what it calls is always inlined."""
     kind = h.blocks[first].kind  # told apart once: within the loop it costs hinges 7 %
     if kind == nl.RODS:
         _sweep_rods(h, motions, first, end, soft)
@@ -172,7 +172,7 @@ def sweep_net_blocks(h: NetLanes, motions: Records, first: int, end: int, soft: 
         _sweep_hinges(h, motions, first, end, soft)
 
 
-@kernel
+@inlined_kernel
 def _sweep_hinges(h: NetLanes, motions: Records, first: int, end: int, soft: SoftJoint) -> None:
     for n in range(first, end):
         block = h.blocks[n]
@@ -181,7 +181,7 @@ def _sweep_hinges(h: NetLanes, motions: Records, first: int, end: int, soft: Sof
         scatter_block(motions, of, swept_hinges(v, of, soft), block.count)
 
 
-@kernel
+@inlined_kernel
 def _sweep_rods(h: NetLanes, motions: Records, first: int, end: int, soft: SoftJoint) -> None:
     for n in range(first, end):
         block = h.blocks[n]
@@ -190,7 +190,7 @@ def _sweep_rods(h: NetLanes, motions: Records, first: int, end: int, soft: SoftJ
         scatter_block(motions, of, swept_rods(v, of, soft), block.count)
 
 
-@kernel
+@inlined_kernel
 def _sweep_welds(h: NetLanes, motions: Records, first: int, end: int, soft: SoftJoint) -> None:
     for n in range(first, end):
         block = h.blocks[n]
