@@ -16,7 +16,7 @@ from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.acting_time import compliance
 from sandbox.engine.joints.direct.preload import beyond_preload
 from sandbox.engine.joints.direct.records import Batches
-from sandbox.engine.joints.direct.rows import change_impulse, counts_radians, row_error, units_of
+from sandbox.engine.joints.direct.rows import change_impulse, counts_radians, row_error
 from sandbox.engine.joints.direct.targets import is_rigid
 from sandbox.engine.joints.laws import CORRECTION_SPEED, limited, overrun, without_yield
 from sandbox.tables import Floats, Records
@@ -39,6 +39,8 @@ def detect_separation(d: Batches, batch: Records, seconds: float) -> None:
     """
     v = d.memory
     layout = d.layouts[batch.layout]
+    unit = d.units[0]
+    meters = d.units[1]
     total = spread(0.0)
     for f in range(layout.first_frame, layout.frame_end):
         frame = d.layout_frames[f]
@@ -46,13 +48,13 @@ def detect_separation(d: Batches, batch: Records, seconds: float) -> None:
             row = d.equations[r]
             excess = excess_error(v, batch, frame, row, seconds)
             turns = counts_radians(frame, row)
-            store(v, row.place + at.MAY_LEAVE, limited(excess, seconds if turns else seconds * d.units[0]))
+            store(v, row.place + at.MAY_LEAVE, limited(excess, seconds if turns else seconds * unit))
             apart = excess
             if row.slot < 3:
                 error = load(v, batch.rows + row.kept + at.ERROR)
                 apart = without_yield(error, _yielded(v, batch, row, seconds))
             store(v, row.place + at.APART, apart)
-            total = total + absolute(excess) * (1.0 if turns else d.units[1])
+            total = total + absolute(excess) * (1.0 if turns else meters)
     place = batch.lanes + at.SEPARATED
     store(v, place, select(total > CORRECTION_SPEED * seconds, 1.0, spread(0.0)))
     if layout.joints <= SHORT:
@@ -164,13 +166,16 @@ def misses_targets(d: Batches, batch: Records, seconds: float) -> Mask:
     v = d.memory
     layout = d.layouts[batch.layout]
     most = CORRECTION_SPEED * seconds
+    unit = d.units[0]
     found = spread(0.0) > 0.0
     for f in range(layout.first_frame, layout.frame_end):
         frame = d.layout_frames[f]
         may = 4.0 * most if frame.kind == MOTOR else most  # a motor may have a long way to go
         for r in range(frame.first_row, frame.row_end):
             row = d.equations[r]
-            found = found | (_missed(v, batch, frame, row, seconds) > may * units_of(d, frame, row))
+            found = found | (
+                _missed(v, batch, frame, row, seconds) > (may if counts_radians(frame, row) else may * unit)
+            )
     return found
 
 
