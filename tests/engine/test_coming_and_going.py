@@ -181,3 +181,15 @@ def test_a_joint_goes_and_what_it_held_wakes():
     w.apply(DeleteJoint("j4"))
     assert {w.names[row] for row in np.flatnonzero(plain(w.state.bodies)["awake"])} >= {"b2", "b3", "b4", "b5"}
     assert w.state.bodies.awake[w.directory.body("b0")] == 0
+
+
+@pytest.mark.parametrize("steps", [0, 20])
+def test_who_goes_after_a_restore_is_found_in_what_was_restored(steps):
+    """What the last step has listed is of another state."""
+    w, fresh = sleepers(3), World(sleepers(3).scene)
+    fresh.step(steps)
+    w.restore(fresh.snapshot())
+    for each in (w, fresh):
+        each.apply(Delete("box1.1"))
+        each.step(30)
+    assert w.digest() == fresh.digest()

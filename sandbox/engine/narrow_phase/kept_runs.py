@@ -25,7 +25,8 @@ def keep_runs(active: ActiveSet, contacts: Contacts, moved: Moved) -> None:
     """
     info, cursor = plain(active.info)[0], plain(contacts.cursor)[0]
     last = 1 - int(cursor["turn"])
-    if _MANY * len(moved.renamed) > len(moved.contacts) or cursor[f"era{last}"] != info["era"]:
+    known = not info["stale"] and cursor[f"era{last}"] == info["era"]  # else the state is not what a step has left
+    if not known or _MANY * len(moved.renamed) > len(moved.contacts):
         info["era"] += 1
         return
     contacts.first_kept[moved.bodies.first :] = NOTHING
