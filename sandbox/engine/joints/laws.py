@@ -154,10 +154,8 @@ def find_stop(
 
 
 @inlined_kernel
-def limited(error: Number, seconds: float) -> Number:
-    """What is left of an error after one substep: nothing, unless it is large. `seconds` count as many times as a metre
-    has units."""
-    most = CORRECTION_SPEED * seconds
+def limited(error: Number, most: float) -> Number:
+    """What is left of an error of which so much at most is taken back: nothing, unless it is large."""
     return select(error > most, error - most, select(error < -most, error + most, 0.0))
 
 

@@ -41,6 +41,7 @@ def detect_separation(d: Batches, batch: Records, seconds: float) -> None:
     layout = d.layouts[batch.layout]
     unit = d.units[0]
     meters = d.units[1]
+    most = CORRECTION_SPEED * seconds
     total = spread(0.0)
     for f in range(layout.first_frame, layout.frame_end):
         frame = d.layout_frames[f]
@@ -48,7 +49,7 @@ def detect_separation(d: Batches, batch: Records, seconds: float) -> None:
             row = d.equations[r]
             excess = excess_error(v, batch, frame, row, seconds)
             turns = counts_radians(frame, row)
-            store(v, row.place + at.MAY_LEAVE, limited(excess, seconds if turns else seconds * unit))
+            store(v, row.place + at.MAY_LEAVE, limited(excess, most if turns else most * unit))
             apart = excess
             if row.slot < 3:
                 error = load(v, batch.rows + row.kept + at.ERROR)
@@ -56,7 +57,7 @@ def detect_separation(d: Batches, batch: Records, seconds: float) -> None:
             store(v, row.place + at.APART, apart)
             total = total + absolute(excess) * (1.0 if turns else meters)
     place = batch.lanes + at.SEPARATED
-    store(v, place, select(total > CORRECTION_SPEED * seconds, 1.0, spread(0.0)))
+    store(v, place, select(total > most, 1.0, spread(0.0)))
     if layout.joints <= SHORT:
         store(v, place, spread(0.0))
     borne = load(v, batch.lanes + at.HALVES) == 0.0
