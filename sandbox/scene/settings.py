@@ -10,7 +10,7 @@ from sandbox.scene.base import Model
 from sandbox.scene.constraints import Listed, Range
 from sandbox.scene.limits import MAX_SUBSTEPS
 from sandbox.scene.objects import known_as
-from sandbox.scene.quantities import Hertz, Name, Point, Ratio, Size, Speed
+from sandbox.scene.quantities import Hertz, Name, Point, Ratio, Size, Speed, Units
 
 
 @known_as('"settings"')
@@ -23,7 +23,7 @@ class Settings(Model):
     contact_damping_ratio: Ratio = Field(default=1.5, description="Damping of contacts; 1 is critical.")
     push_out_speed: Speed = Field(default=3.0, description="Fastest recovery of an overlap, m/s.")
     restitution_threshold: Speed = Field(default=0.2, description="Slower impacts do not bounce, m/s.")
-    units_per_meter: Size | None = Field(
+    units_per_meter: Units | None = Field(
         default=None,
         description="Units of length to a metre, as 100 where they are pixels; default: 1, or, where gravity is beyond "
         "any planet's, as many as make it 9.81 m/s^2. Speeds of these settings and sleep_speed stay in m/s.",

@@ -102,7 +102,7 @@ CASES: dict[str, list[Case]] = {
         ),
     ],
     "pixels": [
-        Case(in_pixels(), in_pixels(settings={"units_per_meter": 50}), "smaller than 40 m: are lengths pixels?"),
+        Case(in_pixels(), in_pixels(settings={"units_per_meter": 50}), "smaller than 40 m, as if lengths were pixels"),
         Case(in_pixels(), in_pixels(gravity=[0, -900]), "pixels"),
         Case(in_pixels(), in_pixels(shapes=[{"circle": 5}]), "pixels"),
     ],

@@ -21,7 +21,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     boxes = [subject.boxes[body.id] for body in subject.flat.bodies if body.type == "dynamic" and body.shapes]
     sizes = [max(right - left, top - bottom) for left, bottom, right, top in boxes]
     if len(sizes) > FEW and min(sizes) > LARGE:
-        text = f"nothing that moves is smaller than {min(sizes):.3g} m: are lengths pixels?"
+        text = f"nothing that moves is smaller than {min(sizes):.3g} m, as if lengths were pixels"
         yield Finding(("settings",), text, 'say how many make a metre, as "units_per_meter": 100, or 1')
 
 
