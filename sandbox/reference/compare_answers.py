@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from sandbox.engine.narrow_phase.decide_pairs import FACE_BIAS
 from sandbox.reference.ask_pymunk import Answers
 from sandbox.reference.poses import Poses
 from sandbox.reference.tolerance import allowed_error, touch_tolerance
@@ -39,9 +38,18 @@ class ComparedPairs:
 
 
 def compare_answers(
-    poses: Poses, pairs: Integers, separation: Floats, normal: Floats, theirs: Answers, contacts: Records
+    poses: Poses,
+    pairs: Integers,
+    separation: Floats,
+    normal: Floats,
+    theirs: Answers,
+    contacts: Records,
+    face_bias: float,
 ) -> ComparedPairs:
-    """Compare the narrow phase's `separation` and `normal` and the step's `contacts` with pymunk's answers."""
+    """Compare the narrow phase's `separation` and `normal` and the step's `contacts` with pymunk's answers.
+
+    By so much (m) at most an axis that the step has kept may be worse than the best one.
+    """
     size, reach = poses.size(pairs), poses.reach(pairs)
     touch, error = touch_tolerance(size, reach), allowed_error(size, reach)
     ours = separation < 0.0
@@ -52,7 +60,7 @@ def compare_answers(
     is_unit = np.abs((theirs.normal**2).sum(axis=1) - 1.0) < 1e-9
     agreed = (~ours & ~theirs.hit) | (both & (depth_error <= error) & (excess <= error) & is_unit)
     touching = ~agreed & (np.abs(separation) <= touch) & (~theirs.hit | (np.abs(theirs.depth) <= touch))
-    no_contact, wrong_axis = _of_the_step(poses, pairs, separation, contacts, touch, error)
+    no_contact, wrong_axis = _of_the_step(poses, pairs, separation, contacts, touch, error + face_bias)
     agreed &= ~(no_contact | wrong_axis)
     angles = _angles(normal, theirs.normal)
     single = agreed & both & (angles <= _SAME_AXIS)
@@ -68,9 +76,10 @@ def compare_answers(
 
 
 def _of_the_step(
-    poses: Poses, pairs: Integers, separation: Floats, contacts: Records, touch: Floats, error: Floats
+    poses: Poses, pairs: Integers, separation: Floats, contacts: Records, touch: Floats, most: Floats
 ) -> tuple[Mask, Mask]:
-    """(no_contact, wrong_axis): the overlapping pairs without a contact, and those that it would push the wrong way."""
+    """(no_contact, wrong_axis): the overlapping pairs without a contact, and those that it would push the wrong way, by
+    more than `most` (m) worse than the best one."""
     # Of the parts of something larger, the step keeps only the contacts that the whole has
     # (`engine/narrow_phase/internal_edges.py`), and of what is solid from one side only, those that come from there.
     deep = (separation < -touch) & (poses.shapes.traits[pairs] == 0).all(axis=1)
@@ -79,7 +88,7 @@ def _of_the_step(
     there = rows >= 0
     normals[there, 0], normals[there, 1] = contacts.normal_x[rows[there]], contacts.normal_y[rows[there]]
     excess = poses.overlap_along(pairs, normals) + separation
-    return deep & ~there, deep & there & (excess > FACE_BIAS + error)
+    return deep & ~there, deep & there & (excess > most)
 
 
 def find_rows(pairs: Integers, among: Integers, shapes: int) -> Integers:

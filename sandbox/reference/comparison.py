@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from sandbox.engine.narrow_phase.decide_pairs import FACE_BIAS
 from sandbox.engine.world import World
 from sandbox.reference.answer import Answer
 from sandbox.reference.arbitration import arbitrate
@@ -95,7 +96,8 @@ class Observer:
     def _compare_pairs(self, poses: Poses, pairs: Integers) -> None:
         separation, normal = decide(poses, pairs)
         theirs = self._probe.ask(poses, pairs)
-        compared = compare_answers(poses, pairs, separation, normal, theirs, self.world.contacts)
+        bias = FACE_BIAS * float(self.world.state.settings[0].units_per_meter)
+        compared = compare_answers(poses, pairs, separation, normal, theirs, self.world.contacts, bias)
         tally = self.tally
         tally.pairs += len(pairs)
         tally.agreed += int(compared.agreed.sum())

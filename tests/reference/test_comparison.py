@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -14,7 +15,7 @@ from sandbox.reference.ask_pymunk import Answers, Probe
 from sandbox.reference.comparison import Observer, compare
 from sandbox.reference.comparison_result import KEEP, Comparison
 from sandbox.resources import find_scene
-from sandbox.scene import load_scene
+from sandbox.scene import Scene, load_scene
 from tests import flat
 
 SUBSET = [
@@ -40,6 +41,25 @@ def test_steps_at_whose_end_rules_bring_or_delete_bodies_are_left_out(name: str,
     assert tally.agrees
     assert tally.misses == []
     assert tally.steps == steps - changes
+
+
+def test_in_pixels_the_step_may_keep_a_face_by_as_much() -> None:
+    """Boxes of 60 pixels that tumble: of two axes that are nearly as good, the step takes that of the first box."""
+    bodies: list[dict[str, Any]] = [
+        {"id": "floor", "type": "static", "position": [0, -50], "shapes": [{"box": [900, 100]}]}
+    ]
+    bodies += [
+        {
+            "id": f"b{k}",
+            "position": [62 * (k % 6) - 150, 40 + 70 * (k // 6)],
+            "angle": 7 * k,
+            "shapes": [{"box": [60, 60]}],
+        }
+        for k in range(36)
+    ]
+    tally = compare(Scene(bodies=bodies, gravity=(0, -900)), 150)
+    assert tally.pairs > 2000
+    assert tally.disagreements == []
 
 
 def overlapping() -> World:

@@ -197,6 +197,17 @@ def pair_velocity(a: Records, b: Records) -> PairVelocity:
 
 
 @inlined_kernel
+def set_pair_velocity(a: Records, b: Records, v: PairVelocity) -> None:
+    """Write the velocities of two rows of the body table, or of the motion table."""
+    a.velocity_x = v.ax
+    a.velocity_y = v.ay
+    a.angular_velocity = v.aw
+    b.velocity_x = v.bx
+    b.velocity_y = v.by
+    b.angular_velocity = v.bw
+
+
+@inlined_kernel
 def start_velocity(free_motions: Records, contact: Records) -> PairVelocity:
     """The velocities of a contact's bodies at the start of the substep, impacts so far included."""
     a = free_motions[contact.body_a]

@@ -14,6 +14,7 @@ from sandbox.engine.contact_solver.law import (
     pair_mass,
     pair_velocity,
     relative_velocity,
+    set_pair_velocity,
 )
 from sandbox.tables import Records
 
@@ -91,9 +92,4 @@ def apply_contact_impulse(a: Records, b: Records, r: Anchors, touch: Touch, thre
     slip = x * ny - y * nx - touch.surface_speed
     friction = clamp_to_cone(-slip * effective_mass(m, r, ny, -nx), touch.friction * impulse)
     v = apply_impulse(v, m, r, friction * ny, -(friction * nx))
-    a.velocity_x = v.ax
-    a.velocity_y = v.ay
-    a.angular_velocity = v.aw
-    b.velocity_x = v.bx
-    b.velocity_y = v.by
-    b.angular_velocity = v.bw
+    set_pair_velocity(a, b, v)

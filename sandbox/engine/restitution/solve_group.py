@@ -20,6 +20,7 @@ from sandbox.engine.contact_solver.law import (
     pair_mass,
     pair_velocity,
     push_along,
+    set_pair_velocity,
     speed_of_centers,
     speed_of_turning,
     start_velocity,
@@ -197,11 +198,4 @@ def push_motions(
 @inlined_kernel
 def set_velocity(motions: Records, contact: Records, v: PairVelocity) -> None:
     """Write the velocities of a contact's bodies."""
-    a = motions[contact.body_a]
-    b = motions[contact.body_b]
-    a.velocity_x = v.ax
-    a.velocity_y = v.ay
-    a.angular_velocity = v.aw
-    b.velocity_x = v.bx
-    b.velocity_y = v.by
-    b.angular_velocity = v.bw
+    set_pair_velocity(motions[contact.body_a], motions[contact.body_b], v)
