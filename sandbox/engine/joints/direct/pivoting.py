@@ -1,7 +1,9 @@
 """Which rows are part of the linear system: those whose impulse is within its bounds, or on its way back into them.
 
 The bounds of motors, limits, ropes and brakes make this a complementarity problem. It is solved by block pivoting
-(J. Judice, F. Pires, 1994): guess which rows are at a bound, solve the others at once, and look again.
+(J. Judice, F. Pires, 1994): guess which rows are at a bound, solve the others at once, and look again. The first guess
+is what the substep before came to. Where guesses go in circles, as along a chain of hinges with friction, all of whose
+rows say nearly the same, the rows with bounds are held where the last guess has left them.
 """
 
 from __future__ import annotations
@@ -12,42 +14,50 @@ from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.acting_time import acting_time, spring_time
 from sandbox.engine.joints.direct.passes import BLOW, RELAX, impulse_of
 from sandbox.engine.joints.direct.records import Batches
-from sandbox.engine.joints.direct.rows import change_impulse, row_error, row_speed
+from sandbox.engine.joints.direct.rows import change_impulse, row_error, row_speed, units_of
 from sandbox.engine.joints.direct.targets import strength, target_blow, target_positions, target_velocities
 from sandbox.engine.joints.laws import INFINITE
 from sandbox.tables import Floats, Records
 from sandbox.world.joint_records import FRICTION, MOTOR, TARGET
 
+_AT_BOUND = 1.0 - 1e-9
+"""The share of a bound from which on an impulse of the substep before is at it; it has been rounded since."""
+_AT_REST = 1e-10
+"""Speed (m/s or rad/s) along a row at its bound that is no more than rounding."""
 _NO_BOUND = 1e250
 """Impulses (N s or N m s) from here on are no bound: `INFINITE` times the length of a substep."""
 
 
 @kernel
 def choose_rows(d: Batches, batch: Records, seconds: float, purpose: int, who: Mask) -> Mask:
-    """Set the law of every row at the present velocities, mark the active ones; in which parts a mark has changed."""
+    """Set the law of every row at the present velocities, mark the active ones; in which parts that has changed."""
     v = d.memory
-    aim_rows(d, batch, seconds, purpose, who)
+    changed = aim_rows(d, batch, seconds, purpose, who)
     layout = d.layouts[batch.layout]
     impulse = impulse_of(purpose)
-    changed = who & ~who
-    for r in range(layout.first_row, layout.row_end):
-        row = d.equations[r]
-        before = load(v, row.place + at.ACTIVE)
-        has_say = who & has_law(v, batch, row)
-        acts = has_say
-        if row.bounded == 1:
-            clamp(v, batch, row, impulse, has_say)
-            acts = has_say & _is_active(v, batch, row, impulse)
-        active = select(acts, 1.0, select(who, 0.0, before))
-        store(v, row.place + at.ACTIVE, active)
-        changed = changed | (active != before)
+    for f in range(layout.first_frame, layout.frame_end):
+        frame = d.layout_frames[f]
+        for r in range(frame.first_row, frame.row_end):
+            row = d.equations[r]
+            before = load(v, row.place + at.ACTIVE)
+            acts = who & has_law(v, batch, row)
+            if row.bounded == 1:
+                acts = acts & _is_active(v, batch, row, impulse, _AT_REST * units_of(d, frame, row))
+            active = select(acts, 1.0, select(who, 0.0, before))
+            store(v, row.place + at.ACTIVE, active)
+            changed = changed | (active != before)
+    clamp_rows(d, batch, impulse, who)
     return changed
 
 
 @kernel
-def aim_rows(d: Batches, batch: Records, seconds: float, purpose: int, who: Mask) -> None:
-    """Set all laws before any impulse changes: errors ahead belong to the velocities they were looked at with."""
+def aim_rows(d: Batches, batch: Records, seconds: float, purpose: int, who: Mask) -> Mask:
+    """Set all laws before any impulse changes: errors ahead belong to the velocities they were looked at with.
+
+    Returns in which parts an active row has another law, as it went from its stop to its motor.
+    """
     v = d.memory
+    changed = who & ~who
     layout = d.layouts[batch.layout]
     halves = load(v, batch.lanes + at.HALVES) == 1.0
     separated = load(v, batch.lanes + at.SEPARATED) == 1.0
@@ -73,7 +83,10 @@ def aim_rows(d: Batches, batch: Records, seconds: float, purpose: int, who: Mask
                 _replace(v, row.place + at.LOW, law.low, where)
                 _replace(v, row.place + at.HIGH, law.high, where)
                 stop = at.HELD if purpose == BLOW else at.STOP  # the pass that goes on asks which one had a say before
-                _replace(v, batch.rows + row.kept + stop, law.stop, where)
+                place = batch.rows + row.kept + stop
+                changed = changed | (where & (load(v, row.place + at.ACTIVE) == 1.0) & (load(v, place) != law.stop))
+                _replace(v, place, law.stop, where)
+    return changed
 
 
 @inlined_kernel
@@ -89,34 +102,38 @@ def _replace(v: Floats, place: int, value: Vector, where: Mask) -> None:
 
 
 @inlined_kernel
-def _is_active(v: Floats, batch: Records, row: Records, impulse: int) -> Mask:
-    """Whether the impulse is not at a bound and would be pressed further against it."""
+def _is_active(v: Floats, batch: Records, row: Records, impulse: int, slow: float) -> Mask:
+    """Whether an active row's impulse is within its bounds, or another one's would come back from the one it is at.
+
+    In the first guess what the substep before has left at a bound stays there: before joints are solved, the speed
+    along a row says little. Later none leaves its bound for a speed up to `slow` (m/s or rad/s).
+    """
     current = load(v, batch.rows + row.kept + impulse)
     low = load(v, row.place + at.LOW)
     high = load(v, row.place + at.HIGH)
-    softness = load(v, row.place + at.SOFTNESS)
-    wanted = row_speed(v, row) + load(v, row.place + at.BIAS) + softness * current
-    pressed = ((current <= low) & (wanted >= 0.0)) | ((current >= high) & (wanted <= 0.0))
-    return ~((low >= high) | pressed)
+    before = load(v, row.place + at.ACTIVE)
+    wanted = row_speed(v, row) + load(v, row.place + at.BIAS) + load(v, row.place + at.SOFTNESS) * current
+    solved = before == 1.0
+    first = before == -1.0
+    at_low = (current <= low) & (solved | (wanted >= -slow))
+    at_high = (current >= high) & (solved | (wanted <= slow))
+    was_low = first & (low < 0.0) & (current <= _AT_BOUND * low)
+    was_high = first & (high > 0.0) & (current >= _AT_BOUND * high)
+    return ~((low >= high) | at_low | at_high | was_low | was_high)
 
 
 @kernel
-def release_bounded(d: Batches, batch: Records, impulse: int, who: Mask) -> None:
-    """Take back the impulses of all rows that are not rigid, and leave these out of the linear system."""
+def hold_bounded(d: Batches, batch: Records, impulse: int, who: Mask) -> None:
+    """Leave the rows that have bounds out of the linear system; they give what they gave, put within these."""
     v = d.memory
     layout = d.layouts[batch.layout]
+    clamp_rows(d, batch, impulse, who)
     for r in range(layout.first_row, layout.row_end):
         row = d.equations[r]
-        if row.bounded == 0:
-            continue
-        low = load(v, row.place + at.LOW)
-        high = load(v, row.place + at.HIGH)
-        stiff = load(v, batch.rows + row.kept + at.STIFFNESS) > 0.0
-        bounded = (low > -_NO_BOUND) | (high < _NO_BOUND)
-        where = who & stiff & (low < high) & bounded
-        active = load(v, row.place + at.ACTIVE)
-        store(v, row.place + at.ACTIVE, select(where, 0.0, active))
-        change_impulse(v, batch, row, -load(v, batch.rows + row.kept + impulse), impulse, where)
+        if row.bounded == 1:
+            bounded = (load(v, row.place + at.LOW) > -_NO_BOUND) | (load(v, row.place + at.HIGH) < _NO_BOUND)
+            active = load(v, row.place + at.ACTIVE)
+            store(v, row.place + at.ACTIVE, select(who & bounded, 0.0, active))
 
 
 @kernel

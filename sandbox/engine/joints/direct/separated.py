@@ -16,11 +16,11 @@ from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.acting_time import compliance
 from sandbox.engine.joints.direct.preload import beyond_preload
 from sandbox.engine.joints.direct.records import Batches
-from sandbox.engine.joints.direct.rows import change_impulse, counts_radians, row_error
-from sandbox.engine.joints.direct.targets import is_rigid
+from sandbox.engine.joints.direct.rows import change_impulse, counts_radians, row_error, row_speed
+from sandbox.engine.joints.direct.targets import is_rigid, may_be_sprung, runs
 from sandbox.engine.joints.laws import CORRECTION_SPEED, limited, overrun, without_yield
 from sandbox.tables import Floats, Records
-from sandbox.world.joint_records import MOTOR
+from sandbox.world.joint_records import MOTOR, TARGET
 
 _GAIN = 1.1
 """Ratio of kinetic energies: links that turn by a third of a radian in a substep change theirs by as much."""
@@ -146,19 +146,32 @@ def kinetic_energy(d: Batches, batch: Records, faster: float) -> Vector:
 
 
 @kernel
-def gains_energy(d: Batches, batch: Records, before: Vector) -> Mask:
-    """Which parts have notably more kinetic energy (J) than before their joints were solved, without a spring that
-    could give it: a linkage that passes flat, whose rows say nearly the same, can be held by enormous impulses only."""
+def gains_energy(d: Batches, batch: Records, seconds: float, before: Vector) -> Mask:
+    """Which parts have notably more kinetic energy (J) than before their joints were solved, and than these can have
+    given: a linkage that passes flat, whose rows say nearly the same, can be held by enormous impulses only."""
     v = d.memory
     layout = d.layouts[batch.layout]
-    gains = kinetic_energy(d, batch, 0.0) > _GAIN * before
+    most = _GAIN * before
     for f in range(layout.first_frame, layout.frame_end):
         frame = d.layout_frames[f]
         for r in range(frame.first_row, frame.row_end):
             row = d.equations[r]
-            stiff = load(v, batch.rows + row.kept + at.STIFFNESS) > 0.0
-            gains = gains & (is_rigid(v, batch, frame, row) | ~stiff)
-    return gains
+            if row.bounded == 1 or row.slot > 2 or may_be_sprung(frame.kind):
+                most = most + _work(v, batch, frame, row, seconds)
+    return kinetic_energy(d, batch, 0.0) > most
+
+
+@kernel
+def _work(v: Floats, batch: Records, frame: Records, row: Records, seconds: float) -> Vector:
+    """The energy (J) that a spring, a drive, or a stop that was overrun may have given."""
+    given = absolute(load(v, batch.rows + row.kept + at.IMPULSE))
+    speed = absolute(row_speed(v, row))
+    if row.slot != 4:
+        pulls = frame.kind == MOTOR or frame.kind == TARGET
+        return given * speed if pulls else select(is_rigid(v, batch, frame, row), 0.0, given * speed)
+    limit = seconds * load(v, batch.joints + frame.constants + at.MAX_MOTOR) if runs(frame) else spread(0.0)
+    driven = select(given < limit, given, limit) * speed
+    return driven + given * absolute(excess_error(v, batch, frame, row, seconds)) / seconds
 
 
 @kernel

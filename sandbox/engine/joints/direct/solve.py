@@ -11,7 +11,7 @@ from sandbox.engine.joints.direct.frames import measure_frames
 from sandbox.engine.joints.direct.geometric_stiffness import add_geometric_stiffness, remove_geometric_stiffness
 from sandbox.engine.joints.direct.ldl import factorize, solve_directly
 from sandbox.engine.joints.direct.passes import MOVE, RELAX, impulse_of
-from sandbox.engine.joints.direct.pivoting import cap_pairs, choose_rows, clamp_rows, release_bounded
+from sandbox.engine.joints.direct.pivoting import cap_pairs, choose_rows, hold_bounded
 from sandbox.engine.joints.direct.position_correction import CLOSE, find_corrections
 from sandbox.engine.joints.direct.preload import PRELOAD_TURNS, is_at_rest, take_as_preload
 from sandbox.engine.joints.direct.records import IS_LAST, SUBSTEP_LEVEL, Batches
@@ -33,8 +33,8 @@ from sandbox.engine.workers.parallel_for import first_part, next_part
 from sandbox.engine.workers.task_kinds import SECONDS, SOLVE_BATCHES
 from sandbox.tables import Floats, Records
 
-_TURNS = 16
-"""Most guesses at which rows are at their bounds, in one pass."""
+_TURNS = 12
+"""Most guesses at which rows are at their bounds, in one pass; what is left is for the next one."""
 
 
 @kernel
@@ -115,9 +115,7 @@ def _solve_positions(d: Batches, batch: Records, seconds: float) -> None:
     for _ in range(PRELOAD_TURNS if any_lane(put_down) else 0):
         take_as_preload(d, batch, seconds, put_down & settled)
         settled = (settled & ~put_down) | solve_rows(d, batch, seconds, MOVE, put_down)
-    failed = who & ~separated & ~settled
-    if layout.bounded == 0:
-        failed = failed | (who & ~separated & ~put_down & gains_energy(d, batch, before))
+    failed = who & ~separated & ~put_down & gains_energy(d, batch, seconds, before)
     solved_once = layout.hinged == 1 and batch.redundant == 0 and not any_lane(put_down)
     if not (solved_once and is_nearly_linear(d, batch, seconds)):
         _foresee(d, batch, seconds)
@@ -197,9 +195,9 @@ def _start_warm(d: Batches, batch: Records, relaxing: bool) -> None:
 def solve_rows(d: Batches, batch: Records, seconds: float, purpose: int, who: Mask) -> Mask:
     """In which of the parts `who` all marks of the rows came to rest.
 
-    A part whose marks rest is left alone while others of its batch go on.
+    A part whose marks rest is left alone while others of its batch go on. Where they do not, rigid rows are solved in
+    the end with the others held.
     """
-    v = d.memory
     layout = d.layouts[batch.layout]
     impulse = impulse_of(purpose)
     assemble(d, batch)
@@ -221,13 +219,9 @@ def solve_rows(d: Batches, batch: Records, seconds: float, purpose: int, who: Ma
         solve_directly(d, batch, impulse, going)
         cap_pairs(d, batch, seconds, purpose, going)
         if layout.bounded == 0:
-            settled = settled | going
-            break
-    separated = load(v, batch.lanes + at.SEPARATED) == 1.0
-    given_up = who & separated & ~settled
-    if any_lane(given_up):
-        release_bounded(d, batch, impulse, given_up)
+            return going
+    if any_lane(going):
+        hold_bounded(d, batch, impulse, going)
         factorize(d, batch)
-        solve_directly(d, batch, impulse, given_up)
-    clamp_rows(d, batch, impulse, who & ~given_up)
+        solve_directly(d, batch, impulse, going)
     return settled

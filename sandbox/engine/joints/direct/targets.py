@@ -198,6 +198,12 @@ def is_rigid(v: Floats, batch: Records, frame: Records, row: Records) -> Mask:
 
 
 @inlined_kernel
+def runs(frame: Records) -> bool:
+    """Whether the row in slot 4 has a motor."""
+    return bool(frame.motor == 1 and frame.kind != WHEEL)
+
+
+@inlined_kernel
 def is_brake(kind: int, slot: int) -> bool:
     """Whether a row of slots 0 to 2 keeps a speed rather than a place."""
     return kind == FRICTION or (kind == WHEEL and slot == 2)
@@ -267,9 +273,9 @@ def _drive(
     total: Vector,
 ) -> Law:
     joint = batch.joints + frame.constants
-    runs = frame.motor == 1 and frame.kind != WHEEL
-    most = acting * load(v, joint + at.MAX_MOTOR) if runs else spread(0.0)
-    aim = load(v, joint + at.MOTOR_SPEED) if runs else speed
+    driven = runs(frame)
+    most = acting * load(v, joint + at.MAX_MOTOR) if driven else spread(0.0)
+    aim = load(v, joint + at.MOTOR_SPEED) if driven else speed
     lower = load(v, joint + at.LOWER)
     upper = load(v, joint + at.UPPER)
     stop = load(v, batch.rows + row.kept + at.STOP)
