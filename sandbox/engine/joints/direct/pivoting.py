@@ -35,6 +35,7 @@ def choose_rows(d: Batches, batch: Records, seconds: float, purpose: int, who: M
     changed = aim_rows(d, batch, seconds, purpose, who)
     layout = d.layouts[batch.layout]
     impulse = impulse_of(purpose)
+    beyond = who & ~who
     for f in range(layout.first_frame, layout.frame_end):
         frame = d.layout_frames[f]
         for r in range(frame.first_row, frame.row_end):
@@ -42,11 +43,13 @@ def choose_rows(d: Batches, batch: Records, seconds: float, purpose: int, who: M
             before = load(v, row.place + at.ACTIVE)
             acts = who & has_law(v, batch, row)
             if row.bounded == 1:
+                beyond = beyond | (acts & _is_beyond(v, batch, row, impulse))
                 acts = acts & _is_active(v, batch, row, impulse, _AT_REST * units_of(d, frame, row))
             active = select(acts, 1.0, select(who, 0.0, before))
             store(v, row.place + at.ACTIVE, active)
             changed = changed | (active != before)
-    clamp_rows(d, batch, impulse, who)
+    if any_lane(beyond):
+        clamp_rows(d, batch, impulse, who)
     return changed
 
 
@@ -99,6 +102,13 @@ def has_law(v: Floats, batch: Records, row: Records) -> Mask:
 @inlined_kernel
 def _replace(v: Floats, place: int, value: Vector, where: Mask) -> None:
     store(v, place, select(where, value, load(v, place)))
+
+
+@inlined_kernel
+def _is_beyond(v: Floats, batch: Records, row: Records, impulse: int) -> Mask:
+    """Whether a row's impulse is past one of its bounds."""
+    current = load(v, batch.rows + row.kept + impulse)
+    return (current < load(v, row.place + at.LOW)) | (current > load(v, row.place + at.HIGH))
 
 
 @inlined_kernel

@@ -17,7 +17,7 @@ from sandbox.engine.joints.direct.acting_time import compliance
 from sandbox.engine.joints.direct.preload import beyond_preload
 from sandbox.engine.joints.direct.records import Batches
 from sandbox.engine.joints.direct.rows import change_impulse, counts_radians, row_error, row_speed
-from sandbox.engine.joints.direct.targets import is_rigid, may_be_sprung, runs
+from sandbox.engine.joints.direct.targets import is_brake, is_rigid, may_be_sprung, runs
 from sandbox.engine.joints.laws import CORRECTION_SPEED, limited, overrun, without_yield
 from sandbox.tables import Floats, Records
 from sandbox.world.joint_records import MOTOR, TARGET
@@ -151,14 +151,16 @@ def gains_energy(d: Batches, batch: Records, seconds: float, before: Vector) -> 
     given: a linkage that passes flat, whose rows say nearly the same, can be held by enormous impulses only."""
     v = d.memory
     layout = d.layouts[batch.layout]
-    most = _GAIN * before
+    gained = kinetic_energy(d, batch, 0.0) - _GAIN * before
+    if not any_lane(gained > 0.0):
+        return gained > 0.0
     for f in range(layout.first_frame, layout.frame_end):
         frame = d.layout_frames[f]
         for r in range(frame.first_row, frame.row_end):
             row = d.equations[r]
-            if row.bounded == 1 or row.slot > 2 or may_be_sprung(frame.kind):
-                most = most + _work(v, batch, frame, row, seconds)
-    return kinetic_energy(d, batch, 0.0) > most
+            if row.slot > 2 or is_brake(frame.kind, row.slot) or may_be_sprung(frame.kind):
+                gained = gained - _work(v, batch, frame, row, seconds)
+    return gained > 0.0
 
 
 @kernel
