@@ -113,18 +113,28 @@ def _drop_resting(bodies: Records, active: ActiveSet) -> None:
 
 @kernel
 def _settle_touched(bodies: Records, active: ActiveSet, solver: SolverBodies) -> int:
-    """Lay to rest who of the touched ones does not move; returns how many do and are not listed yet, as `activity`
-    says of them."""
+    """Lay to rest who of the touched ones does not move, and note that; returns how many do and are not listed yet, as
+    `activity` says of them."""
     info = active.info[0]
     more = 0
     for i in active.touched[1 : 1 + active.touched[0]]:
         was = active.activity[i] & ~TOUCHED
         info.asleep -= 1 if was == ASLEEP else 0
         active.activity[i] = AWAKE
-        if _settle(bodies, active, i, solver) and was != AWAKE:
+        if not _settle(bodies, active, i, solver):
+            _note_settled(active, i)
+        elif was != AWAKE:
             active.activity[i] = TOUCHED
             more += 1
     return more
+
+
+@inlined_kernel
+def _note_settled(active: ActiveSet, i: int) -> None:
+    """A body rests where it may not have been before."""
+    settled = active.settled
+    settled[1 + settled[0] % (settled.shape[0] - 1)] = i
+    settled[0] += 1
 
 
 @kernel

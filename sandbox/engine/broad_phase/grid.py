@@ -203,6 +203,7 @@ def _larger(one: float, other: float) -> float:
     return one if one > other else other
 
 
+@kernel
 def head_count(shapes: int) -> int:
     """Buckets of the grid: a power of two, about two a shape, and one more to close the last."""
     buckets = 128

@@ -35,15 +35,9 @@ _LOOSE = 4.0
 """The sides of the box of what lies aslant are more than so many times half its width."""
 
 
-@kernel
-def turn_cores(bodies: Records, shapes: Records, vertices: Records, turned: Records) -> None:
-    """Turn the cores of all shapes into world axes; they stay measured from their body's centre of mass."""
-    for i in range(shapes.shape[0]):
-        _turn_core(bodies[shapes[i].body], shapes[i], vertices, turned)
-
-
 @inlined_kernel
-def _turn_core(body: Records, shape: Records, vertices: Records, turned: Records) -> None:
+def turn_core(body: Records, shape: Records, vertices: Records, turned: Records) -> None:
+    """Turn the core of a shape into world axes; it stays measured from its body's centre of mass."""
     c = body.rotation_cos
     s = body.rotation_sin
     for j in range(shape.vertex_start, shape.vertex_start + shape.vertex_count):
@@ -93,7 +87,7 @@ def bound_some_shapes(state: StateTables, rows: Integers, anew: bool, colliders:
             body_index = state.shapes[i].body
             other = _describe_shape(state.bodies[body_index], state.shapes[i], colliders.filters[i], proxy, unit)
         body = state.bodies[proxy.body]
-        _turn_core(body, proxy, state.vertices, cores)
+        turn_core(body, proxy, state.vertices, cores)
         lower_x, lower_y, upper_x, upper_y = core_bounds(cores, core_of(proxy))
         spin = body.angular_velocity if body.angular_velocity > 0.0 else -body.angular_velocity
         _follow_body(body, spin, proxy)

@@ -6,12 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from sandbox._jit import Call, Door, entry_point, kernel, kernel_argument
+from sandbox._jit import Door, entry_point, kernel, kernel_argument
 from sandbox.engine.broad_phase.pairs import may_collide
 from sandbox.engine.events.pair_keys import pair_keys
 from sandbox.engine.events.records import SENSOR_EVENT
-from sandbox.engine.queries.index import lay_out
+from sandbox.engine.queries.boxes import bound
 from sandbox.engine.queries.records import Memory, QueryTables
+from sandbox.engine.queries.spatial_index import SpatialIndex
 from sandbox.engine.queries.walk import begin_walk, next_box
 from sandbox.geometry.core import core_of
 from sandbox.geometry.manifold import MANIFOLD, collide_cores
@@ -29,29 +30,26 @@ class SensorOverlaps:
         self._manifold: Any = kernel_argument(MANIFOLD.zeros(1))
         self._found: Any = kernel_argument(SENSOR_EVENT.zeros(64))
         self._sense = Door(sense)
-        self._prepare()
+        self._index = SpatialIndex(state)
+        self._find_sensors()
         self.before: Records = SENSOR_EVENT.zeros(0)
         """What they overlapped before the last step."""
         self.now: Records = SENSOR_EVENT.zeros(0)
         """What they overlap: `SENSOR_EVENT` rows, sorted by (sensor, shape)."""
 
-    def _prepare(self) -> None:
-        """Take memory for the shapes of now."""
-        state = self._state
-        self._layout = state.layout
-        self._sensors: Integers = np.flatnonzero(plain(state.shapes)["sensor"] == 1)
-        tables, memory = kernel_argument((QueryTables.of(state), Memory.for_state(state)))
-        self._lay_out, self._asking = Call(lay_out, (tables, memory)), (tables, memory)
+    def _find_sensors(self) -> None:
+        """Note which shapes are sensors."""
+        self._sensors: Integers = np.flatnonzero(plain(self._state.shapes)["sensor"] == 1)
 
     def update(self) -> None:
         """Find what the sensors overlap now; what they overlapped so far becomes `before`."""
-        if self._layout != self._state.layout:
-            self._prepare()
-        self._lay_out()
-        count = self._sense(*self._asking, self._sensors, self._manifold, self._found)
+        if self._index.update():
+            self._find_sensors()
+        asking = *self._index.arguments, self._sensors, self._manifold
+        count = self._sense(*asking, self._found)
         if count > len(self._found):
             self._found = kernel_argument(SENSOR_EVENT.zeros(count + count // 2))
-            self._sense(*self._asking, self._sensors, self._manifold, self._found)
+            self._sense(*asking, self._found)
         found = np.asarray(self._found)[:count]
         order = np.argsort(pair_keys(found["sensor"], found["shape_index"]), kind="stable")  # sensors are in order
         self.before, self.now = self.now, as_table(found.take(order))
@@ -86,7 +84,8 @@ def sense(tables: QueryTables, memory: Memory, sensors: Integers, manifold: Reco
     walk = memory.walk[0]
     count = 0
     for k in range(sensors.shape[0]):
-        box = memory.boxes[sensors[k]]
+        box = memory.boxes[0]
+        bound(tables, memory, sensors[k], box)
         x = 0.5 * (box.lower_x + box.upper_x)
         y = 0.5 * (box.lower_y + box.upper_y)
         question.lower_x = box.lower_x - x

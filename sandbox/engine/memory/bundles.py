@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from sandbox._jit import interpreted
 from sandbox.engine.active.active_set import most_touched, new_active_set
 from sandbox.engine.active.sleeping_islands import NOBODY
 from sandbox.engine.broad_phase.fat_boxes import AHEAD
@@ -69,6 +70,7 @@ def active_memory(room: Room) -> ActiveSet:
         info=new_active_set(),
         bodies=np.zeros(room.bodies + 1, np.int64),
         touched=np.zeros(most_touched(room.bodies) + 1, np.int64),
+        settled=np.zeros(most_touched(room.bodies) + 1, np.int64),
         activity=np.zeros(room.bodies, np.int64),
         shapes=np.arange(room.shapes),
         last_member=np.full(room.bodies, NOBODY),
@@ -110,7 +112,7 @@ def collider_memory(room: Room) -> Colliders:
 
 def grid_memory(shapes: int, pairs: int) -> Grid:
     """The grids of boxes, and the pairs that they find."""
-    buckets = head_count(shapes)
+    buckets = interpreted(head_count)(shapes)
     return Grid(
         info=GRID_INFO.zeros(1),
         fat_boxes=GRID_BOX.zeros(shapes),

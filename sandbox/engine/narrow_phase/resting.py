@@ -26,10 +26,10 @@ _SHARE = 1024
 class AtRest:
     """As much of the scratch memory of a world as holds from one step to the next."""
 
-    __slots__ = ("_active", "_contacts")
+    __slots__ = ("_contacts", "active")
 
     def __init__(self, active: ActiveSet, contacts: Contacts) -> None:
-        self._active, self._contacts = active, contacts
+        self.active, self._contacts = active, contacts
 
     def contacts_of(self, table: Records, count: int, rows: Integers) -> Integers | None:
         """The rows of those of so many contacts that some bodies have, ascending; None where a look at all is as soon
@@ -46,7 +46,7 @@ class AtRest:
 
     def members(self, bodies: Records, islands: Integers) -> Integers | None:
         """The rows of the bodies of some islands; None where that is not known."""
-        info = plain(self._active.info)[0]
+        info = plain(self.active.info)[0]
         if info["stale"]:
             return None
         island, listed = plain(bodies)["island"], int(info["bodies"])
@@ -54,16 +54,16 @@ class AtRest:
         for root in islands.tolist():
             if root > listed:
                 continue
-            row = int(self._active.last_member[root - 1])
+            row = int(self.active.last_member[root - 1])
             while row != NOBODY:
                 if row < listed and island[row] == root:
                     found.append(row)
-                row = int(self._active.member_before[row])
+                row = int(self.active.member_before[row])
         return np.array(sorted(found), np.int64)
 
     def _has_runs(self) -> bool:
         """Whether the lists tell of the contacts that the last step has found."""
-        info, cursor = plain(self._active.info)[0], plain(self._contacts.cursor)[0]
+        info, cursor = plain(self.active.info)[0], plain(self._contacts.cursor)[0]
         last = cursor["era1"] if cursor["turn"] == 0 else cursor["era0"]
         return bool(info["stale"] == 0 and last == info["era"])
 

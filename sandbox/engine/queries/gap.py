@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from sandbox._jit import entry_point, kernel
+from sandbox.engine.queries.boxes import bound
 from sandbox.engine.queries.question import ask_about, contact_point, distance_to
 from sandbox.engine.queries.records import Memory, QueryTables
 from sandbox.geometry.sat import FAR
@@ -19,18 +22,22 @@ def find_gap(tables: QueryTables, memory: Memory, shapes_a: Integers, shapes_b: 
     bodies = tables.bodies
     shapes = tables.shapes
     cores = memory.cores
-    boxes = memory.boxes
+    boxes: Any = memory.boxes
     question = memory.question[0]
     a = hits[0]
     b = hits[1]
     b.fraction = FAR
+    for m in range(shapes_b.shape[0]):
+        bound(tables, memory, shapes_b[m], boxes[m])
     for k in range(shapes_a.shape[0]):
         i = shapes_a[k]
         body = bodies[shapes[i].body]
+        box = boxes[shapes_b.shape[0]]
+        bound(tables, memory, i, box)
         ask_about(cores, shapes[i], body, question)
         for m in range(shapes_b.shape[0]):
             j = shapes_b[m]
-            if _box_gap(boxes[i], boxes[j]) < b.fraction:
+            if _box_gap(box, boxes[m]) < b.fraction:
                 other = bodies[shapes[j].body]
                 x = body.center_x
                 y = body.center_y

@@ -1,128 +1,172 @@
-"""Put all shapes, as they lie now, into the grid: once after every change, at the first question."""
+"""The spatial index of all shapes, brought up to date at the first question after a change.
+
+What rests is kept as it was laid out; what has moved since is taken out there and laid out anew each time, in a part of
+the grid for itself. So a question after a step costs what moves. All is laid out anew where the lists of the active set
+no longer tell who has moved, and once the loose shapes that rest have cost as much as that (as one buys skis after
+having rented them for their price): what comes to rest then costs about the root of how many there are, each.
+"""
 
 from __future__ import annotations
 
-import math
+from typing import Any
 
-from sandbox._jit import entry_point, kernel
-from sandbox.engine.broad_phase.grid import base_cell, box_level, bucket, cells_per_metre, fill_grid, octave
-from sandbox.engine.broad_phase.proxies import turn_cores
-from sandbox.engine.queries.records import Memory, QueryTables
-from sandbox.geometry.bounds import core_bounds
-from sandbox.geometry.core import core_of
+from sandbox._jit import entry_point, inlined_kernel, kernel
+from sandbox.engine.active.active_set import first_from
+from sandbox.engine.bodies.flags import disturbs
+from sandbox.engine.broad_phase.proxies import turn_core
+from sandbox.engine.queries.boxes import bound
+from sandbox.engine.queries.cells import empty, fill_part
+from sandbox.engine.queries.records import NOTHING, Memory, QueryTables
+from sandbox.engine.records.active_set import ActiveSet
 from sandbox.geometry.sat import FAR
 from sandbox.tables import Integers, Records
 
-_COMPANY = 2
-ROUNDING = 1e-15
-"""Share of its coordinates by which a box is widened, so that rounding cannot leave out what it bounds."""
+LOOSE, NOWHERE = -1, -2
+"""What `places` says of a shape, if not where its box is kept: it is laid out each time, or is new."""
 
 
 @entry_point
-def lay_out(tables: QueryTables, memory: Memory) -> None:
-    """Turn the cores, bound them tightly, fill the grid, and note where its levels are populated."""
-    boxes, grid = memory.boxes, memory.grid
-    ordered, heads, levels, regions = grid.ordered, grid.heads, grid.levels, grid.regions
-    turn_cores(tables.bodies, tables.shapes, tables.vertices, memory.cores)
-    _bound(tables.bodies, tables.shapes, memory.cores, boxes)
-    base = base_cell(boxes, levels)
-    used, sparse_count = fill_grid(boxes, base, _finest_level(boxes, base, heads), ordered, heads, levels)
-    question = memory.question[0]
-    question.region_count = used
-    question.sparse_count = sparse_count
-    for k in range(used):
-        regions[k].level = levels[k]
-        regions[k].cells_per_metre = cells_per_metre(base, levels[k])
-    _measure(ordered, regions, used)
+def lay_out(tables: QueryTables, active: ActiveSet, memory: Memory) -> None:
+    """Bring the index up to date. `active` has the lists that tell who has moved."""
+    index, info = memory.info[0], active.info[0]
+    shapes = tables.shapes.shape[0]
+    known = _is_known(active, index)
+    if known:
+        _loosen_changed(tables, active, memory)
+        known = _is_worth_keeping(index, shapes, info.listed)
+    if not known:
+        _keep_what_rests(tables, memory)
+    _lay_out_loose(tables, memory)
+    index.generation = info.generation if info.stale == 0 else NOTHING
+    index.settled = active.settled[0]
+    index.shapes = shapes
+
+
+@inlined_kernel
+def _is_known(active: ActiveSet, index: Records) -> bool:
+    """Whether the lists tell of all who may have moved since the index was brought up to date."""
+    info = active.info[0]
+    since = active.settled[0] - index.settled
+    return bool(info.stale == 0 and info.anew <= index.generation and since < active.settled.shape[0])
+
+
+@inlined_kernel
+def _is_worth_keeping(index: Records, shapes: int, moving: int) -> bool:
+    """Whether what is kept costs less than to lay out all anew would have: where less than half of it has been taken
+    out, and what lies among the loose needlessly is not more than all shapes, over all times."""
+    rests = index.loose - moving
+    if rests > 0 and 2 * moving < shapes:
+        index.idle += rests
+    return bool(index.idle <= shapes and 2 * index.taken <= index.kept)
 
 
 @kernel
-def _bound(bodies: Records, shapes: Records, cores: Records, boxes: Records) -> None:
-    """The box of every shape: core and radius, and what rounding could cut off."""
-    for i in range(shapes.shape[0]):
-        shape = shapes[i]
-        body = bodies[shape.body]
-        lower_x, lower_y, upper_x, upper_y = core_bounds(cores, core_of(shape))
-        grow = shape.radius + ROUNDING * (abs(body.center_x) + abs(body.center_y) + body.extent)
-        box = boxes[i]
-        box.lower_x = body.center_x + lower_x - grow
-        box.lower_y = body.center_y + lower_y - grow
-        box.upper_x = body.center_x + upper_x + grow
-        box.upper_y = body.center_y + upper_y + grow
-        box.shape_index = i
-
-
-@kernel
-def _finest_level(boxes: Records, base: float, heads: Integers) -> int:
-    """The level with about a box a cell, where the small ones lie: rays are to cross as few empty cells as full ones.
-
-    Beginning with what an even spread would ask for; crowded places then want finer cells.
-    """
-    if boxes.shape[0] == 0:
-        return 0
-    lower_x, lower_y, upper_x, upper_y = FAR, FAR, -FAR, -FAR
-    for i in range(boxes.shape[0]):
-        lower_x = boxes[i].lower_x if boxes[i].lower_x < lower_x else lower_x
-        lower_y = boxes[i].lower_y if boxes[i].lower_y < lower_y else lower_y
-        upper_x = boxes[i].upper_x if boxes[i].upper_x > upper_x else upper_x
-        upper_y = boxes[i].upper_y if boxes[i].upper_y > upper_y else upper_y
-    room = (upper_x - lower_x) * (upper_y - lower_y) / boxes.shape[0]
-    level = octave(math.sqrt(room) / base)
-    while level > 0 and _is_crowded(boxes, base, level, heads):
-        level -= 2
-    return level if level > 0 else 0
-
-
-@kernel
-def _is_crowded(boxes: Records, base: float, level: int, heads: Integers) -> bool:
-    """Whether a box shares its cell with more than `_COMPANY` others, on average, if the small ones lay on `level`."""
-    for k in range(heads.shape[0]):
-        heads[k] = 0
-    inverse = cells_per_metre(base, level)
+def _loosen_changed(tables: QueryTables, active: ActiveSet, memory: Memory) -> None:
+    """Take out what may have moved, came, or has another row since the index was brought up to date."""
+    index, info = memory.info[0], active.info[0]
+    owners: Any = tables.shapes.body
+    shapes = owners.shape[0]
+    for i in range(index.shapes, shapes):
+        memory.places[i] = NOWHERE
+    for i in range(shapes, index.shapes):
+        _take_out(i, memory)
+    settled: Any = active.settled[1:]
+    for n in range(index.settled, active.settled[0]):
+        _loosen_body(owners, settled[n % settled.shape[0]], memory)
+    for body in active.touched[1 : 1 + active.touched[0]]:
+        _loosen_body(owners, body, memory)
+    for i in range(first_from(owners, info.bodies), shapes):
+        _loosen(i, memory)
+    for i in active.shapes[: info.listed]:  # where rows have gone some are none of theirs, which does no harm
+        if i < shapes:
+            _loosen(i, memory)
     count = 0
-    for i in range(boxes.shape[0]):
-        box = boxes[i]
-        if box_level(box, base) <= level:
-            x = math.floor(0.5 * (box.lower_x + box.upper_x) * inverse)
-            y = math.floor(0.5 * (box.lower_y + box.upper_y) * inverse)
-            heads[bucket(x, y, level, heads)] += 1
+    for i in memory.loose[: index.loose]:
+        if i < shapes:
+            memory.loose[count] = i
             count += 1
-    squares = 0
-    for k in range(heads.shape[0]):
-        squares += heads[k] * heads[k]
-    return squares > (1 + _COMPANY) * count
+    index.loose = count
 
 
 @kernel
-def _measure(ordered: Records, regions: Records, used: int) -> None:
-    """Count the boxes of each populated level and bound their middles; the last row bounds all boxes."""
-    everything = regions[regions.shape[0] - 1]
-    _empty(everything)
-    for k in range(used):
-        _empty(regions[k])
-    for i in range(ordered.shape[0]):
-        box = ordered[i]
-        _widen(everything, box.lower_x, box.lower_y)
-        _widen(everything, box.upper_x, box.upper_y)
-        for k in range(used):
-            if regions[k].level == box.level:
-                _widen(regions[k], 0.5 * (box.lower_x + box.upper_x), 0.5 * (box.lower_y + box.upper_y))
+def _loosen_body(owners: Integers, body: int, memory: Memory) -> None:
+    """Loosen all shapes of a body, if it is still there."""
+    i = first_from(owners, body)
+    while i < owners.shape[0] and owners[i] == body:
+        _loosen(i, memory)
+        i += 1
+
+
+@inlined_kernel
+def _loosen(i: int, memory: Memory) -> None:
+    """A shape is laid out each time from now on."""
+    if memory.places[i] == LOOSE:
+        return
+    _take_out(i, memory)
+    memory.places[i] = LOOSE
+    index = memory.info[0]
+    memory.loose[index.loose] = i
+    index.loose += 1
+
+
+@inlined_kernel
+def _take_out(i: int, memory: Memory) -> None:
+    """Take the box of a shape out of what is kept: nothing meets what ends before it begins."""
+    row = memory.places[i]
+    if row >= 0:
+        box = memory.grid.ordered[row]
+        box.lower_x = box.lower_y = FAR
+        box.upper_x = box.upper_y = -FAR
+        memory.info[0].taken += 1
 
 
 @kernel
-def _empty(region: Records) -> None:
-    region.count = 0
-    region.lower_x = FAR
-    region.lower_y = FAR
-    region.upper_x = -FAR
-    region.upper_y = -FAR
+def _keep_what_rests(tables: QueryTables, memory: Memory) -> None:
+    """Lay out what does not move to be kept, if that is at least half of all; everything else is loose."""
+    index, question, regions = memory.info[0], memory.question[0], memory.grid.regions
+    shapes = tables.shapes.shape[0]
+    moving = 0
+    for i in range(shapes):
+        moves = disturbs(tables.bodies[tables.shapes[i].body])
+        memory.places[i] = LOOSE if moves else NOWHERE
+        moving += 1 if moves else 0
+    kept = loose = 0
+    for i in range(shapes):
+        if memory.places[i] == LOOSE or 2 * moving > shapes:
+            memory.places[i] = LOOSE
+            memory.loose[loose] = i
+            loose += 1
+        else:
+            _turn_and_bound(tables, memory, i, kept)
+            kept += 1
+    question.region_count = question.sparse_count = 0
+    empty(regions[regions.shape[0] - 1])
+    fill_part(memory, kept, 0, 0)
+    regions[regions.shape[0] - 2] = regions[regions.shape[0] - 1]
+    for row in range(kept):
+        memory.places[memory.grid.ordered[row].shape_index] = row
+    index.kept_regions = question.region_count
+    index.kept_sparse = question.sparse_count
+    index.kept = kept
+    index.loose = loose
+    index.taken = index.idle = 0
 
 
 @kernel
-def _widen(region: Records, x: float, y: float) -> None:
-    """Take a point into the bounds of a region."""
-    region.count += 1
-    region.lower_x = x if x < region.lower_x else region.lower_x
-    region.lower_y = y if y < region.lower_y else region.lower_y
-    region.upper_x = x if x > region.upper_x else region.upper_x
-    region.upper_y = y if y > region.upper_y else region.upper_y
+def _lay_out_loose(tables: QueryTables, memory: Memory) -> None:
+    """Lay out what is loose behind what is kept."""
+    index, question, regions = memory.info[0], memory.question[0], memory.grid.regions
+    question.region_count = index.kept_regions
+    question.sparse_count = index.kept_sparse
+    regions[regions.shape[0] - 1] = regions[regions.shape[0] - 2]
+    for n in range(index.loose):
+        _turn_and_bound(tables, memory, memory.loose[n], n)
+    fill_part(memory, index.loose, index.kept, memory.grid.heads.shape[0] // 2)
+
+
+@inlined_kernel
+def _turn_and_bound(tables: QueryTables, memory: Memory, i: int, row: int) -> None:
+    """Turn the core of a shape and write its box to a row of `memory.boxes`."""
+    shape = tables.shapes[i]
+    turn_core(tables.bodies[shape.body], shape, tables.vertices, memory.cores)
+    bound(tables, memory, i, memory.boxes[row])

@@ -8,20 +8,22 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sandbox._jit import Call, Door, kernel_argument
+from sandbox._jit import Door, kernel_argument
 from sandbox.attributes import FixedAttributes
 from sandbox.engine.queries.checks import checked_box, checked_distance, checked_place, checked_ray, checked_rays
 from sandbox.engine.queries.filter import Filter
 from sandbox.engine.queries.gap import find_gap
-from sandbox.engine.queries.index import lay_out
 from sandbox.engine.queries.proximity import nearest_shape, overlaps
-from sandbox.engine.queries.records import HIT, Memory, QueryTables
+from sandbox.engine.queries.records import HIT
 from sandbox.engine.queries.results import BodyDistance, CastHit, Overlap, PointHit, RayHit, RayHits
+from sandbox.engine.queries.spatial_index import SpatialIndex
 from sandbox.engine.queries.subject import POINT, Subject, check_filter, subject_of, write_filter, write_subject
 from sandbox.engine.queries.sweep import all_hits, first_hits
 from sandbox.errors import QueryError
 from sandbox.geometry.shapes import Core
+from sandbox.tables import Integers
 from sandbox.world.directory import Directory
+from sandbox.world.shape_rows import first_shape
 from sandbox.world.state import State
 
 Vec = tuple[float, float]
@@ -53,21 +55,11 @@ class Queries(FixedAttributes):
     tell from a touch (a few units in the last place of the lengths involved). Sleeping, static and frozen bodies are
     seen like any others. Lines are met from both sides.
 
-    The first question after a step, a command or a restore puts all shapes into a grid; those that follow use it.
+    The first question after a step, a command or a restore puts all shapes that may have moved into a grid; those that
+    follow use it.
     """
 
-    __slots__ = (
-        "_arguments",
-        "_asked",
-        "_laid_out",
-        "_lay_out",
-        "_layout",
-        "_many",
-        "_memory",
-        "_one",
-        "_rays",
-        "_world",
-    )
+    __slots__ = ("_asked", "_hidden", "_index", "_laid_out", "_many", "_one", "_rays", "_world")
 
     def __init__(self, world: QueriedWorld) -> None:
         self._world = world
@@ -76,7 +68,8 @@ class Queries(FixedAttributes):
         self._many: Any = kernel_argument(HIT.zeros(64))
         self._laid_out = -1
         self._asked: tuple[Subject, Filter] | None = None
-        self._use(Memory.for_state(world.state))
+        self._hidden: Integers = np.zeros(0, np.int64)
+        self._index = SpatialIndex(world.state)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """A copy asks the same world; a deep or pickled one a copy of it."""
@@ -146,7 +139,7 @@ class Queries(FixedAttributes):
         x, y = checked_place("nearest", "the point", point)
         reach = checked_distance("nearest", "within", within)
         self._ask(POINT, filter)
-        if len(self._memory.boxes) == 0 or not self._run(_NEAREST, x, y, reach, self._one):
+        if len(self._world.state.shapes) == 0 or not self._run(_NEAREST, x, y, reach, self._one):
             return None
         return PointHit(*self._answer(self._one.tolist()[0]))
 
@@ -172,10 +165,13 @@ class Queries(FixedAttributes):
             raise QueryError(f"distance: {body_a!r} is given twice")
         self._ask(POINT, None)
         self._asked = None
-        owner = np.asarray(self._world.state.shapes)["body"]
-        self._run(_GAP, np.flatnonzero(owner == a), np.flatnonzero(owner == b), self._one)
+        self._run(_GAP, self._shapes_of(a), self._shapes_of(b), self._one)
         of_a, of_b = map(self._answer, self._one.tolist())
         return BodyDistance(of_a[4], of_a[2], of_b[2], of_a[3], of_a[1], of_b[1])
+
+    def _shapes_of(self, row: int) -> Integers:
+        shapes = self._world.state.shapes
+        return np.arange(first_shape(shapes, row), first_shape(shapes, row + 1))
 
     def _first(self, place: Vec, translation: Vec, subject: Subject, seen: Filter | None) -> tuple[Any, ...] | None:
         self._ask(subject, seen)
@@ -205,7 +201,7 @@ class Queries(FixedAttributes):
         return rows
 
     def _run(self, kernel: Door, *more: Any) -> Any:
-        return kernel(*self._arguments, *more)
+        return kernel(*self._index.arguments, *more)
 
     def _answer(self, hit: tuple[Any, ...]) -> tuple[str, int, Vec, Vec, float]:
         shape, body, fraction, x, y, nx, ny = hit
@@ -214,34 +210,19 @@ class Queries(FixedAttributes):
     def _ask(self, subject: Subject, seen: Filter | None) -> None:
         """Bring the grid up to date and write down what is asked, if it is not what was asked last."""
         if self._laid_out != self._world.changes:
-            self._refresh()
+            if self._index.update():
+                self._asked = None
+            self._laid_out = self._world.changes
         seen = _EVERYTHING if seen is None else seen
         if self._asked is not None and self._asked[0] is subject and self._asked[1] is seen:
             return
         check_filter(seen)
         if self._asked is None or self._asked[0] is not subject:
-            write_subject(self._memory, subject)
+            write_subject(self._index.memory, subject)
         if self._asked is None or self._asked[1] != seen:
             self._asked = None
-            write_filter(self._memory, seen, self._world.directory.body)
+            self._hidden = write_filter(self._index.memory, seen, self._world.directory.body, self._hidden)
         self._asked = (subject, seen)
-
-    def _refresh(self) -> None:
-        """Put all shapes into the grid as they lie now."""
-        state = self._world.state
-        if self._layout != state.layout:
-            self._use(Memory.for_state(state))
-        self._lay_out()
-        self._laid_out = self._world.changes
-
-    def _use(self, memory: Memory) -> None:
-        """Take new memory and prepare what the kernels are called with."""
-        state = self._world.state
-        self._memory = memory
-        self._asked = None
-        self._layout = state.layout
-        self._arguments = kernel_argument((QueryTables.of(state), memory))
-        self._lay_out = Call(lay_out, self._arguments)
 
 
 def _overlap(hit: tuple[Any, ...]) -> Overlap:

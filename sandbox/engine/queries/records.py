@@ -6,7 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sandbox.engine.broad_phase.grid import LEVEL_SPACE, LEVELS, head_count
+from sandbox._jit import interpreted
+from sandbox.engine.broad_phase.grid import LEVEL_SPACE, LEVELS, SPARSE, head_count
 from sandbox.engine.records.colliders import GRID_BOX
 from sandbox.tables import Field, Integers, Records, Table
 from sandbox.world.records import VERTEX
@@ -16,6 +17,25 @@ MAX_CORE = 64
 """Vertices of a shape that is asked about."""
 SPARE_CORES = 3 * MAX_CORE
 """Rows at the end of the turned cores: the mirrored core of the question, then its sum with a core of the world."""
+
+NOTHING = -1
+"""The `generation` of an index that knows of no box."""
+
+INDEX = Table(
+    "index",
+    (
+        Field("generation", "-", "that of the active set when it was brought up to date, or `NOTHING`", "i8"),
+        Field("settled", "-", "how many bodies had been laid to rest by then", "i8"),
+        Field("shapes", "-", "how many there were", "i8"),
+        Field("kept", "-", "boxes that have been laid out to be kept", "i8"),
+        Field("taken", "-", "those of them that were taken out since", "i8"),
+        Field("kept_regions", "-", "levels with many of them", "i8"),
+        Field("kept_sparse", "-", "those on the other levels", "i8"),
+        Field("loose", "-", "shapes that are laid out each time", "i8"),
+        Field("idle", "-", "those that did not move, over all times since", "i8"),
+    ),
+)
+"""One row: what is known of the grid."""
 
 REGION = Table(
     "region",
@@ -27,9 +47,14 @@ REGION = Table(
         Field("lower_y", "m", ""),
         Field("upper_x", "m", ""),
         Field("upper_y", "m", ""),
+        Field("first_box", "-", "row in `ordered` of the first box of its part of the grid", "i8"),
+        Field("boxes", "-", "boxes of that part, on all levels", "i8"),
+        Field("first_head", "-", "row in `heads` of the first bucket of that part", "i8"),
+        Field("heads", "-", "buckets of that part, and one more", "i8"),
     ),
 )
-"""One row a level with many boxes: where it is populated. The last row has the bounds of all boxes."""
+"""One row a level with many boxes: where it is populated. The last row has the bounds of all boxes, the one before it
+of those that are kept."""
 
 QUESTION = Table(
     "question",
@@ -111,22 +136,32 @@ class QueryTables(NamedTuple):
 
 
 class QueryGrid(NamedTuple):
-    """The grid of all shapes: `ordered` has their boxes bucket by bucket, `heads` tells where each bucket begins,
-    `levels` which levels are in use, `regions` where those are populated."""
+    """The grid of all shapes, in two parts, each with buckets of its own: of what is kept, and of what is loose.
+
+    `ordered` has the boxes of the one part and then those of the other, bucket by bucket, `heads` tells where each
+    bucket begins, `sparse` which boxes are on levels with few, `regions` where the other levels are populated. `levels`
+    is scratch.
+    """
 
     ordered: Records
     heads: Integers
-    levels: Integers
+    sparse: Integers
     regions: Records
+    levels: Integers
 
 
 class Memory(NamedTuple):
     """The grid, and one question at a time.
 
-    `cores` are those of all shapes in world axes, each from its body's centre, and behind them those of the question;
-    `boxes` has a row a shape, `question` and `walk` have one row, `hidden` a 1 for each body that is passed over.
+    `info` is one row of `INDEX`: what is known of the grid. `places` tells for each shape where its box is in
+    `grid.ordered`, if it is kept, or `LOOSE`; `loose` lists those. `cores` are those of all shapes in world axes, each
+    from its body's centre, and at the end those of the question; `boxes` is scratch. `question` and `walk` have one
+    row, `hidden` a 1 for each body that is passed over.
     """
 
+    info: Records
+    places: Integers
+    loose: Integers
     cores: Records
     boxes: Records
     grid: QueryGrid
@@ -135,19 +170,39 @@ class Memory(NamedTuple):
     hidden: Integers
 
     @classmethod
-    def for_state(cls, state: State) -> Memory:
-        """Memory for all bodies and shapes of `state`."""
-        shapes = len(state.shapes)
+    def of(cls, bodies: int, shapes: int, vertices: int) -> Memory:
+        """Memory for so many rows."""
+        info = INDEX.zeros(1)
+        info.generation = NOTHING
         return cls(
-            cores=VERTEX.zeros(len(state.vertices) + SPARE_CORES),
+            info=info,
+            places=np.zeros(shapes, np.int64),
+            loose=np.zeros(shapes, np.int64),
+            cores=VERTEX.zeros(vertices + SPARE_CORES),
             boxes=GRID_BOX.zeros(shapes),
             grid=QueryGrid(
-                ordered=GRID_BOX.zeros(shapes),
-                heads=np.zeros(head_count(shapes), np.int64),
+                ordered=GRID_BOX.zeros(2 * shapes),
+                heads=np.zeros(2 * interpreted(head_count)(shapes), np.int64),
+                sparse=np.zeros(2 * SPARSE * LEVELS, np.int64),
+                regions=REGION.zeros(2 * LEVELS + 2),
                 levels=np.zeros(LEVEL_SPACE, np.int64),
-                regions=REGION.zeros(LEVELS + 1),
             ),
             question=QUESTION.zeros(1),
             walk=WALK.zeros(1),
-            hidden=np.zeros(len(state.bodies), np.int64),
+            hidden=np.zeros(bodies, np.int64),
         )
+
+    def holds(self, state: State) -> bool:
+        """Whether it has room for all rows of a state."""
+        vertices = len(self.cores) - SPARE_CORES
+        room = len(self.hidden), len(self.places), vertices
+        return all(have >= rows for have, rows in zip(room, map(len, _tables(state)), strict=True))
+
+    @classmethod
+    def for_state(cls, state: State, times: int = 1) -> Memory:
+        """Memory for all rows of a state, or for so many times as many."""
+        return cls.of(*(times * len(table) for table in _tables(state)))
+
+
+def _tables(state: State) -> tuple[Records, Records, Records]:
+    return state.bodies, state.shapes, state.vertices

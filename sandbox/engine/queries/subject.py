@@ -15,7 +15,7 @@ from sandbox.engine.queries.records import SPARE_CORES, Memory
 from sandbox.errors import QueryError
 from sandbox.geometry.mass import edge_normals
 from sandbox.geometry.shapes import Core
-from sandbox.tables import Records
+from sandbox.tables import Integers, Records
 
 Vec = tuple[float, float]
 _SHAPE_FIELDS = ["count", "radius", "extent", "lower_x", "lower_y", "upper_x", "upper_y"]
@@ -83,16 +83,20 @@ def check_filter(seen: Any) -> None:
         raise QueryError("Filter: types are a tuple of kinds of bodies, and exclude is one of ids")
 
 
-def write_filter(memory: Memory, seen: Filter, find: Callable[[str], int]) -> None:
-    """Put a filter that has been checked where the kernels look for it; `find` gives the index of a body id."""
+def write_filter(memory: Memory, seen: Filter, find: Callable[[str], int], before: Integers) -> Integers:
+    """Put a filter that has been checked where the kernels look for it; `find` gives the index of a body id.
+
+    Returns the rows of the bodies that it hides; `before` are those that the last one did.
+    """
     if seen.category == 0:
         raise QueryError("Filter: category 0 is heard by nobody; leave it out to pass over the masks of shapes")
     unknown = [name for name in seen.types if name not in _TYPES]
     if unknown or isinstance(seen.exclude, str):
         wrong = f"types has {unknown[0]!r}, not one of {', '.join(_TYPES)}" if unknown else "exclude is a tuple of ids"
         raise QueryError(f"Filter: {wrong}")
-    hidden = [find(name) for name in seen.exclude]
-    memory.hidden[:] = 0
-    memory.hidden[np.array(hidden, dtype=np.int64)] = 1
+    hidden = np.array([find(name) for name in seen.exclude], dtype=np.int64)
+    memory.hidden[before] = 0
+    memory.hidden[hidden] = 1
     types = sum({_TYPES[name] for name in seen.types})
     plain(memory.question)[_FILTER_FIELDS] = (seen.mask, seen.category or 0, seen.group, types, int(seen.sensors))
+    return hidden

@@ -3,7 +3,8 @@
 A box reaches at most half a cell out of the cell that holds its middle. So on each level the walk visits the cells
 that the way meets when it is widened by half a cell and by what is swept. It goes line by line, across the longer
 side of the way, and turns to the next level when a line begins past `limit`. A level of which it would visit more cells
-than there are boxes is gone through directly, so that no ray costs more than looking at every box.
+than there are boxes is gone through directly, so that no ray costs more than looking at every box. The levels of both
+parts of the grid, of what is kept and of what is loose, come one after the other.
 """
 
 from __future__ import annotations
@@ -12,10 +13,10 @@ import math
 from typing import Any, NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox.engine.broad_phase.grid import LEVELS, bucket
-from sandbox.engine.queries.index import ROUNDING
+from sandbox.engine.broad_phase.grid import bucket
+from sandbox.engine.queries.boxes import ROUNDING
 from sandbox.engine.queries.records import QueryGrid
-from sandbox.tables import Integers, Records
+from sandbox.tables import Records
 
 _ANY_CELL = 1 << 62
 
@@ -58,15 +59,15 @@ def begin_walk(
 @kernel
 def next_box(walk: Records, question: Records, grid: QueryGrid) -> int:
     """Row in `grid.ordered` of the next box that the sweep meets, each once; -1 when there is none left."""
-    ordered, levels, regions = grid.ordered, grid.levels, grid.regions
+    ordered, sparse = grid.ordered, grid.sparse
     while True:
         end = walk.end
         for i in range(walk.first, end):
-            row = levels[2 * LEVELS + i] if walk.stage < 0 else i
+            row = sparse[i] if walk.stage < 0 else i
             if meets_sweep(walk, ordered[row]) and (walk.stage < 0 or _in_found_cells(walk, ordered[row])):
                 walk.first = i + 1
                 return row
-        if not _find_run(walk, grid.heads, regions, question.region_count, ordered.shape[0]):
+        if not _find_run(walk, grid, question.region_count):
             return -1
 
 
@@ -95,20 +96,22 @@ def _in_found_cells(walk: Records, box: Records) -> bool:
 
 
 @kernel
-def _find_run(walk: Records, heads: Integers, regions: Records, region_count: int, box_count: int) -> bool:
+def _find_run(walk: Records, grid: QueryGrid, region_count: int) -> bool:
     """Find the next run of boxes to look at: of a cell, of cells in a row, or all; False when the walk is over."""
+    regions = grid.regions
     while walk.cell > walk.last_cell:
         walk.stage += 1 if walk.lines_left == 0 else 0
         stage: Any = walk.stage
         if stage >= region_count:
             return False
+        region: Any = regions[stage]
         if walk.lines_left > 0:
-            _begin_line(walk, regions[stage])
-        elif _begin_region(walk, regions[stage]):
-            walk.first = 0
-            walk.end = box_count
+            _begin_line(walk, region)
+        elif _begin_region(walk, region):
+            walk.first = region.first_box
+            walk.end = region.first_box + region.boxes
             return True
-    _look_up(walk, heads)
+    _look_up(walk, grid, regions[int(walk.stage)])
     return True
 
 
@@ -223,8 +226,9 @@ def _span(walk: Records, begin: float, end: float, axis: _Axis) -> None:
 
 
 @kernel
-def _look_up(walk: Records, heads: Integers) -> None:
+def _look_up(walk: Records, grid: QueryGrid, region: Records) -> None:
     """The run of boxes in the next cell of a column, or in the cells of a row: their buckets are neighbours."""
+    heads: Any = grid.heads[region.first_head : region.first_head + region.heads]
     if walk.by_columns == 1:
         k = bucket(walk.low_x, walk.cell, walk.level, heads)
         walk.low_y = walk.cell
@@ -237,6 +241,6 @@ def _look_up(walk: Records, heads: Integers) -> None:
         count = count if count < room else room
         walk.low_x = walk.cell
         walk.high_x = walk.cell + count - 1
-    walk.first = heads[k]
-    walk.end = heads[k + count]
+    walk.first = region.first_box + heads[k]
+    walk.end = region.first_box + heads[k + count]
     walk.cell += count

@@ -38,14 +38,17 @@ class ActiveSet(NamedTuple):
 
     `bodies[1:]` are the rows of the bodies that a step may move, ascending; `bodies[0]` is how many those are.
     `touched[1:]`, `touched[0]` of them, are those that have woken or were changed from outside since the shapes were
-    put in order. `activity` tells for every body whether it is `AWAKE`, `ASLEEP` or stays where it is (0). `shapes`
-    are the rows of the shapes that may move, ascending, and behind them those of touched bodies. `last_member` has for
-    the root of each sleeping island its last member, `member_before` for every member the one before it.
+    put in order. `settled[1:]` is a ring of those that were touched and do not move, `settled[0]` counts them: it tells
+    whoever keeps something of what rests who may have come to lie elsewhere. `activity` tells for every body whether it
+    is `AWAKE`, `ASLEEP` or stays where it is (0). `shapes` are the rows of the shapes that may move, ascending, and
+    behind them those of touched bodies. `last_member` has for the root of each sleeping island its last member,
+    `member_before` for every member the one before it.
     """
 
     info: Records
     bodies: Integers
     touched: Integers
+    settled: Integers
     activity: Integers
     shapes: Integers
     last_member: Integers
