@@ -2,8 +2,9 @@
 
 What rests is kept as it was laid out; what has moved since is taken out there and laid out anew each time, in a part of
 the grid for itself. So a question after a step costs what moves. All is laid out anew where the lists of the active set
-no longer tell who has moved, and once the loose shapes that rest have cost as much as that (as one buys skis after
-having rented them for their price): what comes to rest then costs about the root of how many there are, each.
+no longer tell who has moved, and once the shapes that have come to rest among the loose have cost as much as that: the
+rule for renting skis or buying them, which costs at most twice what it would to know beforehand (A. R. Karlin et al.,
+Competitive Snoopy Caching, Algorithmica 3, 1988). The same answers come out either way.
 """
 
 from __future__ import annotations
