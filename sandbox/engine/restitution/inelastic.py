@@ -39,14 +39,15 @@ def stop_struck(
     workers: Workers,
     rigid: SoftContact,
     unit: float,
-) -> None:
-    """Solve the inelastic impacts of a substep, if there are any in the first blocks of contacts; `struck` is scratch.
+) -> bool:
+    """Solve the inelastic impacts of a substep, if there are any in the first blocks of contacts, and return whether
+    there were; `struck` is scratch.
 
     A metre is so many units of length. It works on the velocities with which the substep began, and changes those after
     its forces, in `solver.motions`, by as much: what forces do in a substep is what contacts at rest bear.
     """
     if not _is_struck(solver, blocks, block_count, rigid, SLOW * unit):
-        return
+        return False
     count = list_bodies(solver, struck, blocks, block_count)
     moved: Any = struck[:count]
     for here in moved:
@@ -59,6 +60,7 @@ def stop_struck(
     _bring_back(blocks, block_count)
     for here in moved:
         _add_impact(solver, here.body)
+    return True
 
 
 @kernel
@@ -71,7 +73,7 @@ def stop_late(
     workers: Workers,
     rigid: SoftContact,
     unit: float,
-) -> None:
+) -> bool:
     """The same for what has come to touch in the substep that is over.
 
     Small gaps, which come of positions that follow a mean velocity, count as closed for the rest of the step.
@@ -85,7 +87,7 @@ def stop_late(
             for point in (cb.POINT_1, cb.POINT_2):
                 gap = gap_of(solver.motions[slot.body_a], solver.motions[slot.body_b], block, v, point)
                 v[point + cb.SEPARATION] -= gap if 0.0 < gap < near else 0.0
-    stop_struck(bodies, solver, struck, blocks, block_count, workers, rigid, unit)
+    return bool(stop_struck(bodies, solver, struck, blocks, block_count, workers, rigid, unit))
 
 
 @kernel
