@@ -98,6 +98,9 @@ NOTES: dict[int, str] = {
     43: "what counts as slow or near is meant in metres, of which there are fewer where gravity is beyond any "
     "planet's; bullets and moving bodies that touch already come so deep in a step that their contact sees it, and are "
     "struck apart where that stops them",
+    44: "joints with bounds are guessed to be where the substep before left them, each by what was solved, and held "
+    "there where guesses go in circles; parts with motors or stops that joints would give energy keep to velocities, "
+    "too; what comes to touch within a step without restitution is stopped no more often than the scene has substeps",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 
