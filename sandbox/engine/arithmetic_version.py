@@ -100,7 +100,8 @@ NOTES: dict[int, str] = {
     "struck apart where that stops them",
     44: "joints with bounds are guessed to be where the substep before left them, each by what was solved, and held "
     "there where guesses go in circles; parts with motors or stops that joints would give energy keep to velocities, "
-    "too; what comes to touch within a step without restitution is stopped no more often than the scene has substeps",
+    "too; what comes to touch within a step without restitution is stopped no more often than the scene has substeps; "
+    "what turns about its own centre takes no finer ones",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

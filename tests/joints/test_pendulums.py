@@ -125,3 +125,33 @@ def test_small_parts_that_touch_nothing_take_finer_substeps():
         world.step()
         levels_in_use.append(int(world.scratch.solver.free_motions.substep_level[0]))
     assert levels_in_use == [FINE, 0, 0]
+
+
+PINS: dict[str, tuple[str, dict[str, object], bool]] = {
+    "wheel": ("revolute", {"at": (0.0, 0.0), "motor_speed": 2.0, "max_motor": 0.5}, False),
+    "pendulum": ("revolute", {"at": (0.5, 0.0)}, True),
+    "torsion": ("revolute", {"at": (0.0, 0.0), "hertz": 2.0}, True),
+    "lift": ("prismatic", {"at": (0.5, 0.0), "axis": (0.0, 1.0), "motor_speed": 2.0}, False),
+    "sprung lift": ("prismatic", {"at": (0.5, 0.0), "axis": (0.0, 1.0), "hertz": 2.0}, True),
+    "bracket": ("weld", {"at": (0.5, 0.0)}, False),
+    "soft bracket": ("weld", {"at": (0.5, 0.0), "angular_hertz": 2.0}, True),
+}
+
+
+@pytest.mark.parametrize("name", PINS)
+@pytest.mark.parametrize("first", [True, False], ids=["to the world", "from the world"])
+def test_what_turns_about_its_centre_or_slides_takes_the_usual_substeps(name: str, first: bool):
+    kind, fields, finer = PINS[name]
+    pin = joint("pin", kind, *((None, "a") if first else ("a", None)), **fields)
+    world = jointed((body("a", box(0.8, 0.5)),), (pin,))
+    world.step()
+    assert int(world.scratch.solver.free_motions.substep_level[0]) == (FINE if finer else 0)
+
+
+def test_a_wheel_gains_speed_by_its_torque_over_its_inertia():
+    drive = joint("pin", "revolute", None, "a", (0.0, 0.0), motor_speed=50.0, max_motor=0.25)
+    world = jointed((body("a", box(0.8, 0.5)),), (drive,))
+    wheel = world.body("a")
+    world.step(60)
+    assert wheel.angular_velocity == pytest.approx(0.25 / wheel.inertia, rel=1e-9)
+    assert wheel.position == pytest.approx((0.0, 0.0), abs=1e-12)

@@ -2,7 +2,7 @@
 
 The method is of second order: the period of a swing of angular frequency w errs by (w h)^2 / 24, which four times as
 many substeps make a sixteenth. That is cheap for a few bodies that touch nothing, and pointless where soft contacts
-decide what happens.
+decide what happens, and for a wheel that turns about its centre or a lift: those move as they should in any substeps.
 """
 
 from __future__ import annotations
@@ -11,6 +11,8 @@ from sandbox._jit import kernel
 from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.joints.records import JointWork
 from sandbox.tables import Records
+from sandbox.world.joint_records import PRISMATIC, REVOLUTE, WELD
+from sandbox.world.records import STATIC
 
 FINE = 2
 """Substep level of such a part: four times the scene's substeps."""
@@ -18,6 +20,8 @@ SMALL = 2
 """Most bodies of such a part."""
 FEW = 256
 """Most bodies of a world with such parts: every substep goes through all bodies."""
+_CENTERED = 1e-12
+"""Share of its moment of inertia that a lever may add to it for a body to turn about its centre."""
 
 
 @kernel
@@ -30,7 +34,7 @@ def refine_small_parts(work: JointWork, bodies: Records, free_motions: Records) 
         return 0
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
-        part.fine = part.direct * part.free if part.member_end - part.first_member <= SMALL else 0
+        part.fine = part.direct * part.free if _is_small(part) and _swings(work, part, bodies) else 0
     used = 0
     for i in range(1, work.members.shape[0]):
         member = work.members[i]
@@ -38,3 +42,30 @@ def refine_small_parts(work: JointWork, bodies: Records, free_motions: Records) 
             free_motions[member.body].substep_level = FINE
             used = 1 << FINE
     return used
+
+
+@kernel
+def _is_small(part: Records) -> bool:
+    return bool(part.member_end - part.first_member <= SMALL)
+
+
+@kernel
+def _swings(work: JointWork, part: Records, bodies: Records) -> bool:
+    """Whether a small part moves otherwise than by turning about its own centre or sliding along a fixed axis."""
+    if part.member_end - part.first_member > 1:
+        return True
+    own = work.members[part.first_member].body
+    for k in range(part.first_constraint, part.constraint_end):
+        joint = work.joints[work.constraints[k].joint]
+        other = joint.body_b if joint.body_a == own else joint.body_a
+        sprung = joint.hertz > 0.0 or joint.angular_hertz > 0.0
+        if sprung or (other >= 0 and bodies[other].type != STATIC):
+            return True
+        if joint.kind == REVOLUTE:
+            x = joint.anchor_ax if joint.body_a == own else joint.anchor_bx
+            y = joint.anchor_ay if joint.body_a == own else joint.anchor_by
+            if (x * x + y * y) * bodies[own].inverse_inertia > _CENTERED * bodies[own].inverse_mass:
+                return True
+        elif joint.kind != PRISMATIC and joint.kind != WELD:
+            return True
+    return False
