@@ -110,7 +110,7 @@ class EntryPoint(Kernel):
             from sandbox._linking import machine_code
 
             file = kept_file(cast(Any, self.py_func), kinds)
-            with _compiling.compiling(self, arguments):
+            with _compiling.compiling(self):
                 returns, code = machine_code(self.dispatcher, arguments)
                 write_kept(file, returns, code)
                 for each in further:
@@ -189,7 +189,7 @@ class Call:
             entry = cast(EntryPoint, self._entry)
             self._version = entry.found(tuple(map(unbundled, self._arguments)))
             if self._version is None:
-                return _compiling.weight_of(entry, self._arguments)
+                return _compiling.weight_of(entry)
         return 0
 
     def bind(self) -> Callable[..., Any]:

@@ -20,8 +20,11 @@ from sandbox.cli.every_entry_point import lay_out_many_joints
 from sandbox.engine.continuous_collision.solve_continuous import solve_continuous
 from sandbox.engine.events.sensors import SensorOverlaps
 from sandbox.engine.fields.apply import apply_fields
+from sandbox.engine.joints.nets import do_nets
+from sandbox.engine.joints.solve import do_joints
 from sandbox.engine.memory.binding import bind
 from sandbox.engine.memory.scratch import Scratch
+from sandbox.engine.restitution.jointed.strike import strike_through_joints
 from sandbox.engine.restitution.strike_batch import strike_batch
 from sandbox.engine.step import begin, collide, finish, solve
 from sandbox.engine.stepper import Stepper
@@ -33,7 +36,7 @@ from sandbox.reference.arbitration import our_answer
 from sandbox.reference.pair import Core, Pair
 from sandbox.scene.flat import FlatScene
 from sandbox.world.build import build_state
-from tests.determinism import busy, floating, jointed
+from tests.determinism import busy, floating
 from tests.engine.stages import Paused, island_roots, solve_mouse_joints
 from tests.flat import body, circle, scene
 
@@ -62,16 +65,16 @@ def _files() -> str:
 
 
 def _once(part: Any, of: FlatScene) -> None:
-    """Call a part of the step, as the stepper would."""
+    """Call a part of the step in a world in which it calls no other one."""
     state = build_state(of)
     part(*bind(part, state, Scratch.for_state(state, 16)))
 
 
 def _solve() -> None:
-    """What moves bodies, without joints and with them, and the stages of that which are tested by themselves; fields,
-    and what is asked of a world."""
-    for of in (busy.scene(), jointed.scene()):
-        _once(solve, of)
+    """What moves bodies, the solvers of joints, and the stages which are tested by themselves; fields, and what is
+    asked of a world."""
+    for part in (solve, do_joints, do_nets):
+        _once(part, busy.scene())
     stages = Paused(World(busy.scene()))
     stages.lay_out()
     stages.begin()
@@ -96,15 +99,10 @@ def _solve() -> None:
 def _others() -> None:
     """What finds contacts, resolves impacts and takes back who went too far, and whatever else is called from
     Python."""
-    _once(collide, busy.scene())
-    for part in (begin, finish):
-        for of in (busy.scene(), jointed.scene()):
-            _once(part, of)
+    for part in (collide, begin, finish, solve_continuous, strike_batch, strike_through_joints):
+        _once(part, busy.scene())
     stages = Paused(World(busy.scene()))
     stages.detect()
-    _once(solve_continuous, busy.scene())
-    for of in (busy.scene(), jointed.scene()):
-        _once(strike_batch, of)
     stages.strike()
     lay_out_many_joints()
     pair = pair_of(Box(1.0, 1.0), Box(1.0, 1.0, (2.0, 0.0)))

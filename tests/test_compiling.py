@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+import dis
 from typing import Any
 
 import pytest
 
 from sandbox import _compiling
 from sandbox._compiling import FRONT, Process, Work, weight, weight_of
-from sandbox._jit import entry_point, jit_enabled, kernel
+from sandbox._jit import entry_point, interpreted, jit_enabled, kernel
 from sandbox.engine import compile_status
-from sandbox.engine.memory.binding import parameters
-from sandbox.engine.step import collide, solve
+from sandbox.engine.restitution.jointed.strike import strike_through_joints
+from sandbox.engine.restitution.strike_batch import strike_batch
 
 compiled = pytest.mark.skipif(not jit_enabled(), reason="there is no machine code without the compiler")
 
@@ -76,16 +77,19 @@ def test_more_kernels_than_were_foreseen_are_no_more_than_all(clock: Any) -> Non
 
 @compiled
 def test_an_entry_point_weighs_what_all_below_it_do_once() -> None:
-    assert weight_of(top, (1,)) == sum(weight(each.py_func) for each in (top, middle, leaf))  # type: ignore[attr-defined]
+    assert weight_of(top) == sum(weight(each.py_func) for each in (top, middle, leaf))  # type: ignore[attr-defined]
+
+
+def test_room_for_what_python_caches_weighs_nothing() -> None:
+    body: Any = interpreted(top)
+    assert weight(body) == len(list(dis.get_instructions(body)))
+    assert 2 * weight(body) < len(body.__code__.co_code)
 
 
 @compiled
-def test_what_is_not_there_weighs_nothing() -> None:
-    def rooms(joints: Any) -> int:
-        return weight_of(solve, (*([0] * parameters(solve).index("joints")), joints))
-
-    assert rooms(None) < 0.7 * rooms(0)
-    assert weight_of(collide, ()) < rooms(0)
+def test_what_only_joints_need_weighs_nothing_without_them() -> None:
+    """Not even where its kernels are mentioned, as those that pass on impacts are."""
+    assert weight_of(strike_batch) < 0.7 * weight_of(strike_through_joints)
 
 
 @compiled
@@ -97,8 +101,8 @@ def test_each_kernel_is_told_of_and_the_weights_add_up(monkeypatch: pytest.Monke
     fresh = entry_point(top.py_func)  # type: ignore[attr-defined]
     assert fresh(3) == 16
     begin, *kernels, end = lines
-    assert begin == f"begin {__name__}.top {weight_of(fresh, (3,))}"
-    assert sum(int(line.removeprefix("kernel ")) for line in kernels) == weight_of(fresh, (3,))
+    assert begin == f"begin {__name__}.top {weight_of(fresh)}"
+    assert sum(int(line.removeprefix("kernel ")) for line in kernels) == weight_of(fresh)
     assert end == "end"
 
 

@@ -58,9 +58,7 @@ class TimedCalls(StepCalls):
         return _run_in_python(self.parts[turn], first)
 
     def _machine(self, row: int, turn: int) -> tuple[int, int]:
-        machine = super()._machine(row, turn)
-        if machine == (0, 0):
-            return machine
+        super()._machine(row, turn)
         run = self._timed[row, turn] = self._watched(PARTS_OF_STEP[row], self._calls[PARTS_OF_STEP[row], 0, turn])
         return handle(run), 0
 

@@ -13,6 +13,8 @@ _WORDS = {
     "sandbox.engine.step.finish": "sleep",
     "sandbox.engine.run_step.": "step",
     "sandbox.engine.continuous_collision.": "continuous collision",
+    "sandbox.engine.joints.": "joints",
+    "sandbox.engine.restitution.": "impacts",
     "sandbox.engine.fields.": "fields",
     "sandbox.engine.workers.": "workers",
     "sandbox.engine.events.": "sensors",

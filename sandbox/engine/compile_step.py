@@ -1,10 +1,9 @@
 """Compile what a step lacks with two processes at once: each a half of its parts.
 
-`python -m sandbox.engine.compile_step PARTS [joints]` is the other process. On an empty kernel cache this one compiles
-`solve`, which with joints takes as long as all else that a step needs, and without them `finish` too; where the parts
-of worlds without joints are there, the other one has what else joints change. Its last ones are `solve_continuous` and
-`strike_batch`, which few steps need, the second one before the first where something has restitution: who needs them
-before they are there waits then. It may fail, for then this process compiles everything.
+`python -m sandbox.engine.compile_step PARTS` is the other process. On an empty kernel cache each has about half of what
+the first step needs; where the parts of worlds without joints are there, this one has the joint solver. The other one
+ends with what few steps need, such as `solve_continuous` and `strike_batch`: who needs that before it is there waits
+then. It may fail, for then this process compiles everything.
 """
 
 from __future__ import annotations
@@ -21,32 +20,40 @@ from typing import Any, TypeAlias
 from sandbox import _compiling
 from sandbox._kernel_cache import can_keep
 from sandbox.engine.continuous_collision.solve_continuous import solve_continuous
+from sandbox.engine.joints.nets import do_nets
+from sandbox.engine.joints.solve import do_joints
 from sandbox.engine.memory.binding import bind
 from sandbox.engine.memory.scratch import Scratch
+from sandbox.engine.restitution.jointed.strike import strike_through_joints
 from sandbox.engine.restitution.strike_batch import strike_batch
 from sandbox.engine.step import begin, collide, finish, solve
-from sandbox.scene.flat import FlatBody, FlatJoint, FlatScene, FlatShape
+from sandbox.scene.flat import FlatBody, FlatScene, FlatShape
 from sandbox.world.build import build_state
 
 Part: TypeAlias = Callable[..., Any]
-PARTS: tuple[Part, ...] = (collide, begin, solve, finish, solve_continuous)
-"""The entry points of a step, in order. The last one is left out where nothing is fast."""
-_JOINTS = "joints"
+PARTS: tuple[Part, ...] = (
+    collide,
+    begin,
+    solve,
+    finish,
+    solve_continuous,
+    strike_batch,
+    do_joints,
+    do_nets,
+    strike_through_joints,
+)
+"""The entry points of a step: the rows of a table of calls from `COLLIDE` on (`records/calls.py`)."""
 
 
-def compile_step(lacking: Mapping[Part, int], joints: bool, impacts: bool) -> None:
-    """Compile what a step lacks, of these weights, in half the time if there are two processors and two parts.
-
-    With `joints` it is the step of worlds that have some: another version of the machine code. `impacts` says whether
-    something has restitution.
-    """
-    here, there = halves({part: lacking[part] for part in PARTS[:-1] if part in lacking})
-    if not there or (os.cpu_count() or 1) < 2 or not can_keep():
+def compile_step(lacking: Mapping[Part, int], later: Sequence[Part]) -> None:
+    """Compile what a step lacks, of these weights, in half the time if there are two processors and two parts; the
+    other process goes on with what may be needed `later`, in this order."""
+    here, there = halves(lacking)
+    if not (there or later) or (os.cpu_count() or 1) < 2 or not can_keep():
         return
-    few = (strike_batch, solve_continuous) if impacts else (solve_continuous, strike_batch)
-    helper = _start_helper([*there, *(part for part in few if part in lacking)], joints)
+    helper = _start_helper([*there, *later])
     for part in here:
-        _run_once(part, joints)
+        _run_once(part)
     if helper is not None:
         helper.wait_for(there)
         _helpers.append(helper)
@@ -77,10 +84,9 @@ def wait_for_all() -> None:
 
 
 def compile_parts() -> None:
-    """Compile all parts of the step one after another, with joints and without."""
-    for part in (*PARTS, strike_batch):
+    """Compile all parts of the step one after another."""
+    for part in PARTS:
         _run_once(part)
-        _run_once(part, joints=True)  # at once for those that joints do not change
 
 
 class _Helper:
@@ -127,14 +133,13 @@ class _Helper:
 _helpers: list[_Helper] = []
 
 
-def _start_helper(parts: Sequence[Part], joints: bool) -> _Helper | None:
+def _start_helper(parts: Sequence[Part]) -> _Helper | None:
     if not sys.executable:  # an embedded Python
         return None
     home = str(Path(__file__).parents[2])
     paths = [home, os.environ.get("PYTHONPATH", "")]
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, paths))}
-    words = [part.__name__ for part in parts] + ([_JOINTS] if joints else [])
-    command = [sys.executable, "-m", "sandbox.engine.compile_step", *words]
+    command = [sys.executable, "-m", "sandbox.engine.compile_step", *(part.__name__ for part in parts)]
     quiet: dict[str, Any] = dict.fromkeys(("stdin", "stderr"), subprocess.DEVNULL)
     try:
         process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True, **quiet)
@@ -143,11 +148,10 @@ def _start_helper(parts: Sequence[Part], joints: bool) -> _Helper | None:
     return _Helper(process, parts)
 
 
-def _run_once(part: Any, joints: bool = False) -> None:
-    """Call one part of the step on the smallest world, for the sake of compiling it."""
+def _run_once(part: Any) -> None:
+    """Call one part of the step on the smallest world, in which it calls no other one, for the sake of compiling it."""
     ball = FlatBody("ball", "dynamic", shapes=(FlatShape("circle", ((0.0, 0.0),), 0.5),))
-    pin = FlatJoint("pin", "revolute", None, "ball")
-    state = build_state(FlatScene(bodies=(ball,), joints=(pin,) if joints else ()))
+    state = build_state(FlatScene(bodies=(ball,)))
     part(*bind(part, state, Scratch.for_state(state, len(state.contacts))))
 
 
@@ -162,8 +166,8 @@ def _tell(line: str) -> None:
 if __name__ == "__main__":
     gc.disable()  # it ends before its memory is needed
     _compiling.tell = _tell
-    named = {part.__name__: part for part in (*PARTS, strike_batch)}
+    named = {part.__name__: part for part in PARTS}
     for word in sys.argv[1:]:
         if word in named:
-            _run_once(named[word], _JOINTS in sys.argv)
+            _run_once(named[word])
             _tell(f"done {word}")

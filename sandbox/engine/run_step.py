@@ -7,17 +7,16 @@ from __future__ import annotations
 
 from sandbox._calls import BLOCK, CODE, call_nothing, call_number, call_truth
 from sandbox._jit import entry_point
+from sandbox.engine.records.calls import BEGIN, COLLIDE, CONTINUOUS, FIELDS, FINISH, SOLVE
 from sandbox.tables import Integers
 
-FIELDS, COLLIDE, BEGIN, SOLVE, FINISH, CONTINUOUS = 0, 1, 2, 3, 4, 5
-"""Rows of a table of parts: `apply_fields`, then `compile_step.PARTS`."""
 DONE, LACKS_CONTINUOUS, LACKS_IMPACTS = 0, -1, -2
 """What came of it, if no number of pairs."""
 
 
 @entry_point
 def run_step(parts: Integers, first: int) -> int:
-    """Run the `parts` [part, CODE or BLOCK] of a step from the `first` one on; fields without code are left out.
+    """Run the `parts` [row, CODE or BLOCK] of a step from the `first` one on; fields without code are left out.
 
     Returns `DONE`, or what it lacks: a number of pairs that scratch memory must have room for before `COLLIDE` is run
     again, code for `CONTINUOUS`, from which it goes on, or for impacts (`strike_batch`) before `SOLVE`.

@@ -66,7 +66,7 @@ def solve_level(
     solver: SolverBodies,
     contacts: Contacts,
     blocks: ContactBlocks,
-    joints: JointWork | None,
+    joints: JointWork,
     workers: Workers,
     level: Level,
 ) -> int:
@@ -147,7 +147,7 @@ def solve_batches(
     solver: SolverBodies,
     contacts: Contacts,
     blocks: ContactBlocks,
-    joints: JointWork | None,
+    joints: JointWork,
     workers: Workers,
     share: Share,
     first: int,

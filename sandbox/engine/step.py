@@ -1,8 +1,8 @@
 """The step: every stage of the engine, in order. Window, replay, benchmark and test all come through here.
 
-It has four parts, so that an empty kernel cache can be filled by two processes at once (`compile_step.py`), and that
-those which joints do not change are made once for worlds with joints and without. Called by another worker than the
-first, each does a range of the task that the first one is at (`workers/tasks.py`).
+It has four parts, so that an empty kernel cache can be filled by two processes at once (`compile_step.py`). What only
+worlds with joints or impacts need they call by its address (`joints/stages.py`, `restitution/strike_batch.py`). Called
+by another worker than the first, a part does a range of the task that the first one is at (`workers/tasks.py`).
 """
 
 from __future__ import annotations
@@ -21,11 +21,8 @@ from sandbox.engine.broad_phase.proxies import bound_shapes
 from sandbox.engine.contact_solver.closing_speed import bounce_threshold
 from sandbox.engine.contact_solver.store import clear_reports
 from sandbox.engine.joints.pair_filter import JointFilter
-from sandbox.engine.joints.reactions import finish_joints
 from sandbox.engine.joints.records import JointWork
-from sandbox.engine.joints.sleep import flag_joined
-from sandbox.engine.joints.solve import begin_joints
-from sandbox.engine.joints.touched_parts import flag_touched_parts
+from sandbox.engine.joints.stages import LOAD, REPORT, TOUCH, call_joints, has_joints
 from sandbox.engine.midpoint.midpoint import move_to_midpoint
 from sandbox.engine.midpoint.poses import rewind_driven
 from sandbox.engine.narrow_phase.find_contacts import find_contacts
@@ -46,7 +43,7 @@ from sandbox.engine.records.workers import Workers
 from sandbox.engine.restitution.strike_batch import lacks_impacts
 from sandbox.engine.restitution.struck import flag_struck
 from sandbox.engine.solve_islands import Level, solve_level
-from sandbox.engine.workers.tasks import help_begin, help_collide, help_finish, help_solve
+from sandbox.engine.workers.tasks import help_collide, help_finish, help_solve
 from sandbox.tables import Records
 
 
@@ -101,16 +98,14 @@ def begin(
     piles: Records,
     contacts: Contacts,
     blocks: ContactBlocks,
-    joints: JointWork | None,
+    joints: JointWork,
     workers: Workers,
 ) -> bool:
     """Wake what is touched, choose substep levels, and make bodies, contacts and joints ready for the substeps.
 
     Returns whether `strike_batch` has to be compiled before these.
     """
-    if workers.number > 0:
-        help_begin(joints, solver.motions, workers)
-        return False
+    jointed = has_joints(joints)
     bodies = state.bodies
     info = active.info[0]
     count = state.counters[0].found_count
@@ -122,15 +117,14 @@ def begin(
         begin_bodies(state, active, solver)
     if info.posed == 1:
         forget_posed(bodies, active)
-    if joints is not None:
-        flag_touched_parts(joints, contacts, state.drags)
     info.substep_levels = assign_substep_levels(state, active, solver, piles, contacts, joints)
+    if jointed:
+        call_joints(contacts, workers, TOUCH, state.settings[0].step_seconds)
     unit = state.settings[0].units_per_meter
     info.impact_speed = flag_struck(bodies, contacts, solver.ccd, solver.struck, blocks.spare, info.fastest, unit)
     move_to_midpoint(state, active, solver, contacts)
-    if joints is not None:
-        new = state.counters[0].step_count == 0
-        begin_joints(joints, bodies, solver.motions, solver.free_motions, new, workers)
+    if jointed:
+        call_joints(contacts, workers, LOAD, state.settings[0].step_seconds)
     clear_reports(contacts.reports, count)
     return lacks_impacts(contacts, info.fastest, bounce_threshold(state.settings[0]))
 
@@ -142,7 +136,7 @@ def solve(
     solver: SolverBodies,
     contacts: Contacts,
     blocks: ContactBlocks,
-    joints: JointWork | None,
+    joints: JointWork,
     workers: Workers,
 ) -> None:
     """Solve contacts and joints and move everything, the islands of one substep level after those of another."""
@@ -170,7 +164,7 @@ def finish(
     active: ActiveSet,
     solver: SolverBodies,
     contacts: Contacts,
-    joints: JointWork | None,
+    joints: JointWork,
     workers: Workers,
 ) -> bool:
     """Write the new motions to the bodies and what was borne to the joints, and let rest what may.
@@ -178,12 +172,11 @@ def finish(
     Returns whether the step ends with `solve_continuous`: bodies may have passed through something.
     """
     if workers.number > 0:
-        help_finish(state, active, solver, joints, workers)
+        help_finish(state, active, solver, workers)
         return False
     counter = state.counters[0]
-    if joints is not None:
-        finish_joints(joints, state.settings[0].step_seconds, counter, workers)
-        flag_joined(solver.flags, joints)
+    if has_joints(joints):
+        call_joints(contacts, workers, REPORT, state.settings[0].step_seconds)
     count = finish_bodies(state, active, solver, workers)
     if count.rested > 0 and state.settings[0].sleeping == 1:
         fall_asleep(state, active, solver, contacts, joints)

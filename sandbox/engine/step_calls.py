@@ -3,27 +3,40 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from itertools import product
 from typing import Any
 
 import numpy as np
 
 from sandbox._argument_words import Bundle
 from sandbox._jit import Call, kernel_argument
-from sandbox.engine.compile_step import PARTS
+from sandbox.engine.compile_step import PARTS, Part
 from sandbox.engine.continuous_collision.solve_continuous import solve_continuous
 from sandbox.engine.fields.apply import apply_fields
 from sandbox.engine.fields.records import has_fields
+from sandbox.engine.joints.nets import has_nets
 from sandbox.engine.memory.binding import contact_arguments, parameters, scratch_arguments, state_arguments
 from sandbox.engine.memory.scratch import Scratch
+from sandbox.engine.records.calls import (
+    BEGIN,
+    COLLIDE,
+    CONTINUOUS,
+    FIELDS,
+    IMPACTS,
+    JOINT_IMPACTS,
+    JOINTS,
+    NETS,
+    ROWS,
+    SOLVE,
+)
 from sandbox.engine.records.contacts import Contacts
-from sandbox.engine.restitution.strike_batch import strike_batch
-from sandbox.engine.run_step import BEGIN, COLLIDE, CONTINUOUS, FIELDS, FINISH, SOLVE, run_step
+from sandbox.engine.run_step import run_step
 from sandbox.engine.workers.serve import serve
 from sandbox.tables import Integers
 from sandbox.world.state import State
 
-PARTS_OF_STEP: tuple[Callable[..., Any], ...] = (apply_fields, *PARTS)
-"""What the rows of a table of parts are, for `run_step`."""
+PARTS_OF_STEP: tuple[Part, ...] = (apply_fields, *PARTS)
+"""What the rows of a table of calls are (`records/calls.py`)."""
 
 
 class StepCalls:
@@ -34,20 +47,17 @@ class StepCalls:
 
     def __init__(self, workers: int) -> None:
         self._workers = workers
-        self._jointed = False
-        self._last = FINISH
         self._calls: dict[tuple[Any, int, int], Call] = {}
         self._bundles: dict[tuple[str, int], Bundle] = {}
-        self.parts: Integers = np.zeros((2, len(PARTS_OF_STEP), 2), np.int64)
+        self.parts: Integers = np.zeros((2, CONTINUOUS + 1, 2), np.int64)
         """The tables of parts for even and for odd steps (`run_step`), once they are `bound`."""
+        self._called: Integers = np.zeros((2, workers, ROWS, 2), np.int64)
+        """For even and for odd steps what the parts call as each worker (`Contacts.calls`), and for the other workers
+        the parts themselves (`serve`)."""
         self.bound = False
         """Whether the parts are compiled, and called with the tables there are."""
-        self._strikes = False
-        self._impact_calls: Integers = np.zeros((2, workers, 2), np.int64)
-        """`Contacts.impact_calls` of even and of odd steps."""
-        self._helping: Integers = np.zeros((2, workers, len(PARTS_OF_STEP), 2), np.int64)
-        """Tables of parts for even and for odd steps, as each of the other workers calls them (`serve`)."""
-        self.has_fields = False
+        self.has_fields = self._jointed = self._nets = False
+        self._continuous = self._strikes = False
         self._runs: dict[tuple[int, int], Callable[[], int]] = {}
         self._run_calls = {
             (turn, first): Call(run_step, (parts, first), workers > 1)
@@ -57,20 +67,19 @@ class StepCalls:
 
     def fill(self, state: State, scratch: Scratch, contacts: tuple[Contacts, Contacts]) -> None:
         """Call the parts with these tables; `contacts` are those of even and of odd steps."""
-        if (scratch.joints is not None) != self._jointed:
-            self._jointed = not self._jointed  # other types, hence other versions of the machine code
-            self._calls.clear()
-            self._bundles.clear()
         self.bound = False
         self.has_fields = has_fields(state)
+        self._jointed = scratch.joints is not None
+        self._nets = scratch.joints is not None and has_nets(scratch.joints)
+        parts = [PARTS_OF_STEP[row] for row in range(COLLIDE, ROWS) if self._may_need(row)]
         named = self._bundled(state_arguments(state) | scratch_arguments(scratch))
         for turn, tables in enumerate(contacts):
-            named |= self._bundled(contact_arguments(tables._replace(impact_calls=self._impact_calls[turn])), turn)
+            named |= self._bundled(contact_arguments(tables._replace(calls=self._called[turn])), turn)
             if self.has_fields:
                 self._call(apply_fields, turn, named)
             for worker in range(self._workers):
-                own = self._named_for(worker, named, scratch) | {"parts": self._helping[turn, worker]}
-                for part in (*PARTS, strike_batch, serve):
+                own = self._named_for(worker, named, scratch) | {"parts": self._called[turn, worker]}
+                for part in (*parts, serve):
                     self._call(part, turn, own, worker)
 
     def fill_state(self, state: State, scratch: Scratch) -> None:
@@ -83,40 +92,49 @@ class StepCalls:
             for turn in (0, 1):  # they alone ask for a table of the state by itself
                 self._calls[apply_fields, 0, turn].exchange(parameters(apply_fields), named)
 
-    def lacking(self) -> dict[Callable[..., Any], int]:
-        """The parts that are not compiled yet, and their weights; those that few steps need only beside others."""
-        found: dict[Callable[..., Any], int] = {}
-        for part in (*PARTS, strike_batch):
-            if found or part in PARTS[:-1]:
-                weight = self._calls[part, 0, 0].weight_lacking()
-                if weight > 0:
-                    found[part] = weight
-        return found
+    @property
+    def needs(self) -> frozenset[int]:
+        """The rows of what each step needs, or is to have ready."""
+        return frozenset(row for row in range(ROWS) if self._needs(row))
+
+    @property
+    def of_impacts(self) -> list[Part]:
+        """What resolves the impacts of this world."""
+        return [PARTS_OF_STEP[row] for row in (IMPACTS, JOINT_IMPACTS) if self._may_need(row)]
+
+    def lacking(self, impacts: bool) -> tuple[dict[Part, int], list[Part]]:
+        """The parts that are needed and not compiled yet, with their weights; and if there are some, those that few
+        steps need, first what resolves impacts if there may be some."""
+        needed = [PARTS_OF_STEP[row] for row in sorted(self.needs - {FIELDS})]
+        found = {part: weight for part in needed if (weight := self._weight_lacking(part)) > 0}
+        few = [*self.of_impacts, solve_continuous] if impacts else [solve_continuous, *self.of_impacts]
+        return found, [part for part in few if found and part not in needed and self._weight_lacking(part) > 0]
 
     def bind(self) -> None:
-        """Compile the parts that are not yet, each in turn, but for the last one, which few steps need."""
-        for turn, parts in enumerate(self.parts):
-            for row in range(self._last + 1):
-                parts[row] = self._machine(row, turn)
-            for worker in range(self._workers):
-                if self._strikes:
-                    self._impact_calls[turn, worker] = self._calls[strike_batch, worker, turn].machine()
-                for row in (COLLIDE, BEGIN, SOLVE, FINISH) if worker > 0 else ():
-                    self._helping[turn, worker, row] = self._calls[PARTS_OF_STEP[row], worker, turn].machine()
+        """Compile what is needed and is not yet, each in turn."""
+        needed = sorted(self.needs)
+        self.parts[:] = 0
+        self._called[:] = 0
+        for turn, row in product((0, 1), needed):
+            if row <= CONTINUOUS:
+                self.parts[turn, row] = self._machine(row, turn)
+            for worker in range(1 if row <= CONTINUOUS else 0, self._workers):
+                if row not in (FIELDS, BEGIN, CONTINUOUS):  # which no other worker has a part of
+                    self._called[turn, worker, row] = self._calls[PARTS_OF_STEP[row], worker, turn].machine()
         self._runs = {key: call.bind() for key, call in self._run_calls.items()}
         self.bound = True
 
     def bind_made(self, impacts: bool) -> None:
         """Bind what few steps need, if it is compiled already: to load it takes some milliseconds, which a step in the
         midst of a run would wait for. What resolves impacts if there may be some."""
-        if self._calls[solve_continuous, 0, 0].weight_lacking() == 0:
+        if self._weight_lacking(solve_continuous) == 0:
             self.bind_continuous()
-        if impacts and self._calls[strike_batch, 0, 0].weight_lacking() == 0:
+        if impacts and not any(map(self._weight_lacking, self.of_impacts)):
             self.bind_impacts()
 
     def bind_continuous(self) -> None:
         """Compile the last part as well, from now on."""
-        self._last = CONTINUOUS
+        self._continuous = True
         self.bind()
 
     def bind_impacts(self) -> None:
@@ -132,10 +150,27 @@ class StepCalls:
         """Run the parts of a step from the `first` one on: `run_step`."""
         return self._runs[turn, first]()
 
+    def _may_need(self, row: int) -> bool:
+        """Whether some step of this world may need a row of the tables of calls."""
+        if row == FIELDS:
+            return self.has_fields
+        if row == NETS:
+            return self._nets
+        return self._jointed or row not in (JOINTS, JOINT_IMPACTS)
+
+    def _needs(self, row: int) -> bool:
+        """Whether each step needs it, or is to have it ready."""
+        if row == CONTINUOUS:
+            return self._continuous
+        return self._may_need(row) and (self._strikes or row not in (IMPACTS, JOINT_IMPACTS))
+
+    def _weight_lacking(self, part: Part) -> int:
+        """The weight of a part that is to be compiled; 0 if it is there."""
+        return self._calls[part, 0, 0].weight_lacking()
+
     def _machine(self, row: int, turn: int) -> tuple[int, int]:
-        """Where the machine code of a part and its arguments are, compiled if need be; zeros for fields if there are
-        none."""
-        return (0, 0) if row == FIELDS and not self.has_fields else self._calls[PARTS_OF_STEP[row], 0, turn].machine()
+        """Where the machine code of a part of `run_step` and its arguments are, compiled if need be."""
+        return self._calls[PARTS_OF_STEP[row], 0, turn].machine()
 
     def _call(self, part: Any, turn: int, named: Mapping[str, Any], worker: int = 0) -> Call:
         """The call of an entry point with what is `named` now, by a worker."""

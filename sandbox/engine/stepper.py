@@ -21,8 +21,8 @@ from sandbox.engine.memory.limit import room_for
 from sandbox.engine.memory.scratch import Scratch
 from sandbox.engine.narrow_phase.kept_runs import keep_runs
 from sandbox.engine.narrow_phase.resting import AtRest
-from sandbox.engine.restitution.strike_batch import strike_batch
-from sandbox.engine.run_step import COLLIDE, CONTINUOUS, DONE, FIELDS, LACKS_CONTINUOUS, LACKS_IMPACTS, SOLVE
+from sandbox.engine.records.calls import COLLIDE, CONTINUOUS, FIELDS, SOLVE
+from sandbox.engine.run_step import DONE, LACKS_CONTINUOUS, LACKS_IMPACTS
 from sandbox.engine.step_calls import StepCalls
 from sandbox.engine.workers.threads import WorkerThreads
 from sandbox.errors import CapacityError
@@ -52,8 +52,8 @@ class Stepper:
         self._threads = WorkerThreads(self.workers - 1) if self.workers > 1 else None
         self._turn = self._lost = 0
         self._room = Room.of(state)
-        self._compiled: set[bool] = set()
-        """Whether the step has been compiled with joints, and without."""
+        self._compiled: set[frozenset[int]] = set()
+        """What steps have needed until now."""
         self._layouts = PartLayouts(self.workers, float(state.settings[0].units_per_meter))
         self.calls = calls or StepCalls(self.workers)
         self.renew()
@@ -62,12 +62,12 @@ class Stepper:
         """Compile what the step needs, if it has not been on this machine: seconds."""
         if self.calls.bound:
             return
-        jointed = self.scratch.joints is not None
-        first = jointed not in self._compiled
+        needs = self.calls.needs
+        first = needs not in self._compiled
         impacts = first and bool((plain(self._state.shapes)["restitution"] > 0.0).any())
         if first:
-            compile_step(self.calls.lacking(), jointed, impacts)
-            self._compiled.add(jointed)
+            compile_step(*self.calls.lacking(impacts))
+            self._compiled.add(needs)
         if len(self._state.bodies) + len(self._state.joints) >= _WORTH_SHARING // 4:  # else it may never be needed
             self.bind_workers()
         self.calls.bind()
@@ -221,7 +221,8 @@ class Stepper:
             self._compile_continuous()
             return CONTINUOUS
         if lacking == LACKS_IMPACTS:
-            wait_for_others(strike_batch)
+            for part in self.calls.of_impacts:
+                wait_for_others(part)
             self.calls.bind_impacts()
             return SOLVE
         self._make_room(lacking)

@@ -17,9 +17,8 @@ from sandbox.engine.contact_solver.solve import solve_again, solve_contacts
 from sandbox.engine.contact_solver.velocity_parts import add_parts, begin_parts, turn_parts
 from sandbox.engine.contact_solver.warm_start import forget_impulses, warm_start
 from sandbox.engine.joints.direct.position_correction import apply_corrections
-from sandbox.engine.joints.joint_bodies import move_by_end_velocity
 from sandbox.engine.joints.records import JointWork
-from sandbox.engine.joints.solve import relax_joints, select_parts, solve_joints
+from sandbox.engine.joints.stages import RELAX, RELAX_LAST, SELECT, SOLVE, call_joints, has_joints
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contact_blocks import BlockRanges, ContactBlocks, SoftContact
@@ -28,6 +27,7 @@ from sandbox.engine.records.state import StateTables
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.restitution.inelastic import stop_late, stop_struck
 from sandbox.engine.restitution.strike_batch import call_strikes
+from sandbox.engine.workers.task_kinds import SLOTS
 from sandbox.tables import Integers, Records
 
 WAIT = 1e30
@@ -96,7 +96,7 @@ def run_substeps(
     solver: SolverBodies,
     contacts: Contacts,
     blocks: ContactBlocks,
-    joints: JointWork | None,
+    joints: JointWork,
     workers: Workers,
     rows: Integers,
     todo: Pass,
@@ -113,9 +113,9 @@ def run_substeps(
     bodies = state.bodies
     setting = state.settings[0]
     motions = solver.motions
-    free_motions = solver.free_motions
     level = todo.level
     rest = todo.batch == 0
+    jointed = rest and has_joints(joints)
     count = todo.blocks.total
     unsettled = todo.blocks.unsettled
     struck_count = todo.blocks.struck
@@ -133,13 +133,10 @@ def run_substeps(
     warm = accumulate and setting.warm_starting == 1 and count > 0
     gravity = math.sqrt(setting.gravity_x * setting.gravity_x + setting.gravity_y * setting.gravity_y)
 
-    if joints is not None and rest:
-        select_parts(joints, free_motions, level)
     prepare_forces(bodies, rows, solver, level, setting, seconds, workers)
-    if joints is not None and rest:
-        used = blocks.blocks[count - 1].first + blocks.blocks[count - 1].count if count > 0 else 0
-        in_contact: Any = blocks.slots[:used]
-        move_by_end_velocity(joints, bodies, solver.forces, in_contact, solver.struck)
+    if jointed:
+        workers.numbers[SLOTS] = blocks.blocks[count - 1].first + blocks.blocks[count - 1].count if count > 0 else 0
+        call_joints(contacts, workers, SELECT, seconds)
     scale = Scale(gravity, unit)
     flight = Flight(substeps, seconds, scale, todo.impacts)
     now = state.counters[0].step_count
@@ -164,10 +161,10 @@ def run_substeps(
             add_parts(touched, solver, workers)
         else:
             forget_impulses(blocks, 0, count)
-        if joints is not None and rest:
+        if jointed:
             if warm:
                 turn_parts(touched, solver, workers)
-            solve_joints(joints, motions, free_motions, seconds, workers)
+            call_joints(contacts, workers, SOLVE, seconds)
             if warm:
                 turn_parts(touched, solver, workers)
         if todo.new and substep == 0:
@@ -181,18 +178,18 @@ def run_substeps(
         sums = warm and substep > 0
         soft = SoftContact(closing, spring.bias, spring.softness, -setting.push_out_speed * unit, 0.0, 0.0, sums, False)
         solve_contacts(motions, blocks, 0, count, workers, soft)
-        if joints is not None and rest:
+        if jointed:
             apply_corrections(joints.direct, motions, seconds)
         integrate_positions(rows, solver, scale, seconds, todo.impacts, workers)
-        apart = warm and (todo.impacts or (joints is not None and rest))
+        apart = warm and (todo.impacts or jointed)
         if apart:
             turn_parts(touched, solver, workers)
         if listed > 0:
             call_strikes(contacts, workers, todo.batch, -seconds)
         if struck_count > 0 and late <= substep >> level:  # the relax pass would stop them a contact at a time
             late += 1 if stop_late(bodies, solver, struck, blocks, struck_count, workers, rigid, unit) else 0
-        if joints is not None and rest:
-            relax_joints(joints, motions, free_motions, seconds, substep + 1 == substeps, workers)
+        if jointed:
+            call_joints(contacts, workers, RELAX if substep + 1 < substeps else RELAX_LAST, seconds)
         if apart:
             turn_parts(touched, solver, workers)
         if setting.relax == 1:

@@ -29,6 +29,7 @@ from sandbox.engine.contact_solver import (
 )
 from sandbox.engine.contact_solver import warm_start as warm_starting
 from sandbox.engine.contact_solver.blocks import LANES
+from sandbox.engine.joints.part_tables import no_joints
 from sandbox.engine.memory.scratch import Scratch
 from sandbox.engine.narrow_phase import find_contacts as narrow_phase
 from sandbox.engine.narrow_phase import speculative
@@ -290,5 +291,5 @@ def island_roots(count: int, links: Sequence[tuple[int, int]], active: Sequence[
     contacts.active[0].contact = len(links)
     for k, (a, b) in enumerate(links):
         contacts.active[1 + k] = k, a, b
-    find_islands(bodies, np.arange(count), found, contacts, None)
+    find_islands(bodies, np.arange(count), found, contacts, kernel_argument(no_joints()))
     return [int(i) for i in found]

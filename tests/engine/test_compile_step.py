@@ -15,13 +15,15 @@ from sandbox import _jit
 from sandbox._compiling import weight_of
 from sandbox.engine import compile_step
 from sandbox.engine.compile_step import PARTS
-from sandbox.engine.memory.binding import bind
-from sandbox.engine.memory.scratch import Scratch
+from sandbox.engine.continuous_collision.solve_continuous import solve_continuous
+from sandbox.engine.joints.nets import do_nets
+from sandbox.engine.joints.solve import do_joints
+from sandbox.engine.restitution.jointed.strike import strike_through_joints
 from sandbox.engine.restitution.strike_batch import strike_batch
 from sandbox.engine.step import begin, collide, finish, solve
 from sandbox.engine.world import World
-from sandbox.world.build import build_state
 from tests.determinism import busy, jointed
+from tests.joints.nets import net
 
 ROOT = Path(__file__).parents[2]
 CHECK = """
@@ -73,43 +75,45 @@ def _digest(table: str) -> str:
 @pytest.mark.parametrize("executable", ["/no/such/python", ""])
 def test_without_a_second_process_the_first_goes_on_alone(monkeypatch: pytest.MonkeyPatch, executable: str) -> None:
     monkeypatch.setattr(sys, "executable", executable)
-    assert compile_step._start_helper(compile_step.PARTS, joints=False) is None
+    assert compile_step._start_helper(compile_step.PARTS) is None
 
 
 @pytest.mark.skipif(not _jit.jit_enabled(), reason="there is no machine code without the compiler")
-def test_where_plain_worlds_were_stepped_the_second_process_helps_with_what_joints_change(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_where_plain_worlds_were_stepped_joints_lack_what_is_theirs_alone(monkeypatch: pytest.MonkeyPatch) -> None:
     asked, started, run = [], [], []
-    for part in (*PARTS, strike_batch):
+    plain, with_joints, with_net = World(busy.scene()), World(jointed.scene()), net(16, 16, "hinge")
+    for part in PARTS:
         monkeypatch.setattr(part, "_versions", {})
     monkeypatch.setattr(_jit, "read_kept", asked.append)
-    calls = World(busy.scene())._stepper.calls
-    assert list(calls.lacking()) == [*PARTS, strike_batch]
+    calls = plain._stepper.calls
+    needed, later = calls.lacking(impacts=False)
+    assert [*needed, *later] == [collide, begin, solve, finish, solve_continuous, strike_batch]
+    assert calls.lacking(impacts=True)[1] == [strike_batch, solve_continuous]
     monkeypatch.setattr(_jit, "read_kept", lambda file: ("n", b"") if file in asked else None)
     monkeypatch.setattr(_jit, "is_usable", lambda returns, code: True)
     monkeypatch.setattr(_jit, "Version", lambda code, returns: object())
-    assert calls.lacking() == {}
-    lacking = World(jointed.scene())._stepper.calls.lacking()
-    assert list(lacking) == [begin, solve, finish, strike_batch]
+    assert calls.lacking(impacts=True) == ({}, [])
+    needed, later = with_joints._stepper.calls.lacking(impacts=True)
+    assert [*needed, *later] == [do_joints, strike_through_joints]
+    needed, later = with_net._stepper.calls.lacking(impacts=True)
+    assert [*needed, *later] == [do_joints, do_nets, strike_through_joints]
 
     monkeypatch.setattr(os, "cpu_count", lambda: 2)
-    monkeypatch.setattr(compile_step, "_start_helper", lambda parts, joints: started.append((parts, joints)))
-    monkeypatch.setattr(compile_step, "_run_once", lambda part, joints: run.append((part, joints)))
-    compile_step.compile_step(lacking, joints=True, impacts=False)
-    assert run == [(solve, True)]
-    assert started == [([begin, finish, strike_batch], True)]
+    monkeypatch.setattr(compile_step, "_start_helper", started.append)
+    monkeypatch.setattr(compile_step, "_run_once", run.append)
+    compile_step.compile_step(needed, later)
+    assert run == [do_joints]
+    assert started == [[do_nets, strike_through_joints]]
+    compile_step.compile_step({}, [])
+    assert len(started) == 1
 
 
 @pytest.mark.skipif(not _jit.jit_enabled(), reason="there is no machine code without the compiler")
 @pytest.mark.parametrize("joints", [False, True])
 def test_an_empty_cache_is_filled_by_two_who_have_as_much_to_do(joints: bool) -> None:
     """By weights, as they are told to the user too."""
-    of = build_state(jointed.scene() if joints else busy.scene())
-    arguments = {part: bind(part, of, Scratch.for_state(of, 16)) for part in PARTS[:-1]}
-    weights = {part: weight_of(part, arguments[part]) for part in arguments}
+    parts = [collide, begin, solve, finish, *([do_joints] if joints else [])]
+    weights = {part: weight_of(part) for part in parts}
     here, there = compile_step.halves(weights)
-    assert here[0] is solve
-    assert there[0] is collide
-    assert sorted(here + there, key=PARTS.index) == list(PARTS[:-1])
-    assert 0.6 < sum(map(weights.get, there)) / sum(map(weights.get, here)) < 1.6
+    assert sorted(here + there, key=parts.index) == parts
+    assert 0.75 < sum(map(weights.get, there)) / sum(map(weights.get, here)) < 1.3

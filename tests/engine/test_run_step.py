@@ -10,18 +10,8 @@ import pytest
 
 from sandbox._calls import CODE, handle
 from sandbox._jit import interpreted
-from sandbox.engine.run_step import (
-    BEGIN,
-    COLLIDE,
-    CONTINUOUS,
-    DONE,
-    FIELDS,
-    FINISH,
-    LACKS_CONTINUOUS,
-    LACKS_IMPACTS,
-    SOLVE,
-    run_step,
-)
+from sandbox.engine.records.calls import BEGIN, COLLIDE, CONTINUOUS, FIELDS, FINISH, SOLVE
+from sandbox.engine.run_step import DONE, LACKS_CONTINUOUS, LACKS_IMPACTS, run_step
 
 STEP = [FIELDS, COLLIDE, BEGIN, SOLVE, FINISH]
 

@@ -219,7 +219,7 @@ def test_the_others_do_a_part(share_all, monkeypatch):
 @compiled_only
 def test_what_the_others_run_is_no_second_step_to_compile():
     """They call the parts of the step that the first worker has."""
-    assert 20 * weight_of(serve, ()) < weight_of(finish, ()) + weight_of(solve, ())
+    assert 20 * weight_of(serve) < weight_of(finish) + weight_of(solve)
 
 
 @compiled_only

@@ -5,13 +5,14 @@ from __future__ import annotations
 from sandbox._jit import kernel
 from sandbox.engine.contact_solver.blocks import MAX_COLORS
 from sandbox.engine.joints.records import JointWork
+from sandbox.engine.joints.stages import has_joints
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.tables import Integers, Records
 
 
 @kernel
 def put_free_last(
-    rows: Integers, solver: SolverBodies, drags: Records, joints: JointWork | None, color_count: int
+    rows: Integers, solver: SolverBodies, drags: Records, joints: JointWork, color_count: int
 ) -> tuple[int, int]:
     """Put the bodies of `rows` that something touches first, and the free ones last, which no joint or hand holds
     either: how many are touched, and how many are not free.
@@ -33,7 +34,7 @@ def put_free_last(
         if drags[k].body >= 0:
             return touched, count
     held = touched
-    if joints is None:
+    if not has_joints(joints):
         return touched, held
     for k in range(touched, count):
         i = rows[k]

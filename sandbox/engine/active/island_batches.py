@@ -14,6 +14,7 @@ from sandbox.engine.active.islands import root_of
 from sandbox.engine.bodies.flags import IMMOVABLE
 from sandbox.engine.contact_solver.graph_coloring import TOO_MANY
 from sandbox.engine.joints.records import JointWork
+from sandbox.engine.joints.stages import has_joints
 from sandbox.engine.records.batches import Batches
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.tables import Integers, Records
@@ -27,7 +28,7 @@ def worth_batches(contacts: int, batches: Batches) -> bool:
 
 @kernel
 def form_batches(
-    rows: Integers, solver: SolverBodies, drags: Records, joints: JointWork | None, worth: bool, batches: Batches
+    rows: Integers, solver: SolverBodies, drags: Records, joints: JointWork, worth: bool, batches: Batches
 ) -> int:
     """Write `solver.batches`, the batch of each active body of `rows`, and the bodies of each; returns how many.
 
@@ -38,11 +39,12 @@ def form_batches(
     if not worth:
         return _keep_together(rows, batches)
     counts = solver.batches
+    jointed = has_joints(joints)
     for k in range(drags.shape[0]):
         if drags[k].body >= 0 and solver.colors[drags[k].body] != IMMOVABLE:
             counts[drags[k].body] = TOO_MANY
     for i in rows:
-        if joints is not None and joints.part_of[i] >= 0:
+        if jointed and joints.part_of[i] >= 0:
             counts[i] = TOO_MANY
         root = root_of(solver.islands, i)
         solver.islands[i] = root

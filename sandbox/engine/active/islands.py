@@ -19,7 +19,7 @@ def find_islands(
     active_bodies: Integers,
     islands: Integers,
     contacts: Contacts,
-    joints: JointWork | None,
+    joints: JointWork,
 ) -> None:
     """Write into `islands` of every active body the lowest row of its island."""
     for i in active_bodies:
@@ -27,10 +27,9 @@ def find_islands(
     for slot in contacts.active[1 : 1 + contacts.active[0].contact]:
         if is_active(bodies[slot.body_a]) and is_active(bodies[slot.body_b]):
             unite(islands, slot.body_a, slot.body_b)
-    if joints is not None:
-        for i in range(joints.ties.shape[0]):
-            if is_active(bodies[joints.ties[i].low]) and is_active(bodies[joints.ties[i].high]):
-                unite(islands, joints.ties[i].low, joints.ties[i].high)
+    for i in range(joints.ties.shape[0]):
+        if is_active(bodies[joints.ties[i].low]) and is_active(bodies[joints.ties[i].high]):
+            unite(islands, joints.ties[i].low, joints.ties[i].high)
     for i in active_bodies:
         islands[i] = root_of(islands, i)
 

@@ -15,6 +15,7 @@ from sandbox.engine.active.hinged_weight import hangs_by_one_hinge, hinged_mass,
 from sandbox.engine.active.pile_support import ALL, Load, share_supported, upward_force
 from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.joints.records import JointWork
+from sandbox.engine.joints.stages import has_joints
 from sandbox.engine.records.contacts import Contacts
 from sandbox.tables import Field, Integers, Records, Table
 from sandbox.world.records import DYNAMIC
@@ -111,9 +112,10 @@ def bearable(slight: float, gravity: float, omega: float, unit: float) -> float:
 
 @kernel
 def measure_bodies(
-    bodies: Records, rows: Integers, islands: Integers, piles: Records, joints: JointWork | None, load: Load
+    bodies: Records, rows: Integers, islands: Integers, piles: Records, joints: JointWork, load: Load
 ) -> None:
     """Weight and height of piles of two or more; of all else what is worst for each."""
+    jointed = has_joints(joints)
     down_x = load.down_x
     down_y = load.down_y
     for i in rows:
@@ -137,7 +139,7 @@ def measure_bodies(
         x = body.center_x - bodies[root].center_x
         y = body.center_y - bodies[root].center_y
         height = -(x * down_x + y * down_y)
-        if joints is not None and is_hung(joints, i):
+        if jointed and is_hung(joints, i):
             pile.hangs = 1
         else:
             _add_weight(
@@ -182,11 +184,12 @@ def measure_contacts(
     islands: Integers,
     piles: Records,
     contacts: Contacts,
-    joints: JointWork | None,
+    joints: JointWork,
     load: Load,
 ) -> None:
     """Width, foot, bearing bodies and ratio of piles as they are (see `is_stacked`); contacts add to their support, and
     what hangs to their weight."""
+    jointed = has_joints(joints)
     down_x = load.down_x
     down_y = load.down_y
     for i in rows:
@@ -198,7 +201,7 @@ def measure_contacts(
     for i in rows:
         pile = piles[islands[i]]
         pile.degrees_of_freedom += 3 if bodies[i].inverse_inertia > 0.0 else 2
-        if joints is not None and joints.part_of[i] >= 0:
+        if jointed and joints.part_of[i] >= 0:
             pile.forces += 3
     for slot in contacts.active[1 : 1 + contacts.active[0].contact]:
         contact = contacts.now[slot.contact]
@@ -218,7 +221,7 @@ def measure_contacts(
         upward = upward_force(contact, load)
         if not (is_active(a) and is_active(b)):
             pile.support += upward if is_active(b) else -upward
-        elif joints is not None and is_hung(joints, contact.body_a) != is_hung(joints, contact.body_b):
+        elif jointed and is_hung(joints, contact.body_a) != is_hung(joints, contact.body_b):
             pressed = upward if is_hung(joints, contact.body_b) else -upward
             height = -((x + contact.anchor_ax1) * down_x + (y + contact.anchor_ay1) * down_y)
             _add_weight(pile, pressed if pressed > 0.0 else 0.0, height)
@@ -227,7 +230,7 @@ def measure_contacts(
             lower = b if upright > 0.0 else a
             upper = a if upright > 0.0 else b
             weighs = upper.mass
-            if joints is not None:
+            if jointed:
                 hung = contact.body_a if upright > 0.0 else contact.body_b
                 if hangs_by_one_hinge(joints, hung):
                     weighs = hinged_mass(joints, bodies, contact, hung, down_x, down_y)

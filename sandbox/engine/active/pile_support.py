@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from sandbox._jit import kernel
 from sandbox.engine.joints.records import JointWork
+from sandbox.engine.joints.stages import has_joints
 from sandbox.tables import Integers, Records
 
 ALL = 1e300
@@ -34,17 +35,18 @@ def measure_support(
     rows: Integers,
     islands: Integers,
     piles: Records,
-    joints: JointWork | None,
+    joints: JointWork,
     drags: Records,
     load: Load,
 ) -> None:
     """Write what holds each pile up but for contacts; `ALL` where nothing is known, or joints or a hand hold it."""
+    jointed = has_joints(joints)
     for i in rows:
         piles[i].support = 0.0
     for i in rows:
         body = bodies[i]
         pile = piles[islands[i]]
-        if load.seconds == 0.0 or (joints is not None and _is_held(joints, i)):
+        if load.seconds == 0.0 or (jointed and _is_held(joints, i)):
             pile.support = ALL
         pile.support -= body.force_x * load.down_x + body.force_y * load.down_y
     for k in range(drags.shape[0]):

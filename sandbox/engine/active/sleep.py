@@ -77,7 +77,7 @@ def note_awake(bodies: Records, rows: Integers) -> tuple[int, int]:
 
 @kernel
 def fall_asleep(
-    state: StateTables, active: ActiveSet, solver: SolverBodies, contacts: Contacts, joints: JointWork | None
+    state: StateTables, active: ActiveSet, solver: SolverBodies, contacts: Contacts, joints: JointWork
 ) -> None:
     """Put islands to sleep in which all bodies have been slow long enough."""
     rows = active.bodies[1 : 1 + active.bodies[0]]

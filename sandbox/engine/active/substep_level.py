@@ -1,6 +1,7 @@
 """Stage: islands that the usual substeps cannot hold are given more of them.
 
-Those are piles that would buckle or be crushed (`pile_stability.py`), and small jointed parts that swing freely.
+Those are piles that would buckle or be crushed (`pile_stability.py`). Small jointed parts that swing freely get more as
+well, for the sake of truth (`joints/fine_substeps.py`).
 """
 
 from __future__ import annotations
@@ -19,7 +20,6 @@ from sandbox.engine.active.pile_stability import (
 )
 from sandbox.engine.active.pile_support import Load, measure_support
 from sandbox.engine.bodies.flags import is_active
-from sandbox.engine.joints.fine_substeps import refine_small_parts
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
@@ -43,29 +43,11 @@ def assign_substep_levels(
     solver: SolverBodies,
     piles: Records,
     contacts: Contacts,
-    joints: JointWork | None,
+    joints: JointWork,
 ) -> int:
-    """Write `free_motion.substep_level`, which is 0, for the bodies of islands which need one.
+    """Write `free_motion.substep_level`, which is 0, for the bodies of piles which need one, as they might fall.
 
-    Returns the levels in use, as bits. Piles need one that might fall, small jointed parts that swing freely get one
-    for the sake of truth.
-    """
-    used = _assign_to_piles(state, active, solver, piles, contacts, joints)
-    if joints is not None:
-        used |= refine_small_parts(joints, state.bodies, solver.free_motions)
-    return used
-
-
-@kernel
-def _assign_to_piles(
-    state: StateTables,
-    active: ActiveSet,
-    solver: SolverBodies,
-    piles: Records,
-    contacts: Contacts,
-    joints: JointWork | None,
-) -> int:
-    """The levels that piles need.
+    Returns the levels in use, as bits.
 
     A look at the piles costs a pass over all contacts, and piles buckle slowly: where masses are alike and no pile
     needs a level, every eighth step is enough. `counter.substep_watch` remembers that; commands set it to 0, unknown.
@@ -98,7 +80,7 @@ def _look(
     solver: SolverBodies,
     piles: Records,
     contacts: Contacts,
-    joints: JointWork | None,
+    joints: JointWork,
     load: Load,
     had_levels: int,
 ) -> int:

@@ -17,7 +17,7 @@ from sandbox.tables import Records
 def wake_touched(
     bodies: Records,
     contacts: Contacts,
-    joints: JointWork | None,
+    joints: JointWork,
     active: ActiveSet,
     counters: Records,
 ) -> bool:
@@ -32,9 +32,8 @@ def wake_touched(
         return False
     for slot in touched:
         _wake_either(bodies, slot.body_a, slot.body_b, active)
-    if joints is not None:
-        for i in range(joints.ties.shape[0]):
-            _wake_either(bodies, joints.ties[i].low, joints.ties[i].high, active)
+    for i in range(joints.ties.shape[0]):
+        _wake_either(bodies, joints.ties[i].low, joints.ties[i].high, active)
     wake_marked_islands(bodies, active)
     return True
 
@@ -49,12 +48,11 @@ def _some_touched(bodies: Records, touched: Records) -> bool:
 
 
 @kernel
-def _some_joined(bodies: Records, joints: JointWork | None) -> bool:
+def _some_joined(bodies: Records, joints: JointWork) -> bool:
     """Whether a joint ties a sleeping body to an active or a driven one."""
     found = False
-    if joints is not None:
-        for i in range(joints.ties.shape[0]):
-            found = found or _disturbed(bodies[joints.ties[i].low], bodies[joints.ties[i].high])
+    for i in range(joints.ties.shape[0]):
+        found = found or _disturbed(bodies[joints.ties[i].low], bodies[joints.ties[i].high])
     return found
 
 

@@ -32,7 +32,7 @@ def holding(joints: Records) -> Flags:
 def assemble(joints: Records, bodies: Records, layouts: PartLayouts, room: int) -> tuple[JointFilter, JointWork | None]:
     """The pairs of bodies that joints keep from colliding, and scratch memory for all joints that hold.
 
-    The memory is None where no joint holds, so that such worlds pay nothing. Both are functions of the two tables
+    The memory is None where no joint holds: kernels are given `no_joints` then. Both are functions of the two tables
     alone, and of no more of them than `wiring` tells: a world that goes on and one that is restored solve in the same
     order. `layouts` are those of the last time, so that only parts of a new kind are laid out; `room` is for how many
     bodies there is to be memory.

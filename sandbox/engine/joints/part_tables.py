@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
 
-from sandbox.engine.joints.direct.tables import with_room
+from sandbox.engine.joints.direct.tables import direct_tables, with_room
 from sandbox.engine.joints.elimination import NOBODY, WORLD
-from sandbox.engine.joints.net_lanes import lay_lanes
+from sandbox.engine.joints.net_lanes import NET_BLOCK, NET_JOINT, NetLanes, lay_lanes
 from sandbox.engine.joints.part_layout import COLUMNS, PartLayout, PartLayouts
-from sandbox.engine.joints.records import CONSTRAINT, MEMBER, PART, ROW, JointWork
+from sandbox.engine.joints.records import BOND, CONSTRAINT, MEMBER, PART, ROW, JointWork
 from sandbox.tables import Integers, Records
-from sandbox.world.joint_records import GEAR
+from sandbox.world.joint_records import GEAR, JOINT
 
 
 @dataclass(frozen=True)
@@ -56,6 +57,16 @@ def joint_work(
     rows = _rows(constraints, parts, seats, found, table)
     hinges = lay_lanes(joints, members, constraints, table)
     return JointWork(joints, ties, part_of, members, constraints, rows, table, hinges, direct)
+
+
+@cache
+def no_joints() -> JointWork:
+    """What kernels are given where no joint holds: tables without rows, which nothing is ever written to."""
+    nothing = np.zeros(0, np.int64)
+    lanes = NetLanes(NET_JOINT.zeros(0), NET_BLOCK.zeros(0), np.zeros(0))
+    direct = with_room(direct_tables(()), nothing)
+    tables = (MEMBER.zeros(0), CONSTRAINT.zeros(0), ROW.zeros(0), PART.zeros(0))
+    return JointWork(JOINT.zeros(0), BOND.zeros(0), nothing, *tables, lanes, direct)
 
 
 def _all(columns: Sequence[Integers], offsets: Integers) -> Integers:

@@ -1,13 +1,11 @@
-"""Impulses from and to the joint table, the force that each joint gives, and whether it breaks by it."""
+"""Joints of nets that lie in no lane: impulses from and to the table, the force of each, and whether it breaks."""
 
 from __future__ import annotations
 
 from sandbox._jit import kernel
 from sandbox.engine.joints.direct.batches import slot_impulse
-from sandbox.engine.joints.direct.reports import finish_report, report_batches, set_slot_impulse
-from sandbox.engine.joints.net_sweeps import report_nets
+from sandbox.engine.joints.direct.reports import finish_report, set_slot_impulse
 from sandbox.engine.joints.records import JointWork
-from sandbox.engine.records.workers import Workers
 from sandbox.tables import Records
 
 
@@ -33,10 +31,8 @@ def accumulate(work: JointWork, part: Records) -> None:
 
 
 @kernel
-def finish_joints(work: JointWork, seconds: float, counter: Records, workers: Workers) -> None:
-    """Write impulses, forces and breakage of all joints that are awake into the joint table."""
-    report_batches(work, seconds, counter)
-    report_nets(work, seconds, counter, workers)
+def report_swept(work: JointWork, seconds: float, counter: Records) -> None:
+    """Write impulses, forces and breakage of joints of nets that are awake and lie in no lane into the joint table."""
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
         if part.awake == 0 or part.swept == 0:

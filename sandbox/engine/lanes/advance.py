@@ -9,7 +9,8 @@ from typing import Any, NamedTuple
 
 from sandbox._atomics import atomic_add
 from sandbox._jit import entry_point, kernel
-from sandbox.engine.run_step import DONE, FIELDS, run_step
+from sandbox.engine.records.calls import FIELDS
+from sandbox.engine.run_step import DONE, run_step
 from sandbox.tables import Integers
 
 REDO, APART = 1, 2

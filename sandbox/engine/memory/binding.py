@@ -8,6 +8,7 @@ from functools import cache
 from typing import Any
 
 from sandbox._jit import interpreted, kernel_argument
+from sandbox.engine.joints.part_tables import no_joints
 from sandbox.engine.memory.scratch import Scratch
 from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.state import StateTables
@@ -19,7 +20,7 @@ def bind(function: Callable[..., Any], state: State, scratch: Scratch) -> tuple[
 
     That is `state` for the state's tables, a table of the state, or a bundle or table of the scratch memory.
     `old_contacts` are those of the step before, `joint_table` is that of the state, `joints` the scratch memory of the
-    joint solver, which holds the table, or None.
+    joint solver, which holds the table, or empty tables if no joint holds.
     """
     named = state_arguments(state) | scratch_arguments(scratch) | contact_arguments(scratch.contacts)
     return tuple(named[name] for name in parameters(function))
@@ -39,7 +40,7 @@ def contact_arguments(contacts: Contacts) -> dict[str, Any]:
 
 def scratch_arguments(scratch: Scratch) -> dict[str, Any]:
     """What is bound of scratch memory."""
-    named = vars(scratch) | {"free_motions": scratch.solver.free_motions}
+    named = vars(scratch) | {"free_motions": scratch.solver.free_motions, "joints": scratch.joints or no_joints()}
     return {name: kernel_argument(value) for name, value in named.items()}
 
 

@@ -25,6 +25,7 @@ from sandbox.engine.records.bodies import (
     VELOCITY_PART,
     SolverBodies,
 )
+from sandbox.engine.records.calls import ROWS
 from sandbox.engine.records.ccd import CCD_BODY, CCD_IMPACT, Ccd
 from sandbox.engine.records.colliders import (
     BOX,
@@ -152,7 +153,7 @@ def contact_memory(state: State, bodies: int, pairs: int) -> Contacts:
         links=KEPT_LINK.zeros(2 * pairs),
         first_kept=np.full(bodies, NOTHING),
         reports=REPORT.zeros(pairs),
-        impact_calls=np.zeros((1, 2), np.int64),  # `StepCalls` has those of all workers
+        calls=np.zeros((1, ROWS, 2), np.int64),  # `StepCalls` has those of all workers
     )
 
 

@@ -79,8 +79,8 @@ class Contacts(NamedTuple):
     an impact; how many they are is `active[0].contact` and `impact_candidates[0]`. `cursor` (one row) and `runs` are of
     `sleeping_contacts`: the runs of the two tables and those of the walk, in thirds; `kept` and `links` have a row for
     each number, `first_kept` for each body the last number that a contact of it was given, -1 if none was.
-    `impact_calls` [worker, CODE or BLOCK] are the addresses of the machine code of `strike_batch` and of its arguments,
-    zeros until it is compiled.
+    `calls` [worker, row, CODE or BLOCK] are the addresses of the machine code that the parts of a step call as each
+    worker (`calls.py`) and of its arguments, zeros where the world does not need it, or where it is not compiled yet.
     """
 
     now: Records
@@ -93,4 +93,4 @@ class Contacts(NamedTuple):
     links: Records
     first_kept: Integers
     reports: Records
-    impact_calls: Integers
+    calls: Integers

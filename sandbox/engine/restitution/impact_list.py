@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.active.substep_level import contact_substep_level
+from sandbox.engine.contact_solver.closing_speed import bounce_threshold
 from sandbox.engine.records.bodies import SolverBodies
+from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.contacts import Contacts
+from sandbox.engine.records.state import StateTables
 from sandbox.tables import Records
 
 
@@ -26,6 +29,17 @@ def may_strike(fastest: float, threshold: float) -> bool:
     """Whether any two bodies can close as fast as the threshold (m/s); `fastest` is the square of the highest speed
     (m/s) of a point."""
     return fastest > 0.25 * threshold * threshold
+
+
+@kernel
+def listed_impacts(state: StateTables, blocks: ContactBlocks, batch: int) -> ImpactList:
+    """The contacts of a batch of islands that may have an impact."""
+    batches = blocks.batches
+    first = batches.first_impact[batch]
+    end = batches.first_impact[batch + 1]
+    rows: Any = batches.impacts[first:end]
+    slots: Any = batches.impact_slots[first:end]
+    return ImpactList(rows, slots, end - first, bounce_threshold(state.settings[0]))
 
 
 @kernel

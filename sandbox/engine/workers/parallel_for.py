@@ -10,10 +10,13 @@ bodies and their contacts do, each gets what is in its own cache since the task 
 
 from __future__ import annotations
 
+from typing import Any
+
 from sandbox._atomics import atomic_add, atomic_load, atomic_store, compare_and_swap, yield_processor
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.records.contact_blocks import ContactBlocks
-from sandbox.engine.records.workers import SIZE, Workers
+from sandbox.engine.records.workers import NUMBERS, SIZE, Workers
+from sandbox.engine.workers.task_kinds import END, FIRST
 from sandbox.tables import Integers
 
 CLOSED = 1
@@ -104,6 +107,13 @@ def take(words: Integers, worker: int) -> tuple[int, int]:
             return first, end
         seen = found
     return 0, 0
+
+
+@kernel
+def told_range(workers: Workers) -> tuple[int, int]:
+    """Which numbers a worker is to do that calls a part of the step for what it has taken."""
+    own: Any = workers.numbers[workers.number * NUMBERS :]
+    return int(own[FIRST]), int(own[END])
 
 
 @inlined_kernel

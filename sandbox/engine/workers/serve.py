@@ -11,10 +11,10 @@ from typing import Any
 from sandbox._atomics import atomic_load
 from sandbox._calls import BLOCK, CODE, call_nothing, call_number, call_truth
 from sandbox._jit import entry_point, kernel
+from sandbox.engine.records.calls import COLLIDE, FINISH, JOINTS, NETS, SOLVE
 from sandbox.engine.records.workers import NUMBERS, Workers
-from sandbox.engine.run_step import BEGIN, COLLIDE, FINISH, SOLVE
 from sandbox.engine.workers.parallel_for import CLOSED, TASK, look_again, note_done, take
-from sandbox.engine.workers.task_kinds import BOUND_SHAPES, END, FIRST, LOAD_NETS, REPORT_NETS
+from sandbox.engine.workers.task_kinds import BOUND_SHAPES, END, FIRST, LOAD_NETS, SOLVE_BATCHES, SOLVE_ISLANDS
 from sandbox.tables import Integers
 
 
@@ -22,7 +22,7 @@ from sandbox.tables import Integers
 def serve(parts: Integers, workers: Workers) -> int:
     """Do parts of what is offered until the step is over, as worker `workers.number`; returns how many it did.
 
-    `parts` [part, CODE or BLOCK] are those of the step (`run_step`), called as this worker.
+    `parts` [row, CODE or BLOCK] are those of the step (`calls.py`), called as this worker.
     """
     words = workers.words
     own: Any = workers.numbers[workers.number * NUMBERS :]
@@ -46,9 +46,11 @@ def _call_part(parts: Integers, task: int) -> None:
     """Call the part of the step that a task is of."""
     if task <= BOUND_SHAPES:
         call_number(parts[COLLIDE, CODE], parts[COLLIDE, BLOCK])
-    elif task == LOAD_NETS:
-        call_truth(parts[BEGIN, CODE], parts[BEGIN, BLOCK])
-    elif task < REPORT_NETS:
+    elif task <= SOLVE_ISLANDS:
         call_nothing(parts[SOLVE, CODE], parts[SOLVE, BLOCK])
-    else:
+    elif task < SOLVE_BATCHES:
         call_truth(parts[FINISH, CODE], parts[FINISH, BLOCK])
+    elif task < LOAD_NETS:
+        call_nothing(parts[JOINTS, CODE], parts[JOINTS, BLOCK])
+    else:
+        call_nothing(parts[NETS, CODE], parts[NETS, BLOCK])

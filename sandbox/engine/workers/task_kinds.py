@@ -6,30 +6,30 @@ from sandbox._jit import kernel
 from sandbox.engine.records.contact_blocks import SoftContact
 from sandbox.tables import Floats
 
-# Of `collide`, `begin`, `solve` and `finish`, in this order.
+# Of `collide`, `solve`, `finish`, `do_joints` and `do_nets`, in this order.
 DECIDE_PAIRS = 1
 WRITE_CONTACTS = 2
 BOUND_SHAPES = 3
-LOAD_NETS = 4
-PREPARE_CONTACTS = 5
-WARM_START = 6
-SOLVE_AGAIN = 7
-SOLVE_CONTACTS = 8
-STORE_IMPULSES = 9
-INTEGRATE_VELOCITIES = 10
-INTEGRATE_POSITIONS = 11
-ADD_PARTS = 12
-TURN_PARTS = 13
-PREPARE_FORCES = 14
-FLY = 15
-GUARD_VELOCITIES = 16
-SOLVE_ISLANDS = 17
+PREPARE_CONTACTS = 4
+WARM_START = 5
+SOLVE_AGAIN = 6
+SOLVE_CONTACTS = 7
+STORE_IMPULSES = 8
+INTEGRATE_VELOCITIES = 9
+INTEGRATE_POSITIONS = 10
+ADD_PARTS = 11
+TURN_PARTS = 12
+PREPARE_FORCES = 13
+FLY = 14
+GUARD_VELOCITIES = 15
+SOLVE_ISLANDS = 16
+FINISH_BODIES = 17
 SOLVE_BATCHES = 18
 RELAX_BATCHES = 19
-WARM_START_NETS = 20
-SWEEP_NETS = 21
-REPORT_NETS = 22
-FINISH_BODIES = 23
+LOAD_NETS = 20
+WARM_START_NETS = 21
+SWEEP_NETS = 22
+REPORT_NETS = 23
 
 # Places in `Workers.numbers`; the fields of `SoftContact` come first. The range to do is told to each worker by itself.
 SECONDS = 8
@@ -50,6 +50,8 @@ IMPACT_SECONDS = 22
 FIRST = 23
 END = 24
 UNITS = 25
+STAGE = 26
+SLOTS = 27
 
 
 @kernel

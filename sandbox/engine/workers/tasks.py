@@ -21,9 +21,6 @@ from sandbox.engine.contact_solver.solve import solve_blocks, solve_blocks_again
 from sandbox.engine.contact_solver.store import store_blocks
 from sandbox.engine.contact_solver.velocity_parts import add_some_parts, turn_some_parts
 from sandbox.engine.contact_solver.warm_start import warm_start_blocks
-from sandbox.engine.joints.direct.solve import solve_some_batches
-from sandbox.engine.joints.net_blocks import SoftJoint
-from sandbox.engine.joints.net_sweeps import load_net_blocks, report_net_blocks, sweep_net_blocks, warm_start_net_blocks
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.narrow_phase.decide_pairs import decide_pairs
 from sandbox.engine.narrow_phase.write_contacts import write_contacts
@@ -34,19 +31,15 @@ from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.decisions import Decisions
 from sandbox.engine.records.state import StateTables
-from sandbox.engine.records.workers import FROZEN, NUMBERS, Workers
+from sandbox.engine.records.workers import FROZEN, Workers
 from sandbox.engine.solve_islands import solve_batches, told_share
-from sandbox.engine.workers.parallel_for import FIRST_PAIR, TASK
+from sandbox.engine.workers.parallel_for import FIRST_PAIR, TASK, told_range
 from sandbox.engine.workers.task_kinds import (
     ADD_PARTS,
     ANEW,
     BOUND_SHAPES,
     DECIDE_PAIRS,
-    END,
-    FASTEST,
-    FIRST,
     FLY,
-    GIVE,
     GRAVITY,
     GUARD_VELOCITIES,
     IMPACT_SPEED,
@@ -54,32 +47,19 @@ from sandbox.engine.workers.task_kinds import (
     INTEGRATE_POSITIONS,
     INTEGRATE_VELOCITIES,
     LEVEL,
-    MOST,
     PREPARE_CONTACTS,
     PREPARE_FORCES,
-    PUSH,
-    REPORT_NETS,
     SECONDS,
     SOLVE_AGAIN,
     SOLVE_CONTACTS,
     SOLVE_ISLANDS,
     STORE_IMPULSES,
     STRUCK_BLOCKS,
-    SWEEP_NETS,
     TURN_PARTS,
     UNITS,
     WARM_START,
-    WARM_START_NETS,
     told_soft,
 )
-from sandbox.tables import Records
-
-
-@kernel
-def _told_range(workers: Workers) -> tuple[int, int]:
-    """Which numbers this worker is to do."""
-    own: Any = workers.numbers[workers.number * NUMBERS :]
-    return int(own[FIRST]), int(own[END])
 
 
 @kernel
@@ -93,7 +73,7 @@ def help_collide(
     decisions: Decisions,
 ) -> None:
     """Bound active shapes, or do a task for pairs of the batch under way."""
-    first, end = _told_range(workers)
+    first, end = told_range(workers)
     task = workers.words[TASK]
     pairs: Any = grid.pairs[workers.words[FIRST_PAIR] :]
     if task == BOUND_SHAPES:
@@ -105,59 +85,29 @@ def help_collide(
 
 
 @kernel
-def help_begin(joints: JointWork | None, motions: Records, workers: Workers) -> None:
-    """Load joints of a net."""
-    first, end = _told_range(workers)
-    if joints is not None:
-        load_net_blocks(joints, motions, first, end)
-
-
-@kernel
 def help_solve(
     state: StateTables,
     active: ActiveSet,
     solver: SolverBodies,
     contacts: Contacts,
     blocks: ContactBlocks,
-    joints: JointWork | None,
+    joints: JointWork,
     workers: Workers,
 ) -> None:
-    """Do a task for batches of islands, of joint parts, or for what batch 0 has."""
-    first, end = _told_range(workers)
+    """Do a task for batches of islands, or for what batch 0 has."""
+    first, end = told_range(workers)
     task = workers.words[TASK]
     if task == SOLVE_ISLANDS:
         solve_batches(state, active, solver, contacts, blocks, joints, workers, told_share(workers), first, end)
-    elif task < SOLVE_ISLANDS:
-        _do_bodies(state, active, solver, contacts, blocks, workers, first, end)
-    elif joints is not None:
-        _do_joints(joints, solver, workers, task, first, end)
-
-
-@kernel
-def help_finish(
-    state: StateTables, active: ActiveSet, solver: SolverBodies, joints: JointWork | None, workers: Workers
-) -> None:
-    """Tell what joints of a net have borne, or finish active bodies."""
-    first, end = _told_range(workers)
-    if workers.words[TASK] != REPORT_NETS:
-        finish_some_bodies(state, active.bodies[1 + first : 1 + end], solver, active, workers)
-    elif joints is not None:
-        report_net_blocks(joints, workers.numbers[SECONDS], state.counters[0].step_count, workers, first, end)
-
-
-@kernel
-def _do_joints(joints: JointWork, solver: SolverBodies, workers: Workers, task: int, first: int, end: int) -> None:
-    """Do a task for batches of joint parts or for the joints of a net."""
-    n = workers.numbers
-    motions = solver.motions
-    if task == SWEEP_NETS:
-        soft = SoftJoint(n[PUSH], n[MOST], n[GIVE], n[SECONDS])
-        sweep_net_blocks(joints.side_by_side, motions, first, end, soft)
-    elif task == WARM_START_NETS:
-        warm_start_net_blocks(joints.side_by_side, motions, first, end, n[FASTEST])
     else:
-        free_motions = solver.free_motions
-        solve_some_batches(joints.direct, motions, free_motions, n[SECONDS], task, workers.number, first, end)
+        _do_bodies(state, active, solver, contacts, blocks, workers, first, end)
+
+
+@kernel
+def help_finish(state: StateTables, active: ActiveSet, solver: SolverBodies, workers: Workers) -> None:
+    """Finish active bodies."""
+    first, end = told_range(workers)
+    finish_some_bodies(state, active.bodies[1 + first : 1 + end], solver, active, workers)
 
 
 @kernel

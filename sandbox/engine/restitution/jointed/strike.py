@@ -8,13 +8,17 @@ take nothing, as in a cradle whose balls hang on rods, impacts stay as they were
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
+from sandbox._jit import entry_point, kernel
 from sandbox.engine.contact_solver.closing_speed import opening_speed
 from sandbox.engine.contact_solver.law import anchors_of, pair_velocity, relative_velocity, start_velocity
 from sandbox.engine.joints.direct.records import MOST_STRUCK
 from sandbox.engine.joints.direct.transmit import begin_blows
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.bodies import SolverBodies
+from sandbox.engine.records.contact_blocks import ContactBlocks
+from sandbox.engine.records.contacts import Contacts
+from sandbox.engine.records.state import StateTables
+from sandbox.engine.records.workers import Workers
 from sandbox.engine.restitution.groups import (
     OPENING,
     fastest,
@@ -24,7 +28,7 @@ from sandbox.engine.restitution.groups import (
     starts_group,
     take_back,
 )
-from sandbox.engine.restitution.impact_list import ImpactList
+from sandbox.engine.restitution.impact_list import ImpactList, listed_impacts
 from sandbox.engine.restitution.jointed.loads import solve_jointed
 from sandbox.engine.restitution.jointed.parts import (
     LAST,
@@ -40,6 +44,7 @@ from sandbox.engine.restitution.jointed.single_contact import strike_rough_joint
 from sandbox.engine.restitution.rebound import rebound
 from sandbox.engine.restitution.rebound_speed import rebound_speed
 from sandbox.engine.restitution.worklist import END
+from sandbox.engine.workers.task_kinds import IMPACT_SECONDS
 from sandbox.tables import Records
 
 _AGREED = 1e-4
@@ -48,11 +53,29 @@ _LEAST_WORK = 8
 """For a contact: it strikes two parts, and to find its load and to give it takes four rounds."""
 
 
-@kernel
+@entry_point
 def strike_through_joints(
+    state: StateTables,
+    solver: SolverBodies,
+    contacts: Contacts,
+    blocks: ContactBlocks,
+    joints: JointWork,
+    workers: Workers,
+) -> None:
+    """Pass the impacts of a substep on batch 0, which have struck, on through the joints of factorised parts.
+
+    `strike_batch` calls it by its address, and the substeps have told both what they need to know.
+    """
+    impacts = listed_impacts(state, blocks, 0)
+    seconds = workers.numbers[IMPACT_SECONDS]
+    _strike_through(state.bodies, solver, contacts.now, impacts, joints, seconds)
+
+
+@kernel
+def _strike_through(
     bodies: Records, solver: SolverBodies, contacts: Records, impacts: ImpactList, work: JointWork, seconds: float
 ) -> None:
-    """Pass the impacts of a substep of `seconds`, which have struck, on through the joints of factorised parts."""
+    """The same for the impacts that are listed, in a substep of `seconds`."""
     if not form_jointed_groups(bodies, impacts, solver.struck, work):
         return
     begin_blows(work.direct)
