@@ -9,7 +9,7 @@ rows say nearly the same, the rows with bounds are held where the last guess has
 from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox._vectors import Mask, Vector, any_lane, load, root, select, spread, store
+from sandbox._vectors import Mask, Vector, absolute, any_lane, load, root, select, spread, store
 from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.acting_time import acting_time, spring_time
 from sandbox.engine.joints.direct.passes import BLOW, RELAX, impulse_of
@@ -57,7 +57,7 @@ def choose_rows(d: Batches, batch: Records, seconds: float, purpose: int, who: M
 def aim_rows(d: Batches, batch: Records, seconds: float, purpose: int, who: Mask) -> Mask:
     """Set all laws before any impulse changes: errors ahead belong to the velocities they were looked at with.
 
-    Returns in which parts an active row has another law, as it went from its stop to its motor.
+    Returns in which parts an active row strives for another speed, as it went from its stop to its motor.
     """
     v = d.memory
     changed = who & ~who
@@ -80,6 +80,7 @@ def aim_rows(d: Batches, batch: Records, seconds: float, purpose: int, who: Mask
                 ahead = select(separated, error + seconds * speed, row_error(v, frame, row))
                 law = target_positions(v, batch, frame, row, ahead, speed, seconds, acting, springs_acting)
             where = who & has_law(v, batch, row)
+            before = load(v, row.place + at.BIAS)
             _replace(v, row.place + at.BIAS, law.bias, where)
             _replace(v, row.place + at.SOFTNESS, law.softness, where)
             if row.bounded == 1:
@@ -87,7 +88,10 @@ def aim_rows(d: Batches, batch: Records, seconds: float, purpose: int, who: Mask
                 _replace(v, row.place + at.HIGH, law.high, where)
                 stop = at.HELD if purpose == BLOW else at.STOP  # the pass that goes on asks which one had a say before
                 place = batch.rows + row.kept + stop
-                changed = changed | (where & (load(v, row.place + at.ACTIVE) == 1.0) & (load(v, place) != law.stop))
+                differs = (load(v, row.place + at.ACTIVE) == 1.0) & (load(v, place) != law.stop)
+                if any_lane(where & differs):
+                    notable = absolute(before - law.bias) > _AT_REST * units_of(d, frame, row)
+                    changed = changed | (where & differs & notable)
                 _replace(v, place, law.stop, where)
     return changed
 
