@@ -3,7 +3,7 @@
 The bounds of motors, limits, ropes and brakes make this a complementarity problem. It is solved by block pivoting
 (J. Judice, F. Pires, 1994): guess which rows are at a bound, solve the others at once, and look again. The first guess
 is what the substep before came to. Where guesses go in circles, as along a chain of hinges with friction, all of whose
-rows say nearly the same, the rows with bounds are held where the last guess has left them.
+rows say nearly the same, motors are held where the last guess has left them, and stops let go for that pass.
 """
 
 from __future__ import annotations
@@ -138,16 +138,20 @@ def _is_active(v: Floats, batch: Records, row: Records, impulse: int, slow: floa
 
 @kernel
 def hold_bounded(d: Batches, batch: Records, impulse: int, who: Mask) -> None:
-    """Leave the rows that have bounds out of the linear system; they give what they gave, put within these."""
+    """Leave the rows that have bounds out of the linear system. Those of motors give what they gave, put within their
+    bounds; what stops gave, which may be anything in a wrong guess, is taken back."""
     v = d.memory
     layout = d.layouts[batch.layout]
-    clamp_rows(d, batch, impulse, who)
     for r in range(layout.first_row, layout.row_end):
         row = d.equations[r]
         if row.bounded == 1:
-            bounded = (load(v, row.place + at.LOW) > -_NO_BOUND) | (load(v, row.place + at.HIGH) < _NO_BOUND)
+            below = load(v, row.place + at.LOW) > -_NO_BOUND
+            above = load(v, row.place + at.HIGH) < _NO_BOUND
             active = load(v, row.place + at.ACTIVE)
-            store(v, row.place + at.ACTIVE, select(who & bounded, 0.0, active))
+            store(v, row.place + at.ACTIVE, select(who & (below | above), 0.0, active))
+            stops = who & has_law(v, batch, row) & (below | above) & ~(below & above)
+            change_impulse(v, batch, row, -load(v, batch.rows + row.kept + impulse), impulse, stops)
+    clamp_rows(d, batch, impulse, who)
 
 
 @kernel
