@@ -116,7 +116,7 @@ PART = Table(
         Field("capped", "-", "1 when it has joints two rows of which share a limit", "i8"),
         Field("first_block", "-", "blocks of joints that are solved side by side", "i8"),
         Field("block_end", "-", "", "i8"),
-        Field("fine", "-", "1 when it is small and has no contact: it takes finer substeps", "i8"),
+        Field("fine", "-", "1 when it is small, swings and has no contact: it takes finer substeps", "i8"),
     ),
 )
 

@@ -196,7 +196,7 @@ def solve_rows(d: Batches, batch: Records, seconds: float, purpose: int, who: Ma
     """In which of the parts `who` all marks of the rows came to rest.
 
     A part whose marks rest is left alone while others of its batch go on. Where they do not, rigid rows are solved in
-    the end with the others held.
+    the end with motors held and without stops.
     """
     layout = d.layouts[batch.layout]
     impulse = impulse_of(purpose)
