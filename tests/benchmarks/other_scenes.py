@@ -79,9 +79,9 @@ def one_rope(size: int) -> Parts:
     return rope("r", 1000 * size, 0.0, 0.0, False)
 
 
-def cloth(size: int, **spring: float) -> Parts:
+def cloth(size: int, side: int = 50, **spring: float) -> Parts:
     """Discs in a square net of rods or springs, that hangs from every fifth disc of its upper edge."""
-    n = int(50 * math.sqrt(size))
+    n = int(side * math.sqrt(size))
     bodies: list[Words] = []
     joints: list[Words] = []
     for a in range(n):
@@ -98,6 +98,10 @@ def cloth(size: int, **spring: float) -> Parts:
                         {"id": f"{ends[0]}:{ends[1]}", "type": "distance", "bodies": ends, "anchors": anchors, **spring}
                     )
     return bodies, joints
+
+
+def small_cloth(size: int) -> Parts:
+    return cloth(size, 15)
 
 
 def spring_net(size: int) -> Parts:
@@ -329,9 +333,9 @@ def one_ragdoll(size: int) -> Parts:
 
 
 SCENES: tuple[Callable[[int], Parts], ...] = (
-    ropes, one_rope, cloth, spring_net, weld_net, loops, welded_triples, bouncing_pit, sizes_mixed, heavy_on_light,
-    columns, ragdolls, cars, needles, stars, tiles, heap_of_balls, heap_of_boxes, heap_of_capsules, heap_of_polygons,
-    heap_of_rounded_polygons, small_pyramid, pendulums, one_ragdoll,
+    ropes, one_rope, cloth, small_cloth, spring_net, weld_net, loops, welded_triples, bouncing_pit, sizes_mixed,
+    heavy_on_light, columns, ragdolls, cars, needles, stars, tiles, heap_of_balls, heap_of_boxes, heap_of_capsules,
+    heap_of_polygons, heap_of_rounded_polygons, small_pyramid, pendulums, one_ragdoll,
 )  # fmt: skip
 SETTLING = (heap_of_balls, heap_of_boxes, heap_of_capsules, heap_of_polygons, heap_of_rounded_polygons)
 """Those of interest when they have come to rest."""

@@ -90,6 +90,7 @@ def test_a_net_drawn_apart_comes_together(kind):
 
 @pytest.mark.parametrize("kind", ["hinge", "weld", "rod", "stopped hinge"])
 def test_a_net_at_rest_hangs_as_a_factorised_one_does(monkeypatch, kind):
+    monkeypatch.setattr(part_layout, "UPDATES_A_ROW", 10**6)
     rigid = net(5, 5, kind)
     assert soft_parts(rigid) == 0
     monkeypatch.setattr(part_layout, "UPDATES_A_ROW", -1000)
@@ -103,9 +104,11 @@ def test_a_net_at_rest_hangs_as_a_factorised_one_does(monkeypatch, kind):
 
 @pytest.mark.parametrize("kind", ["hinge", "rod"])
 def test_a_net_swings_as_a_factorised_one_does(monkeypatch, kind):
+    monkeypatch.setattr(part_layout, "UPDATES_A_ROW", 10**6)
     rigid = net(6, 6, kind, "middle")
     monkeypatch.setattr(part_layout, "UPDATES_A_ROW", -1000)
     soft = net(6, 6, kind, "middle")
+    assert [soft_parts(world) for world in (rigid, soft)] == [0, 1]
     for _ in range(6):
         for world in (rigid, soft):
             world.step(10)
@@ -194,3 +197,12 @@ def test_joints_in_lanes_tell_the_weight_that_hangs_on_them(monkeypatch, kind):
     if kind == "weld":
         assert float(joints.force_y[3]) == pytest.approx(mass * G, rel=1e-3)
         assert float(joints.torque[3]) == pytest.approx(0.5 * mass * G, rel=0.02)  # it swings down a little
+
+
+@pytest.mark.parametrize("side", [12, 24])
+def test_rods_of_a_cloth_yield_as_springs_of_a_quarter_of_the_rate_of_substeps(side):
+    """The second rod of each column bears all bodies below it by the reduced mass of two of them."""
+    world = net(side, side, "rod", "top")
+    assert soft_parts(world) == 1
+    world.step(240)
+    assert gap(world) - 1.0 == pytest.approx(2.0 * (side - 1) * G / (2.0 * np.pi * 60.0) ** 2, rel=0.01)
