@@ -26,8 +26,8 @@ _BASE_SLOTS = {
 }  # fmt: skip
 _SPRUNG = (kinds.DISTANCE, kinds.REVOLUTE, kinds.PRISMATIC, kinds.WHEEL)
 UPDATES_A_ROW = 64
-"""A part is factorised up to so many multiplications a row, and a few thousand more. Those that take more cost ten times
-as much as by sweeps; trusses and welded beams of two rows take fewer, however long they are."""
+"""A part is factorised up to so many multiplications a row, and a few thousand more. What takes more costs ten times as
+much as by sweeps; trusses and welded beams of two rows take fewer, however long they are."""
 COLUMNS = 10
 """Columns of what a layout depends on, for each joint: kind, spring, limit, motor, the members of up to 4 sides, and
 for gears the kinds of the two joints that they couple."""
