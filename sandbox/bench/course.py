@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -46,10 +46,12 @@ class Course:
         """How many iterations pymunk takes."""
         return self._driver.iterations
 
-    @property
-    def now(self) -> FlatScene:
-        """The scene with those who are in it now."""
-        return FlatScene(tuple(self.bodies.values()), self.flat.gravity, self.flat.settings, tuple(self._joints))
+    def among(self, names: Container[str]) -> FlatScene:
+        """The scene with those who are in it now, as far as they are among those names."""
+        bodies = {name: body for name, body in self.bodies.items() if name in names}
+        there = {None, *bodies}
+        joints = tuple(joint for joint in self._joints if {joint.body_a, joint.body_b} <= there)
+        return FlatScene(tuple(bodies.values()), self.flat.gravity, self.flat.settings, joints)
 
     @property
     def inside(self) -> tuple[float, float, float, float] | None:

@@ -138,9 +138,14 @@ def _turns(steps: int) -> list[tuple[int, int]]:
 
 def _finished(course: Course, lanes: Sequence[_Lane], steps: int) -> Race:
     ours = next((lane for lane in lanes if isinstance(lane.contestant, Ours)), None)
-    state = ours.contestant.world.state if ours and isinstance(ours.contestant, Ours) else build_state(course.now)
-    judge = Judge(state, course.inside)
-    results = tuple(_result(lane, ours, judge.judge(lane.contestant.poses(state.names)), steps) for lane in lanes)
+    here = ours.contestant.world.state if ours and isinstance(ours.contestant, Ours) else None
+    if here is not None and set(here.names) == set(course.bodies):
+        judged = here
+    else:  # rules have brought bodies or taken some away, which other engines know nothing of
+        judged = build_state(course.among(course.bodies if here is None else set(here.names)))
+    judge = Judge(judged, course.inside)
+    results = tuple(_result(lane, ours, judge.judge(lane.contestant.poses(judged.names)), steps) for lane in lanes)
+    state = judged if here is None else here
     sizes = len(state.bodies), len(state.shapes), len(state.joints)
     for lane in lanes:
         lane.contestant.close()

@@ -9,6 +9,7 @@ from typing import Any
 
 from sandbox.errors import MissingDependencyError
 from sandbox.reference.box2d_shapes import add_shapes
+from sandbox.reference.own_mass import own_mass
 from sandbox.reference.run import Pose, left_out, one_way_shapes, other_joints
 from sandbox.scene.flat import FlatBody, FlatJoint, FlatScene, Vec
 
@@ -106,8 +107,10 @@ class Box2dRun:
         )  # fmt: skip
         body = self._world.create_body(definition)
         add_shapes(self._b2, body, flat.shapes)
-        if flat.mass is not None or flat.inertia is not None or flat.center is not None:
-            self._notes["bodies have the masses of their shapes, not those of their own"] = None
+        if flat.type == "dynamic" and (flat.mass, flat.inertia, flat.center) != (None, None, None):
+            data = self._b2.MassData()
+            data.mass, data.center, data.rotational_inertia = own_mass(flat)
+            body.mass_data = data
         return body
 
     def _add_joint(self, flat: FlatJoint) -> None:

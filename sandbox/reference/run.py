@@ -54,6 +54,8 @@ def left_out(scene: FlatScene) -> Iterator[str]:
         yield "regions are left out"
     if any(body.thrusters for body in scene.bodies):
         yield "thrusters are left out"
+    if scene.rules:
+        yield "rules are left out"
 
 
 def other_joints(joints: Iterable[FlatJoint], made: Sequence[str]) -> Iterator[str]:

@@ -8,7 +8,7 @@ from typing import Any
 
 import pymunk
 
-from sandbox.geometry.mass import Moments, moments
+from sandbox.reference.own_mass import own_mass
 from sandbox.scene.flat import FlatBody, FlatScene, FlatShape
 
 _TYPES = {
@@ -30,18 +30,9 @@ def build_space(scene: FlatScene) -> tuple[pymunk.Space, list[pymunk.Body]]:
 
 def add_body(space: pymunk.Space, flat: FlatBody, solid: bool = False) -> pymunk.Body:
     """A body in `space`. With `solid`, one-way shapes are there and hold from both sides; else they are left out."""
-    total = Moments(0.0, 0.0, 0.0, 0.0)
-    for shape in flat.shapes:
-        density = 0.0 if shape.sensor else shape.density
-        total = total.plus(Moments(*(density * value for value in moments(shape.vertices, shape.radius))))
     body = pymunk.Body(body_type=_TYPES[flat.type])
     if flat.type == "dynamic":
-        center = flat.center or (total.first_x / total.area, total.first_y / total.area)
-        middle = total.second + center[0] * (center[0] * total.area - 2.0 * total.first_x)
-        middle += center[1] * (center[1] * total.area - 2.0 * total.first_y)
-        body.mass = flat.mass if flat.mass is not None else total.area
-        body.moment = flat.inertia if flat.inertia is not None else middle * body.mass / total.area
-        body.center_of_gravity = center
+        body.mass, body.center_of_gravity, body.moment = own_mass(flat)
         if flat.fixed_rotation:
             body.moment = math.inf
     # The angle first: pymunk turns a body about its centre of gravity, which moves the origin.

@@ -142,7 +142,7 @@ def test_who_goes_and_comes(engine: str) -> None:
     assert (new.x, new.y, new.velocity_x, new.spin) == pytest.approx((5.0 + 7.0 / 60.0, 5.0, 7.0, 1.0))
 
 
-@pytest.mark.parametrize(("engine", "count"), [("sandbox", 0), ("pymunk", 4), ("box2d", 6)])
+@pytest.mark.parametrize(("engine", "count"), [("sandbox", 0), ("pymunk", 5), ("box2d", 6)])
 def test_what_an_engine_leaves_out_is_told(engine: str, count: int) -> None:
     fields: dict[str, Any] = {
         "bodies": [
@@ -154,10 +154,37 @@ def test_what_an_engine_leaves_out_is_told(engine: str, count: int) -> None:
             {"id": "bent", "type": "revolute", "bodies": [None, "a"], "anchor": [0, 0], "hertz": 2, "rest": 30},
         ],
         "regions": [{"wind": [1, 0]}],
+        "rules": [{"when": {"time": 9}, "do": [{"delete": "a"}]}],
     }
     notes = ENGINES[engine](Course(sandbox.Scene(**fields), ""), False).notes
     assert len(notes) == count
     assert ("joints of the kind target are left out" in notes) == (count > 0)
+
+
+@every_engine
+def test_bodies_have_the_masses_that_the_scene_gives_them(engine: str) -> None:
+    """Discs of 1 and 3 kg meet and stay together; a bar of twice the moment of inertia is turned half as fast."""
+    discs = [
+        {"id": "light", "shapes": DISC, "position": [-1, 0], "velocity": [4, 0], "mass": 1, "inertia": 7},
+        {"id": "heavy", "shapes": DISC, "position": [1, 0], "mass": 3, "center": [0.1, 0]},
+    ]
+    light, heavy = after(engine, 60, "light", "heavy", bodies=discs, gravity=[0, 0])
+    assert (light.velocity_x, heavy.velocity_x) == pytest.approx((1.0, 1.0), abs=0.02)
+    bar = {"shapes": [{"box": [2, 0.2]}], "angle": 20, "position": [0, 0]}
+    spins = []
+    for inertia in (1.0, 2.0):
+        motor = {
+            "id": "m",
+            "type": "revolute",
+            "bodies": ["bar"],
+            "anchor": [0, 0],
+            "motor_speed": 1e4,
+            "max_torque": 1,
+        }
+        bodies = [{"id": "bar", **bar, "mass": 1, "inertia": inertia}]
+        (turned,) = after(engine, 6, "bar", bodies=bodies, joints=[motor], gravity=[0, 0])
+        spins.append(turned.spin)
+    assert spins == pytest.approx([0.1, 0.05], rel=0.02)
 
 
 def two_discs(joined: bool) -> sandbox.World:
@@ -259,3 +286,17 @@ def test_a_race_of_many_turns_ends_as_a_run_of_our_own() -> None:
     assert (race.steps, race.bodies, race.shapes, race.joints) == (24, 3, 3, 1)
     assert ours.ratio == 1.0
     assert pymunk.own is None
+
+
+def test_a_race_in_which_rules_bring_and_take_bodies() -> None:
+    """Those are judged of whom every engine knows."""
+    bodies = [{"id": name, "shapes": DISC, "position": [3.0 * k, 0]} for k, name in enumerate("abc")]
+    rules = [
+        {"when": {"every": 0.1}, "do": [{"spawn": {"id": "new", "shapes": DISC, "position": [0, 9]}}]},
+        {"when": {"time": 0.05}, "do": [{"delete": "b"}]},
+    ]
+    race = run_race(Course(sandbox.Scene(bodies=bodies, rules=rules), ""), ["sandbox", "pymunk"], 12, False)
+    ours, pymunk = race.results
+    assert race.bodies > 2
+    assert ours.quality.kinetic == pytest.approx(pymunk.quality.kinetic, rel=0.2)
+    assert "rules are left out" in pymunk.notes

@@ -105,16 +105,16 @@ def test_a_course_knows_who_is_in_the_scene() -> None:
     change = course.change(1)
     assert change is not None
     assert [body.id for body in change.bodies] == ["box-1"]
-    assert [body.id for body in course.now.bodies] == ["drum", "box-1"]
+    assert [body.id for body in course.among(course.bodies).bodies] == ["drum", "box-1"]
     assert course.inside == (-16.0, -26.0, 16.0, 6.0)
 
 
 def test_a_course_forgets_who_was_deleted() -> None:
     course = Course(sandbox.load_scene(FILES["box2d-rain"]), "box2d-rain")
     course.change(0)
-    assert len(course.now.bodies) == 2505 + 25 * len(BONES)
-    assert len(course.now.joints) == 25 * (len(BONES) - 1)
+    assert len(course.among(course.bodies).bodies) == 2505 + 25 * len(BONES)
+    assert len(course.among(course.bodies).joints) == 25 * (len(BONES) - 1)
     course.change(40 * 8)
-    assert len(course.now.bodies) == 2505 + 25 * len(BONES)
-    assert len(course.now.joints) == 25 * (len(BONES) - 1)
+    assert len(course.among(course.bodies).bodies) == 2505 + 25 * len(BONES)
+    assert len(course.among(course.bodies).joints) == 25 * (len(BONES) - 1)
     assert not [name for name in course.bodies if name.startswith("doll-0")]
