@@ -5,7 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from sandbox import Scene
 from sandbox.engine.joints import net_lanes, part_layout
+from sandbox.engine.world import World
 from tests.flat import body, box
 from tests.joints.jointed import G, energy, gap, joint, jointed
 from tests.joints.nets import KINDS, kinetic_energy, net, soft_parts, throw
@@ -206,3 +208,40 @@ def test_rods_of_a_cloth_yield_as_springs_of_a_quarter_of_the_rate_of_substeps(s
     assert soft_parts(world) == 1
     world.step(240)
     assert gap(world) - 1.0 == pytest.approx(2.0 * (side - 1) * G / (2.0 * np.pi * 60.0) ** 2, rel=0.01)
+
+
+def loaded_net(kind: str, side: int, load: float) -> World:
+    """A net of discs of 1 kg, 1 m apart, that hangs by a corner; the disc farthest from it has the mass `load` (kg)."""
+    places = [(x, y) for x in range(side) for y in range(side)]
+    disc = {"shapes": [{"circle": 0.4, "mask": 0}]}
+    bodies = [{"id": f"{x}-{y}", "position": [x, -y], "mass": 1, **disc} for x, y in places]
+    bodies[-1]["mass"] = load
+    joints = [
+        {"id": f"{x}-{y}:{a}-{b}", "bodies": [f"{x}-{y}", f"{a}-{b}"], "anchor": [0.5 * (x + a), -0.5 * (y + b)]}
+        for x, y in places
+        for a, b in ((x + 1, y), (x, y + 1))
+        if (a, b) in places
+    ]
+    joints = [{**each, "type": kind} for each in joints]
+    joints.append({"id": "hook", "type": "revolute", "bodies": ["0-0"], "anchor": [0, 0.4]})
+    return World(Scene(bodies=bodies, joints=joints, settings={"sleeping": False}))
+
+
+@pytest.mark.usefixtures("never_factorised")
+@pytest.mark.parametrize(("kind", "side", "box2d"), [("weld", 5, 0.33), ("revolute", 8, 0.28)])
+def test_a_thousand_times_the_mass_of_its_bodies_hangs_on_a_net(kind, side, box2d):
+    """While it swings, joints part no more than by half as much again as those of Box2D."""
+    world = loaded_net(kind, side, 1000.0)
+    assert soft_parts(world) == 1
+    for _ in range(60):
+        world.step(5)
+        assert gap(world) < 1.5 * box2d
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", ["hinge", "weld"])
+def test_a_net_hangs_by_a_corner_at_a_single_substep(kind):
+    world = net(16, 16, kind, "corner", 1)
+    for _ in range(60):
+        world.step(10)
+        assert gap(world) < 1.2

@@ -17,7 +17,8 @@ from sandbox.engine.joints.jacobian import fill_rows, push_row, row_speed
 from sandbox.engine.joints.joint_bodies import place_members
 from sandbox.engine.joints.laws import CORRECTION_SPEED, INFINITE
 from sandbox.engine.joints.net_blocks import SoftJoint
-from sandbox.engine.joints.net_sweeps import sweep_nets, warm_start_nets
+from sandbox.engine.joints.net_sweeps import sweep_nets
+from sandbox.engine.joints.net_warm_start import warm_start_net
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.joints.targets import pair_strength, target_softly
 from sandbox.engine.records.workers import Workers
@@ -31,8 +32,6 @@ MOST = 64
 STIFFNESS = 0.25
 """Frequency of rigid rows as a share of the rate of substeps: the most that they can follow."""
 DAMPING_RATIO = 2.0
-FAR = 0.5
-"""Turn of a member (rad) within a substep after which an impulse of the substep before points elsewhere."""
 
 
 @kernel
@@ -48,8 +47,7 @@ def solve_softly(
         place_members(work, part, motions)
         _prepare_rows(work, motions, part, seconds, push, give)
     if pushing:
-        _warm_start(work, motions, part, seconds)
-        warm_start_nets(work, motions, part, seconds, FAR, workers)
+        warm_start_net(work, motions, part, seconds, workers)
     for sweep in range(_sweeps(seconds)):
         if part.swept == 1:
             _sweep_rows(work, motions, part, seconds, push, give, sweep % 2 == 1)
@@ -86,28 +84,6 @@ def _sweeps(seconds: float) -> int:
     wanted = int(SWEEPS * seconds + 0.5)
     wanted = wanted if wanted < MOST else MOST
     return wanted if wanted > FEWEST else FEWEST
-
-
-@kernel
-def _warm_start(work: JointWork, motions: Records, part: Records, seconds: float) -> None:
-    """Apply the impulses of the substep before, but at what spins: there they would add energy."""
-    if part.swept == 0:
-        return
-    for r in range(part.first_row, part.row_end):
-        row = work.rows[r]
-        if row.stiffness == 0.0 or seconds * _spin(work.members, motions, row) > FAR:
-            row.impulse = 0.0
-        row.stop = 1 if row.impulse > 0.0 else (-1 if row.impulse < 0.0 else 0)
-        if row.impulse != 0.0:
-            push_row(work.members, motions, row, row.impulse)
-
-
-@kernel
-def _spin(members: Records, motions: Records, row: Records) -> float:
-    """The higher angular speed (rad/s) of the first two members of a row."""
-    a = abs(motions[members[row.member_1].body].angular_velocity)
-    b = abs(motions[members[row.member_2].body].angular_velocity)
-    return float(a if a > b else b)
 
 
 @kernel

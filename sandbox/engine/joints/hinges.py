@@ -23,24 +23,26 @@ def load_hinge(v: Floats, k: int, joint: Records) -> None:
     v[nl.TOTAL_Y + k] = -joint.impulse_1
 
 
-@inlined_kernel
-def warm_hinges(v: Floats, of: BlockBodies, spins: Mask) -> PairVelocity:
-    """The velocities after the impulses of the substep before, which are forgotten where something `spins`; before that
-    they are added to those of the step."""
-    return warm_point(v, of, pushed_at(gap_of(v, of.pose)), spins)
+@kernel
+def scale_hinge(v: Floats, k: int, share: float) -> None:
+    """Multiply the impulses in lane `k`."""
+    v[nl.IMPULSE_X + k] *= share
+    v[nl.IMPULSE_Y + k] *= share
 
 
 @inlined_kernel
-def warm_point(v: Floats, of: BlockBodies, r: Anchors, spins: Mask) -> PairVelocity:
+def warm_hinges(v: Floats, of: BlockBodies) -> PairVelocity:
+    """The velocities after the impulses of the substep before, which are added to those of the step."""
+    return warm_point(v, of, pushed_at(gap_of(v, of.pose)))
+
+
+@inlined_kernel
+def warm_point(v: Floats, of: BlockBodies, r: Anchors) -> PairVelocity:
     """The same for points that are pushed at `r`."""
     x = load(v, nl.IMPULSE_X)
     y = load(v, nl.IMPULSE_Y)
     store(v, nl.TOTAL_X, load(v, nl.TOTAL_X) + x)
     store(v, nl.TOTAL_Y, load(v, nl.TOTAL_Y) + y)
-    x = select(spins, 0.0, x)
-    y = select(spins, 0.0, y)
-    store(v, nl.IMPULSE_X, x)
-    store(v, nl.IMPULSE_Y, y)
     return apply_impulse(of.gathered.velocity, block_masses(v), r, x, y)
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from sandbox._atomics import atomic_add
 from sandbox._jit import inlined_kernel, kernel
-from sandbox._vectors import absolute
 from sandbox.engine.contact_solver.gather import PairRows, note_rows
 from sandbox.engine.joints import net_lanes as nl
 from sandbox.engine.joints.direct.reports import finish_report
@@ -18,7 +17,6 @@ from sandbox.engine.joints.welds import load_weld, report_weld, swept_welds, war
 from sandbox.engine.records.workers import BROKEN, Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
 from sandbox.engine.workers.task_kinds import (
-    FASTEST,
     GIVE,
     LOAD_NETS,
     MOST,
@@ -103,37 +101,33 @@ def _row_of(member: Records, world: int) -> int:
 
 
 @kernel
-def warm_start_nets(
-    work: JointWork, motions: Records, part: Records, seconds: float, far: float, workers: Workers
-) -> None:
-    """Apply the impulses of the substep before, but at what turns by more than `far` rad in this one."""
-    workers.numbers[FASTEST] = far / seconds
+def warm_start_lanes(work: JointWork, motions: Records, part: Records, workers: Workers) -> None:
+    """Apply the impulses that the joints of a part in lanes have from the substep before."""
     h = work.side_by_side
     at = part.first_block
     while at < part.block_end:
         stop = at + h.blocks[at].left
         first, end = first_part(workers, WARM_START_NETS, at, stop)
         while first < end:
-            warm_start_net_blocks(h, motions, first, end, far / seconds)
+            warm_start_net_blocks(h, motions, first, end)
             first, end = next_part(workers, first, end)
         at = stop
 
 
 @inlined_kernel
-def warm_start_net_blocks(h: NetLanes, motions: Records, first: int, end: int, fastest: float) -> None:
-    """The same for blocks of one colour and kind, but at what turns faster than `fastest` rad/s."""
+def warm_start_net_blocks(h: NetLanes, motions: Records, first: int, end: int) -> None:
+    """The same for blocks of one colour and kind."""
     kind = h.blocks[first].kind
     for n in range(first, end):
         block = h.blocks[n]
         v = h.lanes[block.place :]
         of = gather_block(motions, block)
-        spins = (absolute(of.gathered.velocity.aw) > fastest) | (absolute(of.gathered.velocity.bw) > fastest)
         if kind == nl.RODS:
-            velocity = warm_rods(v, of, spins)
+            velocity = warm_rods(v, of)
         elif kind == nl.WELDS:
-            velocity = warm_welds(v, of, spins)
+            velocity = warm_welds(v, of)
         else:
-            velocity = warm_hinges(v, of, spins)
+            velocity = warm_hinges(v, of)
         scatter_block(motions, of, velocity, block.count)
 
 

@@ -22,7 +22,6 @@ from sandbox.engine.records.state import StateTables
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import TASK, told_range
 from sandbox.engine.workers.task_kinds import (
-    FASTEST,
     GIVE,
     LOAD_NETS,
     MOST,
@@ -83,6 +82,6 @@ def _help(state: StateTables, solver: SolverBodies, joints: JointWork, workers: 
         soft = SoftJoint(n[PUSH], n[MOST], n[GIVE], n[SECONDS])
         sweep_net_blocks(joints.side_by_side, motions, first, end, soft)
     elif task == WARM_START_NETS:
-        warm_start_net_blocks(joints.side_by_side, motions, first, end, n[FASTEST])
+        warm_start_net_blocks(joints.side_by_side, motions, first, end)
     else:
         report_net_blocks(joints, n[SECONDS], state.counters[0].step_count, workers, first, end)

@@ -27,6 +27,7 @@ MEMBER = Table(
         Field("cos", "1", "rotation now"),
         Field("sin", "1", "rotation now"),
         Field("angle", "rad", "angle now"),
+        Field("spins", "-", "1 where it turns too fast for the impulses of the substep before", "i8"),
     ),
 )
 

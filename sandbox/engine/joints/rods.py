@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox._vectors import Mask, load, select, store
+from sandbox._vectors import load, store
 from sandbox.engine.contact_solver.law import Anchors, PairVelocity, apply_impulse
 from sandbox.engine.joints import net_lanes as nl
 from sandbox.engine.joints.laws import along, length_and_direction, own_stiffness, spring_mobility
@@ -25,17 +25,20 @@ def load_rod(v: Floats, k: int, joint: Records) -> None:
     v[nl.DAMPING_RATIO + k] = joint.damping_ratio
 
 
+@kernel
+def scale_rod(v: Floats, k: int, share: float) -> None:
+    """Multiply the impulse in lane `k`."""
+    v[nl.IMPULSE + k] *= share
+
+
 @inlined_kernel
-def warm_rods(v: Floats, of: BlockBodies, spins: Mask) -> PairVelocity:
-    """The velocities after the impulses of the substep before, which are forgotten where something `spins`; before that
-    they are added to those of the step."""
+def warm_rods(v: Floats, of: BlockBodies) -> PairVelocity:
+    """The velocities after the impulses of the substep before, which are added to those of the step."""
     gap = gap_of(v, of.pose)
     _, x, y = length_and_direction(gap.x, gap.y, 1.0)
     impulse = load(v, nl.IMPULSE)
     store(v, nl.TOTAL_X, load(v, nl.TOTAL_X) + impulse * load(v, nl.AXIS_X))
     store(v, nl.TOTAL_Y, load(v, nl.TOTAL_Y) + impulse * load(v, nl.AXIS_Y))
-    impulse = select(spins, 0.0, impulse)
-    store(v, nl.IMPULSE, impulse)
     return apply_impulse(of.gathered.velocity, block_masses(v), _pushed_at(gap), impulse * x, impulse * y)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox._vectors import Mask, Vector, load, select, store
+from sandbox._vectors import Vector, load, select, store
 from sandbox.engine.contact_solver.law import Anchors, PairMass, PairVelocity
 from sandbox.engine.joints import net_lanes as nl
 from sandbox.engine.joints.hinges import (
@@ -15,6 +15,7 @@ from sandbox.engine.joints.hinges import (
     pushed_together,
     report_hinge,
     rigid_law,
+    scale_hinge,
     warm_point,
 )
 from sandbox.engine.joints.laws import CORRECTION_SPEED, is_close, spring_law, spring_mobility
@@ -35,15 +36,19 @@ def load_weld(v: Floats, k: int, joint: Records, a: Records, b: Records) -> None
     v[nl.ANGULAR_DAMPING_RATIO + k] = joint.angular_damping_ratio
 
 
+@kernel
+def scale_weld(v: Floats, k: int, share: float) -> None:
+    """Multiply the impulses in lane `k`."""
+    scale_hinge(v, k, share)
+    v[nl.IMPULSE_W + k] *= share
+
+
 @inlined_kernel
-def warm_welds(v: Floats, of: BlockBodies, spins: Mask) -> PairVelocity:
-    """The velocities after the impulses of the substep before, which are forgotten where something `spins`; before that
-    they are added to those of the step."""
+def warm_welds(v: Floats, of: BlockBodies) -> PairVelocity:
+    """The velocities after the impulses of the substep before, which are added to those of the step."""
     impulse = load(v, nl.IMPULSE_W)
     store(v, nl.TOTAL_W, load(v, nl.TOTAL_W) + impulse)
-    impulse = select(spins, 0.0, impulse)
-    store(v, nl.IMPULSE_W, impulse)
-    return _turned_by(warm_point(v, of, _pushed_at(v, gap_of(v, of.pose)), spins), block_masses(v), impulse)
+    return _turned_by(warm_point(v, of, _pushed_at(v, gap_of(v, of.pose))), block_masses(v), impulse)
 
 
 @inlined_kernel
