@@ -102,7 +102,8 @@ NOTES: dict[int, str] = {
     "there where guesses go in circles; parts with motors or stops that joints would give energy keep to velocities, "
     "too; what comes to touch within a step without restitution is stopped no more often than the scene has substeps; "
     "what turns about its own centre takes no finer ones",
-    45: "smaller nets have soft joints, and keep what these bear where single ones of them would turn light bodies fast",
+    45: "smaller nets have soft joints, and keep what these bear where single ones of them would turn light bodies "
+    "fast",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 
