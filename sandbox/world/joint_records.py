@@ -47,7 +47,7 @@ JOINT = Table(
         whole("collide", "1 if the two bodies collide with each other", FLAG),
         whole("enabled", "0 while the joint is switched off", FLAG),
         whole("broken_step", "step at which it broke; -1 while it holds", STEP_OR_NEVER),
-        *(Field(f"impulse_{k}", "N s or N m s", f"of row {k} over the last substep") for k in range(5)),
+        *(Field(f"impulse_{k}", "N s or N m s", f"of row {k} over the last substep, as of level 0") for k in range(5)),
         *(Field(f"preload_{k}", "N or N m", f"what row {k} bore when the world was put down") for k in range(3)),
         Field("force_x", "N", "that the joint exerts on b, mean of the last step"),
         Field("force_y", "N", "that the joint exerts on b, mean of the last step"),

@@ -211,8 +211,8 @@ DRAG = Table(
         Field("hertz", "1/s", "stiffness of the soft constraint"),
         Field("damping_ratio", "1", "1 is critical damping"),
         Field("max_force", "N", "limit of the pull"),
-        Field("impulse_x", "N s", "accumulated over the last substep"),
-        Field("impulse_y", "N s", "accumulated over the last substep"),
+        Field("impulse_x", "N s", "accumulated over the last substep, as of level 0"),
+        Field("impulse_y", "N s", "accumulated over the last substep, as of level 0"),
     ),
 )
 

@@ -21,16 +21,20 @@ def solve_mouse_joints(state: StateTables, solver: SolverBodies, substep_level: 
         if drag.body < 0 or state.bodies[drag.body].type != DYNAMIC:
             continue
         if solver.free_motions[drag.body].substep_level == substep_level:
-            _solve(state.bodies[drag.body], solver.motions[drag.body], drag, seconds)
+            share = 1.0 / float(1 << substep_level)
+            _solve(state.bodies[drag.body], solver.motions[drag.body], drag, seconds, share)
 
 
 @kernel
-def _solve(body: Records, motion: Records, drag: Records, seconds: float) -> None:
+def _solve(body: Records, motion: Records, drag: Records, seconds: float, share: float) -> None:
+    """The same for one; a substep takes that `share` of one of level 0, as of which its impulse is kept."""
     c = body.rotation_cos * motion.delta_cos - body.rotation_sin * motion.delta_sin
     s = body.rotation_sin * motion.delta_cos + body.rotation_cos * motion.delta_sin
     rx = c * drag.local_x - s * drag.local_y
     ry = s * drag.local_x + c * drag.local_y
-    _apply(body, motion, rx, ry, drag.impulse_x, drag.impulse_y)
+    old_x = share * drag.impulse_x
+    old_y = share * drag.impulse_y
+    _apply(body, motion, rx, ry, old_x, old_y)
     bias_rate, mass_scale, impulse_scale = soft_coefficients(drag.hertz, drag.damping_ratio, seconds)
     error_x = body.center_x + motion.delta_x + rx - drag.target_x
     error_y = body.center_y + motion.delta_y + ry - drag.target_y
@@ -42,8 +46,6 @@ def _solve(body: Records, motion: Records, drag: Records, seconds: float) -> Non
     determinant = k11 * k22 - k12 * k12
     if determinant <= 0.0:
         return
-    old_x = drag.impulse_x
-    old_y = drag.impulse_y
     new_x = old_x - mass_scale * (k22 * speed_x - k12 * speed_y) / determinant - impulse_scale * old_x
     new_y = old_y - mass_scale * (k11 * speed_y - k12 * speed_x) / determinant - impulse_scale * old_y
     limit = seconds * drag.max_force
@@ -51,8 +53,8 @@ def _solve(body: Records, motion: Records, drag: Records, seconds: float) -> Non
     if size > limit:
         new_x = new_x * (limit / size)
         new_y = new_y * (limit / size)
-    drag.impulse_x = new_x
-    drag.impulse_y = new_y
+    drag.impulse_x = new_x / share
+    drag.impulse_y = new_y / share
     _apply(body, motion, rx, ry, new_x - old_x, new_y - old_y)
 
 

@@ -14,7 +14,7 @@ from sandbox._jit import kernel
 from sandbox.engine.contact_solver.soft_constraint import soft_coefficients
 from sandbox.engine.joints.errors import measure_errors
 from sandbox.engine.joints.jacobian import fill_rows, push_row, row_speed
-from sandbox.engine.joints.joint_bodies import place_members
+from sandbox.engine.joints.joint_bodies import place_members, substep_share
 from sandbox.engine.joints.laws import CORRECTION_SPEED, INFINITE
 from sandbox.engine.joints.net_blocks import SoftJoint
 from sandbox.engine.joints.net_sweeps import sweep_nets
@@ -30,7 +30,7 @@ SWEEPS = 480.0
 FEWEST = 1
 MOST = 64
 STIFFNESS = 0.25
-"""Frequency of rigid rows as a share of the rate of substeps: the most that they can follow."""
+"""Frequency of rigid rows as a share of the rate of substeps of level 0: the most that these can follow."""
 DAMPING_RATIO = 2.0
 
 
@@ -39,7 +39,8 @@ def solve_softly(
     work: JointWork, part: Records, motions: Records, seconds: float, pushing: bool, workers: Workers
 ) -> None:
     """Sweep over the rows of a part: before the move with their push (`pushing`), and after it without."""
-    bias_rate, mass_scale, impulse_scale = soft_coefficients(STIFFNESS / seconds, DAMPING_RATIO, seconds)
+    hertz = STIFFNESS * substep_share(part.level) / seconds  # else what is drawn apart would gain energy with the level
+    bias_rate, mass_scale, impulse_scale = soft_coefficients(hertz, DAMPING_RATIO, seconds)
     push = bias_rate if pushing else 0.0
     give = impulse_scale / mass_scale if pushing else 0.0
     most = CORRECTION_SPEED * work.direct.units[0] / push if pushing else 0.0

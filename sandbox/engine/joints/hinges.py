@@ -14,13 +14,13 @@ from sandbox.tables import Floats, Records
 
 
 @kernel
-def load_hinge(v: Floats, k: int, joint: Records) -> None:
-    """Fill lane `k` of a block with lanes `v` with what hinges alone have."""
-    v[nl.IMPULSE_X + k] = joint.impulse_0
-    v[nl.IMPULSE_Y + k] = joint.impulse_1
+def load_hinge(v: Floats, k: int, joint: Records, share: float) -> None:
+    """Fill lane `k` of a block with lanes `v` with what hinges alone have; `share` is a `substep_share`."""
+    v[nl.IMPULSE_X + k] = share * joint.impulse_0
+    v[nl.IMPULSE_Y + k] = share * joint.impulse_1
     # The first warm start adds what the last substep gave; that belongs to no substep of this step.
-    v[nl.TOTAL_X + k] = -joint.impulse_0
-    v[nl.TOTAL_Y + k] = -joint.impulse_1
+    v[nl.TOTAL_X + k] = -share * joint.impulse_0
+    v[nl.TOTAL_Y + k] = -share * joint.impulse_1
 
 
 @kernel
@@ -133,8 +133,8 @@ def swept_hinges(v: Floats, of: BlockBodies, soft: SoftJoint) -> PairVelocity:
 
 
 @kernel
-def report_hinge(v: Floats, k: int, joint: Records) -> tuple[float, float]:
+def report_hinge(v: Floats, k: int, joint: Records, share: float) -> tuple[float, float]:
     """Write the impulses of lane `k` into the joint table; returns those of the step (N s)."""
-    joint.impulse_0 = v[nl.IMPULSE_X + k]
-    joint.impulse_1 = v[nl.IMPULSE_Y + k]
+    joint.impulse_0 = v[nl.IMPULSE_X + k] / share
+    joint.impulse_1 = v[nl.IMPULSE_Y + k] / share
     return v[nl.TOTAL_X + k] + v[nl.IMPULSE_X + k], v[nl.TOTAL_Y + k] + v[nl.IMPULSE_Y + k]

@@ -8,6 +8,7 @@ from sandbox.engine.contact_solver.gather import PairRows, note_rows
 from sandbox.engine.joints import net_lanes as nl
 from sandbox.engine.joints.direct.reports import finish_report
 from sandbox.engine.joints.hinges import load_hinge, report_hinge, swept_hinges, warm_hinges
+from sandbox.engine.joints.joint_bodies import substep_share
 from sandbox.engine.joints.laws import turned
 from sandbox.engine.joints.net_blocks import SoftJoint, gather_block, scatter_block
 from sandbox.engine.joints.net_lanes import NetLanes
@@ -45,6 +46,7 @@ def load_net_blocks(work: JointWork, motions: Records, first: int, end: int) -> 
     for n in range(first, end):
         block = h.blocks[n]
         v = h.lanes[block.place :]
+        share = substep_share(work.parts[_part_of(work, h.joints[block.first])].level)
         _note_bodies(work, block, motions.shape[0] - 1)
         for k in range(block.count):
             each = h.joints[block.first + k]
@@ -64,11 +66,11 @@ def load_net_blocks(work: JointWork, motions: Records, first: int, end: int) -> 
             v[nl.INVERSE_MASS_B + k] = b.inverse_mass
             v[nl.INVERSE_INERTIA_B + k] = b.inverse_inertia
             if block.kind == nl.RODS:
-                load_rod(v, k, joint)
+                load_rod(v, k, joint, share)
             elif block.kind == nl.WELDS:
-                load_weld(v, k, joint, a, b)
+                load_weld(v, k, joint, a, b, share)
             else:
-                load_hinge(v, k, joint)
+                load_hinge(v, k, joint, share)
 
 
 @inlined_kernel
@@ -212,18 +214,20 @@ def report_net_blocks(work: JointWork, seconds: float, step_count: int, workers:
     broken = 0
     for n in range(first, end):
         block = h.blocks[n]
-        if work.parts[_part_of(work, h.joints[block.first])].awake == 0:
+        part = work.parts[_part_of(work, h.joints[block.first])]
+        if part.awake == 0:
             continue
+        share = substep_share(part.level)
         v = h.lanes[block.place :]
         for k in range(block.count):
             joint = work.joints[h.joints[block.first + k].joint]
             turning = 0.0
             if block.kind == nl.RODS:
-                force_x, force_y = report_rod(v, k, joint)
+                force_x, force_y = report_rod(v, k, joint, share)
             elif block.kind == nl.WELDS:
-                force_x, force_y, turning = report_weld(v, k, joint)
+                force_x, force_y, turning = report_weld(v, k, joint, share)
             else:
-                force_x, force_y = report_hinge(v, k, joint)
+                force_x, force_y = report_hinge(v, k, joint, share)
             broken += finish_report(joint, force_x / seconds, force_y / seconds, turning / seconds, step_count)
     if broken > 0:
         atomic_add(workers.words, BROKEN, broken)

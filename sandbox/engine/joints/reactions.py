@@ -5,6 +5,7 @@ from __future__ import annotations
 from sandbox._jit import kernel
 from sandbox.engine.joints.direct.batches import slot_impulse
 from sandbox.engine.joints.direct.reports import finish_report, set_slot_impulse
+from sandbox.engine.joints.joint_bodies import substep_share
 from sandbox.engine.joints.records import JointWork
 from sandbox.tables import Records
 
@@ -14,9 +15,10 @@ def read_impulses(work: JointWork) -> None:
     """Start the rows of nets from the impulses of the last step."""
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
+        share = substep_share(part.level)
         for r in range(part.first_row, part.row_end if part.swept == 1 else part.first_row):
             row = work.rows[r]
-            row.impulse = slot_impulse(work.joints[work.constraints[row.constraint].joint], row.slot)
+            row.impulse = share * slot_impulse(work.joints[work.constraints[row.constraint].joint], row.slot)
             row.total = 0.0
 
 
@@ -49,9 +51,10 @@ def _report(work: JointWork, constraint: Records, joint: Records, seconds: float
     force_x = 0.0
     force_y = 0.0
     torque = 0.0
+    share = substep_share(work.parts[constraint.part].level)
     for r in range(constraint.first_row, constraint.first_row + constraint.row_count):
         row = work.rows[r]
-        set_slot_impulse(joint, row.slot, row.impulse)
+        set_slot_impulse(joint, row.slot, row.impulse / share)
         mean = row.total / seconds
         force_x += row.x2 * mean
         force_y += row.y2 * mean

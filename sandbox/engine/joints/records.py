@@ -103,6 +103,7 @@ PART = Table(
         Field("anchored", "-", "1 when it is joined to something that does not move", "i8"),
         Field("hung", "-", "1 when besides all its joints keep a point or a length: they bear its weight", "i8"),
         Field("current", "-", "1 while it is solved: awake, and its island has the substep level under way", "i8"),
+        Field("level", "-", "substep level of its island", "i8"),
         Field("supported", "-", "1 when something that is not joined to it bears it", "i8"),
         Field("free", "-", "1 when it has no contact", "i8"),
         Field("dragged", "-", "1 when a hand drags one of its bodies", "i8"),

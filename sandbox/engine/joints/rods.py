@@ -15,9 +15,9 @@ ROD = -1.0
 
 
 @kernel
-def load_rod(v: Floats, k: int, joint: Records) -> None:
-    """Fill lane `k` of a block with lanes `v` with what rods and springs alone have."""
-    v[nl.IMPULSE + k] = joint.impulse_3 if joint.spring == 1 else joint.impulse_0
+def load_rod(v: Floats, k: int, joint: Records, share: float) -> None:
+    """Fill lane `k` of a block with lanes `v` with what rods and springs alone have; `share` is a `substep_share`."""
+    v[nl.IMPULSE + k] = share * (joint.impulse_3 if joint.spring == 1 else joint.impulse_0)
     v[nl.TOTAL_X + k] = v[nl.TOTAL_Y + k] = 0.0
     v[nl.AXIS_X + k] = v[nl.AXIS_Y + k] = 0.0  # what the last step gave belongs to no substep of this one
     v[nl.LENGTH + k] = joint.length
@@ -71,11 +71,11 @@ def swept_rods(v: Floats, of: BlockBodies, soft: SoftJoint) -> PairVelocity:
 
 
 @kernel
-def report_rod(v: Floats, k: int, joint: Records) -> tuple[float, float]:
+def report_rod(v: Floats, k: int, joint: Records, share: float) -> tuple[float, float]:
     """Write the impulse of lane `k` into the joint table; returns those of the step (N s)."""
     impulse = v[nl.IMPULSE + k]
     if joint.spring == 1:
-        joint.impulse_3 = impulse
+        joint.impulse_3 = impulse / share
     else:
-        joint.impulse_0 = impulse
+        joint.impulse_0 = impulse / share
     return v[nl.TOTAL_X + k] + impulse * v[nl.AXIS_X + k], v[nl.TOTAL_Y + k] + impulse * v[nl.AXIS_Y + k]

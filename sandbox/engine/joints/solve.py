@@ -62,7 +62,7 @@ def do_joints(
     elif stage == LOAD:
         _load(joints, state.bodies, solver, state.counters[0].step_count == 0)
     elif stage == SELECT:
-        _select_parts(joints, free_motions, int(numbers[LEVEL]))
+        _select_parts(joints, int(numbers[LEVEL]))
         in_contact: Any = blocks.slots[: int(numbers[SLOTS])]
         move_by_end_velocity(joints, state.bodies, solver.forces, in_contact, solver.struck)
     elif stage == REPORT:
@@ -82,15 +82,16 @@ def _load(work: JointWork, bodies: Records, solver: SolverBodies, new: bool) -> 
     """
     load_members(work, bodies, solver.motions)
     for p in range(work.parts.shape[0]):
-        work.parts[p].halves = work.parts[p].direct * (1 - work.parts[p].supported)
-    fill_batches(work, bodies, solver.free_motions, new)
+        part = work.parts[p]
+        part.halves = part.direct * (1 - part.supported)
+        part.level = part_level(work, part, solver.free_motions)
+    fill_batches(work, bodies, new)
 
 
 @kernel
-def _select_parts(work: JointWork, free_motions: Records, substep_level: int) -> None:
+def _select_parts(work: JointWork, substep_level: int) -> None:
     """Choose the parts whose islands take their substeps now."""
     work.direct.level[SUBSTEP_LEVEL] = substep_level
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
-        same = part.awake == 1 and part_level(work, part, free_motions) == substep_level
-        part.current = 1 if same else 0
+        part.current = 1 if part.awake == 1 and part.level == substep_level else 0

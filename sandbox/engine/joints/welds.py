@@ -24,11 +24,12 @@ from sandbox.tables import Floats, Records
 
 
 @kernel
-def load_weld(v: Floats, k: int, joint: Records, a: Records, b: Records) -> None:
-    """Fill lane `k` of a block with lanes `v` with what welds alone have; a and b are its members."""
-    load_hinge(v, k, joint)
-    v[nl.IMPULSE_W + k] = joint.impulse_2
-    v[nl.TOTAL_W + k] = -joint.impulse_2
+def load_weld(v: Floats, k: int, joint: Records, a: Records, b: Records, share: float) -> None:
+    """Fill lane `k` of a block with lanes `v` with what welds alone have; a and b are its members, `share` is a
+    `substep_share`."""
+    load_hinge(v, k, joint, share)
+    v[nl.IMPULSE_W + k] = share * joint.impulse_2
+    v[nl.TOTAL_W + k] = -share * joint.impulse_2
     v[nl.TURN + k] = b.start_angle - a.start_angle - joint.reference_angle
     v[nl.WELD_HERTZ + k] = joint.hertz
     v[nl.WELD_DAMPING_RATIO + k] = joint.damping_ratio
@@ -105,8 +106,8 @@ def swept_welds(v: Floats, of: BlockBodies, soft: SoftJoint) -> PairVelocity:
 
 
 @kernel
-def report_weld(v: Floats, k: int, joint: Records) -> tuple[float, float, float]:
+def report_weld(v: Floats, k: int, joint: Records, share: float) -> tuple[float, float, float]:
     """Write the impulses of lane `k` into the joint table; returns those of the step, the third in N m s."""
-    x, y = report_hinge(v, k, joint)
-    joint.impulse_2 = v[nl.IMPULSE_W + k]
+    x, y = report_hinge(v, k, joint, share)
+    joint.impulse_2 = v[nl.IMPULSE_W + k] / share
     return x, y, v[nl.TOTAL_W + k] + v[nl.IMPULSE_W + k]

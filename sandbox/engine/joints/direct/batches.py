@@ -11,7 +11,7 @@ from sandbox._vectors import WIDTH, Vector, load, select, spread, store
 from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.records import LEVELS, Batches
-from sandbox.engine.joints.joint_bodies import part_level
+from sandbox.engine.joints.joint_bodies import substep_share
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.gather_fields import Rows, gather_fields
 from sandbox.tables import Floats, Records
@@ -25,7 +25,7 @@ _IMPULSE_0, _PRELOAD_0 = JOINT.places(("impulse_0", "preload_0"), 8)
 
 
 @kernel
-def fill_batches(work: JointWork, bodies: Records, free_motions: Records, new: bool) -> None:
+def fill_batches(work: JointWork, bodies: Records, new: bool) -> None:
     """Lay all factorised parts that are awake into lanes: masses, poses, joints, and the impulses of the last step.
 
     In the first step of a world all are `new`.
@@ -35,7 +35,7 @@ def fill_batches(work: JointWork, bodies: Records, free_motions: Records, new: b
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
         if part.direct == 1 and part.awake == 1:
-            _join(d, p, part_level(work, part, free_motions), part)
+            _join(d, p, part.level, part)
     v = d.memory
     for n in range(d.found[0]):
         batch = d.batches[n]
@@ -207,6 +207,7 @@ def _load_rows(work: JointWork, batch: Records, n: int) -> None:
     v = d.memory
     layout = d.layouts[batch.layout]
     halves = load(v, batch.lanes + at.HALVES) == 1.0
+    share = substep_share(batch.level)
     for f in range(layout.first_frame, layout.frame_end):
         frame = d.layout_frames[f]
         if frame.coupled != 0:
@@ -219,7 +220,7 @@ def _load_rows(work: JointWork, batch: Records, n: int) -> None:
             place = batch.rows + row.kept
             for field in range(at.KEPT_SIZE // WIDTH):
                 store(v, place + field * WIDTH, spread(0.0))
-            found = load(v, frame.place + row.slot * WIDTH)
+            found = share * load(v, frame.place + row.slot * WIDTH)
             store(v, place + at.IMPULSE, select(halves, 0.5 * found, found))
             store(v, place + at.RELAXING, select(halves, 0.5 * found, 0.0))
             if row.slot <= 2:  # only rows that keep a place have a preload
@@ -228,7 +229,7 @@ def _load_rows(work: JointWork, batch: Records, n: int) -> None:
 
 @kernel
 def slot_impulse(joint: Records, slot: int) -> float:
-    """What a row gave over the last substep."""
+    """What a row gave over the last substep, as of level 0."""
     if slot < 2:
         return float(joint.impulse_0 if slot == 0 else joint.impulse_1)
     if slot == 2:

@@ -9,6 +9,7 @@ from sandbox._vectors import WIDTH, lanes, load, spread, store
 from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.batches import joint_rows
 from sandbox.engine.joints.direct.records import Batches
+from sandbox.engine.joints.joint_bodies import substep_share
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.gather_fields import Rows
 from sandbox.tables import Records
@@ -57,6 +58,7 @@ def _report(work: JointWork, batch: Records, frame: Records, joints: Rows, secon
     force_x = spread(0.0)
     force_y = spread(0.0)
     torque = spread(0.0)
+    share = substep_share(batch.level)
     arm_x = load(v, batch.joints + frame.constants + at.END_ARM_X)
     arm_y = load(v, batch.joints + frame.constants + at.END_ARM_Y)
     for r in range(frame.first_row, frame.row_end):
@@ -64,7 +66,7 @@ def _report(work: JointWork, batch: Records, frame: Records, joints: Rows, secon
         kept = batch.rows + row.kept
         for k in range(batch.count):
             joint = work.joints[joints[k]]
-            set_slot_impulse(joint, row.slot, v[kept + at.IMPULSE + k] + v[kept + at.RELAXING + k])
+            set_slot_impulse(joint, row.slot, (v[kept + at.IMPULSE + k] + v[kept + at.RELAXING + k]) / share)
             if counter.step_count == 0:
                 set_slot_preload(joint, row.slot, v[kept + at.PRELOAD + k])
         mean = load(v, kept + at.TOTAL) / seconds
@@ -96,7 +98,7 @@ def finish_report(joint: Records, force_x: float, force_y: float, torque: float,
 
 @kernel
 def set_slot_impulse(joint: Records, slot: int, impulse: float) -> None:
-    """What a row gave over the last substep."""
+    """What a row gave over the last substep, as of level 0."""
     if slot == 0:
         joint.impulse_0 = impulse
     elif slot == 1:
