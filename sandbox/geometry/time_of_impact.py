@@ -25,6 +25,7 @@ SWEEP = Table(
         Field("rotation_b", "rad", "turn of b until time 1"),
         Field("deep", "m", "overlap that is let pass"),
         Field("thin", "m", "half widths of both cores together: past that overlap they part on the other side"),
+        Field("half", "m", "half width of the one that gives way, if one of them does: so deep lies its middle"),
         Field("yields", "-", "1 when both are bodies that give way: their contact parts them", "i8"),
         Field("normal_x", "1", "answer: axis of the hit from a to b"),
         Field("normal_y", "1", "answer: axis of the hit from a to b"),
@@ -41,6 +42,9 @@ _FAR = 1e200
 _STRIDES = 4096
 _CREEP = 0.02
 """Share of what is let pass by which overlaps as deep as that may grow: a surface slid along is not quite even."""
+_GROWTH = 0.05
+"""Share of themselves by which overlaps with something immovable may grow, and of what is left until the middle of the
+one that gives way."""
 _SOUND = 0.75
 """Up to this share of `thin` overlaps may come so, by ever less the nearer they are to it."""
 _YIELD = 0.5
@@ -121,7 +125,9 @@ def _let_pass(s: Records, overlap: float) -> float:
 
     They never come out on the other side: every step takes only a share of what is left until then. Who gives way needs
     a large one, as what is rolled back to where it was keeps its velocity, finds the others so again, and hangs there;
-    and what has come too deep all the same is let go.
+    and what has come too deep all the same is let go. What goes on pressing on something immovable sinks faster and
+    faster, until the spring of its contact bears the load: while it is held here, that spring gives way in vain, and
+    what presses it on is squeezed into it instead. A blow is over before.
     """
     room = _SOUND * s.thin - overlap
     if s.yields == 1:
@@ -129,7 +135,10 @@ def _let_pass(s: Records, overlap: float) -> float:
     else:
         room = room if room < s.deep else s.deep
         room = room if room > _LEAST_ROOM * s.deep else _LEAST_ROOM * s.deep
-        deep = overlap + _CREEP * room
+        creep = _CREEP * room
+        left = s.half - overlap
+        growth = _GROWTH * (left if left < overlap else overlap)
+        deep = overlap + (growth if growth > creep else creep)
     return float(deep if deep > s.deep else s.deep)
 
 

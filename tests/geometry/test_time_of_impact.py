@@ -19,6 +19,7 @@ impact_of = stage(time_of_impact)
 WALL = (10.0, 0.01)
 DEEP = 0.002
 CREEP = 0.02
+GROWTH = 0.05
 CORES = CoreRows(0, 4, 0.0), CoreRows(4, 4, 0.0)
 
 
@@ -54,10 +55,11 @@ def test_a_rod_that_overlaps_a_wall_already_goes_hardly_deeper_on_any_way(
     sweep, posed, out = SWEEP.zeros(1), VERTEX.zeros(POSED_ROWS), MANIFOLD.zeros(1)
     row = sweep[0]
     row.x, row.y, row.angle_b, row.translation_x, row.translation_y, row.rotation_b = 0.0, y, angle, way_x, way_y, turn
-    row.deep, row.thin = min(DEEP, 0.25 * thin), thin
+    row.deep, row.thin, row.half = min(DEEP, 0.25 * thin), thin, 0.5 * thick
     t = impact_of(rows, *CORES, sweep, posed, out)
     assert t == -1.0 or 0.0 <= t < 1.0
-    allowed = max(row.deep, overlap + CREEP * row.deep) + 1e-9
+    growth = max(CREEP * row.deep, GROWTH * min(overlap, row.half - overlap))
+    allowed = max(row.deep, overlap + growth) + 1e-9
     for share in np.linspace(0.0, 1.0 if t < 0.0 else t, 400):
         assert below(rod, share * way_x, y + share * way_y, angle + share * turn) <= allowed
 

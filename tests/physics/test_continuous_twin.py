@@ -17,7 +17,7 @@ from tests.flat import body, box, capsule, circle, polygon, segment, world
 from tests.naive.time_of_impact import Meeting, Mover, TooCloseError
 
 STEP = 1.0 / 60.0
-DEEP, DEEP_SHARE, CREEP = 0.005, 0.25, 0.02
+DEEP, DEEP_SHARE, CREEP, GROWTH = 0.005, 0.25, 0.02, 0.05
 """How deep (m) bodies may come into each other on their way, at most by that share of their half widths; what is as
 deep already may come deeper by a share of it."""
 STILL: dict[str, FlatShape] = {
@@ -83,7 +83,8 @@ def test_no_way_through_a_step_leads_too_deep_into_what_stands(w):
             if meeting.separation(0.0) > meeting.fastest():
                 continue
             deep = let_pass(shapes[k], shapes[-1])
-            deep = max(deep, -meeting.separation(0.0)) + CREEP * deep
+            overlap = max(deep, -meeting.separation(0.0))
+            deep = overlap + max(CREEP * deep, GROWTH * min(overlap, shapes[-1].thin - overlap))
             try:
                 found = meeting.first_below(-1.02 * deep, 0.02 * deep)
             except TooCloseError:

@@ -65,6 +65,8 @@ def sweep_time_of_impact(tables: SweepTables, i: int, j: int) -> float:
     sweep = tables.ccd.sweep
     sweep[0].deep = allowed_depth(a, b, tables.units_per_meter)
     sweep[0].thin = a.thin + b.thin
-    sweep[0].yields = 1 if tables.bodies[a.body].type == DYNAMIC and tables.bodies[b.body].type == DYNAMIC else 0
+    dynamic_a = tables.bodies[a.body].type == DYNAMIC
+    sweep[0].half = a.thin if dynamic_a else b.thin
+    sweep[0].yields = 1 if dynamic_a and tables.bodies[b.body].type == DYNAMIC else 0
     t = time_of_impact(tables.cores, core_of(a), core_of(b), sweep, tables.ccd.posed, tables.ccd.manifold)
     return float(t)
