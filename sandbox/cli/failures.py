@@ -16,6 +16,8 @@ from sandbox.errors import FileError, Problem, SandboxError
 
 HOLDS, FAILED, UNUSABLE, NOTHING, BUG = 0, 1, 2, 5, 70
 """Exit codes: all fine; something failed; the input cannot be used; nothing was found; a mistake of this program."""
+UNREAD = 141
+"""Whoever read what is printed has gone, as `head` does: 128 + SIGPIPE, as of all programs that print."""
 
 _NO_ROOM = (errno.ENOSPC, errno.EFBIG)
 

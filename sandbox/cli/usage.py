@@ -7,6 +7,7 @@ from typing import Any
 
 import typer
 
+from sandbox.cli.failures import UNREAD
 from sandbox.errors import SandboxError
 
 _UsageError: Any = typer.BadParameter.__mro__[1]
@@ -22,6 +23,11 @@ def invoke(command: Any, words: Sequence[str]) -> int:
             print(error.ctx.get_help())
             return int(error.exit_code)
         raise SandboxError(_told(error, words)) from None
+    except SystemExit as stop:
+        # Typer ends with 1 when nobody reads what is printed, which here means that something did not hold.
+        if isinstance(stop.__context__, BrokenPipeError):
+            return UNREAD
+        raise
     return code if isinstance(code, int) else 0
 
 

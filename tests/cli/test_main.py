@@ -196,6 +196,19 @@ def test_closed_streams_are_no_bug(write_scene: Callable, command: str, closed: 
     assert json.loads(scene.read_text())["title"] == "a.scene.json"
 
 
+@pytest.mark.skipif(os.name != "posix", reason="a shell makes the pipe")
+@pytest.mark.parametrize("command", ["check", "expand", "events", "check --json", "--help", "--version"])
+def test_a_reader_who_goes_is_no_failed_expectation(write_scene: Callable, command: str) -> None:
+    """`sandbox check SCENE | head -1` in a script with `pipefail`: 1 would say that the scene does not hold."""
+    scene = "" if command.startswith("-") else f'"{write_scene("a.scene.json", {"at": 20, "rests": "crate"})}"'
+    reading, writing = os.pipe()
+    os.close(reading)
+    call = f'"{sys.executable}" -m sandbox {command} {scene}'
+    with os.fdopen(writing, "wb") as nobody:
+        done = subprocess.run(["sh", "-c", call], stdout=nobody, stderr=subprocess.PIPE, text=True)
+    assert (done.returncode, done.stderr) == (141, "")
+
+
 @pytest.mark.skipif(not os.path.exists("/dev/full"), reason="has no /dev/full")
 @pytest.mark.parametrize(("arguments", "code"), [(["check", "nix"], 2), (["list", "nix", "nix"], 2), (["nix"], 2)])
 def test_a_full_stderr_changes_no_exit_code(arguments: list[str], code: int) -> None:
