@@ -102,7 +102,7 @@ def style_of(options: RenderOptions, size: tuple[int, int], bodies: Sequence[str
     names = [name.strip() for text in options.overlay or () for name in text.split(",") if name.strip()]
     return Style(
         size=size,
-        theme=_theme(options.theme),
+        theme=theme_of(options.theme),
         center=_center(options.center),
         height=options.height,
         follow=_followed(options.follow, bodies),
@@ -112,7 +112,8 @@ def style_of(options: RenderOptions, size: tuple[int, int], bodies: Sequence[str
     )
 
 
-def _theme(name: str) -> Theme:
+def theme_of(name: str) -> Theme:
+    """The theme of that name. Raises `SandboxError` with the nearest one."""
     from sandbox.render.theme import THEMES
     from sandbox.scene.near_names import did_you_mean
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from sandbox._atomic_write import write_text
 from sandbox._printable import told
-from sandbox.cli.render_options import RenderOptions, steps_asked_for
+from sandbox.cli.render_options import RenderOptions, steps_asked_for, theme_of
 from sandbox.errors import SandboxError
 
 if TYPE_CHECKING:
@@ -28,6 +28,7 @@ def write_page(options: RenderOptions) -> None:
     from sandbox.report.player_page import player_page
 
     _check(options)
+    theme = theme_of(options.theme)
     skip, steps = steps_asked_for(options)
     run = run_to_show(options.scene, options.set)
     if steps is None and skip >= run.steps:
@@ -36,10 +37,11 @@ def write_page(options: RenderOptions) -> None:
     announce_compilation()
     with SceneProgress(Console(stderr=True), 1) as progress:
         progress.begin(options.scene.name, run.steps)
-        film = film_run(run, skip=skip, on_steps=progress.done)
+        film = film_run(run, skip=skip, on_steps=progress.done, theme=theme)
     if film.cut:
         raise SandboxError(f"{told(options.scene)}: the run {film.cut}")
-    write_text(options.output, player_page(getattr(run.scene, "title", "") or options.scene.name, film))
+    title, about = (getattr(run.scene, name, "") for name in ("title", "about"))
+    write_text(options.output, player_page(title or options.scene.name, film, about=about))
     _tell(options, film)
 
 
@@ -49,8 +51,8 @@ def _check(options: RenderOptions) -> None:
         if getattr(options, name):
             why = "a page fits itself to its window" if name == "size" else "a page has controls of its own for that"
             raise SandboxError(f"--{name.replace('_', '-')} is for pictures: {why}")
-    if options.theme != "dark":
-        raise SandboxError("--theme is for pictures: a page is light or dark as its reader likes")
+    if not options.depth:
+        raise SandboxError("--flat is for pictures: nothing casts a shadow in a page")
 
 
 def _tell(options: RenderOptions, film: Film) -> None:

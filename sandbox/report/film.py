@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from sandbox.render.theme import DARK, Theme
 from sandbox.replay.recording.checkpoint import Checkpoint
 from sandbox.report.body_data import FilmBody
 from sandbox.tables import Floats
@@ -20,7 +21,7 @@ class Film:
     `poses` (bodies, samples, 3) are x, y (m) of the centre and the angle (rad), NaN while a body is not there;
     `awake` and `frozen` (bodies, samples); `joints` are the joints, `held` (joints, samples) says when they hold;
     `fields` pairs a sample with the regions and flames from then on; `view` is the middle (m) and height (m) of the
-    first view; `cut` says why the run ended early, if it did.
+    first view; `cut` says why the run ended early, if it did; `theme` is that of its colours.
     """
 
     start: int
@@ -38,3 +39,4 @@ class Film:
     view: tuple[float, float, float]
     commands: tuple[tuple[int, str], ...] = ()
     cut: str = ""
+    theme: Theme = DARK

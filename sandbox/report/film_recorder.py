@@ -14,6 +14,7 @@ from sandbox.errors import CapacityError
 from sandbox.render.body_colors import body_colors_of
 from sandbox.render.camera import Camera, scene_camera
 from sandbox.render.frame import Frame, capture, interesting_bounds
+from sandbox.render.theme import DARK, Theme
 from sandbox.replay.recording.checkpoint import Checkpoint, checkpoint
 from sandbox.report.body_data import FilmBody, film_bodies
 from sandbox.report.field_data import FieldSampler
@@ -48,6 +49,7 @@ class FilmRecorder:
     world: World
     end: int
     most: int
+    theme: Theme = DARK
     bodies: dict[int, FilmBody] = field(default_factory=dict)
     joints: dict[int, dict[str, Any]] = field(default_factory=dict)
     samples: list[_Sample] = field(default_factory=list)
@@ -58,10 +60,10 @@ class FilmRecorder:
         world = self.world
         self.start = world.step_count
         self.frame: Frame = capture(world.state)
-        self.body_colors = body_colors_of(world.state)
+        self.body_colors = body_colors_of(world.state, self.theme)
         self.bounds = interesting_bounds(self.frame)
         view = scene_camera(getattr(world.scene, "view", None), self.bounds, VIEW)
-        self.field_sampler = FieldSampler(view, self.body_colors.theme)
+        self.field_sampler = FieldSampler(view, self.theme)
         steps, moving = self.end - self.start, self.frame.type != STATIC
         # What never moves takes no room in a page, but does here.
         weight = max(int(moving.sum()) + int((~moving).sum()) // 8, 1)
@@ -90,7 +92,7 @@ class FilmRecorder:
         return Film(
             self.start, self.world.step_count, self.every, 1.0 / float(self.world.state.settings[0].step_seconds),
             tuple(self.bodies.values()), poses, awake, frozen, tuple(self.figures), tuple(self.joints.values()), held,
-            tuple(self.fields), (*view.center, VIEW[1] / view.scale), commands, cut,
+            tuple(self.fields), (*view.center, VIEW[1] / view.scale), commands, cut, self.theme,
         )  # fmt: skip
 
     def _view(self, poses: Floats) -> Camera:

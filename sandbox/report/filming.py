@@ -7,6 +7,7 @@ from typing import Any
 
 from sandbox.engine.world import World
 from sandbox.errors import SandboxError
+from sandbox.render.theme import DARK, Theme
 from sandbox.replay.golden.run import Run, RunStepper, run_of
 from sandbox.replay.recording.command_words import TimedCommand, encode
 from sandbox.replay.recording.recording import Recording
@@ -26,6 +27,7 @@ def film_run(
     most: int = MOST_POSES,
     on_steps: Callable[[int], None] | None = None,
     stepper: RunStepper | None = None,
+    theme: Theme = DARK,
 ) -> Film:
     """Take a run and film it from step `skip` on; a command that is refused ends it, and the film's `cut` says why.
 
@@ -36,7 +38,7 @@ def film_run(
     stepper = stepper or RunStepper(known.scene, known.commands)
     while stepper.step < min(skip, known.steps):
         stepper.advance()
-    recorder = FilmRecorder(stepper.world, known.steps, most)
+    recorder = FilmRecorder(stepper.world, known.steps, most, theme)
     cut = ""
     try:
         while stepper.step < known.steps:

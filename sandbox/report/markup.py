@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, TypeAlias
 from xml.etree import ElementTree
 
-from sandbox.render.theme import DARK
+from sandbox.render.theme import DARK, LIGHT, Theme
 from sandbox.report.body_data import hex_of
 
 Node: TypeAlias = ElementTree.Element
@@ -49,12 +49,14 @@ def whole_page(
     kind: str,
     scripts: Sequence[str] = (*PLAYER, "start.js"),
     styles: Sequence[str] = ("page.css",),
+    theme: Theme = DARK,
 ) -> str:
     """A page that needs nothing but itself; `kind` is the class of its body."""
     frame = _resource("frame.html")
+    styles = (*styles, "light.css") if theme is LIGHT else styles
     parts = {
         "title": text_of(node("title", "", title)),
-        "style": _palette() + "\n".join(_resource(name) for name in styles),
+        "style": _palette(theme) + "\n".join(_resource(name) for name in styles),
         "kind": kind,
         "body": "\n".join(body),
         "script": "\n".join(_resource(name) for name in scripts),
@@ -66,9 +68,9 @@ def whole_page(
     return frame
 
 
-def _palette() -> str:
+def _palette(theme: Theme) -> str:
     """The colours of the window as variables of CSS."""
-    colors = {f.name: getattr(DARK, f.name) for f in dataclasses.fields(DARK) if f.type == "Color"}
+    colors = {f.name: getattr(theme, f.name) for f in dataclasses.fields(theme) if f.type == "Color"}
     rules = (f"--{name.replace('_', '-')}: {hex_of(color)};" for name, color in colors.items())
     return ":root { " + " ".join(rules) + " }\n"
 

@@ -9,11 +9,12 @@ from sandbox.report.film_data import film_data
 from sandbox.report.markup import data_script, node, text_of, whole_page
 
 
-def player_page(title: str, film: Film, small: bool = False) -> str:
-    """The HTML of a page that plays a film; `small` leaves out the headline."""
-    head = [] if small else [text_of(node("h1", "", title))]
+def player_page(title: str, film: Film, small: bool = False, about: str = "") -> str:
+    """The HTML of a page that plays a film, in the film's theme; `small` leaves out the headline and what it is about."""
+    words = [node("h1", "", title), *([node("p", "soft", about)] if about else [])]
+    head = [] if small else [text_of(part) for part in words]
     body = [*head, text_of(node("div", "player", **{"data-got": "film"})), data_script("film", film_data(film))]
-    return whole_page(title, body, "alone small" if small else "alone")
+    return whole_page(title, body, "alone small" if small else "alone", theme=film.theme)
 
 
 def player_frame(title: str, film: Film, height: int = 470) -> str:

@@ -9,6 +9,7 @@ import pytest
 
 import sandbox
 from sandbox import ApplyImpulse
+from sandbox.render.theme import LIGHT
 from sandbox.replay.golden.run import Run
 from sandbox.report.filming import film_run
 from sandbox.report.player_page import player_frame, player_page
@@ -48,6 +49,25 @@ def test_keys_and_the_slider_choose_the_step(show: Browser, tmp_path: Path) -> N
         assert show.value(f"{PLAYER}.dataset.step") == str(step)
     show.value("(s => { s.value = 77; s.dispatchEvent(new Event('input')); })(document.querySelector('.slider'))")
     assert show.value("document.querySelector('.count').textContent") == "step 77 / 150"
+
+
+def test_keys_are_for_the_player_that_has_the_page_to_itself(show: Browser, tmp_path: Path) -> None:
+    """Space scrolled the page of who had not clicked into the player first, and its button promises to play."""
+    opened(show, tmp_path, player_page("A box", film_run(played.recording()), about="It falls."))
+    assert show.value("document.querySelector('h1 + p').textContent") == "It falls."
+    assert show.value("document.documentElement.scrollHeight <= innerHeight")
+    show.value("document.body.dispatchEvent(new KeyboardEvent('keydown', {key: 'End', bubbles: true}))")
+    assert show.value(f"{PLAYER}.dataset.step") == str(played.STEPS)
+
+
+def test_a_page_is_light_where_its_film_is(show: Browser, tmp_path: Path) -> None:
+    film = film_run(played.recording(), theme=LIGHT)
+    assert film.bodies[-1].data["fill"] != film_run(played.recording()).bodies[-1].data["fill"]
+    opened(show, tmp_path, player_page("", film))
+    assert show.value("getComputedStyle(document.body).backgroundColor") == "rgb(251, 250, 246)"
+    assert show.value("getComputedStyle(document.body).color") == "rgb(28, 33, 41)"
+    pixel = f"[...{PLAYER}.querySelector('.view').getContext('2d').getImageData(5, 5, 1, 1).data]"
+    assert min(show.value(pixel)[:3]) > 200
 
 
 def test_its_poses_are_those_of_the_world(show: Browser, tmp_path: Path) -> None:

@@ -18,3 +18,8 @@ const watcher = new IntersectionObserver((entries) => {
   }
 }, { rootMargin: "200px" });
 document.querySelectorAll(".player").forEach((root) => watcher.observe(root));
+
+// Where the player has the page to itself, keys are meant for it wherever the focus is.
+if (document.body.classList.contains("alone")) document.addEventListener("keydown", (event) => {
+  if (event.target === document.body) document.querySelector(".player").player?.key(event);
+});
