@@ -237,8 +237,7 @@ class App:
         return self._loading(loader, before)
 
     def _play(self, session: Session, leftover: Leftover | None = None) -> PlayScreen:
-        title = session.scene.title or (self.options.scene or Path()).name
-        self.canvas.display.title(f"{title} - sandbox")
+        self.canvas.display.title(f"{session.title} - sandbox" if session.title else "sandbox")
         lockstep = self._counting
         shown = self.options.frames is None or self.options.script is not None
         screen = PlayScreen(session, self.canvas.display.size, self._lead, lockstep, shown)

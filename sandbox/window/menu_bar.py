@@ -56,7 +56,7 @@ def _draw_panel_items(workspace: Workspace, panels: dict[str, Panel]) -> None:
 def _draw_title(workspace: Workspace) -> None:
     """The title in the middle, with what to watch for as its tooltip; figures at the right. What does not fit is left
     out."""
-    world, scene = workspace.session.world, workspace.session.scene
+    world, title = workspace.session.world, workspace.session.title
     width, used = imgui.get_window_width(), imgui.get_cursor_pos_x()
     frozen = int(world.state.counters[0].frozen_count)
     figures = [
@@ -73,9 +73,9 @@ def _draw_title(workspace: Workspace) -> None:
         imgui.set_cursor_pos_x(right)
         imgui.text_disabled(text)
         mark("figures", "Who sleeps (and is drawn darker), bodies, contacts, time of a step, pictures a second")
-    size = imgui.calc_text_size(scene.title).x
+    size = imgui.calc_text_size(title).x
     left = max((width - size) / 2, used + 16.0)
     if left + size < right - 16.0:
         imgui.set_cursor_pos_x(left)
-        imgui.text_unformatted(scene.title)
-        mark("title", scene.about)
+        imgui.text_unformatted(title)
+        mark("title", workspace.session.scene.about)

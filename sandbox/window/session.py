@@ -166,6 +166,11 @@ class Session:
         return path
 
     @property
+    def title(self) -> str:
+        """What the scene is called: by itself, or else by its file; "" if it has none."""
+        return self.scene.title or (Path(self.scene.source).name if self.scene.text is not None else "")
+
+    @property
     def stem(self) -> str:
         """What files of this session are called."""
         return Path(self.scene.source).name.split(".")[0] if self.scene.text is not None else "scene"

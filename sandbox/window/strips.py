@@ -52,7 +52,7 @@ class Strips:
         colors, scene, (first, second, third) = palette_of(workspace.theme), workspace.session.scene, self._ends
         if told.caption is not None:
             figures, state = told.caption
-            hud.draw_caption(overlay, first, colors, (scene.title, scene.about, state), figures)
+            hud.draw_caption(overlay, first, colors, (workspace.session.title, scene.about, state), figures)
         draw_counters(overlay, workspace, second)
         if self._keys is not None:
             self._keys.draw(third)

@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -21,6 +23,14 @@ SCENE = sandbox.Scene(
 @pytest.fixture
 def session() -> Session:
     return Session(SCENE)
+
+
+def test_a_scene_without_a_title_is_called_as_its_file_is(session: Session, tmp_path: Path) -> None:
+    """Also where another file was asked for first, and this one was dropped onto the window."""
+    path = tmp_path / "yard.scene.json"
+    path.write_text('{"bodies": [{"id": "ball", "shapes": [{"circle": 1}]}]}', encoding="utf-8")
+    titles = [session.title, Session(sandbox.load_scene(path)).title, Session(sandbox.Scene()).title]
+    assert titles == ["Two crates", "yard.scene.json", ""]
 
 
 def test_a_session_is_the_world_stepped(session: Session) -> None:
