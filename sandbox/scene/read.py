@@ -76,8 +76,12 @@ def _nearest_file(path: Path) -> str:
 
 def _not_utf8(path: Path, data: bytes, start: int) -> SceneError:
     text = data[:start].decode("utf-8")
-    if data.startswith((b"\xff\xfe", b"\xfe\xff")) or b"\0" in data[:100]:
+    head = data[:100]
+    zeros = max(head[::2].count(0), head[1::2].count(0))  # of letters in UTF-16, every other byte is one
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")) or 4 * zeros > len(head):
         return _error(path, "the file is not UTF-8; it looks like UTF-16", "save it as UTF-8")
+    if b"\0" in head:
+        return _error(path, "this is no text, but a picture, an archive or the like", "a scene is a JSON file")
     shown = text + data[start : start + 100].decode("utf-8", "replace")
     message = f"the byte 0x{data[start]:02x} is not UTF-8"
     return syntax_error(str(path), shown, (len(text), len(text) + 1), message, "save the file as UTF-8")

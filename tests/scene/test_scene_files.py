@@ -51,5 +51,8 @@ def test_what_is_not_utf8_is_told_at_its_byte(tmp_path):
     path = tmp_path / "x.json"
     path.write_bytes('{\n"title": "Größe"}'.encode("latin-1"))
     assert f"{path}:2:13: the byte 0xf6 is not UTF-8: save the file as UTF-8" in unreadable(path)
-    path.write_text("{}", encoding="utf-16")
-    assert "it looks like UTF-16" in unreadable(path)
+    for encoding in ("utf-16", "utf-16-le", "utf-16-be"):
+        path.write_text('{"title": "Größe"}', encoding=encoding)
+        assert "it looks like UTF-16" in unreadable(path)
+    path.write_bytes(b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\5\0\0\0\3 " + bytes(range(1, 256)))
+    assert f"{path}: this is no text, but a picture" in unreadable(path)
