@@ -14,7 +14,7 @@ import typer
 from sandbox._printable import told
 from sandbox.cli.failures import FAILED, HOLDS
 from sandbox.cli.options import takes, values_set
-from sandbox.cli.sweep_options import SweepOptions, check_output, check_plot_file, varied
+from sandbox.cli.sweep_options import SweepOptions, check_output, check_plot_file, check_set, varied
 from sandbox.errors import SandboxError
 from sandbox.resources import find_scene
 
@@ -54,8 +54,7 @@ def _read(options: SweepOptions) -> tuple[SweepTable, Plot]:
     """A table that is there."""
     from sandbox.sweeps.table import read_table
 
-    if options.plot is None:
-        raise SandboxError(f"{told(options.scene)} is a table; --plot FILE draws it, and a scene is run")
+    options.check_table()
     table = read_table(options.scene)
     numbers = [name for name in table.columns if table[name].dtype != object and name != "steps"]
     return table, _plot(options, table.columns[:1], numbers[1:] or numbers)
@@ -71,11 +70,12 @@ def _run(options: SweepOptions) -> tuple[SweepTable, Plot | None]:
 
     if not options.vary:
         raise SandboxError("nothing varies; say what does, such as --vary gravity.1=-12:-2:6")
-    vary = varied(options.vary)
+    vary, values = varied(options.vary), values_set(options.set)
+    check_set(values, vary)
     check_output(options)
     design = grid(vary) if options.sample is None else sample(vary, options.sample, options.seed)
     file = find_scene(options.scene)
-    scene = open_any(file, values_set(options.set))
+    scene = open_any(file, values)
     study = study_of(scene, design, options.steps, options.collect or [])
     plot = None
     if options.plot is not None:

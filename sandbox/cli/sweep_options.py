@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Literal
@@ -82,6 +82,16 @@ class SweepOptions:
         return self.scene.suffix.lower() in SUFFIXES
 
 
+    def check_table(self) -> None:
+        """Raises `SandboxError` where a table that is there is to be drawn, and an option is about runs."""
+        if self.plot is None:
+            raise SandboxError(f"{told(self.scene)} is a table; --plot FILE draws it, and a scene is run")
+        for name in ("vary", "steps", "collect", "set", "sample", "scheduler", "resume", "output"):
+            if getattr(self, name) not in (None, False):
+                text = f"--{name} is for a scene that is run, and {told(self.scene)} is a table, which is only drawn"
+                raise SandboxError(text)
+
+
 def varied(texts: list[str]) -> Mapping[str, str]:
     """The paths of `--vary` and what they go through. Raises `SandboxError`."""
     found: dict[str, str] = {}
@@ -94,6 +104,14 @@ def varied(texts: list[str]) -> Mapping[str, str]:
             raise SandboxError(f"--vary {path} is given twice; list its values: {path}={found[path]},{values}")
         found[path] = values.strip()
     return found
+
+
+def check_set(values: Collection[str], paths: Collection[str]) -> None:
+    """Raises `SandboxError` where `--set` gives one value to what `--vary` goes through: it would count for nothing."""
+    for path in paths:
+        for name in values:
+            if name == path or name.startswith(f"{path}."):
+                raise SandboxError(f"--set {name}: --vary {path} puts other values there; leave one of them away")
 
 
 def check_output(options: SweepOptions) -> None:

@@ -29,6 +29,7 @@ def run_on_cluster(study: Study, jobs: Iterable[Job], address: str) -> Iterator[
     """
     distributed = _require()
     try:
+        distributed.comm.resolve_address(address)  # a client of no address at all takes 20 s to end, and complains
         client = distributed.Client(address, timeout=_PATIENCE, set_as_default=False)
     except (OSError, ValueError, TimeoutError) as error:
         raise SandboxError(f"--scheduler {address}: no Dask scheduler answers there ({_words(error)})") from None

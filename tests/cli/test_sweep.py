@@ -126,6 +126,38 @@ def test_what_cannot_be_done_is_told_at_once(
 
 @pytest.mark.slow
 @pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="no such signal")
+@pytest.mark.parametrize(
+    "option", [VARY[:2], COLLECT[:2], ("--set", "gravity.1=-1"), ("--steps", "3"), ("-o", "u.csv"), ("--sample", "3")]
+)
+def test_a_table_is_only_drawn(cli: Callable, scene: Path, tmp_path: Path, option: tuple[str, str]) -> None:
+    """Options about runs were passed over in silence: no run was made, and the plot was not of what was asked for."""
+    table, plot = tmp_path / "t.csv", tmp_path / "p.svg"
+    table.write_text("gravity.1,top\n-9,1\n-8,2\n")
+    done = cli("sweep", table, "--plot", plot, *option)
+    assert (done.code, plot.exists()) == (2, False)
+    assert "is a table, which is only drawn" in done.err
+
+
+def test_what_varies_is_not_set_as_well(cli: Callable, scene: Path) -> None:
+    vary = ("--vary", "bodies.crate.velocity=[1,0],[2,0]"), ("--vary", "gravity.1=-9,-1")
+    for varied, value in ((vary[1], "gravity.1=-3"), (vary[0], "bodies.crate.velocity.1=1")):
+        done = cli("sweep", scene, *varied, "--steps", "1", "--set", value)
+        assert (done.code, done.out) == (2, "")
+        assert "leave one of them away" in done.err
+    assert cli("sweep", scene, *vary[1], "--steps", "1", "--set", "gravity=[1,2]").code == 0
+
+
+def test_an_address_of_no_scheduler_is_told_at_once(cli: Callable, scene: Path) -> None:
+    """Dask took 20 s to give up a client without an address, and printed a traceback at the end."""
+    distributed = pytest.importorskip("distributed")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(distributed, "Client", lambda *_, **__: pytest.fail("a client of nobody"))
+        for address in ("bogus", "tcp://", "foo://a:1", "tcp://a:b"):
+            done = cli("sweep", scene, "--vary", "gravity.1=-9,-1", "--scheduler", address)
+            assert done.code == 2
+            assert f"--scheduler {address}: no Dask scheduler answers there" in done.err
+
+
 def test_a_killed_sweep_goes_on(cli: Callable, scene: Path, tmp_path: Path) -> None:
     output, whole, journal = tmp_path / "t.csv", tmp_path / "whole.csv", tmp_path / "t.csv.journal"
     arguments = ["sweep", str(scene), "--vary", "gravity.1=-12:-2:150", "--steps", "60", *COLLECT]
