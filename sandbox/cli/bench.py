@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from sandbox.cli.progress import SceneProgress
 
 _SCENES = typer.Argument(
-    metavar="[SCENE]...", show_default=False,
+    metavar="SCENE", show_default=False,
     help="Scene files, or names of scenes that come with the package. \\[default: the benchmark scenes]",
 )  # fmt: skip
 _ENGINES = typer.Option(metavar="NAMES", help="Who takes part, of sandbox, pymunk and box2d (needs pyb2d3).")
@@ -75,17 +75,28 @@ def bench(options: BenchOptions) -> None:
     from sandbox.cli.compiling import announce_compilation
     from sandbox.cli.failures import NOTHING
 
+    files = _files(options.scenes or [])
     if options.output is not None:
-        check_new(options.output, options.force)
+        _check_document(options.output, options.force, files)
     wanted = _checked(options.engines)
     counts = _checked_workers(options.workers)
-    files = _files(options.scenes or [])
     engines = _with_workers(_installed(wanted), counts)
     if not engines:
         raise typer.Exit(NOTHING)
     announce_compilation()
     run = _run_for_machines if options.json else _run_for_people
     raise typer.Exit(exit_code(run(files, engines, options)))
+
+
+def _check_document(output: Path, force: bool, files: Sequence[Path]) -> None:
+    """Raises `SandboxError` where the document would go over a scene or a recording, which `--force` hardly means."""
+    from sandbox._printable import told
+    from sandbox.replay.recording.limits import SUFFIX
+    from sandbox.resources import SCENE_SUFFIX
+
+    if output.name.endswith((SCENE_SUFFIX, SUFFIX)):
+        raise SandboxError(f"{told(output)}: that is how scenes and recordings are named; name it such as bench.json")
+    check_new(output, force, files)
 
 
 def _checked(text: str) -> list[str]:

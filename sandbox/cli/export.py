@@ -48,8 +48,9 @@ def export(options: ExportOptions) -> None:
     from sandbox.formats import export_scene, remark_lines
 
     name = _format_of(options.output)
-    check_new(options.output, options.force)
-    exported = export_scene(open_any(find_scene(options.scene), values_set(options.set)), name)
+    file = find_scene(options.scene)
+    check_new(options.output, options.force, [file])
+    exported = export_scene(open_any(file, values_set(options.set)), name)
     write_text(options.output, exported.text, over=options.force)
     facts = {"path": options.output.as_posix(), "format": name}
     if options.json:

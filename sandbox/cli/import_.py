@@ -53,7 +53,7 @@ def import_(options: ImportOptions) -> None:
     """
     from sandbox.formats import import_scene
 
-    check_new(options.output, options.force)
+    check_new(options.output, options.force, [options.file])
     given = options.format, options.units_per_metre, options.tolerance, options.solid or ()
     imported = import_scene(options.file, *given)
     imported.scene.save(options.output, over=options.force)

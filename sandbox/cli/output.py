@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 
 import typer
@@ -16,15 +17,32 @@ OUTPUT = typer.Option("-o", "--output", metavar="FILE", show_default=False, help
 FORCE = typer.Option("--force", help="Write over a file that is there.")
 
 
-def check_new(path: Path, force: bool) -> None:
-    """Raises `SandboxError` if there is a file at `path` and `force` is not given, `OSError` if none can be written.
+def check_new(path: Path, force: bool, sources: Iterable[Path] = ()) -> None:
+    """Raises `SandboxError` if there is a file at `path` and `force` is not given, or if it is one of the `sources`,
+    which not even `force` writes over; `OSError` if none can be written.
 
     Nothing is lost in a pipe or a device.
     """
     is_stream = path.exists() and not path.is_file() and not path.is_dir()
-    if os.path.lexists(path) and not is_stream and not force:
-        raise SandboxError(f"{told(path)}: there is a file of that name already; --force writes over it")
+    if os.path.lexists(path) and not is_stream:
+        check_not_source(path, sources)
+        if not force:
+            raise SandboxError(f"{told(path)}: there is a file of that name already; --force writes over it")
     check_writable(path)
+
+
+def check_not_source(path: Path, sources: Iterable[Path]) -> None:
+    """Raises `SandboxError` if what is written would take the place of what it is made of, by whatever name."""
+    if any(_is_same_file(path, source) for source in sources):
+        raise SandboxError(f"{told(path)}: it would go over what it is made of; give it another name")
+
+
+def _is_same_file(one: Path, other: Path) -> bool:
+    """Whether both are there and are the same file, by whatever names and links."""
+    try:
+        return os.path.samefile(one, other)
+    except (OSError, ValueError):
+        return False
 
 
 def check_report(option: str, path: Path | None, *suffixes: str) -> None:

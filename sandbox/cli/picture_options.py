@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Collection
 from pathlib import Path
 
 from sandbox._atomic_write import check_writable
 from sandbox._printable import told
+from sandbox.cli.output import check_not_source
 from sandbox.errors import SandboxError
 
 LARGEST = 8192
@@ -34,15 +34,6 @@ def writable_picture(path: Path, suffixes: Collection[str], source: Path | None 
         *others, last = sorted(suffixes)
         known = " or ".join([", ".join(others), last] if others else [last])
         raise SandboxError(f"{told(path)}: the name of a picture must end in {known}")
-    if source is not None and _is_same_file(path, source):
-        raise SandboxError(f"{told(path)}: it would go over what it is made of; give it another name")
+    check_not_source(path, [source] if source is not None else [])
     check_writable(path)
     return suffix
-
-
-def _is_same_file(one: Path, other: Path) -> bool:
-    """Whether both are there and are the same file, by whatever names and links."""
-    try:
-        return os.path.samefile(one, other)
-    except OSError:
-        return False

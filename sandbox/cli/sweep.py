@@ -38,7 +38,7 @@ def sweep(options: SweepOptions) -> None:
     Exit code 2: the scene, or an option, could not be used.
     """
     if options.plot is not None:
-        check_plot_file(options.plot)
+        check_plot_file(options.plot, options.scene)
     start = time.perf_counter()
     table, plot = _read(options) if options.is_of_table else _run(options)
     if options.plot is not None and plot is not None:

@@ -138,10 +138,10 @@ def check_output(options: SweepOptions) -> None:
         raise SandboxError(f"{told(output)}: there is a file of that name already; --force writes over it")
 
 
-def check_plot_file(plot: Path) -> None:
+def check_plot_file(plot: Path, scene: Path) -> None:
     """Refuse a picture that cannot be drawn. Raises `SandboxError` or `OSError`."""
     from sandbox.cli.picture_options import writable_picture
     from sandbox.sweeps.plot import SUFFIXES, require_matplotlib
 
-    writable_picture(plot, SUFFIXES)
+    writable_picture(plot, SUFFIXES, scene)
     require_matplotlib()

@@ -132,6 +132,34 @@ def test_no_picture_goes_over_the_drawing_that_it_is_made_of(cli: Callable, comm
     assert "other.svg: it would go over what it is made of; give it another name" in done.err
 
 
+@pytest.mark.parametrize(
+    "words",
+    [("export", "a.json", "-o"), ("bench", "a.json", "--engines", "sandbox", "--steps", "1", "-o"),
+     ("import", "drawing.json", "-o")],
+)  # fmt: skip
+def test_nothing_goes_over_what_it_is_made_of(cli: Callable, words: tuple[str, ...]) -> None:
+    """Not even with --force, which is for what an earlier call has left: `bench` wrote its figures over the scene."""
+    Path("a.scene.json").rename("a.json")
+    Path("drawing.json").write_text(DRAWING)
+    source = Path(words[1])
+    before = source.read_bytes()
+    Path("other.json").symlink_to(source)
+    for name in (words[1], "other.json"):
+        done = cli(*words, name, "--force")
+        assert (done.code, source.read_bytes()) == (2, before)
+        assert f"{name}: it would go over what it is made of; give it another name" in done.err
+    assert cli(*words, "new.json", "--force").code == 0
+    assert cli(*words, "new.json", "--force").code == 0
+
+
+def test_figures_go_over_no_scene_and_no_recording(cli: Callable) -> None:
+    before = Path("a.scene.json").read_text()
+    for name in ("a.scene.json", "b.scene.json", "b.replay.json"):
+        done = cli("bench", "a.scene.json", "--engines", "sandbox", "--steps", "1", "-o", name, "--force")
+        assert "that is how scenes and recordings are named" in done.err
+        assert (done.code, Path("a.scene.json").read_text(), Path("b.scene.json").exists()) == (2, before, False)
+
+
 def test_a_schema_goes_over_no_scene(cli: Callable) -> None:
     before = Path("a.scene.json").read_text()
     done = cli("schema", "-o", "a.scene.json")
