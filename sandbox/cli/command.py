@@ -1,7 +1,9 @@
-"""What all commands have in common: what is empty is no path."""
+"""What all commands have in common: what is empty is no path, and what a command says of itself fills its lines."""
 
 from __future__ import annotations
 
+import inspect
+import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -13,6 +15,11 @@ from sandbox.errors import SandboxError
 
 class Command(TyperCommand):
     """A command that refuses empty arguments and empty paths of options: one would mean this folder, and all in it."""
+
+    def __init__(self, *args: Any, **options: Any) -> None:
+        """As typer has it, but for the line breaks of its text."""
+        super().__init__(*args, **options)
+        self.help = _flowing(self.help or "")
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         """Refuse an empty argument; the value of an option that is no path is for that to judge.
@@ -29,6 +36,13 @@ class Command(TyperCommand):
             if isinstance(ctx.params.get(option.name), Path) and _is_empty(option.opts, args):
                 raise SandboxError(f"{option.opts[-1]}: the path is empty; is a variable of the shell not set?")
         return rest
+
+
+def _flowing(text: str) -> str:
+    """A text without the line breaks of its source, which stand where no terminal needs them; but each exit code has
+    a line of its own."""
+    paragraphs = re.split(r"\n\s*\n", inspect.cleandoc(text))
+    return "\n\n".join(re.sub(r"\s*\n\s*(?!Exit code)", " ", paragraph) for paragraph in paragraphs)
 
 
 def _is_empty(names: Sequence[str], args: Sequence[str]) -> bool:

@@ -12,7 +12,7 @@ from sandbox.cli.pool import JOBS
 from sandbox.resources import SCENE_SUFFIX
 
 _FOLDER = typer.Argument(
-    metavar="[FOLDER]", show_default=False,
+    metavar="FOLDER", show_default=False,
     help=f"Where to search for *{SCENE_SUFFIX}; without it, the scenes that come with the package.",
 )  # fmt: skip
 _OUTPUT = typer.Option(

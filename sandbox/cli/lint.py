@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     Look = Callable[[Path], Sequence[Lint]]
 
 _PATHS = typer.Argument(
-    metavar="[SCENE]...", show_default=False,
+    metavar="SCENE", show_default=False,
     help=f"Scene files, or folders to search for *{SCENE_SUFFIX}; without any, this folder.",
 )  # fmt: skip
 _SELECT = typer.Option(metavar="RULES", show_default=False, help="Only these rules, with commas between.")

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from sandbox.scene.catalog import Entry
 
 _WORDS = typer.Argument(
-    metavar="[TEXT]", show_default=False, help="Only scenes with these words in name, title or about."
+    metavar="TEXT", show_default=False, help="Only scenes with these words in name, title or about."
 )
 _THEME = typer.Option(metavar="THEME", show_default=False, help="Only scenes of this theme.")
 _JSON = typer.Option("--json", help="Print one JSON document instead of the table.")

@@ -14,7 +14,7 @@ from sandbox.resources import SCENE_SUFFIX
 if TYPE_CHECKING:
     from sandbox.cli.starters import Starter
 
-_THEME = typer.Argument(metavar="[THEME]", help="What it is about: --list says which there are.")
+_THEME = typer.Argument(metavar="THEME", help="What it is about: --list says which there are.")
 _LIST = typer.Option("--list", help="List the themes, and write nothing.")
 _JSON = typer.Option("--json", help="Print one JSON document instead of lines.")
 

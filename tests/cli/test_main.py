@@ -196,6 +196,15 @@ def test_closed_streams_are_no_bug(write_scene: Callable, command: str, closed: 
     assert json.loads(scene.read_text())["title"] == "a.scene.json"
 
 
+@pytest.mark.parametrize("name", app.COMMANDS)
+def test_help_breaks_no_line_where_its_source_does(name: str) -> None:
+    """Sentences of 120 columns were broken there as well as by the terminal, in the middle of a line of 80."""
+    words = app.build().get_command(None, name).help
+    broken = [line for line in words.split("\n")[1:] if line and not line.startswith("Exit code")]
+    assert [line for line in broken if f"\n\n{line}" not in words] == []
+    assert words.count("Exit code") == len([line for line in words.split("\n") if line.startswith("Exit code")])
+
+
 @pytest.mark.skipif(os.name != "posix", reason="a shell makes the pipe")
 @pytest.mark.parametrize("command", ["check", "expand", "events", "check --json", "--help", "--version"])
 def test_a_reader_who_goes_is_no_failed_expectation(write_scene: Callable, command: str) -> None:
