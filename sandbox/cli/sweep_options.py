@@ -81,7 +81,6 @@ class SweepOptions:
 
         return self.scene.suffix.lower() in SUFFIXES
 
-
     def check_table(self) -> None:
         """Raises `SandboxError` where a table that is there is to be drawn, and an option is about runs."""
         if self.plot is None:

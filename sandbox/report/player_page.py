@@ -10,7 +10,7 @@ from sandbox.report.markup import data_script, node, text_of, whole_page
 
 
 def player_page(title: str, film: Film, small: bool = False, about: str = "") -> str:
-    """The HTML of a page that plays a film, in the film's theme; `small` leaves out the headline and what it is about."""
+    """The HTML of a page that plays a film, in its theme; `small` leaves out the headline and `about`."""
     words = [node("h1", "", title), *([node("p", "soft", about)] if about else [])]
     head = [] if small else [text_of(part) for part in words]
     body = [*head, text_of(node("div", "player", **{"data-got": "film"})), data_script("film", film_data(film))]
