@@ -109,17 +109,22 @@ def _check_name(option: str, name: str, known: Iterable[str]) -> None:
 
 
 def _passes(options: SolverOptions) -> SolverFigure:
+    from rich.console import Console
+
     from sandbox.cli.opening import open_any
+    from sandbox.cli.progress import SceneProgress
     from sandbox.cli.solver_runs import runs_of
-    from sandbox.reference.simple.trace import settled, watch_passes
+    from sandbox.reference.simple.trace import MANY, watch_passes
     from sandbox.render.solver_page import Run, SolverFigure
 
     scene = open_any(find_scene(options.scene), values_set(options.set))
     flat, step = scene.flatten(), options.step
+    wanted = runs_of(flat, options.vary or [], options.iterations)
     runs = []
-    for label, techniques in runs_of(flat, options.vary or [], options.iterations):
-        passes = watch_passes(flat, techniques, step)
-        runs.append(Run(label, passes, settled(flat, techniques, step)))
+    with SceneProgress(Console(stderr=True), len(wanted), "steps and passes") as progress:
+        for label, techniques in wanted:
+            progress.begin(label, step - 1 + MANY)
+            runs.append(Run(label, watch_passes(flat, techniques, step, progress.done)))
     return SolverFigure(scene.title or options.scene.name, tuple(runs), step=step)
 
 

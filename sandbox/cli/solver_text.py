@@ -43,7 +43,7 @@ def _pass_lines(run: Run) -> list[str]:
     rows = [["pass", *(f"N s at {k + 1}" for k in range(count))]]
     for number, row in enumerate(run.passes.rows, 1):
         rows.append([str(number), *(f"{value:.4f}" for value in row[:count])])
-    rows.append(["many", *(f"{value:.4f}" for value in run.settled[:count])])
+    rows.append(["many", *(f"{value:.4f}" for value in run.passes.settled[:count])])
     return aligned(rows)
 
 
@@ -66,7 +66,7 @@ def to_json(shown: SolverFigure) -> str:
         entry: dict[str, object] = {"label": run.label}
         if run.passes is not None:
             points = [asdict(spot) for spot in run.passes.spots]
-            entry |= {"points": points, "passes": run.passes.rows, "settled": run.settled}
+            entry |= {"points": points, "passes": run.passes.rows, "settled": run.passes.settled}
         if run.course is not None:
             measures = [asdict(each) for each in run.course.measures]
             entry |= {"times": run.course.times, "measures": measures}

@@ -60,16 +60,16 @@ def draw_passes(figure: SolverFigure) -> Svg:
     legend(
         svg, (EDGE, HEAD - 2), [(point_name(spots, k), KINDS[k % len(KINDS)]) for k in range(min(len(spots), _NAMED))]
     )
-    given = [value for run in figure.runs for row in (*_passes(run).rows, run.settled) for value in row]
+    given = [value for run in figure.runs for row in (*_passes(run).rows, _passes(run).settled) for value in row]
     for k, run in enumerate(figure.runs):
-        rows = _passes(run).rows
+        rows, settled = _passes(run).rows, _passes(run).settled
         at = EDGE + k * (width + EDGE), HEAD + 44
         svg.text((at[0] + 62, at[1] - 26), run.label, "strong")
         chart = Chart(svg, at, (width, height), (0, len(rows)), (0.0, max(given)))
         chart.paper("passes", "N s")
-        for point in range(len(spots)):
+        for point in range(len(settled)):  # others may touch than in the first run
             kind = KINDS[point % len(KINDS)]
-            chart.level(run.settled[point], kind)
+            chart.level(settled[point], kind)
             chart.curve([(0, 0.0), *((i, row[point]) for i, row in enumerate(rows, 1))], kind, len(rows) <= 20)
     return svg
 

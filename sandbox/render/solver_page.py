@@ -17,14 +17,10 @@ HEAD, EDGE = 84.0, 24.0
 
 @dataclass(frozen=True)
 class Run:
-    """One way to solve the scene: `label` says what is otherwise than the scene has it. Either half may be missing.
-
-    `settled` are the impulses (N s) that put all contacts right at once.
-    """
+    """One way to solve the scene: `label` says what is otherwise than the scene has it. Either half may be missing."""
 
     label: str
     passes: Passes | None = None
-    settled: tuple[float, ...] = ()
     course: Course | None = None
 
 

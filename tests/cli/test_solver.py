@@ -45,6 +45,21 @@ def test_all_figures_are_drawn(cli: Callable, write_scene: Callable, tmp_path: P
         assert picture.read_text(encoding="utf-8").startswith("<svg ")
 
 
+def test_runs_in_which_other_points_touch_are_drawn_side_by_side(
+    cli: Callable, write_scene: Callable, tmp_path: Path
+) -> None:
+    """A crate that lands on a corner, and without contacts ahead of time does not touch yet with the other one."""
+    ground, crate = ({"id": name, "shapes": [{"box": size}]} for name, size in (("ground", [40, 1]), ("crate", [1, 1])))
+    bodies = [ground | {"type": "static", "position": [0, -0.5]}, crate | {"position": [0, 5], "angle": 15}]
+    path, picture = write_scene("a.scene.json", bodies=bodies), tmp_path / "a.svg"
+    vary = ("--vary", "substeps=1", "--vary", "speculative=off")
+    document = json.loads(cli("solver", path, "--step", 66, *vary, "--json").out)
+    counts = [[len(run["points"]), len(run["settled"]), len(run["passes"][0])] for run in document["runs"]]
+    assert all(len(set(row)) == 1 for row in counts)
+    assert len({row[0] for row in counts}) > 1
+    assert cli("solver", path, "--step", 66, *vary, "--svg", picture).code == 0
+
+
 def test_what_does_not_fit_is_refused_in_one_line(cli: Callable, write_scene: Callable, tmp_path: Path) -> None:
     path = write_scene("a.scene.json")
     far = [{"id": "a", "shapes": [{"circle": 1}], "position": [0, 50]}]

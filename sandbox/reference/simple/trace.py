@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
+from copy import copy, deepcopy
 from dataclasses import dataclass, replace
+from itertools import count
 
 from sandbox.errors import SandboxError
 from sandbox.reference.measures import Measurer, Measures
@@ -14,7 +17,7 @@ from sandbox.reference.simple.vectors import Vec, vec
 from sandbox.reference.simple.world import SimpleWorld
 from sandbox.scene.flat import FlatScene
 
-_MANY = 2000
+MANY = 2000
 """Passes after which the impulses are taken for those that put all contacts right at once."""
 
 
@@ -40,12 +43,14 @@ class Passes:
     """One substep: its points, and after each pass over them a row of the normal impulses given so far (N s).
 
     `velocities` (m/s) of b against a at the points are those after the last pass; `shapes` lie as the step begins.
+    `settled` are the impulses (N s) that put all these contacts right at once: where `MANY` passes lead to.
     """
 
     spots: tuple[Spot, ...]
     rows: tuple[tuple[float, ...], ...]
     velocities: tuple[Vec, ...]
     shapes: tuple[Placed, ...]
+    settled: tuple[float, ...]
 
 
 @dataclass(frozen=True)
@@ -57,18 +62,24 @@ class Course:
     end: tuple[Placed, ...]
 
 
-def watch_passes(scene: FlatScene, techniques: Techniques, step: int) -> Passes:
+def watch_passes(
+    scene: FlatScene, techniques: Techniques, step: int, on_done: Callable[[int], None] = lambda _: None
+) -> Passes:
     """The passes of the first substep of a step (counted from 1), before bodies move.
 
-    Raises `SandboxError` if nothing touches in that step.
+    `on_done` hears of each step and each of the `MANY` passes that are done. Raises `SandboxError` if nothing touches
+    in that step.
     """
     world = SimpleWorld(scene, techniques)
-    world.step(step - 1)
+    for done in range(1, step):
+        world.step()
+        on_done(done)
     world.collide()
     if not world.contacts:
         raise SandboxError(f"step {step}: nothing touches; give another one with --step")
-    pairs = [(contact, point) for contact in world.contacts.values() for point in contact.points]
     spots, shapes = _spots(world, scene), world.placed()
+    settled = _settled(world, lambda passes: on_done(step - 1 + passes))
+    pairs = [(contact, point) for contact in world.contacts.values() for point in contact.points]
     given = [0.0] * len(spots)
     rows: list[tuple[float, ...]] = []
     velocities: list[Vec] = []
@@ -81,12 +92,29 @@ def watch_passes(scene: FlatScene, techniques: Techniques, step: int) -> Passes:
             velocities[:] = [vec(_velocity(contact, point)) for contact, point in pairs]
 
     world.solve(after)
-    return Passes(spots, tuple(rows), tuple(velocities), shapes)
+    return Passes(spots, tuple(rows), tuple(velocities), shapes, settled)
 
 
-def settled(scene: FlatScene, techniques: Techniques, step: int) -> tuple[float, ...]:
-    """The impulses (N s) that put all contacts of that substep right at once: where many rigid passes lead to."""
-    return watch_passes(scene, replace(techniques, accumulate=True, iterations=_MANY), step).rows[-1]
+def _settled(world: SimpleWorld, on_pass: Callable[[int], None]) -> tuple[float, ...]:
+    """Where many passes over the contacts of now lead to; the world stays as it is, as copies are solved."""
+    twin = copy(world)
+    twin.bodies, twin.contacts = deepcopy((world.bodies, world.contacts))
+    twin.techniques = replace(world.techniques, accumulate=True, iterations=MANY)
+    passes = count(1)
+
+    def after() -> None:
+        done = next(passes)
+        on_pass(done)
+        if done == MANY:
+            raise _Enough
+
+    with suppress(_Enough):
+        twin.solve(after)
+    return tuple(point.normal for contact in twin.contacts.values() for point in contact.points)
+
+
+class _Enough(Exception):  # noqa: N818 (no mistake: the rest of a step is not wanted)
+    """All passes of the first substep are done."""
 
 
 def run_course(scene: FlatScene, techniques: Techniques, steps: int, on_steps: Callable[[int], None]) -> Course:
