@@ -47,12 +47,17 @@ def problems(error: Exception | None) -> list[dict[str, Any]]:
     return [asdict(problem) for problem in found]
 
 
+def problems_of(error: Exception) -> list[dict[str, Any]]:
+    """The same where no entry of the file is around it: each says of which file it is."""
+    if isinstance(error, FileError):
+        return [entry | {"source": entry["source"] or error.source} for entry in problems(error)]
+    return problems(SandboxError(_told(error)[0]))
+
+
 def error_document(error: Exception) -> str:
     """The JSON document of a command that an error ended before it had one."""
-    text, code = _told(error)
-    entries = problems(error if isinstance(error, FileError) else SandboxError(text))
-    if isinstance(error, FileError):  # no entry of the file is around it
-        entries = [entry | {"source": entry["source"] or error.source} for entry in entries]
+    _, code = _told(error)
+    entries = problems_of(error)
     return json.dumps({"format": 1, "exit_code": code, "problems": entries}, indent=2, ensure_ascii=False)
 
 

@@ -12,7 +12,7 @@ from rich.console import Console
 from sandbox._atomic_write import write_bytes, write_text
 from sandbox._printable import told
 from sandbox.cli.compiling import announce_compilation
-from sandbox.cli.failures import HOLDS, UNUSABLE, report
+from sandbox.cli.failures import HOLDS, UNUSABLE, problems_of, report
 from sandbox.cli.gallery_options import GalleryOptions
 from sandbox.cli.pool import compile_first, elsewhere
 from sandbox.cli.progress import SceneProgress
@@ -34,10 +34,10 @@ def write_page(options: GalleryOptions, entries: Sequence[Entry]) -> int:
     """Write the page; the exit code."""
     from sandbox.report.gallery_page import gallery_page
 
-    cards = _made(_card, entries, options)
+    cards, troubles = _made(_card, entries, options)
     if cards:
         write_text(options.output, gallery_page(options.title, cards))
-    return _told(options, len(cards), len(entries), "a page")
+    return _told(options, len(cards), troubles, "a page")
 
 
 def write_sheet(options: GalleryOptions, entries: Sequence[Entry]) -> int:
@@ -46,12 +46,12 @@ def write_sheet(options: GalleryOptions, entries: Sequence[Entry]) -> int:
 
     from sandbox.render.contact_sheet import contact_sheet
 
-    pictures = _made(_picture, entries, options)
+    pictures, troubles = _made(_picture, entries, options)
     if pictures:
         sheet, data = contact_sheet(pictures, min(WIDEST, len(pictures))), BytesIO()
         sheet.quantize(256, kmeans=2, dither=Image.Dither.NONE).save(data, "PNG", optimize=True)
         write_bytes(options.output, data.getvalue())
-    return _told(options, len(pictures), len(entries), "a sheet")
+    return _told(options, len(pictures), troubles, "a sheet")
 
 
 def _card(entry: Entry) -> GalleryCard | Exception:
@@ -68,20 +68,23 @@ def _picture(entry: Entry) -> tuple[str, Any] | Exception:
         return error
 
 
-def _made(make: Callable[[Entry], Made | Exception], entries: Sequence[Entry], options: GalleryOptions) -> list[Made]:
-    """What is made of the scenes that can be used; what is wrong with the others is told."""
+def _made(
+    make: Callable[[Entry], Made | Exception], entries: Sequence[Entry], options: GalleryOptions
+) -> tuple[list[Made], list[Exception]]:
+    """What is made of the scenes that can be used, and what is wrong with the others, which is told."""
     announce_compilation()
     jobs = min(options.jobs or os.cpu_count() or 1, len(entries))
-    found = []
+    found, troubles = [], []
     with SceneProgress(Console(stderr=True), 1, "files") as progress:
         progress.begin("scenes", len(entries))
         for done, made in enumerate(_each(make, entries, jobs), 1):
             if isinstance(made, Exception):
                 report(made)
+                troubles.append(made)
             else:
                 found.append(made)
             progress.done(done)
-    return found
+    return found, troubles
 
 
 def _each(make: Callable[[Entry], Made], entries: Sequence[Entry], jobs: int) -> Iterator[Made]:
@@ -91,14 +94,17 @@ def _each(make: Callable[[Entry], Made], entries: Sequence[Entry], jobs: int) ->
     return elsewhere(make, entries, jobs)
 
 
-def _told(options: GalleryOptions, shown: int, count: int, what: str) -> int:
-    code = HOLDS if shown == count else UNUSABLE
-    if shown and options.json:
+def _told(options: GalleryOptions, shown: int, troubles: Sequence[Exception], what: str) -> int:
+    """Say what was written, if anything was; the exit code."""
+    code, output = UNUSABLE if troubles else HOLDS, options.output
+    size = output.stat().st_size if shown else 0
+    if options.json:
         import json
 
-        facts = {"path": options.output.as_posix(), "bytes": options.output.stat().st_size, "scenes": shown}
-        print(json.dumps({"format": 1, "exit_code": code, **facts}, indent=2, ensure_ascii=False))
+        facts = {"path": output.as_posix() if shown else None, "bytes": size, "scenes": shown}
+        found = [problem for trouble in troubles for problem in problems_of(trouble)]
+        document = {"format": 1, "exit_code": code, **facts, "problems": found}
+        print(json.dumps(document, indent=2, ensure_ascii=False))
     elif shown:
-        size = options.output.stat().st_size / 1000
-        print(f"{told(options.output)}: {what} of {shown} scene{'' if shown == 1 else 's'}, {size:,.0f} kB")
+        print(f"{told(output)}: {what} of {shown} scene{'' if shown == 1 else 's'}, {size / 1000:,.0f} kB")
     return code

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import json
+import shlex
 import zlib
 from dataclasses import dataclass, replace
 from io import BytesIO
@@ -17,7 +18,7 @@ from sandbox.replay.recording.limits import SUFFIX
 from sandbox.replay.recording.recording import Recording
 from sandbox.report.film_data import film_data
 from sandbox.report.filming import film_run
-from sandbox.resources import scene_name
+from sandbox.resources import find_scene, scene_name
 from sandbox.scene import load_scene
 from sandbox.scene.catalog import Entry
 
@@ -37,6 +38,12 @@ class GalleryCard:
     seconds: float
     picture: bytes
     film: str
+
+    @property
+    def said(self) -> str:
+        """What `sandbox run` takes: the name of a scene that comes with the package, or else the path, for a shell."""
+        path = self.entry.path
+        return self.name if find_scene(Path(self.name)) == path else shlex.quote(path.as_posix())
 
 
 def gallery_card(entry: Entry) -> GalleryCard:

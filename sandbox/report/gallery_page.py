@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import base64
-from collections.abc import Sequence
-from itertools import groupby
+from collections.abc import Mapping, Sequence
+from itertools import count
 
 from sandbox.report.gallery_card import PICTURE, GalleryCard
 from sandbox.report.markup import PLAYER, Node, node, text_of, whole_page
@@ -13,34 +13,48 @@ _HIDDEN = {"hidden": ""}
 
 
 def gallery_page(title: str, cards: Sequence[GalleryCard]) -> str:
-    """The HTML of the page; cards of one theme follow each other."""
-    groups = [(theme, list(group)) for theme, group in groupby(cards, lambda card: card.entry.theme)]
-    numbers = {id(card): number for number, card in enumerate(cards)}
-    sections = [_section(theme, group, numbers) for theme, group in groups]
+    """The HTML of the page: cards by theme, each under an address of its own."""
+    groups: dict[str, list[Node]] = {}
+    for number, (card, anchor) in enumerate(zip(cards, _anchors(cards), strict=True)):
+        groups.setdefault(card.entry.theme, []).append(_card(card, number, anchor))
+    sections = [_section(theme, group, number) for number, (theme, group) in enumerate(groups.items())]
     main = node("main", "", *sections, node("p", "none", "No scene has all of these words.", **_HIDDEN))
     films = [node("script", "", card.film, type="text/plain", id=f"film-{number}") for number, card in enumerate(cards)]
     body = [text_of(part) for part in (_head(title, len(cards), groups), main, _stage(), *films)]
     return whole_page(title, body, "gallery", (*PLAYER, "gallery.js"), ("page.css", "gallery.css"))
 
 
-def _head(title: str, count: int, groups: Sequence[tuple[str, list[GalleryCard]]]) -> Node:
-    words = f"{count} scene{'' if count == 1 else 's'}: choose one to watch it. This page plays them all by itself."
+def _anchors(cards: Sequence[GalleryCard]) -> list[str]:
+    """What stands behind the # in the address of each: its name, and where an earlier one has that, a number more."""
+    found: dict[str, None] = {}
+    for card in cards:
+        names = (card.name if k == 1 else f"{card.name}-{k}" for k in count(1))
+        found[next(name for name in names if name not in found)] = None
+    return list(found)
+
+
+def _head(title: str, shown: int, groups: Mapping[str, Sequence[Node]]) -> Node:
+    words = f"{shown} scene{'' if shown == 1 else 's'}: choose one to watch it. This page plays them all by itself."
     search = node("input", "search", type="search", placeholder="Search", **{"aria-label": "Search scenes"})
     headline = node("div", "headline", node("h1", "", title), node("p", "soft", words), search)
     chips = [
-        node("a", "", f"{theme or 'others'} ", node("b", "", str(len(group))), href=f"#theme-{theme}")
-        for theme, group in groups
+        node("a", "", f"{theme or 'others'} ", node("b", "", str(len(group))), href=f"#{_section_id(number)}")
+        for number, (theme, group) in enumerate(groups.items())
     ]
     inner = node("div", "inner", headline, node("nav", "themes", *chips, **{"aria-label": "Themes"}))
     return node("header", "top", inner)
 
 
-def _section(theme: str, group: Sequence[GalleryCard], numbers: dict[int, int]) -> Node:
-    cards = node("div", "cards", *(_card(card, numbers[id(card)]) for card in group))
-    return node("section", "", node("h2", "", theme or "others"), cards, id=f"theme-{theme}")
+def _section(theme: str, cards: Sequence[Node], number: int) -> Node:
+    return node("section", "", node("h2", "", theme or "others"), node("div", "cards", *cards), id=_section_id(number))
 
 
-def _card(card: GalleryCard, number: int) -> Node:
+def _section_id(number: int) -> str:
+    """No file can be called so, and no browser writes it otherwise in an address."""
+    return f"/{number}"
+
+
+def _card(card: GalleryCard, number: int, anchor: str) -> Node:
     entry = card.entry
     source = "data:image/webp;base64," + base64.b64encode(card.picture).decode("ascii")
     width, height = map(str, PICTURE)
@@ -50,10 +64,10 @@ def _card(card: GalleryCard, number: int) -> Node:
     data = {
         "data-words": f"{entry.title} {entry.about} {entry.theme} {card.name}".lower(),
         "data-film": f"film-{number}",
-        "data-command": f"sandbox run {card.name}",
+        "data-command": f"sandbox run {card.said}",
     }
     words = [node("h3", "", entry.title), node("p", "about", entry.about), node("p", "facts", facts)]
-    return node("a", "card", node("span", "still", picture), *words, href=f"#{card.name}", **data)
+    return node("a", "card", node("span", "still", picture), *words, href=f"#{anchor}", **data)
 
 
 def _stage() -> Node:

@@ -7,6 +7,7 @@ import json
 import re
 import zlib
 from collections.abc import Callable
+from dataclasses import replace
 from html.parser import HTMLParser
 from io import BytesIO
 from pathlib import Path
@@ -77,6 +78,25 @@ def test_a_page_needs_nothing_and_names_are_no_markup(cards: list[GalleryCard]) 
     assert re.findall(r"https?:", page) == []
 
 
+def test_scenes_of_one_name_have_addresses_of_their_own(cards: list[GalleryCard], tmp_path: Path) -> None:
+    """Of three files called `x.scene.json` the first was played, whichever was chosen."""
+    same = [
+        replace(card, name="x", entry=entry_of(FILES[card.name], theme))
+        for card, theme in zip(cards, "aba", strict=True)
+    ]
+    page = Reader(gallery_page("", same))
+    assert [link["href"] for link in page.of("card")] == ["#x", "#x-3", "#x-2"]
+    assert [link["data-film"] for link in page.of("card")] == ["film-0", "film-2", "film-1"]
+    ids = [given["id"] for tag, given in page.tags if tag == "section"]
+    assert len(set(ids)) == len(ids) == 2
+
+
+def test_a_card_says_how_its_scene_is_run(cards: list[GalleryCard]) -> None:
+    assert [card.said for card in cards] == list(NAMES)
+    strange = replace(cards[0], name="a b", entry=entry_of(Path("my scenes/a b.scene.json"), ""))
+    assert strange.said == "'my scenes/a b.scene.json'"
+
+
 def test_a_scene_is_played_as_its_recording_does() -> None:
     assert run_beside(FILES["breakout"]).commands
     assert not run_beside(FILES["test-one"]).commands
@@ -114,15 +134,38 @@ def test_the_command_shows_what_it_can(tmp_path: Path, capsys: pytest.CaptureFix
     out = tmp_path / "out.html"
     assert ended("gallery", tmp_path, "-o", out, "--json") == 2
     said = capsys.readouterr()
-    assert json.loads(said.out)["scenes"] == 1
+    document = json.loads(said.out)
+    assert document["scenes"] == 1
+    assert [problem["source"] for problem in document["problems"]] == [str(tmp_path / "bad.scene.json")]
     assert "bad.scene.json:1:" in said.err
     assert out.stat().st_size > 20_000
+    (tmp_path / "good.scene.json").rename(tmp_path / "good.json")
+    assert ended("gallery", tmp_path, "-o", tmp_path / "none.html", "--json") == 2
+    document = json.loads(capsys.readouterr().out)
+    assert (document["scenes"], document["path"], len(document["problems"])) == (0, None, 1)
+    assert not (tmp_path / "none.html").exists()
+    (tmp_path / "good.json").rename(tmp_path / "good.scene.json")
     (tmp_path / "bad.scene.json").unlink()
     assert ended("gallery", tmp_path, "-o", tmp_path / "out.png") == 0
     with Image.open(tmp_path / "out.png") as sheet:
         assert sheet.width < 300
     assert ended("gallery", tmp_path, "-o", "out.pdf") == 2
     assert ended("gallery", tmp_path / "nowhere", "-o", out) == 2
+
+
+def test_a_folder_of_any_name_can_be_searched(show: Browser, cards: list[GalleryCard], tmp_path: Path) -> None:
+    """The names of themes were part of addresses, which a browser writes otherwise; the whole script ended there."""
+    entries = [replace(card.entry, theme=theme) for card, theme in zip(cards, ("a b", "ü%", "#1"), strict=True)]
+    named = [replace(card, entry=entry, name=entry.theme) for card, entry in zip(cards, entries, strict=True)]
+    path = tmp_path / "gallery.html"
+    path.write_text(gallery_page("Scenes", named), encoding="utf-8")
+    show.open(path)
+    show.value("search = document.querySelector('.search'); search.value = 'ü%'; "
+               "search.dispatchEvent(new Event('input'))")  # fmt: skip
+    assert show.value("[...document.querySelectorAll('.themes a:not([hidden])')].length") == 1
+    show.value("document.querySelector('.card:not([hidden])').click()")
+    show.until("document.querySelector('.stage .player')?.dataset.ready")
+    assert show.value("document.querySelector('.stage h2').textContent") == cards[1].entry.title
 
 
 @pytest.mark.slow
