@@ -21,10 +21,10 @@ def check_new(path: Path, force: bool, sources: Iterable[Path] = ()) -> None:
     """Raises `SandboxError` if there is a file at `path` and `force` is not given, or if it is one of the `sources`,
     which not even `force` writes over; `OSError` if none can be written.
 
-    Nothing is lost in a pipe or a device.
+    Nothing is lost in a pipe or a device, and a folder stays whatever is forced.
     """
-    is_stream = path.exists() and not path.is_file() and not path.is_dir()
-    if os.path.lexists(path) and not is_stream:
+    is_no_file = path.exists() and not path.is_file()
+    if os.path.lexists(path) and not is_no_file:
         check_not_source(path, sources)
         if not force:
             raise SandboxError(f"{told(path)}: there is a file of that name already; --force writes over it")

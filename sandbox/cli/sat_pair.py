@@ -13,6 +13,9 @@ if TYPE_CHECKING:
     from sandbox.engine.world import World
     from sandbox.geometry.shapes import Shape
 
+_SHOW_EVERY = 16
+"""Steps after which is shown how many are done."""
+
 
 @dataclass(frozen=True)
 class SatPair:
@@ -46,11 +49,22 @@ def pair_in(path: Path, bodies: tuple[str, str] | None, step: int, values: Mappi
     names = bodies or _only_two(world)
     _check(world, names)
     if step:
-        from sandbox.cli.compiling import announce_compilation
-
-        announce_compilation()
-        world.step(step)
+        _advance(world, step, path.name)
     return chosen_pair(world, names)
+
+
+def _advance(world: World, steps: int, name: str) -> None:
+    from rich.console import Console
+
+    from sandbox.cli.compiling import announce_compilation
+    from sandbox.cli.progress import SceneProgress
+
+    announce_compilation()
+    with SceneProgress(Console(stderr=True), 1) as progress:
+        progress.begin(name, steps)
+        for done in range(0, steps, _SHOW_EVERY):
+            progress.done(done)
+            world.step(min(_SHOW_EVERY, steps - done))
 
 
 def chosen_pair(world: World, names: tuple[str, str]) -> SatPair:

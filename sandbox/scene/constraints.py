@@ -90,7 +90,7 @@ class Listed:
         if self.low == self.high:
             text = f"needs {self.low} entries, {self.form}, and has {len(value)}"
         elif len(value) < self.low:
-            text = f"needs at least {self.low} entries and has {len(value)}"
+            text = f"needs at least {self.low} {'entry' if self.low == 1 else 'entries'} and has {len(value)}"
         else:
             text = f"has {len(value)} entries; {self.high} is the limit"
         raise PydanticCustomError("listed", text)

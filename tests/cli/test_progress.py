@@ -24,3 +24,16 @@ def test_a_bar_that_is_not_shown_prints_nothing_with_any_rich(
     with make():
         pass
     assert stopped == []
+
+
+@pytest.mark.parametrize("command", [("sat", "--step", "40"), ("solver", "--step", "3")])
+def test_steps_before_what_is_looked_at_are_shown(
+    cli: Callable, write_scene: Callable, monkeypatch: pytest.MonkeyPatch, command: tuple[str, ...]
+) -> None:
+    """Thousands of steps may come before, and without a word nobody knows whether it hangs."""
+    heard: list[int] = []
+    monkeypatch.setattr(SceneProgress, "done", lambda _, steps: heard.append(steps))
+    name, *options = command
+    assert cli(name, write_scene("a.scene.json"), *options).code == 0
+    assert len(heard) > 2
+    assert heard == sorted(heard)

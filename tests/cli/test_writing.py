@@ -152,6 +152,14 @@ def test_nothing_goes_over_what_it_is_made_of(cli: Callable, words: tuple[str, .
     assert cli(*words, "new.json", "--force").code == 0
 
 
+def test_a_folder_is_told_to_be_one(cli: Callable) -> None:
+    """`--force writes over it` was said of a folder, too, and was not true."""
+    Path("folder").mkdir()
+    for command in ("new", "stack"), ("expand", "a.scene.json"):
+        done = cli(*command, "-o", "folder")
+        assert (done.code, "it is a folder" in done.err, "--force" in done.err) == (2, True, False)
+
+
 def test_figures_go_over_no_scene_and_no_recording(cli: Callable) -> None:
     before = Path("a.scene.json").read_text()
     for name in ("a.scene.json", "b.scene.json", "b.replay.json"):

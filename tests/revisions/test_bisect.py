@@ -67,6 +67,8 @@ def test_of_two_neighbours_the_later_is_the_first_that_differs(call: Callable, h
 def test_ends_that_cannot_be(call: Callable, history: History) -> None:
     code, text = call(history.commits[4], history.commits[1])
     assert (code, "is no ancestor of the bad one" in text) == (2, True)
+    code, text = call(history.commits[1], history.commits[1])
+    assert (code, f"are the same one, {history.commits[1][:12]}" in text) == (2, True)
     code, text = call("nowhere", history.commits[1])
     assert (code, "there is no revision" in text) == (2, True)
 

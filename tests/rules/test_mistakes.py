@@ -66,7 +66,7 @@ CASES: list[tuple[dict[str, Any], str, str]] = [
     (rule(WIN, **{"if": {}}), "/rules/0/if", 'a condition needs a "counter", or "touches"'),
     (rule(WIN, **{"if": {"touches": ["ball", "wal"]}}), "/rules/0/if/touches/1",
      'no body has the id "wal": did you mean "wall"?'),
-    (rule(), "/rules/0/do", "do needs at least 1 entries and has 0"),
+    (rule(), "/rules/0/do", "do needs at least 1 entry and has 0"),
     (rule({"spawn": {"id": "x"}}), "/rules/0/do/0/spawn", 'the body "x" has no shapes: give it one, as in '
      '"shapes": [{"circle": 0.5}]'),
     (rule({"spawn": {"id": "x", "prefab": "y"}}), "/rules/0/do/0/spawn/prefab", 'no prefab is named "y"'),

@@ -79,7 +79,7 @@ def generate(fields: str) -> str:
         (f'{{"bodies": [{BALL},\n{BALL}]}}', '2:8: the id "ball" is taken by bodies[0]'),
         (body('"shpaes": []'), '2:14: unknown field "shpaes": did you mean "shapes"?'),
         (body('"type": "static"'), '2:1: the body "it" has no shapes: give it one, as in "shapes": [{"circle": 0.5}]'),
-        (body('"shapes": []'), "2:24: shapes needs at least 1 entries and has 0"),
+        (body('"shapes": []'), "2:24: shapes needs at least 1 entry and has 0"),
         (body('"shapes": [{"circle": 1}], "type": "dinamic"'),
          '2:49: type must be one of "static", "kinematic", "dynamic": did you mean "dynamic"?'),
         (body('"shapes": [{"circle": 1}], "friction": 1'),

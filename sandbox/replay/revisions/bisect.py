@@ -121,6 +121,8 @@ def _candidates(repository: Repository, goods: list[str], bad: str) -> list[str]
     """The commits that come after a good one and lead to the bad one, oldest first, the bad one last."""
     excluded = [f"^{name}" for name in goods]
     names = repository.git("rev-list", "--ancestry-path", "--topo-order", "--reverse", bad, *excluded).split()
+    if bad in goods:
+        raise SandboxError(f"the good and the bad revision are the same one, {bad[:12]}")
     if not names:
         raise SandboxError(f"the good revision {goods[0][:12]} is no ancestor of the bad one {bad[:12]}")
     return names
