@@ -70,6 +70,16 @@ def test_a_page_is_light_where_its_film_is(show: Browser, tmp_path: Path) -> Non
     assert min(show.value(pixel)[:3]) > 200
 
 
+def test_rounding_is_no_drift(show: Browser, tmp_path: Path) -> None:
+    """The energy of a body that falls is the same to 1e-11 J; what rounding adds filled the plot."""
+    falling = sandbox.Scene(bodies=[{"id": "ball", "shapes": [{"circle": 1}]}], settings={"steps": 100})
+    film = film_run(falling)
+    energies = [row.energy for row in film.figures]
+    assert 0.0 < max(energies) - min(energies) < 1e-9
+    opened(show, tmp_path, player_page("", film))
+    assert show.value(f"(p => p.high - p.low)({PLAYER}.player.plots[0].plot)") > 1.0
+
+
 def test_its_poses_are_those_of_the_world(show: Browser, tmp_path: Path) -> None:
     film = film_run(played.recording())
     opened(show, tmp_path, player_page("", film))

@@ -15,7 +15,9 @@ class Plot {
     const values = [...runs.flatMap((run) => run[field]), ...this.dots.map((dot) => dot[field])]
       .filter((value) => value !== null);
     const low = Math.min(...values), high = Math.max(...values);
-    const room = 0.08 * (high - low || Math.abs(high) || 1);
+    // What swings by rounding alone is a line: it would fill the picture, and look like a drift.
+    const least = Math.max(1e-6 * Math.abs(high), 1e-6 * Math.abs(low), 1e-9);
+    const room = high - low > least ? 0.08 * (high - low) : Math.max(Math.abs(high), 1);
     this.low = field === "deepest" ? 0 : low - room;
     this.high = high + room;
   }
