@@ -16,7 +16,7 @@ from sandbox.window.export import FILMS, LARGEST, SMALLEST, STILLS, Wanted, as_s
 from sandbox.window.gui_style import palette_of
 from sandbox.window.job import Cancelled, Job
 from sandbox.window.widgets import Scale, button, drag, integer, mark, progress_bar, wrapped
-from sandbox.window.workspace import Workspace
+from sandbox.window.workspace import Workspace, failed
 
 TITLE, WIDTH, MARGIN = "Export###export", 430.0, 14.0
 LABELS, FIELD = 6.5, 6.0
@@ -107,7 +107,7 @@ class ExportBox:
         except Cancelled:
             workspace.say("the export was cancelled: nothing is written")
         except (SandboxError, OSError) as error:
-            workspace.say(f"not exported: {error}")
+            workspace.say(failed("not exported", error))
 
     def _draw_progress(self, workspace: Workspace, job: Job[str]) -> None:
         left, top, width, height = workspace.viewport.rect

@@ -7,11 +7,13 @@ from dataclasses import dataclass
 
 from sandbox.window.gui import TEXT_SIZE
 from sandbox.window.gui_style import Palette
-from sandbox.window.overlay import Overlay, shorten
+from sandbox.window.overlay import Overlay, shorten, split_line
 from sandbox.window.viewport import Rect
 
 PANEL_OPACITY = 0.9
 MARGIN, PAD_X, PAD_Y, GAP = 14.0, 14.0, 8.0, 22.0
+NOTE_LINES, LEADING = 4, 1.35
+"""Lines of a note at most, and from one to the next in heights of the text."""
 LEAST_ABOUT = 160.0
 """Pixels from which on what is to be watched for says something."""
 
@@ -103,10 +105,22 @@ def speed_text(speed: float) -> str:
 
 
 def draw_note(overlay: Overlay, rect: Rect, colors: Palette, text: str, opacity: float) -> None:
-    """A line in the upper part of a rectangle (left, top, width, height in pixels), for what just happened."""
-    shown = shorten(overlay, text, rect[2] - 2 * (MARGIN + PAD_X))
-    width = overlay.width(shown)
+    """What just happened, in the upper part of a rectangle (left, top, width, height in pixels)."""
+    lines = note_lines(overlay, text, rect[2] - 2 * (MARGIN + PAD_X))
+    width, line = max(map(overlay.width, lines)), overlay.scale * TEXT_SIZE * LEADING
     x, y = rect[0] + (rect[2] - width) / 2, rect[1] + MARGIN + PAD_Y
-    box = x - PAD_X, y - PAD_Y, x + width + PAD_X, y + overlay.scale * TEXT_SIZE + PAD_Y + 2.0
+    low = y + (len(lines) - 1) * line + overlay.scale * TEXT_SIZE
+    box = x - PAD_X, y - PAD_Y, x + width + PAD_X, low + PAD_Y + 2.0
     overlay.panel(box, colors.panel, PANEL_OPACITY * opacity, 10.0)
-    overlay.text(x, y, shown, colors.accent, opacity)
+    for k, words in enumerate(lines):
+        overlay.text(rect[0] + (rect[2] - overlay.width(words)) / 2, y + k * line, words, colors.accent, opacity)
+
+
+def note_lines(overlay: Overlay, text: str, room: float) -> list[str]:
+    """A note in lines of `room` pixels at most: why something failed, and where, stands at its end."""
+    lines: list[str] = []
+    rest = text
+    while rest and len(lines) < NOTE_LINES - 1:
+        line, rest = split_line(overlay, rest, room)
+        lines.append(line)
+    return [shorten(overlay, line, room) for line in [*lines, *([rest] if rest else [])]] or [""]

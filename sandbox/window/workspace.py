@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from sandbox._printable import told
 from sandbox.errors import SandboxError
 from sandbox.render.camera import Vec
 from sandbox.render.frame import Frame
@@ -162,5 +163,12 @@ class Attempt:
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, _: object) -> bool:
         if not isinstance(error, self.errors):
             return False
-        self.workspace.say(f"{self.what}: {error}")
+        self.workspace.say(failed(self.what, error))
         return True
+
+
+def failed(what: str, error: BaseException) -> str:
+    """A note on what could not be done, and why."""
+    if isinstance(error, OSError) and error.filename is not None:
+        return f"{what}: {told(error.filename)}: {error.strerror}"
+    return f"{what}: {error}"
