@@ -81,7 +81,7 @@ def _not_utf8(path: Path, data: bytes, start: int) -> SceneError:
     if data.startswith((b"\xff\xfe", b"\xfe\xff")) or 4 * zeros > len(head):
         return _error(path, "the file is not UTF-8; it looks like UTF-16", "save it as UTF-8")
     if b"\0" in head:
-        return _error(path, "this is no text, but a picture, an archive or the like", "a scene is a JSON file")
+        return _error(path, "this is no text, but a picture, an archive or the like", "scenes and recordings are JSON")
     shown = text + data[start : start + 100].decode("utf-8", "replace")
     message = f"the byte 0x{data[start]:02x} is not UTF-8"
     return syntax_error(str(path), shown, (len(text), len(text) + 1), message, "save the file as UTF-8")

@@ -57,7 +57,7 @@ FILES: dict[str, tuple[Callable[[str], str | bytes], str]] = {
     "cut": (lambda text: text[: len(text) // 2], "ends too early"),
     "without its last line": (lambda text: text.rstrip()[:-1], "ends too early"),
     "twice": (lambda text: text + text, "ended before this"),
-    "binary": (lambda text: bytes(range(256)), "is not UTF-8"),
+    "binary": (lambda text: bytes(range(256)), "is no text"),
     "zeroes": (lambda text: b"\0" * 500, "a value is due here"),
     "deep": (lambda text: DEEP, "nested deeper than 32 levels"),
     "deep inside": (lambda text: text.replace('"commands": []', f'"commands": {DEEP}'), "nested deeper"),
