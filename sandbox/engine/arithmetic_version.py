@@ -103,7 +103,8 @@ NOTES: dict[int, str] = {
     "too; what comes to touch within a step without restitution is stopped no more often than the scene has substeps; "
     "what turns about its own centre takes no finer ones",
     45: "smaller nets have soft joints, and keep what these bear where single ones of them would turn light bodies "
-    "fast; they are as stiff at every substep level, and impulses of joints fit when the level changes",
+    "fast; they are as stiff at every substep level, and impulses of joints fit when the level changes; what goes on "
+    "pressing on something immovable sinks until its contact bears the load",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 
