@@ -45,6 +45,16 @@ def gap(world: World) -> float:
     return found
 
 
+def largest_gain(world: World, steps: int) -> float:
+    """The most energy (J) that a world gains in one of so many steps."""
+    found, before = 0.0, energy(world)
+    for _ in range(steps):
+        world.step()
+        now = energy(world)
+        found, before = max(found, now - before), now
+    return found
+
+
 def energy(world: World) -> float:
     """Kinetic and potential energy of all bodies, J."""
     b = world.state.bodies

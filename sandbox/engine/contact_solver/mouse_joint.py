@@ -6,7 +6,7 @@ import math
 
 from sandbox._jit import kernel
 from sandbox.engine.contact_solver.law import Anchors, PairMass, velocity_change
-from sandbox.engine.contact_solver.soft_constraint import soft_coefficients
+from sandbox.engine.contact_solver.soft_constraint import soft_coefficients, substep_share
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.state import StateTables
 from sandbox.tables import Records
@@ -21,7 +21,7 @@ def solve_mouse_joints(state: StateTables, solver: SolverBodies, substep_level: 
         if drag.body < 0 or state.bodies[drag.body].type != DYNAMIC:
             continue
         if solver.free_motions[drag.body].substep_level == substep_level:
-            share = 1.0 / float(1 << substep_level)
+            share = substep_share(substep_level)
             _solve(state.bodies[drag.body], solver.motions[drag.body], drag, seconds, share)
 
 

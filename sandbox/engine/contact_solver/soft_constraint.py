@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from sandbox._jit import kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.geometry.trig import PI
 from sandbox.tables import Records
 
@@ -48,6 +48,13 @@ class Spring(NamedTuple):
     units_per_meter: float
 
 
+@inlined_kernel
+def substep_share(level: int) -> float:
+    """What share of a substep of level 0 one of a level takes: tables have impulses as of level 0, which fit when an
+    island's substeps change."""
+    return 1.0 / float(1 << level)
+
+
 @kernel
 def contact_spring(setting: Records, level: int) -> Spring:
     """The springs that contacts of islands of a substep level have: stiffer where substeps are shorter."""
@@ -55,7 +62,7 @@ def contact_spring(setting: Records, level: int) -> Spring:
     hertz = setting.contact_hertz * (1 << level)
     hertz = hertz if hertz < 0.25 * rate else 0.25 * rate
     bias, softness = contact_coefficients(setting, hertz, 1.0 / rate)
-    share = 1.0 / (1 << level)
+    share = substep_share(level)
     keeps = setting.accumulate == 1 and setting.warm_starting == 1 and bias > 0.0
     yields = share * softness / ((1.0 - softness) * bias) if keeps else 0.0
     return Spring(level, bias, softness, 1.0 / rate, share, yields, setting.units_per_meter)

@@ -11,10 +11,10 @@ from __future__ import annotations
 import math
 
 from sandbox._jit import kernel
-from sandbox.engine.contact_solver.soft_constraint import soft_coefficients
+from sandbox.engine.contact_solver.soft_constraint import soft_coefficients, substep_share
 from sandbox.engine.joints.errors import measure_errors
 from sandbox.engine.joints.jacobian import fill_rows, push_row, row_speed
-from sandbox.engine.joints.joint_bodies import place_members, substep_share
+from sandbox.engine.joints.joint_bodies import place_members
 from sandbox.engine.joints.laws import CORRECTION_SPEED, INFINITE
 from sandbox.engine.joints.net_blocks import SoftJoint
 from sandbox.engine.joints.net_sweeps import sweep_nets

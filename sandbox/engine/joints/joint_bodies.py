@@ -39,13 +39,6 @@ def load_members(work: JointWork, bodies: Records, motions: Records) -> None:
             work.parts[member.part].awake = 1
 
 
-@inlined_kernel
-def substep_share(level: int) -> float:
-    """What share of a substep of level 0 one of a level takes: the joint table has impulses as of level 0, so that they
-    fit when an island's substeps change."""
-    return 1.0 / float(1 << level)
-
-
 @kernel
 def part_level(work: JointWork, part: Records, free_motions: Records) -> int:
     """The substep level of a part: that of the first of its bodies which the solver moves."""

@@ -5,10 +5,10 @@ from __future__ import annotations
 from sandbox._atomics import atomic_add
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.contact_solver.gather import PairRows, note_rows
+from sandbox.engine.contact_solver.soft_constraint import substep_share
 from sandbox.engine.joints import net_lanes as nl
 from sandbox.engine.joints.direct.reports import finish_report
 from sandbox.engine.joints.hinges import load_hinge, report_hinge, swept_hinges, warm_hinges
-from sandbox.engine.joints.joint_bodies import substep_share
 from sandbox.engine.joints.laws import turned
 from sandbox.engine.joints.net_blocks import SoftJoint, gather_block, scatter_block
 from sandbox.engine.joints.net_lanes import NetLanes

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from sandbox._jit import kernel
+from sandbox.engine.contact_solver.soft_constraint import substep_share
 from sandbox.engine.joints.direct.batches import slot_impulse
 from sandbox.engine.joints.direct.reports import finish_report, set_slot_impulse
-from sandbox.engine.joints.joint_bodies import substep_share
 from sandbox.engine.joints.records import JointWork
 from sandbox.tables import Records
 

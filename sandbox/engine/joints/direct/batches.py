@@ -9,9 +9,9 @@ from __future__ import annotations
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import WIDTH, Vector, load, select, spread, store
 from sandbox.engine.bodies.flags import is_active
+from sandbox.engine.contact_solver.soft_constraint import substep_share
 from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.records import LEVELS, Batches
-from sandbox.engine.joints.joint_bodies import substep_share
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.gather_fields import Rows, gather_fields
 from sandbox.tables import Floats, Records

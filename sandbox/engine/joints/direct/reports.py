@@ -6,10 +6,10 @@ import math
 
 from sandbox._jit import kernel
 from sandbox._vectors import WIDTH, lanes, load, spread, store
+from sandbox.engine.contact_solver.soft_constraint import substep_share
 from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.batches import joint_rows
 from sandbox.engine.joints.direct.records import Batches
-from sandbox.engine.joints.joint_bodies import substep_share
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.gather_fields import Rows
 from sandbox.tables import Records
