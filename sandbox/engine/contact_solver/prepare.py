@@ -5,8 +5,10 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox._prefetch import AHEAD, prefetch_row
+from sandbox._prefetch import AHEAD as ROWS_AHEAD
+from sandbox._prefetch import prefetch_row
 from sandbox._vectors import Mask, Vector, any_lane, select, spread, store
+from sandbox.engine.bodies.flags import AHEAD, JOINTED
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.closing_speed import fastest_closing, stops_by_several
 from sandbox.engine.contact_solver.contact_rows import (
@@ -23,8 +25,8 @@ from sandbox.engine.contact_solver.contact_rows import (
 from sandbox.engine.contact_solver.gather import PairPose, PairRows, note_rows, rows_of
 from sandbox.engine.contact_solver.law import Anchors, PairMass, bearing_anchors, effective_mass, levers_of
 from sandbox.engine.contact_solver.rest_length import change_level
-from sandbox.engine.contact_solver.soft_constraint import Spring
-from sandbox.engine.midpoint.contacts_ahead import axis_owners, move_row, some_ahead, ways_of
+from sandbox.engine.contact_solver.soft_constraint import LEAST_SOFTNESS_OF_JOINTED, Spring
+from sandbox.engine.midpoint.contacts_ahead import axis_owners, move_row, ways_of
 from sandbox.engine.midpoint.move_contact import Axis, moved_axis, moved_point
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contact_blocks import ContactBlocks
@@ -33,7 +35,7 @@ from sandbox.engine.records.state import StateTables
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
 from sandbox.engine.workers.task_kinds import IMPACT_SPEED, IMPACTS, LEVEL, PREPARE_CONTACTS, STRUCK_BLOCKS
-from sandbox.tables import Floats, Records
+from sandbox.tables import Floats, Integers, Records
 from sandbox.world.records import BODY
 
 BLOCK_SIZE = cb.BLOCK_SIZE
@@ -114,19 +116,23 @@ def prepare_blocks(
     for n in range(first, end):
         block = blocks.blocks[n]
         v = blocks.lanes[n * BLOCK_SIZE : (n + 1) * BLOCK_SIZE]
-        for at in range(block.first + AHEAD, block.first + AHEAD + LANES):
+        for at in range(block.first + ROWS_AHEAD, block.first + ROWS_AHEAD + LANES):
             if at < blocks.slots.shape[0]:
                 prefetch_row(contacts, blocks.slots[at].contact)
         _note_bodies(block, blocks.slots)
         rows = contact_rows(block, blocks.slots)
         mass = _masses_of(bodies, rows_of(block))
         four = _read_contacts(contacts, rows)
-        if some_ahead(solver.flags, block, blocks.slots):
+        flags = _flags_of(solver.flags, block, blocks.slots)
+        if flags & AHEAD:
             owners = axis_owners(bodies, solver.flags, block, blocks.slots, contacts)
             four = _moved(four, ways_of(block, solver.motions), owners)
         _fill_lanes(block, v, contacts, rows, four, mass, spring.share)
         for k in range(block.count, LANES):
             _clear(v[k:])
+        block.jointed = 1 if flags & JOINTED else 0
+        if block.jointed == 1:
+            _fill_least_softness(block, v, solver.flags, blocks.slots)
         block.strikes = 0
         for k in range(block.count):
             slot = blocks.slots[block.first + k]
@@ -306,6 +312,24 @@ def _fill_traits(
     if block.rounded == 1:
         store(v, cb.RADIUS_A, axes.radius_a)
         store(v, cb.RADIUS_B, axes.radius_b)
+
+
+@inlined_kernel
+def _flags_of(flags: Integers, block: Records, slots: Records) -> int:
+    """The flags that some body of the contacts of a block has."""
+    bits = 0
+    for slot in slots[block.first : block.first + block.count]:
+        bits |= flags[slot.body_a] | flags[slot.body_b]
+    return bits
+
+
+@inlined_kernel
+def _fill_least_softness(block: Records, v: Floats, flags: Integers, slots: Records) -> None:
+    """Contacts of bodies that joints hold do not stiffen for good."""
+    for k in range(block.count):
+        slot = slots[block.first + k]
+        held = (flags[slot.body_a] | flags[slot.body_b]) & JOINTED
+        v[cb.LEAST_SOFTNESS + k] = LEAST_SOFTNESS_OF_JOINTED if held else 0.0
 
 
 @inlined_kernel

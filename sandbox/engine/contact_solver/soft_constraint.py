@@ -13,6 +13,11 @@ from sandbox.tables import Records
 
 BAUMGARTE = 0.2
 """Share of an overlap that is taken back in a substep where contacts are not soft."""
+LEAST_SOFTNESS_OF_JOINTED = 0.4
+"""Share of its softness that a contact of bodies with joints keeps, however deep it is: it bears at most 2.5 times what
+it does where its push begins to be cut, 1,200 times the weight of the lighter body, about as in Box2D. The whole spring
+of what joints keep in a wall, or in each other, throws bodies when it comes free: a contact, which knows the masses of
+two bodies alone, gives way too slowly to heavy ones that are joined to them."""
 
 
 @kernel

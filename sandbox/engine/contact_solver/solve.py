@@ -206,7 +206,11 @@ def _push(block: Records, v: Floats, pose: PairPose, point: int, soft: SoftConta
     softness = select(overlaps, soft.softness, spread(0.0))
     if any_lane(saturated):
         # There the contact grows stiffer, so that it sinks no deeper than the same spring would.
-        softness = select(saturated, softness * (push / select(saturated, wanted, 1.0)), softness)
+        less = push / select(saturated, wanted, 1.0)
+        if block.jointed == 1:
+            least = load(v, cb.LEAST_SOFTNESS)
+            less = select(less > least, less, least)
+        softness = select(saturated, softness * less, softness)
     return Push(bias, scale, softness)
 
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.active.islands import root_of, unite
-from sandbox.engine.bodies.flags import is_active
+from sandbox.engine.bodies.flags import JOINTED, is_active
 from sandbox.engine.joints.records import JointWork
+from sandbox.engine.records.bodies import SolverBodies
 from sandbox.tables import Integers, Records
 
 BY_END = 1.0
@@ -15,12 +16,12 @@ DRIVES = 2.0
 
 
 @kernel
-def load_members(work: JointWork, bodies: Records, motions: Records) -> None:
-    """Masses and first poses of a step; a part is awake if the solver moves any of its bodies.
+def load_members(work: JointWork, bodies: Records, solver: SolverBodies) -> None:
+    """Masses and first poses of a step, and flags; a part is awake if the solver moves any of its bodies.
 
     The world is put to rest: an impulse that is not a number would leave it without a velocity.
     """
-    world = motions[motions.shape[0] - 1]
+    world = solver.motions[solver.motions.shape[0] - 1]
     world.velocity_x = world.velocity_y = world.angular_velocity = 0.0
     for p in range(work.parts.shape[0]):
         work.parts[p].awake = 0
@@ -35,6 +36,7 @@ def load_members(work: JointWork, bodies: Records, motions: Records) -> None:
         member.start_angle = body.angle
         member.center_x = body.center_x
         member.center_y = body.center_y
+        solver.flags[member.body] |= JOINTED
         if moves:
             work.parts[member.part].awake = 1
 

@@ -80,7 +80,7 @@ def _load(work: JointWork, bodies: Records, solver: SolverBodies, new: bool) -> 
 
     In the first step of a world all is `new`.
     """
-    load_members(work, bodies, solver.motions)
+    load_members(work, bodies, solver)
     for p in range(work.parts.shape[0]):
         part = work.parts[p]
         part.halves = part.direct * (1 - part.supported)

@@ -19,15 +19,6 @@ _MOVED_ON = 8
 
 
 @inlined_kernel
-def some_ahead(flags: Integers, block: Records, slots: Records) -> bool:
-    """Whether a body of some contact of a block is ahead."""
-    bits = 0
-    for slot in slots[block.first : block.first + block.count]:
-        bits |= flags[slot.body_a] | flags[slot.body_b]
-    return bool(bits & AHEAD)
-
-
-@inlined_kernel
 def ways_of(block: Records, motions: Records) -> PairPose:
     """How far ahead the bodies of a block are: so far are they back where the step begins."""
     rows = rows_of(block)
