@@ -126,9 +126,9 @@ def run_substeps(
     seconds = setting.step_seconds / substeps
     closing = 1.0 / seconds if setting.speculative == 1 else AT_ONCE
     spring = contact_spring(setting, level)
-    rigid = SoftContact(closing, 0.0, 0.0, 0.0, 0.0, 0.0, False, True)
-    relax = SoftContact(closing, 0.0, 0.0, 0.0, WAIT, OVER_RELAXATION, False, False)
-    relax_deep = SoftContact(closing, 0.0, 0.0, 0.0, WAIT, OVER_RELAXATION, False, True)
+    rigid = SoftContact(closing, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False, True)
+    relax = SoftContact(closing, 0.0, 0.0, 0.0, 0.0, WAIT, OVER_RELAXATION, False, False)
+    relax_deep = SoftContact(closing, 0.0, 0.0, 0.0, 0.0, WAIT, OVER_RELAXATION, False, True)
     accumulate = setting.accumulate == 1
     warm = accumulate and setting.warm_starting == 1 and count > 0
     gravity = math.sqrt(setting.gravity_x * setting.gravity_x + setting.gravity_y * setting.gravity_y)
@@ -176,7 +176,8 @@ def run_substeps(
             if not accumulate:
                 forget_impulses(blocks, 0, unsettled)
         sums = warm and substep > 0
-        soft = SoftContact(closing, spring.bias, spring.softness, -setting.push_out_speed * unit, 0.0, 0.0, sums, False)
+        push = -setting.push_out_speed * unit
+        soft = SoftContact(closing, spring.bias, spring.softness, spring.softness_jointed, push, 0.0, 0.0, sums, False)
         solve_contacts(motions, blocks, 0, count, workers, soft)
         if jointed:
             apply_corrections(joints.direct, motions, seconds)

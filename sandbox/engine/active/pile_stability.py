@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.active.hinged_weight import hangs_by_one_hinge, hinged_mass, is_hung
+from sandbox.engine.active.part_weight import add_member, add_part_weights, add_stand, begin_parts
 from sandbox.engine.active.pile_support import ALL, Load, share_supported, upward_force
 from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.joints.records import JointWork
@@ -198,11 +199,14 @@ def measure_contacts(
         pile.level = pile.forces = pile.degrees_of_freedom = 0
         pile.bottom = pile.left = pile.bearer = pile.slight = _NONE
         pile.right = -_NONE
+    if jointed:
+        begin_parts(joints)
     for i in rows:
         pile = piles[islands[i]]
         pile.degrees_of_freedom += 3 if bodies[i].inverse_inertia > 0.0 else 2
         if jointed and joints.part_of[i] >= 0:
             pile.forces += 3
+            add_member(joints, i, bodies[i].mass, islands[i])
     for slot in contacts.active[1 : 1 + contacts.active[0].contact]:
         contact = contacts.now[slot.contact]
         a = bodies[contact.body_a]
@@ -226,21 +230,26 @@ def measure_contacts(
             height = -((x + contact.anchor_ax1) * down_x + (y + contact.anchor_ay1) * down_y)
             _add_weight(pile, pressed if pressed > 0.0 else 0.0, height)
         upright = contact.normal_x * down_x + contact.normal_y * down_y
-        if is_active(a) and is_active(b) and abs(upright) >= UPRIGHT:
-            lower = b if upright > 0.0 else a
-            upper = a if upright > 0.0 else b
+        if abs(upright) < UPRIGHT:
+            continue
+        lower = b if upright > 0.0 else a
+        upper = a if upright > 0.0 else b
+        above = contact.body_a if upright > 0.0 else contact.body_b
+        if jointed and is_active(upper):
+            add_stand(joints, above, upper, lower)
+        if is_active(a) and is_active(b):
             weighs = upper.mass
-            if jointed:
-                hung = contact.body_a if upright > 0.0 else contact.body_b
-                if hangs_by_one_hinge(joints, hung):
-                    weighs = hinged_mass(joints, bodies, contact, hung, down_x, down_y)
-            _add_bearer(pile, lower, upper, weighs)
+            if jointed and hangs_by_one_hinge(joints, above):
+                weighs = hinged_mass(joints, bodies, contact, above, down_x, down_y)
+            _add_bearer(pile, lower, weighs)
+    if jointed:
+        add_part_weights(joints, piles)
 
 
 @kernel
 def is_stacked(pile: Records) -> bool:
-    """Whether, by `measure_contacts`, some body of a pile is on top of another."""
-    return bool(pile.bearer < _NONE)
+    """Whether, by `measure_contacts`, some body of a pile is on top of another, or stands on it by joints."""
+    return bool(pile.bearer < _NONE or pile.ratio > 0.0)
 
 
 @kernel
@@ -251,7 +260,7 @@ def _add_point(pile: Records, x: float, y: float, down_x: float, down_y: float) 
 
 
 @kernel
-def _add_bearer(pile: Records, lower: Records, upper: Records, weighs: float) -> None:
+def _add_bearer(pile: Records, lower: Records, weighs: float) -> None:
     """Note a body that another one lies on with so much of its mass (kg)."""
     ratio = weighs * lower.inverse_mass
     pile.ratio = ratio if ratio > pile.ratio else pile.ratio

@@ -75,8 +75,8 @@ RESTING_IMPULSES = 35 * LANES
 LAST_IMPULSES = 39 * LANES
 """Those after the pass before."""
 
-LEAST_SOFTNESS = 43 * LANES
-"""Share of its softness that a contact keeps however deep it is, where `BLOCK` says that joints hold some body."""
+JOINTED = 43 * LANES
+"""1 where joints hold a body."""
 
 BLOCK_SIZE = 44 * LANES
 """Whole cache lines."""

@@ -25,7 +25,7 @@ from sandbox.engine.contact_solver.contact_rows import (
 from sandbox.engine.contact_solver.gather import PairPose, PairRows, note_rows, rows_of
 from sandbox.engine.contact_solver.law import Anchors, PairMass, bearing_anchors, effective_mass, levers_of
 from sandbox.engine.contact_solver.rest_length import change_level
-from sandbox.engine.contact_solver.soft_constraint import LEAST_SOFTNESS_OF_JOINTED, Spring
+from sandbox.engine.contact_solver.soft_constraint import Spring
 from sandbox.engine.midpoint.contacts_ahead import axis_owners, move_row, ways_of
 from sandbox.engine.midpoint.move_contact import Axis, moved_axis, moved_point
 from sandbox.engine.records.bodies import SolverBodies
@@ -132,13 +132,13 @@ def prepare_blocks(
             _clear(v[k:])
         block.jointed = 1 if flags & JOINTED else 0
         if block.jointed == 1:
-            _fill_least_softness(block, v, solver.flags, blocks.slots)
+            _note_jointed(block, v, solver.flags, blocks.slots)
         block.strikes = 0
         for k in range(block.count):
             slot = blocks.slots[block.first + k]
             contact = contacts[slot.contact]
             if contact.substep_level != spring.level:
-                change_level(contact, spring, v[k:])
+                change_level(contact, block, v[k:], spring)
             struck = n < criteria.struck_blocks
             a = bodies[slot.body_a]
             b = bodies[slot.body_b]
@@ -324,12 +324,11 @@ def _flags_of(flags: Integers, block: Records, slots: Records) -> int:
 
 
 @inlined_kernel
-def _fill_least_softness(block: Records, v: Floats, flags: Integers, slots: Records) -> None:
-    """Contacts of bodies that joints hold do not stiffen for good."""
+def _note_jointed(block: Records, v: Floats, flags: Integers, slots: Records) -> None:
+    """Note which contacts of a block are of bodies that joints hold."""
     for k in range(block.count):
         slot = slots[block.first + k]
-        held = (flags[slot.body_a] | flags[slot.body_b]) & JOINTED
-        v[cb.LEAST_SOFTNESS + k] = LEAST_SOFTNESS_OF_JOINTED if held else 0.0
+        v[cb.JOINTED + k] = 1.0 if (flags[slot.body_a] | flags[slot.body_b]) & JOINTED else 0.0
 
 
 @inlined_kernel

@@ -14,7 +14,7 @@ from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.closing_speed import opening_speed
 from sandbox.engine.contact_solver.law import start_velocity
 from sandbox.engine.contact_solver.nesterov import ROUNDING, Effort, list_bodies, solve_until_agreed
-from sandbox.engine.contact_solver.rest_length import sink
+from sandbox.engine.contact_solver.rest_length import sink, yields_of
 from sandbox.engine.contact_solver.soft_constraint import Spring
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contact_blocks import ContactBlocks, SoftContact
@@ -61,9 +61,10 @@ def put_down(
                 continue
             contact = contacts[slot.contact]
             v = blocks.lanes[n * BLOCK_SIZE + k : (n + 1) * BLOCK_SIZE]
-            contact.rest_length1 = _lengthen(v[cb.POINT_1 :], contact.separation1, spring)
+            yields = yields_of(block, v, spring) / spring.share
+            contact.rest_length1 = _lengthen(v[cb.POINT_1 :], contact.separation1, yields)
             if contact.point_count == 2:
-                contact.rest_length2 = _lengthen(v[cb.POINT_2 :], contact.separation2, spring)
+                contact.rest_length2 = _lengthen(v[cb.POINT_2 :], contact.separation2, yields)
 
 
 @kernel
@@ -112,10 +113,10 @@ def _strikes(free_motions: Records, contact: Records, slow: float, seconds: floa
 
 
 @inlined_kernel
-def _lengthen(v: Floats, separation: float, spring: Spring) -> float:
-    """Make the spring of a point longer by what it would sink by, less what it has sunk by already; returns its rest
-    length (m)."""
-    longer = sink(spring, v[cb.NORMAL_IMPULSE] / spring.share, v[cb.NORMAL_MASS])
+def _lengthen(v: Floats, separation: float, yields: float) -> float:
+    """Make the spring of a point, which yields so much to an impulse of this level, longer by what it would sink by,
+    less what it has sunk by already; returns its rest length (m)."""
+    longer = sink(yields, v[cb.NORMAL_IMPULSE], v[cb.NORMAL_MASS])
     sunk = -separation if separation < 0.0 else 0.0
     longer = longer - sunk if longer > sunk else 0.0
     v[cb.SEPARATION] -= longer

@@ -27,14 +27,21 @@ RETURNS = 0.05
 
 
 @inlined_kernel
-def sink(spring: Spring, impulse: Number, mass: Number) -> Number:
-    """How far (m) a spring of an effective mass (kg) sinks under a load, the impulse (N s) in a substep of level 0."""
-    yields = mass > 0.0
-    return select(yields, spring.yields * impulse / select(yields, mass, 1.0), 0.0)
+def sink(yields: Number, impulse: Number, mass: Number) -> Number:
+    """How far (m) a spring that `yields` so much sinks under a load, the impulse (N s) in a substep of level 0, at an
+    effective mass (kg)."""
+    moves = mass > 0.0
+    return select(moves, yields * impulse / select(moves, mass, 1.0), 0.0)
+
+
+@inlined_kernel
+def yields_of(block: Records, v: Floats, spring: Spring) -> float:
+    """How far the spring of the contact with lane `v` of a block yields."""
+    return spring.yields_jointed if block.jointed == 1 and v[cb.JOINTED] > 0.0 else spring.yields
 
 
 @kernel
-def change_level(contact: Records, spring: Spring, v: Floats) -> None:
+def change_level(contact: Records, block: Records, v: Floats, spring: Spring) -> None:
     """Let the springs of a contact with lane `v`, which had another substep level, keep their loads where they can.
 
     Energy is not to be had by it: softer springs do not get longer than they were, nor than 0.
@@ -44,15 +51,16 @@ def change_level(contact: Records, spring: Spring, v: Floats) -> None:
         times *= 0.25
     for _ in range(contact.substep_level, spring.level):
         times *= 4.0
-    contact.rest_length1 += _change(contact.rest_length1, contact.normal_impulse1, times, spring, v[cb.POINT_1 :])
-    contact.rest_length2 += _change(contact.rest_length2, contact.normal_impulse2, times, spring, v[cb.POINT_2 :])
+    yields = yields_of(block, v, spring)
+    contact.rest_length1 += _change(contact.rest_length1, contact.normal_impulse1, times, yields, v[cb.POINT_1 :])
+    contact.rest_length2 += _change(contact.rest_length2, contact.normal_impulse2, times, yields, v[cb.POINT_2 :])
     contact.substep_level = spring.level
 
 
 @kernel
-def _change(length: float, load: float, times: float, spring: Spring, v: Floats) -> float:
+def _change(length: float, load: float, times: float, yields: float, v: Floats) -> float:
     """Change of a rest length (m), in the lane too, where the spring yielded so many times as much before."""
-    change = (1.0 - times) * sink(spring, load, v[cb.NORMAL_MASS])
+    change = (1.0 - times) * sink(yields, load, v[cb.NORMAL_MASS])
     room = -length if length < 0.0 else 0.0
     change = change if change < room else room
     v[cb.SEPARATION] -= change
@@ -60,10 +68,10 @@ def _change(length: float, load: float, times: float, spring: Spring, v: Floats)
 
 
 @inlined_kernel
-def next_length(length: Vector, load: Vector, spring: Spring, mass: Vector) -> Vector:
-    """How long (m) springs of these effective masses (kg) are in the next step, as the loads (N s) that they bear now
-    allow."""
-    asked = sink(spring, load, mass)
+def next_length(length: Vector, load: Vector, yields: Vector, mass: Vector) -> Vector:
+    """How long (m) springs that yield so much at these effective masses (kg) are in the next step, as the loads (N s)
+    that they bear now allow."""
+    asked = sink(yields, load, mass)
     most = select(length < MOST * asked, length, MOST * asked)
     given = most - select(most > asked, FORGETS * (most - asked), 0.0)
     return select(length < 0.0, length - RETURNS * length, given)

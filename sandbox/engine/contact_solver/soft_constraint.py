@@ -13,11 +13,14 @@ from sandbox.tables import Records
 
 BAUMGARTE = 0.2
 """Share of an overlap that is taken back in a substep where contacts are not soft."""
-LEAST_SOFTNESS_OF_JOINTED = 0.4
+JOINTED_KEEP = 0.4
 """Share of its softness that a contact of bodies with joints keeps, however deep it is: it bears at most 2.5 times what
 it does where its push begins to be cut, 1,200 times the weight of the lighter body, about as in Box2D. The whole spring
 of what joints keep in a wall, or in each other, throws bodies when it comes free: a contact, which knows the masses of
 two bodies alone, gives way too slowly to heavy ones that are joined to them."""
+
+JOINTED_SOFTNESS = 0.65
+"""Least softness of such a contact, times what its bias rate is in a substep."""
 
 
 @kernel
@@ -47,9 +50,11 @@ class Spring(NamedTuple):
     level: int
     bias: float
     softness: float
+    softness_jointed: float
     seconds: float
     share: float
     yields: float
+    yields_jointed: float
     units_per_meter: float
 
 
@@ -70,7 +75,10 @@ def contact_spring(setting: Records, level: int) -> Spring:
     share = substep_share(level)
     keeps = setting.accumulate == 1 and setting.warm_starting == 1 and bias > 0.0
     yields = share * softness / ((1.0 - softness) * bias) if keeps else 0.0
-    return Spring(level, bias, softness, 1.0 / rate, share, yields, setting.units_per_meter)
+    least = JOINTED_SOFTNESS * bias / rate
+    jointed = least if softness > 0.0 and softness < least else softness
+    yields_jointed = share * jointed / ((1.0 - jointed) * bias) if keeps else 0.0
+    return Spring(level, bias, softness, jointed, 1.0 / rate, share, yields, yields_jointed, setting.units_per_meter)
 
 
 @kernel

@@ -42,6 +42,7 @@ from sandbox.engine.contact_solver.law import (
     speed_of_turning,
 )
 from sandbox.engine.contact_solver.normal_pair import NormalRow, pushing, solve_pair
+from sandbox.engine.contact_solver.soft_constraint import JOINTED_KEEP
 from sandbox.engine.records.contact_blocks import ContactBlocks, SoftContact
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import color_count, first_part_of_color, next_part
@@ -202,15 +203,18 @@ def _push(block: Records, v: Floats, pose: PairPose, point: int, soft: SoftConta
     if block.strikes == 1:
         ahead = ahead + load(v, cb.MAY_IMPACT) * soft.impact_allowance
     bias = select(overlaps, push, ahead)
-    scale = select(overlaps, 1.0 - soft.softness, 1.0)
-    softness = select(overlaps, soft.softness, spread(0.0))
+    stiffest = spread(0.0)
+    softness = spread(soft.softness)
+    if block.jointed == 1:
+        jointed = load(v, cb.JOINTED)
+        softness = select(jointed > 0.0, soft.softness_jointed, softness)
+        stiffest = JOINTED_KEEP * jointed
+    scale = select(overlaps, 1.0 - softness, 1.0)
+    softness = select(overlaps, softness, spread(0.0))
     if any_lane(saturated):
         # There the contact grows stiffer, so that it sinks no deeper than the same spring would.
         less = push / select(saturated, wanted, 1.0)
-        if block.jointed == 1:
-            least = load(v, cb.LEAST_SOFTNESS)
-            less = select(less > least, less, least)
-        softness = select(saturated, softness * less, softness)
+        softness = select(saturated, softness * select(less > stiffest, less, stiffest), softness)
     return Push(bias, scale, softness)
 
 

@@ -110,8 +110,11 @@ def _keep(block: Records, v: Floats, contacts: Records, rows: Rows, spring: Spri
     load2 = substeps * load(v, cb.POINT_2 + cb.NORMAL_IMPULSE)
     _, tangent1, length1, feature = gather_fields(contacts, rows, KEPT_OF_POINT_1)
     _, tangent2, length2, rolling = gather_fields(contacts, rows, KEPT_OF_POINT_2)
-    length1 = next_length(length1, load1, spring, load(v, cb.POINT_1 + cb.NORMAL_MASS))
-    length2 = next_length(length2, load2, spring, load(v, cb.POINT_2 + cb.NORMAL_MASS))
+    yields = spread(spring.yields)
+    if block.jointed == 1:
+        yields = select(load(v, cb.JOINTED) > 0.0, spring.yields_jointed, yields)
+    length1 = next_length(length1, load1, yields, load(v, cb.POINT_1 + cb.NORMAL_MASS))
+    length2 = next_length(length2, load2, yields, load(v, cb.POINT_2 + cb.NORMAL_MASS))
     if block.frictional == 1:
         tangent = substeps * load(v, cb.TANGENT_IMPULSE)
         tangent1, tangent2 = _share_friction(tangent, load1, load2, point_counts(contacts, rows) == 2.0)

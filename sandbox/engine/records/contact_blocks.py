@@ -63,7 +63,8 @@ class BlockRanges(NamedTuple):
 class SoftContact(NamedTuple):
     """How a pass treats contacts, from `contact_coefficients`.
 
-    `softness` is the share of an impulse by which the springs of overlaps give way in a pass, 0 for rigid ones.
+    `softness` is the share of an impulse by which the springs of overlaps give way in a pass, 0 for rigid ones, and
+    `softness_jointed` that of bodies which joints hold.
     `slowest_bias` (m/s, negative or zero) bounds the velocity that pushes overlapping bodies apart; zero makes the pass
     a relax pass, which removes the velocity that the push has added. `impact_allowance` (m/s) is added to the speed at
     which contacts that may have an impact may close while they are apart. `over_relaxation` is the share by which
@@ -75,6 +76,7 @@ class SoftContact(NamedTuple):
     inverse_seconds: float
     bias_rate: float
     softness: float
+    softness_jointed: float
     slowest_bias: float
     impact_allowance: float
     over_relaxation: float

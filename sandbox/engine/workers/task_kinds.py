@@ -32,25 +32,25 @@ SWEEP_NETS = 22
 REPORT_NETS = 23
 
 # Places in `Workers.numbers`; the fields of `SoftContact` come first. The range to do is told to each worker by itself.
-SECONDS = 8
-GRAVITY = 9
-LEVEL = 10
-IMPACTS = 11
-PUSH = 12
-MOST = 13
-GIVE = 14
-UNSETTLED = 15
-IMPACT_SPEED = 16
-SUBSTEPS = 17
-STRUCK_BLOCKS = 18
-ANEW = 19
-BATCH = 20
-IMPACT_SECONDS = 21
-FIRST = 22
-END = 23
-UNITS = 24
-STAGE = 25
-SLOTS = 26
+SECONDS = 9
+GRAVITY = 10
+LEVEL = 11
+IMPACTS = 12
+PUSH = 13
+MOST = 14
+GIVE = 15
+UNSETTLED = 16
+IMPACT_SPEED = 17
+SUBSTEPS = 18
+STRUCK_BLOCKS = 19
+ANEW = 20
+BATCH = 21
+IMPACT_SECONDS = 22
+FIRST = 23
+END = 24
+UNITS = 25
+STAGE = 26
+SLOTS = 27
 
 
 @kernel
@@ -59,14 +59,15 @@ def tell_soft(numbers: Floats, soft: SoftContact) -> None:
     numbers[0] = soft.inverse_seconds
     numbers[1] = soft.bias_rate
     numbers[2] = soft.softness
-    numbers[3] = soft.slowest_bias
-    numbers[4] = soft.impact_allowance
-    numbers[5] = soft.over_relaxation
-    numbers[6] = 1.0 if soft.sums else 0.0
-    numbers[7] = 1.0 if soft.keeps else 0.0
+    numbers[3] = soft.softness_jointed
+    numbers[4] = soft.slowest_bias
+    numbers[5] = soft.impact_allowance
+    numbers[6] = soft.over_relaxation
+    numbers[7] = 1.0 if soft.sums else 0.0
+    numbers[8] = 1.0 if soft.keeps else 0.0
 
 
 @kernel
 def told_soft(n: Floats) -> SoftContact:
     """How contacts are to be treated."""
-    return SoftContact(n[0], n[1], n[2], n[3], n[4], n[5], n[6] > 0.0, n[7] > 0.0)
+    return SoftContact(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7] > 0.0, n[8] > 0.0)
