@@ -105,6 +105,8 @@ NOTES: dict[int, str] = {
     45: "smaller nets have soft joints, and keep what these bear where single ones of them would turn light bodies "
     "fast; they are as stiff at every substep level, and impulses of joints fit when the level changes; what goes on "
     "pressing on something immovable sinks until its contact bears the load",
+    46: "contacts of jointed bodies are soft enough for what is joined to them, and stiffen up to 2.5 times; light "
+    "bodies at which heavy jointed parts stand get finer substeps",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

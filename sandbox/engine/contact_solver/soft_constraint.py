@@ -13,14 +13,16 @@ from sandbox.tables import Records
 
 BAUMGARTE = 0.2
 """Share of an overlap that is taken back in a substep where contacts are not soft."""
-JOINTED_KEEP = 0.4
-"""Share of its softness that a contact of bodies with joints keeps, however deep it is: it bears at most 2.5 times what
-it does where its push begins to be cut, 1,200 times the weight of the lighter body, about as in Box2D. The whole spring
-of what joints keep in a wall, or in each other, throws bodies when it comes free: a contact, which knows the masses of
-two bodies alone, gives way too slowly to heavy ones that are joined to them."""
-
 JOINTED_SOFTNESS = 0.65
-"""Least softness of such a contact, times what its bias rate is in a substep."""
+"""Least softness of a contact of bodies that joints hold, times what its bias rate takes back in a substep.
+
+What is joined to them may be heavier than the contact knows. It rests on a spring and a damper whose force lags: with
+softness s, bias rate b, substeps of h and the relax pass h F' + s F = m ((2 - s) v + (1 - s) b x), so that it comes to
+rest only if s (2 - s) > (1 - s) b h, however heavy it is (the criterion of E. J. Routh, 1877, and A. Hurwitz, 1895)."""
+JOINTED_STIFFENS = 2.5
+"""Times as stiff as it is where its push begins to be cut such a contact becomes at most: it bears some 700 times the
+weight of the lighter body. What joints keep in a wall, or in each other, would throw others when it comes free, as
+the contact gives way too slowly to what is heavier than it knows."""
 
 
 @kernel
@@ -42,9 +44,10 @@ def soft_coefficients(hertz: float, damping_ratio: float, seconds: float) -> tup
 class Spring(NamedTuple):
     """The springs of contacts at a substep level.
 
-    The bias rate (1/s) and softness are those of `contact_coefficients`; a substep takes so many seconds and is a
-    `share` of one of level 0. An effective mass of 1 kg sinks by `yields` (m) under a load of 1 N s in each substep of
-    level 0, a fourth at each finer level; by 0 where impulses are not kept. A metre is so many units of length.
+    The bias rate (1/s) and softness are those of `contact_coefficients`, `softness_jointed` is that of contacts of
+    bodies which joints hold; a substep takes so many seconds and is a `share` of one of level 0. An effective mass of
+    1 kg sinks by `yields` (m), or `yields_jointed`, under a load of 1 N s in each substep of level 0, a fourth at each
+    finer level; by 0 where impulses are not kept. A metre is so many units of length.
     """
 
     level: int

@@ -42,7 +42,7 @@ from sandbox.engine.contact_solver.law import (
     speed_of_turning,
 )
 from sandbox.engine.contact_solver.normal_pair import NormalRow, pushing, solve_pair
-from sandbox.engine.contact_solver.soft_constraint import JOINTED_KEEP
+from sandbox.engine.contact_solver.soft_constraint import JOINTED_STIFFENS
 from sandbox.engine.records.contact_blocks import ContactBlocks, SoftContact
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import color_count, first_part_of_color, next_part
@@ -208,11 +208,12 @@ def _push(block: Records, v: Floats, pose: PairPose, point: int, soft: SoftConta
     if block.jointed == 1:
         jointed = load(v, cb.JOINTED)
         softness = select(jointed > 0.0, soft.softness_jointed, softness)
-        stiffest = JOINTED_KEEP * jointed
+        stiffest = (1.0 / JOINTED_STIFFENS) * jointed
     scale = select(overlaps, 1.0 - softness, 1.0)
     softness = select(overlaps, softness, spread(0.0))
     if any_lane(saturated):
-        # There the contact grows stiffer, so that it sinks no deeper than the same spring would.
+        # There the contact grows stiffer, so that it sinks no deeper than the same spring would; if joints hold its
+        # bodies no further than so much, as they may press it for ever.
         less = push / select(saturated, wanted, 1.0)
         softness = select(saturated, softness * select(less > stiffest, less, stiffest), softness)
     return Push(bias, scale, softness)
