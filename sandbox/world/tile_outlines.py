@@ -143,16 +143,17 @@ def _rings(shapes: Records, vertices: Records, tiles: Integers, counts: Integers
 
     A line begins where its edge to the right does; the edges 1 and 3 run across its ends.
     """
-    if not (shapes.vertex_count[tiles] == 2).any():
-        rows = runs(shapes.vertex_start[tiles], counts)
-        return tuple(vertices[name][rows] for name in ("x", "y", "normal_x", "normal_y"))
+    of_core, start, radii = _columns(shapes, tiles, "vertex_count", "vertex_start", "radius")
+    if not (of_core == 2).any():
+        return tuple(_columns(vertices, runs(start, counts), "x", "y", "normal_x", "normal_y"))
     number = runs(np.zeros(len(tiles), np.int64), counts)
-    of_line = np.repeat(shapes.vertex_count[tiles] == 2, counts)
-    first = np.repeat(shapes.vertex_start[tiles], counts)
+    of_line = np.repeat(of_core == 2, counts)
+    first = np.repeat(start, counts)
     rows = first + np.where(of_line, (number + 1) // 2 % 2, number)
     faces = first + np.where(of_line, number // 2, number)
-    radius = np.where(of_line, np.repeat(shapes.radius[tiles], counts), 0.0)
+    radius = np.where(of_line, np.repeat(radii, counts), 0.0)
     across = of_line & (number % 2 == 1)
-    out_x, out_y = vertices.normal_x[faces], vertices.normal_y[faces]
-    x, y = vertices.x[rows] + radius * out_x, vertices.y[rows] + radius * out_y
+    out_x, out_y = _columns(vertices, faces, "normal_x", "normal_y")
+    x, y = _columns(vertices, rows, "x", "y")
+    x, y = x + radius * out_x, y + radius * out_y
     return x, y, np.where(across, -out_y, out_x), np.where(across, out_x, out_y)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from typing import TypeAlias
 
 import numpy as np
 
@@ -12,6 +13,9 @@ from sandbox.world.new_rows import NewRows
 from sandbox.world.tile_outlines import Outlines
 
 NO_TILES: Integers = np.zeros(0, np.int64)
+
+Bounds: TypeAlias = tuple[float, float, float, float]
+"""Left, low, right and high sides of a box, m."""
 
 
 def _nowhere() -> Floats:
@@ -40,11 +44,24 @@ class TileBoxes:
         for name, sides in _sides(outlines):
             getattr(self, name)[places] = sides
 
-    def near(self, outlines: Outlines, slack: float) -> Integers:
-        """The places of those that reach into the box around some outlines, but for so many metres."""
-        near = (self.right >= outlines.x.min() - slack) & (self.left <= outlines.x.max() + slack)
-        near &= (self.high >= outlines.y.min() - slack) & (self.low <= outlines.y.max() + slack)
+    def bounds(self, places: Integers) -> Bounds:
+        """The box around some of them."""
+        return (
+            float(self.left[places].min()), float(self.low[places].min()),
+            float(self.right[places].max()), float(self.high[places].max()),
+        )  # fmt: skip
+
+    def near(self, bounds: Bounds, slack: float) -> Integers:
+        """The places of those that reach into a box, but for so many metres."""
+        left, low, right, high = bounds
+        near = (self.right >= left - slack) & (self.left <= right + slack)
+        near &= (self.high >= low - slack) & (self.low <= high + slack)
         return np.flatnonzero(near)
+
+
+def bounds_of(outlines: Outlines) -> Bounds:
+    """The box around some outlines."""
+    return float(outlines.x.min()), float(outlines.y.min()), float(outlines.x.max()), float(outlines.y.max())
 
 
 def _sides(outlines: Outlines) -> Iterator[tuple[str, Floats]]:

@@ -12,7 +12,7 @@ from sandbox.world.shape_rows import first_shape
 from sandbox.world.state import State
 from sandbox.world.tile_outlines import Outlines
 from sandbox.world.tile_pairs import meeting_tiles
-from sandbox.world.tile_rows import Tiling
+from sandbox.world.tile_rows import Bounds, Tiling, bounds_of
 
 _NEAR = 1e-5
 """Farther apart than tiles may be that meet, in metres."""
@@ -30,11 +30,10 @@ def tiling_of(state: State) -> Tiling:
 
 def neighbours(state: State, tiles: Integers) -> Integers:
     """The tiles with rows in the seam table whose boxes meet those of other `tiles`: how they join may change."""
-    if len(tiles) == 0:
-        return tiles
-    near, outlines = _around(state, tiles)
+    near = _around(state, tiles)
     if len(near) == len(tiles):  # nobody else
         return tiles[:0]
+    outlines = Outlines.of(state.bodies, state.shapes, state.vertices, near)
     found = [near[two] for _, two in meeting_tiles(outlines, np.searchsorted(near, tiles))]
     beside = np.setdiff1d(np.concatenate(found), tiles)
     single: Integers = beside[plain(state.shapes)["part"][beside] == 0]
@@ -48,8 +47,10 @@ def rejoin(state: State, tiles: Integers) -> None:
     shapes = plain(state.shapes)
     shapes["traits"][tiles] &= ~SEAMED
     plain(state.seams)[runs(shapes["seam_start"][tiles], shapes["vertex_count"][tiles])] = 0
-    near, outlines = _around(state, tiles)
-    join_some(state.bodies, state.shapes, state.seams, outlines, np.searchsorted(near, tiles))
+    near = _around(state, tiles)
+    if len(near) > 1:
+        outlines = Outlines.of(state.bodies, state.shapes, state.vertices, near)
+        join_some(state.bodies, state.shapes, state.seams, outlines, np.searchsorted(near, tiles))
 
 
 def rejoin_around(state: State, tiles: Integers, left: Integers | None = None) -> None:
@@ -68,7 +69,7 @@ def check_room(state: State, bodies: Records, shapes: Records, vertices: Records
     fresh = find_tiles(bodies, shapes)
     if len(fresh):
         outlines = Outlines.of(bodies, shapes, vertices, fresh)
-        near = _may_meet(state, outlines)
+        near = _may_meet(state, bounds_of(outlines))
         check_crowd(outlines.with_others(Outlines.of(state.bodies, state.shapes, state.vertices, near)))
 
 
@@ -89,19 +90,25 @@ def note_moved(state: State, tiles: Integers) -> None:
     tiling.boxes.put(places[known], Outlines.of(state.bodies, state.shapes, state.vertices, tiles[known]))
 
 
-def _around(state: State, tiles: Integers) -> tuple[Integers, Outlines]:
-    """Some tiles and all that may meet them: their rows, ascending, and their outlines."""
-    own = Outlines.of(state.bodies, state.shapes, state.vertices, tiles)
-    near = _may_meet(state, own)
-    alone = np.array_equal(near, tiles)
-    return near, own if alone else Outlines.of(state.bodies, state.shapes, state.vertices, near)
+def _around(state: State, tiles: Integers) -> Integers:
+    """Some tiles and all that may meet them: their rows, ascending."""
+    if len(tiles) == 0:
+        return tiles
+    tiling = _with_boxes(state)
+    return _may_meet(state, tiling.boxes.bounds(np.searchsorted(tiling.rows, tiles)))
 
 
-def _may_meet(state: State, outlines: Outlines) -> Integers:
-    """The tiles that reach into the box around some outlines."""
+def _may_meet(state: State, bounds: Bounds) -> Integers:
+    """The tiles that reach into a box, or nearly."""
+    tiling = _with_boxes(state)
+    return tiling.rows[tiling.boxes.near(bounds, _NEAR)]
+
+
+def _with_boxes(state: State) -> Tiling:
+    """The tiles of a state, with the boxes of all."""
     tiling = tiling_of(state)
     known = len(tiling.boxes)
     if known < len(tiling.rows):
         fresh = tiling.rows[known:]
         tiling.boxes.add(Outlines.of(state.bodies, state.shapes, state.vertices, fresh))
-    return tiling.rows[tiling.boxes.near(outlines, _NEAR)]
+    return tiling

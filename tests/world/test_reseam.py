@@ -14,6 +14,7 @@ import sandbox
 from sandbox import Delete, SetPose, Spawn
 from sandbox.engine.lanes.lane_world import LaneWorld
 from sandbox.engine.world import World
+from sandbox.world import tiling
 from sandbox.world.records import SEAMED
 from tests.engine.test_spawn import tables
 from tests.examples import examples
@@ -122,3 +123,19 @@ def test_tiles_that_were_moved_are_joined_where_they_are() -> None:
     for row in rows.tolist():
         start = int(world.state.shapes.seam_start[row])
         assert world.state.seams[start : start + 4].tobytes() == other.state.seams[start : start + 4].tobytes()
+
+
+def test_a_tile_that_lies_alone_joins_nobody(monkeypatch: pytest.MonkeyPatch) -> None:
+    """So it costs no more to be moved than to find out that it is alone."""
+    tiles = [{"id": f"t{k}", "prefab": "tile", "position": [3.0 * k, 0.0]} for k in range(9)]
+    world = World(sandbox.Scene(bodies=tiles, prefabs=PREFABS))
+    joined: list[int] = []
+    real = tiling.join_some
+    monkeypatch.setattr(tiling, "join_some", lambda *arguments: (joined.append(len(arguments[4])), real(*arguments)))
+    world.apply(SetPose("t4", (13.0, 0.0), 0.1))
+    assert joined == []
+    world.apply(SetPose("t4", (10.0, 0.0), 0.0))  # beside t3
+    assert joined == [2]
+    assert (world.state.shapes.traits[[3, 4]] & SEAMED).all()
+    world.apply(SetPose("t4", (13.0, 0.0), 0.0))
+    assert not (world.state.shapes.traits & SEAMED).any()
