@@ -71,8 +71,8 @@ def sensed(overlaps: SensorOverlaps) -> list[Any]:
 class Asked:
     """A world that is asked all along."""
 
-    def __init__(self) -> None:
-        self.world = World(town())
+    def __init__(self, flat: FlatScene) -> None:
+        self.world = World(flat)
         self.overlaps = SensorOverlaps(self.world.state)
         self.saved = self.world.snapshot()
         self.born = 0
@@ -133,7 +133,7 @@ doings = st.one_of(
 @given(st.lists(st.tuples(doings, st.booleans()), max_size=16))
 @examples(30)
 def test_what_is_kept_is_what_would_be_laid_out(sequence):
-    asked = Asked()
+    asked = Asked(town())
     asked.world.step(120)
     asked.check()
     for (what, value), check in sequence:
@@ -142,6 +142,57 @@ def test_what_is_kept_is_what_would_be_laid_out(sequence):
             asked.check()
     asked.world.step()
     asked.check()
+
+
+def watched() -> FlatScene:
+    """The town among many sensors, some of which move."""
+    eyes = [
+        body(f"eye{k}", circle(0.7, sensor=True), type="static", position=(1.1 * k - 20.0, 0.3 * (k % 5)))
+        for k in range(36)
+    ]
+    drones = [
+        body(f"drone{k}", circle(0.2), circle(1.5, sensor=True), position=(5.0 * k - 10.0, 6.0), gravity_scale=0.0,
+             velocity=(0.5, -0.4), angular_velocity=1.0)
+        for k in range(3)
+    ]  # fmt: skip
+    flat = town()
+    return scene(*flat.bodies[:30], *eyes, *drones, *flat.bodies[30:], settings=flat.settings)
+
+
+eyes = st.sampled_from([f"eye{k}" for k in range(36)] + ["drone1", "eye"])
+watching = st.one_of(
+    doings,
+    st.tuples(st.just("command"), st.builds(SetPose, eyes, places, st.floats(-1, 1))),
+    st.tuples(st.just("command"), st.builds(Delete, eyes)),
+)
+
+
+@given(st.lists(watching, max_size=16), st.integers(1, 200))
+@examples(40)
+def test_what_sensors_still_overlap_is_what_they_would_be_found_to(sequence, steps):
+    asked = Asked(watched())
+    asked.world.step(steps)
+    for what, value in sequence:
+        asked.do(what, value)
+        asked.world.step()
+        overlaps = asked.world._events.sensed
+        assert overlaps is not None
+        assert np.asarray(overlaps).tolist() == sensed(SensorOverlaps(asked.world.state)) == sensed(asked.overlaps)
+
+
+def test_sensors_that_rest_ask_for_nobody():
+    """Who moves is held against the sensors in its box, whatever else there is of them."""
+    tiles = [body(f"eye{k}", circle(0.3, sensor=True), type="static", position=(1.0 * k, 0.0)) for k in range(300)]
+    made = World(
+        scene(*tiles, body("ball", circle(0.4), position=(20.2, 0.1), velocity=(3.0, 0.0)), gravity=(0.0, 0.0))
+    )
+    made.step(2)
+    for _ in range(30):
+        made.step()
+        walk = made._events._sensors._index.memory.walk[0]
+        x = made.body("ball").position[0]
+        assert float(walk.x) == pytest.approx(x)  # the last walk, which was the only one, began at the ball
+        assert {name for name, _ in made.sensed} == {f"eye{k}" for k in range(300) if abs(k - x) ** 2 + 0.01 < 0.49}
 
 
 def known(world: World) -> Any:

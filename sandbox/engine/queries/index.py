@@ -40,6 +40,7 @@ def lay_out(tables: QueryTables, active: ActiveSet, memory: Memory) -> None:
     _lay_out_loose(tables, memory)
     index.generation = info.generation if info.stale == 0 else NOTHING
     index.settled = active.settled[0]
+    index.anew = 0 if known else 1
     index.shapes = shapes
 
 

@@ -21,7 +21,7 @@ def overlaps(tables: QueryTables, memory: Memory, x: float, y: float, hits: Reco
     begin_walk(walk, question, x, y, 0.0, 0.0, 0.0)
     count = 0
     while True:
-        row = next_box(walk, question, memory.grid)
+        row = next_box(walk, memory.grid)
         if row < 0:
             break
         i = memory.grid.ordered[row].shape_index
@@ -75,7 +75,7 @@ def _nearest_in_box(tables: QueryTables, memory: Memory, x: float, y: float, rea
     begin_walk(walk, question, x, y, 0.0, 0.0, reach)
     found = False
     while True:
-        row = next_box(walk, question, memory.grid)
+        row = next_box(walk, memory.grid)
         if row < 0:
             break
         i = memory.grid.ordered[row].shape_index

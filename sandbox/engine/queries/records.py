@@ -26,6 +26,7 @@ INDEX = Table(
     (
         Field("generation", "-", "that of the active set when it was brought up to date, or `NOTHING`", "i8"),
         Field("settled", "-", "how many bodies had been laid to rest by then", "i8"),
+        Field("anew", "-", "1 where all was laid out anew then", "i8"),
         Field("shapes", "-", "how many there were", "i8"),
         Field("kept", "-", "boxes that have been laid out to be kept", "i8"),
         Field("taken", "-", "those of them that were taken out since", "i8"),
@@ -89,6 +90,8 @@ WALK = Table(
         Field("lower_y", "m", ""),
         Field("upper_x", "m", ""),
         Field("upper_y", "m", ""),
+        Field("first_stage", "-", "rows of the regions that are gone through, from here", "i8"),
+        Field("end_stage", "-", "to before here", "i8"),
         Field("stage", "-", "-1 sparse boxes, then the row of the region", "i8"),
         Field("by_columns", "-", "1 when lines of cells are columns, 0 rows", "i8"),
         Field("line", "-", "line of cells under way", "i8"),

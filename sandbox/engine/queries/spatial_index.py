@@ -47,6 +47,10 @@ class SpatialIndex:
         self._lay_out()
         return moved
 
+    def forget(self) -> None:
+        """Lay out all anew the next time."""
+        plain(self.memory.info)["generation"] = NOTHING
+
     def _take(self, memory: Memory) -> None:
         """Prepare what the kernels are called with: the tables of now, and the lists that tell who moves."""
         state, self.memory = self._state, memory
@@ -54,7 +58,7 @@ class SpatialIndex:
         active = state.resting.active if isinstance(state.resting, AtRest) else _UNKNOWN
         if active is not self._active:
             self._active = active
-            plain(memory.info)["generation"] = NOTHING
+            self.forget()
         self.arguments = tables, own = kernel_argument((QueryTables.of(state), memory))
         arguments = tables, kernel_argument(active), own
         self._lay_out.exchange(_PARAMETERS, dict(zip(_PARAMETERS, arguments, strict=True)))

@@ -24,7 +24,7 @@ def first_hits(tables: QueryTables, memory: Memory, rays: Floats, hits: Records)
         hit = hits[k]
         _miss(hit, w)
         while True:
-            row = next_box(w, question, memory.grid)
+            row = next_box(w, memory.grid)
             if row < 0:
                 break
             i = ordered[row].shape_index
@@ -54,7 +54,7 @@ def all_hits(tables: QueryTables, memory: Memory, rays: Floats, hits: Records) -
     begin_walk(w, question, rays[0, 0], rays[0, 1], rays[0, 2], rays[0, 3], 0.0)
     count = 0
     while True:
-        row = next_box(w, question, memory.grid)
+        row = next_box(w, memory.grid)
         if row < 0:
             break
         i = ordered[row].shape_index

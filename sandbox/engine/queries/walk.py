@@ -48,6 +48,8 @@ def begin_walk(
     walk.lower_y = question.lower_y - grow
     walk.upper_x = question.upper_x + grow
     walk.upper_y = question.upper_y + grow
+    walk.first_stage = 0
+    walk.end_stage = question.region_count
     walk.stage = -1
     walk.lines_left = 0
     walk.cell = 1
@@ -56,8 +58,22 @@ def begin_walk(
     walk.end = question.sparse_count
 
 
+@inlined_kernel
+def stay_among_kept(walk: Records, index: Records) -> None:
+    """Of what follows, a walk that begins meets only boxes that are kept."""
+    walk.end = index.kept_sparse
+    walk.end_stage = index.kept_regions
+
+
+@inlined_kernel
+def stay_among_loose(walk: Records, index: Records) -> None:
+    """Of what follows, a walk that begins meets only boxes that are loose."""
+    walk.first = index.kept_sparse
+    walk.first_stage = index.kept_regions
+
+
 @kernel
-def next_box(walk: Records, question: Records, grid: QueryGrid) -> int:
+def next_box(walk: Records, grid: QueryGrid) -> int:
     """Row in `grid.ordered` of the next box that the sweep meets, each once; -1 when there is none left."""
     ordered, sparse = grid.ordered, grid.sparse
     while True:
@@ -67,7 +83,7 @@ def next_box(walk: Records, question: Records, grid: QueryGrid) -> int:
             if meets_sweep(walk, ordered[row]) and (walk.stage < 0 or _in_found_cells(walk, ordered[row])):
                 walk.first = i + 1
                 return row
-        if not _find_run(walk, grid, question.region_count):
+        if not _find_run(walk, grid):
             return -1
 
 
@@ -96,13 +112,14 @@ def _in_found_cells(walk: Records, box: Records) -> bool:
 
 
 @kernel
-def _find_run(walk: Records, grid: QueryGrid, region_count: int) -> bool:
+def _find_run(walk: Records, grid: QueryGrid) -> bool:
     """Find the next run of boxes to look at: of a cell, of cells in a row, or all; False when the walk is over."""
     regions = grid.regions
     while walk.cell > walk.last_cell:
-        walk.stage += 1 if walk.lines_left == 0 else 0
+        if walk.lines_left == 0:
+            walk.stage = walk.first_stage if walk.stage < walk.first_stage else walk.stage + 1
         stage: Any = walk.stage
-        if stage >= region_count:
+        if stage >= walk.end_stage:
             return False
         region: Any = regions[stage]
         if walk.lines_left > 0:
