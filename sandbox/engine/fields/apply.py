@@ -9,13 +9,13 @@ less than a radian a step.
 from __future__ import annotations
 
 from sandbox._jit import entry_point, kernel
-from sandbox.engine.fields.area import acts
+from sandbox.engine.fields.columns import lay_columns, look_up, lowest_bit
 from sandbox.engine.fields.drag import drag_force
 from sandbox.engine.fields.gravity import change_gravity
-from sandbox.engine.fields.records import Fields
+from sandbox.engine.fields.records import BITS, Fields
 from sandbox.engine.fields.thrust import thrust
 from sandbox.engine.fields.wake import wake_switched
-from sandbox.engine.fields.water import float_bodies
+from sandbox.engine.fields.water import lift
 from sandbox.engine.fields.wind import blow
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.state import StateTables
@@ -42,19 +42,11 @@ def apply_fields(
     setting = state.settings[0]
     counter = state.counters[0]
     step = counter.step_count
-    regions = fields.regions
     pushes = fields.pushes
     wake_switched(bodies, fields, active, step)
     _begin(bodies, pushes, setting)
     _mark_held(pushes, old_contacts, counter.contact_count, joint_table)
-    for k in range(regions.shape[0]):
-        if acts(regions[k], step) and GRAVITY <= regions[k].kind <= ATTRACTION:
-            change_gravity(regions[k], fields.edges, pushes, bodies.shape[0])
-    for k in range(regions.shape[0]):
-        if acts(regions[k], step) and regions[k].kind == WIND:
-            blow(regions[k], fields, bodies, state.shapes, state.vertices)
-        elif acts(regions[k], step) and regions[k].kind == WATER:
-            float_bodies(regions[k], fields, bodies, state.shapes, state.vertices)
+    _apply_regions(state, fields, step)
     thrust(fields.thrusters, pushes, step)
     _finish(bodies, pushes, free_motions, setting)
 
@@ -67,6 +59,8 @@ def _begin(bodies: Records, pushes: Records, setting: Records) -> None:
         push = pushes[i]
         push.active = 1 if body.type == DYNAMIC and body.awake == 1 else 0
         push.held = push.wet = 0
+        if push.active == 0:
+            continue
         push.x = body.center_x + half * body.velocity_x
         push.y = body.center_y + half * body.velocity_y
         push.cos, push.sin = cos_sin(body.angle + half * body.angular_velocity)
@@ -75,6 +69,50 @@ def _begin(bodies: Records, pushes: Records, setting: Records) -> None:
         push.force_x = push.force_y = push.torque = 0.0
         push.drag_xx = push.drag_xy = push.drag_yy = push.drag_xw = push.drag_yw = push.drag_ww = 0.0
         push.carry_x = push.carry_y = push.carry_w = 0.0
+
+
+@kernel
+def _apply_regions(state: StateTables, fields: Fields, step: int) -> None:
+    """What each region does to each body in the columns that it reaches into, in the order of the regions."""
+    shapes, pushes = state.shapes, fields.pushes
+    if fields.regions.shape[0] == 0:
+        return
+    lay_columns(fields, step)
+    end = 0
+    for i in range(state.bodies.shape[0]):
+        first = end
+        while end < shapes.shape[0] and shapes[end].body == i:
+            end += 1
+        if pushes[i].active == 1:
+            look_up(fields, pushes[i], state.bodies[i].extent)
+            _change_gravity(fields, pushes[i])
+            _press(state, fields, first, end)
+
+
+@kernel
+def _change_gravity(fields: Fields, push: Records) -> None:
+    """Let the regions found change the gravity of a body."""
+    for word in range(fields.column_grid[0].words):
+        bits = fields.found[word]
+        while bits != 0:
+            region = fields.regions[BITS * word + lowest_bit(bits)]
+            if GRAVITY <= region.kind <= ATTRACTION:
+                change_gravity(region, fields.edges, push)
+            bits &= bits - 1
+
+
+@kernel
+def _press(state: StateTables, fields: Fields, first: int, end: int) -> None:
+    """Let the regions found press on the shapes of a body, those from `first` to before `end`."""
+    for word in range(fields.column_grid[0].words):
+        bits = fields.found[word]
+        while bits != 0:
+            region = fields.regions[BITS * word + lowest_bit(bits)]
+            for k in range(first, end if region.kind == WIND else first):
+                blow(region, fields, state.bodies, state.shapes[k], state.vertices)
+            for k in range(first, end if region.kind == WATER else first):
+                lift(region, fields, state.bodies, state.shapes[k], state.vertices)
+            bits &= bits - 1
 
 
 @kernel

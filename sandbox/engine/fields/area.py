@@ -52,10 +52,10 @@ def boundary_within(
 ) -> tuple[Records, int]:
     """The boundary of what of a shape lies in a region in mid-step: the pieces and how many, measured from its body.
 
-    None where the shape lies outside, is a sensor, or nothing can push its body.
+    None where the shape lies outside or is a sensor.
     """
     push = fields.pushes[shape.body]
-    if push.active == 0 or shape.sensor == 1:
+    if shape.sensor == 1:
         return fields.pieces, 0
     where = place(region, fields.edges, push.x, push.y, bodies[shape.body].extent)
     if where == OUTSIDE:

@@ -11,20 +11,18 @@ from sandbox.world.field_records import ATTRACTION, GRAVITY, GRAVITY_SCALE
 
 
 @kernel
-def change_gravity(region: Records, edges: Records, pushes: Records, bodies: int) -> None:
-    """Let a region change the gravity of the bodies whose centre lies in it; regions come in the scene's order."""
-    for i in range(bodies):
-        push = pushes[i]
-        if push.active == 0 or not contains(region, edges, push.x, push.y):
-            continue
-        if region.kind == GRAVITY:
-            push.gravity_x = region.gravity_x
-            push.gravity_y = region.gravity_y
-        elif region.kind == GRAVITY_SCALE:
-            push.gravity_x *= region.scale
-            push.gravity_y *= region.scale
-        elif region.kind == ATTRACTION:
-            _attract(region, push)
+def change_gravity(region: Records, edges: Records, push: Records) -> None:
+    """Let a region change the gravity of a body if its centre lies in it; regions come in the scene's order."""
+    if not contains(region, edges, push.x, push.y):
+        return
+    if region.kind == GRAVITY:
+        push.gravity_x = region.gravity_x
+        push.gravity_y = region.gravity_y
+    elif region.kind == GRAVITY_SCALE:
+        push.gravity_x *= region.scale
+        push.gravity_y *= region.scale
+    elif region.kind == ATTRACTION:
+        _attract(region, push)
 
 
 @kernel

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sandbox.tables import Field, Records, Table, plain
+from sandbox.tables import Field, Integers, Records, Table, plain
 from sandbox.world.field_records import NEVER
 from sandbox.world.state import State
 
@@ -57,6 +57,22 @@ PUSH = Table(
 """One row a body: what the fields of this step do to it."""
 
 
+SPAN = Table("span", (Field("left", "m", "where a region begins, or before"), Field("right", "m", "and ends")))
+
+COLUMN_GRID = Table(
+    "column_grid",
+    (
+        Field("left", "m", "where the first column begins"),
+        Field("per_metre", "1/m", "columns"),
+        Field("count", "-", "how many there are", "i8"),
+        Field("words", "-", "of the set of regions of each", "i8"),
+    ),
+)
+
+COLUMNS, BITS = 256, 62
+"""So many columns at most, and regions in a word of their sets."""
+
+
 def has_fields(state: State) -> bool:
     """Whether a world has regions or thrusters."""
     return len(state.regions) > 0 or len(state.thrusters) > 0
@@ -66,6 +82,8 @@ class Fields(NamedTuple):
     """The regions, their edges and the thrusters of a world, and what working them out needs.
 
     `pushes` has a row a body, and spare ones; `pieces` and `spare` are the boundary at hand, and where it is cut to.
+    `spans` has a row a region, and spare ones, `column_grid` one; `columns` has the sets of regions, column by column,
+    and `found` that of the body at hand.
     """
 
     regions: Records
@@ -74,6 +92,10 @@ class Fields(NamedTuple):
     pushes: Records
     pieces: Records
     spare: Records
+    spans: Records
+    column_grid: Records
+    columns: Integers
+    found: Integers
 
     @classmethod
     def for_state(cls, state: State, bodies: int) -> Fields:
@@ -81,7 +103,12 @@ class Fields(NamedTuple):
         pieces = MAX_PIECES if len(state.regions) else 0
         pushes = PUSH.zeros(bodies if has_fields(state) else 0)
         tables = (state.regions, state.edges, state.thrusters)
-        return cls(*tables, pushes, PIECE.zeros(pieces), PIECE.zeros(pieces))
+        spans = SPAN.zeros(len(state.regions))
+        found = np.zeros(1 + len(spans) // BITS, np.int64)
+        columns = np.zeros(COLUMNS * len(found), np.int64)
+        return cls(
+            *tables, pushes, PIECE.zeros(pieces), PIECE.zeros(pieces), spans, COLUMN_GRID.zeros(1), columns, found
+        )
 
 
 def last_switch(state: State) -> int:

@@ -15,14 +15,12 @@ from sandbox.tables import Records
 
 
 @kernel
-def float_bodies(region: Records, fields: Fields, bodies: Records, shapes: Records, vertices: Records) -> None:
-    """Add the forces of a region of water."""
-    for k in range(shapes.shape[0]):
-        push = fields.pushes[shapes[k].body]
-        found, count = boundary_within(region, fields, bodies, shapes[k], vertices)
-        area, first_x, first_y, second = enclosed(found, count)
-        if area > 0.0:
-            _lift(region, push, area, first_x, first_y, second)
+def lift(region: Records, fields: Fields, bodies: Records, shape: Records, vertices: Records) -> None:
+    """Add the forces of a region of water on a shape."""
+    found, count = boundary_within(region, fields, bodies, shape, vertices)
+    area, first_x, first_y, second = enclosed(found, count)
+    if area > 0.0:
+        _lift(region, fields.pushes[shape.body], area, first_x, first_y, second)
 
 
 @kernel

@@ -22,12 +22,10 @@ _GAUSS = 0.21132486540518713
 
 
 @kernel
-def blow(region: Records, fields: Fields, bodies: Records, shapes: Records, vertices: Records) -> None:
-    """Add the drag of a region of air, at the velocities that bodies have now."""
-    for k in range(shapes.shape[0]):
-        body = shapes[k].body
-        found, count = boundary_within(region, fields, bodies, shapes[k], vertices)
-        _press(region, bodies[body], fields.pushes[body], found, count)
+def blow(region: Records, fields: Fields, bodies: Records, shape: Records, vertices: Records) -> None:
+    """Add the drag of a region of air on a shape, at the velocity that its body has now."""
+    found, count = boundary_within(region, fields, bodies, shape, vertices)
+    _press(region, bodies[shape.body], fields.pushes[shape.body], found, count)
 
 
 @kernel

@@ -118,8 +118,8 @@ class Scratch:
         """Bring up to date what is known of regions and thrusters, and take what memory they lack."""
         fields = self.fields._replace(regions=state.regions, edges=state.edges, thrusters=state.thrusters)
         lacks_bodies = has_fields(state) and len(fields.pushes) < self.room.bodies
-        lacks_pieces = len(state.regions) > 0 and len(fields.pieces) == 0
-        self.fields = Fields.for_state(state, self.room.bodies) if lacks_bodies or lacks_pieces else fields
+        lacks_regions = len(fields.spans) < len(state.regions)
+        self.fields = Fields.for_state(state, self.room.bodies) if lacks_bodies or lacks_regions else fields
 
     def make_room_for_pairs(self, state: State, pairs: int, workers: int) -> None:
         """Take memory for so many pairs; what is known of bodies, shapes and joints is kept."""
