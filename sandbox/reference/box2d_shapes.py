@@ -36,6 +36,7 @@ def _is_link(shape: FlatShape) -> bool:
 def _add_shape(b2: Any, body: Any, shape: FlatShape) -> None:
     definition = b2.shape_def(density=shape.density, is_sensor=shape.sensor)
     definition.material, definition.filter = _material(b2, shape), _filter(b2, shape)
+    definition.enable_sensor_events = True  # without it sensors feel nothing, and cost nothing
     for geometry in _geometries(b2, shape):
         body.create_shape(definition, geometry)
 

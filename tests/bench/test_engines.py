@@ -15,6 +15,7 @@ from sandbox.bench.course import Course
 from sandbox.bench.memory import table_bytes
 from sandbox.bench.quality import Judge
 from sandbox.bench.race import run_race
+from sandbox.reference.box2d_run import Box2dRun
 from sandbox.reference.pymunk_run import PymunkRun
 from sandbox.reference.run import Pose
 from sandbox.resources import find_scene
@@ -300,3 +301,11 @@ def test_a_race_in_which_rules_bring_and_take_bodies() -> None:
     assert race.bodies > 2
     assert ours.quality.kinetic == pytest.approx(pymunk.quality.kinetic, rel=0.2)
     assert "rules are left out" in pymunk.notes
+
+
+def test_sensors_of_box2d_feel_what_is_in_them() -> None:
+    pytest.importorskip("pyb2d3")
+    eye = {"id": "eye", "type": "static", "shapes": [{"circle": 1.0, "sensor": True}]}
+    run = Box2dRun(sandbox.Scene(bodies=[eye, {"id": "it", "position": [0.5, 0.0], "shapes": DISC}]).flatten())
+    run.step()
+    assert run._world.get_sensor_events().begin_count == 1
