@@ -9,10 +9,10 @@ less than a radian a step.
 from __future__ import annotations
 
 from sandbox._jit import entry_point, kernel
-from sandbox.engine.fields.columns import lay_columns, look_up, lowest_bit
 from sandbox.engine.fields.drag import drag_force
 from sandbox.engine.fields.gravity import change_gravity
 from sandbox.engine.fields.records import BITS, Fields
+from sandbox.engine.fields.strips import lay_strips, look_up, lowest_bit
 from sandbox.engine.fields.thrust import thrust
 from sandbox.engine.fields.wake import wake_switched
 from sandbox.engine.fields.water import lift
@@ -73,11 +73,11 @@ def _begin(bodies: Records, pushes: Records, setting: Records) -> None:
 
 @kernel
 def _apply_regions(state: StateTables, fields: Fields, step: int) -> None:
-    """What each region does to each body in the columns that it reaches into, in the order of the regions."""
+    """What each region does to each body that may be in it, in the order of the regions."""
     shapes, pushes = state.shapes, fields.pushes
     if fields.regions.shape[0] == 0:
         return
-    lay_columns(fields, step)
+    lay_strips(fields, step)
     end = 0
     for i in range(state.bodies.shape[0]):
         first = end
@@ -92,7 +92,7 @@ def _apply_regions(state: StateTables, fields: Fields, step: int) -> None:
 @kernel
 def _change_gravity(fields: Fields, push: Records) -> None:
     """Let the regions found change the gravity of a body."""
-    for word in range(fields.column_grid[0].words):
+    for word in range(fields.axes[0].words):
         bits = fields.found[word]
         while bits != 0:
             region = fields.regions[BITS * word + lowest_bit(bits)]
@@ -104,7 +104,7 @@ def _change_gravity(fields: Fields, push: Records) -> None:
 @kernel
 def _press(state: StateTables, fields: Fields, first: int, end: int) -> None:
     """Let the regions found press on the shapes of a body, those from `first` to before `end`."""
-    for word in range(fields.column_grid[0].words):
+    for word in range(fields.axes[0].words):
         bits = fields.found[word]
         while bits != 0:
             region = fields.regions[BITS * word + lowest_bit(bits)]

@@ -57,20 +57,22 @@ PUSH = Table(
 """One row a body: what the fields of this step do to it."""
 
 
-SPAN = Table("span", (Field("left", "m", "where a region begins, or before"), Field("right", "m", "and ends")))
+SPAN = Table("span", (Field("lower", "m", "where a region begins along an axis, or before"), Field("upper", "m", "")))
 
-COLUMN_GRID = Table(
-    "column_grid",
+AXIS = Table(
+    "axis",
     (
-        Field("left", "m", "where the first column begins"),
-        Field("per_metre", "1/m", "columns"),
+        Field("lower", "m", "where the first strip begins"),
+        Field("per_metre", "1/m", "strips"),
         Field("count", "-", "how many there are", "i8"),
         Field("words", "-", "of the set of regions of each", "i8"),
+        Field("first", "-", "where their sets begin", "i8"),
     ),
 )
+"""Two rows: how x and y are cut into strips."""
 
-COLUMNS, BITS = 256, 62
-"""So many columns at most, and regions in a word of their sets."""
+STRIPS, BITS = 256, 62
+"""So many strips of an axis at most, and regions in a word of their sets."""
 
 
 def has_fields(state: State) -> bool:
@@ -82,8 +84,8 @@ class Fields(NamedTuple):
     """The regions, their edges and the thrusters of a world, and what working them out needs.
 
     `pushes` has a row a body, and spare ones; `pieces` and `spare` are the boundary at hand, and where it is cut to.
-    `spans` has a row a region, and spare ones, `column_grid` one; `columns` has the sets of regions, column by column,
-    and `found` that of the body at hand.
+    `spans` has a row a region, and spare ones, `axes` has two; `strips` has the sets of regions, strip by strip, and
+    `found` that of the body at hand.
     """
 
     regions: Records
@@ -93,8 +95,8 @@ class Fields(NamedTuple):
     pieces: Records
     spare: Records
     spans: Records
-    column_grid: Records
-    columns: Integers
+    axes: Records
+    strips: Integers
     found: Integers
 
     @classmethod
@@ -105,10 +107,8 @@ class Fields(NamedTuple):
         tables = (state.regions, state.edges, state.thrusters)
         spans = SPAN.zeros(len(state.regions))
         found = np.zeros(1 + len(spans) // BITS, np.int64)
-        columns = np.zeros(COLUMNS * len(found), np.int64)
-        return cls(
-            *tables, pushes, PIECE.zeros(pieces), PIECE.zeros(pieces), spans, COLUMN_GRID.zeros(1), columns, found
-        )
+        strips = np.zeros(2 * STRIPS * len(found), np.int64)
+        return cls(*tables, pushes, PIECE.zeros(pieces), PIECE.zeros(pieces), spans, AXIS.zeros(2), strips, found)
 
 
 def last_switch(state: State) -> int:

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 from sandbox import SetRegion
 from sandbox._jit import entry_point, kernel_argument
 from sandbox.engine.fields.area import OUTSIDE, place
-from sandbox.engine.fields.columns import lay_columns, look_up, lowest_bit
 from sandbox.engine.fields.records import BITS, Fields
+from sandbox.engine.fields.strips import lay_strips, look_up, lowest_bit
 from sandbox.scene.flat import FlatRegion
 from sandbox.tables import Integers
 from tests.examples import examples
@@ -26,7 +26,7 @@ STEP = 1.0 / 60.0
 @entry_point
 def passed_over(fields: Fields, step: int, extent: float, checked: Integers) -> int:
     """How many regions that a body may lie in are not found; `checked` counts those that are."""
-    lay_columns(fields, step)
+    lay_strips(fields, step)
     lacking = 0
     for i in range(fields.pushes.shape[0]):
         push = fields.pushes[i]
@@ -88,13 +88,16 @@ def test_no_region_is_passed_over(several: list[FlatRegion], places: list[tuple[
     assert passed_over(kernel_argument(fields), 0, extent, np.zeros(1, np.int64)) == 0
 
 
-def test_side_by_side_a_body_is_held_against_few() -> None:
-    several = tuple(FlatRegion("wind", inside(4.0 * k, 0.0, 4.0 * k + 3.0, 5.0)) for k in range(500))
-    places = [(4.0 * k + 1.0, 2.0) for k in range(500)]
+@pytest.mark.parametrize("turned", [False, True])
+def test_side_by_side_or_over_each_other_a_body_is_held_against_few(turned: bool) -> None:
+    def at(x: float, y: float) -> tuple[float, float]:
+        return (y, x) if turned else (x, y)
+
+    several = tuple(FlatRegion("wind", inside(*at(4.0 * k, 0.0), *at(4.0 * k + 3.0, 5.0))) for k in range(500))
     state = world(*(body(f"b{k}", circle(0.1)) for k in range(500)), regions=several).state
     fields, found = Fields.for_state(state, 500), np.zeros(1, np.int64)
-    for push, (x, y) in zip(fields.pushes, places, strict=True):
-        push.x, push.y = x, y
+    for k, push in enumerate(fields.pushes):
+        push.x, push.y = at(4.0 * k + 1.0, 2.0)
     assert passed_over(kernel_argument(fields), 0, 0.5, found) == 0
     assert 500 <= found[0] <= 4 * 500
 
