@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import pytest
 
 import sandbox
-from sandbox import BreakJoint, SetJoint, SetLimits, SetMotor, SetPose, SetSpring
+from sandbox import ApplyForce, BreakJoint, SetJoint, SetLimits, SetMotor, SetPose, SetSpring
 from sandbox.errors import CommandError, UnknownJointError
 from sandbox.scene.flat import FlatSettings
 from tests.flat import body, box, circle, ground
@@ -90,6 +91,37 @@ def test_motors_limits_and_springs_change_at_run_time():
     world.apply(SetSpring("hinge", 1.0, 1.0, 0.25))
     world.step(300)
     assert world.joint("hinge").angle == pytest.approx(0.25, abs=1e-3)
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_a_limit_that_bears_a_load_can_be_taken_away(side):
+    """What was pressed against it moves on as if there had never been one: v = F / m dt."""
+    slide = joint("slide", "prismatic", None, "box", (0.0, 0.0), axis=(1.0, 0.0), lower=-0.1, upper=0.1)
+    world = jointed((body("box", box(1.0, 1.0)),), (slide,), gravity=(0.0, 0.0))
+    for step in range(60):
+        if step == 59:
+            world.apply(SetLimits("slide", -0.1, None) if side > 0.0 else SetLimits("slide", None, 0.1))
+        world.apply(ApplyForce("box", (5.0 * side, 0.0)))
+        world.step()
+    assert world.body("box").velocity == pytest.approx((5.0 * side / 60.0, 0.0), abs=1e-9)
+    assert world.joint("slide").force == pytest.approx((0.0, 0.0), abs=1e-9)
+
+
+@pytest.mark.parametrize("command", [SetMotor("turn", 50.0, 1.0), SetMotor("turn", None)])
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_a_motor_beside_one_limit_becomes_weaker(command, side):
+    """It gives what it can, whatever it gave before: the limit that is not there holds nothing."""
+    stop = {"lower": -3.0} if side > 0.0 else {"upper": 3.0}
+    turn = joint("turn", "revolute", None, "box", (0.0, 0.0), motor_speed=-50.0 * side, max_motor=5.0, **stop)
+    world = jointed((body("box", box(1.0, 1.0)),), (turn,), gravity=(0.0, 0.0))
+    world.step(3)
+    before = world.body("box").angular_velocity
+    world.apply(replace(command, speed=command.speed and -50.0 * side))
+    world.step()
+    wanted = -side if command.speed else 0.0
+    assert world.joint("turn").torque == pytest.approx(wanted, abs=1e-9)
+    gained = world.body("box").angular_velocity - before
+    assert gained == pytest.approx(wanted / world.body("box").inertia / 60.0, abs=1e-9)
 
 
 def test_what_hangs_still_falls_asleep_and_wakes_as_one():

@@ -144,13 +144,17 @@ def drive(
 def find_stop(
     stop: Number, aim: Number, most: Number, speed: Number, slowest: Number, fastest: Number, total: Number
 ) -> Number:
-    """Which limit has a say: 1 the lower, -1 the upper, 0 none. One lets go once the motor alone would do."""
+    """Which limit has a say: 1 the lower, -1 the upper, 0 none. One lets go once the motor alone would do.
+
+    One that did may have been taken away since, or what gave its impulse may have been the motor: there is none to hold
+    where no speed reaches it.
+    """
     upper = select(aim > fastest, -1.0, select(speed > fastest, select(total <= -most, -1.0, 0.0), 0.0))
     lower = select(aim < slowest, 1.0, select(speed < slowest, select(total >= most, 1.0, upper), upper))
     alone = select(aim > fastest, most, -most)
-    held_above = select(stop < 0.0, select(total < alone, -1.0, lower), lower)
+    held_above = select((stop < 0.0) & (fastest < INFINITE), select(total < alone, -1.0, lower), lower)
     alone = select(aim < slowest, -most, most)
-    return select(stop > 0.0, select(total > alone, 1.0, held_above), held_above)
+    return select((stop > 0.0) & (slowest > -INFINITE), select(total > alone, 1.0, held_above), held_above)
 
 
 @inlined_kernel
