@@ -7,6 +7,7 @@ import math
 import numpy as np
 import pytest
 
+import sandbox
 from tests.flat import body, box, circle
 from tests.joints.jointed import G, gap, joint, jointed, row
 
@@ -55,6 +56,31 @@ def test_what_moves_or_is_apart_when_it_is_put_down_has_none():
     for world in (pulled, turning):
         world.step()
         assert not preloads(world).any()
+
+
+def test_what_a_motor_of_any_strength_tears_from_its_aim_has_none():
+    """A wheel that is turned at once, and a rod that hardly lets it: taken for loads, what their joints strive for in
+    the first substep grew a hundredfold each time that it was found again, to speeds that are no numbers."""
+    w = sandbox.World(
+        sandbox.Scene(
+            gravity=(0.0, 0.0),
+            settings={"substeps": 8},
+            bodies=[
+                {"id": name, "shapes": [{"box": [0.8, 0.4], "density": d, "mask": 0}]}
+                for name, d in (("a", 1), ("b", 10))
+            ],
+            joints=[
+                {"id": "rod", "type": "distance", "bodies": ["b", "a"], "anchors": [[1, 0], [0, 0.1]]},
+                {"id": "wheel", "type": "wheel", "bodies": ["a", "b"], "anchor": [0.5, 0], "motor_speed": 90},
+                {"id": "rub", "type": "friction", "bodies": ["b", "a"], "anchor": [1.5, 0], "max_force": 5},
+            ],
+        )
+    )
+    w.step(60)
+    assert w.frozen == []
+    assert not preloads(w).any()
+    assert np.abs(w.bodies.velocity).max() < 2.0
+    assert w.bodies.mass @ w.bodies.velocity == pytest.approx((0.0, 0.0), abs=1e-9)
 
 
 def test_each_part_has_its_own():

@@ -112,6 +112,9 @@ def _solve_positions(d: Batches, batch: Records, seconds: float) -> None:
     before = kinetic_energy(d, batch, SLOW * d.units[0])
     _start_warm(d, batch, False)
     settled = solve_rows(d, batch, seconds, MOVE, who)
+    if any_lane(put_down):  # what its loads tear from its aim, as a motor of any strength may, does not rest under them
+        _foresee(d, batch, seconds)
+        put_down = put_down & ~misses_targets(d, batch, seconds)
     for _ in range(PRELOAD_TURNS if any_lane(put_down) else 0):
         take_as_preload(d, batch, seconds, put_down & settled)
         settled = (settled & ~put_down) | solve_rows(d, batch, seconds, MOVE, put_down)
