@@ -5,13 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from sandbox._collecting import collection_postponed
-from sandbox.arguments import MOST_WORKERS, checked_count, shown
+from sandbox.arguments import MOST_WORKERS, check_kind, checked_count, shown
 from sandbox.attributes import FixedAttributes, attributes_besides
 from sandbox.engine.commands.base import Command, Touched, Vec
 from sandbox.engine.commands.delete import Delete
 from sandbox.engine.commands.set_gravity import SetGravity
 from sandbox.engine.commands.spawn import Spawn
-from sandbox.engine.events.event_log import EventLog, KeptEvents
+from sandbox.engine.events.event_log import EventLog, KeptEvents, Untold
 from sandbox.engine.fields.records import last_switch
 from sandbox.engine.readings import Readings
 from sandbox.engine.stepper import Stepper
@@ -191,10 +191,16 @@ class World(Readings, Shown, FixedAttributes):
             self._queries = Queries(self)
         return self._queries
 
-    def restore(self, data: bytes) -> None:
-        """Go back to a snapshot of this scene. Raises `SnapshotError` and changes nothing if it can't."""
+    def restore(self, data: bytes, untold: Untold | None = None) -> None:
+        """Go back to a snapshot of this scene. Raises `SnapshotError` and changes nothing if it can't.
+
+        With what was `untold` then, the events of the next step are told as they were, also of what was deleted or put
+        elsewhere before the snapshot.
+        """
         if not isinstance(data, (bytes, bytearray, memoryview)):
             raise SnapshotError(f"a snapshot is bytes, as World.snapshot gives them, not {shown(data)}")
+        if untold is not None:
+            check_kind("World.restore", "as untold what World.untold gave", untold, Untold)
         self._changes += 1
         layout, wiring = self.layout, self._stepper.wiring()
         restore(self.state, bytes(data), self._read_roster)
@@ -205,6 +211,13 @@ class World(Readings, Shown, FixedAttributes):
         self._stepper.follow_restore(wiring if self.layout == layout else None)
         plain(self.scratch.contacts.reports)["total_impulse"] = 0.0
         self._events.clear(rows_moved=self.layout != layout)
+        if untold is not None:
+            self._events.take_up(untold)
+
+    @property
+    def untold(self) -> Untold:
+        """What the events of the next step have to know and no snapshot holds: for `restore`."""
+        return self._events.untold
 
     def __reduce_ex__(self, protocol: Any) -> tuple[Any, ...]:
         """How to make a world like it: from the scene and a snapshot, never from memory that both would share."""

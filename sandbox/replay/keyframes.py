@@ -5,14 +5,17 @@ from __future__ import annotations
 from bisect import bisect_left
 from dataclasses import dataclass
 
+from sandbox.engine.events.event_log import Untold
+
 
 @dataclass(frozen=True)
 class Keyframe:
-    """A snapshot after `step` steps, when `applied` commands had been applied."""
+    """A snapshot after `step` steps, when `applied` commands had been applied, and what was untold then."""
 
     step: int
     applied: int
     snapshot: bytes
+    untold: Untold | None = None
 
 
 class Keyframes:

@@ -88,7 +88,7 @@ class Player(FixedAttributes):
         commands = [row for row in self._stepper.commands if row[0] < here] + self._stepper.commands_done_at(here)
         player._begin(Run(self._run.scene, here, tuple(commands)), self._head.frames.up_to(here))
         player._length = here
-        player._stepper.restore(self.world.snapshot(), self._stepper.applied)
+        player._stepper.restore(self.world.snapshot(), self._stepper.applied, self.world.untold)
         return player
 
     def _begin(self, run: Run, frames: Keyframes) -> None:

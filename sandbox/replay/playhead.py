@@ -38,7 +38,7 @@ class Playhead(FixedAttributes):
     def keep(self) -> None:
         """Keep a keyframe of this step if one is due."""
         if self._frames.wants(self.step):
-            self._frames.add(Keyframe(self.step, self.stepper.applied, self.world.snapshot()))
+            self._frames.add(Keyframe(self.step, self.stepper.applied, self.world.snapshot(), self.world.untold))
 
     def go(self, step: int, advance: Callable[[], None], anew: bool = False) -> None:
         """To a step, the commands after it not yet applied; `advance` takes one, `anew` if the world is of another run.
@@ -48,7 +48,7 @@ class Playhead(FixedAttributes):
         frame = self._frames.before(max(step, 1))
         # Forwards from here, unless a keyframe lies between or the way leads back.
         if anew or step <= self.step or frame.step > self.step:
-            self.stepper.restore(frame.snapshot, frame.applied)
+            self.stepper.restore(frame.snapshot, frame.applied, frame.untold)
         while self.step < step:
             advance()
 

@@ -8,6 +8,7 @@ import sandbox
 from sandbox import ApplyImpulse, SetPose
 from sandbox.replay.golden.run import RunStepper
 from sandbox.replay.keyframes import Keyframe, Keyframes
+from sandbox.replay.timeline import Timeline
 from tests.determinism import busy
 from tests.replay.played import COMMANDS, STEPS, recording, scene
 
@@ -57,6 +58,64 @@ def test_the_events_of_a_step_are_those_of_a_straight_run() -> None:
     for step in reversed(range(1, busy.STEPS + 1)):
         player.seek(step)
         assert list(player.world.events) == expected[step - 1], step
+
+
+EVENTFUL = sandbox.Scene(
+    bodies=[
+        {"id": "ground", "type": "static", "shapes": [{"box": [20, 1]}], "position": [0, -0.5]},
+        {"id": "eye", "type": "static", "shapes": [{"box": [1, 1], "sensor": True}], "position": [6, 0.5]},
+        *(
+            {"id": name, "shapes": [{"box": [1, 1]}], "position": [x, 0.5]}
+            for name, x in (("a", -4), ("b", -2), ("c", 0))
+        ),
+    ],
+    rules=[{"when": {"time": 0.1}, "do": [{"delete": "a"}]}],
+)
+"""A rule deletes a body after step 6."""
+
+
+@pytest.mark.parametrize("kind", [sandbox.Player, Timeline])
+def test_what_was_done_between_two_steps_is_told_by_the_second_whoever_goes_there(kind) -> None:
+    """Contacts of what was deleted end, and what was put into a sensor enters it."""
+    world, player, told = sandbox.World(EVENTFUL), kind(EVENTFUL), [[]]
+    todo = {4: [sandbox.Delete("b"), SetPose("c", (6.0, 0.5), 0.0)], 8: [SetPose("c", (0.0, 0.5), 0.0)]}
+    if kind is sandbox.Player:
+        player.seek(0)
+        player = player.branch()
+    for step in range(10):
+        for command in todo.get(step, []):
+            world.apply(command)
+            player.apply(command)
+        world.step()
+        player.step()
+        told.append(list(world.events))
+    assert [[event["event"] for event in told[step]] for step in (5, 7, 9)] == [
+        ["end", "enter"],
+        ["end"],
+        ["leave"],
+    ]
+    for step in (5, 9, 7, 10, 7, 4, 5, 8, 9):
+        player.seek(step)
+        assert list(player.world.events) == told[step], step
+    world = sandbox.World(EVENTFUL)
+    world.step(4)
+    for command in todo[4]:
+        world.apply(command)
+    twin = sandbox.World(EVENTFUL)
+    twin.restore(world.snapshot(), world.untold)
+    twin.step()
+    assert list(twin.events) == told[5]
+    with pytest.raises(sandbox.ArgumentError, match="takes as untold what World"):
+        twin.restore(world.snapshot(), 3)  # type: ignore[arg-type]
+
+
+def test_a_branch_tells_what_was_done_before_it_in_the_same_step() -> None:
+    player = sandbox.Player(sandbox.Run(EVENTFUL, 4))
+    player.seek(4)
+    player.apply(sandbox.Delete("b"))
+    branch = player.branch()
+    branch.step()
+    assert [(event["event"], event["b"]) for event in branch.world.events] == [("end", "b")]
 
 
 def test_keyframes_keep_to_the_budget_and_stand_farther_apart_in_longer_runs() -> None:

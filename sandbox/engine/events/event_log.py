@@ -26,12 +26,19 @@ Vec = tuple[float, float]
 _NOBODY = SENSOR_EVENT.zeros(0)
 
 
+class Untold(NamedTuple):
+    """What the events of the next step have to know of the time before it, and no snapshot holds: what sensors had in
+    them, and what was deleted since."""
+
+    sensed: Records | None
+    deleted: DeletedPairs
+
+
 class KeptEvents(NamedTuple):
     """What a copy of a world has to know of the last step, which no snapshot holds."""
 
     events: Events
-    sensed: Records | None
-    deleted: DeletedPairs
+    untold: Untold
 
 
 def _put_back(names: list[str], rows: list[int], gone: list[str]) -> list[str]:
@@ -138,13 +145,23 @@ class EventLog:
 
     def kept(self, scratch: Scratch) -> KeptEvents:
         """What `recall` takes, for a log of a state with the same rows."""
-        return KeptEvents(self.events(scratch), self.sensed, self._pending.deleted)
+        return KeptEvents(self.events(scratch), self.untold)
 
     def recall(self, kept: KeptEvents) -> None:
         """The last step was one of another world, from which the state was restored."""
-        self._events, self._pending.deleted = kept.events, kept.deleted
-        if self._sensors is not None and kept.sensed is not None:
-            self._sensors.now = self._sensors.before = kept.sensed
+        self._events = kept.events
+        self.take_up(kept.untold)
+
+    @property
+    def untold(self) -> Untold:
+        """What `take_up` takes, for a log of a state with the same rows."""
+        return Untold(self.sensed, self._pending.deleted)
+
+    def take_up(self, untold: Untold) -> None:
+        """Go on from where another log was whose state was restored."""
+        self._pending.deleted = untold.deleted
+        if self._sensors is not None and untold.sensed is not None:
+            self._sensors.now = self._sensors.before = untold.sensed
 
     def _forget(self, quiet: bool) -> None:
         """The last step is another one; in a `quiet` one nothing happened."""

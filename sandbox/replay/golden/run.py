@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from sandbox.arguments import check_kind, checked_count
+from sandbox.engine.events.event_log import Untold
 from sandbox.engine.world import World
 from sandbox.replay.recording.command_words import TimedCommand
 from sandbox.replay.recording.recording import Recording
@@ -77,13 +78,12 @@ class RunStepper:
         self.commands.insert(self._applied, (self.step, command))
         self._applied += 1
 
-    def take_back(self, snapshot: bytes, applied: int) -> None:
+    def take_back(self, snapshot: bytes, applied: int, untold: Untold) -> None:
         """Forget all commands but the first `applied`; `snapshot` is the world after these, in this step.
 
         Raises `SnapshotError`.
         """
-        self.world.restore(snapshot)
-        self._applied = applied
+        self.restore(snapshot, applied, untold)
         self.commands = self.commands[:applied]
 
     def forget_coming(self) -> None:
@@ -94,9 +94,10 @@ class RunStepper:
         """The commands of `step` that have been applied."""
         return [row for row in self.commands[: self._applied] if row[0] == step]
 
-    def restore(self, snapshot: bytes, applied: int) -> None:
-        """Go to a snapshot, taken when `applied` commands had been applied. Raises `SnapshotError`."""
-        self.world.restore(snapshot)
+    def restore(self, snapshot: bytes, applied: int, untold: Untold | None = None) -> None:
+        """Go to a snapshot, taken when `applied` commands had been applied, and to what was `untold` then, for the
+        events of the next step. Raises `SnapshotError`."""
+        self.world.restore(snapshot, untold)
         self._applied = applied
 
     @property
