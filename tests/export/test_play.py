@@ -66,6 +66,14 @@ def test_a_copy_of_a_driven_body_goes_beside_it() -> None:
     assert pose(world, "lift-copy") == pytest.approx((x + 20.0, y, angle), abs=1e-12)
 
 
+def test_a_body_that_waits_beside_its_path_is_told_of() -> None:
+    """It has not begun, and stays where it was put until it is let go: a file has no words for that."""
+    world = driven("lift")
+    world.apply(SetPath("lift", enabled=False))
+    world.apply(SetPose("lift", (5.0, 5.0), 0.0))
+    assert scene_of(world).remarks == ("bodies that were put beside their paths begin on them: lift",)
+
+
 def test_a_path_that_was_stopped_and_a_body_beside_it() -> None:
     world = driven("lift")
     world.step(100)

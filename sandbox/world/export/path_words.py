@@ -36,5 +36,5 @@ def _note_strays(present: Present, body: int, row: Any, path: FlatPath) -> None:
     x, y, angle = path.after(int(row.steps) * seconds)
     due = row.origin_x + x, row.origin_y + y, row.origin_angle + angle
     here = present.state.bodies[body]
-    if (here.position_x, here.position_y, here.angle) != due and row.steps > 0:
+    if (here.position_x, here.position_y, here.angle) != due:
         present.remarks.note("bodies that were put beside their paths begin on them", present.state.names[body])
