@@ -18,6 +18,8 @@ from sandbox.scene.splitmix import SplitMix64
 Value: TypeAlias = float | int | str | bool
 MOST_LEVELS = 1_000_000
 """Values of one parameter."""
+_LEAST, _MOST = -(2**63), 2**63 - 1
+"""Whole numbers that a column of a table has room for."""
 _WHOLE = re.compile(r"[+-]?\d{1,18}")
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,3})?")
 
@@ -113,7 +115,10 @@ def _plain(path: str, value: Any) -> Value:
     if isinstance(value, (str, bool)):
         return value
     if isinstance(value, Integral):
-        return int(value)
+        whole = int(value)
+        if not _LEAST <= whole <= _MOST:
+            raise ArgumentError(f"{path}: a whole number is one of 64 bits, not {shown(value)}")
+        return whole
     if isinstance(value, Real) and math.isfinite(value):
         return float(value)
     if type(value).__name__ == "bool_" or type(value).__name__ == "bool":  # numpy's

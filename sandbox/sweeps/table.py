@@ -118,7 +118,7 @@ def read_table(path: Path) -> SweepTable:
             raise SandboxError(f"{told(path)}: this is no Parquet file ({str(error).splitlines()[0]})") from None
     try:
         names, *rows = csv.reader(io.StringIO(read_bytes(path, _LARGEST).decode("utf-8-sig")))
-        return SweepTable({name: [row[k] for row in rows if row] for k, name in enumerate(names)})
+        return SweepTable({name: _read_column(name, [row[k] for row in rows if row]) for k, name in enumerate(names)})
     except (ValueError, IndexError, csv.Error):
         raise SandboxError(f"{told(path)}: this is no table in CSV, in UTF-8 and with a line of names first") from None
 
@@ -135,31 +135,25 @@ def require_arrow() -> tuple[Any, Any]:
 
 
 def _column(values: Sequence[Any]) -> Column:
-    """Numbers as numbers, also those that a file has as text; anything else as Python's own values."""
+    """Numbers as numbers, anything else as Python's own values: a text may be the name of a material, such as 1e3."""
     kinds = {type(value) for value in values}
     if kinds <= {int}:
         return np.array(values, np.int64)
     if kinds <= {int, float}:
         return np.array(values, np.float64)
-    if kinds == {str}:
-        return _read_column(values)
     found = np.empty(len(values), object)
     found[:] = values
     return found
 
 
-def _read_column(texts: Sequence[str]) -> Column:
-    for kind, blank in ((int, "x"), (float, "nan")):
+def _read_column(name: str, texts: Sequence[str]) -> Sequence[Any]:
+    """What the texts of a file stand for: numbers, if all are; a digest may look like one."""
+    for kind, blank in ((int, "x"), (float, "nan")) if name != "digest" else ():
         try:
-            numbers = [kind(text or blank) for text in texts]
+            return [kind(text or blank) for text in texts]
         except ValueError:
             continue
-        if any(len(text) == 16 for text in texts) and kind is int:
-            break  # digests that happen to have no letters
-        return np.array(numbers, np.int64 if kind is int else np.float64)
-    found = np.empty(len(texts), object)
-    found[:] = texts
-    return found
+    return texts
 
 
 def _of_one_type(values: list[Any]) -> list[Any]:

@@ -62,6 +62,8 @@ def test_what_cannot_be_swept_is_told_before_anything_runs() -> None:
         ({"vary": {"gravity.1": [1]}, "collect": ["status = energy"]}, "there is a column 'status' already"),
         ({"vary": {"gravity.1": [1]}, "collect": ["at(9, energy)"], "steps": 8}, "the steps 0 to 8"),
         ({"vary": {"gravity.1": [1]}, "draw": 3}, "a pair"),
+        ({"vary": {"gravity.1": [2**63, 1]}}, "gravity.1: a whole number is one of 64 bits, not 9223372036854775808"),
+        ({"vary": {"gravity.1": [10**400]}}, "gravity.1: a whole number is one of 64 bits, not a number of more"),
         ({"vary": [1]}, "a dictionary"),
         ({"vary": {"gravity.1": [1]}, "on": 0}, "processes from 1"),
     ):
@@ -79,6 +81,12 @@ def test_a_cluster_gives_the_same_bytes() -> None:
 
 
 class TestTables:
+    def test_texts_that_could_be_numbers_stay_what_they_are(self) -> None:
+        scene = sandbox.Scene(materials={"nan": {}, "1e3": {"friction": 1}}, bodies=[{**CRATE, "material": "nan"}])
+        table = sandbox.sweep(scene, {"bodies.crate.material": ["nan", "1e3"]}, 1)
+        assert table["bodies.crate.material"].tolist() == ["nan", "1e3"]
+        assert table["status"].tolist() == ["ok", "ok"]
+
     def test_a_file_holds_the_same_numbers(self, tmp_path: Path) -> None:
         table = sandbox.sweep(SLIDING, WITH, 5, ["body('crate').velocity"])
         table.save(tmp_path / "t.csv")
@@ -105,9 +113,13 @@ class TestTables:
         assert "<td>2.5</td><td>&lt;b&gt;</td>" in table._repr_html_()
         assert repr(table) == "<SweepTable of 2 runs: speed, status>"
 
-    def test_digests_stay_texts(self, tmp_path: Path) -> None:
-        SweepTable({"digest": ["0123456789012345"]}).save(tmp_path / "t.csv")
-        assert read_table(tmp_path / "t.csv")["digest"].tolist() == ["0123456789012345"]
+    @pytest.mark.parametrize("digest", ["0123456789012345", "84219e7350120012", "1234567e00000001"])
+    def test_digests_stay_texts(self, digest: str, tmp_path: Path) -> None:
+        """Also those that could be read as a number, one that no float holds among them."""
+        table = SweepTable({"digest": [digest]})
+        table.save(tmp_path / "t.csv")
+        for each in (table, read_table(tmp_path / "t.csv")):
+            assert each["digest"].tolist() == [digest]
 
 
 class TestPlots:
