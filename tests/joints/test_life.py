@@ -186,6 +186,10 @@ def test_a_welded_stack_stands_on_the_ground():
         (SetMotor("hinge", 1e9), "past the limit"),
         (SetLimits("hinge", 1.0, 0.0), "lower must not be greater"),
         (SetSpring("hinge", -1.0), "must not be negative"),
+        (SetSpring("hinge", 2.0, 0.5, 1e12), "rest of 1e\\+12 is past the limit"),
+        (SetLimits("hinge", None, 1e100), "upper of 1e\\+100 is past the limit"),
+        (SetSpring("rod", 2.0, 0.5, -1.0), "rest is a length here, and must not be negative"),
+        (SetLimits("rod", -5.0, -3.0), "upper is a length here"),
     ],
 )
 def test_a_command_that_cannot_be_done_changes_nothing(command, words):

@@ -28,8 +28,10 @@ TIME_LIMIT = 1e9
 
 AREAS = ("inside", "disc", "outline")
 """Fields that say where a region is."""
+_PLACES = ("lower", "upper", "min", "max", "rest", "length")
+"""Fields that say where a joint is to be, in m or rad."""
 LIMITS = {
-    **dict.fromkeys(("position", "angle", "point", "target", "radius", "pointer", *AREAS), MAX_COORDINATE),
+    **dict.fromkeys(("position", "angle", "point", "target", "radius", "pointer", *AREAS, *_PLACES), MAX_COORDINATE),
     **dict.fromkeys(("velocity", "angular_velocity", "speed"), SPEED_LIMIT),
     "gravity": GRAVITY_LIMIT,
     "value": 1.0,

@@ -48,6 +48,7 @@ class SetLimits(JointCommand):
         upper = math.inf if self.upper is None else self.upper
         if lower > upper:
             raise CommandError(f"{title(self)}: lower must not be greater than upper")
+        _check_length(joint, upper, self, "upper")
         joint.lower, joint.upper = lower, upper
         joint.limit = int(self.lower is not None or self.upper is not None)
 
@@ -63,6 +64,7 @@ class SetSpring(JointCommand):
     def change(self, state: State, joint: Any) -> None:
         """Write the spring."""
         require(joint, SPRINGS, self, "spring")
+        _check_length(joint, self.rest or 0.0, self, "rest")
         joint.spring = int(self.hertz is not None)
         joint.hertz, joint.damping_ratio = self.hertz or 0.0, self.damping_ratio
         if self.rest is None:
@@ -71,6 +73,12 @@ class SetSpring(JointCommand):
             joint.length = self.rest
         else:
             joint.rest = self.rest
+
+
+def _check_length(joint: Any, value: float, command: JointCommand, what: str) -> None:
+    """What is the length of a distance joint must not be negative."""
+    if int(joint.kind) == kinds.DISTANCE and value < 0.0:
+        raise CommandError(f"{title(command)}: {what} is a length here, and must not be negative")
 
 
 @dataclass(frozen=True)
