@@ -9,6 +9,8 @@ import pytest
 
 import sandbox
 from sandbox import ApplyForce, BreakJoint, SetJoint, SetLimits, SetMotor, SetPose, SetSpring
+from sandbox._jit import interpreted
+from sandbox.engine.joints.direct.reports import finish_report
 from sandbox.errors import CommandError, UnknownJointError
 from sandbox.scene.flat import FlatSettings
 from tests.flat import body, box, circle, ground
@@ -122,6 +124,20 @@ def test_a_motor_beside_one_limit_becomes_weaker(command, side):
     assert world.joint("turn").torque == pytest.approx(wanted, abs=1e-9)
     gained = world.body("box").angular_velocity - before
     assert gained == pytest.approx(wanted / world.body("box").inertia / 60.0, abs=1e-9)
+
+
+@pytest.mark.parametrize("numbers", [(math.nan, 0.0, 0.0), (0.0, math.inf, 1.0), (1.0, 2.0, math.nan)])
+def test_a_joint_whose_bodies_bad_numbers_froze_gives_nothing_and_can_be_gone_back_to(numbers):
+    """What is no number, in a snapshot, is a damage that refuses it."""
+    hinge = joint("hinge", "revolute", None, "bar", (0.0, 0.0), break_force=1e9)
+    world = jointed((body("bar", box(2.0, 0.2), position=(1.0, 0.0)),), (hinge,))
+    world.step(3)
+    row = world.state.joints[0]
+    row.impulse_0 = math.nan
+    assert interpreted(finish_report)(row, *numbers, 3) == 0
+    assert world.joint("hinge").force == (0.0, 0.0)
+    assert world.joint("hinge").torque == 0.0
+    world.restore(world.snapshot())
 
 
 def test_what_hangs_still_falls_asleep_and_wakes_as_one():

@@ -10,6 +10,7 @@ from sandbox.engine.contact_solver.soft_constraint import substep_share
 from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.batches import joint_rows
 from sandbox.engine.joints.direct.records import Batches
+from sandbox.engine.joints.laws import INFINITE
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.gather_fields import Rows
 from sandbox.tables import Records
@@ -85,15 +86,32 @@ def _report(work: JointWork, batch: Records, frame: Records, joints: Rows, secon
 
 @kernel
 def finish_report(joint: Records, force_x: float, force_y: float, torque: float, step_count: int) -> int:
-    """Write what a joint gives, and whether it breaks by it; returns 1 if it does."""
+    """Write what a joint gives, and whether it breaks by it; returns 1 if it does.
+
+    One whose bodies are frozen for what it gave, which is no number, gives nothing: no snapshot may hold that.
+    """
+    force = math.sqrt(force_x * force_x + force_y * force_y)
+    if not force + abs(torque) < INFINITE:
+        _forget(joint)
+        return 0
     joint.force_x = force_x
     joint.force_y = force_y
     joint.torque = torque
-    force = math.sqrt(force_x * force_x + force_y * force_y)
     if force > joint.break_force or abs(torque) > joint.break_torque:
         joint.broken_step = step_count
         return 1
     return 0
+
+
+@kernel
+def _forget(joint: Records) -> None:
+    """Take back all that a joint gave."""
+    for slot in range(5):
+        set_slot_impulse(joint, slot, 0.0)
+        set_slot_preload(joint, slot, 0.0)
+    joint.force_x = 0.0
+    joint.force_y = 0.0
+    joint.torque = 0.0
 
 
 @kernel
