@@ -152,6 +152,14 @@ class TestShapes:
         assert [hasattr(shape, "chain") for shape in imported.scene.bodies[0].shapes] == [True, True, False]
 
 
+def test_what_rounds_to_rest_is_at_rest_in_a_scene() -> None:
+    """So a world that comes back is the same however often it goes."""
+    ball = {"id": "ball", "shapes": [{"circle": 0.5}], "velocity": [1e-12, 0.0], "angular_velocity": 1e-12}
+    once = there_and_back(Scene(bodies=[{**ball, "linear_damping": 1e-12}]))
+    assert once.scene.bodies[0].model_fields_set.isdisjoint({"velocity", "angular_velocity", "linear_damping"})
+    assert there_and_back(once.scene).scene == once.scene
+
+
 def test_what_a_world_of_planck_cannot_say_is_listed() -> None:
     scene = load_scene(Path(__file__).parents[2] / "scenes/games/breakout.scene.json")
     found = {remark.text for remark in export_scene(scene, "planck").remarks}

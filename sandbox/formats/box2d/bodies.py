@@ -30,14 +30,13 @@ def body_words(body: Body, remarks: Remarks) -> Words | None:
 
 
 def _motion_words(body: Body, remarks: Remarks) -> Words:
-    words: Words = {}
-    if body.velocity != (0.0, 0.0):
-        words["velocity"] = tidy_point(body.velocity)
+    velocity = tidy_point(body.velocity)
+    words: Words = {"velocity": velocity} if any(velocity) else {}
     values = {
         "angular_velocity": degrees(body.spin), "linear_damping": body.linear_damping,
         "angular_damping": body.angular_damping,
     }  # fmt: skip
-    words |= {key: tidy(value) for key, value in values.items() if value}
+    words |= {key: tidied for key, value in values.items() if (tidied := tidy(value))}
     if body.type == "dynamic":
         words |= mass_words(body)
         if body.gravity_scale != 1.0:
