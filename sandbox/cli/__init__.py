@@ -14,7 +14,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
     _fill_in_closed_streams()
     from sandbox._lent import keep_streams
     from sandbox.cli.app import build
-    from sandbox.cli.failures import error_document, report
+    from sandbox.cli.document import print_error_document
+    from sandbox.cli.failures import report
     from sandbox.cli.usage import invoke
 
     keep_streams()
@@ -28,7 +29,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
         code = report(error)
         if "--json" in words:
             with suppress(OSError):  # perhaps the very reason
-                print(error_document(error))
+                print_error_document(error)
         raise SystemExit(code) from error
 
 

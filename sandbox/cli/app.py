@@ -9,7 +9,7 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
-from sandbox.cli.command import Command
+from sandbox.cli.command import Command, without_types
 
 PANELS = {
     "Play and show": ("run", "list", "render", "gallery"),
@@ -27,6 +27,10 @@ COMMANDS = tuple(name for names in PANELS.values() for name in names)
 
 class LazyGroup(TyperGroup):
     """A command group that imports a subcommand's file on first use."""
+
+    def get_params(self, ctx: Any) -> list[Any]:
+        """Without the names of Python's types."""
+        return without_types(super().get_params(ctx))
 
     def list_commands(self, ctx: Any) -> list[str]:
         """All command names, without importing anything."""

@@ -12,8 +12,9 @@ import typer
 
 from sandbox._atomic_write import write_text
 from sandbox.arguments import MOST_WORKERS
+from sandbox.cli.document import JSON
 from sandbox.cli.options import SET, takes, values_set
-from sandbox.cli.output import FORCE, check_new
+from sandbox.cli.output import FORCE, check_new, put
 from sandbox.errors import MissingDependencyError, SandboxError
 
 if TYPE_CHECKING:
@@ -36,7 +37,6 @@ _WORKERS = typer.Option(
     help="Threads that share a step of ours: one after another takes part. \\[times: clock]",
 )
 _PROFILE = typer.Option("--profile", help="Show how long each part of our step takes.")
-_JSON = typer.Option("--json", help="Print one JSON document instead of the table.")
 _OUTPUT = typer.Option(
     "-o", "--output", metavar="FILE", show_default=False,
     help="Write the JSON document there as well, anew after each scene.",
@@ -53,7 +53,7 @@ class BenchOptions:
     workers: Annotated[str, _WORKERS] = "1"
     profile: Annotated[bool, _PROFILE] = False
     set: Annotated[list[str] | None, SET] = None
-    json: Annotated[bool, _JSON] = False
+    json: Annotated[bool, JSON] = False
     output: Annotated[Path | None, _OUTPUT] = None
     force: Annotated[bool, FORCE] = False
 
@@ -164,7 +164,7 @@ def _run_for_machines(files: Sequence[Path], engines: Sequence[str], options: Be
     from rich.console import Console
 
     results, told = _run_all(files, engines, options, Console(stderr=True), _report_error)
-    print(told)
+    put(told, None)
     return results
 
 
@@ -183,19 +183,19 @@ def _run_all(
     show: Callable[[BenchResult], None],
 ) -> tuple[list[BenchResult], str]:
     """Run all scenes; returns what became of them, also as the JSON document."""
-    from sandbox.cli.bench_result import document
+    from sandbox.cli.bench_result import text
     from sandbox.cli.progress import SceneProgress
 
     results: list[BenchResult] = []
-    told = document(results, 0.0)
+    told = text(results, 0.0)
     start = time.perf_counter()
     with SceneProgress(console, len(files)) as progress:
         for result in _results(files, engines, options, progress):
             show(result)
             results.append(result)
-            told = document(results, time.perf_counter() - start)
+            told = text(results, time.perf_counter() - start)
             if options.output is not None:  # a run of an hour may be interrupted
-                write_text(options.output, told + "\n", over=options.force or len(results) > 1)
+                write_text(options.output, told, over=options.force or len(results) > 1)
     return results, told
 
 

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import json
-import math
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from sandbox._version import __version__
+from sandbox.cli.document import document
 from sandbox.cli.failures import HOLDS, UNUSABLE, problems
 
 if TYPE_CHECKING:
@@ -31,16 +29,10 @@ def exit_code(results: Sequence[BenchResult]) -> int:
     return UNUSABLE if any(result.race is None for result in results) else HOLDS
 
 
-def document(results: Sequence[BenchResult], seconds: float) -> str:
-    """The whole outcome as the JSON document that `--json` prints; its keys only ever grow in number."""
-    found = {
-        "format": 1,
-        "sandbox": __version__,
-        "exit_code": exit_code(results),
-        "seconds": round(seconds, 3),
-        "scenes": [_scene_entry(result) for result in results],
-    }
-    return json.dumps(found, indent=2, ensure_ascii=False, allow_nan=False)
+def text(results: Sequence[BenchResult], seconds: float) -> str:
+    """The whole outcome as a JSON document."""
+    scenes = [_scene_entry(result) for result in results]
+    return document({"seconds": round(seconds, 3), "scenes": scenes}, exit_code(results))
 
 
 def _scene_entry(result: BenchResult) -> dict[str, Any]:
@@ -74,7 +66,7 @@ def _engine_entry(result: Result) -> dict[str, Any]:
         "sandbox_over_this": result.ratio,
         "deepest_overlap_m": quality.deepest,
         "overlapping_pairs": quality.overlapping,
-        "kinetic_energy_j": quality.kinetic if math.isfinite(quality.kinetic) else None,
+        "kinetic_energy_j": quality.kinetic,
         "escaped": quality.escaped,
         "lost": quality.lost,
     }

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from sandbox.cli.document import JSON, print_document
 from sandbox.cli.failures import FAILED, HOLDS, NOTHING
 from sandbox.cli.options import SET, values_set
 
@@ -21,7 +22,6 @@ _ENGINE = typer.Option(
     metavar="FOLDER", show_default=False, help="A git checkout of the engine; default: the one that is running."
 )
 _NO_JIT = typer.Option("--no-jit", help="Run the kernels as plain Python: nothing is compiled; for small scenes.")
-_JSON = typer.Option("--json", help="Print one JSON document instead of lines.")
 
 
 def bisect(
@@ -31,7 +31,7 @@ def bisect(
     engine: Annotated[Path | None, _ENGINE] = None,
     no_jit: Annotated[bool, _NO_JIT] = False,
     set: Annotated[list[str] | None, SET] = None,
-    json: Annotated[bool, _JSON] = False,
+    json: Annotated[bool, JSON] = False,
 ) -> None:
     """Find the commit from which on a recording goes another way than at the good revision, by halving.
 
@@ -52,8 +52,9 @@ def bisect(
     repository = Repository(engine)
     ends = repository.commit(good), repository.commit(bad)
     found = _search(repository, run, ends, no_jit, getattr(what, "digests", ()))
-    _print_document(found, ends) if json else _print_lines(found, ends)
-    raise typer.Exit({0: NOTHING, 1: HOLDS}.get(len(found.suspects), FAILED))
+    code = {0: NOTHING, 1: HOLDS}.get(len(found.suspects), FAILED)
+    _print_document(found, ends, code) if json else _print_lines(found, ends)
+    raise typer.Exit(code)
 
 
 def _search(repository: Any, run: Any, ends: tuple[Commit, Commit], no_jit: bool, digests: tuple[str, ...]) -> Found:
@@ -101,11 +102,7 @@ def _both(parts: int | None) -> str:
     return f"neither does what was recorded, from step {parts} on: look for an earlier good revision\n"
 
 
-def _print_document(found: Found, ends: tuple[Commit, Commit]) -> None:
-    import json
+def _print_document(found: Found, ends: tuple[Commit, Commit], code: int) -> None:
     from dataclasses import asdict
 
-    from sandbox.cli.replay_result import plain
-
-    data = {"format": 1, "good": asdict(ends[0]), "bad": asdict(ends[1]), **plain(asdict(found))}
-    print(json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False))
+    print_document({"good": asdict(ends[0]), "bad": asdict(ends[1]), **asdict(found)}, code)

@@ -8,6 +8,7 @@ from typing import Annotated, Any
 import typer
 
 from sandbox._printable import told
+from sandbox.cli.document import JSON, print_document
 
 _KEY = typer.Option("--key", help="Print only the key: it changes when the kernels have to be compiled anew.")
 _PATH = typer.Option("--path", help="Print only the folder: SANDBOX_CACHE_DIR, or the user's cache folder.")
@@ -15,7 +16,6 @@ _FILL = typer.Option("--fill", help="Compile the kernels now, for this very proc
 _INTO = typer.Option(
     metavar="DIR", show_default=False, help="Compile for all usual processors of this platform, for a wheel."
 )
-_JSON = typer.Option("--json", help="Print one JSON document instead.")
 
 
 def cache(
@@ -23,7 +23,7 @@ def cache(
     path: Annotated[bool, _PATH] = False,
     fill: Annotated[bool, _FILL] = False,
     into: Annotated[Path | None, _INTO] = None,
-    json: Annotated[bool, _JSON] = False,
+    json: Annotated[bool, JSON] = False,
 ) -> None:
     """Say where compiled kernels are kept, and the key under which a CI server can keep that folder.
 
@@ -36,7 +36,7 @@ def cache(
         return
     found = _found(fill)
     if json:
-        _print_document(found)
+        print_document(found)
     elif key or path:
         print("\n".join(str(found[name]) for name, wanted in (("key", key), ("path", path)) if wanted))
     else:
@@ -55,7 +55,6 @@ def _found(fill: bool) -> dict[str, Any]:
     if fill and not is_compiled():
         _compile()
     return {
-        "format": 1,
         "path": cache_root().as_posix(),
         "key": cache_key(),
         "compiled": is_compiled(),
@@ -84,12 +83,6 @@ def _compile_for_wheel(folder: Path, as_json: bool) -> None:
     size = sum(file.stat().st_size for level in levels for file in level.iterdir())
     names = [level.name for level in levels]
     if as_json:
-        _print_document({"format": 1, "path": folder.as_posix(), "levels": names, "bytes": size})
+        print_document({"path": folder.as_posix(), "levels": names, "bytes": size})
     else:
         print(f"{told(folder)}: machine code for {', '.join(names)}, {size / 1e6:.1f} MB")
-
-
-def _print_document(found: dict[str, Any]) -> None:
-    import json
-
-    print(json.dumps(found, indent=2))

@@ -32,7 +32,7 @@ def check(options: CheckOptions) -> None:
     """
     values = values_set(options.set)
     files = find_files(options.paths, options.only)
-    check_report("--junit", options.junit, ".xml")
+    check_report("--junit", options.junit, [".xml"], files)
     from sandbox.cli.check_result import exit_code
     from sandbox.cli.check_run import Work, run
 

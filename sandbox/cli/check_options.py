@@ -8,6 +8,7 @@ from typing import Annotated
 
 import typer
 
+from sandbox.cli.document import JSON
 from sandbox.cli.options import SET, WORKERS
 from sandbox.cli.pool import JOBS
 from sandbox.resources import SCENE_SUFFIX
@@ -22,7 +23,6 @@ _STEPS = typer.Option(
 )
 _ONLY = typer.Option("-k", "--only", metavar="TEXT", show_default=False, help="Only files whose path contains TEXT.")
 _REQUIRE = typer.Option("--require-expect", help="A scene that expects nothing fails.")
-_JSON = typer.Option("--json", help="Print one JSON document instead of the table.")
 _JUNIT = typer.Option(metavar="FILE.xml", show_default=False, help="Write a JUnit report as well.")
 
 
@@ -37,5 +37,5 @@ class CheckOptions:
     jobs: Annotated[int, JOBS] = 1
     workers: Annotated[int, WORKERS] = 1
     set: Annotated[list[str] | None, SET] = None
-    json: Annotated[bool, _JSON] = False
+    json: Annotated[bool, JSON] = False
     junit: Annotated[Path | None, _JUNIT] = None

@@ -13,7 +13,8 @@ from rich.console import Console
 
 from sandbox._printable import told
 from sandbox.cli.check_options import CheckOptions
-from sandbox.cli.check_result import Result
+from sandbox.cli.check_result import Result, exit_code, facts
+from sandbox.cli.document import print_document
 from sandbox.cli.progress import SceneProgress
 from sandbox.errors import CapacityError, SandboxError
 
@@ -33,8 +34,11 @@ def run(work: Work) -> list[Result]:
     announce_compilation()
     start = time.perf_counter()
     results = (_for_machines if work.options.json else _for_people)(work)
+    seconds = time.perf_counter() - start
     if work.options.junit is not None:
-        _write_junit(work.options.junit, results, time.perf_counter() - start)
+        _write_junit(work.options.junit, results, seconds)
+    if work.options.json:  # last, for where the report cannot be written, the document says so instead
+        print_document(facts(results, seconds), exit_code(results))
     return results
 
 
@@ -53,14 +57,7 @@ def _for_people(work: Work) -> list[Result]:
 
 
 def _for_machines(work: Work) -> list[Result]:
-    import json
-
-    from sandbox.cli.check_result import document
-
-    start = time.perf_counter()
-    results = _shown(_results(work, Console(stderr=True)), _report_error)
-    print(json.dumps(document(results, time.perf_counter() - start), indent=2, ensure_ascii=False))
-    return results
+    return _shown(_results(work, Console(stderr=True)), _report_error)
 
 
 def _report_error(result: Result) -> None:

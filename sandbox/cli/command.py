@@ -1,4 +1,4 @@
-"""What all commands have in common: what is empty is no path, and what a command says of itself fills its lines."""
+"""What all commands have in common: what is empty is no path, and how a command speaks of itself."""
 
 from __future__ import annotations
 
@@ -21,6 +21,10 @@ class Command(TyperCommand):
         super().__init__(*args, **options)
         self.help = _flowing(self.help or "")
 
+    def get_params(self, ctx: Any) -> list[Any]:
+        """Without the names of Python's types."""
+        return without_types(super().get_params(ctx))
+
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         """Refuse an empty argument; the value of an option that is no path is for that to judge.
 
@@ -36,6 +40,17 @@ class Command(TyperCommand):
             if isinstance(ctx.params.get(option.name), Path) and _is_empty(option.opts, args):
                 raise SandboxError(f"{option.opts[-1]}: the path is empty; is a variable of the shell not set?")
         return rest
+
+
+def without_types(params: list[Any]) -> list[Any]:
+    """Parameters as a help text has them: a switch takes no value, and an argument has said its name, so that nothing
+    is left to tell; typer would write `<bool>` and `<list[Path]>`."""
+    for param in params:
+        if param.param_type_name == "argument":
+            param.display_type_rich = lambda ctx: ""
+        elif param.is_flag:
+            param.metavar = ""
+    return params
 
 
 def _flowing(text: str) -> str:

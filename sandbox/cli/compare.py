@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from sandbox.cli.command import Command
+from sandbox.cli.document import JSON, print_document
 from sandbox.cli.options import SET, takes, values_set
 from sandbox.errors import SandboxError
 from sandbox.resources import SCENE_SUFFIX, find_scene
@@ -31,7 +32,6 @@ _STEPS = typer.Option(
 )
 _EVERY = typer.Option(min=1, metavar="N", help="Compare only every N-th step.")
 _ONLY = typer.Option("-k", "--only", metavar="TEXT", show_default=False, help="Only files whose path contains TEXT.")
-_JSON = typer.Option("--json", help="Print one JSON document instead of the table.")
 _SAVE = typer.Option(
     metavar="FOLDER", show_default=False, help="Write each disagreement into this folder as a test for pytest."
 )
@@ -79,7 +79,7 @@ class CompareOptions:
     twin: Annotated[str, _TWIN] = ""
     plot: Annotated[Path | None, _PLOT] = None
     set: Annotated[list[str] | None, SET] = None
-    json: Annotated[bool, _JSON] = False
+    json: Annotated[bool, JSON] = False
 
 
 @takes(CompareOptions)
@@ -152,15 +152,13 @@ def _run_for_people(files: Sequence[Path], options: CompareOptions) -> list[Resu
 
 
 def _run_for_machines(files: Sequence[Path], options: CompareOptions) -> list[Result]:
-    import json
-
     from rich.console import Console
 
-    from sandbox.cli.compare_result import document
+    from sandbox.cli.compare_result import exit_code, facts
 
     start = time.perf_counter()
     results = _run_all(files, options, Console(stderr=True), _report_error)
-    print(json.dumps(document(results, time.perf_counter() - start), indent=2, ensure_ascii=False))
+    print_document(facts(results, time.perf_counter() - start), exit_code(results))
     return results
 
 

@@ -7,7 +7,6 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from sandbox._version import __version__
 from sandbox.cli.failures import FAILED, HOLDS, UNUSABLE, problems
 
 if TYPE_CHECKING:
@@ -43,15 +42,12 @@ def exit_code(results: Sequence[Result]) -> int:
     return UNUSABLE if "unusable" in words else FAILED if "disagrees" in words else HOLDS
 
 
-def document(results: Sequence[Result], seconds: float) -> dict[str, Any]:
-    """The whole outcome as the JSON document that `--json` prints; its keys only ever grow in number."""
+def facts(results: Sequence[Result], seconds: float) -> dict[str, Any]:
+    """The whole outcome, as the document of `--json` has it."""
     from sandbox.reference.ask_pymunk import PYMUNK_VERSION
 
     return {
-        "format": 1,
-        "sandbox": __version__,
         "pymunk": PYMUNK_VERSION,
-        "exit_code": exit_code(results),
         "seconds": round(seconds, 3),
         "scenes": [_scene_entry(result) for result in results],
     }

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sandbox._printable import printable, told
-from sandbox._version import __version__
+from sandbox.cli.document import print_document
 from sandbox.cli.failures import HOLDS, UNUSABLE, problems, report
 from sandbox.errors import SandboxError
 
@@ -59,7 +58,7 @@ def run_twins(files: Sequence[Path], task: Task, as_json: bool) -> int:
             entries.append(_run(file, task, None if as_json else out, progress))
     code = UNUSABLE if any("problems" in entry for entry in entries) else HOLDS
     if as_json:
-        print(json.dumps(_document(entries, task.name, code), indent=2, ensure_ascii=False))
+        print_document(_facts(entries, task.name), code)
     return code
 
 
@@ -69,7 +68,7 @@ def _check_plot(plot: Path, files: Sequence[Path]) -> None:
 
     if len(files) > 1:
         raise SandboxError(f"--plot draws one scene; {len(files)} were given")
-    writable_picture(plot, SUFFIXES, files[0])
+    writable_picture(plot, SUFFIXES, files)
     require_matplotlib()
 
 
@@ -131,11 +130,11 @@ def _table(twin: Twin) -> Any:
     return table
 
 
-def _document(entries: list[dict[str, Any]], name: TwinName, code: int) -> dict[str, Any]:
+def _facts(entries: list[dict[str, Any]], name: TwinName) -> dict[str, Any]:
     from sandbox.reference.ask_pymunk import PYMUNK_VERSION
 
-    versions = {"sandbox": __version__} | ({"pymunk": PYMUNK_VERSION} if name == "pymunk" else {})
-    return {"format": 1, "twin": name, **versions, "exit_code": code, "scenes": entries}
+    versions = {"pymunk": PYMUNK_VERSION} if name == "pymunk" else {}
+    return {"twin": name, **versions, "scenes": entries}
 
 
 def _entry(file: Path, scene: Scene, twin: Twin, plot: Path | None) -> dict[str, Any]:

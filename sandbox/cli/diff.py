@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from sandbox.cli.document import JSON, print_document
 from sandbox.cli.failures import FAILED, HOLDS
 from sandbox.cli.options import SET, values_set
 
@@ -17,14 +18,13 @@ if TYPE_CHECKING:
 
 _A = typer.Argument(metavar="A", show_default=False, help="A recording or a scene: what is expected.")
 _B = typer.Argument(metavar="B", show_default=False, help="A recording or a scene: what is got.")
-_JSON = typer.Option("--json", help="Print one JSON document instead of lines.")
 
 
 def diff(
     a: Annotated[Path, _A],
     b: Annotated[Path, _B],
     set: Annotated[list[str] | None, SET] = None,
-    json: Annotated[bool, _JSON] = False,
+    json: Annotated[bool, JSON] = False,
 ) -> None:
     """Run two recordings or scenes side by side and find the first step, body and number in which they differ.
 
@@ -79,10 +79,7 @@ def _print_lines(found: Divergence | None, one: Run, two: Run) -> None:
 
 
 def _print_document(found: Divergence | None, steps: int) -> None:
-    import json
     from dataclasses import asdict
 
-    from sandbox.cli.replay_result import plain
-
-    data = {"format": 1, "steps": steps, "divergence": None if found is None else plain(asdict(found))}
-    print(json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False))
+    facts = {"steps": steps, "divergence": None if found is None else asdict(found)}
+    print_document(facts, HOLDS if found is None else FAILED)

@@ -1,4 +1,4 @@
-"""`sandbox events`: what happens in a scene, step by step: contacts, sensors, sleep."""
+"""`sandbox events`: what happens in a scene or a recording, step by step: contacts, sensors, sleep."""
 
 from __future__ import annotations
 
@@ -10,16 +10,17 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from sandbox._printable import printable
+from sandbox.cli.document import JSON, print_document
 from sandbox.cli.options import SET, values_set
 from sandbox.errors import SandboxError
 from sandbox.resources import find_scene
 
 if TYPE_CHECKING:
-    from sandbox.scene import Scene
+    from sandbox.replay.golden.run import Run
 
-_SCENE = typer.Argument(metavar="SCENE", help="A scene file, or the name of one that comes with the package.")
+_SCENE = typer.Argument(metavar="SCENE", help="A scene file, the name of a shipped scene, or a recording.")
 _STEPS = typer.Option(
-    min=1, max=10_000_000, metavar="N", show_default=False, help="Steps to run instead of the scene's own number."
+    min=1, max=10_000_000, metavar="N", show_default=False, help="Steps to run instead of its own number."
 )
 _KIND = typer.Option(
     "--kind", metavar="KIND", show_default=False,
@@ -29,7 +30,6 @@ _KIND = typer.Option(
 _BODY = typer.Option(
     "--body", metavar="ID", show_default=False, help='Only of bodies (or joints) with this id, or "crate-*".'
 )
-_JSON = typer.Option("--json", help="Print one JSON document instead of lines.")
 
 
 def events(
@@ -38,9 +38,9 @@ def events(
     kind: Annotated[list[str] | None, _KIND] = None,
     body: Annotated[str | None, _BODY] = None,
     set: Annotated[list[str] | None, SET] = None,
-    json: Annotated[bool, _JSON] = False,
+    json: Annotated[bool, JSON] = False,
 ) -> None:
-    """Run a scene without a window and tell what happens in it.
+    """Run a scene, or a recording with its commands, without a window and tell what happens in it.
 
     begin, end: two shapes touch, or have come apart. hit: they strike at 1 m/s or more. enter, leave: a sensor has, or
     no longer has, a body in it. sleep, wake: a body. freeze: bad numbers stopped a body. joint_break: a joint.
@@ -51,15 +51,18 @@ def events(
     """
     kinds = _checked(kind or [])
     from sandbox.cli.compiling import announce_compilation
-    from sandbox.cli.opening import open_any
+    from sandbox.cli.running import run_in, telling_refusals
 
     file = find_scene(scene)
-    loaded = open_any(file, values_set(set))
+    run = run_in(file, values_set(set), steps)
     if body is not None:
-        _check_body(body, loaded)
+        from sandbox.cli.event_names import check_name
+
+        check_name(body, run)
     announce_compilation()
-    rows = (row for row in _happenings(loaded, file.name, steps) if _is_wanted(row, kinds, body))
-    _print_document(file, rows) if json else _print_lines(rows, loaded.settings.step_rate)
+    rows = (row for row in _happenings(run, file.name) if _is_wanted(row, kinds, body))
+    with telling_refusals(file):
+        _print_document(file, rows) if json else _print_lines(rows, run.scene.settings.step_rate)
 
 
 def _checked(kinds: list[str]) -> list[str]:
@@ -71,35 +74,23 @@ def _checked(kinds: list[str]) -> list[str]:
     return kinds
 
 
-def _check_body(wanted: str, scene: Scene) -> None:
-    from sandbox.scene.near_names import did_you_mean
-
-    flat = scene.flatten()
-    names = [*(body.id for body in flat.bodies), *(joint.id for joint in flat.joints)]
-    if not any(fnmatchcase(name, wanted) for name in names):
-        hint = did_you_mean(wanted, names) or 'ids such as "crate-*" stand for several'
-        raise SandboxError(f"--body: no body or joint {wanted!r} in this scene; {hint}")
-
-
 def _is_wanted(row: dict[str, Any], kinds: list[str], body: str | None) -> bool:
     ids = [row[key] for key in ("a", "b", "sensor", "body", "joint") if key in row]
     return (not kinds or row["event"] in kinds) and (body is None or any(fnmatchcase(name, body) for name in ids))
 
 
-def _happenings(scene: Scene, name: str, steps: int | None) -> Iterator[dict[str, Any]]:
+def _happenings(run: Run, name: str) -> Iterator[dict[str, Any]]:
     from rich.console import Console
 
     from sandbox.cli.progress import SceneProgress
-    from sandbox.engine.world import World
-    from sandbox.scene.duration import planned_steps
+    from sandbox.replay.golden.run import RunStepper
 
-    total = planned_steps(scene, steps)
-    world = World(scene)
+    stepper = RunStepper(run.scene, run.commands)
     with SceneProgress(Console(stderr=True), 1) as progress:
-        progress.begin(name, total)
-        for step in range(1, total + 1):
-            world.step()
-            yield from world.events
+        progress.begin(name, run.steps)
+        for step in range(1, run.steps + 1):
+            stepper.advance()
+            yield from stepper.world.events
             if step % 16 == 0:
                 progress.done(step)
 
@@ -130,9 +121,8 @@ def _words(row: dict[str, Any]) -> str:
 
 
 def _print_document(file: Path, rows: Iterator[dict[str, Any]]) -> None:
-    import json
     from collections import Counter
 
     found = list(rows)
     counts = Counter(row["event"] for row in found)
-    print(json.dumps({"scene": file.as_posix(), "counts": counts, "events": found}, indent=2, ensure_ascii=False))
+    print_document({"scene": file.as_posix(), "counts": counts, "events": found})

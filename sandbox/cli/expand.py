@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from sandbox.cli.options import SET, values_set
-from sandbox.cli.output import FORCE, OUTPUT, check_new, put
+from sandbox.cli.output import FORCE, OUTPUT, check_new, check_not_source, put
 from sandbox.resources import find_scene
 
 _SCENE = typer.Argument(metavar="SCENE", help="A scene file, or the name of one that comes with the package.")
@@ -27,10 +27,14 @@ def expand(
     Exit code 0: it was written.
     Exit code 2: the scene could not be used, or there is a file of that name already.
     """
+    file = find_scene(scene)
     if output is not None:
-        check_new(output, force)
+        check_new(output, force, [file])
     from sandbox.cli.opening import open_any
     from sandbox.scene.pretty import scene_text
     from sandbox.scene.write_out import written_out
 
-    put(scene_text(written_out(open_any(find_scene(scene), values_set(set)))), output, over=force)
+    opened = open_any(file, values_set(set))
+    if output is not None:
+        check_not_source(output, opened.included_files)
+    put(scene_text(written_out(opened)), output, over=force)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
@@ -11,9 +10,10 @@ import typer
 
 from sandbox._atomic_write import write_text
 from sandbox._printable import printable, told
+from sandbox.cli.document import JSON, print_document
 from sandbox.cli.opening import open_any
 from sandbox.cli.options import SET, takes, values_set
-from sandbox.cli.output import check_new
+from sandbox.cli.output import check_new, check_not_source
 from sandbox.errors import SandboxError
 from sandbox.resources import SCENE_SUFFIX, find_scene
 
@@ -22,7 +22,6 @@ _OUTPUT = typer.Option(
     "-o", "--output", metavar="FILE", show_default=False, help=".json: a world of planck.js; .py: a pymunk program."
 )
 _FORCE = typer.Option("--force", help="Write over a file that is there.")
-_JSON = typer.Option("--json", help="Print one JSON document instead of lines.")
 
 
 @dataclass(frozen=True)
@@ -33,7 +32,7 @@ class ExportOptions:
     output: Annotated[Path, _OUTPUT]
     force: Annotated[bool, _FORCE] = False
     set: Annotated[list[str] | None, SET] = None
-    json: Annotated[bool, _JSON] = False
+    json: Annotated[bool, JSON] = False
 
 
 @takes(ExportOptions)
@@ -50,11 +49,13 @@ def export(options: ExportOptions) -> None:
     name = _format_of(options.output)
     file = find_scene(options.scene)
     check_new(options.output, options.force, [file])
-    exported = export_scene(open_any(file, values_set(options.set)), name)
+    scene = open_any(file, values_set(options.set))
+    check_not_source(options.output, scene.included_files)
+    exported = export_scene(scene, name)
     write_text(options.output, exported.text, over=options.force)
-    facts = {"path": options.output.as_posix(), "format": name}
     if options.json:
-        print(json.dumps({**facts, "remarks": [each._asdict() for each in exported.remarks]}, indent=2))
+        facts = {"path": options.output.as_posix(), "file_format": name}
+        print_document({**facts, "remarks": [each._asdict() for each in exported.remarks]})
         return
     for line in remark_lines(exported.remarks):
         typer.echo(f"{told(options.output)}: {printable(line)}", err=True)

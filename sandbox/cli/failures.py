@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import errno
-import json
 import os
 import sys
 import traceback
@@ -54,11 +53,9 @@ def problems_of(error: Exception) -> list[dict[str, Any]]:
     return problems(SandboxError(_told(error)[0]))
 
 
-def error_document(error: Exception) -> str:
-    """The JSON document of a command that an error ended before it had one."""
-    _, code = _told(error)
-    entries = problems_of(error)
-    return json.dumps({"format": 1, "exit_code": code, "problems": entries}, indent=2, ensure_ascii=False)
+def exit_code_of(error: Exception) -> int:
+    """What a command ends with that an error ended."""
+    return _told(error)[1]
 
 
 def _told(error: Exception) -> tuple[str, int]:

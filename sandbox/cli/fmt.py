@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 import typer
 
 from sandbox._printable import told
+from sandbox.cli.document import JSON, print_document
 from sandbox.cli.failures import FAILED, HOLDS, UNUSABLE, problems
 from sandbox.errors import SandboxError
 from sandbox.resources import SCENE_SUFFIX
@@ -21,7 +22,6 @@ _FILES = typer.Argument(
     metavar="FILE", help=f"Scene files, or folders to search for *{SCENE_SUFFIX}; - reads stdin and writes stdout."
 )
 _CHECK = typer.Option("--check", help="Write nothing: tell which files would change, and end with 1 if any would.")
-_JSON = typer.Option("--json", help="Print one JSON document instead of lines.")
 
 
 class Result(NamedTuple):
@@ -35,7 +35,7 @@ class Result(NamedTuple):
 def fmt(
     files: Annotated[list[Path], _FILES],
     check: Annotated[bool, _CHECK] = False,
-    json: Annotated[bool, _JSON] = False,
+    json: Annotated[bool, JSON] = False,
 ) -> None:
     """Lay scene files out anew: two spaces a level, 120 columns, short lists and objects on one line.
 
@@ -109,10 +109,8 @@ def _print_lines(results: Sequence[Result], check: bool) -> None:
 
 
 def _print_document(results: Sequence[Result], code: int) -> None:
-    import json
-
     entries = [_entry(result, problems(result.error) if result.error else None) for result in results]
-    print(json.dumps({"format": 1, "exit_code": code, "files": entries}, indent=2, ensure_ascii=False))
+    print_document({"files": entries}, code)
 
 
 def _entry(result: Result, problems: list[dict[str, Any]] | None) -> dict[str, Any]:

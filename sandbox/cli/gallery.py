@@ -14,6 +14,7 @@ from sandbox._printable import told
 from sandbox.cli.failures import NothingToDoError
 from sandbox.cli.gallery_options import GalleryOptions
 from sandbox.cli.options import takes
+from sandbox.cli.output import check_not_source
 from sandbox.errors import SandboxError
 from sandbox.resources import SCENE_SUFFIX, files_below
 
@@ -36,8 +37,9 @@ def gallery(options: GalleryOptions) -> None:
     suffix = options.output.suffix.lower()
     if suffix not in (*PAGES, *SHEETS):
         raise SandboxError(f"--output {told(options.output)}: the name must end in .html or .png")
-    check_writable(options.output)
     entries = _entries(options.folder)
+    check_not_source(options.output, [entry.path for entry in entries])
+    check_writable(options.output)
     from sandbox.cli.gallery_run import write_page, write_sheet
 
     raise typer.Exit((write_page if suffix in PAGES else write_sheet)(options, entries))

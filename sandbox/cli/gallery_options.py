@@ -8,6 +8,7 @@ from typing import Annotated
 
 import typer
 
+from sandbox.cli.document import JSON
 from sandbox.cli.pool import JOBS
 from sandbox.resources import SCENE_SUFFIX
 
@@ -19,7 +20,6 @@ _OUTPUT = typer.Option(
     "-o", "--output", metavar="FILE", show_default=False, help="A page (.html), or a sheet of pictures (.png)."
 )
 _TITLE = typer.Option(metavar="TEXT", help="Headline of the page.")
-_JSON = typer.Option("--json", help="Print one JSON document instead of a line.")
 
 
 @dataclass(frozen=True)
@@ -30,4 +30,4 @@ class GalleryOptions:
     folder: Annotated[Path | None, _FOLDER] = None
     title: Annotated[str, _TITLE] = "Scenes"
     jobs: Annotated[int, JOBS] = 1
-    json: Annotated[bool, _JSON] = False
+    json: Annotated[bool, JSON] = False

@@ -12,6 +12,7 @@ from rich.console import Console
 from sandbox._atomic_write import write_bytes, write_text
 from sandbox._printable import told
 from sandbox.cli.compiling import announce_compilation
+from sandbox.cli.document import print_document
 from sandbox.cli.failures import HOLDS, UNUSABLE, problems_of, report
 from sandbox.cli.gallery_options import GalleryOptions
 from sandbox.cli.pool import compile_first, elsewhere
@@ -99,12 +100,9 @@ def _told(options: GalleryOptions, shown: int, troubles: Sequence[Exception], wh
     code, output = UNUSABLE if troubles else HOLDS, options.output
     size = output.stat().st_size if shown else 0
     if options.json:
-        import json
-
         facts = {"path": output.as_posix() if shown else None, "bytes": size, "scenes": shown}
         found = [problem for trouble in troubles for problem in problems_of(trouble)]
-        document = {"format": 1, "exit_code": code, **facts, "problems": found}
-        print(json.dumps(document, indent=2, ensure_ascii=False))
+        print_document({**facts, "problems": found}, code)
     elif shown:
         print(f"{told(output)}: {what} of {shown} scene{'' if shown == 1 else 's'}, {size / 1000:,.0f} kB")
     return code

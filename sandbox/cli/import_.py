@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -10,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from sandbox._printable import told
+from sandbox.cli.document import JSON, print_document
 from sandbox.cli.import_options import UNITS, remark_data, tell
 from sandbox.cli.options import takes
 from sandbox.cli.output import check_new
@@ -25,7 +25,6 @@ _SOLID = typer.Option(
     "--solid", metavar="LAYER", show_default=False, help="A layer of a map that is solid all over. Repeatable."
 )
 _FORCE = typer.Option("--force", help="Write over a file that is there.")
-_JSON = typer.Option("--json", help="Print one JSON document instead of lines.")
 
 
 @dataclass(frozen=True)
@@ -39,7 +38,7 @@ class ImportOptions:
     tolerance: Annotated[float, _TOLERANCE] = 0.01
     solid: Annotated[list[str] | None, _SOLID] = None
     force: Annotated[bool, _FORCE] = False
-    json: Annotated[bool, _JSON] = False
+    json: Annotated[bool, JSON] = False
 
 
 @takes(ImportOptions)
@@ -62,10 +61,9 @@ def import_(options: ImportOptions) -> None:
 
 def _report(options: ImportOptions, imported: Imported) -> None:
     scene, output = imported.scene, options.output
-    facts = {"path": output.as_posix(), "format": imported.format, "bodies": len(scene.bodies)}
     if options.json:
-        facts |= {"joints": len(scene.joints), "remarks": remark_data(imported)}
-        print(json.dumps(facts, indent=2, ensure_ascii=False))
+        facts = {"path": output.as_posix(), "file_format": imported.format, "bodies": len(scene.bodies)}
+        print_document({**facts, "joints": len(scene.joints), "remarks": remark_data(imported)})
         return
     tell(options.file, imported)
     counted = ((scene.bodies, "body", "bodies"), (scene.joints, "joint", "joints"))

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from sandbox._printable import told
+from sandbox.cli.document import JSON, print_document
 from sandbox.cli.failures import FAILED, HOLDS, UNUSABLE, problems
 from sandbox.cli.options import SET, takes, values_set
 from sandbox.errors import ArgumentError, SandboxError
@@ -28,7 +29,6 @@ _PATHS = typer.Argument(
 _SELECT = typer.Option(metavar="RULES", show_default=False, help="Only these rules, with commas between.")
 _IGNORE = typer.Option(metavar="RULES", show_default=False, help="Not these rules, with commas between.")
 _RULES = typer.Option("--rules", help="List the rules, and run none.")
-_JSON = typer.Option("--json", help="Print one JSON document instead of lines.")
 
 
 @dataclass(frozen=True)
@@ -40,7 +40,7 @@ class LintOptions:
     ignore: Annotated[str, _IGNORE] = ""
     rules: Annotated[bool, _RULES] = False
     set: Annotated[list[str] | None, SET] = None
-    json: Annotated[bool, _JSON] = False
+    json: Annotated[bool, JSON] = False
 
 
 @dataclass(frozen=True)
@@ -94,7 +94,7 @@ def _names(text: str) -> list[str]:
 
 def _print_rules(rules: Iterable[Rule], as_json: bool) -> None:
     if as_json:
-        _print_document({"rules": [{"name": rule.name, "finds": rule.finds} for rule in rules]})
+        print_document({"rules": [{"name": rule.name, "finds": rule.finds} for rule in rules]})
     else:
         for rule in rules:
             typer.echo(f"{rule.name:<14} {rule.finds}")
@@ -159,7 +159,7 @@ def _for_machines(files: Sequence[Path], look: Look) -> list[Result]:
     results = list(_results(files, look))
     for result in results:
         _report(result)
-    _print_document({"exit_code": _exit_code(results), "scenes": [_entry(result) for result in results]})
+    print_document({"scenes": [_entry(result) for result in results]}, _exit_code(results))
     return results
 
 
@@ -170,12 +170,6 @@ def _entry(result: Result) -> dict[str, Any]:
     if result.error is not None:
         return {**entry, "problems": problems(result.error)}
     return {**entry, "findings": [{"rule": found.rule, **asdict(found.problem)} for found in result.found]}
-
-
-def _print_document(document: dict[str, Any]) -> None:
-    import json
-
-    print(json.dumps({"format": 1, **document}, indent=2, ensure_ascii=False))
 
 
 def _report(result: Result) -> None:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from sandbox.cli.document import JSON, print_document
 from sandbox.errors import SandboxError
 
 if TYPE_CHECKING:
@@ -17,13 +18,12 @@ _WORDS = typer.Argument(
     metavar="TEXT", show_default=False, help="Only scenes with these words in name, title or about."
 )
 _THEME = typer.Option(metavar="THEME", show_default=False, help="Only scenes of this theme.")
-_JSON = typer.Option("--json", help="Print one JSON document instead of the table.")
 
 
 def list(
     text: Annotated[str, _WORDS] = "",
     theme: Annotated[str, _THEME] = "",
-    json: Annotated[bool, _JSON] = False,
+    json: Annotated[bool, JSON] = False,
 ) -> None:
     """List the scenes that come with the package: their themes, titles and sizes.
 
@@ -41,7 +41,7 @@ def list(
     found = search((entry for entry in entries if theme in ("", entry.theme)), text)
     rows = [_row(entry) for entry in found]
     if json:
-        _print_document(rows)
+        print_document({"scenes": rows}, HOLDS if rows else NOTHING)
     elif rows:
         _print_table(rows)
     else:
@@ -76,12 +76,6 @@ def _row(entry: Entry) -> dict[str, Any]:
         "controls": [control.title or control.id for control in scene.controls],
         "path": entry.path.as_posix(),
     }
-
-
-def _print_document(rows: Sequence[dict[str, Any]]) -> None:
-    import json
-
-    print(json.dumps({"format": 1, "scenes": rows}, indent=2, ensure_ascii=False))
 
 
 def _print_table(rows: Sequence[dict[str, Any]]) -> None:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from sandbox._printable import told
+from sandbox.cli.document import JSON, print_document
 from sandbox.cli.output import FORCE, OUTPUT, check_new, put
 from sandbox.resources import SCENE_SUFFIX
 
@@ -16,7 +17,6 @@ if TYPE_CHECKING:
 
 _THEME = typer.Argument(metavar="THEME", help="What it is about: --list says which there are.")
 _LIST = typer.Option("--list", help="List the themes, and write nothing.")
-_JSON = typer.Option("--json", help="Print one JSON document instead of lines.")
 
 
 def new(
@@ -24,7 +24,7 @@ def new(
     output: Annotated[Path | None, OUTPUT] = None,
     force: Annotated[bool, FORCE] = False,
     list: Annotated[bool, _LIST] = False,
-    json: Annotated[bool, _JSON] = False,
+    json: Annotated[bool, JSON] = False,
 ) -> None:
     """Write a first scene to go on from, on one of some themes. It says in $comment fields what its parts are for.
 
@@ -40,20 +40,24 @@ def new(
         return
     chosen = starter(theme)
     if output is None:
-        put(chosen.text, None)
+        print_document({"path": None, **_facts(chosen), "text": chosen.text}) if json else put(chosen.text, None)
         return
-    check_new(output, force)
+    check_new(output, force, ())
     text = with_schema(chosen.text, output)
     put(text, output, over=force)
     if json:
-        _print_document({"path": output.as_posix(), "theme": theme, "title": chosen.title, "lines": chosen.lines})
+        print_document({"path": output.as_posix(), **_facts(chosen)})
     else:
         _walk_through(chosen, output, '"$schema"' in text)
 
 
+def _facts(chosen: Starter) -> dict[str, Any]:
+    return {"theme": chosen.theme, "title": chosen.title, "lines": chosen.lines}
+
+
 def _tell_themes(starters: Any, as_json: bool) -> None:
     if as_json:
-        _print_document({"starters": [{"theme": s.theme, "title": s.title, "about": s.about} for s in starters]})
+        print_document({"starters": [{"theme": s.theme, "title": s.title, "about": s.about} for s in starters]})
         return
     for each in starters:
         typer.echo(f"{each.theme:<9} {each.title}: {each.lines[0]}")
@@ -70,9 +74,3 @@ def _walk_through(chosen: Starter, output: Path, has_schema: bool) -> None:
     if not output.name.endswith(SCENE_SUFFIX):
         lines.append(f"Folders are searched for NAME{SCENE_SUFFIX}: this one is found by its own name alone.")
     typer.echo("\n".join(lines))
-
-
-def _print_document(document: dict[str, Any]) -> None:
-    import json
-
-    print(json.dumps({"format": 1, **document}, indent=2, ensure_ascii=False))

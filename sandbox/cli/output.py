@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from io import TextIOWrapper
 from pathlib import Path
 
 import typer
@@ -17,7 +18,7 @@ OUTPUT = typer.Option("-o", "--output", metavar="FILE", show_default=False, help
 FORCE = typer.Option("--force", help="Write over a file that is there.")
 
 
-def check_new(path: Path, force: bool, sources: Iterable[Path] = ()) -> None:
+def check_new(path: Path, force: bool, sources: Iterable[Path]) -> None:
     """Raises `SandboxError` if there is a file at `path` and `force` is not given, or if it is one of the `sources`,
     which not even `force` writes over; `OSError` if none can be written.
 
@@ -45,13 +46,14 @@ def _is_same_file(one: Path, other: Path) -> bool:
         return False
 
 
-def check_report(option: str, path: Path | None, *suffixes: str) -> None:
+def check_report(option: str, path: Path | None, suffixes: Sequence[str], sources: Iterable[Path]) -> None:
     """Raises `SandboxError` if a report that an option asks for ends in none of these, so that none goes over a scene
-    or a recording, and `OSError` if it cannot be written."""
+    or a recording, or if it is one of the `sources`, and `OSError` if it cannot be written."""
     if path is None:
         return
     if path.suffix.lower() not in suffixes:
         raise SandboxError(f"{option} {told(path)}: the name must end in {suffixes[0]}")
+    check_not_source(path, sources)
     check_writable(path)
 
 
@@ -60,5 +62,6 @@ def put(text: str, output: Path | None, over: bool = True) -> None:
     if output is not None:
         write_text(output, text, over)
         return
-    sys.stdout.reconfigure(encoding="utf-8") if hasattr(sys.stdout, "reconfigure") else None
+    if isinstance(sys.stdout, TextIOWrapper):  # names of files may hold what no encoding has bytes for
+        sys.stdout.reconfigure(encoding="utf-8", errors=sys.stdout.errors)
     sys.stdout.write(text)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Iterable
 from pathlib import Path
 
 from sandbox._atomic_write import check_writable
@@ -26,14 +26,14 @@ def parse_size(text: str) -> tuple[int, int]:
     return width, height
 
 
-def writable_picture(path: Path, suffixes: Collection[str], source: Path | None = None) -> str:
+def writable_picture(path: Path, suffixes: Collection[str], sources: Iterable[Path]) -> str:
     """The lower-case suffix of a picture to write. Raises `SandboxError` or `OSError` if it cannot be, or if it would
-    take the place of the `source` that it is made of: a drawing may be a scene too."""
+    take the place of one of the `sources` that it is made of: a drawing may be a scene too."""
     suffix = path.suffix.lower()
     if suffix not in suffixes:
         *others, last = sorted(suffixes)
         known = " or ".join([", ".join(others), last] if others else [last])
         raise SandboxError(f"{told(path)}: the name of a picture must end in {known}")
-    check_not_source(path, [source] if source is not None else [])
+    check_not_source(path, sources)
     check_writable(path)
     return suffix

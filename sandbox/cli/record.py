@@ -11,7 +11,9 @@ import typer
 
 from sandbox._atomic_write import check_writable
 from sandbox._printable import told
+from sandbox.cli.document import JSON, print_document
 from sandbox.cli.options import SET, WORKERS, takes, values_set
+from sandbox.cli.output import check_not_source
 from sandbox.errors import RefusedCommandError, SandboxError
 from sandbox.resources import find_scene
 
@@ -28,7 +30,6 @@ _COMMANDS = typer.Option(
 )
 _EMBED = typer.Option("--embed", help="Put the whole scene into the file instead of its path and hash.")
 _FORCE = typer.Option("--force", help="Write over a file that is there.")
-_JSON = typer.Option("--json", help="Print one JSON document instead of a line.")
 
 
 @dataclass(frozen=True)
@@ -43,7 +44,7 @@ class RecordOptions:
     force: Annotated[bool, _FORCE] = False
     set: Annotated[list[str] | None, SET] = None
     workers: Annotated[int, WORKERS] = 1
-    json: Annotated[bool, _JSON] = False
+    json: Annotated[bool, JSON] = False
 
 
 @takes(RecordOptions)
@@ -60,8 +61,8 @@ def record(options: RecordOptions) -> None:
     from sandbox.scene.duration import planned_steps
 
     output = options.output
-    _check_output(output, options.force)
     file = find_scene(options.scene)
+    _check_output(output, options.force, file)
     loaded = open_any(file, values_set(options.set))
     total = planned_steps(loaded) if options.steps is None else options.steps
     script = read_commands(options.commands, total) if options.commands is not None else None
@@ -75,7 +76,7 @@ def record(options: RecordOptions) -> None:
     _tell(output, recording, options.json)
 
 
-def _check_output(output: Path, force: bool) -> None:
+def _check_output(output: Path, force: bool, scene: Path) -> None:
     """Refuse at once what cannot be written, or should not be, before anything is run."""
     from sandbox.replay.recording.limits import SUFFIX
 
@@ -84,6 +85,7 @@ def _check_output(output: Path, force: bool) -> None:
     if os.path.lexists(output) and not force:
         mend = "--force writes over it, sandbox replay --update renews it with its own commands"
         raise SandboxError(f"{told(output)}: there is a file of that name already; {mend}")
+    check_not_source(output, [scene])
     check_writable(output)
 
 
@@ -99,12 +101,10 @@ def _with_progress(name: str, total: int, run: Any) -> Recording:
 
 
 def _tell(output: Path, recording: Recording, as_json: bool) -> None:
-    import json
-
     count = len(recording.commands)
     facts = {"path": output.as_posix(), "steps": recording.steps, "commands": count, "digest": recording.digest}
     if as_json:
-        print(json.dumps(facts, indent=2, ensure_ascii=False))
+        print_document(facts)
     else:
         plural = "" if count == 1 else "s"
         print(f"{told(output)}: {recording.steps} steps, {count} command{plural}, digest {recording.digest}")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sandbox.cli.options import takes
 from sandbox.cli.render_options import RenderOptions
-from sandbox.errors import RefusedCommandError
+from sandbox.cli.running import telling_refusals
 
 STILLS, FILMS, PAGE = (".png", ".svg"), (".gif", ".mp4", ".webm"), ".html"
 
@@ -19,15 +19,11 @@ def render(options: RenderOptions) -> None:
     from sandbox.cli.render_page import write_page
     from sandbox.cli.render_pictures import write_film, write_still
 
-    suffix = writable_picture(options.output, (*STILLS, *FILMS, PAGE), options.scene)
-    try:
+    suffix = writable_picture(options.output, (*STILLS, *FILMS, PAGE), [options.scene])
+    with telling_refusals(options.scene):
         if suffix == PAGE:
             write_page(options)
         elif suffix in STILLS:
             write_still(options, suffix)
         else:
             write_film(options, suffix)
-    except RefusedCommandError as error:
-        from sandbox.replay.recording.command_file import refused_in
-
-        raise refused_in(options.scene, error) from None

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from sandbox.cli.document import JSON
 from sandbox.cli.options import SET
 from sandbox.errors import SandboxError
 
@@ -21,11 +22,16 @@ STILL_SIZE, FILM_SIZE = "1280x800", "640x400"
 MOST_STEPS = 10_000_000
 
 _SCENE = typer.Argument(metavar="SCENE", help="A scene file, the name of a shipped scene, or a recording.")
-_OUTPUT = typer.Option("-o", "--output", help="The file to write: NAME.png, .svg, .gif, .mp4, .webm or .html.")
-_STEP = typer.Option(min=0, max=MOST_STEPS, help="Steps to take before the picture, or before the film begins.")
+_OUTPUT = typer.Option(
+    "-o", "--output", metavar="FILE", help="The file to write: NAME.png, .svg, .gif, .mp4, .webm or .html."
+)
+_STEP = typer.Option(
+    min=0, max=MOST_STEPS, metavar="N", help="Steps to take before the picture, or before the film begins."
+)
 _STEPS = typer.Option(
     min=1,
     max=100_000,
+    metavar="N",
     show_default=False,
     help="Length of a film in steps; default 300, of a page or a recording the whole run.",
 )
@@ -33,7 +39,11 @@ _RANGE = typer.Option(
     "--range", metavar="A:B", show_default=False, help="Film from step A to step B: --step and --steps in one."
 )
 _FPS = typer.Option(
-    min=1.0, max=120.0, show_default=False, help="Pictures a second in a film; default 25, of a video 60; a GIF: to 50."
+    min=1.0,
+    max=120.0,
+    metavar="N",
+    show_default=False,
+    help="Pictures a second in a film; default 25, of a video 60; a GIF: to 50.",
 )
 _SIZE = typer.Option(
     metavar="WxH", show_default=False, help=f"Pixels; default {STILL_SIZE} for pictures, {FILM_SIZE} for films."
@@ -53,7 +63,6 @@ _COLOR_BY = typer.Option(
     help="What the colours of bodies mean: theme, material, group, speed, sleep, island, mass or density.",
 )
 _DEPTH = typer.Option("--depth/--flat", help="Whether what moves casts a soft shadow.")
-_JSON = typer.Option("--json", help="Print what was written as JSON.")
 
 
 @dataclass(frozen=True)
@@ -75,7 +84,7 @@ class RenderOptions:
     color_by: Annotated[str | None, _COLOR_BY] = None
     depth: Annotated[bool, _DEPTH] = True
     set: Annotated[list[str] | None, SET] = None
-    json: Annotated[bool, _JSON] = False
+    json: Annotated[bool, JSON] = False
 
 
 def steps_asked_for(options: RenderOptions) -> tuple[int, int | None]:

@@ -6,7 +6,10 @@ from typing import TYPE_CHECKING
 
 from sandbox._atomic_write import write_text
 from sandbox._printable import told
+from sandbox.cli.document import print_document
+from sandbox.cli.options import values_set
 from sandbox.cli.render_options import RenderOptions, steps_asked_for, theme_of
+from sandbox.cli.running import run_in
 from sandbox.errors import SandboxError
 
 if TYPE_CHECKING:
@@ -17,23 +20,19 @@ _PICTURES_ONLY = ("size", "fps", "center", "height", "follow", "overlay", "color
 
 def write_page(options: RenderOptions) -> None:
     """Run it and write the page. Raises `SandboxError` and `OSError`."""
-    from dataclasses import replace
-
     from rich.console import Console
 
     from sandbox.cli.compiling import announce_compilation
     from sandbox.cli.progress import SceneProgress
-    from sandbox.cli.render_pictures import run_to_show
     from sandbox.report.filming import film_run
     from sandbox.report.player_page import player_page
 
     _check(options)
     theme = theme_of(options.theme)
     skip, steps = steps_asked_for(options)
-    run = run_to_show(options.scene, options.set)
+    run = run_in(options.scene, values_set(options.set), None if steps is None else skip + steps)
     if steps is None and skip >= run.steps:
         raise SandboxError(f"--step {skip}: the run has {run.steps} steps; --steps says how many to show from there")
-    run = run if steps is None else replace(run, steps=skip + steps)
     announce_compilation()
     with SceneProgress(Console(stderr=True), 1) as progress:
         progress.begin(options.scene.name, run.steps)
@@ -58,9 +57,7 @@ def _check(options: RenderOptions) -> None:
 def _tell(options: RenderOptions, film: Film) -> None:
     size = options.output.stat().st_size
     if options.json:
-        import json
-
-        facts = {"file": str(options.output), "bytes": size, "first_step": film.start, "last_step": film.end}
-        print(json.dumps({**facts, "every": film.every, "bodies": len(film.bodies)}, indent=2))
+        facts = {"path": options.output.as_posix(), "bytes": size, "first_step": film.start, "last_step": film.end}
+        print_document({**facts, "every": film.every, "bodies": len(film.bodies)})
     else:
         print(f"{told(options.output)}: a page, {size / 1000:.0f} kB, steps {film.start} to {film.end}")

@@ -2,30 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sandbox._printable import told
+from sandbox.cli.document import print_document
 from sandbox.cli.options import values_set
 from sandbox.cli.render_options import FILM_SIZE, STILL_SIZE, RenderOptions, steps_asked_for, style_of
+from sandbox.cli.running import run_in
 from sandbox.errors import SandboxError
 from sandbox.replay.recording.known_recording import holds_recording
 
 if TYPE_CHECKING:
     from sandbox.cli.picture_progress import PictureProgress
     from sandbox.render.shots import Shooting
-    from sandbox.replay.golden.run import Run, RunStepper
+    from sandbox.replay.golden.run import RunStepper
 
 FILM_STEPS = 300
-
-
-def run_to_show(path: Path, given: Sequence[str] | None = None) -> Run:
-    """What a scene, with what `--set` options say, or a recording does. Raises `SandboxError`."""
-    from sandbox.cli.opening import open_or_replay
-    from sandbox.replay.golden.run import run_of
-
-    return run_of(open_or_replay(path, values_set(given)))
 
 
 def write_still(options: RenderOptions, suffix: str) -> None:
@@ -41,7 +33,7 @@ def write_still(options: RenderOptions, suffix: str) -> None:
     if options.range is not None or options.steps is not None or options.fps is not None:
         raise SandboxError(f"--range, --steps and --fps are for films; a {suffix[1:]} shows one step: --step N")
     size = parse_size(options.size or STILL_SIZE)
-    stepper, shooting = _begin(options, size, 0)
+    stepper, shooting, _ = _begin(options, size, options.step)
     with PictureProgress() as progress:
         _skip(stepper, options.step, progress, shooting)
         picture = shooting.draw_list(still(stepper, shooting))
@@ -67,44 +59,40 @@ def write_film(options: RenderOptions, suffix: str) -> None:
         check_video(suffix)
     size = parse_size(options.size or FILM_SIZE)
     first, steps = steps_asked_for(options)
-    stepper, shooting = _begin(options, size, first)
-    steps = _length(options, stepper, first, steps)
+    stepper, shooting, end = _begin(options, size, _last(options, first, steps))
+    _check_left(options, first, end)
     with PictureProgress() as progress:
         _skip(stepper, first, progress, shooting)
-        count = save_film(stepper, shooting, steps, options.output, fps, progress)
+        count = save_film(stepper, shooting, end - first, options.output, fps, progress)
     _tell(options, size, stepper, count)
 
 
-def _begin(options: RenderOptions, size: tuple[int, int], first: int) -> tuple[RunStepper, Shooting]:
-    """The run at its start and who takes pictures of it."""
+def _begin(options: RenderOptions, size: tuple[int, int], last: int | None) -> tuple[RunStepper, Shooting, int]:
+    """The run at its start, who takes pictures of it, and its last step, which is `last` or where it ends by itself."""
     from sandbox.cli.compiling import announce_compilation
     from sandbox.render.shots import Shooting
     from sandbox.replay.golden.run import RunStepper
 
-    run = run_to_show(options.scene, options.set)
-    last = max(options.step, first)
-    if _is_recording(options) and last > run.steps:
-        raise SandboxError(f"step {last}: {told(options.scene)} has {run.steps} steps")
+    run = run_in(options.scene, values_set(options.set), last)
     stepper = RunStepper(run.scene, run.commands)
     shooting = Shooting(stepper.world, style_of(options, size, stepper.world.names))
     announce_compilation()
-    return stepper, shooting
+    return stepper, shooting, run.steps
 
 
-def _length(options: RenderOptions, stepper: RunStepper, first: int, steps: int | None) -> int:
-    """How many steps a film shows: of a recording as many as there are."""
-    if not _is_recording(options):
-        return steps or FILM_STEPS
-    left = run_to_show(options.scene, options.set).steps - first
-    if steps is not None and steps > left:
-        raise SandboxError(f"step {first + steps}: {told(options.scene)} has {first + left} steps")
-    if left == 0:
+def _last(options: RenderOptions, first: int, steps: int | None) -> int | None:
+    """The step to which a film goes; None for as many as a recording has."""
+    if steps is None and holds_recording(options.scene):
+        return None
+    return first + (steps or FILM_STEPS)
+
+
+def _check_left(options: RenderOptions, first: int, end: int) -> None:
+    """Raises `SandboxError` where a recording has nothing left to be filmed."""
+    if first > end:
+        raise SandboxError(f"step {first}: {told(options.scene)} has {end} steps")
+    if first == end:
         raise SandboxError(f"step {first}: {told(options.scene)} ends there, and a film needs steps")
-    return steps or left
-
-
-def _is_recording(options: RenderOptions) -> bool:
-    return holds_recording(options.scene)
 
 
 def _skip(stepper: RunStepper, steps: int, progress: PictureProgress, shooting: Shooting) -> None:
@@ -115,11 +103,9 @@ def _skip(stepper: RunStepper, steps: int, progress: PictureProgress, shooting: 
 
 
 def _tell(options: RenderOptions, size: tuple[int, int], stepper: RunStepper, pictures: int) -> None:
-    import json
-
     world, output = stepper.world, options.output
     facts: dict[str, Any] = {
-        "file": str(output),
+        "path": output.as_posix(),
         "bytes": output.stat().st_size,
         "width": size[0],
         "height": size[1],
@@ -128,7 +114,7 @@ def _tell(options: RenderOptions, size: tuple[int, int], stepper: RunStepper, pi
         "digest": world.digest(),
     }
     if options.json:
-        print(json.dumps(facts, indent=2))
+        print_document(facts)
     else:
         what = f"{pictures} pictures" if pictures > 1 else "a picture"
         kilobytes = facts["bytes"] / 1000

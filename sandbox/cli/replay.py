@@ -41,8 +41,8 @@ def replay(options: ReplayOptions) -> None:
     """
     settings = _settings(options)
     part = _part(options.shard)
-    check_report("--report", options.report, ".html", ".htm")
-    check_report("--junit", options.junit, ".xml")
+    check_report("--report", options.report, [".html", ".htm"], options.paths)
+    check_report("--junit", options.junit, [".xml"], options.paths)
     if options.against and (options.tolerance or options.heavy or options.update or options.prune):
         raise SandboxError("--against: two revisions are compared bit for bit, and nothing is renewed")
     from sandbox.cli.replay_run import Work, run

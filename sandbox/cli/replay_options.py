@@ -8,6 +8,7 @@ from typing import Annotated
 
 import typer
 
+from sandbox.cli.document import JSON
 from sandbox.cli.pool import JOBS
 
 _PATHS = typer.Argument(metavar="PATH", help="Recordings, scenes, or folders to search for *.replay.json.")
@@ -22,7 +23,6 @@ _UPDATE = typer.Option(
 _PRUNE = typer.Option("--prune", help="Remove recordings whose scene is gone.")
 _HEAVY = typer.Option("--heavy", help="Take every step from a restored snapshot as well, and compare.")
 _NO_JIT = typer.Option("--no-jit", help="Run the kernels as plain Python: slow, and the same bits.")
-_JSON = typer.Option("--json", help="Print one JSON document instead of the table.")
 _JUNIT = typer.Option(metavar="FILE.xml", show_default=False, help="Write a JUnit report as well.")
 _REPORT = typer.Option(
     metavar="FILE.html", show_default=False, help="Write a page that shows what did not pass; it needs no server."
@@ -49,7 +49,7 @@ class ReplayOptions:
     prune: Annotated[bool, _PRUNE] = False
     heavy: Annotated[bool, _HEAVY] = False
     no_jit: Annotated[bool, _NO_JIT] = False
-    json: Annotated[bool, _JSON] = False
+    json: Annotated[bool, JSON] = False
     junit: Annotated[Path | None, _JUNIT] = None
     report: Annotated[Path | None, _REPORT] = None
     last_failed: Annotated[bool, _LAST] = False

@@ -12,8 +12,10 @@ from typing import TYPE_CHECKING
 from rich.console import Console
 
 from sandbox._printable import told
+from sandbox.cli.document import print_document
 from sandbox.cli.failures import FAILED, HOLDS, UNUSABLE, NothingToDoError
 from sandbox.cli.replay_options import ReplayOptions
+from sandbox.cli.replay_result import facts
 from sandbox.replay.golden.cases import Case, find_cases, shard
 from sandbox.replay.golden.examine import ReplaySettings, Report
 
@@ -39,7 +41,10 @@ def run(work: Work) -> int:
     with _other_engine(work) as other:
         start = time.perf_counter()
         reports = (_run_for_machines if work.options.json else _run_for_people)(work, cases, other)
-        _tell_others(work, reports, time.perf_counter() - start, other)
+        seconds = time.perf_counter() - start
+        _tell_others(work, reports, seconds, other)
+        if work.options.json:  # last, for where a report cannot be written, the document says so instead
+            print_document(facts(reports, seconds), exit_code(reports))
     return exit_code(reports)
 
 
@@ -87,15 +92,7 @@ def _run_for_people(work: Work, cases: Sequence[Case], other: Against | None) ->
 
 
 def _run_for_machines(work: Work, cases: Sequence[Case], other: Against | None) -> list[Report]:
-    import json
-
-    from sandbox.cli.replay_result import document
-
-    start = time.perf_counter()
-    reports = _run_all(_reports(work, cases, Console(stderr=True), other), work, _report_problems)
-    found = document(reports, exit_code(reports), time.perf_counter() - start)
-    print(json.dumps(found, indent=2, ensure_ascii=False, allow_nan=False))
-    return reports
+    return _run_all(_reports(work, cases, Console(stderr=True), other), work, _report_problems)
 
 
 def _report_problems(report: Report) -> None:

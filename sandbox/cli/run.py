@@ -19,10 +19,12 @@ _SCENE = typer.Argument(
 _SIZE = typer.Option(
     metavar="WxH", show_default=False, help="Size of the window in pixels; default 1280x800, or as it was left."
 )
-_STEP = typer.Option(min=0, max=10_000_000, help="Start after this many steps.")
-_FRAMES = typer.Option(min=1, show_default=False, help="Quit after this many pictures, with one physics step for each.")
-_SCRIPT = typer.Option(show_default=False, help="Do what this file of keys and clicks says, then quit.")
-_SCREENSHOT = typer.Option(show_default=False, help="Write the last picture to this PNG file.")
+_STEP = typer.Option(min=0, max=10_000_000, metavar="N", help="Start after this many steps.")
+_FRAMES = typer.Option(
+    min=1, metavar="N", show_default=False, help="Quit after this many pictures, with one physics step for each."
+)
+_SCRIPT = typer.Option(metavar="FILE", show_default=False, help="Do what this file of keys and clicks says, then quit.")
+_SCREENSHOT = typer.Option(metavar="FILE.png", show_default=False, help="Write the last picture there.")
 
 
 @dataclass(frozen=True)
@@ -49,9 +51,9 @@ def run(options: RunOptions) -> None:
     from sandbox.cli.picture_options import parse_size, writable_picture
 
     pixels = parse_size(options.size) if options.size is not None else None
-    if options.screenshot is not None:
-        writable_picture(options.screenshot, {".png"})
     paths = [find_scene(path) for path in options.scene or ()]
+    if options.screenshot is not None:
+        writable_picture(options.screenshot, {".png"}, paths)
     for path in paths:
         _check_readable(path)  # before there is a window, which would close again at once
     if len(paths) > 1:

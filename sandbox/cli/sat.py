@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from sandbox.cli.document import JSON, print_document
 from sandbox.cli.options import SET, takes, values_set
 from sandbox.errors import SandboxError
 from sandbox.resources import find_scene
@@ -23,11 +24,10 @@ _MOST_SHAPES = 1000
 _NAME = 17
 """Letters of a body's name that fit into the headline of a picture."""
 
-_SCENE = typer.Argument(metavar="SCENE", help="A scene file, or the name of a shipped scene.")
+_SCENE = typer.Argument(metavar="SCENE", help="A scene file, the name of a shipped scene, or a recording.")
 _BODIES = typer.Option(show_default=False, metavar="A B", help="The two bodies; needed unless the scene has just two.")
-_STEP = typer.Option(min=0, max=10_000_000, help="Look at the scene after this many steps.")
+_STEP = typer.Option(min=0, max=10_000_000, metavar="N", help="Look at it after this many steps.")
 _ALL = typer.Option("--all", help="Every axis, also those after the first gap, and where each comes from.")
-_JSON = typer.Option("--json", help="Print one JSON document instead.")
 _SVG = typer.Option("--svg", show_default=False, metavar="FILE", help="Also draw it into this SVG file.")
 _FIGURE = typer.Option(
     show_default=False,
@@ -48,7 +48,7 @@ class SatOptions:
     bodies: Annotated[tuple[str, str] | None, _BODIES] = None
     step: Annotated[int, _STEP] = 0
     all_axes: Annotated[bool, _ALL] = False
-    json: Annotated[bool, _JSON] = False
+    json: Annotated[bool, JSON] = False
     svg: Annotated[Path | None, _SVG] = None
     figure: Annotated[str | None, _FIGURE] = None
     axis: Annotated[int | None, _AXIS] = None
@@ -94,7 +94,7 @@ def _check_picture(svg: Path, figure: str | None, scene: Path) -> None:
     from sandbox.render.sat_figure import FIGURES
     from sandbox.scene.near_names import did_you_mean
 
-    writable_picture(svg, {".svg"}, scene)
+    writable_picture(svg, {".svg"}, [scene])
     if figure is not None and figure not in FIGURES:
         hint = did_you_mean(figure, FIGURES) or f"there are {', '.join(FIGURES)}"
         raise SandboxError(f"--figure {figure}: no figure of that name; {hint}")
@@ -140,11 +140,9 @@ def _wholes(pair: SatPair) -> tuple[Whole, ...]:
 
 def _tell(pair: SatPair, table: SatTable, options: SatOptions) -> None:
     if options.json:
-        import json
+        from sandbox.cli.sat_data import facts
 
-        from sandbox.cli.sat_data import document
-
-        typer.echo(json.dumps(document(pair, table), indent=2, ensure_ascii=False))
+        print_document(facts(pair, table))
         return
     if options.step_by_step:
         from sandbox.cli.sat_steps import explanation

@@ -1,20 +1,18 @@
-"""The JSON document of `sandbox sat`."""
+"""What the JSON document of `sandbox sat` has to tell."""
 
 from __future__ import annotations
 
 from typing import Any
 
-from sandbox._version import __version__
 from sandbox.cli.sat_pair import SatPair
 from sandbox.geometry.sat_table import SatTable
 from sandbox.geometry.shapes import Shape
 
 
-def document(pair: SatPair, table: SatTable) -> dict[str, Any]:
+def facts(pair: SatPair, table: SatTable) -> dict[str, Any]:
     """Everything the table says, and whose shapes they are."""
     bodies = zip(pair.names, pair.numbers, (pair.a, pair.b), strict=True)
     return {
-        "version": __version__,
         "step": pair.world.step_count,
         "bodies": [{"id": name, "shape": number, **_shape(shape)} for name, number, shape in bodies],
         **table.to_data(),

@@ -12,6 +12,7 @@ from sandbox.errors import SandboxError, UnknownBodyError
 if TYPE_CHECKING:
     from sandbox.engine.world import World
     from sandbox.geometry.shapes import Shape
+    from sandbox.replay.golden.run import RunStepper
 
 _SHOW_EVERY = 16
 """Steps after which is shown how many are done."""
@@ -41,19 +42,24 @@ class SatPair:
 
 
 def pair_in(path: Path, bodies: tuple[str, str] | None, step: int, values: Mapping[str, Any] | None = None) -> SatPair:
-    """The pair of a scene file, with `values` set in it. Raises `SandboxError` if the bodies do not make one."""
-    from sandbox.cli.opening import open_any
-    from sandbox.engine.world import World
+    """The pair of a scene, with `values` set in it, or of a recording.
 
-    world = World(open_any(path, values))
-    names = bodies or _only_two(world)
-    _check(world, names)
+    Raises `SandboxError` if the bodies do not make one.
+    """
+    from sandbox.cli.running import run_in, telling_refusals
+    from sandbox.replay.golden.run import RunStepper
+
+    run = run_in(path, values or {}, step)
+    stepper = RunStepper(run.scene, run.commands)
+    names = bodies or _only_two(stepper.world)
+    _check(stepper.world, names)
     if step:
-        _advance(world, step, path.name)
-    return chosen_pair(world, names)
+        with telling_refusals(path):
+            _advance(stepper, step, path.name)
+    return chosen_pair(stepper.world, names)
 
 
-def _advance(world: World, steps: int, name: str) -> None:
+def _advance(stepper: RunStepper, steps: int, name: str) -> None:
     from rich.console import Console
 
     from sandbox.cli.compiling import announce_compilation
@@ -62,9 +68,10 @@ def _advance(world: World, steps: int, name: str) -> None:
     announce_compilation()
     with SceneProgress(Console(stderr=True), 1) as progress:
         progress.begin(name, steps)
-        for done in range(0, steps, _SHOW_EVERY):
-            progress.done(done)
-            world.step(min(_SHOW_EVERY, steps - done))
+        for done in range(steps):
+            if done % _SHOW_EVERY == 0:
+                progress.done(done)
+            stepper.advance()
 
 
 def chosen_pair(world: World, names: tuple[str, str]) -> SatPair:

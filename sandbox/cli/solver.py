@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from sandbox.cli.document import JSON, print_document
 from sandbox.cli.options import SET, takes, values_set
 from sandbox.errors import SandboxError
 from sandbox.resources import find_scene
@@ -36,7 +37,6 @@ _FIGURE = typer.Option(
     help="What to draw: passes (the default) or impulse; with --over-time curves (the default) or ends.",
 )  # fmt: skip
 _SVG = typer.Option("--svg", show_default=False, metavar="FILE", help="Also draw it into this SVG file.")
-_JSON = typer.Option("--json", help="Print one JSON document instead.")
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ class SolverOptions:
     figure: Annotated[str, _FIGURE] = ""
     svg: Annotated[Path | None, _SVG] = None
     set: Annotated[list[str] | None, SET] = None
-    json: Annotated[bool, _JSON] = False
+    json: Annotated[bool, JSON] = False
 
 
 @takes(SolverOptions)
@@ -66,14 +66,14 @@ def solver(options: SolverOptions) -> None:
     Exit code 2: the scene, or an option, could not be used.
     """
     _check_options(options)
-    from sandbox.cli.solver_text import passes_lines, time_lines, to_json
+    from sandbox.cli.solver_text import facts, passes_lines, time_lines
 
     over_time, svg = options.over_time, options.svg
     shown = _over_time(options) if over_time else _passes(options)
     if svg is not None:
         _draw(shown, options.figure, svg)
     if options.json:
-        typer.echo(to_json(shown))
+        print_document(facts(shown))
         return
     for line in time_lines(shown) if over_time else passes_lines(shown):
         typer.echo(line)
@@ -96,7 +96,7 @@ def _check_options(options: SolverOptions) -> None:
         raise SandboxError(f"--figure {figure} is drawn {'without' if over_time else 'with'} --over-time")
     _check_name("--figure", figure, TIME_FIGURES if over_time else STEP_FIGURES)
     if svg is not None:
-        writable_picture(svg, {".svg"}, options.scene)
+        writable_picture(svg, {".svg"}, [options.scene])
 
 
 def _check_name(option: str, name: str, known: Iterable[str]) -> None:

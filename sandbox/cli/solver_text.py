@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import asdict
+from typing import Any
 
-from sandbox import __version__
 from sandbox.cli.sat_text import aligned
 from sandbox.reference.simple.trace import Passes
 from sandbox.render.solver_figure import MEASURES, point_name
@@ -59,8 +58,8 @@ def time_lines(shown: SolverFigure) -> list[str]:
     return [name, "", *aligned(rows)]
 
 
-def to_json(shown: SolverFigure) -> str:
-    """One document with everything in it."""
+def facts(shown: SolverFigure) -> dict[str, Any]:
+    """Everything, as the document of `--json` has it."""
     runs = []
     for run in shown.runs:
         entry: dict[str, object] = {"label": run.label}
@@ -71,8 +70,7 @@ def to_json(shown: SolverFigure) -> str:
             measures = [asdict(each) for each in run.course.measures]
             entry |= {"times": run.course.times, "measures": measures}
         runs.append(entry)
-    document = {"format": 1, "sandbox": __version__, "title": shown.title, "runs": runs}
-    return json.dumps(document, indent=2, ensure_ascii=False)
+    return {"title": shown.title, "runs": runs}
 
 
 def _unsigned(text: str) -> str:

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import math
 import sys
 import time
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import typer
 
 from sandbox._printable import told
+from sandbox.cli.document import print_document
 from sandbox.cli.failures import FAILED, HOLDS
 from sandbox.cli.options import takes, values_set
 from sandbox.cli.sweep_options import SweepOptions, check_output, check_plot_file, check_set, varied
@@ -165,24 +165,15 @@ def _tell(table: SweepTable, options: SweepOptions, failed: int, seconds: float)
         print(f"{failed} of {len(table)} runs failed, the first with: {told(row['status'])}", file=sys.stderr)
 
 
-def _in_json(value: Any) -> Any:
-    """A value as JSON has it, which knows neither NaN nor infinities."""
-    return None if isinstance(value, float) and not math.isfinite(value) else value
-
-
 def _print_document(table: SweepTable, options: SweepOptions, failed: int, seconds: float) -> None:
-    import json
-
     files = {"output": options.output, "plot": options.plot}
-    rows = [{name: _in_json(value) for name, value in row.items()} for row in table.rows]
-    document = {
-        "exit_code": FAILED if failed else HOLDS,
+    facts = {
         "seconds": round(seconds, 3),
         "scene": options.scene.as_posix(),
         **{name: path.as_posix() if path is not None else None for name, path in files.items()},
         "runs": len(table),
         "failed": failed,
         "columns": table.columns,
-        "rows": rows,
+        "rows": table.rows,
     }
-    print(json.dumps(document, indent=2, ensure_ascii=False))
+    print_document(facts, FAILED if failed else HOLDS)

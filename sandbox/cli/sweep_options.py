@@ -12,7 +12,9 @@ import typer
 
 from sandbox._atomic_write import check_writable
 from sandbox._printable import told
+from sandbox.cli.document import JSON
 from sandbox.cli.options import SET
+from sandbox.cli.output import check_not_source
 from sandbox.errors import SandboxError
 
 _SCENE = typer.Argument(
@@ -46,8 +48,7 @@ _OVER = typer.Option(
     help="Draw a heat map: this column upwards, --y as colours; default where two values vary: the second.",
 )  # fmt: skip
 _BY = typer.Option("--by", metavar="COLUMN", show_default=False, help="A colour for each value of this column.")
-_THEME = typer.Option(help="Colours of the plot.")
-_JSON = typer.Option("--json", help="Print one JSON document instead of lines.")
+_THEME = typer.Option(metavar="dark|light", help="Colours of the plot.")
 
 
 @dataclass(frozen=True)
@@ -72,7 +73,7 @@ class SweepOptions:
     by: Annotated[str | None, _BY] = None
     over: Annotated[str | None, _OVER] = None
     theme: Annotated[Literal["dark", "light"], _THEME] = "dark"
-    json: Annotated[bool, _JSON] = False
+    json: Annotated[bool, JSON] = False
 
     @property
     def is_of_table(self) -> bool:
@@ -128,6 +129,7 @@ def check_output(options: SweepOptions) -> None:
         raise SandboxError(f"{told(output)}: the name of a table must end in {' or '.join(SUFFIXES)}")
     if suffix == ".parquet":
         require_arrow()
+    check_not_source(output, [options.scene])
     check_writable(output)
     journal = journal_of(output)
     if os.path.lexists(journal) and not (options.resume or options.force):
@@ -142,5 +144,5 @@ def check_plot_file(plot: Path, scene: Path) -> None:
     from sandbox.cli.picture_options import writable_picture
     from sandbox.sweeps.plot import SUFFIXES, require_matplotlib
 
-    writable_picture(plot, SUFFIXES, scene)
+    writable_picture(plot, SUFFIXES, [scene])
     require_matplotlib()

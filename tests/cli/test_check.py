@@ -120,7 +120,7 @@ def test_a_shorter_run_judges_what_it_reaches(cli: Callable, write_scene: Callab
     assert cli("check", "--steps", 5, path).code == 1
 
 
-@pytest.mark.parametrize("command", ["check", "events", "sat", "solver", "compare"])
+@pytest.mark.parametrize("command", ["check", "expand", "solver", "compare"])
 def test_a_recording_is_called_one(cli: Callable, write_scene: Callable, tmp_path: Path, command: str) -> None:
     recording = tmp_path / "a.replay.json"
     cli("record", write_scene("a.scene.json"), "-o", recording)

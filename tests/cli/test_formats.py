@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+import sandbox
 from sandbox.scene import load_scene
 from tests.cli.conftest import cli  # noqa: F401
 
@@ -35,7 +36,8 @@ def test_import_writes_a_scene_and_lists_the_rest(cli: Callable) -> None:  # noq
 def test_import_for_machines(cli: Callable) -> None:  # noqa: F811
     done = cli("import", "ball.drawing", "-o", "ball.scene.json", "--units-per-metre", "16", "--json")
     assert json.loads(done.out) == {
-        "path": "ball.scene.json", "format": "svg", "bodies": 2, "joints": 0,
+        "format": 1, "sandbox": sandbox.__version__, "exit_code": 0,
+        "path": "ball.scene.json", "file_format": "svg", "bodies": 2, "joints": 0,
         "remarks": [{"place": "line 1 <text>", "text": "elements of the kind text are left out"}],
     }  # fmt: skip
     assert load_scene("ball.scene.json").bodies[1].shapes[0].circle == 1
@@ -108,7 +110,7 @@ def test_a_damaged_file_is_told_once(cli: Callable) -> None:  # noqa: F811
 def test_export_of_an_import(cli: Callable) -> None:  # noqa: F811
     assert cli("export", "ball.drawing", "-o", "world.json").code == 0
     done = cli("import", "world.json", "-o", "back.scene.json", "--json")
-    assert json.loads(done.out)["format"] == "planck"
+    assert json.loads(done.out)["file_format"] == "planck"
 
 
 @pytest.mark.parametrize(

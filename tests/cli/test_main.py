@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import json
 import os
+import re
 import subprocess
 import sys
 from collections.abc import Callable
@@ -203,6 +204,14 @@ def test_help_breaks_no_line_where_its_source_does(name: str) -> None:
     broken = [line for line in words.split("\n")[1:] if line and not line.startswith("Exit code")]
     assert [line for line in broken if f"\n\n{line}" not in words] == []
     assert words.count("Exit code") == len([line for line in words.split("\n") if line.startswith("Exit code")])
+
+
+@pytest.mark.parametrize("name", ["", *app.COMMANDS])
+def test_help_speaks_no_python(cli: Callable, monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+    """`<bool>`, `<path>` and `<list[Path]>` stood beside options that have a name, or take nothing at all."""
+    monkeypatch.setenv("COLUMNS", "200")
+    text = cli(*([name] if name else []), "--help").out
+    assert re.findall(r"<[^=>][^>]*>|BOOLEAN|INTEGER|FLOAT", text) == []
 
 
 @pytest.mark.skipif(os.name != "posix", reason="a shell makes the pipe")

@@ -135,7 +135,7 @@ def test_no_picture_goes_over_the_drawing_that_it_is_made_of(cli: Callable, comm
 @pytest.mark.parametrize(
     "words",
     [("export", "a.json", "-o"), ("bench", "a.json", "--engines", "sandbox", "--steps", "1", "-o"),
-     ("import", "drawing.json", "-o")],
+     ("import", "drawing.json", "-o"), ("expand", "a.json", "-o")],
 )  # fmt: skip
 def test_nothing_goes_over_what_it_is_made_of(cli: Callable, words: tuple[str, ...]) -> None:
     """Not even with --force, which is for what an earlier call has left: `bench` wrote its figures over the scene."""
@@ -150,6 +150,34 @@ def test_nothing_goes_over_what_it_is_made_of(cli: Callable, words: tuple[str, .
         assert f"{name}: it would go over what it is made of; give it another name" in done.err
     assert cli(*words, "new.json", "--force").code == 0
     assert cli(*words, "new.json", "--force").code == 0
+
+
+@pytest.mark.parametrize(
+    ("words", "link"),
+    [("record a.scene.json -o out.replay.json", "out.replay.json"), ("gallery . -o out.html", "out.html"),
+     ("sweep a.scene.json --vary gravity.1=-9,-8 -o out.csv", "out.csv"), ("check . --junit out.xml", "out.xml"),
+     ("replay a.scene.json --report out.html", "out.html"), ("compare . --twin=simple --plot out.svg", "out.svg"),
+     ("run a.scene.json --screenshot out.png", "out.png")],
+)  # fmt: skip
+def test_no_link_leads_back_to_the_scene(cli: Callable, words: str, link: str) -> None:
+    """What is written goes where a link says, whatever the link is called."""
+    before = Path("a.scene.json").read_bytes()
+    Path(link).symlink_to("a.scene.json")
+    force = ["--force"] * (words.split()[0] in ("record", "sweep"))
+    done = cli(*words.split(), *force)
+    assert (done.code, Path("a.scene.json").read_bytes()) == (2, before)
+    assert f"{link}: it would go over what it is made of; give it another name" in done.err
+
+
+@pytest.mark.parametrize("command", ["expand", "export"])
+def test_nothing_goes_over_what_a_scene_includes(cli: Callable, write_scene: Callable, command: str) -> None:
+    """All that is in it went into a file that no longer has a part for others to include."""
+    part = '{"materials": {"ice": {"friction": 0.01}}}'
+    Path("part.json").write_text(part)
+    write_scene("b.scene.json", include=["part.json"])
+    done = cli(command, "b.scene.json", "-o", "part.json", "--force")
+    assert (done.code, Path("part.json").read_text()) == (2, part)
+    assert "part.json: it would go over what it is made of; give it another name" in done.err
 
 
 def test_a_folder_is_told_to_be_one(cli: Callable) -> None:
