@@ -60,4 +60,5 @@ def _tell(options: RenderOptions, film: Film) -> None:
         facts = {"path": options.output.as_posix(), "bytes": size, "first_step": film.start, "last_step": film.end}
         print_document({**facts, "every": film.every, "bodies": len(film.bodies)})
     else:
-        print(f"{told(options.output)}: a page, {size / 1000:.0f} kB, steps {film.start} to {film.end}")
+        kept = "" if film.every == 1 else f", one of {film.every} kept"
+        print(f"{told(options.output)}: a page, {size / 1000:.0f} kB, steps {film.start} to {film.end}{kept}")

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -49,12 +50,12 @@ class Mesh:
     sensor: NDArray[np.bool_]
     layout: int = 0
 
-    @property
+    @cached_property
     def reach(self) -> Floats:
         """Radius of a circle about the shape frame's origin that holds the shape (m,)."""
         return np.hypot(self.half[:, 0], self.half[:, 1]) + self.radius
 
-    @property
+    @cached_property
     def mark(self) -> Floats:
         """The orientation mark: where it starts and ends on the shape frame's x axis (m, 2)."""
         thick, end = self.thickness, self.half[:, 0] + self.radius

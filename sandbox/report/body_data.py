@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
@@ -36,12 +36,12 @@ def hex_of(color: Color | Floats) -> str:
     return "#" + "".join(f"{round(255 * float(part)):02x}" for part in color)
 
 
-def film_bodies(frame: Frame, body_colors: BodyColors) -> list[FilmBody]:
-    """Every body of a frame, row by row."""
-    shapes: list[list[int]] = [[] for _ in frame.type]
-    for row, body in enumerate(frame.mesh.body.tolist()):
-        shapes[body].append(row)
-    return [_film_body(frame, body_colors, body, rows) for body, rows in enumerate(shapes)]
+def film_bodies(frame: Frame, body_colors: BodyColors, wanted: Sequence[int]) -> list[FilmBody]:
+    """The bodies in the `wanted` rows of a frame."""
+    shapes: dict[int, list[int]] = {body: [] for body in wanted}
+    for row in np.flatnonzero(np.isin(frame.mesh.body, wanted)).tolist():
+        shapes[int(frame.mesh.body[row])].append(row)
+    return [_film_body(frame, body_colors, body, rows) for body, rows in shapes.items()]
 
 
 def _film_body(frame: Frame, body_colors: BodyColors, body: int, rows: list[int]) -> FilmBody:

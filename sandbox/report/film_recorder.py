@@ -112,13 +112,16 @@ class FilmRecorder:
         """Take up the bodies and joints that came into the world."""
         roster = self.world.state.roster
         self.body_colors = self.body_colors.for_frame(self.frame)
-        bodies = film_bodies(self.frame, self.body_colors)
-        for serial, body in zip(roster.bodies.serials, bodies, strict=True):
-            self.bodies.setdefault(serial, body)
+        serials = roster.bodies.serials
+        new = [row for row, serial in enumerate(serials) if serial not in self.bodies]
+        for row, body in zip(new, film_bodies(self.frame, self.body_colors, new), strict=True):
+            self.bodies[serials[row]] = body
         places = {serial: slot for slot, serial in enumerate(self.bodies)}
-        self.rows = np.array([places[serial] for serial in roster.bodies.serials], np.int64)
+        self.rows = np.array([places[serial] for serial in serials], np.int64)
+        slots = self.rows.tolist()
         for serial, row in zip(roster.joints.serials, self.world.state.joints, strict=True):
-            self.joints.setdefault(serial, joint_data(row, self.rows.tolist()))
+            if serial not in self.joints:
+                self.joints[serial] = joint_data(row, slots)
         places = {serial: slot for slot, serial in enumerate(self.joints)}
         self.joint_rows = np.array([places[serial] for serial in roster.joints.serials], np.int64)
 

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import base64
-import json
 import shlex
-import zlib
 from dataclasses import dataclass, replace
 from io import BytesIO
 from pathlib import Path
@@ -16,7 +13,7 @@ from sandbox.render.thumbnail import thumbnail
 from sandbox.replay.golden.run import Run, run_of
 from sandbox.replay.recording.limits import SUFFIX
 from sandbox.replay.recording.recording import Recording
-from sandbox.report.film_data import film_data
+from sandbox.report.film_data import film_data, packed
 from sandbox.report.filming import film_run
 from sandbox.resources import find_scene, scene_name
 from sandbox.scene import load_scene
@@ -29,7 +26,7 @@ MOST_STEPS, MOST_POSES = 900, 60_000
 
 @dataclass(frozen=True)
 class GalleryCard:
-    """A scene as a page shows it; `picture` is an image file, `film` two lines of base64: facts, and poses."""
+    """A scene as a page shows it; `picture` is an image file, `film` what `packed` makes of it."""
 
     name: str
     entry: Entry
@@ -59,11 +56,7 @@ def gallery_card(entry: Entry) -> GalleryCard:
     seconds = run.steps / scene.settings.step_rate
     image = BytesIO()
     thumbnail(scene, PICTURE).convert("RGB").save(image, "WEBP", quality=82, method=6)
-    data = film_data(film)
-    poses = data.pop("poses")
-    facts = json.dumps(data, separators=(",", ":"), allow_nan=False).encode()
-    packed = base64.b64encode(zlib.compress(facts, 9)).decode("ascii")
-    return GalleryCard(scene_name(entry.path), entry, *counts, seconds, image.getvalue(), f"{packed}\n{poses}")
+    return GalleryCard(scene_name(entry.path), entry, *counts, seconds, image.getvalue(), packed(film_data(film)))
 
 
 def run_beside(path: Path) -> Run:

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from itertools import count
 
 from sandbox.report.gallery_card import PICTURE, GalleryCard
-from sandbox.report.markup import PLAYER, Node, node, text_of, whole_page
+from sandbox.report.markup import PLAYER, Node, film_script, node, text_of, whole_page
 
 _HIDDEN = {"hidden": ""}
 
@@ -19,7 +19,7 @@ def gallery_page(title: str, cards: Sequence[GalleryCard]) -> str:
         groups.setdefault(card.entry.theme, []).append(_card(card, number, anchor))
     sections = [_section(theme, group, number) for number, (theme, group) in enumerate(groups.items())]
     main = node("main", "", *sections, node("p", "none", "No scene has all of these words.", **_HIDDEN))
-    films = [node("script", "", card.film, type="text/plain", id=f"film-{number}") for number, card in enumerate(cards)]
+    films = [film_script(f"film-{number}", card.film) for number, card in enumerate(cards)]
     body = [text_of(part) for part in (_head(title, len(cards), groups), main, _stage(), *films)]
     return whole_page(title, body, "gallery", (*PLAYER, "gallery.js"), ("page.css", "gallery.css"))
 

@@ -5,15 +5,16 @@ from __future__ import annotations
 import html
 
 from sandbox.report.film import Film
-from sandbox.report.film_data import film_data
-from sandbox.report.markup import data_script, node, text_of, whole_page
+from sandbox.report.film_data import film_data, packed
+from sandbox.report.markup import film_script, node, text_of, whole_page
 
 
 def player_page(title: str, film: Film, small: bool = False, about: str = "") -> str:
     """The HTML of a page that plays a film, in its theme; `small` leaves out the headline and `about`."""
     words = [node("h1", "", title), *([node("p", "soft", about)] if about else [])]
     head = [] if small else [text_of(part) for part in words]
-    body = [*head, text_of(node("div", "player", **{"data-got": "film"})), data_script("film", film_data(film))]
+    parts = node("div", "player", **{"data-got": "film"}), film_script("film", packed(film_data(film)))
+    body = [*head, *(text_of(part) for part in parts)]
     return whole_page(title, body, "alone small" if small else "alone", theme=film.theme)
 
 

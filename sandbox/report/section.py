@@ -9,8 +9,8 @@ from dataclasses import asdict, dataclass
 from sandbox.replay.golden.examine import Report
 from sandbox.report.environment_table import environment_table
 from sandbox.report.failure import Failure
-from sandbox.report.film_data import film_data
-from sandbox.report.markup import Node, data_script, node, text_of
+from sandbox.report.film_data import film_data, packed
+from sandbox.report.markup import Node, film_script, node, text_of
 from sandbox.report.sat_panel import sat_panel
 
 
@@ -33,16 +33,16 @@ def section(entry: Entry, number: int, failure: Failure | None, trouble: str) ->
     parts.append(node("ul", "reasons", *(node("li", "", line) for line in entry.reasons)))
     if trouble:
         parts.append(node("p", "soft", f"It could not be filmed: {trouble}"))
-    scripts: list[str] = []
+    films: list[Node] = []
     if failure is not None:
         parts += _player(failure, number)
-        scripts = _films(failure, number)
+        films = _films(failure, number)
         parts += [node("h3", "", _pair_title(failure)), *sat_panel(failure.pair)] if failure.pair else []
     if entry.advice:
         parts += [node("h3", "", "what to do"), node("pre", "", "\n".join(entry.advice))]
     if failure is not None and failure.recording is not None:
         parts += [node("h3", "", "environment"), environment_table(failure.recording)]
-    return [text_of(node("section", "failure", *parts, id=f"case-{number}")), *scripts]
+    return [text_of(part) for part in (node("section", "failure", *parts, id=f"case-{number}"), *films)]
 
 
 def _player(failure: Failure, number: int) -> list[Node]:
@@ -60,14 +60,14 @@ def _player(failure: Failure, number: int) -> list[Node]:
     return [node("p", "soft", said), node("div", "player", **data)]
 
 
-def _films(failure: Failure, number: int) -> list[str]:
+def _films(failure: Failure, number: int) -> list[Node]:
     other = failure.expected or failure.ends
     got = film_data(failure.got)
     if failure.expected is None and failure.recording is not None:
         rows = failure.recording.checkpoints
         got["checkpoints"] = [asdict(row) for row in rows if failure.got.start <= row.step <= failure.got.end]
-    scripts = [data_script(f"got-{number}", got)]
-    return [*scripts, data_script(f"expected-{number}", film_data(other))] if other is not None else scripts
+    films = [film_script(f"got-{number}", packed(got))]
+    return [*films, film_script(f"expected-{number}", packed(film_data(other)))] if other is not None else films
 
 
 def _pair_title(failure: Failure) -> str:

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 from numpy.typing import NDArray
 
 
-def toggles(on: NDArray[np.bool_]) -> list[int]:
-    """The samples at which a row of switches (n,) changes; it is off before the first."""
-    changes: list[int] = np.flatnonzero(np.diff(on.astype(np.int8), prepend=0)).tolist()
-    return changes
+def toggles(on: NDArray[np.bool_]) -> list[list[int]]:
+    """The samples at which each row of switches (n, samples) changes; all are off before the first."""
+    rows, samples = np.nonzero(np.diff(on.astype(np.int8), axis=1, prepend=0))
+    ends = np.searchsorted(rows, np.arange(len(on) + 1)).tolist()
+    changes = samples.tolist()
+    return [changes[first:last] for first, last in pairwise(ends)]

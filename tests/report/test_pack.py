@@ -50,7 +50,8 @@ def test_what_is_too_far_away_is_put_at_the_edge() -> None:
     assert back[0, :, 0].tolist() == [0.0, LARGEST, -LARGEST]
 
 
-@given(st.lists(st.booleans(), max_size=12))
-def test_toggles_tell_when_it_is_on(switches: list[bool]) -> None:
-    changes = toggles(np.array(switches, bool))
-    assert [sum(change <= k for change in changes) % 2 == 1 for k in range(len(switches))] == switches
+@given(st.integers(0, 12).flatmap(lambda n: st.lists(st.lists(st.booleans(), min_size=n, max_size=n), max_size=4)))
+def test_toggles_tell_when_it_is_on(switches: list[list[bool]]) -> None:
+    count = len(switches[0]) if switches else 0
+    changes = toggles(np.array(switches, bool).reshape(len(switches), count))
+    assert [[sum(change <= k for change in row) % 2 == 1 for k in range(count)] for row in changes] == switches

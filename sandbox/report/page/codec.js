@@ -40,10 +40,12 @@ function isOn(changes, sample) {
   return on;
 }
 
-/** A film that can be asked for any step, from what `film_data` in film_data.py wrote. */
+/** A film that can be asked for any step, from what `packed` in film_data.py wrote. */
 class Film {
   static async open(name) {
-    const data = JSON.parse(document.getElementById(name).textContent);
+    const [facts, poses] = document.getElementById(name).textContent.trim().split("\n");
+    const data = JSON.parse(new TextDecoder().decode(await inflate(facts)));
+    data.poses = poses || "";
     return new Film(data, await unpack(data));
   }
 

@@ -15,13 +15,6 @@ function filter() {
   none.hidden = sections.some((section) => !section.hidden);
 }
 
-async function openFilm(card) {
-  const [facts, poses] = document.getElementById(card.dataset.film).textContent.trim().split("\n");
-  const data = JSON.parse(new TextDecoder().decode(await inflate(facts)));
-  data.poses = poses || "";
-  return new Film(data, await unpack(data));
-}
-
 /** Only the film that is on the stage is unpacked. */
 async function show(card) {
   const turn = ++opened;
@@ -32,7 +25,7 @@ async function show(card) {
   if (!stage.open) stage.showModal();
   const root = make("div", "player", slot);
   try {
-    const film = await openFilm(card);
+    const film = await Film.open(card.dataset.film);
     if (turn !== opened) return;
     player = new Player(root, film);
     root.focus({ preventScroll: true });

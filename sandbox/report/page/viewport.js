@@ -1,5 +1,11 @@
 // The picture: a camera over the plane, and everything that is drawn through it.
 
+/**
+ * Device pixels: an outline that is thinner is left out. Of thousands of bodies each is a few pixels large, and most of
+ * what their picture took was cutting off at their edges what nobody sees.
+ */
+const UNSEEN = 1;
+
 class Viewport {
   constructor(canvas, film, ghost, options) {
     Object.assign(this, { canvas, film, ghost, options });
@@ -111,10 +117,12 @@ class Viewport {
     const { context, scale } = this;
     context.globalAlpha = sensor ? 0.15 : 1;
     if (!line) context.fill(path, "evenodd");
-    context.save();
-    if (!line && !sensor) context.clip(path, "evenodd"); // the outline lies inside, as in the window
     const widest = (sensor ? 1 : 2.8) * devicePixelRatio;
     const edge = line ? Math.max(2 * half, 2 * devicePixelRatio) : Math.min(0.32 * half, widest);
+    const inside = !line && !sensor; // the outline lies inside, as in the window
+    if (inside && edge < UNSEEN) return;
+    context.save();
+    if (inside) context.clip(path, "evenodd");
     context.lineWidth = Math.max(edge, 0.6) / scale;
     context.globalAlpha = sensor ? 0.6 : 1;
     context.stroke(path);
