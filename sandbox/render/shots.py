@@ -15,9 +15,10 @@ from sandbox.render.follow import followed
 from sandbox.render.frame import Frame, blend, capture, interesting_bounds
 from sandbox.render.marks import Marks
 from sandbox.render.overlays import trails
-from sandbox.render.overlays.legend import Corner, quiet_corner
+from sandbox.render.overlays.legend import CORNERS, Corner, quiet_corner
 from sandbox.render.overlays.look import Look, Overlay
 from sandbox.render.overlays.registry import draw_overlays
+from sandbox.render.scoreboard import draw_scoreboard
 from sandbox.render.theme import DARK, Theme
 from sandbox.render.trails import Trails
 
@@ -75,8 +76,8 @@ class Shooting:
         self._follow = style.follow or (None if style.center else getattr(view, "follow", None))
         self._arrived = False
         self._trails = Trails() if any(overlay.name == TRAILS for overlay in style.overlays) else None
-        self._corner: Corner | None = None
-        """Where the legend is: it stays there through a film."""
+        self._corners: tuple[Corner, Corner] | None = None
+        """Where the counters and the legend are: they stay there through a film."""
 
     def note(self, world: World) -> None:
         """A step was taken: what trails need is kept, if they are to be seen."""
@@ -89,9 +90,18 @@ class Shooting:
             waited = seconds if self._arrived else None
             self._camera, self._arrived = followed(self._camera, frame, self._follow, self._home, waited), True
         look = Look(world, frame, self._camera, self.style.theme, self._trails)
-        if self._overlays and self._corner is None:
-            self._corner = quiet_corner(look)
-        return Shot(frame, self._camera, draw_overlays(self._overlays, look, self._corner))
+        return Shot(frame, self._camera, self._marks(look))
+
+    def _marks(self, look: Look) -> tuple[Marks, ...]:
+        plays = bool(look.world.counters) or look.world.outcome is not None
+        if not (plays or self._overlays):
+            return ()
+        if self._corners is None:
+            score = quiet_corner(look, ("upper left", "upper right"))
+            others = [corner for corner in CORNERS if corner != score or not plays]
+            self._corners = score, quiet_corner(look, others)
+        scoreboard, taken = draw_scoreboard(look, self._corners[0])
+        return (*draw_overlays(self._overlays, look, self._corners[1], taken), scoreboard)
 
     def draw_list(self, shot: Shot) -> DrawList:
         """What painters draw of a shot."""

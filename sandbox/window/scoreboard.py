@@ -2,23 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 
 from sandbox.engine.world import World
+from sandbox.render.scoreboard import ENDINGS, Counter, counter_lines
 from sandbox.window.gui_style import palette_of
 from sandbox.window.overlay import Overlay
 from sandbox.window.viewport import Rect
 from sandbox.window.workspace import Workspace
 
-MARGIN, PAD, GAP, SPACE = 14.0, 12.0, 22.0, 7.0
+MARGIN, PAD, ABOVE = 14.0, 12.0, 7.0
 SIZE, LARGE = 18.0, 34.0
-Counter = tuple[float, str, float, str]
-"""The pixel at which its name begins, from the left edge, its name, that of its value, and this."""
 
 
 def below_counters(overlay: Overlay, world: World, rect: Rect) -> Rect:
     """What is left of a rectangle for the scene: the counters, if there are any, stand above it and cover nothing."""
-    high = round(len(list(_lines(overlay, world.counters, rect[2]))) * _line_height(overlay))
+    high = round(len(_lines(overlay, world.counters, rect[2])) * _line_height(overlay))
     return rect[0], rect[1] + high, rect[2], max(rect[3] - high, 1)
 
 
@@ -35,41 +34,29 @@ def draw_counters(overlay: Overlay, workspace: Workspace, rect: Rect) -> None:
     if not counters:
         return
     colors, (left, bottom, width, _) = palette_of(workspace.theme), rect
-    lines, high = list(_lines(overlay, counters, width)), _line_height(overlay)
+    lines, high = _lines(overlay, counters, width), _line_height(overlay)
     top = bottom - round(len(lines) * high)
     overlay.panel((left, top, left + width, bottom), colors.panel, 1.0, 0.0)
     overlay.panel((left, bottom - 1.0, left + width, bottom), colors.line, 1.0, 0.0)
     for number, line in enumerate(lines):
-        y = top + number * high + SPACE - 2.0
+        y = top + number * high + ABOVE - 2.0
         for x, name, after, value in line:
-            overlay.text(left + x, y, name, colors.faint, size=SIZE)
-            overlay.text(left + after, y, value, colors.text, size=SIZE, bold=True)
+            overlay.text(left + MARGIN + x, y, name, colors.faint, size=SIZE)
+            overlay.text(left + MARGIN + after, y, value, colors.text, size=SIZE, bold=True)
 
 
-def _lines(overlay: Overlay, counters: Mapping[str, float], width: float) -> Iterator[list[Counter]]:
-    """The counters in lines, each as many as fit into `width` pixels, at least one."""
-    line: list[Counter] = []
-    x = MARGIN
-    for name, number in counters.items():
-        title, value = name.replace("-", " ").replace("_", " "), f"{number:g}"
-        after = overlay.width(title, SIZE) + SPACE
-        wide = after + overlay.width(value, SIZE, bold=True)
-        if line and x + wide > width - MARGIN:
-            yield line
-            line, x = [], MARGIN
-        line.append((x, title, x + after, value))
-        x += wide + GAP
-    if line:
-        yield line
+def _lines(overlay: Overlay, counters: Mapping[str, float], width: float) -> list[list[Counter]]:
+    """The counters in lines that `width` pixels hold."""
+    return list(counter_lines(counters, width - 2 * MARGIN, lambda text, value: overlay.width(text, SIZE, bold=value)))
 
 
 def _line_height(overlay: Overlay) -> float:
-    return overlay.scale * SIZE + 2 * SPACE
+    return overlay.scale * SIZE + 2 * ABOVE
 
 
 def _draw_ending(overlay: Overlay, workspace: Workspace, result: str, text: str) -> None:
     colors, (left, top, width, height) = palette_of(workspace.theme), workspace.viewport.rect
-    head, scale = "Won" if result == "won" else "Lost", overlay.scale
+    head, scale = ENDINGS[result], overlay.scale
     lines = [(head, LARGE, colors.accent if result == "won" else colors.text)]
     lines += [(text, SIZE, colors.text)] if text else []
     lines += [("R plays again, Backspace goes back in time", 15.0, colors.faint)]

@@ -21,8 +21,8 @@ LINE, EDGE, TEXT = 18.0, 14.0, 12.5
 _SWATCH = 14.0
 
 
-def quiet_corner(look: Look) -> Corner:
-    """The corner where a card would cover least of what moves, and then of all; the lower left one of equals."""
+def quiet_corner(look: Look, corners: Sequence[Corner] = CORNERS) -> Corner:
+    """The corner where a card would cover least of what moves, and then of all; the first of equals."""
     width, height = look.camera.size
     low, high = look.camera.to_screen(look.shape_boxes[:, :2]), look.camera.to_screen(look.shape_boxes[:, 2:])
     weight = np.where(look.frame.type[look.world.state.shapes.body] > 0, 100.0, 1.0)
@@ -34,7 +34,7 @@ def quiet_corner(look: Look) -> Corner:
         down = np.minimum(low[:, 1], top + _SHARE[1] * height) - np.maximum(high[:, 1], top)
         return float((weight * np.clip(across, 0.0, None) * np.clip(down, 0.0, None)).sum())
 
-    return min(CORNERS, key=covered)
+    return min(corners, key=covered)
 
 
 def legend_card(entries: Sequence[LegendEntry], look: Look, corner: Corner) -> tuple[Marks, Sequence[Box]]:

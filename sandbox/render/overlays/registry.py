@@ -6,7 +6,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
 from sandbox.errors import ArgumentError
-from sandbox.render.label import place_labels
+from sandbox.render.label import Box, place_labels
 from sandbox.render.marks import Marks
 from sandbox.render.overlays import (
     boxes,
@@ -72,7 +72,9 @@ def _two_bodies(text: str, rest: str, bodies: Collection[str]) -> tuple[str, str
     return pair
 
 
-def draw_overlays(shown: Sequence[Overlay], look: Look, corner: Corner | None = "lower left") -> tuple[Marks, ...]:
+def draw_overlays(
+    shown: Sequence[Overlay], look: Look, corner: Corner | None = "lower left", taken: Sequence[Box] = ()
+) -> tuple[Marks, ...]:
     """The layers of all overlays `shown`, for a draw list; the last one says in a `corner` what the colours mean.
 
     Nothing is looked at if none is shown, and there are no marks if bodies have come or gone since the frame. Only
@@ -82,6 +84,6 @@ def draw_overlays(shown: Sequence[Overlay], look: Look, corner: Corner | None = 
         return ()
     layers = [overlay.draw(look) for overlay in shown]
     entries = [entry for layer in layers for entry in layer.legend] if corner else []
-    card, taken = legend_card(entries, look, corner or "lower left")
-    labels = place_labels([label for layer in layers for label in layer.labels], look.camera.size, taken)
+    card, room = legend_card(entries, look, corner or "lower left")
+    labels = place_labels([label for layer in layers for label in layer.labels], look.camera.size, [*taken, *room])
     return (*(replace(layer, labels=()) for layer in layers), replace(card, labels=[*card.labels, *labels]))
