@@ -30,7 +30,13 @@ def write_text(path: Path, text: str, over: bool = True) -> None:
 
     Raises `OSError` that names `path`.
     """
-    write_bytes(path, text.encode(), over=over)
+    write_bytes(path, utf8(text), over=over)
+
+
+def utf8(text: str) -> bytes:
+    """The bytes of a text. Half a character (a lone surrogate), as names of files may have, has none, and becomes what
+    it is called in JSON and in programs: `\\ud800`."""
+    return text.encode(errors="backslashreplace")
 
 
 def write_bytes(path: Path, data: bytes, durable: bool = True, over: bool = True) -> None:

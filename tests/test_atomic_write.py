@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import json
 import os
 import stat
 import threading
@@ -43,6 +44,14 @@ def test_text_is_utf8_with_plain_line_ends(tmp_path):
     write_text(path, "é\nb\n")
     assert path.read_bytes() == "é\nb\n".encode()
     assert os.listdir(tmp_path) == ["a.txt"]
+
+
+def test_half_a_character_is_written_as_json_has_it(tmp_path):
+    """As of a file whose name is no UTF-8: a page of it was an error of this program."""
+    path = tmp_path / "a.json"
+    write_text(path, '"\ud800 b"')
+    assert path.read_bytes() == b'"\\ud800 b"'
+    assert json.loads(path.read_text()) == "\ud800 b"
 
 
 def test_a_full_disk_leaves_what_was_there_and_nothing_else(kept):

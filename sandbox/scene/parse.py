@@ -12,7 +12,7 @@ from sandbox.scene.finding import Finding, Path, quoted
 from sandbox.scene.limits import MAX_DEPTH, MAX_FINDINGS
 from sandbox.scene.locate import too_deep
 from sandbox.scene.report import syntax_error
-from sandbox.scene.syntax import explained
+from sandbox.scene.syntax import explained, lone_surrogate
 
 COMMENT = "$comment"
 """A key that any object may have, for whoever reads the file (JSON Schema, core, 8.3); nothing of it is read."""
@@ -36,6 +36,10 @@ def parse(text: str, source: str) -> Parsed:
         raise explained(source, text, error) from None
     except RecursionError:
         parsed = None
+    half = lone_surrogate(text)
+    if half is not None:
+        pair = 'a character that takes two such halves has both: "\\ud83d\\ude00"'
+        raise syntax_error(source, text, half, "half a character", pair)
     if parsed is None or _depth_exceeds(parsed.data, MAX_DEPTH):
         span = too_deep(text, MAX_DEPTH) or (0, 1)
         raise syntax_error(source, text, span, f"nested deeper than {MAX_DEPTH} levels")

@@ -16,6 +16,19 @@ _CURLY = "“”„‘’‚«»"
 _WORD = re.compile(r"[A-Za-z_$][\w$]*")
 
 
+_SURROGATE = re.compile(r"\\u[dD][89a-fA-F]")
+_ESCAPE = re.compile(r"\\(?:u[dD][89abAB][0-9a-fA-F]{2}\\u[dD][c-fC-F]|(u[dD][89a-fA-F])|.)", re.DOTALL)
+"""A backslash and what it stands before: both halves of a character, in the group one of them alone, or anything."""
+
+
+def lone_surrogate(text: str) -> Span | None:
+    """Where a JSON text has the escape of one half of a character without the other; no encoding can say it."""
+    if _SURROGATE.search(text) is None:
+        return None
+    found = next((match for match in _ESCAPE.finditer(text) if match[1]), None)
+    return None if found is None else (found.start(), found.start() + len("\\ud800"))
+
+
 def explained(source: str, text: str, error: JSONDecodeError) -> SceneError:
     """The error for text that is no JSON, at the place to look at."""
     message, hint = _explain(text, error.pos, error.msg)

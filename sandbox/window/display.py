@@ -9,6 +9,7 @@ from typing import Any
 import moderngl
 import pygame
 
+from sandbox._printable import printable
 from sandbox.errors import SandboxError
 from sandbox.render.camera import Size
 from sandbox.window.density import first_size, suited_scale
@@ -68,7 +69,7 @@ class Display:
 
     def title(self, text: str) -> None:
         """Set the text of the title bar."""
-        pygame.display.set_caption(text)
+        pygame.display.set_caption(printable(text))
 
     def begin(self, fill: bool = True) -> None:
         """Start a picture: all of the window is drawn on. Without `fill` no pixel is filled in, which takes most of the

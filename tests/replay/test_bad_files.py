@@ -130,7 +130,6 @@ def test_wrong_members_are_told(text: str, tmp_path: Path, change: Callable[[Any
         "x.txt",
         "a\0.json",
         "a\x1b[2J.json",
-        "a\ud800.json",
     ],
 )
 def test_only_ways_from_here_lead_to_a_scene(text: str, tmp_path: Path, path: str) -> None:

@@ -10,6 +10,8 @@ from sandbox.scene import loads_scene
 from sandbox.scene.limits import MAX_DEPTH
 from tests.scene.scene_helpers import one
 
+HALF = 'half a character: a character that takes two such halves has both: "\\ud83d\\ude00"'
+
 
 @pytest.mark.parametrize(
     ("text", "told"),
@@ -30,6 +32,10 @@ from tests.scene.scene_helpers import one
         ('{"title": "a}\n}', '1:11: text must end on the line it begins: close it with " (a line break inside is \\n)'),
         ('{"title": "a\tb"}', "1:13: a control character within text: write it with a backslash: a tab is \\t"),
         ('{"title": "\\q"}', "1:12: not a valid \\ escape: a backslash itself is \\\\"),
+        ('{"title": "a\\ud83d"}', f"1:13: {HALF}"),
+        ('{"title": "\\ude00\\ud83d"}', f"1:12: {HALF}"),
+        ('{"title": "\\\\\\uD800x"}', f"1:14: {HALF}"),
+        ('{"bodies": [{"id": "\\udbff\\u0041"}]}', f"1:21: {HALF}"),
         ('{"title": True}', '1:11: True is not JSON: did you mean "true"?'),
         ('{"title": None}', '1:11: None is not JSON: did you mean "null"?'),
         ('{"title": hello}', "1:11: a value is due here: text stands in double quotes"),
@@ -71,3 +77,8 @@ def test_brackets_in_texts_are_not_nesting():
 )  # fmt: skip
 def test_the_bracket_or_quote_that_is_not_closed_is_named(text, told):
     assert one(text) == told
+
+
+def test_both_halves_and_what_only_looks_like_one_are_text() -> None:
+    text = '{"title": "\\ud83d\\ude00 \\\\ud83d \\u00e9"}'
+    assert loads_scene(text).title == json.loads(text)["title"] == "\U0001f600 \\ud83d \xe9"

@@ -9,7 +9,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from sandbox._atomic_write import write_text
+from sandbox._atomic_write import utf8, write_text
 from sandbox._printable import printable
 from sandbox.errors import Problem, RecordingError
 from sandbox.replay.recording.command_words import encode
@@ -32,7 +32,7 @@ def write_recording(recording: RecordingFields, path: Path, embed: bool | None, 
         limits = f"a recording has 1 to {MAX_STEPS:,} steps and at most {MAX_COMMANDS:,} commands"
         raise RecordingError(str(path), [Problem(f"{limits}; this one has {recording.steps:,}")])
     text = recording_text(recording, path, embed)
-    if len(text.encode()) > MAX_BYTES:
+    if len(utf8(text)) > MAX_BYTES:
         raise RecordingError(str(path), [Problem(f"a recording has at most {MAX_BYTES // 2**20} MiB")])
     write_text(path, text, over)
 
