@@ -73,7 +73,7 @@ def bench(options: BenchOptions) -> None:
     """
     from sandbox.cli.bench_result import exit_code
     from sandbox.cli.compiling import announce_compilation
-    from sandbox.cli.failures import NOTHING
+    from sandbox.cli.failures import NothingToDoError
 
     files = _files(options.scenes or [])
     if options.output is not None:
@@ -82,7 +82,7 @@ def bench(options: BenchOptions) -> None:
     counts = _checked_workers(options.workers)
     engines = _with_workers(_installed(wanted), counts)
     if not engines:
-        raise typer.Exit(NOTHING)
+        raise NothingToDoError(f"nothing to bench: none of {', '.join(wanted)} is installed")
     announce_compilation()
     run = _run_for_machines if options.json else _run_for_people
     raise typer.Exit(exit_code(run(files, engines, options)))

@@ -33,20 +33,16 @@ def list(
     Exit code 2: there is no such theme.
     Exit code 5: none was found.
     """
-    from sandbox.cli.failures import HOLDS, NOTHING
+    from sandbox.cli.failures import NothingToDoError
     from sandbox.scene.catalog import search, shipped_entries
 
     entries = shipped_entries()
     _check_theme(theme, entries)
     found = search((entry for entry in entries if theme in ("", entry.theme)), text)
     rows = [_row(entry) for entry in found]
-    if json:
-        print_document({"scenes": rows}, HOLDS if rows else NOTHING)
-    elif rows:
-        _print_table(rows)
-    else:
-        typer.echo(f"sandbox: no scene that comes with the package has the words {text!r}", err=True)
-    raise typer.Exit(HOLDS if rows else NOTHING)
+    if not rows:
+        raise NothingToDoError(f"no scene that comes with the package has the words {text!r}")
+    print_document({"scenes": rows}) if json else _print_table(rows)
 
 
 def _check_theme(wanted: str, entries: Sequence[Entry]) -> None:

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from sandbox.engine.world import World
 from sandbox.render.label import LETTER, Box, Label
 from sandbox.render.marks import Marks
 from sandbox.render.overlays.legend import EDGE, Corner
@@ -37,8 +38,7 @@ def counter_lines(
     a value or not."""
     line: list[Counter] = []
     x = 0.0
-    for name, number in counters.items():
-        title, value = name.replace("-", " ").replace("_", " "), f"{number:g}"
+    for title, value in _named(counters):
         after = width(title, False) + SPACE
         wide = after + width(value, True)
         if line and x + wide > room:
@@ -48,6 +48,21 @@ def counter_lines(
         x += wide + GAP
     if line:
         yield line
+
+
+def _named(counters: Mapping[str, float]) -> Iterator[tuple[str, str]]:
+    """The name of each for people, and its value."""
+    for name, number in counters.items():
+        yield name.replace("-", " ").replace("_", " "), f"{number:g}"
+
+
+def score_words(world: World) -> str:
+    """The counters and the outcome in one line; empty where nothing is played."""
+    parts = [f"{name} {value}" for name, value in _named(world.counters)]
+    ending = world.outcome
+    if ending is not None:
+        parts.append(ENDINGS[ending.result] + (f": {ending.text}" if ending.text else ""))
+    return "  ·  ".join(parts)
 
 
 def draw_scoreboard(look: Look, corner: Corner) -> tuple[Marks, tuple[Box, ...]]:

@@ -20,7 +20,8 @@ class Film:
 
     `poses` (bodies, samples, 3) are x, y (m) of the centre and the angle (rad), NaN while a body is not there;
     `awake` and `frozen` (bodies, samples); `joints` are the joints, `held` (joints, samples) says when they hold;
-    `fields` pairs a sample with the regions and flames from then on; `view` is the middle (m) and height (m) of the
+    `fields` pairs a sample with the regions and flames from then on, `score` with the counters of a game and how it
+    ended, in words; `view` is the middle (m) and height (m) of the
     first view; `cut` says why the run ended early, if it did; `theme` is that of its colours.
     """
 
@@ -40,3 +41,4 @@ class Film:
     commands: tuple[tuple[int, str], ...] = ()
     cut: str = ""
     theme: Theme = DARK
+    score: tuple[tuple[int, str], ...] = ()

@@ -46,6 +46,7 @@ def film_data(film: Film) -> dict[str, Any]:
         "bodies": bodies,
         "joints": [{**joint, "held": held} for joint, held in zip(film.joints, toggles(film.held), strict=True)],
         "fields": [list(entry) for entry in film.fields],
+        "score": [list(entry) for entry in film.score],
         "commands": [list(entry) for entry in film.commands],
         "cut": film.cut,
         "energy": [_finite(row.energy) for row in film.figures],

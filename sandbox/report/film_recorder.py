@@ -14,6 +14,7 @@ from sandbox.errors import CapacityError
 from sandbox.render.body_colors import body_colors_of
 from sandbox.render.camera import Camera, scene_camera
 from sandbox.render.frame import Frame, capture, interesting_bounds
+from sandbox.render.scoreboard import score_words
 from sandbox.render.theme import DARK, Theme
 from sandbox.replay.recording.checkpoint import Checkpoint, checkpoint
 from sandbox.report.body_data import FilmBody, film_bodies
@@ -55,6 +56,7 @@ class FilmRecorder:
     samples: list[_Sample] = field(default_factory=list)
     figures: list[Checkpoint] = field(default_factory=list)
     fields: list[tuple[int, list[Any]]] = field(default_factory=list)
+    score: list[tuple[int, str]] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         world = self.world
@@ -93,6 +95,7 @@ class FilmRecorder:
             self.start, self.world.step_count, self.every, 1.0 / float(self.world.state.settings[0].step_seconds),
             tuple(self.bodies.values()), poses, awake, frozen, tuple(self.figures), tuple(self.joints.values()), held,
             tuple(self.fields), (*view.center, VIEW[1] / view.scale), commands, cut, self.theme,
+            tuple(self.score),
         )  # fmt: skip
 
     def _view(self, poses: Floats) -> Camera:
@@ -138,6 +141,9 @@ class FilmRecorder:
         fields = self.field_sampler.sample(frame.fields, state, self.rows.tolist())
         if not self.fields or fields != self.fields[-1][1]:
             self.fields.append((len(self.samples) - 1, fields))
+        score = score_words(self.world)
+        if not self.score or score != self.score[-1][1]:
+            self.score.append((len(self.samples) - 1, score))
 
 
 def _figures(world: World) -> Checkpoint:

@@ -87,6 +87,7 @@ def test_no_engine_is_nothing_to_do(cli: Callable, without_pyb2d3: None) -> None
     done = cli("bench", "pyramid-10", "--engines", "box2d")
     assert (done.code, done.out) == (5, "")
     assert "box2d is left out" in done.err
+    assert json.loads(cli("bench", "pyramid-10", "--engines", "box2d", "--json").out)["exit_code"] == 5
 
 
 @pytest.mark.parametrize(

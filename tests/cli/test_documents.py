@@ -20,7 +20,7 @@ from sandbox.cli.document import document
 ENVELOPE = ["format", "sandbox", "exit_code"]
 DRAWING = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><rect id="crate" width="2" height="2"/></svg>'
 COMMANDS: dict[str, list[str]] = {
-    "list": ["list pyramid", "list nix nix"],
+    "list": ["list pyramid", "list nix"],
     "render": ["render a.scene.json --size 64x48 -o a.png", "render a.scene.json -o a.html",
                "render a.scene.json --size 64x48 --steps 3 -o a.gif"],
     "gallery": ["gallery . -o gallery.html", "gallery . -o gallery.png"],

@@ -70,6 +70,17 @@ def test_a_page_is_light_where_its_film_is(show: Browser, tmp_path: Path) -> Non
     assert min(show.value(pixel)[:3]) > 200
 
 
+def test_a_game_is_told_with_its_counters_and_its_end(show: Browser, tmp_path: Path) -> None:
+    ball = {"id": "ball", "shapes": [{"circle": 1}]}
+    rules = [{"when": {"time": 0.1}, "do": [{"counter": "high-score", "add": 7}]},
+             {"when": {"time": 0.2}, "do": [{"win": "Well <played>"}]}]  # fmt: skip
+    game = sandbox.Scene(bodies=[ball], counters={"high-score": 3}, rules=rules, settings={"steps": 20})
+    opened(show, tmp_path, player_page("", film_run(game)))
+    for step, said in ((0, "high score 3"), (10, "high score 10"), (20, "high score 10  ·  Won: Well <played>")):
+        show.value(f"{PLAYER}.player.seek({step})")
+        assert show.value("document.querySelector('.label').textContent").endswith(f"awake  ·  {said}")
+
+
 def test_rounding_is_no_drift(show: Browser, tmp_path: Path) -> None:
     """The energy of a body that falls is the same to 1e-11 J; what rounding adds filled the plot."""
     falling = sandbox.Scene(bodies=[{"id": "ball", "shapes": [{"circle": 1}]}], settings={"steps": 100})

@@ -80,7 +80,17 @@ class Film {
   }
 
   fieldsAt(step) {
+    return this.lastOf(this.fields, step, [[], []]);
+  }
+
+  /** The counters of a game and how it ended, in words. */
+  scoreAt(step) {
+    return this.lastOf(this.score, step, "");
+  }
+
+  /** What was last noted, of pairs of a sample and what is so from then on. */
+  lastOf(notes, step, before) {
     const sample = this.sampleAt(step);
-    return this.fields.reduce((found, [first, now]) => (first <= sample ? now : found), [[], []]);
+    return notes.reduce((found, [first, now]) => (first <= sample ? now : found), before);
   }
 }

@@ -197,6 +197,7 @@ class Player {
   words(step, sample) {
     const { film } = this, told = this.told.get(step);
     const parts = [`${(step / film.rate).toFixed(2)} s`, `${film.contacts[sample]} contact${film.contacts[sample] === 1 ? "" : "s"}`, `${film.awake[sample]} awake`];
+    parts.push(...[film.scoreAt(step)].filter(Boolean));
     if (this.parted !== undefined && step >= this.parted) parts.push(`parted at step ${this.parted}`);
     if (told) parts.push(told.slice(0, 3).join(", ") + (told.length > 3 ? " …" : ""));
     if (step >= film.end && film.cut) parts.push(film.cut);
