@@ -45,6 +45,8 @@ def replay(options: ReplayOptions) -> None:
     check_report("--junit", options.junit, [".xml"], options.paths)
     if options.against and (options.tolerance or options.heavy or options.update or options.prune):
         raise SandboxError("--against: two revisions are compared bit for bit, and nothing is renewed")
+    if options.engine is not None and not options.against:
+        raise SandboxError("--engine says where the revision of --against is: give both")
     from sandbox.cli.replay_run import Work, run
 
     raise typer.Exit(run(Work(options, settings, part)))

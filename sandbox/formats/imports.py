@@ -119,7 +119,9 @@ def _found(source: Source) -> Format | None:
 def _named(source: Source, name: str) -> Format:
     kind = next((each for each in FORMATS if each.name == name), None)
     if kind is None:
-        raise SceneError(name, [Problem(f"no such format; known are {', '.join(each.name for each in FORMATS)}")])
+        raise SceneError(
+            f"format {name}", [Problem(f"no such format; known are {', '.join(each.name for each in FORMATS)}")]
+        )
     if not kind.matches(source.data):
         raise SceneError(str(source.path), [Problem(f"this is no file of the format {name} ({kind.title})")])
     return kind

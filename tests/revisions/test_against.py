@@ -71,3 +71,5 @@ def test_an_unknown_revision_and_a_folder_without_git(
     assert (done.code, "no git checkout of the engine" in done.err) == (2, True)
     done = cli("replay", golden, "--against", "HEAD", "--update")
     assert (done.code, "--against" in done.err) == (2, True)
+    done = cli("replay", golden, "--engine", history.root)
+    assert (done.code, "--engine says where the revision of --against is: give both" in done.err) == (2, True)
