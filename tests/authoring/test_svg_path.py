@@ -151,7 +151,7 @@ def shape(words: str) -> str:
         ('"polygon": "@L 0 0 L 1 0"', "a stroke begins with M"),
         ('"polygon": "M 0 0 L 1 @X"', "a number is due here"),
         ('"polygon": "M 0 0 @B 1 1"', '"B" is no command of a path'),
-        ('"polygon": @"\\ud800"', '"?" is no command of a path'),
+        ('"polygon": @"\\u0001"', '"?" is no command of a path'),
         ('"polygon": "M 0 0 A 1 1 0 @2 0 1 1"', "0 or 1 is due here"),
         ('"polygon": "@M 0 0 L 1 1 Z L 2 2"', "the path has 2 strokes, and this is one outline"),
         ('"polygon": "M 0 0 L @1e99 1"', "the number is too large"),
