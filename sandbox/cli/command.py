@@ -14,7 +14,10 @@ from sandbox.errors import SandboxError
 
 
 class Command(TyperCommand):
-    """A command that refuses empty arguments and empty paths of options: one would mean this folder, and all in it."""
+    """A command that refuses empty arguments and empty paths of options: one would mean this folder, and all in it.
+
+    It also refuses `-` as the path of an option, which would be a file of that name.
+    """
 
     def __init__(self, *args: Any, **options: Any) -> None:
         """As typer has it, but for the line breaks of its text."""
@@ -37,8 +40,13 @@ class Command(TyperCommand):
                 raise SandboxError("an argument is empty; is a variable of the shell not set? This folder is `.`")
         rest = super().parse_args(ctx, [*args])  # which uses the list up
         for option in options:
-            if isinstance(ctx.params.get(option.name), Path) and _is_empty(option.opts, args):
+            if not isinstance(ctx.params.get(option.name), Path):
+                continue
+            if _is_given(option.opts, args, ""):
                 raise SandboxError(f"{option.opts[-1]}: the path is empty; is a variable of the shell not set?")
+            if _is_given(option.opts, args, "-"):
+                streams = "/dev/stdin and /dev/stdout stand for the streams, ./- for a file of that name"
+                raise SandboxError(f"{option.opts[-1]} -: this is no path; {streams}")
         return rest
 
 
@@ -60,9 +68,9 @@ def _flowing(text: str) -> str:
     return "\n\n".join(re.sub(r"\s*\n\s*(?!Exit code)", " ", paragraph) for paragraph in paragraphs)
 
 
-def _is_empty(names: Sequence[str], args: Sequence[str]) -> bool:
-    """Whether an option is given as `-o ""` or `--output=`."""
+def _is_given(names: Sequence[str], args: Sequence[str], value: str) -> bool:
+    """Whether an option is given with just this value: as `-o ""` or `--output=`, say."""
     return any(
-        (arg in names and following == "") or (arg.endswith("=") and arg[:-1] in names)
+        (arg in names and following == value) or arg in [f"{name}={value}" for name in names]
         for arg, following in zip(args, [*args[1:], None], strict=True)
     )

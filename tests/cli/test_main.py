@@ -78,6 +78,22 @@ def test_an_empty_path_of_an_option_is_not_this_folder(arguments: list[str], cli
     assert (done.code, ": the path is empty; is a variable of the shell not set?" in done.err) == (2, True)
 
 
+@pytest.mark.parametrize("arguments", [
+    ["expand", "a.json", "-o", "-"], ["schema", "--output=-"], ["new", "-o", "-"], ["record", "a.json", "-o", "-"],
+    ["record", "a.json", "-o", "a.replay.json", "--commands", "-"],
+], ids=" ".join)  # fmt: skip
+def test_a_dash_is_no_file_of_that_name(
+    arguments: list[str], cli: Callable, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """`expand SCENE -o -` wrote a file that is called `-`, and nothing to stdout."""
+    monkeypatch.chdir(tmp_path)
+    done = cli(*arguments)
+    assert (done.code, " -: this is no path; /dev/stdin and /dev/stdout stand" in done.err) == (2, True)
+    assert os.listdir(tmp_path) == []
+    assert cli("schema", "-o", "./-").code == 0
+    assert os.listdir(tmp_path) == ["-"]
+
+
 def test_an_option_may_be_empty(cli: Callable, write_scene: Callable) -> None:
     path = write_scene("one.scene.json", bodies=[{"id": "ball", "shapes": [{"circle": 1}]}])
     assert cli("check", "--only", "", path, "--steps", "1").code == 0
