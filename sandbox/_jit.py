@@ -254,7 +254,10 @@ def kernel_argument(value: Any) -> Any:
     Compiled kernels take plain arrays. In Python they need `row.field`.
     """
     if isinstance(value, np.recarray):
-        return plain_rows(value) if _DISABLED else _base_of(value)
+        if _DISABLED:
+            return plain_rows(value)
+        base = _base_of(value)
+        return np.asarray(value) if base is None else base  # a copy owns its memory
     if isinstance(value, tuple):
         return getattr(type(value), "_make", tuple)([kernel_argument(each) for each in value])
     return value
