@@ -95,3 +95,16 @@ def test_forces_on_what_is_heavier_than_a_contact_knows_die_out(substeps, rate, 
     softness = spring.softness_jointed
     assert softness >= spring.softness
     assert softness * (2.0 - softness) > 1.2 * (1.0 - softness) * spring.bias * spring.seconds
+
+
+def test_a_joint_at_the_floor_changes_nothing_for_what_lies_there():
+    """Its contacts are as stiff as without the joint."""
+    stack = [body(f"s{k}", box(1.0, 1.0), position=(0.01 * k, 0.51 + 1.01 * k)) for k in range(5)]
+    door = body("door", box(2.0, 0.2), position=(20.0, 5.0))
+    with_joint = jointed((FLOOR, *stack, door), (joint("hinge", "revolute", "floor", "door", (19.0, 5.0)),))
+    without = jointed((FLOOR, *stack, door), ())
+    for _ in range(60):
+        with_joint.step()
+        without.step()
+        for each in stack:
+            assert with_joint.body(each.id).position == pytest.approx(without.body(each.id).position, abs=1e-9)

@@ -24,7 +24,7 @@ TURNING = 32
 AHEAD = 64
 """It is put to where its velocity takes it in half a step (`midpoint`)."""
 JOINTED = 128
-"""A joint holds it."""
+"""It moves, and a joint holds it."""
 IMMOVABLE = -1
 """In the place of the colours of a body that the solver does not move. No set of colours is that: there are 62."""
 

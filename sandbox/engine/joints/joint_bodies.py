@@ -36,9 +36,9 @@ def load_members(work: JointWork, bodies: Records, solver: SolverBodies) -> None
         member.start_angle = body.angle
         member.center_x = body.center_x
         member.center_y = body.center_y
-        solver.flags[member.body] |= JOINTED
         if moves:
             work.parts[member.part].awake = 1
+            solver.flags[member.body] |= JOINTED
 
 
 @kernel
