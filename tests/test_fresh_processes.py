@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 PROGRAM = r"""
-import os, sys, time
+import os, signal, sys, time
 from sandbox._fresh_processes import fresh_processes
 
 WHERE = sys.argv[1]
@@ -38,6 +38,7 @@ def work(number):
     return 2 * number
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # who began the tests may ignore it
     try:
         with fresh_processes(2, begin, "given") as pool:
             futures = [pool.submit(work, number) for number in range(4)]
