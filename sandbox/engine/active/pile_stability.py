@@ -193,20 +193,7 @@ def measure_contacts(
     jointed = has_joints(joints)
     down_x = load.down_x
     down_y = load.down_y
-    for i in rows:
-        pile = piles[i]
-        pile.ratio = 0.0
-        pile.level = pile.forces = pile.degrees_of_freedom = 0
-        pile.bottom = pile.left = pile.bearer = pile.slight = _NONE
-        pile.right = -_NONE
-    if jointed:
-        begin_parts(joints)
-    for i in rows:
-        pile = piles[islands[i]]
-        pile.degrees_of_freedom += 3 if bodies[i].inverse_inertia > 0.0 else 2
-        if jointed and joints.part_of[i] >= 0:
-            pile.forces += 3
-            add_member(joints, i, bodies[i].mass, islands[i])
+    _begin_contacts(bodies, rows, islands, piles, joints)
     for slot in contacts.active[1 : 1 + contacts.active[0].contact]:
         contact = contacts.now[slot.contact]
         a = bodies[contact.body_a]
@@ -229,21 +216,49 @@ def measure_contacts(
             pressed = upward if is_hung(joints, contact.body_b) else -upward
             height = -((x + contact.anchor_ax1) * down_x + (y + contact.anchor_ay1) * down_y)
             _add_weight(pile, pressed if pressed > 0.0 else 0.0, height)
-        upright = contact.normal_x * down_x + contact.normal_y * down_y
-        if abs(upright) < UPRIGHT:
-            continue
-        lower = b if upright > 0.0 else a
-        upper = a if upright > 0.0 else b
-        above = contact.body_a if upright > 0.0 else contact.body_b
-        if jointed and is_active(upper):
-            add_stand(joints, above, upper, lower)
-        if is_active(a) and is_active(b):
-            weighs = upper.mass
-            if jointed and hangs_by_one_hinge(joints, above):
-                weighs = hinged_mass(joints, bodies, contact, above, down_x, down_y)
-            _add_bearer(pile, lower, weighs)
+        _add_lying(pile, bodies, contact, joints, load)
     if jointed:
         add_part_weights(joints, piles)
+
+
+@kernel
+def _begin_contacts(bodies: Records, rows: Integers, islands: Integers, piles: Records, joints: JointWork) -> None:
+    """Nothing is known of the contacts of piles yet, but how many degrees of freedom they and joints have to hold."""
+    jointed = has_joints(joints)
+    for i in rows:
+        pile = piles[i]
+        pile.ratio = 0.0
+        pile.level = pile.forces = pile.degrees_of_freedom = 0
+        pile.bottom = pile.left = pile.bearer = pile.slight = _NONE
+        pile.right = -_NONE
+    if jointed:
+        begin_parts(joints)
+    for i in rows:
+        pile = piles[islands[i]]
+        pile.degrees_of_freedom += 3 if bodies[i].inverse_inertia > 0.0 else 2
+        if jointed and joints.part_of[i] >= 0:
+            pile.forces += 3
+            add_member(joints, i, bodies[i].mass, islands[i])
+
+
+@kernel
+def _add_lying(pile: Records, bodies: Records, contact: Records, joints: JointWork, load: Load) -> None:
+    """Note what one body of a contact bears of the other, if that lies on it."""
+    jointed = has_joints(joints)
+    upright = contact.normal_x * load.down_x + contact.normal_y * load.down_y
+    if abs(upright) < UPRIGHT:
+        return
+    above = contact.body_a if upright > 0.0 else contact.body_b
+    below = contact.body_b if upright > 0.0 else contact.body_a
+    upper = bodies[above]
+    lower = bodies[below]
+    if jointed and is_active(upper):
+        add_stand(joints, above, upper, lower)
+    if is_active(upper) and is_active(lower):
+        weighs = upper.mass
+        if jointed and hangs_by_one_hinge(joints, above):
+            weighs = hinged_mass(joints, bodies, contact, above, load.down_x, load.down_y)
+        _add_bearer(pile, lower, weighs)
 
 
 @kernel

@@ -16,9 +16,10 @@ BAUMGARTE = 0.2
 JOINTED_SOFTNESS = 0.65
 """Least softness of a contact of bodies that joints hold, times what its bias rate takes back in a substep.
 
-What is joined to them may be heavier than the contact knows. It rests on a spring and a damper whose force lags: with
-softness s, bias rate b, substeps of h and the relax pass h F' + s F = m ((2 - s) v + (1 - s) b x), so that it comes to
-rest only if s (2 - s) > (1 - s) b h, however heavy it is (the criterion of E. J. Routh, 1877, and A. Hurwitz, 1895)."""
+What is joined to them may be heavier than the contact knows. It rests on a spring and a damper that lag: with softness
+s, bias rate b, effective mass m, substeps of h and the relax pass the impulse p of a substep follows a gap x as
+h p' + s p = -m ((2 - s) x' + (1 - s) b x). So it comes to rest only if s (2 - s) > (1 - s) b h, however heavy it is
+(the criterion of E. J. Routh, 1877, and A. Hurwitz, 1895)."""
 JOINTED_STIFFENS = 2.5
 """Times as stiff as it is where its push begins to be cut such a contact becomes at most: it bears some 700 times the
 weight of the lighter body. What joints keep in a wall, or in each other, would throw others when it comes free, as
