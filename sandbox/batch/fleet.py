@@ -14,10 +14,10 @@ from sandbox._jit import Call, jit_enabled
 from sandbox.batch.likeness import are_alike
 from sandbox.engine.commands.base import Command
 from sandbox.engine.fields.records import last_switch
-from sandbox.engine.lanes.advance import APART, NEXT, REDO, STEPS, Rows
+from sandbox.engine.lanes.advance import APART, EACH, NEXT, REDO, Rows
 from sandbox.engine.lanes.lane_world import LaneWorld, room_for_contacts
 from sandbox.engine.lanes.row_layout import RowLayout
-from sandbox.engine.run_step import DONE
+from sandbox.engine.run_steps import DONE
 from sandbox.engine.world import World
 from sandbox.scene import Scene
 from sandbox.tables import Integers
@@ -149,7 +149,7 @@ class Fleet:
                 self._set_apart(world, World(scene))
 
     def _step_rows(self, steps: int) -> None:
-        self._queue[NEXT], self._queue[STEPS] = 0, steps
+        self._queue[NEXT], self._queue[EACH] = 0, steps
         calls = [self._call(number) for number in range(len(self._lanes))]
         others = [self._pool.submit(call) for call in calls[1:]] if self._pool is not None else []
         calls[0]()

@@ -9,12 +9,13 @@ from typing import Any, Self
 
 from sandbox._calls import handle
 from sandbox._jit import Call, interpreted
-from sandbox.engine.run_step import run_step
-from sandbox.engine.step_calls import PARTS_OF_STEP, StepCalls
+from sandbox.engine.run_steps import run_steps
+from sandbox.engine.step_calls import COUNTER_WORDS, PARTS_OF_STEP, StepCalls
 from sandbox.engine.stepper import Stepper
 from sandbox.engine.world import World
+from sandbox.tables import Integers
 
-_run_in_python = interpreted(run_step)
+_run_in_python = interpreted(run_steps)
 
 
 class TimedCalls(StepCalls):
@@ -53,9 +54,9 @@ class TimedCalls(StepCalls):
         self.seconds.clear()
         self.counts.clear()
 
-    def run(self, turn: int, first: int) -> int:
+    def _bound_run(self, words: Integers) -> Callable[[], int]:
         """Run the parts of a step from Python, where the time between them can be told."""
-        return _run_in_python(self.parts[turn], first)
+        return lambda: int(_run_in_python(self.parts, words, COUNTER_WORDS, self.order))
 
     def _machine(self, row: int, turn: int) -> tuple[int, int]:
         super()._machine(row, turn)

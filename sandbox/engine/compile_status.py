@@ -11,7 +11,7 @@ _WORDS = {
     "sandbox.engine.step.begin": "substep levels",
     "sandbox.engine.step.solve": "solver",
     "sandbox.engine.step.finish": "sleep",
-    "sandbox.engine.run_step.": "step",
+    "sandbox.engine.run_steps.": "step",
     "sandbox.engine.continuous_collision.": "continuous collision",
     "sandbox.engine.joints.": "joints",
     "sandbox.engine.restitution.": "impacts",

@@ -27,16 +27,25 @@ from sandbox.engine.records.calls import (
     JOINTS,
     NETS,
     ROWS,
-    SOLVE,
 )
 from sandbox.engine.records.contacts import Contacts
-from sandbox.engine.run_step import run_step
+from sandbox.engine.run_steps import ORDER_WORDS, CounterWords, run_steps
 from sandbox.engine.workers.serve import serve
-from sandbox.tables import Integers
+from sandbox.tables import Integers, plain
+from sandbox.world.records import CounterPlace
 from sandbox.world.state import State
 
 PARTS_OF_STEP: tuple[Part, ...] = (apply_fields, *PARTS)
 """What the rows of a table of calls are (`records/calls.py`)."""
+COUNTER_WORDS = CounterWords(
+    CounterPlace.STEPS,
+    CounterPlace.CONTACTS,
+    CounterPlace.AWAKE,
+    CounterPlace.STILL,
+    CounterPlace.BROKEN,
+    CounterPlace.FROZEN,
+)
+"""Those of a row of counters."""
 
 
 class StepCalls:
@@ -50,7 +59,7 @@ class StepCalls:
         self._calls: dict[tuple[Any, int, int], Call] = {}
         self._bundles: dict[tuple[str, int], Bundle] = {}
         self.parts: Integers = np.zeros((2, CONTINUOUS + 1, 2), np.int64)
-        """The tables of parts for even and for odd steps (`run_step`), once they are `bound`."""
+        """The tables of parts for even and for odd steps (`run_steps`), once they are `bound`."""
         self._called: Integers = np.zeros((2, workers, ROWS, 2), np.int64)
         """For even and for odd steps what the parts call as each worker (`Contacts.calls`), and for the other workers
         the parts themselves (`serve`)."""
@@ -58,16 +67,16 @@ class StepCalls:
         """Whether the parts are compiled, and called with the tables there are."""
         self.has_fields = self._jointed = self._nets = False
         self._continuous = self._strikes = False
-        self._runs: dict[tuple[int, int], Callable[[], int]] = {}
-        self._run_calls = {
-            (turn, first): Call(run_step, (parts, first), workers > 1)
-            for turn, parts in enumerate(self.parts)
-            for first in (FIELDS, COLLIDE, SOLVE, CONTINUOUS)
-        }
+        self.order: Integers = np.zeros(ORDER_WORDS, np.int64)
+        """What `run` is to do (`run_steps`), and what is left of that."""
+        self._run_call: Call | None = None
+        self.run: Callable[[], int]
+        """Runs steps as `order` says (`run_steps`), once the parts are `bound`."""
 
     def fill(self, state: State, scratch: Scratch, contacts: tuple[Contacts, Contacts]) -> None:
         """Call the parts with these tables; `contacts` are those of even and of odd steps."""
         self.bound = False
+        self._words = plain(state.counters).view(np.int64)
         self.has_fields = has_fields(state)
         self._jointed = scratch.joints is not None
         self._nets = scratch.joints is not None and has_nets(scratch.joints)
@@ -121,7 +130,7 @@ class StepCalls:
             for worker in range(1 if row <= CONTINUOUS else 0, self._workers):
                 if row not in (FIELDS, BEGIN, CONTINUOUS):  # which no other worker has a part of
                     self._called[turn, worker, row] = self._calls[PARTS_OF_STEP[row], worker, turn].machine()
-        self._runs = {key: call.bind() for key, call in self._run_calls.items()}
+        self.run = self._bound_run(self._words)
         self.bound = True
 
     def bind_made(self, impacts: bool) -> None:
@@ -146,10 +155,6 @@ class StepCalls:
         """What the other workers run in an even (0) or odd (1) step, compiled if need be."""
         return [self._calls[serve, worker, turn].bind() for worker in range(1, self._workers)]
 
-    def run(self, turn: int, first: int) -> int:
-        """Run the parts of a step from the `first` one on: `run_step`."""
-        return self._runs[turn, first]()
-
     def _may_need(self, row: int) -> bool:
         """Whether some step of this world may need a row of the tables of calls."""
         if row == FIELDS:
@@ -169,8 +174,15 @@ class StepCalls:
         return self._calls[part, 0, 0].weight_lacking()
 
     def _machine(self, row: int, turn: int) -> tuple[int, int]:
-        """Where the machine code of a part of `run_step` and its arguments are, compiled if need be."""
+        """Where the machine code of a part of `run_steps` and its arguments are, compiled if need be."""
         return self._calls[PARTS_OF_STEP[row], 0, turn].machine()
+
+    def _bound_run(self, words: Integers) -> Callable[[], int]:
+        """What runs the steps of a world with those counters."""
+        if self._run_call is None:
+            self._run_call = Call(run_steps, (self.parts, words, COUNTER_WORDS, self.order), self._workers > 1)
+        self._run_call.exchange(parameters(run_steps), {"words": words})
+        return self._run_call.bind()
 
     def _call(self, part: Any, turn: int, named: Mapping[str, Any], worker: int = 0) -> Call:
         """The call of an entry point with what is `named` now, by a worker."""

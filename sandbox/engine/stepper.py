@@ -22,7 +22,18 @@ from sandbox.engine.memory.scratch import Scratch
 from sandbox.engine.narrow_phase.kept_runs import keep_runs
 from sandbox.engine.narrow_phase.resting import AtRest
 from sandbox.engine.records.calls import COLLIDE, CONTINUOUS, FIELDS, SOLVE
-from sandbox.engine.run_step import DONE, LACKS_CONTINUOUS, LACKS_IMPACTS
+from sandbox.engine.run_steps import (
+    ASLEEP,
+    DONE,
+    FIRST,
+    LACKS_CONTINUOUS,
+    LACKS_IMPACTS,
+    LAST_SWITCH,
+    LOST,
+    STEPS,
+    TURN,
+    WORK,
+)
 from sandbox.engine.step_calls import StepCalls
 from sandbox.engine.workers.threads import WorkerThreads
 from sandbox.errors import CapacityError
@@ -33,6 +44,8 @@ from sandbox.world.state import State
 
 _FEW = 1000
 """So many shapes never make too many pairs."""
+_AT_ONCE = 4096
+"""Awake bodies and contacts of all steps that are taken in one call: some 2 ms, in which nobody can interrupt it."""
 _WORTH_SHARING = 8000
 """Awake bodies, their contacts and joints from which on several workers are sooner done: with half as many, fetching
 what the other one has written takes as long as is saved."""
@@ -50,12 +63,13 @@ class Stepper:
         self._state = state
         self.workers = workers if jit_enabled() else 1
         self._threads = WorkerThreads(self.workers - 1) if self.workers > 1 else None
-        self._turn = self._lost = 0
+        self._lost = 0
         self._room = Room.of(state)
         self._compiled: set[frozenset[int]] = set()
         """What steps have needed until now."""
         self._layouts = PartLayouts(self.workers, float(state.settings[0].units_per_meter))
         self.calls = calls or StepCalls(self.workers)
+        self._order = self.calls.order.data  # which is asked five times faster
         self.renew()
 
     def compile(self) -> None:
@@ -75,14 +89,14 @@ class Stepper:
             self.calls.bind_made(impacts)
 
     def machine(self) -> Integers:
-        """The table of parts for even and for odd steps (`run_step`), none of which is to be compiled any more."""
+        """The table of parts for even and for odd steps (`run_steps`), none of which is to be compiled any more."""
         self._compile_continuous()
         return self.calls.parts
 
     @property
     def turn(self) -> int:
         """0 before an even step, 1 before an odd one."""
-        return self._turn
+        return self._order[TURN]
 
     @property
     def contact_tables(self) -> tuple[Records, Records]:
@@ -92,28 +106,33 @@ class Stepper:
 
     def bind_workers(self) -> Sequence[Callable[[], Any]]:
         """What the other workers run in the next step, compiled if need be."""
-        return self.calls.bind_workers(self._turn)
+        return self.calls.bind_workers(self.turn)
 
-    def step(self) -> None:
-        """Take one step. Then `state.contacts` are those of it, `scratch.contacts.now` those of the step before.
+    def advance(self, steps: int, last_switch: int, singly: bool) -> tuple[int, int]:
+        """Take so many steps, or some of them, at least one, if they take long or each is to be seen `singly`. Regions
+        and thrusters begin or cease to act in the step `last_switch`, or earlier.
 
-        Raises `CapacityError`, and leaves the state as it was, if there are too many pairs.
+        Returns how many were taken, and how many were only counted after these, as everybody slept. Then
+        `state.contacts` are those of the last one, `scratch.contacts.now` those of the one before.
+
+        Raises `CapacityError`, and leaves the state as it was before the step that has too many pairs.
         """
         self.compile()
         before = self._state.bodies.tobytes() if self._crowded and self.calls.has_fields else None
+        order = self._order
+        order[STEPS], order[LAST_SWITCH], order[FIRST] = steps, last_switch, FIELDS
+        order[WORK] = 0 if singly or before is not None or self._threads is not None else _AT_ONCE
         try:
-            self._advance()
+            came = self._run()
         except CapacityError:
             if before is not None:  # of what the state has only fields have changed something by then
                 self._state.bodies[:] = np.frombuffer(before, self._state.bodies.dtype)
             self.forget()
             raise
-        # A step reads the contacts of the last one while it writes the new ones.
-        self._turn = 1 - self._turn
-        self._state.contacts = self.scratch.contacts.now
-        self.scratch.contacts = self._contacts[self._turn]
         if self._lost != self.counters[CounterPlace.BROKEN] + self.counters[CounterPlace.FROZEN]:
             self.assemble_joints()
+        left = order[STEPS]
+        return steps - left, left if came == ASLEEP else 0
 
     def renew(self) -> None:
         """Take new scratch memory, for as many pairs as the state has rows for contacts."""
@@ -121,7 +140,7 @@ class Stepper:
             self._state, len(self._state.contacts), self._layouts, self._room, self.workers
         )
         self._room = self.scratch.room
-        self._turn = 0
+        self._order[TURN] = 0
         self._prepare_calls()
 
     def add_rows(self, added: Added) -> None:
@@ -202,18 +221,21 @@ class Stepper:
         more."""
         self._lost = self.counters[CounterPlace.BROKEN] + self.counters[CounterPlace.FROZEN]
 
-    def _advance(self) -> None:
-        """Run the parts of a step."""
-        first = FIELDS
+    def _run(self) -> int:
+        """Run the steps that are ordered: `DONE` or `ASLEEP`."""
+        order = self._order
         while True:
+            order[LOST] = self._lost
             if self._threads is None or not self._is_worth_sharing():
-                came = self.calls.run(self._turn, first)
+                came = self.calls.run()
             else:
                 with self._threads.serving(self.scratch.workers, self.bind_workers()):
-                    came = self.calls.run(self._turn, first)
-            if came == DONE:
-                return
-            first = self._provide(came)
+                    came = self.calls.run()
+            here = self._contacts[order[TURN]]  # a step reads the contacts of the last one while it writes the new ones
+            self._state.contacts, self.scratch.contacts = here.before, here
+            if came in (DONE, ASLEEP):
+                return came
+            order[FIRST] = self._provide(came)
 
     def _provide(self, lacking: int) -> int:
         """See to what the parts of a step lack; returns which one to go on from."""
@@ -259,7 +281,7 @@ class Stepper:
         here = scratch.contacts._replace(before=state.contacts)
         there = here._replace(now=here.before, before=here.now)
         state.resting = AtRest(scratch.active, here)
-        self._contacts = (here, there) if self._turn == 0 else (there, here)
+        self._contacts = (here, there) if self.turn == 0 else (there, here)
         self.calls.fill(state, scratch, self._contacts)
 
     def _exchange_state(self) -> None:

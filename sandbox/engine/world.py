@@ -98,18 +98,17 @@ class World(Readings, Shown, FixedAttributes):
             self._play_step()
 
     def _advance(self, n: int) -> None:
-        stepper, counters = self._stepper, self._stepper.counters
-        for taken in range(n):
-            if counters[CounterPlace.STILL] and counters[CounterPlace.STEPS] > self._last_switch:
-                counters[CounterPlace.STEPS] += n - taken  # all asleep: nothing else would change
-                self._events.note_quiet_steps()
-                return
+        singly = self._events.sensed is not None
+        while n > 0:
             try:
-                stepper.step()
+                taken, asleep = self._stepper.advance(n, self._last_switch, singly)
             except CapacityError:
                 self._events.clear(rows_moved=False)
                 raise
-            self._events.note_step()
+            self._events.note_steps(taken)
+            if asleep:
+                self._events.note_quiet_steps()
+            n -= taken + asleep
 
     def _play_step(self) -> None:
         """A step with what controls and paths do before it, and rules after it."""

@@ -59,7 +59,7 @@ def test_a_cold_cache_is_filled_and_told_of_and_the_bits_are_the_same(tmp_path: 
     assert sorted(path.name.split("-")[0] for path in cache.rglob("*.code")) == [
         "sandbox.engine.continuous_collision.solve_continuous.solve_continuous",
         "sandbox.engine.restitution.strike_batch.strike_batch",
-        "sandbox.engine.run_step.run_step",
+        "sandbox.engine.run_steps.run_steps",
         "sandbox.engine.step.begin",
         "sandbox.engine.step.collide",
         "sandbox.engine.step.finish",

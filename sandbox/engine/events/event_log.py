@@ -93,10 +93,14 @@ class EventLog:
         """What the sensors overlap now: `SENSOR_EVENT` rows; None in a world without sensors."""
         return None if self._sensors is None else self._sensors.now
 
-    def note_step(self) -> None:
-        """A step was taken."""
+    def note_steps(self, count: int) -> None:
+        """So many steps were taken, no more than one at a time in a world with sensors."""
+        if count == 0:
+            return
         self._forget(quiet=False)
         self._pending.begin_step()
+        if count > 1:  # what commands did before them is no news to the last one
+            self._pending.begin_step()
         if self._sensors is not None:
             self._sensors.update()
 

@@ -10,7 +10,19 @@ from typing import Any, NamedTuple
 from sandbox._atomics import atomic_add
 from sandbox._jit import entry_point, kernel
 from sandbox.engine.records.calls import FIELDS
-from sandbox.engine.run_step import DONE, run_step
+from sandbox.engine.run_steps import (
+    ASLEEP,
+    DONE,
+    FIRST,
+    LAST_SWITCH,
+    LOST,
+    STEPS,
+    TURN,
+    WORK,
+    CounterWords,
+    lost_count,
+    run_steps,
+)
 from sandbox.tables import Integers
 
 REDO, APART = 1, 2
@@ -19,7 +31,10 @@ REDO, APART = 1, 2
 AT_ONCE = 4
 """Worlds that a thread takes from the queue at a time."""
 
-NEXT, STEPS = 0, 1
+WITHOUT_END = 1 << 62
+"""Work after which a world goes back to Python."""
+
+NEXT, EACH = 0, 1
 """What a queue says: the world that is taken next, and how many steps each goes."""
 
 
@@ -35,37 +50,35 @@ class Rows(NamedTuple):
 
 class Lane(NamedTuple):
     """The tables of one lane as words: all but the contacts, the two tables of contacts that swap places, the record of
-    the active set; and `machine` [turn, part, CODE or BLOCK], the addresses of the parts of a step."""
+    the active set; `machine` [turn, part, CODE or BLOCK], the addresses of the parts of a step; and the order for
+    `run_steps`."""
 
     words: Integers
     even_contacts: Integers
     odd_contacts: Integers
     active: Integers
     machine: Integers
+    order: Integers
 
 
 class Words(NamedTuple):
     """Which words of a row hold the counters that are looked at here, the one of the active set that says that it is
     stale, and how many words a contact has."""
 
-    step_count: int
-    contact_count: int
-    still: int
-    broken_count: int
-    frozen_count: int
+    counters: CounterWords
     stale: int
     contact: int
 
 
 @entry_point
 def advance_rows(rows: Rows, lane: Lane, at: Words, queue: Integers, turn: int) -> int:
-    """Take `queue[STEPS]` steps with worlds from `queue[NEXT]` on, until there are none; returns how many were taken.
+    """Take `queue[EACH]` steps with worlds from `queue[NEXT]` on, until there are none; returns how many were taken.
 
     `turn` is that of the lane, before and after. A world whose step needs Python (more memory, joints that have broken,
     frozen bodies) keeps its row and has the verdict `REDO`.
     """
     count = rows.words.shape[0]
-    steps = queue[STEPS]
+    steps = queue[EACH]
     taken = 0
     while True:
         first = atomic_add(queue, NEXT, AT_ONCE)
@@ -84,7 +97,7 @@ def _load(rows: Rows, lane: Lane, at: Words, turn: int, world: int) -> None:
     """Write a world into the tables of a lane."""
     _copy(rows.words[world], lane.words, lane.words.shape[0])
     contacts: Any = lane.even_contacts if turn == 0 else lane.odd_contacts
-    _copy(rows.contacts[world], contacts, lane.words[at.contact_count] * at.contact)
+    _copy(rows.contacts[world], contacts, lane.words[at.counters.contact_count] * at.contact)
     lane.active[at.stale] = 1
 
 
@@ -92,20 +105,18 @@ def _load(rows: Rows, lane: Lane, at: Words, turn: int, world: int) -> None:
 def _advance(rows: Rows, lane: Lane, at: Words, turn: int, steps: int, world: int) -> int:
     """Step what is in a lane and write it back; returns the verdict."""
     words = lane.words
-    lost = words[at.broken_count] + words[at.frozen_count]
-    for step in range(steps):
-        if words[at.still] != 0 and words[at.step_count] > rows.last_switches[world]:
-            words[at.step_count] += steps - step  # all asleep: nothing else would change
-            break
-        if run_step(lane.machine[turn], FIELDS) != DONE:
-            return REDO
-        turn = 1 - turn
-        if words[at.broken_count] + words[at.frozen_count] != lost:
-            return REDO
-    count = words[at.contact_count] * at.contact
-    if count > rows.contacts.shape[1]:
+    lost = lost_count(words, at.counters)
+    lane.order[TURN] = turn
+    lane.order[FIRST] = FIELDS
+    lane.order[STEPS] = steps
+    lane.order[LAST_SWITCH] = rows.last_switches[world]
+    lane.order[LOST] = lost
+    lane.order[WORK] = WITHOUT_END
+    came = run_steps(lane.machine, words, at.counters, lane.order)
+    count = words[at.counters.contact_count] * at.contact
+    if (came != DONE and came != ASLEEP) or lost_count(words, at.counters) != lost or count > rows.contacts.shape[1]:
         return REDO
-    contacts: Any = lane.even_contacts if turn == 0 else lane.odd_contacts
+    contacts: Any = lane.even_contacts if lane.order[TURN] == 0 else lane.odd_contacts
     _copy(contacts, rows.contacts[world], count)
     _copy(words, rows.words[world], words.shape[0])
     return DONE

@@ -10,6 +10,7 @@ from sandbox._jit import Call, kernel_argument
 from sandbox.engine.lanes.advance import Lane, Rows, Words, advance_rows
 from sandbox.engine.lanes.row_layout import CONTACT_WORDS, WORD, RowLayout
 from sandbox.engine.records.active_set import ACTIVE_SET
+from sandbox.engine.run_steps import ORDER_WORDS, CounterWords
 from sandbox.engine.world import World
 from sandbox.scene import Scene
 from sandbox.scene.flat import FlatScene
@@ -86,7 +87,7 @@ class LaneWorld(World):
         and nothing else is done with this world."""
         even, odd = (_flat(table) for table in self._stepper.contact_tables)
         active = plain(kernel_argument(self.scratch.active.info)).view(np.int64)
-        lane = Lane(self._words, even, odd, active, self._stepper.machine())
+        lane = Lane(self._words, even, odd, active, self._stepper.machine(), np.zeros(ORDER_WORDS, np.int64))
         arguments = rows, lane, _words(RowLayout.of(self.state)), queue, self._stepper.turn
         return Call(advance_rows, arguments, unlocked=True)
 
@@ -103,5 +104,5 @@ def _flat(table: Any) -> Integers:
 
 def _words(layout: RowLayout) -> Words:
     stale = int(ACTIVE_SET.dtype.fields["stale"][1]) // WORD  # type: ignore[index]
-    counters = {name: layout.counter(name) for name in Words._fields[:5]}
-    return Words(**counters, stale=stale, contact=CONTACT_WORDS)
+    counters = CounterWords(*map(layout.counter, CounterWords._fields))
+    return Words(counters, stale=stale, contact=CONTACT_WORDS)
