@@ -6,10 +6,9 @@ import numpy as np
 
 from sandbox.engine.joints.wiring import wiring
 from sandbox.tables import plain
+from sandbox.world.records import SURFACE
 from sandbox.world.state import ARRAYS, State
 
-_OF_MATERIAL = ("density", "friction", "restitution", "rolling_resistance", "surface_speed")
-"""What may differ of a shape."""
 _GEOMETRY = ("vertices", "outlines", "seams")
 
 
@@ -22,7 +21,7 @@ def are_alike(a: State, b: State) -> bool:
         return False
     if any(len(getattr(a, name)) != len(getattr(b, name)) for name in ARRAYS if name != "contacts"):
         return False
-    geometry = [name for name in plain(a.shapes).dtype.names or () if name not in _OF_MATERIAL]
+    geometry = [name for name in plain(a.shapes).dtype.names or () if name not in SURFACE]
     shapes = all(np.array_equal(plain(a.shapes)[name], plain(b.shapes)[name]) for name in geometry)
     outlines = all(np.array_equal(plain(getattr(a, name)), plain(getattr(b, name))) for name in _GEOMETRY)
     return shapes and outlines and wiring(a.joints, a.bodies) == wiring(b.joints, b.bodies)

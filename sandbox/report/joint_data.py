@@ -22,6 +22,7 @@ _LOOKS = {
     kinds.MOTOR: "goal",
     kinds.TARGET: "goal",
     kinds.FRICTION: "pin",
+    kinds.GEAR: "",
 }
 """How each kind is drawn; a gear shows in what it turns."""
 
@@ -35,7 +36,7 @@ def held_joints(state: State) -> NDArray[np.bool_]:
 def joint_data(row: Any, slots: Sequence[int]) -> dict[str, Any]:
     """One joint: how it looks, its bodies (-1: the world) and its anchors in their frames."""
     kind = int(row.kind)
-    look = _LOOKS.get(kind, "")
+    look = _LOOKS[kind]
     bodies = [slots[int(body)] if body >= 0 else -1 for body in (row.body_a, row.body_b)]
     data: dict[str, Any] = {"look": look, "bodies": bodies, "a": _point(row, "anchor_a"), "b": _point(row, "anchor_b")}
     if look == "rod" and row.spring:

@@ -65,6 +65,7 @@ class FlatRegion:
 JointKind = Literal[
     "distance", "revolute", "prismatic", "weld", "wheel", "gear", "pulley", "motor", "target", "friction"
 ]
+"""All kinds, in the order of their numbers in a world's table: a new one comes last."""
 
 
 @dataclass(frozen=True)

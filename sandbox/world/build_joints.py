@@ -10,15 +10,8 @@ import numpy as np
 
 from sandbox.scene.flat import FlatJoint, Vec
 from sandbox.tables import Floats, Records, plain, taken
-from sandbox.world import joint_records as kinds
-from sandbox.world.joint_records import JOINT
+from sandbox.world.joint_records import JOINT, NUMBERS
 
-KINDS = {
-    "distance": kinds.DISTANCE, "revolute": kinds.REVOLUTE, "prismatic": kinds.PRISMATIC, "weld": kinds.WELD,
-    "wheel": kinds.WHEEL, "gear": kinds.GEAR, "pulley": kinds.PULLEY, "motor": kinds.MOTOR,
-    "target": kinds.TARGET, "friction": kinds.FRICTION,
-}  # fmt: skip
-"""The number of each kind of joint."""
 _SAME = (
     "ratio", "rest", "damping_ratio", "angular_hertz", "angular_damping_ratio", "lower", "upper", "max_motor",
     "max_force", "max_torque", "break_force", "break_torque", "collide", "enabled",
@@ -38,7 +31,7 @@ def build_joints(
     table = JOINT.zeros(len(joints))
     if not joints:
         return table
-    table.kind = [KINDS[joint.kind] for joint in joints]
+    table.kind = [NUMBERS[joint.kind] for joint in joints]
     table.broken_step = -1
     table.body_a = [_row(joint.body_a, body_row) for joint in joints]
     table.body_b = [_row(joint.body_b, body_row) for joint in joints]

@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+from typing import get_args
+
+from sandbox.scene.flat import JointKind
 from sandbox.tables import FLAG, STEP_OR_NEVER, UNLIMITED, Field, Table, Values, whole
 
-DISTANCE, REVOLUTE, PRISMATIC, WELD, WHEEL, GEAR, PULLEY, MOTOR, TARGET, FRICTION = range(10)
+KINDS: tuple[JointKind, ...] = get_args(JointKind)
+"""All kinds; the number of each is its place."""
+NUMBERS: dict[JointKind, int] = {kind: number for number, kind in enumerate(KINDS)}
+DISTANCE, REVOLUTE, PRISMATIC, WELD, WHEEL, GEAR, PULLEY, MOTOR, TARGET, FRICTION = range(len(KINDS))
 _BODY, _JOINT = Values(-1, row_of="body"), Values(-1, row_of="joint")
 
 JOINT = Table(
     "joint",
     (
-        whole("kind", "one of the ten above", Values(DISTANCE, FRICTION)),
+        whole("kind", "its place in `KINDS`", Values(0, len(KINDS) - 1)),
         whole("body_a", "index of the first body; -1 for the world", _BODY),
         whole("body_b", "index of the second body; -1 for the world", _BODY),
         whole("joint_1", "gear: the first joint it couples, else -1", _JOINT),

@@ -63,6 +63,9 @@ BODY = Table(
     ),
 )
 
+SURFACE = ("density", "friction", "restitution", "rolling_resistance", "surface_speed")
+"""Columns of a shape: what a material says and a command may change."""
+
 SHAPE = Table(
     "shape",
     (
@@ -198,7 +201,8 @@ CONTACT = Table(
         *_place_of_point(2),
     ),
 )
-"""Four cache lines a row: what a contact keeps from step to step is in the first two, and often all that is asked."""
+"""Four cache lines a row: what a contact keeps from step to step is in the first two, and often all that is asked.
+Which columns are read side by side, `contact_solver/contact_rows.py` tells."""
 
 DRAG = Table(
     "drag",

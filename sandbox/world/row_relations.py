@@ -9,14 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.tables import Integers
-from sandbox.world.joint_records import FRICTION, GEAR, PRISMATIC, REVOLUTE, WHEEL
+from sandbox.world.joint_records import GEAR, KINDS, PRISMATIC, REVOLUTE, WHEEL
 from sandbox.world.records import DYNAMIC, SEAMED
 from sandbox.world.runs import run_starts
 
 Rows = Mapping[str, NDArray[Any]]
 """The rows of every table by its name, as plain arrays. Each number by itself is one that its column may hold."""
 Flags = NDArray[np.bool_]
-_CAN_BE_COUPLED = np.isin(np.arange(FRICTION + 1), (REVOLUTE, WHEEL, PRISMATIC))
+_CAN_BE_COUPLED = np.isin(np.arange(len(KINDS)), (REVOLUTE, WHEEL, PRISMATIC))
 """By the kind of a joint."""
 
 

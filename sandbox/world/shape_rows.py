@@ -25,8 +25,7 @@ _KINDS = {
     "segment": records.SEGMENT, "polygon": records.POLYGON,
 }  # fmt: skip
 _SAME = (
-    "radius", "density", "friction", "restitution", "rolling_resistance", "surface_speed", "category", "mask", "group",
-    "sensor", "part",
+    "radius", *records.SURFACE, "category", "mask", "group", "sensor", "part",
 )  # fmt: skip
 
 

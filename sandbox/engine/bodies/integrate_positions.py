@@ -20,8 +20,9 @@ STRAIGHT = 0.01
 velocity holds also where all of the velocity is new."""
 UNTOUCHED = 1e-9
 """Velocity (m/s) up to which what contacts have given and taken back again counts as nothing: it is rounding."""
-_START, _FREE_Y = FREE_MOTION.places(("start_x", "free_y"), 8)
-(_ANGULAR_DECAY,) = BODY_FORCES.places(("angular_decay",), 8)
+_START = FREE_MOTION.run("start_x", "start_y", "start_w", "free_x")
+_FREE_Y = FREE_MOTION.run("free_y", "free_w", "substep_level", "buoyed")
+_ANGULAR_DECAY = BODY_FORCES.run("angular_decay", "extent", "moves", "by_end")
 """Numbers of fields, from which on four are read at once."""
 
 

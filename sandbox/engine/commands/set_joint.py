@@ -13,11 +13,9 @@ from sandbox.errors import CommandError, SceneError
 from sandbox.geometry.rotation import RADIANS_PER_DEGREE
 from sandbox.scene.flat import FlatJoint
 from sandbox.world import joint_records as kinds
-from sandbox.world.build_joints import KINDS
 from sandbox.world.joint_pose import coordinate, pulley_length
 from sandbox.world.state import State
 
-_NAMES = {number: name for name, number in KINDS.items()}
 _FIXED = ("id", "type", "bodies", "joints", "anchor", "anchors", "axis", "wheels")
 """What makes a joint the one that it is: fields of a scene that no command changes."""
 _STAND_IN: dict[str, Any] = {
@@ -108,7 +106,7 @@ def _checked(joint: Any, given: Mapping[str, Any], command: SetJoint) -> FlatJoi
     """The fields must be those of the kind, and their values such as a scene may have; gives them in radians."""
     from sandbox.scene.joints import JOINTS
 
-    kind = _NAMES[int(joint.kind)]
+    kind = kinds.KINDS[int(joint.kind)]
     model = JOINTS[kind]
     known = [name for name in model.model_fields if name not in _FIXED]
     stray = next((name for name in given if name not in known), None)

@@ -12,11 +12,13 @@ from sandbox.engine.commands.body_command import BodyCommand
 from sandbox.engine.commands.checks import title
 from sandbox.errors import CommandError, SceneError
 from sandbox.tables import Integers
+from sandbox.world.records import SURFACE
 from sandbox.world.reweigh import reweigh
 from sandbox.world.shape_rows import first_shape
 from sandbox.world.state import State
 
-_FIELDS = ("friction", "restitution", "rolling_resistance", "surface_speed")
+_WRITTEN = tuple(name for name in SURFACE if name != "density")
+"""Columns that take a new value as it is; a density weighs the body anew."""
 
 
 @dataclass(frozen=True)
@@ -53,7 +55,7 @@ class SetSurface(BodyCommand):
             if not 0 <= self.shape < len(rows):
                 raise CommandError(f"{title(self)}: the body has no shape {self.shape}, but {len(rows)}")
             rows = rows[self.shape : self.shape + 1]
-        given = {name: value for name in _FIELDS if (value := getattr(self, name)) is not None}
+        given = {name: value for name in _WRITTEN if (value := getattr(self, name)) is not None}
         allowing = {name: value for name in ("density", "bumper") if (value := getattr(self, name)) is not None}
         _check(self, given | allowing)
         if self.density is not None:

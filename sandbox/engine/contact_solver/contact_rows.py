@@ -8,21 +8,14 @@ from sandbox.engine.records.gather_fields import Rows
 from sandbox.tables import Records
 from sandbox.world.records import CONTACT
 
-KEPT_OF_POINT_1, KEPT_OF_POINT_2, RESTITUTION, NORMAL, ANCHORS_1, SEPARATION_1, ANCHOR_AY_2 = CONTACT.places(
-    (
-        "normal_impulse1",
-        "normal_impulse2",
-        "restitution",
-        "normal_x",
-        "anchor_ax1",
-        "separation1",
-        "anchor_ay2",
-    ),
-    8,
-)
-"""Numbers of fields, from which on four are read at once. What is kept of a point are its normal impulse, its tangent
-impulse and its rest length; the fourth is a feature id behind those of point 1 and the rolling impulse behind the
-others."""
+KEPT_OF_POINT_1 = CONTACT.run("normal_impulse1", "tangent_impulse1", "rest_length1", "feature2")
+KEPT_OF_POINT_2 = CONTACT.run("normal_impulse2", "tangent_impulse2", "rest_length2", "rolling_impulse")
+MIXED_SURFACE = CONTACT.run("restitution", "surface_speed", "friction", "rolling_resistance")
+AXIS = CONTACT.run("normal_x", "normal_y", "radius_a", "radius_b")
+ANCHORS_1 = CONTACT.run("anchor_ax1", "anchor_ay1", "anchor_bx1", "anchor_by1")
+SEPARATION_1_AND_ANCHOR_2 = CONTACT.run("separation1", "anchor_ax2", "anchor_ay2", "anchor_bx2")
+ANCHOR_AND_SEPARATION_2 = CONTACT.run("anchor_ay2", "anchor_bx2", "anchor_by2", "separation2")
+"""Columns that are read, or written, four at a time."""
 
 
 @inlined_kernel

@@ -12,13 +12,13 @@ from sandbox.engine.bodies.flags import AHEAD, JOINTED
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.closing_speed import fastest_closing, stops_by_several
 from sandbox.engine.contact_solver.contact_rows import (
-    ANCHOR_AY_2,
+    ANCHOR_AND_SEPARATION_2,
     ANCHORS_1,
+    AXIS,
     KEPT_OF_POINT_1,
     KEPT_OF_POINT_2,
-    NORMAL,
-    RESTITUTION,
-    SEPARATION_1,
+    MIXED_SURFACE,
+    SEPARATION_1_AND_ANCHOR_2,
     contact_rows,
     point_counts,
 )
@@ -40,8 +40,8 @@ from sandbox.world.records import BODY
 
 BLOCK_SIZE = cb.BLOCK_SIZE
 LANES = cb.LANES
-(_INVERSE_MASS,) = BODY.places(("inverse_mass",), 8)
-"""Number of the field from which on four are read at once."""
+_INVERSE_MASS = BODY.run("inverse_mass", "inverse_inertia", "force_x", "force_y")
+"""Four are read at once, of which the first two are asked for."""
 
 
 class ImpactCriteria(NamedTuple):
@@ -171,10 +171,10 @@ def _masses_of(bodies: Records, rows: PairRows) -> PairMass:
 @inlined_kernel
 def _read_contacts(contacts: Records, rows: Rows) -> FourContacts:
     """What four contacts have; a second point that is not there lies at the place of the first."""
-    axes = Axis(*gather_fields(contacts, rows, NORMAL))
+    axes = Axis(*gather_fields(contacts, rows, AXIS))
     anchors = Anchors(*gather_fields(contacts, rows, ANCHORS_1))
-    separation1, ax, _, _ = gather_fields(contacts, rows, SEPARATION_1)
-    ay, bx, by, separation2 = gather_fields(contacts, rows, ANCHOR_AY_2)
+    separation1, ax, _, _ = gather_fields(contacts, rows, SEPARATION_1_AND_ANCHOR_2)
+    ay, bx, by, separation2 = gather_fields(contacts, rows, ANCHOR_AND_SEPARATION_2)
     load, tangent, rest_length, _ = gather_fields(contacts, rows, KEPT_OF_POINT_1)
     one = Points(anchors, separation1, load, tangent, rest_length)
     load, tangent, rest_length, rolling_impulse = gather_fields(contacts, rows, KEPT_OF_POINT_2)
@@ -217,7 +217,7 @@ def _fill_lanes(
 ) -> None:
     """Fill the lanes of a block from its contacts."""
     axes, one, two, both, rolling_impulse = four
-    _, surface_speed, friction, rolling_resistance = gather_fields(contacts, rows, RESTITUTION)
+    _, surface_speed, friction, rolling_resistance = gather_fields(contacts, rows, MIXED_SURFACE)
     # A second point at the place of the first, without mass, never pushes.
     block.single = 0 if any_lane(both) else 1
     store(v, cb.NORMAL_X, axes.x)

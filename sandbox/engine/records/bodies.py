@@ -21,8 +21,9 @@ MOTION = Table(
 )
 """One row a body, one cache line: all that the solver gathers and scatters. A last one is that of the world, at rest:
 some joints hold bodies to it."""
-VELOCITY, POSE = MOTION.places(("velocity_x", "delta_y"), 8)
-"""Numbers of the first field of either half of such a row."""
+VELOCITY = MOTION.run("velocity_x", "velocity_y", "angular_velocity", "delta_x")
+POSE = MOTION.run("delta_y", "delta_cos", "delta_sin", "delta_angle")
+"""Either half of such a row, which is read at once."""
 
 IMPACT_VELOCITIES = (
     Field("start_x", "m/s", "velocity when the substep began"),

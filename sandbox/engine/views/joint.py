@@ -16,10 +16,7 @@ from sandbox.engine.views.base import ViewedWorld
 from sandbox.errors import CommandError, UnknownJointError
 from sandbox.tables import plain
 from sandbox.world import joint_records as kinds
-from sandbox.world.build_joints import KINDS
 from sandbox.world.joint_pose import anchor, angle_between, slide
-
-_NAMES = {number: name for name, number in KINDS.items()}
 
 
 class JointView(FixedAttributes):
@@ -64,7 +61,7 @@ class JointView(FixedAttributes):
     @property
     def type(self) -> str:
         """The kind, as in the scene."""
-        return _NAMES[int(self._row.kind)]
+        return kinds.KINDS[int(self._row.kind)]
 
     @property
     def bodies(self) -> tuple[str | None, str | None]:

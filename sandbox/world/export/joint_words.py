@@ -9,14 +9,13 @@ from typing import Any
 import numpy as np
 
 from sandbox.scene.joints import JOINTS, Joint
-from sandbox.world.build_joints import KINDS
 from sandbox.world.export.joint_geometry import write_geometry
 from sandbox.world.export.joint_settings import put, settings
 from sandbox.world.export.numbers import pair
 from sandbox.world.export.present import Present
+from sandbox.world.joint_records import KINDS
 
 Words = dict[str, Any]
-_NAMES = {number: name for name, number in KINDS.items()}
 
 
 def joint_words(present: Present, row: int) -> Words:
@@ -24,7 +23,7 @@ def joint_words(present: Present, row: int) -> Words:
     words = _first_words(present, row)
     if present.rejoined[row]:
         joint = present.state.joints[row]
-        kind = _NAMES[int(joint.kind)]
+        kind = KINDS[int(joint.kind)]
         for name, value in settings(kind, joint):
             put(present, words, name, value)
         write_geometry(present, words, row)

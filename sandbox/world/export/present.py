@@ -17,13 +17,11 @@ from sandbox.world.build import build_state
 from sandbox.world.checked_world import check_world
 from sandbox.world.export.remarks import Remarks
 from sandbox.world.field_records import NEVER
-from sandbox.world.records import DYNAMIC
+from sandbox.world.records import DYNAMIC, SURFACE
 from sandbox.world.state import State
 
 Flags = NDArray[np.bool_]
 
-SURFACE = ("friction", "restitution", "rolling_resistance", "surface_speed", "density")
-"""What a command may change of a shape."""
 _POSE = ("center_x", "center_y", "angle")
 _MOTION = ("velocity_x", "velocity_y", "angular_velocity", "type")
 _REPORTED = (

@@ -9,7 +9,8 @@ import numpy as np
 
 from sandbox.scene.flat_shapes import flat_shapes
 from sandbox.scene.prefab import Prefab
-from sandbox.world.export.present import SURFACE, Present
+from sandbox.world.export.present import Present
+from sandbox.world.records import SURFACE
 
 Words = dict[str, Any]
 

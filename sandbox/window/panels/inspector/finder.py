@@ -12,7 +12,7 @@ from sandbox.window.panels.inspector.bodies import TYPES
 from sandbox.window.widgets import mark, text, wrapped
 from sandbox.window.workspace import Workspace
 from sandbox.world.build_fields import KINDS as REGION_KINDS
-from sandbox.world.build_joints import KINDS as JOINT_KINDS
+from sandbox.world.joint_records import KINDS as JOINT_KINDS
 
 if TYPE_CHECKING:
     from sandbox.engine.world import World
@@ -26,7 +26,6 @@ _HINT = (
     "Click a body in the scene to see all of it here; Shift adds another. Click on an anchor for its joint, or into "
     "water, wind or another field for that."
 )
-_JOINTS = {number: name for name, number in JOINT_KINDS.items()}
 _REGIONS = {number: name for name, number in REGION_KINDS.items()}
 _FLAGS = imgui.TableFlags_.row_bg | imgui.TableFlags_.scroll_y | imgui.TableFlags_.sizing_stretch_prop
 
@@ -102,7 +101,7 @@ def kind_of(world: World, one: Found) -> str:
     if one.sort == "body":
         return TYPES[int(world.state.bodies.type[one.row])]
     if one.sort == "joint":
-        return _JOINTS[int(world.state.joints.kind[one.row])]
+        return JOINT_KINDS[int(world.state.joints.kind[one.row])]
     return _REGIONS[int(world.state.regions.kind[one.row])]
 
 
