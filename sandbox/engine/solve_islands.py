@@ -17,7 +17,8 @@ from sandbox.engine.contact_solver.blocks import BLOCK_SIZE
 from sandbox.engine.contact_solver.closing_speed import bounce_threshold
 from sandbox.engine.contact_solver.fill_blocks import fill_blocks, sort_contacts
 from sandbox.engine.contact_solver.graph_coloring import color_contacts
-from sandbox.engine.contact_solver.prepare import ImpactCriteria, prepare_contacts
+from sandbox.engine.contact_solver.impact_criteria import ImpactCriteria
+from sandbox.engine.contact_solver.prepare import prepare_contacts
 from sandbox.engine.contact_solver.soft_constraint import contact_spring
 from sandbox.engine.contact_solver.store import store_impulses
 from sandbox.engine.joints.records import JointWork

@@ -11,9 +11,10 @@ from sandbox.engine.bodies.integrate import integrate_velocities, prepare_forces
 from sandbox.engine.bodies.integrate_positions import Scale, integrate_positions
 from sandbox.engine.bodies.quarantine import guard_velocities
 from sandbox.engine.contact_solver.mouse_joint import solve_mouse_joints
+from sandbox.engine.contact_solver.passes import Passes, passes_of, relax_contacts
 from sandbox.engine.contact_solver.put_down import put_down
-from sandbox.engine.contact_solver.soft_constraint import contact_spring
-from sandbox.engine.contact_solver.solve import solve_again, solve_contacts
+from sandbox.engine.contact_solver.soft_constraint import Spring, contact_spring
+from sandbox.engine.contact_solver.solve import solve_contacts
 from sandbox.engine.contact_solver.velocity_parts import add_parts, begin_parts, turn_parts
 from sandbox.engine.contact_solver.warm_start import forget_impulses, warm_start
 from sandbox.engine.joints.direct.position_correction import apply_corrections
@@ -21,7 +22,7 @@ from sandbox.engine.joints.records import JointWork
 from sandbox.engine.joints.stages import RELAX, RELAX_LAST, SELECT, SOLVE, call_joints, has_joints
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
-from sandbox.engine.records.contact_blocks import BlockRanges, ContactBlocks, SoftContact
+from sandbox.engine.records.contact_blocks import BlockRanges, ContactBlocks
 from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.state import StateTables
 from sandbox.engine.records.workers import Workers
@@ -29,20 +30,6 @@ from sandbox.engine.restitution.inelastic import stop_late, stop_struck
 from sandbox.engine.restitution.strike_batch import call_strikes
 from sandbox.engine.workers.task_kinds import SLOTS
 from sandbox.tables import Integers, Records
-
-WAIT = 1e30
-"""Speed (m/s) that a relax pass grants contacts which may bounce: the next substep decides on their impact."""
-
-AT_ONCE = 1e30
-"""Rate (1/s) at which points apart may close their gap where contacts are not speculative: they are left alone."""
-
-OVER_RELAXATION = 0.2
-"""Of the relax pass, which finds the loads that the next substep begins with: the top of a pyramid of 110 rows that is
-put down at rest jumps by 6 cm, without it by 14. In the soft pass as well it would be 2 cm, but then some heaps never
-come to rest, as springs are too lively."""
-
-RELAX_DEEP = 8
-"""Relax passes where bodies overlap deeply: 40 boxes thrown into one place part at 3 m/s instead of 12."""
 
 
 class Pass(NamedTuple):
@@ -63,30 +50,33 @@ class Pass(NamedTuple):
     impacts: bool
 
 
+class Course(NamedTuple):
+    """How the substeps of a level go: how many there are, and of how many seconds; `step`, how many steps came before
+    this one; `gravity` (m/s^2); whether contacts keep impulses from pass to pass, and begin with those of before
+    (`warm`); their springs and passes."""
+
+    substeps: int
+    seconds: float
+    step: int
+    gravity: float
+    keeps: bool
+    warm: bool
+    spring: Spring
+    passes: Passes
+
+
 @kernel
-def relax_contacts(
-    motions: Records,
-    blocks: ContactBlocks,
-    ranges: BlockRanges,
-    workers: Workers,
-    relax: SoftContact,
-    relax_deep: SoftContact,
-    accumulate: bool,
-) -> None:
-    """Take back the velocity that pushes overlaps apart: `RELAX_DEEP` passes over what overlaps deeply, of which the
-    last goes over all blocks."""
-    first = ranges.deep_first
-    end = ranges.deep_end
-    for turn in range(RELAX_DEEP - 1 if first < end else 0):
-        if not accumulate:
-            forget_impulses(blocks, first, end)
-        if turn == 0:
-            solve_contacts(motions, blocks, first, end, workers, relax_deep)
-        else:
-            solve_again(motions, blocks, first, end, workers, relax_deep)
-    if not accumulate:
-        forget_impulses(blocks, 0, ranges.total)
-    solve_contacts(motions, blocks, 0, ranges.total, workers, relax)
+def _course_of(state: StateTables, todo: Pass) -> Course:
+    """The settings may switch off any technique of the contact solver."""
+    setting = state.settings[0]
+    substeps = setting.substeps << todo.level
+    keeps = setting.accumulate == 1
+    warm = keeps and setting.warm_starting == 1 and todo.blocks.total > 0
+    gravity = math.sqrt(setting.gravity_x * setting.gravity_x + setting.gravity_y * setting.gravity_y)
+    spring = contact_spring(setting, todo.level)
+    step = state.counters[0].step_count
+    seconds = setting.step_seconds / substeps
+    return Course(substeps, seconds, step, gravity, keeps, warm, spring, passes_of(setting, spring, seconds))
 
 
 @kernel
@@ -107,41 +97,31 @@ def run_substeps(
     What comes to touch within the step, and is stopped at once, may be so as many times as in the scene's own substeps,
     sooner or later: passes over all that is struck cost what many finer substeps do, which stop what comes in between
     nearly as well. So a heap into which something falls all the time costs no more for that than a coarser one.
-
-    The settings may switch off any technique of the contact solver.
     """
     bodies = state.bodies
     setting = state.settings[0]
     motions = solver.motions
-    level = todo.level
     rest = todo.batch == 0
     jointed = rest and has_joints(joints)
     count = todo.blocks.total
-    unsettled = todo.blocks.unsettled
     struck_count = todo.blocks.struck
     batches = blocks.batches
     listed = batches.first_impact[todo.batch + 1] - batches.first_impact[todo.batch]
+    struck: Any = batches.struck[batches.first_body[todo.batch] :]
     unit = setting.units_per_meter
-    substeps = setting.substeps << level
-    seconds = setting.step_seconds / substeps
-    closing = 1.0 / seconds if setting.speculative == 1 else AT_ONCE
-    spring = contact_spring(setting, level)
-    rigid = SoftContact(closing, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False, True)
-    relax = SoftContact(closing, 0.0, 0.0, 0.0, 0.0, WAIT, OVER_RELAXATION, False, False)
-    relax_deep = SoftContact(closing, 0.0, 0.0, 0.0, 0.0, WAIT, OVER_RELAXATION, False, True)
-    accumulate = setting.accumulate == 1
-    warm = accumulate and setting.warm_starting == 1 and count > 0
-    gravity = math.sqrt(setting.gravity_x * setting.gravity_x + setting.gravity_y * setting.gravity_y)
+    course = _course_of(state, todo)
+    substeps = course.substeps
+    seconds = course.seconds
+    warm = course.warm
+    rigid = course.passes.rigid
 
-    prepare_forces(bodies, rows, solver, level, setting, seconds, workers)
+    prepare_forces(bodies, rows, solver, todo.level, setting, seconds, workers)
     if jointed:
         workers.numbers[SLOTS] = blocks.blocks[count - 1].first + blocks.blocks[count - 1].count if count > 0 else 0
         call_joints(contacts, workers, SELECT, seconds)
-    scale = Scale(gravity, unit)
+    scale = Scale(course.gravity, unit)
     flight = Flight(substeps, seconds, scale, todo.impacts)
-    now = state.counters[0].step_count
-    struck: Any = batches.struck[batches.first_body[todo.batch] :]
-    frozen = fly(bodies, rows, todo.held_count, solver, active.info, now, flight, workers)
+    frozen = fly(bodies, rows, todo.held_count, solver, active.info, course.step, flight, workers)
     touched = rows[: todo.touched_count]
     rows = rows[: todo.held_count]
     late = 0  # impacts without restitution, no more than the scene's own substeps would have
@@ -152,32 +132,14 @@ def run_substeps(
         if struck_count > 0 and substep == 0:
             stop_struck(bodies, solver, struck, blocks, struck_count, workers, rigid, unit)
         if rest:
-            solve_mouse_joints(state, solver, level, seconds)
-        frozen += guard_velocities(bodies, rows, solver, active.info, now, workers)
-        if warm and substep == 0:
-            begin_parts(touched, solver)
-            warm_start(motions, blocks, count, workers)
-        elif warm:
-            add_parts(touched, solver, workers)
-        else:
-            forget_impulses(blocks, 0, count)
+            solve_mouse_joints(state, solver, todo.level, seconds)
+        frozen += guard_velocities(bodies, rows, solver, active.info, course.step, workers)
+        _begin_impulses(touched, solver, blocks, count, workers, warm, substep)
         if jointed:
-            if warm:
-                turn_parts(touched, solver, workers)
-            call_joints(contacts, workers, SOLVE, seconds)
-            if warm:
-                turn_parts(touched, solver, workers)
+            _solve_joints(touched, solver, contacts, workers, warm, seconds)
         if todo.new and substep == 0:
-            # What was just put there has no impulses yet, and soft contacts alone would let it slip until it has.
-            if now == 0 and spring.yields > 0.0:
-                put_down(bodies, solver, struck, contacts.now, blocks, unsettled, workers, rigid, spring, gravity)
-            else:
-                solve_contacts(motions, blocks, 0, unsettled, workers, rigid)
-            if not accumulate:
-                forget_impulses(blocks, 0, unsettled)
-        sums = warm and substep > 0
-        push = -setting.push_out_speed * unit
-        soft = SoftContact(closing, spring.bias, spring.softness, spring.softness_jointed, push, 0.0, 0.0, sums, False)
+            _solve_new(bodies, solver, struck, contacts, blocks, todo.blocks.unsettled, workers, course)
+        soft = course.passes.summing if warm and substep > 0 else course.passes.soft
         solve_contacts(motions, blocks, 0, count, workers, soft)
         if jointed:
             apply_corrections(joints.direct, motions, seconds)
@@ -187,14 +149,67 @@ def run_substeps(
             turn_parts(touched, solver, workers)
         if listed > 0:
             call_strikes(contacts, workers, todo.batch, -seconds)
-        if struck_count > 0 and late <= substep >> level:  # the relax pass would stop them a contact at a time
+        if struck_count > 0 and late <= substep >> todo.level:  # the relax pass would stop them a contact at a time
             late += 1 if stop_late(bodies, solver, struck, blocks, struck_count, workers, rigid, unit) else 0
         if jointed:
             call_joints(contacts, workers, RELAX if substep + 1 < substeps else RELAX_LAST, seconds)
         if apart:
             turn_parts(touched, solver, workers)
         if setting.relax == 1:
-            relax_contacts(motions, blocks, todo.blocks, workers, relax, relax_deep, accumulate)
+            relax_contacts(motions, blocks, todo.blocks, workers, course.passes, course.keeps)
         if warm and substep + 1 < substeps:
             turn_parts(touched, solver, workers)
     return frozen
+
+
+@kernel
+def _begin_impulses(
+    touched: Integers,
+    solver: SolverBodies,
+    blocks: ContactBlocks,
+    count: int,
+    workers: Workers,
+    warm: bool,
+    substep: int,
+) -> None:
+    """Warm starting: contact by contact in the first substep, then body by body; else contacts begin anew."""
+    if not warm:
+        forget_impulses(blocks, 0, count)
+    elif substep == 0:
+        begin_parts(touched, solver)
+        warm_start(solver.motions, blocks, count, workers)
+    else:
+        add_parts(touched, solver, workers)
+
+
+@kernel
+def _solve_joints(
+    touched: Integers, solver: SolverBodies, contacts: Contacts, workers: Workers, warm: bool, seconds: float
+) -> None:
+    """Solve joints, whose impulses are no part of what contacts have given."""
+    if warm:
+        turn_parts(touched, solver, workers)
+    call_joints(contacts, workers, SOLVE, seconds)
+    if warm:
+        turn_parts(touched, solver, workers)
+
+
+@kernel
+def _solve_new(
+    bodies: Records,
+    solver: SolverBodies,
+    struck: Records,
+    contacts: Contacts,
+    blocks: ContactBlocks,
+    unsettled: int,
+    workers: Workers,
+    course: Course,
+) -> None:
+    """What was just put there has no impulses yet, and soft contacts alone would let it slip until it has."""
+    rigid = course.passes.rigid
+    if course.step == 0 and course.spring.yields > 0.0:
+        put_down(bodies, solver, struck, contacts.now, blocks, unsettled, workers, rigid, course.spring, course.gravity)
+    else:
+        solve_contacts(solver.motions, blocks, 0, unsettled, workers, rigid)
+    if not course.keeps:
+        forget_impulses(blocks, 0, unsettled)

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox import ApplyImpulse, Delete, DeleteJoint, SetPose, Spawn
-from sandbox.engine.active.pile_stability import WITH_GONE
+from sandbox.engine.active.bearable_mass import WITH_GONE
 from sandbox.engine.active.wake import wake_bodies
 from sandbox.engine.events.event_log import _put_back
 from sandbox.engine.narrow_phase.kept_runs import rows_in_doubt

@@ -10,8 +10,8 @@ import pytest
 
 from sandbox.engine.contact_solver import soft_constraint
 from sandbox.engine.contact_solver.blocks import KIND, LANES, MAX_COLORS
+from sandbox.engine.contact_solver.passes import OVER_RELAXATION
 from sandbox.engine.records.contact_blocks import BlockRanges
-from sandbox.engine.substeps import OVER_RELAXATION
 from sandbox.engine.world import World
 from sandbox.reference.simple.bodies import Body
 from sandbox.reference.simple.contacts import Point

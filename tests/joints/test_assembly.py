@@ -17,7 +17,7 @@ from sandbox.engine.joints.components import components
 from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.part_layout import PartLayouts
 from sandbox.world.build import build_state
-from sandbox.world.joint_records import GEAR, JOINT
+from sandbox.world.joint_records import GEAR, JOINT, KINDS
 from sandbox.world.records import BODY
 from tests.flat import world
 from tests.naive import assembly as naive
@@ -123,7 +123,7 @@ def tables(draw: st.DrawFn) -> tuple[Any, Any]:
     side = st.integers(-1, len(bodies) - 1)
     flags = st.sampled_from((0, 0, 0, 1))
     for row in joints:
-        row.kind = draw(st.integers(0, 9).filter(lambda kind: kind != GEAR))
+        row.kind = draw(st.integers(0, len(KINDS) - 1).filter(lambda kind: kind != GEAR))
         row.body_a, row.body_b = draw(st.tuples(side, side).filter(lambda pair: pair[0] != pair[1]))
         row.spring, row.limit, row.motor, row.collide = (draw(flags) for _ in range(4))
         row.enabled, row.broken_step = 1 - draw(flags), -draw(st.sampled_from((1, 1, 1, 0)))

@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import Any
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox.engine.active.pile_stability import weigh
+from sandbox.engine.active.bearable_mass import weigh
 from sandbox.engine.active.sleeping_islands import begin_member, touch_row
 from sandbox.engine.bodies.flags import IMMOVABLE, disturbs
 from sandbox.engine.contact_solver.closing_speed import stops_by_several

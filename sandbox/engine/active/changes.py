@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from sandbox.engine.active.active_set import ASLEEP
-from sandbox.engine.active.pile_stability import WITH_GONE
+from sandbox.engine.active.bearable_mass import WITH_GONE
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.colliders import Grid
 from sandbox.tables import Integers, plain

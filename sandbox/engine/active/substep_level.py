@@ -1,7 +1,7 @@
 """Stage: islands that the usual substeps cannot hold are given more of them.
 
-Those are piles that would buckle or be crushed (`pile_stability.py`). Small jointed parts that swing freely get more as
-well, for the sake of truth (`joints/fine_substeps.py`).
+Those are piles that would buckle or be crushed (`pile_stability.py`, of what `pile_measures.py` finds). Small jointed
+parts that swing freely get more as well, for the sake of truth (`joints/fine_substeps.py`).
 """
 
 from __future__ import annotations
@@ -9,15 +9,10 @@ from __future__ import annotations
 import math
 
 from sandbox._jit import kernel
+from sandbox.engine.active.bearable_mass import masses_differ
 from sandbox.engine.active.islands import find_islands
-from sandbox.engine.active.pile_stability import (
-    is_stacked,
-    level_for,
-    masses_differ,
-    measure_bodies,
-    measure_contacts,
-    some_pile_may_fall,
-)
+from sandbox.engine.active.pile_measures import is_stacked, measure_bodies, measure_contacts
+from sandbox.engine.active.pile_stability import level_for, some_pile_may_fall
 from sandbox.engine.active.pile_support import Load, measure_support
 from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.joints.records import JointWork

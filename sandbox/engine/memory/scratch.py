@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sandbox.engine.active.pile_stability import PILE
+from sandbox.engine.active.pile_measures import PILE
 from sandbox.engine.fields.records import Fields, has_fields
 from sandbox.engine.joints.assembly import assemble
 from sandbox.engine.joints.pair_filter import NO_BOND, JointFilter

@@ -4,7 +4,7 @@ Normals and anchors stay as they are during a step. Those of its beginning are h
 rolls or rocks on a contact that wanders was pushed along where it had been, and swung itself up, by half a step times
 the square of its frequency a second. Those of the middle err by the square of the step.
 
-Only contacts of what turns wander notably. They follow as they are prepared (`contact_solver/prepare.py`).
+Only contacts of what turns wander notably. They follow as they are prepared (`contact_solver/four_contacts.py`).
 """
 
 from __future__ import annotations

@@ -15,7 +15,8 @@ from sandbox.engine.bodies.integrate import integrate_some_velocities, prepare_s
 from sandbox.engine.bodies.integrate_positions import Scale, integrate_some_positions
 from sandbox.engine.bodies.quarantine import guard_some_velocities
 from sandbox.engine.broad_phase.proxies import bound_some_shapes
-from sandbox.engine.contact_solver.prepare import ImpactCriteria, prepare_blocks
+from sandbox.engine.contact_solver.impact_criteria import ImpactCriteria
+from sandbox.engine.contact_solver.prepare import prepare_blocks
 from sandbox.engine.contact_solver.soft_constraint import contact_spring
 from sandbox.engine.contact_solver.solve import solve_blocks, solve_blocks_again
 from sandbox.engine.contact_solver.store import store_blocks
