@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from sandbox.engine.narrow_phase.decide_pairs import FACE_BIAS
+from sandbox.engine.narrow_phase.examine_pair import FACE_BIAS
 from sandbox.engine.world import World
 from sandbox.reference.answer import Answer
 from sandbox.reference.arbitration import arbitrate

@@ -54,7 +54,7 @@ def list_impact_contacts(
 ) -> int:
     """List the contacts of a substep level that may strike, or none when no body is fast enough for any to matter.
 
-    Those are the `impact_candidates` (see `decide_pairs`) with restitution. `fastest` is the square of the highest
+    Those are the `impact_candidates` (see `decision_bits`) with restitution. `fastest` is the square of the highest
     speed (m/s) of a point. Returns how many `slots` are used.
     """
     used = 0
