@@ -134,13 +134,15 @@ PINS: dict[str, tuple[str, dict[str, object], bool]] = {
     "lift": ("prismatic", {"at": (0.5, 0.0), "axis": (0.0, 1.0), "motor_speed": 2.0}, False),
     "sprung lift": ("prismatic", {"at": (0.5, 0.0), "axis": (0.0, 1.0), "hertz": 2.0}, True),
     "bracket": ("weld", {"at": (0.5, 0.0)}, False),
+    "puck": ("friction", {"at": (0.0, 0.0), "max_force": 1.0, "max_torque": 0.1}, False),
+    "puck by its rim": ("friction", {"at": (0.3, 0.0), "max_force": 1.0}, False),
     "soft bracket": ("weld", {"at": (0.5, 0.0), "angular_hertz": 2.0}, True),
 }
 
 
 @pytest.mark.parametrize("name", PINS)
 @pytest.mark.parametrize("first", [True, False], ids=["to the world", "from the world"])
-def test_what_turns_about_its_centre_or_slides_takes_the_usual_substeps(name: str, first: bool):
+def test_what_turns_about_its_centre_slides_or_rubs_takes_the_usual_substeps(name: str, first: bool):
     kind, fields, finer = PINS[name]
     pin = joint("pin", kind, *((None, "a") if first else ("a", None)), **fields)
     world = jointed((body("a", box(0.8, 0.5)),), (pin,))

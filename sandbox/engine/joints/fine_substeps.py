@@ -2,7 +2,8 @@
 
 The method is of second order: the period of a swing of angular frequency w errs by (w h)^2 / 24, which four times as
 many substeps make a sixteenth. That is cheap for a few bodies that touch nothing, and pointless where soft contacts
-decide what happens, and for a wheel that turns about its centre or a lift: those move as they should in any substeps.
+decide what happens, and for a wheel that turns about its centre, a lift, or what friction slows down as the ground does
+in a view from above: those move as they should in any substeps.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from sandbox._jit import kernel
 from sandbox.engine.bodies.flags import is_active
 from sandbox.engine.joints.records import JointWork
 from sandbox.tables import Records
-from sandbox.world.joint_records import PRISMATIC, REVOLUTE, WELD
+from sandbox.world.joint_records import FRICTION, PRISMATIC, REVOLUTE, WELD
 from sandbox.world.records import STATIC
 
 FINE = 2
@@ -51,7 +52,8 @@ def _is_small(part: Records) -> bool:
 
 @kernel
 def _swings(work: JointWork, part: Records, bodies: Records) -> bool:
-    """Whether a small part moves otherwise than by turning about its own centre or sliding along a fixed axis."""
+    """Whether a small part moves otherwise than by turning about its own centre, sliding along a fixed axis, or being
+    slowed down by friction."""
     if part.member_end - part.first_member > 1:
         return True
     own = work.members[part.first_member].body
@@ -66,6 +68,6 @@ def _swings(work: JointWork, part: Records, bodies: Records) -> bool:
             y = joint.anchor_ay if joint.body_a == own else joint.anchor_by
             if (x * x + y * y) * bodies[own].inverse_inertia > _CENTERED * bodies[own].inverse_mass:
                 return True
-        elif joint.kind != PRISMATIC and joint.kind != WELD:
+        elif joint.kind != PRISMATIC and joint.kind != WELD and joint.kind != FRICTION:
             return True
     return False
