@@ -198,13 +198,16 @@ class Call:
             self._call = self._bound()
         return self._call
 
-    def exchange(self, names: tuple[str, ...], others: Mapping[str, Any]) -> None:
-        """Take other arguments of the same types from now on, for those of its parameters that `others` has."""
+    def exchange(self, names: tuple[str, ...], others: Mapping[str, Any]) -> bool:
+        """Take other arguments of the same types from now on, for those of its parameters that `others` has; returns
+        whether some are others, so that it has to be bound again."""
         given = zip(names, self._arguments, strict=True)
         arguments = tuple([others.get(name, before) for name, before in given])
-        if any(each is not before for each, before in zip(arguments, self._arguments, strict=True)):
+        same = all(each is before for each, before in zip(arguments, self._arguments, strict=True))
+        if not same:
             self._arguments = arguments
             self._call = None
+        return not same
 
     def _bound(self) -> Callable[..., Any]:
         if _DISABLED:

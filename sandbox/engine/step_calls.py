@@ -15,7 +15,13 @@ from sandbox.engine.continuous_collision.solve_continuous import solve_continuou
 from sandbox.engine.fields.apply import apply_fields
 from sandbox.engine.fields.records import has_fields
 from sandbox.engine.joints.nets import has_nets
-from sandbox.engine.memory.binding import contact_arguments, parameters, scratch_arguments, state_arguments
+from sandbox.engine.memory.binding import (
+    contact_arguments,
+    joint_arguments,
+    parameters,
+    scratch_arguments,
+    state_arguments,
+)
 from sandbox.engine.memory.scratch import Scratch
 from sandbox.engine.records.calls import (
     BEGIN,
@@ -78,8 +84,7 @@ class StepCalls:
         self.bound = False
         self._words = plain(state.counters).view(np.int64)
         self.has_fields = has_fields(state)
-        self._jointed = scratch.joints is not None
-        self._nets = scratch.joints is not None and has_nets(scratch.joints)
+        self._jointed, self._nets = _joined(scratch)
         parts = [PARTS_OF_STEP[row] for row in range(COLLIDE, ROWS) if self._may_need(row)]
         named = self._bundled(state_arguments(state) | scratch_arguments(scratch))
         for turn, tables in enumerate(contacts):
@@ -91,15 +96,19 @@ class StepCalls:
                 for part in (*parts, serve):
                     self._call(part, turn, own, worker)
 
-    def fill_state(self, state: State, scratch: Scratch) -> None:
-        """Call the parts with other tables of the state, which still has fields or still has none, and the same scratch
-        memory but for its fields."""
-        self.bound = False
-        named = self._bundled(state_arguments(state))
+    def fits(self, state: State, scratch: Scratch) -> bool:
+        """Whether these parts are those that such a world needs: it still has fields, joints and nets, or has none."""
+        return (has_fields(state), *_joined(scratch)) == (self.has_fields, self._jointed, self._nets)
+
+    def exchange_rows(self, state: State, scratch: Scratch, joints: bool) -> None:
+        """Call the parts, which it `fits`, with other tables of the state, and the same scratch memory but for its
+        fields and, with `joints`, what it has of those."""
+        named = self._bundled(state_arguments(state) | (joint_arguments(scratch) if joints else {}))
         if self.has_fields:
             self._bundled({"fields": kernel_argument(scratch.fields)})
             for turn in (0, 1):  # they alone ask for a table of the state by itself
-                self._calls[apply_fields, 0, turn].exchange(parameters(apply_fields), named)
+                if self._calls[apply_fields, 0, turn].exchange(parameters(apply_fields), named):
+                    self.bound = False
 
     @property
     def needs(self) -> frozenset[int]:
@@ -208,3 +217,8 @@ class StepCalls:
                 found[name] = self._bundles[name, turn]
                 found[name].fill(value)
         return found
+
+
+def _joined(scratch: Scratch) -> tuple[bool, bool]:
+    """Whether joints hold something, and whether some of it is a net."""
+    return scratch.joints is not None, scratch.joints is not None and has_nets(scratch.joints)

@@ -11,10 +11,11 @@ from sandbox._jit import jit_enabled
 from sandbox.engine.active.changes import forget, keep_what_stays, touch
 from sandbox.engine.compile_step import compile_step, wait_for_others
 from sandbox.engine.continuous_collision.solve_continuous import solve_continuous
-from sandbox.engine.fields.records import has_fields
 from sandbox.engine.joints.assembly import assemble, assemble_more
 from sandbox.engine.joints.fewer_parts import going_parts, without_parts
+from sandbox.engine.joints.pair_filter import JointFilter
 from sandbox.engine.joints.part_layout import PartLayouts
+from sandbox.engine.joints.records import JointWork
 from sandbox.engine.joints.wiring import wiring
 from sandbox.engine.memory.bundles import Room
 from sandbox.engine.memory.limit import room_for
@@ -153,14 +154,11 @@ class Stepper:
         if len(state.joints) > added.joints:
             known = scratch.joint_filter, scratch.joints
             more = assemble_more(state.joints, state.bodies, self._layouts, known, added.joints)
-            if more is None:
-                self.assemble_joints()
-                return
-            scratch.joint_filter, scratch.joints = more
-        elif not grown:
-            self._exchange_state()
-            return
-        self._prepare_calls()
+            scratch.joint_filter, scratch.joints = more or self._assembled()
+        if grown:
+            self._prepare_calls()
+        else:
+            self._exchange_rows(joints=len(state.joints) > added.joints)
 
     def move_rows(self, moved: Moved) -> None:
         """Rows have gone, and others have moved into their places."""
@@ -170,7 +168,7 @@ class Stepper:
         close_up(plain(self.scratch.contacts.reports)[: len(moved.contacts)], moved.contacts)
         scratch, joints = self.scratch, self.scratch.joints
         if joints is None and len(moved.joints) == 0:
-            self._exchange_state()
+            self._exchange_rows(joints=False)
             return
         going = None if joints is None else going_parts(joints, moved.joints)
         if joints is None or going is None or going.all():
@@ -179,12 +177,12 @@ class Stepper:
         scratch.joint_filter, scratch.joints = without_parts(
             scratch.joint_filter, joints, self._layouts, going, moved, self._state.joints
         )
-        self._prepare_calls()
+        self._exchange_rows(joints=True)
 
     def follow_regions(self) -> None:
         """Regions have gone, or have other sides."""
         self.scratch.follow_fields(self._state)
-        self._exchange_state()
+        self._exchange_rows(joints=False)
 
     def forget(self) -> None:
         """Look anew at who may move: anything may have been changed from outside."""
@@ -196,10 +194,8 @@ class Stepper:
 
     def assemble_joints(self) -> None:
         """Find out anew what hangs together by joints, after one of them broke or was switched."""
-        state, scratch = self._state, self.scratch
-        room = scratch.room.bodies
-        scratch.joint_filter, scratch.joints = assemble(state.joints, state.bodies, self._layouts, room)
-        self._prepare_calls()
+        self.scratch.joint_filter, self.scratch.joints = self._assembled()
+        self._exchange_rows(joints=True)
 
     def wiring(self) -> bytes:
         """What decides how joints hang together now."""
@@ -284,11 +280,19 @@ class Stepper:
         self._contacts = (here, there) if self.turn == 0 else (there, here)
         self.calls.fill(state, scratch, self._contacts)
 
-    def _exchange_state(self) -> None:
-        """Other rows of the state, and nothing else, for the calls of a step."""
+    def _assembled(self) -> tuple[JointFilter, JointWork | None]:
+        """What hangs together by joints now."""
+        state, room = self._state, self.scratch.room.bodies
+        return assemble(state.joints, state.bodies, self._layouts, room)
+
+    def _exchange_rows(self, joints: bool) -> None:
+        """Other rows of the state for the calls of a step, with `joints` also of what is known of those, and nothing
+        else."""
         state = self._state
-        if has_fields(state) != self.calls.has_fields:
+        if not self.calls.fits(state, self.scratch):
             self._prepare_calls()
             return
         self._crowded = len(state.shapes) > _FEW
-        self.calls.fill_state(state, self.scratch)
+        if joints:
+            self._count_lost()
+        self.calls.exchange_rows(state, self.scratch, joints)

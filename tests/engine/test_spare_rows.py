@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,7 @@ from hypothesis import strategies as st
 
 import sandbox
 from sandbox.bench.memory import table_bytes
+from sandbox.engine.commands.set_joint import SetJoint
 from sandbox.engine.world import World
 from sandbox.tables import aligned_zeros, close_up, joined, longer, plain
 from sandbox.world.records import BODY, VERTEX
@@ -127,3 +129,42 @@ def test_events_are_those_of_the_last_step_whoever_comes_before_they_are_asked()
         for world in worlds:
             world.delete([f"ball-{step}", f"goal-{step}"])
     assert worlds[0].digest() == worlds[1].digest()
+
+
+HOOK = {"id": "hook", "type": "revolute", "bodies": ["hung"], "anchor": [40, 5]}
+HUNG = {"id": "hung", "shapes": [{"box": [0.3, 0.3]}], "position": [40, 4.5]}
+CHANGES: dict[str, Callable[[World], None]] = {
+    "a ball comes": lambda world: world.spawn(ball(2)),
+    "a ball goes": lambda world: world.delete("ball-0"),
+    "a joint comes": lambda world: world.spawn(HUNG, joints=HOOK),
+    "a joint is switched": lambda world: world.apply(SetJoint(JOINTS[0]["id"], enabled=False)),
+}
+
+
+FIELDLESS = [body for body in ZOO if "thrusters" not in body]
+
+
+def _with_two_balls(bodies: list[dict[str, Any]]) -> World:
+    world = make(bodies, JOINTS)
+    world.spawn([ball(0), ball(1)])
+    world.step(10)
+    return world
+
+
+@pytest.mark.parametrize("bodies", [ZOO, FIELDLESS], ids=["with fields", "without"])
+@pytest.mark.parametrize("change", CHANGES)
+def test_calls_take_rows_that_are_others_without_being_filled_anew(
+    change: str, bodies: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    world, anew = _with_two_balls(bodies), _with_two_balls(bodies)
+    with monkeypatch.context() as patch:
+        patch.setattr(world._stepper, "_prepare_calls", lambda *_: pytest.fail("all calls filled anew"))
+        CHANGES[change](world)
+    # Fields have the table of joints by itself.
+    assert world._stepper.calls.bound or (bodies is ZOO and change != "a ball comes")
+    CHANGES[change](anew)
+    anew._stepper._prepare_calls()
+    for _ in range(5):
+        world.step(10)
+        anew.step(10)
+        assert world.digest() == anew.digest()

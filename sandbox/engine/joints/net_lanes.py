@@ -109,6 +109,8 @@ def lay_lanes(joints: Records, members: Records, constraints: Records, parts: Re
     Notes in the constraints which of them lie in lanes, and in the parts which blocks are theirs, and of what kind
     their other joints are.
     """
+    if parts.direct.all():  # no nets, as in most worlds: of such notes all is zero
+        return NetLanes(NET_JOINT.zeros(0), NET_BLOCK.zeros(0), aligned_zeros(0, np.float64))
     kind = joints.kind[constraints.joint]
     coupled = np.zeros(len(constraints), bool)
     for column in (constraints.constraint_1, constraints.constraint_2):

@@ -40,8 +40,14 @@ def contact_arguments(contacts: Contacts) -> dict[str, Any]:
 
 def scratch_arguments(scratch: Scratch) -> dict[str, Any]:
     """What is bound of scratch memory."""
-    named = vars(scratch) | {"free_motions": scratch.solver.free_motions, "joints": scratch.joints or no_joints()}
-    return {name: kernel_argument(value) for name, value in named.items()}
+    named = vars(scratch) | {"free_motions": scratch.solver.free_motions}
+    return {name: kernel_argument(value) for name, value in named.items()} | joint_arguments(scratch)
+
+
+def joint_arguments(scratch: Scratch) -> dict[str, Any]:
+    """What is bound of what scratch memory has of joints."""
+    joints = kernel_argument(scratch.joints or no_joints())
+    return {"joints": joints, "joint_filter": kernel_argument(scratch.joint_filter)}
 
 
 @cache
