@@ -9,6 +9,7 @@ from typing import Any
 
 from sandbox.errors import MissingDependencyError
 from sandbox.reference.box2d_shapes import add_shapes
+from sandbox.reference.led import Led
 from sandbox.reference.own_mass import own_mass
 from sandbox.reference.run import Pose, left_out, one_way_shapes, other_joints
 from sandbox.scene.flat import FlatBody, FlatJoint, FlatScene, Vec
@@ -56,6 +57,7 @@ class Box2dRun:
             "dynamic": self._b2.BodyType.DYNAMIC,
         }  # fmt: skip
         self._bodies: dict[str | None, Any] = {None: self._world.create_body(self._b2.body_def())}
+        self._led = Led(scene.settings.step_rate)
         self._notes = dict.fromkeys(left_out(scene))
         self.add(scene.bodies, scene.joints)
 
@@ -66,7 +68,7 @@ class Box2dRun:
 
     def add(self, bodies: Iterable[FlatBody], joints: Iterable[FlatJoint]) -> None:
         """Bring bodies and joints in."""
-        bodies, joints = tuple(bodies), tuple(joints)
+        bodies, joints = self._led.add(bodies), tuple(joints)
         self._notes |= dict.fromkeys([*one_way_shapes(bodies, chains=False), *other_joints(joints, _JOINT_KINDS)])
         for body in bodies:
             self._bodies[body.id] = self._add_body(body)
@@ -75,6 +77,8 @@ class Box2dRun:
 
     def remove(self, names: Iterable[str]) -> None:
         """Take bodies out, with the joints that hold them."""
+        names = tuple(names)
+        self._led.remove(names)
         for name in names:
             self._bodies.pop(name).destroy()
 
@@ -85,6 +89,7 @@ class Box2dRun:
 
     def step(self) -> None:
         """Go on by one step."""
+        self._led.lead(self)
         self._world.step(self._seconds, self._substeps)
 
     def pose(self, name: str) -> Pose:

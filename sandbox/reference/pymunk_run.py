@@ -8,6 +8,7 @@ from collections.abc import Iterable
 import pymunk
 
 from sandbox.reference.ask_pymunk import PYMUNK_VERSION
+from sandbox.reference.led import Led
 from sandbox.reference.run import Pose, left_out, one_way_shapes, other_joints
 from sandbox.reference.space import add_body
 from sandbox.reference.space_joints import KINDS, add_joint
@@ -30,6 +31,7 @@ class PymunkRun:
             self._space.sleep_time_threshold = _SECONDS_TO_SLEEP
         self._seconds = 1.0 / scene.settings.step_rate
         self._bodies: dict[str | None, pymunk.Body] = {}
+        self._led = Led(scene.settings.step_rate)
         self._notes = dict.fromkeys(left_out(scene))
         self.add(scene.bodies, scene.joints)
 
@@ -40,7 +42,7 @@ class PymunkRun:
 
     def add(self, bodies: Iterable[FlatBody], joints: Iterable[FlatJoint]) -> None:
         """Bring bodies and joints in. One-way shapes are solid from both sides."""
-        bodies, joints = tuple(bodies), tuple(joints)
+        bodies, joints = self._led.add(bodies), tuple(joints)
         self._notes |= dict.fromkeys([*one_way_shapes(bodies, chains=True), *other_joints(joints, KINDS)])
         for body in bodies:
             self._bodies[body.id] = add_body(self._space, body, solid=True)
@@ -49,6 +51,8 @@ class PymunkRun:
 
     def remove(self, names: Iterable[str]) -> None:
         """Take bodies out, with all that holds them."""
+        names = tuple(names)
+        self._led.remove(names)
         for name in names:
             body = self._bodies.pop(name)
             # pymunk's bodies know a constraint until garbage collection takes it, which may be long after its removal.
@@ -61,6 +65,7 @@ class PymunkRun:
 
     def step(self) -> None:
         """Go on by one step."""
+        self._led.lead(self)
         self._space.step(self._seconds)
 
     def pose(self, name: str) -> Pose:

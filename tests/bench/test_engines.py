@@ -143,6 +143,51 @@ def test_who_goes_and_comes(engine: str) -> None:
     assert (new.x, new.y, new.velocity_x, new.spin) == pytest.approx((5.0 + 7.0 / 60.0, 5.0, 7.0, 1.0))
 
 
+@every_engine
+def test_what_is_on_a_path_is_where_the_path_says(engine: str) -> None:
+    """A lift that goes up and down and takes a crate along, a door that turns and stays, one that waits, and one that
+    comes as it is under way."""
+    ways: dict[str, dict[str, Any]] = {
+        "lift": {"to": [[0, 2]], "speed": 2, "mode": "ping-pong", "easing": "smooth"},
+        "door": {"to": [[0, 0]], "turn": [270], "times": [0.5]},
+        "gate": {"to": [[5, 0]], "times": [1], "enabled": False},
+        "late": {"to": [[3, 0], [0, 3]], "times": [1, 2, 3], "mode": "loop", "time": 1.75},
+    }
+    bodies: list[dict[str, Any]] = [
+        {"id": name, "type": "kinematic", "position": [10 * k, 0], "angle": 30 * (k == 1), "path": way,
+         "shapes": [{"box": [2, 0.5]}]}
+        for k, (name, way) in enumerate(ways.items())
+    ]  # fmt: skip
+    crate = {"id": "crate", "position": [0, 0.75], "shapes": [{"box": [1, 1]}]}
+    for steps in (1, 30, 85):
+        here, ours = (after(each, steps, *ways, "crate", bodies=[*bodies, crate]) for each in (engine, "sandbox"))
+        for one, other in zip(here[:-1], ours[:-1], strict=True):
+            assert one[:4] == pytest.approx(other[:4], abs=1e-3)
+            assert one[4:] == pytest.approx(other[4:], abs=0.02)
+        assert here[-1][:2] == pytest.approx(ours[-1][:2], abs=0.05)
+
+
+@every_engine
+def test_who_is_on_a_path_may_go_and_come(engine: str) -> None:
+    from sandbox.bench.drivers import DRIVERS, Driver
+
+    cart = {"type": "kinematic", "shapes": DISC, "path": {"to": [[4, 0]], "times": [1]}}
+    done = {10: [sandbox.Delete("old"), sandbox.Spawn({"id": "new", **cart, "position": [0, 5]})]}
+    DRIVERS["a test"] = Driver(commands=lambda step: done.get(step, ()))
+    try:
+        course = Course(sandbox.Scene(bodies=[{"id": "old", **cart}]), "a test")
+        contestant = ENGINES[engine](course, False)
+        for step in range(40):
+            change = course.change(step)
+            if change is not None:
+                contestant.apply(change)
+            contestant.step()
+    finally:
+        del DRIVERS["a test"]
+    (new,) = contestant.poses(["new"])
+    assert new[:2] == pytest.approx((2.0, 5.0), abs=1e-5)
+
+
 @pytest.mark.parametrize(("engine", "count"), [("sandbox", 0), ("pymunk", 5), ("box2d", 6)])
 def test_what_an_engine_leaves_out_is_told(engine: str, count: int) -> None:
     fields: dict[str, Any] = {
