@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import Literal, Protocol
 
-from sandbox.reference.ask_pymunk import PYMUNK_VERSION
+from sandbox.reference.pymunk_run import PymunkRun
 from sandbox.reference.simple.world import SimpleWorld, told_apart
-from sandbox.reference.space import build_space, left_out
+from sandbox.reference.space import left_out
 from sandbox.scene.flat import FlatScene
 from sandbox.tables import Records
 from sandbox.world.records import BODY
@@ -52,29 +52,29 @@ class SimpleTwin:
 class PymunkTwin:
     """The scene in pymunk at its defaults, with one `Space.step` for each step; `start` are our bodies at its start."""
 
-    label = f"pymunk {PYMUNK_VERSION}"
+    label = PymunkRun.label
 
     def __init__(self, scene: FlatScene, start: Records) -> None:
-        self._space, self._bodies = build_space(scene)
-        self._seconds = 1.0 / scene.settings.step_rate
+        self._run = PymunkRun(scene, sleeps=False)
+        self._names = [body.id for body in scene.bodies]
         self._start = BODY.zeros(len(start))
         self._start[:] = start
-        self.notes = left_out(scene)
+        self.notes = (*left_out(scene), *self._run.notes)
 
     def step(self) -> None:
         """Go on by one step of the scene."""
-        self._space.step(self._seconds)
+        self._run.step()
 
     def records(self) -> Records:
-        """Poses and velocities of now as our table of bodies."""
+        """Poses and velocities of now as our table of bodies; angles within a turn."""
         rows = BODY.zeros(len(self._start))
         rows[:] = self._start
-        for row, body in zip(rows, self._bodies, strict=True):
-            row.center_x, row.center_y = body.local_to_world(body.center_of_gravity)
-            row.rotation_cos, row.rotation_sin = math.cos(body.angle), math.sin(body.angle)
-            row.angle = body.angle
-            row.velocity_x, row.velocity_y = body.velocity
-            row.angular_velocity = body.angular_velocity
+        for row, name in zip(rows, self._names, strict=True):
+            x, y, cos, sin, row.velocity_x, row.velocity_y, row.angular_velocity = self._run.pose(name)
+            row.position_x, row.position_y, row.rotation_cos, row.rotation_sin = x, y, cos, sin
+            row.angle = math.atan2(sin, cos)
+            row.center_x = x + (cos * row.local_center_x - sin * row.local_center_y)
+            row.center_y = y + (sin * row.local_center_x + cos * row.local_center_y)
         return rows
 
 

@@ -19,15 +19,16 @@ _NOBODY = pymunk.ShapeFilter(categories=0, mask=0)
 
 
 class PymunkRun:
-    """A space of pymunk at `iterations` a step and else at its defaults; it sleeps where the scene does."""
+    """A space of pymunk at `iterations` a step and else at its defaults. It sleeps where the scene does, unless it is
+    told not to."""
 
     label = f"pymunk {PYMUNK_VERSION}"
 
-    def __init__(self, scene: FlatScene, iterations: int = 10) -> None:
+    def __init__(self, scene: FlatScene, iterations: int = 10, sleeps: bool = True) -> None:
         self._space = pymunk.Space()
         self._space.gravity = scene.gravity
         self._space.iterations = iterations
-        if scene.settings.sleeping:
+        if sleeps and scene.settings.sleeping:
             self._space.sleep_time_threshold = _SECONDS_TO_SLEEP
         self._seconds = 1.0 / scene.settings.step_rate
         self._bodies: dict[str | None, pymunk.Body] = {}

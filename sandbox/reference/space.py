@@ -59,7 +59,7 @@ def _own_motion(flat: FlatBody) -> Callable[[pymunk.Body, Any, float, float], No
 
 
 def left_out(scene: FlatScene) -> tuple[str, ...]:
-    """What of a scene pymunk does differently or not at all, a line each."""
+    """What of the surfaces of a scene pymunk does otherwise, a line each."""
     shapes = [shape for body in scene.bodies for shape in body.shapes]
     notes = {
         "pymunk multiplies the restitutions of a pair; here the larger one holds": "restitution",
@@ -70,8 +70,6 @@ def left_out(scene: FlatScene) -> tuple[str, ...]:
     found += [text for text, field in notes.items() if any(getattr(shape, field) for shape in shapes)]
     if any(shape.group > 0 for shape in shapes):
         found.append("pymunk has no groups that always collide")
-    if any(any(shape.one_way) for shape in shapes):
-        found.append("one-way shapes and one-sided chains are left out of pymunk's world: there they would be solid")
     return tuple(found)
 
 

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import pytest
 
+import sandbox
 from sandbox.reference.measures import Measurer
 from sandbox.reference.space import build_space, left_out
 from sandbox.reference.twin import simulate_twin
@@ -84,3 +86,29 @@ def test_what_pymunk_does_not_know_is_told() -> None:
     for word in ("restitutions", "rolling", "surface", "groups"):
         assert word in told
         assert word not in plain[0]
+
+
+def test_joints_hold_and_lifts_go_in_the_twin_as_well() -> None:
+    """A pendulum and a crate on a lift; what sprung or ruled things it lacks is told."""
+    words: dict[str, Any] = {
+        "bodies": [
+            {"id": "bob", "position": [2, 9], "shapes": [{"circle": 0.2}]},
+            {"id": "lift", "type": "kinematic", "shapes": [{"box": [3, 0.5], "one_way": [0, 1]}], "position": [9, 0],
+             "path": {"to": [[0, 3]], "speed": 1}},
+            {"id": "crate", "shapes": [{"box": [1, 1]}], "position": [9, 0.75]},
+        ],
+        "joints": [
+            {"id": "pin", "type": "revolute", "bodies": ["bob"], "anchor": [0, 9]},
+            {"id": "hand", "type": "target", "bodies": ["crate"], "anchor": [9, 0.75], "max_force": 0.001,
+             "target": [9, 0.75]},
+        ],
+        "regions": [{"water": 1, "inside": [50, 50, 60, 60]}],
+    }  # fmt: skip
+    twin = simulate_twin(sandbox.Scene(**words), 120, every=30)
+    for ours, theirs in zip(twin.ours, twin.theirs, strict=True):
+        assert theirs.height == pytest.approx(ours.height, abs=0.15)
+        assert theirs.top == pytest.approx(ours.top, abs=0.15)
+    assert max(each.height for each in twin.theirs) > min(each.height for each in twin.theirs) + 0.5
+    told = " ".join(twin.notes)
+    for words_of_it in ("regions are left out", "joints of the kind target are left out", "solid from both sides"):
+        assert words_of_it in told
