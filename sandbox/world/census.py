@@ -61,12 +61,14 @@ class Ledger(Generic[T]):
     def remove(self, left: NDArray[np.bool_]) -> list[str]:
         """Close up the rows that are `left`; returns the names of the others."""
         gone = np.flatnonzero(~left)
+        if len(gone) == 0:
+            return []
         rows = gone.tolist()
         names = [self.names[row] for row in rows]
         for row in rows:
             self.words.pop(self.serials[row], None)
         starts = np.flatnonzero(np.diff(gone, prepend=-2) > 1)
-        runs = list(zip(gone[starts].tolist(), (gone[[*starts[1:] - 1, -1]] + 1).tolist(), strict=True)) if rows else []
+        runs = list(zip(gone[starts].tolist(), (gone[[*starts[1:] - 1, -1]] + 1).tolist(), strict=True))
         columns: tuple[list[Any], ...] = (self.items, self.names, self.serials)
         for column in columns:
             if len(runs) > _FEW:
@@ -75,8 +77,7 @@ class Ledger(Generic[T]):
             else:
                 for first, end in reversed(runs):
                     del column[first:end]
-        if rows:
-            self._register = self._ids = None
+        self._register = self._ids = None
         if self._families is not None:
             self._families.subtract(map(_family, names))
         return names

@@ -94,6 +94,8 @@ class Tiling:
     def remove(self, rows: NewRows) -> None:
         """Shapes get new rows: some tiles go."""
         first = int(np.searchsorted(self.rows, rows.first))
+        if first == len(self.rows):  # as where a level came first and what plays in it comes and goes
+            return
         left = rows[self.rows[first:]] >= 0
         for name, column in vars(self.boxes).items():
             known = max(len(column) - first, 0)
