@@ -16,18 +16,22 @@ from sandbox.lint.rules import (
     mass_ratio,
     never_fails,
     no_expect,
+    out_of_view,
     overlap,
     pixels,
+    radians,
     runaway_speed,
     static_wheel,
     stuck_joint,
+    twice_placed,
     unused,
+    upside_down,
 )
 from sandbox.scene.near_names import did_you_mean
 
 _MODULES = (
-    overlap, falls_away, runaway_speed, far_anchor, stuck_joint, static_wheel, idle_motor, left_off, mass_ratio,
-    blind_sensor, idle_rule, pixels, no_expect, never_fails, unused,
+    overlap, falls_away, runaway_speed, far_anchor, twice_placed, stuck_joint, static_wheel, idle_motor, left_off,
+    mass_ratio, blind_sensor, idle_rule, pixels, radians, upside_down, out_of_view, no_expect, never_fails, unused,
 )  # fmt: skip
 RULES: Mapping[str, Rule] = {module.RULE.name: module.RULE for module in _MODULES}
 """In the order in which they are listed."""

@@ -34,12 +34,23 @@ def falling(body: Words, **fields: Any) -> Words:
     return scene(bodies=[GROUND, {**BALL, **body}], expect=[{"at": 9, "touches": ["ball", "ground"]}], **fields)
 
 
-def in_pixels(shapes: Any = ({"box": [40, 30]},), **fields: Any) -> Words:
-    bodies = [{"id": f"b{k}", "position": [50 * k, 15], "shapes": list(shapes)} for k in range(4)]
+def in_pixels(shapes: Any = ({"box": [40, 30]},), count: int = 4, **fields: Any) -> Words:
+    bodies = [{"id": f"b{k}", "position": [50 * k, 15], "shapes": list(shapes)} for k in range(count)]
     floor = {**GROUND, "shapes": [{"box": [1000, 1]}]}
     return scene(bodies=[floor, *bodies], expect=[{"always": True, "inside": [-500, -1, 500, 500]}]) | fields
 
 
+def over(chain: list[list[float]], **fields: Any) -> Words:
+    """A ball above a chain that is solid from its left."""
+    floor = {"id": "ground", "type": "static", "shapes": [{"chain": chain, "one_sided": True}], **fields}
+    return scene(bodies=[floor, BALL], expect=[{"at": 9, "touches": ["ball", "ground"]}])
+
+
+def turned(angle: float | str) -> Words:
+    return scene(bodies=[GROUND, {**CRATE, "position": [0, 5], "angle": angle}])
+
+
+WEDGE = [[6, 0], [7, 0], [6.5, 1]]
 SENSOR = {"id": "eye", "type": "static", "position": [0, 3], "shapes": [{"circle": 1, "sensor": True}]}
 
 
@@ -105,6 +116,42 @@ CASES: dict[str, list[Case]] = {
         Case(in_pixels(), in_pixels(settings={"units_per_meter": 50}), "smaller than 40 m, as if lengths were pixels"),
         Case(in_pixels(), in_pixels(gravity=[0, -900]), "pixels"),
         Case(in_pixels(), in_pixels(shapes=[{"circle": 5}]), "pixels"),
+        Case(in_pixels(count=1), in_pixels(count=3, gravity=[0, 0]), "pixels"),
+    ],
+    "radians": [
+        Case(turned(1.5708), turned(15.7), "angle 1.5708 looks like radians: angles are in degrees: 90"),
+        Case(turned(-3.14), turned(-3.2), "degrees: -180"),
+        Case(turned(3.1415), turned(3.1), "degrees: 180"),
+        Case(turned("=pi / 8"), turned("=180 / 8"), "degrees: 22.5"),
+        Case(
+            pinned("revolute", lower=-0.785), pinned("prismatic", axis=[1, 0], lower=-0.785), "lower -0.785 looks like"
+        ),
+        Case(pinned("wheel", motor_speed=31.4159), pinned("wheel", motor_speed=31.4), "degrees: 1800"),
+    ],
+    "upside-down": [Case(scene(gravity=[0, 9.81]), scene(gravity=[9.81, 0]), "y points up here")],
+    "out-of-view": [
+        Case(
+            scene(view={"center": [500, 0], "height": 10}),
+            scene(view={"center": [15, 0], "height": 10}),
+            "the view shows no body that can move",
+        ),
+        Case(
+            scene(view={"center": [500, 0], "height": 10}),
+            scene(view={"center": [500, 0], "height": 10, "follow": "crate"}),
+            "leave the view out",
+        ),
+    ],
+    "twice-placed": [
+        Case(
+            scene(bodies=[GROUND, {**CRATE, "position": [6, 0.5], "shapes": [{"box": [1, 1], "at": [6, 0.5]}]}]),
+            scene(bodies=[GROUND, {**CRATE, "position": [0, 0.5], "shapes": [{"box": [1, 1], "at": [6, 0.5]}]}]),
+            'the shapes of "crate" repeat its position: they are at [12, 1]',
+        ),
+        Case(
+            scene(bodies=[GROUND, {**CRATE, "position": [6, 0.5], "shapes": [{"polygon": WEDGE}]}]),
+            scene(bodies=[GROUND, {**CRATE, "position": [-6, 0.5], "shapes": [{"polygon": WEDGE}]}]),
+            "leave one of the two out",
+        ),
     ],
     "falls-away": [
         Case(falling({"position": [30, 3]}), falling({"position": [20.3, 3]}), '"ball" falls for ever'),
@@ -115,6 +162,8 @@ CASES: dict[str, list[Case]] = {
             "look at its mask",
         ),
         Case(falling({"position": [30, 3]}), falling({"position": [30, 3], "velocity": [-5, 0]}), "falls"),
+        Case(over([[9, 0], [-9, 0]]), over([[-9, 0], [9, 0]]), "which side of what lies there is solid"),
+        Case(over([[-9, 0], [9, 0]], angle=180), over([[9, 0], [-9, 0]], angle=180), "falls"),
         Case(
             falling({"position": [30, 3]}, rules=[{"when": {"time": 1}, "do": [{"delete": "ground"}]}]),
             falling({"position": [30, 3]}, rules=[{"when": {"time": 1}, "do": [{"delete": "ball"}]}]),
@@ -148,6 +197,11 @@ CASES: dict[str, list[Case]] = {
     "static-wheel": [
         Case(pinned("wheel", bodies=["crate", "ground"]), pinned("wheel"), '"ground", which is static'),
         Case(pinned("wheel", bodies=["crate", None]), pinned("wheel", bodies=[None, "crate"]), "is the world"),
+        Case(
+            pinned("wheel", bodies=["ball", "crate"], anchor=[3, 3]),
+            pinned("wheel", bodies=["crate", "ball"], anchor=[3, 3]),
+            'is "crate", and "ball" is round about it: the second of its bodies is the wheel',
+        ),
         Case(
             pinned("wheel") | {"bodies": [GROUND, CRATE, {**BALL, "fixed_rotation": True}]},
             pinned("wheel") | {"bodies": [GROUND, {**CRATE, "fixed_rotation": True}, BALL]},

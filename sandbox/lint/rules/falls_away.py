@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import cos, sin
 
 from sandbox.lint.meeting import can_push
 from sandbox.lint.rule import Rule
@@ -10,6 +11,8 @@ from sandbox.lint.subject import Box, Subject, path_to
 from sandbox.scene.finding import Finding, quoted
 from sandbox.scene.flat import FlatBody
 from sandbox.scene.flat_rules import FlatExplode, FlatGravity
+
+_MEND = "put something under it, or look at its mask, and at which side of what lies there is solid"
 
 
 def check(subject: Subject) -> Iterator[Finding]:
@@ -27,14 +30,22 @@ def check(subject: Subject) -> Iterator[Finding]:
         free = body.type == "dynamic" and body.gravity_scale > 0.0 and not body.thrusters
         falls = free and not subject.is_played(body.id)
         if falls and body.id not in held and not _is_expected(subject, body) and not _is_caught(subject, body):
-            mend = "put something under it, or look at its mask"
+            mend = _MEND
             yield Finding(path_to(body), f"{quoted(body.id)} falls for ever: nothing below could stop it", mend)
 
 
 def _is_caught(subject: Subject, body: FlatBody) -> bool:
     box = subject.boxes[body.id]
-    others = (other for other in subject.flat.bodies if can_push(body, other))
+    others = (other for other in subject.flat.bodies if can_push(body, other) and _can_bear(other))
     return any(_is_below(box, subject.boxes[other.id], bool(body.velocity[0] or other.velocity[0])) for other in others)
+
+
+def _can_bear(body: FlatBody) -> bool:
+    """Whether anything of it is solid from above; what moves may turn over."""
+    c, s = cos(body.angle), sin(body.angle)
+    solid = [shape for shape in body.shapes if not shape.sensor]
+    passes = [any(shape.one_way) and s * shape.one_way[0] + c * shape.one_way[1] <= 0.0 for shape in solid]
+    return body.type != "static" or not all(passes)
 
 
 def _is_below(box: Box, other: Box, sideways: bool) -> bool:

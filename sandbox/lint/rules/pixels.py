@@ -11,7 +11,7 @@ from sandbox.scene.finding import Finding
 LARGE = 15.0
 """Least extent (units of length): few scenes have nothing smaller in motion that are in metres."""
 FEW = 3
-"""So many bodies may well be ships or planets."""
+"""So many bodies without gravity may well be ships or planets."""
 
 
 def check(subject: Subject) -> Iterator[Finding]:
@@ -20,7 +20,8 @@ def check(subject: Subject) -> Iterator[Finding]:
         return
     boxes = [subject.boxes[body.id] for body in subject.flat.bodies if body.type == "dynamic" and body.shapes]
     sizes = [max(right - left, top - bottom) for left, bottom, right, top in boxes]
-    if len(sizes) > FEW and min(sizes) > LARGE:
+    enough = 0 if any(subject.flat.gravity) else FEW
+    if len(sizes) > enough and min(sizes) > LARGE:
         text = f"nothing that moves is smaller than {min(sizes):.3g} m, as if lengths were pixels"
         yield Finding(("settings",), text, 'say how many make a metre, as "units_per_meter": 100, or 1')
 
